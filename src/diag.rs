@@ -1,0 +1,221 @@
+//! Places in sources and the one type of diagnostic that every module reports with.
+//!
+//! A diagnostic is data: a stable code, a severity, a place and arguments. Its text is made from the
+//! locale files at the edge of the program, never here. Invariant: this module knows no language and
+//! no rule.
+use std::fmt;
+use std::sync::Arc;
+
+/// A stretch of bytes in a source, end exclusive.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Span {
+    /// First byte.
+    pub start: usize,
+    /// The byte after the last one.
+    pub end: usize,
+}
+
+impl Span {
+    /// The stretch from `start` up to, not including, `end`.
+    pub const fn new(start: usize, end: usize) -> Self {
+        Self { start, end }
+    }
+}
+
+impl From<std::ops::Range<usize>> for Span {
+    fn from(range: std::ops::Range<usize>) -> Self {
+        Self::new(range.start, range.end)
+    }
+}
+
+/// A line and a column, both counted from 1; columns count characters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Position {
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+}
+
+/// A text with the name of the file it came from and the starts of its lines.
+pub struct Source {
+    name: String,
+    text: String,
+    lines: Vec<usize>,
+}
+
+impl Source {
+    /// A source with the given display name; lines end at `\n`, `\r\n` or a lone `\r`.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Arc<Self> {
+        let text = text.into();
+        let mut lines = vec![0];
+        let bytes = text.as_bytes();
+        for (at, &byte) in bytes.iter().enumerate() {
+            let ends = byte == b'\n' || (byte == b'\r' && bytes.get(at + 1) != Some(&b'\n'));
+            if ends {
+                lines.push(at + 1);
+            }
+        }
+        Arc::new(Self { name: name.into(), text, lines })
+    }
+
+    /// The name as the user gave it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The whole text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The number (from 1) of the line that holds the byte.
+    pub fn line_of(&self, byte: usize) -> usize {
+        self.lines.partition_point(|&start| start <= byte).max(1)
+    }
+
+    /// Line and column of a byte; a byte past the end counts as the end.
+    pub fn position(&self, byte: usize) -> Position {
+        let byte = byte.min(self.text.len());
+        let line = self.line_of(byte);
+        let start = self.lines[line - 1];
+        let before = self.text.get(start..byte).unwrap_or_default();
+        Position { line, column: before.chars().count() + 1 }
+    }
+}
+
+impl fmt::Debug for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Source({:?}, {} bytes)", self.name, self.text.len())
+    }
+}
+
+/// A stretch of one source.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// The source.
+    pub source: Arc<Source>,
+    /// The stretch in it.
+    pub span: Span,
+}
+
+impl Place {
+    /// The stretch `span` of `source`.
+    pub fn new(source: &Arc<Source>, span: impl Into<Span>) -> Self {
+        Self { source: Arc::clone(source), span: span.into() }
+    }
+
+    /// Where the stretch starts.
+    pub fn start(&self) -> Position {
+        self.source.position(self.span.start)
+    }
+
+    /// Where the stretch ends (exclusive).
+    pub fn end(&self) -> Position {
+        self.source.position(self.span.end)
+    }
+}
+
+/// How bad it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Worth knowing.
+    Note,
+    /// Probably not meant.
+    Warning,
+    /// Wrong.
+    Error,
+}
+
+impl Severity {
+    /// The lower-case English word used in machine-readable output.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Note => "note",
+            Self::Warning => "warning",
+            Self::Error => "error",
+        }
+    }
+}
+
+/// A value that a diagnostic's text can show.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Arg {
+    /// Text, shown as it is.
+    Text(String),
+    /// A number, shown as the language of the reader writes it.
+    Number(f64),
+}
+
+impl From<&str> for Arg {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+impl From<String> for Arg {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<f64> for Arg {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<usize> for Arg {
+    fn from(number: usize) -> Self {
+        Self::Number(number as f64)
+    }
+}
+
+/// One finding. Its text is the message `diag-<code>` of the reader's locale, formatted with `args`.
+#[derive(Clone, Debug)]
+pub struct Diagnostic {
+    /// Stable code in kebab case.
+    pub code: &'static str,
+    /// How bad it is.
+    pub severity: Severity,
+    /// Where it is; nothing for findings about no file.
+    pub place: Option<Place>,
+    /// Values for the text, by argument name.
+    pub args: Vec<(&'static str, Arg)>,
+    /// Other places that belong to the finding, each with a code of its own for its caption.
+    pub related: Vec<(&'static str, Place)>,
+}
+
+impl Diagnostic {
+    /// An error at a place.
+    pub fn error(code: &'static str, place: Place) -> Self {
+        Self { code, severity: Severity::Error, place: Some(place), args: Vec::new(), related: Vec::new() }
+    }
+
+    /// A warning at a place.
+    pub fn warning(code: &'static str, place: Place) -> Self {
+        Self { severity: Severity::Warning, ..Self::error(code, place) }
+    }
+
+    /// An error about no file in particular.
+    pub fn global(code: &'static str) -> Self {
+        Self { code, severity: Severity::Error, place: None, args: Vec::new(), related: Vec::new() }
+    }
+
+    /// The same with one more argument for its text.
+    pub fn arg(mut self, name: &'static str, value: impl Into<Arg>) -> Self {
+        self.args.push((name, value.into()));
+        self
+    }
+
+    /// The same with one more place.
+    pub fn related(mut self, caption: &'static str, place: Place) -> Self {
+        self.related.push((caption, place));
+        self
+    }
+
+    /// The argument of that name.
+    pub fn get(&self, name: &str) -> Option<&Arg> {
+        self.args.iter().find(|(key, _)| *key == name).map(|(_, value)| value)
+    }
+}

@@ -1,0 +1,5 @@
+//! Ciklo: one declarative specification of each CNC cycle, read by a dialog generator, an NC block
+//! printer, a manual generator, a program checker and a reference engine.
+//!
+//! See `ARCHITECTURE.md` for the map of the modules and what each of them must not know.
+pub mod diag;

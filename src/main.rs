@@ -1,0 +1,2 @@
+//! The command `ciklo`.
+fn main() {}
