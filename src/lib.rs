@@ -3,3 +3,4 @@
 //!
 //! See `ARCHITECTURE.md` for the map of the modules and what each of them must not know.
 pub mod diag;
+pub mod expr;
