@@ -2,5 +2,7 @@
 //! printer, a manual generator, a program checker and a reference engine.
 //!
 //! See `ARCHITECTURE.md` for the map of the modules and what each of them must not know.
+pub mod data;
 pub mod diag;
 pub mod expr;
+pub mod spec;

@@ -1,0 +1,15 @@
+//! The specifications of the cycles: reading, checking, resolving for a control.
+//!
+//! Invariant: knows no language; every text that a person reads is an id here.
+mod catalogue;
+mod decode;
+mod filter;
+mod form;
+mod profile;
+mod yaml;
+
+pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Param};
+pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
+pub use form::*;
+pub use profile::{Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName};
+pub use yaml::{Key, Kind, Node, read as read_yaml};

@@ -1,0 +1,103 @@
+//! Profiles of the controls, and the errata of their manuals.
+use super::decode::{Entries, Name, record};
+use super::form::Keyword;
+
+record! {
+    /// The rules of NC labels on a control.
+    pub struct LabelRules {
+        /// The greatest number of characters.
+        max_length: u32,
+        /// Where the limit comes from.
+        why: String,
+    }
+}
+
+record! {
+    /// A software option.
+    pub struct OptionName {
+        /// Its number.
+        number: u32,
+        /// Its id.
+        option: Name,
+    }
+}
+
+record! {
+    /// Where a manual names something.
+    pub struct NamedIn {
+        /// The three-digit head of the manual's file name.
+        manual: String,
+        /// The lines.
+        lines: String,
+    }
+}
+
+record! {
+    /// A cycle that a manual names.
+    pub struct Named {
+        /// How it is written.
+        keyword: Keyword,
+        /// Its number.
+        number: u32,
+        /// The printed name.
+        name: String,
+        /// Where.
+        source: NamedIn,
+    }
+}
+
+record! {
+    /// A control.
+    pub struct Control {
+        /// Its id, such as `tnc640`.
+        control: Name,
+        /// Its printed name.
+        title: String,
+        /// The heads of the file names of its manuals.
+        manuals: Vec<String>,
+        /// The language of its manual.
+        language: String,
+        /// The rules of NC labels.
+        label: LabelRules,
+        /// The layout of printed blocks by key.
+        block: Entries<Name>,
+        /// Printed names of machine data by their neutral names.
+        data: Entries<Name>,
+        /// Software options.
+        options: Vec<OptionName>,
+        /// Names of its table and log files.
+        files: Entries<Name>,
+        /// Every cycle that its manuals name.
+        named: Vec<Named>,
+    }
+}
+
+record! {
+    /// A misprint, contradiction or silence, and what was decided.
+    pub struct Erratum {
+        /// Its id.
+        id: Name,
+        /// The control.
+        control: Option<Name>,
+        /// The cycle, keyword and number.
+        cycle: Option<Name>,
+        /// The manual.
+        manual: Option<String>,
+        /// The lines.
+        lines: Option<String>,
+        /// What is printed; nothing for silences.
+        printed: Option<String>,
+        /// What is right.
+        right: Option<String>,
+        /// Why.
+        why: String,
+    }
+}
+
+record! {
+    /// The file of errata.
+    pub struct Errata {
+        /// The entries.
+        errata: Option<Vec<Erratum>>,
+    }
+}
