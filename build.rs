@@ -12,7 +12,7 @@ fn main() -> io::Result<()> {
     }
     files.sort();
     let mut out = String::from(
-        "/// Path and bytes of each embedded file, in the order of paths.\npub static FILES: &[(&str, &[u8])] = &[\n",
+        "/// Path and bytes of each embedded file, in the order of paths.\npub(super) static FILES: &[(&str, &[u8])] = &[\n",
     );
     for (name, path) in &files {
         let _ = writeln!(out, "    ({name:?}, include_bytes!({:?})),", path.display().to_string());

@@ -5,11 +5,17 @@ mod catalogue;
 mod decode;
 mod filter;
 mod form;
+mod lint;
 mod profile;
+mod schema;
+mod texts;
 mod yaml;
 
 pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Param};
 pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use form::*;
+pub use lint::{is_offered, lint, takes};
 pub use profile::{Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName};
+pub use schema::schema;
+pub use texts::{Text, texts};
 pub use yaml::{Key, Kind, Node, read as read_yaml};

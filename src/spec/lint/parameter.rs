@@ -1,0 +1,152 @@
+//! Parameters and old-style lines: numbers, ranges, choices and examples agree with each other.
+use super::super::catalogue::{Cycle, OnControl, Param};
+use super::super::form::{ParameterKind, Shape};
+use crate::diag::Diagnostic;
+use crate::expr::{QKind, QRef};
+
+pub(super) fn parameters(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
+    for (index, param) in cycle.params.iter().enumerate() {
+        let earlier = cycle.params[..index].iter().find(|other| other.q.is_some() && other.q == param.q);
+        if let (Some(first), Some(q)) = (earlier, param.q) {
+            found.push(
+                Diagnostic::error("spec-duplicate-parameter", param.place.clone())
+                    .arg("q", q.to_string())
+                    .related("first-place", first.place.clone()),
+            );
+        }
+        range(param, found);
+        choices(param, found);
+        example(cycle, param, found);
+        if let Some(condition) = &param.effective
+            && cycle.file.conditions.get(condition.as_str()).is_none()
+        {
+            found.push(
+                Diagnostic::error("spec-unknown-condition", condition.place.clone()).arg("name", condition.as_str()),
+            );
+        }
+        let text_q = param.q.is_some_and(|q| q.kind == QKind::Qs);
+        if text_q != (param.kind == ParameterKind::Text && param.q.is_some()) {
+            found.push(Diagnostic::error("spec-text-parameter", param.place.clone()).arg("name", param.is.as_str()));
+        }
+    }
+    if cycle.params.is_empty() {
+        found.push(Diagnostic::error("spec-no-parameters", cycle.file.name.place.clone()));
+    }
+    if !cycle.file.parameters.is_empty() && !cycle.file.forms.is_empty() {
+        found.push(Diagnostic::error("spec-both-forms", cycle.file.name.place.clone()));
+    }
+}
+
+fn range(param: &Param, found: &mut Vec<Diagnostic>) {
+    if let (Some(min), Some(max)) = (param.min, param.max)
+        && min > max
+    {
+        found.push(Diagnostic::error("spec-empty-range", param.place.clone()).arg("min", min).arg("max", max));
+    }
+    let numeric = !matches!(param.kind, ParameterKind::Text | ParameterKind::AxisDirection | ParameterKind::Axis);
+    if !numeric && (param.min.is_some() || param.max.is_some()) {
+        found.push(Diagnostic::error("spec-range-of-text", param.place.clone()).arg("name", param.is.as_str()));
+    }
+}
+
+fn choices(param: &Param, found: &mut Vec<Diagnostic>) {
+    for (index, choice) in param.choices.iter().enumerate() {
+        super::slug(&choice.choice, found);
+        if let Some(first) = param.choices[..index].iter().find(|other| other.value == choice.value) {
+            found.push(
+                Diagnostic::error("spec-duplicate-choice", choice.value.place.clone())
+                    .arg("value", choice.value.as_str())
+                    .related("first-place", first.value.place.clone()),
+            );
+        }
+        let open = choice.value.as_str().starts_with(['<', '>']);
+        if !open && choice.value.as_str().parse::<i64>().is_err() {
+            found.push(
+                Diagnostic::error("spec-expected", choice.value.place.clone())
+                    .arg("expected", "whole-number")
+                    .arg("found", choice.value.as_str()),
+            );
+        }
+    }
+}
+
+/// The printed number of an example, with comma or point and sign.
+pub(super) fn number(text: &str) -> Option<f64> {
+    text.trim().replace(',', ".").parse::<f64>().ok().filter(|n| n.is_finite())
+}
+
+fn example(cycle: &Cycle, param: &Param, found: &mut Vec<Diagnostic>) {
+    let Some(text) = &param.example else {
+        // A cycle that is known from its use alone, or an optional field, may come without a value.
+        let optional = param.field.as_ref().is_some_and(|field| field.optional);
+        if !optional && cycle.file.nc_examples.iter().all(|example| example.values.0.is_empty()) {
+            found.push(Diagnostic::warning("spec-no-example", param.place.clone()).arg("name", param.is.as_str()));
+        }
+        return;
+    };
+    if !is_offered(param, text) {
+        found.push(
+            Diagnostic::error("spec-example-out-of-range", param.place.clone())
+                .arg("name", param.is.as_str())
+                .arg("value", text.as_str()),
+        );
+    }
+}
+
+/// Whether a parameter takes a printed value: by kind, range, choices and words.
+pub fn is_offered(param: &Param, text: &str) -> bool {
+    if param.words.iter().any(|word| word == text) {
+        return true;
+    }
+    match param.kind {
+        ParameterKind::Text => {
+            let inside = text.trim_matches('"');
+            param.max_length.is_none_or(|most| inside.chars().count() <= most as usize)
+        }
+        ParameterKind::AxisDirection | ParameterKind::Axis | ParameterKind::Position => true,
+        ParameterKind::QNumber => QRef::parse(text).is_some() || number(text).is_some(),
+        ParameterKind::NumberOrName if text.starts_with('"') => true,
+        _ => number(text.trim_start_matches('#')).is_some_and(|value| takes(param, value)),
+    }
+}
+
+/// Whether a parameter takes a number: within its range, among its choices.
+pub fn takes(param: &Param, value: f64) -> bool {
+    let above = param.min.is_none_or(|min| value >= min);
+    let below = param.max.is_none_or(|max| value <= max);
+    // A value may be offered by name although it lies outside the printed range (0 = switched off).
+    let offered = param.choices.iter().any(|choice| match choice.value.as_str().split_at_checked(1) {
+        Some((">", limit)) => number(limit).is_some_and(|limit| value > limit),
+        Some(("<", limit)) => number(limit).is_some_and(|limit| value < limit),
+        _ => number(choice.value.as_str()) == Some(value),
+    });
+    let ranged = param.min.is_some() || param.max.is_some();
+    match (ranged, param.choices.is_empty()) {
+        (_, true) => above && below,
+        (true, false) => offered || (above && below),
+        (false, false) => offered,
+    }
+}
+
+pub(super) fn lines(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) {
+    super::duplicates(cycle.file.forms.iter().map(|form| &form.form), found);
+    for form in 0..cycle.file.forms.len() {
+        super::duplicates(cycle.fields(form).map(|(_, field)| &field.id), found);
+    }
+    let model = cycle.file.like.as_ref().and_then(|like| on.by_name(like.as_str()));
+    for (param, field) in cycle.params.iter().filter_map(|param| param.field.as_ref().map(|field| (param, field))) {
+        super::slug(&field.id, found);
+        if (field.shape == Shape::Word) != field.word.is_some() {
+            found.push(Diagnostic::error("spec-word-shape", param.place.clone()).arg("name", field.id.as_str()));
+        }
+        if let (Some(q), Some(model)) = (field.stands_for, model)
+            && model.param(q).is_none()
+        {
+            found.push(
+                Diagnostic::error("spec-unknown-parameter", param.place.clone())
+                    .arg("name", q.to_string())
+                    .arg("cycle", model.key.to_string()),
+            );
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! The JSON Schema of the files, made from the types that read them.
+use serde_json::{Map, Value, json};
+
+use super::decode::Decode;
+use super::form::{CycleFile, Dictionary, Fragment};
+use super::profile::{Control, Errata};
+
+/// One schema for every kind of file below `cycle-specs/`.
+pub fn schema() -> Value {
+    let mut defs = Map::new();
+    let kinds = [
+        CycleFile::schema(&mut defs),
+        Fragment::schema(&mut defs),
+        Dictionary::schema(&mut defs),
+        Control::schema(&mut defs),
+        Errata::schema(&mut defs),
+    ];
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "ciklo specification",
+        "description": "A cycle, a fragment, a dictionary of meanings, a control or the errata.",
+        "anyOf": kinds,
+        "$defs": defs,
+    })
+}
