@@ -4,5 +4,6 @@
 //! See `ARCHITECTURE.md` for the map of the modules and what each of them must not know.
 pub mod data;
 pub mod diag;
+pub mod engine;
 pub mod expr;
 pub mod spec;

@@ -1,0 +1,385 @@
+//! Axes, angles in degrees, frames, and circles through points.
+//!
+//! Invariant: lengths are mm, angles are degrees, and all trigonometry goes through `libm`, so the same
+//! input gives the same bits on every machine. Frames are rigid: they shift and rotate, they never scale.
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+
+/// A linear axis of the machine or of the workpiece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Axis {
+    /// X
+    X,
+    /// Y
+    Y,
+    /// Z
+    Z,
+}
+
+impl Axis {
+    /// All axes in the order of their letters.
+    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+
+    /// The axis of an upper-case letter.
+    pub const fn from_letter(letter: char) -> Option<Self> {
+        match letter {
+            'X' => Some(Self::X),
+            'Y' => Some(Self::Y),
+            'Z' => Some(Self::Z),
+            _ => None,
+        }
+    }
+
+    /// The upper-case letter.
+    pub const fn letter(self) -> char {
+        match self {
+            Self::X => 'X',
+            Self::Y => 'Y',
+            Self::Z => 'Z',
+        }
+    }
+
+    /// The unit vector of the axis.
+    pub const fn unit(self) -> DVec3 {
+        match self {
+            Self::X => DVec3::X,
+            Self::Y => DVec3::Y,
+            Self::Z => DVec3::Z,
+        }
+    }
+
+    /// The component of a vector along the axis.
+    pub const fn of(self, v: DVec3) -> f64 {
+        match self {
+            Self::X => v.x,
+            Self::Y => v.y,
+            Self::Z => v.z,
+        }
+    }
+
+    /// The vector with the component along the axis replaced.
+    pub const fn with(self, v: DVec3, value: f64) -> DVec3 {
+        match self {
+            Self::X => DVec3::new(value, v.y, v.z),
+            Self::Y => DVec3::new(v.x, value, v.z),
+            Self::Z => DVec3::new(v.x, v.y, value),
+        }
+    }
+}
+
+/// The working plane that belongs to a tool axis: main and secondary axis turn right-handed about it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WorkingPlane {
+    /// The main axis (abscissa).
+    pub main: Axis,
+    /// The secondary axis (ordinate).
+    pub secondary: Axis,
+    /// The tool axis.
+    pub tool: Axis,
+}
+
+impl WorkingPlane {
+    /// Z: X, Y; Y: Z, X; X: Y, Z.
+    pub const fn of_tool_axis(tool: Axis) -> Self {
+        let (main, secondary) = match tool {
+            Axis::X => (Axis::Y, Axis::Z),
+            Axis::Y => (Axis::Z, Axis::X),
+            Axis::Z => (Axis::X, Axis::Y),
+        };
+        Self { main, secondary, tool }
+    }
+
+    /// The components of a point in the plane: (main, secondary).
+    pub const fn flat(self, point: DVec3) -> DVec2 {
+        DVec2::new(self.main.of(point), self.secondary.of(point))
+    }
+
+    /// The point with these plane components at a height along the tool axis.
+    pub fn lift(self, flat: DVec2, height: f64) -> DVec3 {
+        self.main.unit() * flat.x + self.secondary.unit() * flat.y + self.tool.unit() * height
+    }
+
+    /// The column of the preset table that holds the basic rotation of this plane: SPA, SPB or SPC by
+    /// tool axis (TNC 320 manual, lines 794-795).
+    pub const fn basic_rotation_column(self) -> &'static str {
+        match self.tool {
+            Axis::X => "SPA",
+            Axis::Y => "SPB",
+            Axis::Z => "SPC",
+        }
+    }
+}
+
+/// Sine of an angle in degrees, exact at multiples of 90.
+pub fn sin_deg(degrees: f64) -> f64 {
+    quarter(degrees).0
+}
+
+/// Cosine of an angle in degrees, exact at multiples of 90.
+pub fn cos_deg(degrees: f64) -> f64 {
+    quarter(degrees).1
+}
+
+/// Sine and cosine, reduced to the first eighth so that right angles come out as whole numbers.
+fn quarter(degrees: f64) -> (f64, f64) {
+    let turns = libm::round(degrees / 90.0);
+    let rest = (degrees - turns * 90.0).to_radians();
+    let (s, c) = (libm::sin(rest), libm::cos(rest));
+    match turns.rem_euclid(4.0) as u8 {
+        0 => (s, c),
+        1 => (c, -s),
+        2 => (-s, -c),
+        _ => (-c, s),
+    }
+}
+
+/// The angle of the vector (x, y) in degrees, in (-180, 180].
+pub fn atan2_deg(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x).to_degrees()
+}
+
+/// The same direction in [0, 360).
+pub fn turn_deg(degrees: f64) -> f64 {
+    let turned = degrees.rem_euclid(360.0);
+    if turned >= 360.0 { 0.0 } else { turned }
+}
+
+/// A rigid transform: first rotate, then shift. It maps coordinates of the inner system to the outer one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame(DAffine3);
+
+impl Frame {
+    /// The system itself.
+    pub const IDENTITY: Self = Self(DAffine3::IDENTITY);
+
+    /// The inner system has its datum at `by`.
+    pub fn shift(by: DVec3) -> Self {
+        Self(DAffine3::from_translation(by))
+    }
+
+    /// The inner system is turned about an axis through the datum, counter-clockwise seen against the axis.
+    pub fn rotate(axis: Axis, degrees: f64) -> Self {
+        let (s, c) = quarter(degrees);
+        let columns = match axis {
+            Axis::X => [DVec3::X, DVec3::new(0.0, c, s), DVec3::new(0.0, -s, c)],
+            Axis::Y => [DVec3::new(c, 0.0, -s), DVec3::Y, DVec3::new(s, 0.0, c)],
+            Axis::Z => [DVec3::new(c, s, 0.0), DVec3::new(-s, c, 0.0), DVec3::Z],
+        };
+        let [x, y, z] = columns;
+        Self(DAffine3::from_mat3(DMat3::from_cols(x, y, z)))
+    }
+
+    /// Turned about the fixed X axis, then the fixed Y axis, then the fixed Z axis (degrees), then shifted.
+    pub fn placed(shift: DVec3, rotate: DVec3) -> Self {
+        Self::shift(shift)
+            .of(Self::rotate(Axis::Z, rotate.z))
+            .of(Self::rotate(Axis::Y, rotate.y))
+            .of(Self::rotate(Axis::X, rotate.x))
+    }
+
+    /// A system inside this one: `outer.of(inner)` maps coordinates of `inner` to those outside `outer`.
+    pub fn of(self, inner: Self) -> Self {
+        Self(self.0 * inner.0)
+    }
+
+    /// Where a point of the inner system lies in the outer one.
+    pub fn point(&self, inner: DVec3) -> DVec3 {
+        self.0.transform_point3(inner)
+    }
+
+    /// The direction of the inner system as seen in the outer one.
+    pub fn vector(&self, inner: DVec3) -> DVec3 {
+        self.0.transform_vector3(inner)
+    }
+
+    /// The way back. The transform is rigid, so the transpose is the inverse to the last bit.
+    pub fn inverse(&self) -> Self {
+        let back = self.0.matrix3.transpose();
+        Self(DAffine3::from_mat3_translation(back, -(back * self.0.translation)))
+    }
+}
+
+/// What lies between the program's coordinates and the machine's: preset with basic rotation, datum shift
+/// (cycle form "shift") and rotation in the working plane, applied from the outside in that order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProgramFrame {
+    /// The preset in machine coordinates.
+    pub preset: DVec3,
+    /// The preset's spatial angles SPA, SPB, SPC: a basic rotation about X, Y, Z through the preset.
+    pub basic: DVec3,
+    /// The datum shift, in the coordinates of the preset.
+    pub datum: DVec3,
+    /// The rotation about the tool axis through the shifted datum.
+    pub rotation: f64,
+    /// The working plane in which `rotation` turns.
+    pub plane: WorkingPlane,
+}
+
+impl ProgramFrame {
+    /// At the machine's datum, nothing shifted or turned.
+    pub const fn new(tool: Axis) -> Self {
+        Self {
+            preset: DVec3::ZERO,
+            basic: DVec3::ZERO,
+            datum: DVec3::ZERO,
+            rotation: 0.0,
+            plane: WorkingPlane::of_tool_axis(tool),
+        }
+    }
+
+    /// From the workpiece system of the preset (the system of scene files) to the machine.
+    pub fn preset_to_machine(&self) -> Frame {
+        Frame::placed(self.preset, self.basic)
+    }
+
+    /// From program coordinates to the workpiece system of the preset.
+    pub fn program_to_preset(&self) -> Frame {
+        Frame::shift(self.datum).of(Frame::rotate(self.plane.tool, self.rotation))
+    }
+
+    /// From program coordinates to the machine.
+    pub fn program_to_machine(&self) -> Frame {
+        self.preset_to_machine().of(self.program_to_preset())
+    }
+}
+
+/// A circle in the working plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Circle {
+    /// Centre in mm.
+    pub centre: DVec2,
+    /// Radius in mm.
+    pub radius: f64,
+}
+
+/// Why no circle fits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FitError {
+    /// Fewer than three points.
+    TooFew,
+    /// All points on one line, or two of three coincide.
+    Collinear,
+    /// A coordinate is not a finite number.
+    NotFinite,
+    /// The iteration found no minimum: the points are no circle.
+    NoConvergence,
+}
+
+/// Points count as collinear when their deviation from a line is below this share of their extent.
+const COLLINEAR: f64 = 1e-12;
+/// A fit has converged when a step is below this share of the extent of the points.
+const CONVERGED: f64 = 1e-15;
+/// A fit that has not converged by then will not.
+const MAX_STEPS: usize = 200;
+
+/// The circle through three points.
+///
+/// # Errors
+/// [`FitError::Collinear`] for points on a line, [`FitError::NotFinite`] for coordinates that are no numbers.
+pub fn circle_through_3(points: [DVec2; 3]) -> Result<Circle, FitError> {
+    let [a, b, c] = points;
+    if !points.iter().all(|p| p.is_finite()) {
+        return Err(FitError::NotFinite);
+    }
+    let (u, v) = (b - a, c - a);
+    let cross = u.perp_dot(v);
+    let extent = u.length_squared().max(v.length_squared()).max((b - c).length_squared());
+    if cross.abs() <= COLLINEAR * extent || extent == 0.0 {
+        return Err(FitError::Collinear);
+    }
+    let (uu, vv) = (u.length_squared(), v.length_squared());
+    let offset = DVec2::new(v.y * uu - u.y * vv, u.x * vv - v.x * uu) / (2.0 * cross);
+    Ok(Circle { centre: a + offset, radius: offset.length() })
+}
+
+/// The circle with the least sum of squared distances from the points (geometric fit): Levenberg's damped
+/// Gauss-Newton iteration, started from the algebraic fit of Kåsa.
+///
+/// # Errors
+/// Too few points, points on a line, or no minimum; see [`FitError`].
+pub fn fit_circle(points: &[DVec2]) -> Result<Circle, FitError> {
+    if points.len() < 3 {
+        return Err(FitError::TooFew);
+    }
+    if !points.iter().all(|p| p.is_finite()) {
+        return Err(FitError::NotFinite);
+    }
+    let mean = points.iter().sum::<DVec2>() / points.len() as f64;
+    let scale = points.iter().map(|p| (p - mean).length()).fold(0.0, f64::max);
+    if scale == 0.0 {
+        return Err(FitError::Collinear);
+    }
+    let local: Vec<DVec2> = points.iter().map(|p| (p - mean) / scale).collect();
+    let unit = refine(kasa(&local)?, &local)?;
+    Ok(Circle { centre: mean + unit.centre * scale, radius: unit.radius * scale })
+}
+
+/// The algebraic fit of points whose mean is the origin: linear in centre and radius squared.
+fn kasa(points: &[DVec2]) -> Result<Circle, FitError> {
+    let (mut xx, mut xy, mut yy, mut right, mut square) = (0.0, 0.0, 0.0, DVec2::ZERO, 0.0);
+    for p in points {
+        xx += p.x * p.x;
+        xy += p.x * p.y;
+        yy += p.y * p.y;
+        right += *p * p.length_squared();
+        square += p.length_squared();
+    }
+    let det = xx * yy - xy * xy;
+    if det <= COLLINEAR * (xx + yy) * (xx + yy) {
+        return Err(FitError::Collinear);
+    }
+    let centre = DVec2::new(yy * right.x - xy * right.y, xx * right.y - xy * right.x) / (2.0 * det);
+    let radius = libm::sqrt(square / points.len() as f64 + centre.length_squared());
+    Ok(Circle { centre, radius })
+}
+
+/// Sum of squared distances from the circle.
+fn cost(circle: Circle, points: &[DVec2]) -> f64 {
+    points
+        .iter()
+        .map(|p| {
+            let gap = (p - circle.centre).length() - circle.radius;
+            gap * gap
+        })
+        .sum()
+}
+
+/// Damped Gauss-Newton; the damping falls to nothing, so the end converges as fast as without it.
+fn refine(start: Circle, points: &[DVec2]) -> Result<Circle, FitError> {
+    let (mut best, mut best_cost, mut damping) = (start, cost(start, points), 0.0);
+    for _ in 0..MAX_STEPS {
+        let step = gauss_newton_step(best, points, damping).ok_or(FitError::NoConvergence)?;
+        let next = Circle { centre: best.centre + DVec2::new(step.x, step.y), radius: best.radius + step.z };
+        let next_cost = cost(next, points);
+        let small = step.length() <= CONVERGED * (1.0 + best.radius);
+        if next_cost <= best_cost {
+            (best, best_cost) = (next, next_cost);
+            damping = if damping < 1e-8 { 0.0 } else { damping / 10.0 };
+        } else if small || step.length() <= 1e-12 {
+            // Rounding decides here: the cost is flat to the last bit.
+            return Ok(best);
+        } else {
+            damping = if damping == 0.0 { 1e-4 } else { damping * 10.0 };
+        }
+        if small {
+            return Ok(best);
+        }
+    }
+    Err(FitError::NoConvergence)
+}
+
+fn gauss_newton_step(circle: Circle, points: &[DVec2], damping: f64) -> Option<DVec3> {
+    let (mut normal, mut right) = (DMat3::ZERO, DVec3::ZERO);
+    for p in points {
+        let away = p - circle.centre;
+        let distance = away.length();
+        if distance == 0.0 {
+            return None;
+        }
+        let row = DVec3::new(away.x / distance, away.y / distance, 1.0);
+        normal += DMat3::from_cols(row * row.x, row * row.y, row * row.z);
+        right += row * (distance - circle.radius);
+    }
+    let damped = normal + DMat3::from_diagonal(DVec3::splat(damping * points.len() as f64));
+    let step = damped.inverse() * right;
+    step.is_finite().then_some(step)
+}

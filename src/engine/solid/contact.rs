@@ -1,0 +1,304 @@
+//! Questions to a body: the distance of a point, and where a moving ball touches first.
+//!
+//! Invariant: an answer is exact or an error. A reported contact always is one, because its point belongs
+//! to the body and lies one ball radius from the centre; none is missed, because every first contact is on
+//! the foot of a perpendicular to a face or an edge, or on a corner, and all of them are examined.
+use super::SolidError;
+use super::body::{Body, Feature};
+use super::path::{Path, Piece};
+use glam::DVec3;
+
+/// Where a ball touches, and how far along its path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Parameter of the path, 0 at its start and 1 at its end.
+    pub t: f64,
+    /// The centre of the ball at that moment.
+    pub ball_centre: DVec3,
+    /// The point of the solid that is touched.
+    pub point: DVec3,
+    /// Unit vector out of the material, from the point to the ball centre.
+    pub normal: DVec3,
+    /// The ball overlapped the solid before it moved.
+    pub deflected: bool,
+}
+
+/// The nearest point of a solid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// Distance in mm; 0 inside the solid.
+    pub distance: f64,
+    /// The nearest point; the asked point itself inside the solid.
+    pub point: DVec3,
+}
+
+/// A ball that is closer or deeper than this touches, in mm: the accuracy that is promised.
+const TOUCH: f64 = 1e-9;
+/// A motion approaches a surface when the cosine between its direction and the normal is below the negative of this.
+const APPROACH: f64 = 1e-12;
+/// A root of the polynomial is one of the distance only if the gap there is below this, in mm, before it is sharpened.
+const NEAR_ROOT: f64 = 1e-3;
+/// Unsupported edges are told apart from the ball down to this share of its radius.
+const EDGE_SHARE: f64 = 1.0 / 64.0;
+/// The search for unsupported edges gives up (and reports them) after so many cells.
+const MAX_CELLS: usize = 200_000;
+/// A helix is proven free in steps not shorter than this, in mm.
+const MIN_STEP: f64 = 1e-3;
+
+/// A moment at which the ball is at the right distance from a feature.
+struct Candidate {
+    t: f64,
+    centre: DVec3,
+    point: DVec3,
+}
+
+impl Body {
+    /// The nearest point of the solid; nothing if it is empty.
+    ///
+    /// # Errors
+    /// An edge that is not supported may be nearer, or a number is not finite.
+    pub fn nearest(&self, p: DVec3) -> Result<Option<Nearest>, SolidError> {
+        let nearest = self.nearest_supported(p)?;
+        let reach = nearest.map_or(1e9, |nearest| nearest.distance);
+        self.no_edge_within(p, reach)?;
+        Ok(nearest)
+    }
+
+    /// Whether a ball standing there overlaps the solid by more than the accuracy (a probe that is already deflected).
+    ///
+    /// # Errors
+    /// An edge that is not supported may touch the ball, or a number is not finite.
+    pub fn touches(&self, ball_radius: f64, centre: DVec3) -> Result<bool, SolidError> {
+        if self.nearest_supported(centre)?.is_some_and(|nearest| nearest.distance < ball_radius - TOUCH) {
+            return Ok(true);
+        }
+        self.no_edge_within(centre, ball_radius)?;
+        Ok(false)
+    }
+
+    /// The nearest point of the solid apart from edges that are not supported.
+    fn nearest_supported(&self, p: DVec3) -> Result<Option<Nearest>, SolidError> {
+        if !p.is_finite() {
+            return Err(SolidError::NotFinite);
+        }
+        if self.contains(p)? {
+            return Ok(Some(Nearest { distance: 0.0, point: p }));
+        }
+        let feet = self.features.iter().map(|f| f.foot(p));
+        let mut feet: Vec<(f64, DVec3)> = feet.map(|foot| ((foot - p).length(), foot)).collect();
+        feet.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (distance, point) in feet {
+            if self.contains(point)? {
+                return Ok(Some(Nearest { distance, point }));
+            }
+        }
+        Ok(None)
+    }
+
+    fn no_edge_within(&self, p: DVec3, reach: f64) -> Result<(), SolidError> {
+        let near = |(a, b): &(usize, usize)| self.edge_within(*a, *b, p, reach);
+        if self.unsupported.iter().any(near) { Err(SolidError::Edge(p)) } else { Ok(()) }
+    }
+
+    /// Where a ball that moves along a straight line touches first.
+    ///
+    /// # Errors
+    /// As for [`Body::first_contact_on`].
+    pub fn first_contact(&self, ball_radius: f64, from: DVec3, to: DVec3) -> Result<Option<Contact>, SolidError> {
+        self.first_contact_on(ball_radius, &Path::line(from, to))
+    }
+
+    /// Where a ball that moves along a path touches first: where it begins to penetrate. Touching while it
+    /// slides along a face or leaves it is no contact. A ball that overlaps the solid at the start has its
+    /// contact there, marked `deflected`.
+    ///
+    /// # Errors
+    /// The ball radius is not positive, a number is not finite, an edge that is not supported lies within
+    /// reach, or a helix cannot be proven free. There is no approximate answer.
+    pub fn first_contact_on(&self, ball_radius: f64, path: &Path) -> Result<Option<Contact>, SolidError> {
+        if !(ball_radius.is_finite() && ball_radius > 0.0 && path.is_finite()) {
+            return Err(SolidError::NotFinite);
+        }
+        if path.is_helix() {
+            return self.helix_is_free(ball_radius, path, 0.0, 1.0).map(|()| None);
+        }
+        let pieces = path.pieces();
+        let mut candidates = self.candidates(ball_radius, &pieces);
+        candidates.sort_by(|a, b| a.t.total_cmp(&b.t));
+        let next = candidates.first().map_or(1.0, |candidate| candidate.t);
+        if let Some(contact) = self.contact_at_start(ball_radius, path, pieces.first(), next)? {
+            return Ok(Some(contact));
+        }
+        let mut found = None;
+        for Candidate { t, centre, point } in candidates {
+            if self.contains(point)? {
+                let normal = (centre - point) / ball_radius;
+                found = Some(Contact { t, ball_centre: centre, point, normal, deflected: false });
+                break;
+            }
+        }
+        let until = found.map_or(1.0, |contact| contact.t);
+        for (a, b) in &self.unsupported {
+            self.edge_is_clear(*a, *b, ball_radius, path, 0.0, until)?;
+        }
+        Ok(found)
+    }
+
+    /// All moments at which the ball begins to be closer to a feature than its radius.
+    fn candidates(&self, radius: f64, pieces: &[Piece]) -> Vec<Candidate> {
+        let mut all = Vec::new();
+        for piece in pieces {
+            let middle = piece.at(0.5 * (piece.low + piece.high));
+            let reach = (piece.at(piece.high) - middle).length() + radius + TOUCH;
+            for feature in &self.features {
+                if (feature.foot(middle) - middle).length() > reach {
+                    continue;
+                }
+                let Some(poly) = feature.at_distance(piece, radius) else { continue };
+                let roots = poly.roots_and_extrema(piece.low, piece.high);
+                all.extend(roots.into_iter().filter_map(|u| candidate(feature, piece, radius, u)));
+            }
+        }
+        all
+    }
+
+    /// The contact at the start of the path, if the ball is there already.
+    fn contact_at_start(
+        &self,
+        radius: f64,
+        path: &Path,
+        piece: Option<&Piece>,
+        next: f64,
+    ) -> Result<Option<Contact>, SolidError> {
+        let start = path.at(0.0);
+        let way = piece.map_or(DVec3::ZERO, |piece| {
+            if piece.backwards() { -piece.speed(piece.high) } else { piece.speed(piece.low) }
+        });
+        let way = way.normalize_or_zero();
+        if self.contains(start)? {
+            let contact = Contact { t: 0.0, ball_centre: start, point: start, normal: -way, deflected: true };
+            return Ok(Some(contact));
+        }
+        let (mut best, mut sliding): (Option<(f64, Contact)>, Option<Contact>) = (None, None);
+        for feature in &self.features {
+            let point = feature.foot(start);
+            let distance = (start - point).length();
+            let gap = distance - radius;
+            if gap > TOUCH || !self.contains(point)? {
+                continue;
+            }
+            let normal = (start - point) / distance;
+            let deflected = gap < -TOUCH;
+            let contact = Contact { t: 0.0, ball_centre: start, point, normal, deflected };
+            if deflected || normal.dot(way) < -APPROACH {
+                if best.is_none_or(|(least, _)| gap < least) {
+                    best = Some((gap, contact));
+                }
+            } else {
+                sliding = Some(contact);
+            }
+        }
+        if let Some((_, contact)) = best {
+            return Ok(Some(contact));
+        }
+        // An arc can leave a touched face along its tangent and still bend into it.
+        let bends_in = sliding.is_some() && self.touches(radius, path.at(0.5 * next))?;
+        Ok(sliding.filter(|_| bends_in))
+    }
+
+    /// Proves that no point of an unsupported edge comes within the ball between two moments.
+    fn edge_is_clear(
+        &self,
+        a: usize,
+        b: usize,
+        radius: f64,
+        path: &Path,
+        from: f64,
+        to: f64,
+    ) -> Result<(), SolidError> {
+        let half = 0.5 * (to - from) * path.length();
+        let middle = 0.5 * (from + to);
+        if !self.edge_within(a, b, path.at(middle), radius + half) {
+            return Ok(());
+        }
+        if half <= radius * EDGE_SHARE {
+            return Err(SolidError::Edge(path.at(middle)));
+        }
+        self.edge_is_clear(a, b, radius, path, from, middle)?;
+        self.edge_is_clear(a, b, radius, path, middle, to)
+    }
+
+    /// Whether a point on both surfaces that may bound the solid may lie within `reach` of `p`. Never denies wrongly.
+    fn edge_within(&self, a: usize, b: usize, p: DVec3, reach: f64) -> bool {
+        let (Some(first), Some(second)) = (self.surfaces.get(a), self.surfaces.get(b)) else { return false };
+        let mut open = vec![(p, reach)];
+        let mut looked = 0;
+        while let Some((middle, half)) = open.pop() {
+            looked += 1;
+            let around = half * 1.733;
+            let excluded = first.signed(middle).abs() > around
+                || second.signed(middle).abs() > around
+                || (middle - p).length() - around > reach
+                || self.certain(middle, around, a, b).is_some();
+            if excluded {
+                continue;
+            }
+            if half <= reach * EDGE_SHARE * 0.25 || looked > MAX_CELLS {
+                return true;
+            }
+            let quarter = half * 0.5;
+            for corner in 0..8_u8 {
+                let offset = |bit: u8| if corner & bit == 0 { -quarter } else { quarter };
+                open.push((middle + DVec3::new(offset(1), offset(2), offset(4)), quarter));
+            }
+        }
+        false
+    }
+
+    /// Proves that a ball on a helix touches nothing; a helix that would touch is a limit.
+    fn helix_is_free(&self, radius: f64, path: &Path, from: f64, to: f64) -> Result<(), SolidError> {
+        let half = 0.5 * (to - from) * path.length();
+        let middle = 0.5 * (from + to);
+        let distance = self.nearest_supported(path.at(middle))?.map_or(f64::INFINITY, |nearest| nearest.distance);
+        if distance > radius + half {
+            return self.no_edge_within(path.at(middle), radius + half);
+        }
+        if distance < radius || half <= MIN_STEP {
+            return Err(SolidError::Helix(path.at(middle)));
+        }
+        self.helix_is_free(radius, path, from, middle)?;
+        self.helix_is_free(radius, path, middle, to)
+    }
+}
+
+/// A root of a feature's polynomial, sharpened on the true distance and kept if it is an approach.
+fn candidate(feature: &Feature, piece: &Piece, radius: f64, root: f64) -> Option<Candidate> {
+    let state = |u: f64| {
+        let centre = piece.at(u);
+        let point = feature.foot(centre);
+        let away = centre - point;
+        let distance = away.length();
+        let slope = if distance > 0.0 { away.dot(piece.speed(u)) / distance } else { 0.0 };
+        (centre, point, distance - radius, slope)
+    };
+    let (mut u, mut here) = (root, state(root));
+    if here.2.abs() > NEAR_ROOT {
+        return None;
+    }
+    for _ in 0..8 {
+        let (_, _, gap, slope) = here;
+        let next = u - gap / slope;
+        if !next.is_finite() || next < piece.low || next > piece.high {
+            break;
+        }
+        let there = state(next);
+        if there.2.abs() >= gap.abs() {
+            break;
+        }
+        (u, here) = (next, there);
+    }
+    let (centre, point, gap, slope) = here;
+    let forward = if piece.backwards() { -slope } else { slope };
+    let speed = piece.speed(u).length();
+    (gap.abs() <= TOUCH && forward < -APPROACH * speed).then(|| Candidate { t: piece.t(u), centre, point })
+}

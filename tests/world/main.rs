@@ -1,0 +1,3 @@
+//! The world of the engine: geometry, solids, tables, scenes.
+mod solid_cases;
+mod solid_laws;
