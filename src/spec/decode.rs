@@ -58,7 +58,7 @@ pub trait Decode: Sized {
 
 impl<T: Decode> Decode for Option<T> {
     fn decode(node: &Node, cx: &mut Context<'_>) -> Option<Self> {
-        if matches!(&node.kind, Kind::Scalar(text, true) if &**text == "null" || &**text == "~") {
+        if matches!(&node.kind, Kind::Scalar(text, true) if matches!(&**text, "" | "~" | "null")) {
             return Some(None);
         }
         T::decode(node, cx).map(Some)

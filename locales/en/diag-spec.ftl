@@ -1,0 +1,59 @@
+## Mistakes in specifications. $expected and $found come from the file or name a kind of value.
+
+diag-spec-both-forms = The cycle has parameters and old-style lines; it can be written in one form only.
+diag-spec-case-incomplete = The case { $name } needs a scene and an expectation, or a reason to skip it.
+diag-spec-case-never-reached = This case is never reached: an earlier one takes everything that it would take.
+diag-spec-case-proves-nothing = The case { $name } does not say what it proves.
+diag-spec-duplicate-choice = The choice { $value } is offered twice.
+diag-spec-duplicate-cycle = { $cycle } ({ $name }) is described twice for one control.
+diag-spec-duplicate-key = The key { $key } stands twice.
+diag-spec-duplicate-name = The name { $name } stands twice.
+diag-spec-duplicate-parameter = { $q } stands twice in the cycle.
+diag-spec-empty-range = The range is empty: { $min } is greater than { $max }.
+diag-spec-example-out-of-range = The example value { $value } of { $name } is none that the parameter takes.
+diag-spec-expected = Expected { $expected }, found { $found }.
+diag-spec-expression = Not an expression: expected { $expected }, found "{ $found }".
+diag-spec-foreign-manual = Manual { $manual } is not a manual of { $control }.
+diag-spec-guard-keys = A guard needs code, when and then, or names a fragment with use.
+diag-spec-id-form = The id { $name } is not in kebab case.
+diag-spec-lines-form = The lines "{ $lines }" are not numbers or ranges in order.
+diag-spec-missing-key = The key { $key } is missing.
+diag-spec-no-example = { $name } has no example value.
+diag-spec-no-parameters = The cycle has neither parameters nor old-style lines.
+diag-spec-no-source = No lines of a manual are given for this control.
+diag-spec-no-steps = The run has no steps.
+diag-spec-only-and-except = An item may carry only or except, not both.
+diag-spec-otherwise-last = A case without conditions must be the last one.
+diag-spec-range-of-text = { $name } is not a number and can have no range.
+diag-spec-result-target = The result { $name } needs either a Q parameter or a field of this cycle.
+diag-spec-run-item = The run item is not well formed: { $reason ->
+    [one-head] it must be exactly one of step, group and each.
+    [series-keys] in, until, between and collect belong to each.
+    [series-body] each needs a series under in and run items under do.
+    [step-body] a step has actions, not run items.
+    [group-body] a group has items and nothing else.
+   *[step-keys] choose, then and by belong to a step.
+}
+diag-spec-text-parameter = { $name }: a QS parameter takes a text, and only a QS parameter does.
+diag-spec-unknown-condition = No condition is named { $name }.
+diag-spec-unknown-control = No control is named { $control }; there are { $known }.
+diag-spec-unknown-cycle = { $control } does not know { $cycle }.
+diag-spec-unknown-cycle-name = No cycle of this control is named { $name }.
+diag-spec-unknown-datum = { $control } has no machine datum named { $name }.
+diag-spec-unknown-form = The cycle has no form named { $name }.
+diag-spec-unknown-fragment = No fragment is named { $name }.
+diag-spec-unknown-key = The key { $key } means nothing here; known are { $known }.
+diag-spec-unknown-meaning = The dictionary has no parameter named { $name }.
+diag-spec-unknown-option = { $control } has no software option { $option }.
+diag-spec-unknown-parameter = { $cycle } has no parameter { $name }.
+diag-spec-unused = { $name } is not used.
+diag-spec-word-shape = { $name }: the shape word needs the key word, and no other shape takes it.
+diag-spec-yaml-feature = { $feature ->
+    [anchor] Anchors and tags are not used in specifications.
+    [alias] Aliases are not used in specifications.
+    [depth] The file is nested too deeply.
+    [second-document] A file holds one document.
+   *[structured-key] A key must be a plain word.
+}
+diag-spec-yaml-syntax = Not YAML: { $reason }.
+related-first-place = the first one is here
