@@ -6,4 +6,5 @@ pub mod data;
 pub mod diag;
 pub mod engine;
 pub mod expr;
+pub mod locale;
 pub mod spec;

@@ -1,0 +1,57 @@
+# Kielitiedostoja koskevat havainnot.
+
+diag-locale-encoding = Tiedosto ei ole UTF-8-muodossa.
+diag-locale-tag = Hakemiston nimi ”{ $tag }” ei ole kielitunnus.
+diag-locale-nesting = Aaltosulkeita on sisäkkäin yli { $most } tasoa; tiedosto ohitetaan.
+diag-locale-syntax =
+    Tämä ei ole Fluentia: { $kind ->
+        [expected-token] tässä pitäisi olla ”{ $detail }”
+        [expected-character] tässä pitäisi olla jokin merkeistä { $detail }
+        [empty-message] viestillä ”{ $detail }” ei ole arvoa eikä attribuuttia
+        [empty-term] termillä ”-{ $detail }” ei ole arvoa
+        [bad-function-name] funktion nimessä on isoja kirjaimia, numeroita sekä merkkejä ”-” ja ”_”
+        [no-default] valinta tarvitsee oletuksen, jonka merkki on ”*”
+        [two-defaults] valinnalla on vain yksi oletus
+        [no-value] tässä pitäisi olla arvo
+        [bad-selector] valinta tehdään argumentin, funktion tai termin attribuutin mukaan
+        [term-attribute] termin attribuuttia ei voi näyttää
+        [open-string] merkkijonoa ei ole päätetty
+        [argument-order] nimettömät argumentit tulevat ensin
+        [argument-twice] argumentti ”{ $detail }” on annettu kahdesti
+        [bad-escape] ”{ $detail }” ei ole ohjausmerkintä
+        [closing-brace] sulkeva aaltosulje ilman avaavaa
+       *[no-expression] tässä pitäisi olla lauseke
+    }.
+diag-locale-isolation-mark = Tässä on kirjoitussuunnan eristysmerkki; se ei saa päätyä NC-ohjelmaan.
+diag-locale-duplicate = ”{ $key }” on määritelty kahdesti; samanniminen viesti ja termi lasketaan samaksi.
+diag-locale-first-definition = ensimmäinen määrittely
+diag-locale-variant = ”{ $key }” ei ole nimi, jossa on enintään kaksi loppuosaa (työkierto ja ohjaus).
+diag-locale-unit-form = ”{ $key }” ei ole malli: yksikössä on tekstiä ja yksi { "{ $value }" }, luettelossa { "{ $first }" } ja { "{ $last }" } sekä arvossa että attribuutissa ”more”.
+diag-locale-unknown-reference = Kohdetta ”{ $name }” ei ole.
+diag-locale-unknown-function = Funktiota ”{ $name }” ei ole.
+diag-locale-function-option = ”{ $name }: { $value }” ei ole funktion { $function } valitsin.
+diag-locale-function-arguments = Funktiolle { $function } on annettu väärä määrä arvoja.
+diag-locale-unknown-unit = Yksikköä ”{ $name }” ei ole: tiedostossa units.ftl ei ole sille viestiä.
+diag-locale-term-argument = Termi ”-{ $term }” ei käytä argumenttia ”{ $name }”.
+diag-locale-term-value = Termillä ”-{ $term }” ei ole muotoa ”{ $value }” argumentille ”{ $name }”.
+diag-locale-term-needs = Termille ”-{ $term }” on annettava tässä ”{ $name }”.
+diag-locale-cyclic = ”{ $key }” sisältää itsensä.
+diag-locale-unknown-language = Kielelle ”{ $language }” ei ole tiedostoja.
+diag-locale-missing-text = Kielessä ”{ $language }” ei ole tekstiä ”{ $key }”.
+diag-locale-missing-argument = Teksti ”{ $key }” ({ $language }) käyttää argumenttia ”{ $name }”, jota sille ei ole annettu.
+diag-locale-function-failed =
+    Tekstissä ”{ $key }” ({ $language }) funktiota { $name } ei voi suorittaa: { $reason ->
+        [not-a-number] arvo ei ole luku
+        [not-finite] luku ei ole äärellinen
+        [no-unit] yksikkö puuttuu
+        [unknown-unit] yksikkö on tuntematon
+        [not-a-list] arvo ei ole luettelo
+       *[unknown-type] luettelon laji on tuntematon
+    }.
+diag-locale-too-long = Tekstissä ”{ $key }” ({ $language }) on liian monta täytettävää kohtaa.
+diag-locale-lock-line = Tämän tiedoston rivillä on tunnus ja kahdeksan heksadesimaalinumeroa.
+diag-locale-missing-translation = Tekstiä ”{ $key }” ei ole käännetty kielelle ”{ $language }”.
+diag-locale-orphan = ”{ $key }” ({ $language }) ei käännä mitään: englanninkielinen teksti on poistunut.
+diag-locale-stale = Englanninkielinen teksti ”{ $key }” on muuttunut sen jälkeen, kun se käännettiin kielelle ”{ $language }”.
+diag-locale-unrecorded = Tekstin ”{ $key }” käännöstä kielelle ”{ $language }” ei ole vielä hyväksytty.
+diag-locale-unknown-argument = ”{ $key }” ({ $language }) käyttää argumenttia ”{ $name }”, jota englanninkielisessä tekstissä ei ole.

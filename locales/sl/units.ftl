@@ -1,0 +1,23 @@
+# Units and lists; see the English file.
+
+unit-mm = { $value }{"\u00A0"}mm
+    .symbol = mm
+unit-mm-min = { $value }{"\u00A0"}mm/min
+    .symbol = mm/min
+unit-mm-rev = { $value }{"\u00A0"}mm/vrt
+    .symbol = mm/vrt
+unit-rpm = { $value }{"\u00A0"}vrt/min
+    .symbol = vrt/min
+unit-inch = { $value }{"\u00A0"}palca
+    .symbol = palca
+unit-deg = { $value }°
+    .symbol = °
+unit-s = { $value }{"\u00A0"}s
+    .symbol = s
+unit-percent = { $value }{"\u00A0"}%
+    .symbol = %
+
+list-and = { $first } in { $last }
+    .more = { $first }, { $last }
+list-or = { $first } ali { $last }
+    .more = { $first }, { $last }

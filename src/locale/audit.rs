@@ -1,0 +1,251 @@
+//! How far a translation follows its source: missing, left over, stale, and asking for too much.
+//!
+//! Each translation has a file `source.lock` with a line a text: `id[.attribute] hash`, the hash being
+//! that of the source text which it translates. A variant counts as a translation of whatever the
+//! source language says in the same scope. Invariant: nothing is changed; the fresh lock is a text.
+use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use fluent_syntax::ast::{self, Pattern};
+
+use super::language::{Form, Key, Language, Scope};
+use super::pattern::{Node, visit};
+use super::{LocaleError, Locales, SOURCE_LANGUAGE};
+use crate::diag::{Diagnostic, Place, Source};
+
+/// What a translation was made from.
+#[derive(Debug, Default)]
+pub(super) struct Lock(BTreeMap<String, u32>);
+
+impl Lock {
+    pub(super) fn read(source: &Arc<Source>, diagnostics: &mut Vec<Diagnostic>) -> Self {
+        let mut lines = BTreeMap::new();
+        let mut at = 0;
+        for line in source.text().split_inclusive('\n') {
+            let content = line.trim();
+            let words: Vec<&str> = content.split_whitespace().collect();
+            let hash = words.get(1).filter(|hash| hash.len() == 8).and_then(|hash| u32::from_str_radix(hash, 16).ok());
+            match (words.as_slice(), hash) {
+                ([], _) => {}
+                ([id, _], Some(hash)) => {
+                    lines.insert((*id).to_owned(), hash);
+                }
+                _ if content.starts_with('#') => {}
+                _ => {
+                    let place = Place::new(source, at..at + line.trim_end().len());
+                    diagnostics.push(Diagnostic::error("locale-lock-line", place));
+                }
+            }
+            at += line.len();
+        }
+        Self(lines)
+    }
+}
+
+/// One text that the audit has something to say about.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    /// The message with its suffixes and `.attribute`; terms begin with `-`.
+    pub key: String,
+    /// The text in question; where it is missing, that of the source language.
+    pub place: Option<Place>,
+    /// An argument, where the finding is about one.
+    pub argument: Option<String>,
+}
+
+/// How far one translation follows its source; each list is sorted by key.
+#[derive(Clone, Debug, Default)]
+pub struct Audit {
+    /// The tag of the translation.
+    pub language: String,
+    /// How many texts the source has.
+    pub total: usize,
+    /// Texts of the source that the translation lacks.
+    pub missing: Vec<Finding>,
+    /// Texts of the translation that the source lacks.
+    pub orphans: Vec<Finding>,
+    /// Translations whose source has changed since they were accepted.
+    pub stale: Vec<Finding>,
+    /// Translations that were never accepted.
+    pub unrecorded: Vec<Finding>,
+    /// Arguments that a translation uses and its source does not.
+    pub unknown_arguments: Vec<Finding>,
+}
+
+impl Audit {
+    /// The findings as diagnostics: errors, except that what is stale, unrecorded or left over warns.
+    pub fn diagnostics(&self) -> Vec<Diagnostic> {
+        let warn = |code, place| Diagnostic::warning(code, place);
+        let error = |code, place| Diagnostic::error(code, place);
+        let mut all = Vec::new();
+        self.append(&mut all, &self.missing, "locale-missing-translation", error);
+        self.append(&mut all, &self.unknown_arguments, "locale-unknown-argument", error);
+        self.append(&mut all, &self.orphans, "locale-orphan", warn);
+        self.append(&mut all, &self.stale, "locale-stale", warn);
+        self.append(&mut all, &self.unrecorded, "locale-unrecorded", warn);
+        all
+    }
+
+    fn append(
+        &self,
+        all: &mut Vec<Diagnostic>,
+        findings: &[Finding],
+        code: &'static str,
+        make: fn(&'static str, Place) -> Diagnostic,
+    ) {
+        for finding in findings {
+            let Some(place) = finding.place.clone() else { continue };
+            let diagnostic = make(code, place).arg("key", finding.key.as_str()).arg("language", self.language.as_str());
+            all.push(match &finding.argument {
+                Some(argument) => diagnostic.arg("name", argument.as_str()),
+                None => diagnostic,
+            });
+        }
+    }
+}
+
+/// A text of a language with what is needed to compare it.
+struct Text<'l> {
+    key: String,
+    id: &'l str,
+    attribute: Option<&'l str>,
+    form: &'l Form,
+    pattern: &'l Pattern<&'l str>,
+}
+
+fn texts(language: &Language) -> Vec<Text<'_>> {
+    let mut texts = Vec::new();
+    for (id, entry) in &language.entries {
+        for (attribute, forms) in entry.all() {
+            // The attributes of a term are its grammar, a language's own business.
+            if id.starts_with('-') && attribute.is_some() {
+                continue;
+            }
+            for form in forms {
+                let Some(pattern) = language.pattern(form) else { continue };
+                let dotted = attribute.map(|attribute| format!(".{attribute}")).unwrap_or_default();
+                texts.push(Text { key: format!("{id}{}{dotted}", form.suffix()), id, attribute, form, pattern });
+            }
+        }
+    }
+    texts.sort_by(|a, b| a.key.cmp(&b.key));
+    texts
+}
+
+/// What the other language says in the scope of a text.
+fn counterpart<'l>(other: &'l Language, text: &Text) -> Option<&'l Form> {
+    let key = Key { id: text.id, attribute: text.attribute };
+    match text.form.suffixes.as_slice() {
+        // One suffix may be a cycle or a control; taken as either it selects the same variants.
+        [one] => other.find(key, Scope { cycle: Some(one), control: None }),
+        [cycle, control] => other.find(key, Scope::new(cycle, control)),
+        _ => other.find(key, Scope::NONE),
+    }
+}
+
+fn hash(pattern: &Pattern<&str>) -> u32 {
+    let message = ast::Message {
+        id: ast::Identifier { name: "x" },
+        value: Some(pattern.clone()),
+        attributes: Vec::new(),
+        comment: None,
+    };
+    let text = fluent_syntax::serializer::serialize(&ast::Resource { body: vec![ast::Entry::Message(message)] });
+    // FNV-1a: only equality matters, and the lock must not change with a library's hash.
+    text.bytes().fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+}
+
+fn finding(language: &Language, key: &str, form: &Form, argument: Option<&str>) -> Finding {
+    Finding { key: key.to_owned(), place: language.place(form), argument: argument.map(str::to_owned) }
+}
+
+/// The arguments that a text needs, through all messages that it refers to.
+fn arguments<'l>(language: &'l Language, pattern: &'l Pattern<&'l str>) -> BTreeSet<&'l str> {
+    let mut names = BTreeSet::new();
+    let mut seen = HashSet::new();
+    let mut waiting = vec![pattern];
+    while let Some(pattern) = waiting.pop() {
+        let mut referred = Vec::new();
+        visit(pattern, &mut |node| match node {
+            Node::Shown(name) | Node::Chosen(name, _) => {
+                names.insert(name);
+            }
+            Node::Message { id, attribute } => referred.push((id, attribute)),
+            Node::Term { .. } | Node::Function { .. } => {}
+        });
+        for (id, attribute) in referred {
+            if seen.insert((id, attribute)) {
+                let base = id.split_once("__").map_or(id, |(base, _)| base);
+                let entry = language.entries.get(base).into_iter().flat_map(|entry| entry.all());
+                let forms = entry.filter(|(key, _)| *key == attribute).flat_map(|(_, forms)| forms);
+                waiting.extend(forms.filter_map(|form| language.pattern(form)));
+            }
+        }
+    }
+    names
+}
+
+impl Locales {
+    /// Compares a translation with the source language; the source has nothing to be compared with.
+    ///
+    /// # Errors
+    /// If the language or the source language was not loaded.
+    pub fn audit(&self, tag: &str) -> Result<Audit, LocaleError> {
+        let (source, translation) = (self.language(SOURCE_LANGUAGE)?, self.language(tag)?);
+        let mut audit = Audit { language: tag.to_owned(), ..Audit::default() };
+        if tag == SOURCE_LANGUAGE {
+            audit.total = texts(source).len();
+            return Ok(audit);
+        }
+        for text in texts(source).iter().filter(|text| !text.id.starts_with('-')) {
+            audit.total += 1;
+            if counterpart(translation, text).is_none() {
+                audit.missing.push(finding(source, &text.key, text.form, None));
+            }
+        }
+        for text in texts(translation) {
+            let original = counterpart(source, &text).and_then(|form| source.pattern(form));
+            match original {
+                Some(original) => compare(&mut audit, (source, original), translation, &text),
+                None if text.id.starts_with('-') => {}
+                None => audit.orphans.push(finding(translation, &text.key, text.form, None)),
+            }
+        }
+        Ok(audit)
+    }
+
+    /// The lock file that accepts a translation as it stands.
+    ///
+    /// # Errors
+    /// If the language or the source language was not loaded.
+    pub fn accepted(&self, tag: &str) -> Result<String, LocaleError> {
+        let (source, translation) = (self.language(SOURCE_LANGUAGE)?, self.language(tag)?);
+        let mut lock = String::new();
+        for text in texts(translation) {
+            if let Some(original) = counterpart(source, &text).and_then(|form| source.pattern(form)) {
+                let _ = writeln!(lock, "{} {:08x}", text.key, hash(original));
+            }
+        }
+        Ok(lock)
+    }
+}
+
+fn compare(audit: &mut Audit, (source, original): (&Language, &Pattern<&str>), translation: &Language, text: &Text) {
+    let recorded = translation.lock.as_ref().and_then(|lock| lock.0.get(&text.key));
+    match recorded {
+        None => audit.unrecorded.push(finding(translation, &text.key, text.form, None)),
+        Some(recorded) if *recorded != hash(original) => {
+            audit.stale.push(finding(translation, &text.key, text.form, None));
+        }
+        Some(_) => {}
+    }
+    // A term takes what its own language needs.
+    if text.id.starts_with('-') {
+        return;
+    }
+    let offered = arguments(source, original);
+    for name in arguments(translation, text.pattern).difference(&offered) {
+        audit.unknown_arguments.push(finding(translation, &text.key, text.form, Some(name)));
+    }
+}

@@ -1,0 +1,124 @@
+//! Walking over Fluent patterns, and templates: patterns simple enough to be filled without Fluent.
+//!
+//! Invariant: nothing here formats or looks anything up.
+use fluent_syntax::ast::{CallArguments, Expression, InlineExpression, Pattern, PatternElement, VariantKey};
+
+/// Something in a pattern that a check wants to know of.
+pub(super) enum Node<'a> {
+    /// A variable whose value is shown or handed to a function.
+    Shown(&'a str),
+    /// A variable that a selector chooses by, with the keys of its variants.
+    Chosen(&'a str, Vec<&'a str>),
+    /// A reference to a message.
+    Message { id: &'a str, attribute: Option<&'a str> },
+    /// A reference to a term.
+    Term { id: &'a str, attribute: Option<&'a str>, arguments: Option<&'a CallArguments<&'a str>> },
+    /// A call of a function.
+    Function { id: &'a str, arguments: &'a CallArguments<&'a str> },
+}
+
+/// Shows every node of the pattern to `see`, from left to right.
+pub(super) fn visit<'a>(pattern: &'a Pattern<&'a str>, see: &mut dyn FnMut(Node<'a>)) {
+    for element in &pattern.elements {
+        if let PatternElement::Placeable { expression } = element {
+            visit_expression(expression, see);
+        }
+    }
+}
+
+fn visit_expression<'a>(expression: &'a Expression<&'a str>, see: &mut dyn FnMut(Node<'a>)) {
+    match expression {
+        Expression::Inline(inline) => visit_inline(inline, see),
+        Expression::Select { selector, variants } => {
+            if let InlineExpression::VariableReference { id } = selector {
+                let keys = variants.iter().map(|variant| match &variant.key {
+                    VariantKey::Identifier { name } => *name,
+                    VariantKey::NumberLiteral { value } => *value,
+                });
+                see(Node::Chosen(id.name, keys.collect()));
+            } else {
+                visit_inline(selector, see);
+            }
+            for variant in variants {
+                visit(&variant.value, see);
+            }
+        }
+    }
+}
+
+fn visit_inline<'a>(inline: &'a InlineExpression<&'a str>, see: &mut dyn FnMut(Node<'a>)) {
+    match inline {
+        InlineExpression::StringLiteral { .. } | InlineExpression::NumberLiteral { .. } => {}
+        InlineExpression::VariableReference { id } => see(Node::Shown(id.name)),
+        InlineExpression::MessageReference { id, attribute } => {
+            see(Node::Message { id: id.name, attribute: attribute.as_ref().map(|attribute| attribute.name) });
+        }
+        InlineExpression::TermReference { id, attribute, arguments } => {
+            let attribute = attribute.as_ref().map(|attribute| attribute.name);
+            see(Node::Term { id: id.name, attribute, arguments: arguments.as_ref() });
+        }
+        InlineExpression::FunctionReference { id, arguments } => {
+            see(Node::Function { id: id.name, arguments });
+            arguments.positional.iter().for_each(|argument| visit_inline(argument, see));
+        }
+        InlineExpression::Placeable { expression } => visit_expression(expression, see),
+    }
+}
+
+/// The text of a pattern that has nothing to fill in.
+pub(super) fn plain<'a>(pattern: &Pattern<&'a str>) -> Option<&'a str> {
+    match pattern.elements.as_slice() {
+        [PatternElement::TextElement { value }] => Some(value),
+        _ => None,
+    }
+}
+
+#[derive(Clone, Debug)]
+enum Part {
+    Text(String),
+    Slot(usize),
+}
+
+/// A pattern of text and plain variables.
+#[derive(Clone, Debug)]
+pub(super) struct Template(Vec<Part>);
+
+impl Template {
+    /// The pattern as a template, if it has nothing but text and the variables in `slots`, each once.
+    pub(super) fn of(pattern: &Pattern<&str>, slots: &[&str]) -> Option<Self> {
+        let mut parts = Vec::new();
+        let mut used = vec![false; slots.len()];
+        for element in &pattern.elements {
+            parts.push(match element {
+                PatternElement::TextElement { value } => Part::Text((*value).to_owned()),
+                PatternElement::Placeable { expression: Expression::Inline(inline) } => match inline {
+                    InlineExpression::StringLiteral { value } => {
+                        Part::Text(fluent_syntax::unicode::unescape_unicode_to_string(value).into_owned())
+                    }
+                    InlineExpression::VariableReference { id } => {
+                        let slot = slots.iter().position(|name| *name == id.name)?;
+                        let seen = used.get_mut(slot)?;
+                        if std::mem::replace(seen, true) {
+                            return None;
+                        }
+                        Part::Slot(slot)
+                    }
+                    _ => return None,
+                },
+                PatternElement::Placeable { .. } => return None,
+            });
+        }
+        used.iter().all(|used| *used).then_some(Self(parts))
+    }
+
+    /// The text with the values in their slots.
+    pub(super) fn fill(&self, values: &[&str]) -> String {
+        self.0
+            .iter()
+            .map(|part| match part {
+                Part::Text(text) => text.as_str(),
+                Part::Slot(slot) => values.get(*slot).copied().unwrap_or_default(),
+            })
+            .collect()
+    }
+}
