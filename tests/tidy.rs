@@ -1,0 +1,211 @@
+//! The house rules that the compiler does not hold: dependencies between modules, heads and sizes of
+//! files, words that do not belong in the library.
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Which modules a module may use. They are one crate, so only this table holds the layers.
+/// A module never uses one that stands below it.
+const LAYERS: &[(&str, &[&str])] = &[
+    ("data", &[]),
+    ("diag", &[]),
+    ("expr", &["diag"]),
+    ("spec", &["diag", "expr"]),
+    ("locale", &["diag"]),
+    ("text", &["diag", "expr", "spec", "locale"]),
+    ("syntax", &["diag", "expr"]),
+    ("label", &["diag", "expr", "spec", "locale", "text"]),
+    ("dialog", &["diag", "expr", "spec", "locale", "text", "label"]),
+    ("export", &["diag", "expr", "spec", "locale", "text", "label"]),
+    ("manual", &["diag", "expr", "spec", "locale", "text", "label", "dialog", "export"]),
+    ("check", &["diag", "expr", "spec", "locale", "text", "label", "syntax"]),
+    ("translate", &["diag", "expr", "spec", "locale", "text", "label", "syntax", "check"]),
+    ("engine", &["diag", "expr", "spec", "syntax"]),
+    ("conform", &["diag", "expr", "spec", "locale", "text", "label", "syntax", "engine"]),
+    ("system", &["diag"]),
+    (
+        "cli",
+        &[
+            "data",
+            "diag",
+            "expr",
+            "spec",
+            "locale",
+            "text",
+            "syntax",
+            "label",
+            "dialog",
+            "export",
+            "manual",
+            "check",
+            "translate",
+            "engine",
+            "conform",
+            "system",
+        ],
+    ),
+];
+
+/// Longest file that a newcomer can be asked to read.
+const MAX_LINES: usize = 700;
+
+fn sources(dir: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(dir).expect("a source directory") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|ext| ext == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+fn all() -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut paths = Vec::new();
+    sources(&root, &mut paths);
+    let name = |path: &Path| path.strip_prefix(&root).expect("below src").to_string_lossy().replace('\\', "/");
+    let mut files: Vec<_> =
+        paths.iter().map(|path| (name(path), fs::read_to_string(path).expect("a source file"))).collect();
+    files.sort();
+    files
+}
+
+/// `engine/run/mod.rs` and `engine.rs` belong to `engine`.
+fn module(file: &str) -> &str {
+    file.split('/').next().unwrap_or(file).trim_end_matches(".rs")
+}
+
+/// The modules that a text uses as `crate::x` or `crate::{x, y}`.
+fn uses(text: &str) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    for line in code {
+        for (at, _) in line.match_indices("crate::") {
+            let rest = &line[at + "crate::".len()..];
+            let list = rest.strip_prefix('{').map_or(rest, |inner| inner.split('}').next().unwrap_or(inner));
+            let names = if rest.starts_with('{') { list.split(',').collect() } else { vec![list] };
+            for name in names {
+                let word: String = name.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+                if !word.is_empty() {
+                    found.insert(word);
+                }
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn modules_use_only_what_stands_above_them() {
+    let layers: BTreeMap<&str, &[&str]> = LAYERS.iter().copied().collect();
+    let mut wrong = Vec::new();
+    for (file, text) in all() {
+        let own = module(&file);
+        if matches!(own, "lib" | "main") {
+            continue;
+        }
+        let Some(allowed) = layers.get(own) else {
+            wrong.push(format!("{file}: the module {own} is not in the table of layers"));
+            continue;
+        };
+        for used in uses(&text) {
+            if used != own && layers.contains_key(used.as_str()) && !allowed.contains(&used.as_str()) {
+                wrong.push(format!("{file}: {own} may not use {used}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn the_table_of_layers_has_no_cycle() {
+    for (index, (module, allowed)) in LAYERS.iter().enumerate() {
+        for used in *allowed {
+            let place = LAYERS.iter().position(|(name, _)| name == used);
+            assert!(place.is_some_and(|place| place < index), "{module} uses {used}, which stands below it");
+        }
+    }
+}
+
+#[test]
+fn every_file_has_a_head_and_a_size_to_read() {
+    let mut wrong = Vec::new();
+    for (file, text) in all() {
+        if !text.starts_with("//! ") {
+            wrong.push(format!("{file}: does not begin with what it is (`//! …`)"));
+        }
+        let lines = text.lines().count();
+        if lines > MAX_LINES {
+            wrong.push(format!("{file}: {lines} lines, more than {MAX_LINES}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Only the command line and the system below it speak to the world.
+#[test]
+fn the_library_does_not_touch_files_environment_or_terminal() {
+    let words = ["std::fs", "std::env", "std::process", "println!", "print!(", "eprintln!", "dbg!("];
+    let mut wrong = Vec::new();
+    for (file, text) in all() {
+        if matches!(module(&file), "cli" | "system" | "main") {
+            continue;
+        }
+        for (number, line) in text.lines().enumerate() {
+            if line.trim_start().starts_with("//") {
+                continue;
+            }
+            wrong.extend(
+                words.iter().filter(|word| line.contains(*word)).map(|word| format!("{file}:{}: {word}", number + 1)),
+            );
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Unfinished places and switched-off tests are not left behind.
+#[test]
+fn nothing_is_left_unfinished() {
+    let words = ["todo!", "unimplemented!", "#[ignore", "FIXME", "XXX"];
+    let mut wrong = Vec::new();
+    for (file, text) in all() {
+        for (number, line) in text.lines().enumerate() {
+            wrong.extend(
+                words.iter().filter(|word| line.contains(*word)).map(|word| format!("{file}:{}: {word}", number + 1)),
+            );
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What is known of a cycle stands in its specification.
+#[test]
+fn no_cycle_number_stands_in_the_sources() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("cycle-specs");
+    let mut numbers = BTreeSet::new();
+    for group in fs::read_dir(root).expect("the specifications") {
+        let group = group.expect("an entry").path();
+        for file in fs::read_dir(&group).into_iter().flatten() {
+            let name = file.expect("an entry").file_name().to_string_lossy().into_owned();
+            let number: String = name.chars().take_while(char::is_ascii_digit).collect();
+            // Short numbers are too common to mean a cycle.
+            if number.len() == 3 && name[number.len()..].starts_with('-') {
+                numbers.insert(number);
+            }
+        }
+    }
+    let mut wrong = Vec::new();
+    for (file, text) in all() {
+        for (line_number, line) in text.lines().enumerate() {
+            if line.trim_start().starts_with("//") {
+                continue;
+            }
+            let words = line.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
+            wrong.extend(
+                words.filter(|word| numbers.contains(*word)).map(|word| format!("{file}:{}: {word}", line_number + 1)),
+            );
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
