@@ -7,11 +7,9 @@ use std::sync::Arc;
 
 use super::decode::{Context, Decode, Name};
 use super::filter;
-use super::form::{
-    Choice, CycleFile, Described, Dictionary, Fragment, Keyword, Meaning, Parameter, ParameterKind, Quantity,
-    Reference, Shape,
-};
+use super::form::{Choice, CycleFile, Described, Dictionary, Fragment, Meaning, Parameter};
 use super::profile::{Control, Errata, Erratum, Named};
+use super::vocabulary::{Keyword, ParameterKind, Quantity, Reference, Shape};
 use super::yaml::{self, Node};
 use crate::diag::{Diagnostic, Place, Source};
 use crate::expr::QRef;

@@ -9,6 +9,7 @@ mod lint;
 mod profile;
 mod schema;
 mod texts;
+mod vocabulary;
 mod yaml;
 
 pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Param};
@@ -18,4 +19,5 @@ pub use lint::{is_offered, lint, takes};
 pub use profile::{Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName};
 pub use schema::schema;
 pub use texts::{Text, texts};
+pub use vocabulary::*;
 pub use yaml::{Key, Kind, Node, read as read_yaml};

@@ -1,6 +1,6 @@
 //! Profiles of the controls, and the errata of their manuals.
 use super::decode::{Entries, Name, record};
-use super::form::Keyword;
+use super::vocabulary::Keyword;
 
 record! {
     /// The rules of NC labels on a control.

@@ -1,7 +1,8 @@
 //! Which texts a cycle needs: the ids that the locales must have for it.
 use super::catalogue::{Cycle, OnControl};
-use super::form::{Action, Argument, Case, Fragment, Item, Verb};
+use super::form::{Action, Argument, Case, Fragment, Item};
 use super::lint::walk;
+use super::vocabulary::Verb;
 
 /// A text that must exist: a message id and, if it is not the message's value, an attribute.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -56,7 +57,7 @@ impl Collector<'_> {
             self.attribute("parameter", param.is.as_str(), "help");
             match &param.field {
                 None => self.attribute("parameter", param.is.as_str(), "label"),
-                Some(field) if field.shape == super::form::Shape::Labelled => {
+                Some(field) if field.shape == super::vocabulary::Shape::Labelled => {
                     self.attribute("parameter", param.is.as_str(), "word");
                 }
                 Some(_) => {}

@@ -1,6 +1,6 @@
 //! Parameters and old-style lines: numbers, ranges, choices and examples agree with each other.
 use super::super::catalogue::{Cycle, OnControl, Param};
-use super::super::form::{ParameterKind, Shape};
+use super::super::vocabulary::{ParameterKind, Shape};
 use crate::diag::Diagnostic;
 use crate::expr::{QKind, QRef};
 

@@ -1,6 +1,7 @@
 //! References between files: controls, sources, cycles, options, machine data, errata.
 use super::super::catalogue::{Catalogue, Cycle, CycleKey, Known, OnControl};
-use super::super::form::{Keyword, ManualLines};
+use super::super::form::ManualLines;
+use super::super::vocabulary::Keyword;
 use crate::diag::{Diagnostic, Place};
 
 /// `10`, `10-20` and lists of them with commas; ends in order.

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::super::catalogue::{Cycle, OnControl};
 use super::super::decode::{Entries, Formula, Name};
-use super::super::form::{Action, Argument, Case, ConditionUse, Fragment, Guard, Item, Verb};
+use super::super::form::{Action, Argument, Case, ConditionUse, Fragment, Guard, Item};
+use super::super::vocabulary::Verb;
 use crate::diag::Diagnostic;
 
 pub(super) fn run(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) {
