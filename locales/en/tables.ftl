@@ -1,0 +1,5 @@
+# Tables that cycles read or write.
+table-tool = Tool table
+table-preset = Preset table
+table-datum = Datum table
+table-probe = Touch-probe table
