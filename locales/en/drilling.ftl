@@ -26,7 +26,6 @@ step-dwell-to-cut-free = To cut free, the tool dwells at the bottom of the hole 
 step-feed-back-to-set-up-clearance = The tool retracts at the feed rate { $q-plunging-feed } to the set-up clearance { $q-set-up-clearance }.
 step-rapid-on-to-second-set-up-clearance = If a 2nd set-up clearance { $q-second-set-up-clearance } is entered, the tool moves there at rapid traverse (FMAX).
 condition-infeeds-decrease = a decrement { $q-decrement } is entered
-condition-chip-breaking = an infeed depth for chip breaking { $q-depth-for-chip-breaking } is entered
 condition-starting-point-deepened = the deepened starting point { $q-deepened-starting-point } is not 0
 guard-starting-point-below-depth = The deepened starting point lies at or below the depth: nothing is left to be drilled.
 note-advanced-stop-changes-evenly = If { $q-upper-advanced-stop-distance } and { $q-lower-advanced-stop-distance } differ, the control changes the advanced stop distance evenly between the first and the last infeed.
