@@ -151,28 +151,29 @@ impl Parser<'_> {
     fn unary(&mut self) -> Result<Expr, ExprError> {
         let start = self.span().start;
         if self.mark("+") {
-            return self.nested(start, |inner| inner.node);
+            return self.nested(start, 6, |inner| inner.node);
         }
         if self.mark("-") {
-            return self.nested(start, |inner| match inner.node {
+            return self.nested(start, 6, |inner| match inner.node {
                 Node::Number(n) => Node::Number(-n),
                 node => Node::Unary(Op::Sub, Box::new(Expr { node, span: inner.span })),
             });
         }
         if self.dialect == Dialect::Spec && matches!(self.peek(), Some(Token::Word(w)) if w == "NOT") {
             self.at += 1;
-            return self.nested(start, |inner| Node::Unary(Op::Not, Box::new(inner)));
+            return self.nested(start, 3, |inner| Node::Unary(Op::Not, Box::new(inner)));
         }
         self.operand()
     }
 
-    fn nested(&mut self, start: usize, wrap: impl FnOnce(Expr) -> Node) -> Result<Expr, ExprError> {
+    /// An operand behind a sign or `NOT`: a sign binds weaker than a power and stronger than a product,
+    /// `NOT` weaker than a comparison.
+    fn nested(&mut self, start: usize, level: u8, wrap: impl FnOnce(Expr) -> Node) -> Result<Expr, ExprError> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
             return Err(self.expected("less-nesting"));
         }
-        // A sign binds weaker than a power and stronger than a product.
-        let inner = self.binary(6)?;
+        let inner = self.binary(level)?;
         self.depth -= 1;
         let span = Span::new(start, inner.span.end);
         Ok(Expr { node: wrap(inner), span })
