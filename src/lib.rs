@@ -5,6 +5,8 @@
 pub mod data;
 pub mod diag;
 pub mod engine;
+pub mod export;
 pub mod expr;
 pub mod locale;
 pub mod spec;
+pub mod text;

@@ -1,0 +1,12 @@
+# Texts that follow from the specifications by a pattern; see the English file.
+
+prompt-from-name = { $name }?
+
+# $until: a clause behind “kunnes”, such as “syvyys on saavutettu”.
+repeat-steps = Vaiheet { $from }–{ $to } toistetaan, kunnes { $until }.
+repeat-step = Vaihe { $from } toistetaan, kunnes { $until }.
+
+range-both = { $min } … { $max }
+range-from = vähintään { $min }
+range-to = enintään { $max }
+range-length = enintään { $length } merkkiä

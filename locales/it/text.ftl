@@ -1,0 +1,16 @@
+# Texts that follow from the specifications by a pattern; see the English file.
+
+prompt-from-name = { $name }?
+
+# $until: a clause behind “finché”, such as “la profondità è raggiunta”.
+repeat-steps = I passi da { $from } a { $to } vengono ripetuti finché { $until }.
+repeat-step = Il passo { $from } viene ripetuto finché { $until }.
+
+range-both = da { $min } a { $max }
+range-from = da { $min }
+range-to = fino a { $max }
+range-length =
+    { $length ->
+        [one] al massimo { $length } carattere
+       *[other] al massimo { $length } caratteri
+    }

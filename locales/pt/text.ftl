@@ -1,0 +1,16 @@
+# Texts that follow from the specifications by a pattern; see the English file.
+
+prompt-from-name = { $name }?
+
+# $until: a clause in the subjunctive behind “até que”, such as “a profundidade seja atingida”.
+repeat-steps = Os passos { $from } a { $to } repetem-se até que { $until }.
+repeat-step = O passo { $from } repete-se até que { $until }.
+
+range-both = de { $min } a { $max }
+range-from = a partir de { $min }
+range-to = até { $max }
+range-length =
+    { $length ->
+        [one] no máximo { $length } carácter
+       *[other] no máximo { $length } caracteres
+    }

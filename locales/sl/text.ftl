@@ -1,0 +1,18 @@
+# Texts that follow from the specifications by a pattern; see the English file.
+
+prompt-from-name = { $name }?
+
+# $until: a clause behind “dokler”, such as “ni dosežena globina”.
+repeat-steps = Koraki od { $from } do { $to } se ponavljajo, dokler { $until }.
+repeat-step = Korak { $from } se ponavlja, dokler { $until }.
+
+range-both = od { $min } do { $max }
+range-from = od { $min }
+range-to = do { $max }
+range-length =
+    { $length ->
+        [one] največ { $length } znak
+        [two] največ { $length } znaka
+        [few] največ { $length } znaki
+       *[other] največ { $length } znakov
+    }
