@@ -269,7 +269,7 @@ const COLLINEAR: f64 = 1e-12;
 /// A fit has converged when a step is below this share of the extent of the points.
 const CONVERGED: f64 = 1e-15;
 /// A fit that has not converged by then will not.
-const MAX_STEPS: usize = 200;
+const MAX_STEPS: usize = 128;
 
 /// The circle through three points.
 ///
