@@ -1,0 +1,3 @@
+; control: tnc640 lang: sl source: 001:12450-12451
+4 CYCL DEF 247 DOLOČITEV REF. TOČKE
+Q339=1 ;ŠTEVILKA REF. TOČKE

@@ -1,0 +1,3 @@
+; control: tnc640 lang: sl source: 001:6491-6493
+13 CYCL DEF 247 DOLOČITEV REF. TOČKE
+Q339=4 ;ŠTEVILKA REF. TOČKE
