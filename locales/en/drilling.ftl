@@ -8,8 +8,8 @@ step-drill-to-plunging-depth = The tool drills at the feed rate { $q-plunging-fe
 step-retract-and-return-to-set-up-clearance = The control retracts the tool at rapid traverse (FMAX) to the set-up clearance, lets it dwell there for { $q-dwell-at-top } if entered, and returns it at rapid traverse (FMAX) to the set-up clearance above the depth reached.
 step-dwell-at-hole-bottom = The tool dwells at the bottom of the hole for { $q-dwell-at-bottom }, if entered.
 step-rapid-out-of-hole = The tool leaves the bottom of the hole at rapid traverse (FMAX):
-say-rapid-to-second-set-up-clearance = to the 2nd set-up clearance { $q-second-set-up-clearance }
-say-rapid-back-to-set-up-clearance = to the set-up clearance { $q-set-up-clearance }
+say-rapid-to-second-set-up-clearance = to the 2nd set-up clearance { $q-second-set-up-clearance }, if one is entered
+say-rapid-back-to-set-up-clearance = otherwise to the set-up clearance { $q-set-up-clearance }
 note-position-over-hole-centre = Program a positioning block to the starting point (the centre of the hole) in the working plane with radius compensation R0.
 note-point-table-hole-centres = If the cycle is called with a point table, the points of the working plane are the hole centres. To use the spindle-axis coordinate of the table as coordinate of the starting point, enter 0 as workpiece surface coordinate { $q-surface-coordinate }.
 

@@ -4,12 +4,12 @@ cycle-circular-pattern = Point pattern on a circle
     .purpose = Executes the machining cycle that was defined last at points on a circle or on an arc.
 step-move-to-first-operation = The control moves the tool at rapid traverse from its present position to the starting point of the first machining operation: to the 2nd set-up clearance { $q-second-set-up-clearance } (spindle axis), to the starting point in the working plane, and to the set-up clearance { $q-set-up-clearance } above the workpiece surface (spindle axis).
 step-call-last-machining-cycle = From this position the control executes the machining cycle that was defined last.
-step-height-between-operations = Between the machining operations the tool moves in the spindle axis ({ $q-pattern-clearance-mode }):
-say-to-second-set-up-clearance = to the 2nd set-up clearance
-say-to-set-up-clearance = to the set-up clearance
-step-move-to-next-operation = The control then moves the tool to the starting point of the next machining operation ({ $q-pattern-traverse-type }), and there to the set-up clearance:
-say-on-the-pitch-circle = on the pitch circle
-say-in-a-straight-line = in a straight line
+step-height-between-operations = Between the machining operations the tool moves in the spindle axis:
+say-to-second-set-up-clearance = { $q-pattern-clearance-mode } = 1: to the 2nd set-up clearance { $q-second-set-up-clearance }
+say-to-set-up-clearance = { $q-pattern-clearance-mode } = 0: to the set-up clearance { $q-set-up-clearance }
+step-move-to-next-operation = The control then moves the tool to the starting point of the next machining operation, and there to the set-up clearance { $q-set-up-clearance }:
+say-on-the-pitch-circle = { $q-pattern-traverse-type } = 1: on the pitch circle
+say-in-a-straight-line = { $q-pattern-traverse-type } = 0: in a straight line
 until-all-operations-done = all { $q-number-of-operations } machining operations are done
 condition-stepping-angle-computed = no stepping angle { $q-pattern-stepping-angle } is entered
 condition-clearance-at-second = { $q-pattern-clearance-mode } asks for the 2nd set-up clearance

@@ -5,9 +5,9 @@ cycle-rectangular-pocket = Rectangular pocket
 step-move-over-pocket-centre = The control positions the tool in the tool axis at the 2nd set-up clearance { $q-second-set-up-clearance } (at the set-up clearance if none is entered), then over the centre of the pocket, and then at the set-up clearance { $q-set-up-clearance }, all at rapid traverse.
 group-roughing = Roughing
 step-plunge-at-centre = The tool plunges into the workpiece at the centre of the pocket to the next plunging depth { $q-plunging-depth }. The parameter { $q-plunging-strategy } determines how:
-say-plunge-vertically = vertically at the feed rate { $q-plunging-feed }
-say-plunge-helically = on a helix
-say-plunge-reciprocating = in strokes to and fro
+say-plunge-vertically = { $q-plunging-strategy } = 0: vertically at the feed rate { $q-plunging-feed }
+say-plunge-helically = { $q-plunging-strategy } = 1: on a helix at the feed rate { $q-plunging-feed }
+say-plunge-reciprocating = { $q-plunging-strategy } = 2: in strokes to and fro at the feed rate { $q-plunging-feed }
 step-clear-level = The control clears the pocket from the inside out, considering the path overlap { $q-path-overlap } and the finishing allowances { $q-side-allowance } and { $q-floor-allowance }. At the end the tool leaves the wall of the pocket tangentially.
 step-leave-wall-and-return = The tool moves to the set-up clearance above the present plunging depth and from there at rapid traverse back to the centre of the pocket.
 until-roughing-depth-reached = the depth { $q-depth } is reached, less the floor allowance { $q-floor-allowance }

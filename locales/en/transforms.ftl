@@ -9,8 +9,8 @@ cycle-datum-shift = Datum shift
     .nc = DATUM SHIFT
     .purpose = Repeats machining operations at any position of the workpiece. After the definition all coordinates refer to the new datum. The shift is given in the program or taken from a datum table, for example for operations that recur at several positions, or for a shift that is needed often.
 step-shift-datum = The control shifts the datum:
-say-shift-by-table-row = by the values of the given row of the active datum table
-say-shift-by-coordinates = in each programmed axis to the given coordinate; absolute values refer to the workpiece datum, incremental values to the datum that was valid last
+say-shift-by-table-row = with a row number: by the values of that row of the active datum table
+say-shift-by-coordinates = with coordinates: in each programmed axis to the given coordinate; absolute values refer to the workpiece datum, incremental values to the datum that was valid last
 condition-shift-from-table = the datum is taken from the datum table
 note-reset-datum-shift = To reset the datum shift, program a shift to the coordinates X=0, Y=0 etc. with a new cycle definition, or call a shift to the coordinates X=0, Y=0 etc. from the datum table.
 note-rotary-axes-may-be-shifted = Rotary axes may be entered, too.
