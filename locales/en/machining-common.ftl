@@ -13,6 +13,7 @@ guard-depth-positive = The depth is positive. Enter a negative depth, or let the
 
 # --- notes ---
 note-program-before-call = Before the cycle is called, program the tool call, the direction of spindle rotation (M3 or M4) and the cycle definition; the test graphics also need the workpiece blank (BLK FORM).
+note-graphic-test-first = Danger of collision! Cycles may execute extensive operations. For safety, run a graphic program test before machining.
 note-sign-of-depth = The sign of the depth { $q-depth } determines the working direction. With depth 0 the control does not execute the cycle.
 note-positive-depth-error = Danger of collision! The machine parameter { $mp-display-depth-err } determines whether the control reports an error when a positive depth is entered (on) or not (off).
 note-positive-depth-reverses = Danger of collision! With a positive depth { $q-depth } the control reverses the calculation of the pre-position: at rapid traverse the tool moves in the tool axis to the set-up clearance below the workpiece surface.

@@ -22,7 +22,8 @@ note-datum-table-is-absolute = Coordinate values of datum tables act only as abs
 note-datum-table-rows-at-end = New rows can only be added at the end of the datum table.
 note-datum-table-name-begins-with-letter = The file name of a new datum table must begin with a letter.
 note-save-datum-table-changes = After changing a value in a datum table, save the change with the key ENT. Otherwise it is not considered when the program is run.
-note-datum-table-columns = If no datum is wanted for an active axis, clear its entry with the key DEL. The properties of the columns can be edited with the code number 555343.
+note-edit-datum-table = A datum table is edited in the mode Programming and Editing: call the file manager with the key PGM MGT, show the files of the type .D with the soft keys, and select a table or enter a new file name. Soft keys go to the beginning, the end, the next or previous page, or the beginning or end of a row, insert a row or several rows at the end, delete a row, find, and copy and insert a value. To leave the table, show another file type in the file manager and select the wanted file.
+note-datum-table-columns = If no datum is wanted for an active axis, clear its entry with the key DEL. The properties of the columns can be edited after the code number 555343 is entered in the MOD menu; the soft key EDIT FORMAT then shows the columns with their properties. Changes apply only to the table that is open.
 note-datum-row-in-status-display = The additional status display shows name and path of the active datum table, the number of the active datum, and its comment from the column DOC.
 
 # --- 10 ---
