@@ -4,9 +4,11 @@
 //! See `ARCHITECTURE.md` for the map of the modules and what each of them must not know.
 pub mod data;
 pub mod diag;
+pub mod dialog;
 pub mod engine;
 pub mod export;
 pub mod expr;
+pub mod label;
 pub mod locale;
 pub mod spec;
 pub mod text;

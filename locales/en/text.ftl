@@ -12,3 +12,14 @@ range-both = { $min } to { $max }
 range-from = from { $min }
 range-to = up to { $max }
 range-length = at most { $length } characters
+
+# Captions of a field in dialogs and manuals. caption-effective stands before a phrase from condition-….
+caption-reference = Reference
+reference-absolute = absolute
+reference-incremental = incremental
+caption-range = Range
+caption-unit = Unit
+caption-words = Or
+caption-effective = Only if
+caption-example = Example
+optional-field = May be left out.

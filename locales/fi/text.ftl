@@ -10,3 +10,13 @@ range-both = { $min } … { $max }
 range-from = vähintään { $min }
 range-to = enintään { $max }
 range-length = enintään { $length } merkkiä
+
+caption-reference = Vertailu
+reference-absolute = absoluuttinen
+reference-incremental = inkrementaalinen
+caption-range = Sisäänsyöttöalue
+caption-unit = Yksikkö
+caption-words = Tai
+caption-effective = Vain jos
+caption-example = Esimerkki
+optional-field = Voidaan jättää pois.

@@ -14,3 +14,13 @@ range-length =
         [one] al massimo { $length } carattere
        *[other] al massimo { $length } caratteri
     }
+
+caption-reference = Riferimento
+reference-absolute = assoluto
+reference-incremental = incrementale
+caption-range = Campo di immissione
+caption-unit = Unità
+caption-words = Oppure
+caption-effective = Solo se
+caption-example = Esempio
+optional-field = Facoltativo.

@@ -14,3 +14,13 @@ range-length =
         [one] no máximo { $length } carácter
        *[other] no máximo { $length } caracteres
     }
+
+caption-reference = Referência
+reference-absolute = absoluto
+reference-incremental = incremental
+caption-range = Campo de introdução
+caption-unit = Unidade
+caption-words = Ou
+caption-effective = Só se
+caption-example = Exemplo
+optional-field = Opcional.

@@ -16,3 +16,13 @@ range-length =
         [few] največ { $length } znaki
        *[other] največ { $length } znakov
     }
+
+caption-reference = Vrsta vrednosti
+reference-absolute = absolutno
+reference-incremental = inkrementalno
+caption-range = Razpon vnosa
+caption-unit = Enota
+caption-words = Ali
+caption-effective = Samo če
+caption-example = Primer
+optional-field = Ni obvezno.

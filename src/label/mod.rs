@@ -1,0 +1,13 @@
+//! NC labels and NC blocks: what a control prints behind `;`, and whole cycle definitions.
+//!
+//! Invariant: a label is printed whole or refused, never cut; what a block looks like follows from
+//! the profile of the control and the form of the cycle.
+mod block;
+mod lint;
+mod table;
+mod value;
+
+pub use block::{Request, block, block_of, example, example_of};
+pub use lint::check;
+pub use table::{LabelRow, csv, table};
+pub use value::{Refusal, refusal};

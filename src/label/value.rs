@@ -1,0 +1,146 @@
+//! Whether a control would take a value for a parameter.
+//!
+//! Invariant: only what a manual prints is refused; a value that is known only when the program runs
+//! (a Q parameter) is taken.
+use crate::spec::{Param, ParameterKind, Shape};
+
+/// Why a value is refused.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// It is not of the kind that the parameter takes.
+    Kind,
+    /// It is less than the least value.
+    Below(f64),
+    /// It is greater than the greatest value.
+    Above(f64),
+    /// It is none of the choices.
+    NotOffered,
+    /// It has more characters than the text may have.
+    TooLong(u32),
+}
+
+/// Why the parameter refuses the value; nothing if it takes it.
+pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
+    let text = text.trim();
+    if param.words.iter().any(|word| word == text) {
+        return None;
+    }
+    match (param.field.as_ref().map(|field| field.shape), param.kind) {
+        (Some(Shape::AxisDirection), _) | (_, ParameterKind::AxisDirection) => kind(is_axis_direction(text)),
+        (Some(Shape::Position), _) | (_, ParameterKind::Position) => {
+            let none = text.split_whitespace().next().is_none();
+            text.split_whitespace().find_map(|one| coordinate(param, one)).or(kind(!none))
+        }
+        (Some(Shape::AxisCoordinate), _) => coordinate(param, text),
+        (Some(Shape::Row), _) | (_, ParameterKind::Row) => match text.strip_prefix('#') {
+            Some(row) => number(param, row, true),
+            None => Some(Refusal::Kind),
+        },
+        (Some(Shape::Q), _) => kind(is_q(text)),
+        (_, ParameterKind::QNumber) if is_q(text) => None,
+        (_, ParameterKind::QNumber | ParameterKind::Integer) => number(param, text, true),
+        (_, ParameterKind::Text) => quoted(param, text),
+        (_, ParameterKind::NumberOrName) if text.starts_with('"') => quoted(param, text),
+        (_, ParameterKind::Axis) => kind(text.len() == 1 && text.starts_with(is_axis)),
+        (Some(Shape::Word), _) => number(param, text.strip_prefix('I').unwrap_or(text), false),
+        _ => number(param, text, false),
+    }
+}
+
+fn kind(right: bool) -> Option<Refusal> {
+    (!right).then_some(Refusal::Kind)
+}
+
+fn number(param: &Param, text: &str, whole: bool) -> Option<Refusal> {
+    if is_q(text) {
+        return None;
+    }
+    let Some(value) = parse(text).filter(|value| !whole || value.fract() == 0.0) else {
+        return Some(Refusal::Kind);
+    };
+    let mut among = false;
+    for choice in &param.choices {
+        match offers(choice.value.as_str(), value) {
+            Offer::Exactly => return None,
+            Offer::Within => among = true,
+            Offer::Not => {}
+        }
+    }
+    if !param.choices.is_empty() && !among {
+        return Some(Refusal::NotOffered);
+    }
+    let below = param.min.filter(|min| value < *min).map(Refusal::Below);
+    below.or(param.max.filter(|max| value > *max).map(Refusal::Above))
+}
+
+/// Whether a choice offers a value.
+enum Offer {
+    /// By itself.
+    Exactly,
+    /// As one of many, such as `>0`.
+    Within,
+    /// No.
+    Not,
+}
+
+fn offers(choice: &str, value: f64) -> Offer {
+    type Holds = fn(f64, f64) -> bool;
+    let comparisons: [(&str, Holds); 4] =
+        [(">=", |a, b| a >= b), ("<=", |a, b| a <= b), (">", |a, b| a > b), ("<", |a, b| a < b)];
+    for (sign, holds) in comparisons {
+        if let Some(limit) = choice.strip_prefix(sign) {
+            let within = parse(limit.trim()).is_some_and(|limit| holds(value, limit));
+            return if within { Offer::Within } else { Offer::Not };
+        }
+    }
+    if parse(choice) == Some(value) { Offer::Exactly } else { Offer::Not }
+}
+
+/// Reads a number as programs have it: signed, with a decimal point or comma.
+pub(super) fn parse(text: &str) -> Option<f64> {
+    let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let plain = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
+    let marks = digits.chars().filter(|c| !c.is_ascii_digit()).count();
+    if marks > 1 || !digits.chars().all(plain) || !digits.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
+        return None;
+    }
+    text.replace(',', ".").parse().ok()
+}
+
+fn is_q(text: &str) -> bool {
+    crate::expr::QRef::parse(text.strip_prefix(['+', '-']).unwrap_or(text)).is_some()
+}
+
+fn is_axis(c: char) -> bool {
+    "XYZABCUVW".contains(c)
+}
+
+fn is_axis_direction(text: &str) -> bool {
+    let mut chars = text.chars();
+    matches!((chars.next(), chars.next(), chars.next()), (Some(axis), Some('+' | '-'), None) if is_axis(axis))
+}
+
+/// `X+60` or `IX+5`.
+fn coordinate(param: &Param, text: &str) -> Option<Refusal> {
+    let incremental = param.field.as_ref().is_some_and(|field| field.incremental);
+    let text = if incremental { text.strip_prefix('I').unwrap_or(text) } else { text };
+    match text.strip_prefix(is_axis) {
+        Some(value) => number(param, value, false),
+        None => Some(Refusal::Kind),
+    }
+}
+
+fn quoted(param: &Param, text: &str) -> Option<Refusal> {
+    if text.starts_with("QS") && is_q(text) {
+        return None;
+    }
+    let inner = match text.strip_prefix('"') {
+        Some(rest) => rest.strip_suffix('"').filter(|inner| !inner.contains('"')),
+        None => Some(text).filter(|inner| !inner.contains('"')),
+    };
+    match (inner, param.max_length) {
+        (None, _) => Some(Refusal::Kind),
+        (Some(inner), Some(most)) if inner.chars().count() > most as usize => Some(Refusal::TooLong(most)),
+        _ => None,
+    }
+}

@@ -1,0 +1,209 @@
+//! NC blocks, labels and dialogs: the printed blocks of the manuals byte for byte, values that are
+//! refused, and what a dialog says.
+use std::path::Path;
+
+use ciklo::data;
+use ciklo::dialog;
+use ciklo::label::{self, Request};
+use ciklo::locale::Locales;
+use ciklo::spec::{Catalogue, Cycle, CycleKey, Keyword, OnControl};
+
+struct Data {
+    catalogue: Catalogue,
+    locales: Locales,
+}
+
+impl Data {
+    fn embedded() -> Self {
+        Self::of(data::embedded())
+    }
+
+    /// The small catalogue of `tests/small`, with the texts that do not belong to cycles.
+    fn small() -> Self {
+        let mut files = Vec::new();
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/small");
+        collect(&root, &root, &mut files);
+        let general = ["locales/en/text.ftl", "locales/en/units.ftl"];
+        files.extend(data::embedded().into_iter().filter(|(path, _)| general.contains(&path.as_str())));
+        Self::of(files)
+    }
+
+    fn of(files: Vec<(String, String)>) -> Self {
+        let (catalogue, _) = Catalogue::load(&files);
+        let (locales, _) = Locales::load(files);
+        Self { catalogue, locales }
+    }
+
+    fn on(&self, control: &str) -> &OnControl {
+        self.catalogue.on(control).unwrap_or_else(|| panic!("no control {control}"))
+    }
+}
+
+fn collect(root: &Path, directory: &Path, files: &mut Vec<(String, String)>) {
+    for entry in std::fs::read_dir(directory).expect("the directory is there") {
+        let path = entry.expect("it can be read").path();
+        if path.is_dir() {
+            collect(root, &path, files);
+        } else {
+            let name = path.strip_prefix(root).expect("it is below").to_string_lossy().into_owned();
+            files.push((name, std::fs::read_to_string(&path).expect("it is text")));
+        }
+    }
+}
+
+fn small_cycle(data: &Data, number: u32) -> &Cycle {
+    &data.on("small").cycles[&CycleKey::new(Keyword::CyclDef, number)]
+}
+
+fn block(number: u32, values: &[(&str, &str)], first: Option<u32>) -> Result<String, Vec<String>> {
+    let data = Data::small();
+    let values: Vec<(String, String)> = values.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
+    let request = Request { values: &values, number: first, ..Request::default() };
+    let language = data.locales.language("en").expect("English is there");
+    let result = label::block(data.on("small"), small_cycle(&data, number), language, &request);
+    result.map_err(|faults| faults.iter().map(|fault| fault.code.to_owned()).collect())
+}
+
+#[test]
+fn a_block_shows_given_values_as_the_example_is_written() {
+    assert_eq!(
+        block(901, &[("q201", "-5.5"), ("QS204", "CD"), ("Q202", "PREDEF")], None).as_deref(),
+        Ok("11 CYCL DEF 901 PECKING\nQ201=-5.5 ;DEPTH\nQ202=PREDEF ;MODE\nQ203=5 ;STEP DOWN\nQS204=\"CD\" ;NAME\n")
+    );
+}
+
+#[test]
+fn a_block_of_the_old_form_has_a_number_for_each_line() {
+    assert_eq!(
+        block(9, &[("angle", "I45"), ("height", "100")], Some(20)).as_deref(),
+        Ok("20 CYCL DEF 9.0 TURNING ROUND Q5\n21 CYCL DEF 9.1 IROT+45\n22 CYCL DEF 9.2 HEIGHT: +100\n")
+    );
+}
+
+#[test]
+fn values_that_the_control_would_not_take_are_refused_together() {
+    let cases: &[(&[(&str, &str)], &[&str])] = &[
+        (&[("Q201", "1")], &["block-above-maximum"]),
+        (&[("Q201", "-100000")], &["block-below-minimum"]),
+        (&[("Q201", "deep"), ("Q999", "1")], &["block-wrong-kind", "block-unknown-parameter"]),
+        (&[("Q202", "-1")], &["block-not-offered"]),
+        (&[("Q202", "1.5")], &["block-wrong-kind"]),
+        (&[("Q203", "1"), ("q203", "2")], &["block-duplicate-parameter"]),
+        (&[("QS204", "ABCDEF")], &["block-too-long"]),
+        (&[("QS204", "\"A")], &["block-wrong-kind"]),
+    ];
+    for (values, codes) in cases {
+        assert_eq!(block(901, values, None), Err(codes.iter().map(|code| (*code).to_owned()).collect()), "{values:?}");
+    }
+}
+
+#[test]
+fn values_known_only_when_the_program_runs_are_taken() {
+    for value in ["Q1", "-Q1", "QL5"] {
+        assert!(block(901, &[("Q203", value)], None).is_ok(), "{value}");
+    }
+    assert!(block(901, &[("Q202", "7")], None).is_ok(), "a choice may be a comparison");
+}
+
+#[test]
+fn a_dialog_asks_in_the_order_of_the_block_and_says_all_there_is() {
+    let data = Data::small();
+    let language = data.locales.language("en").expect("English is there");
+    let dialog = dialog::dialog(data.on("small"), small_cycle(&data, 901), language).expect("all texts are there");
+    let shown = dialog::render(&dialog, language).expect("all captions are there");
+    assert_eq!(shown, include_str!("small/dialog-901.txt"));
+}
+
+#[test]
+fn label_tables_quote_what_csv_must_quote() {
+    let data = Data::small();
+    let language = data.locales.language("en").expect("English is there");
+    let mut rows = label::table(data.on("small"), language).expect("all texts are there");
+    rows[0].name = "say \"this\", now".to_owned();
+    let csv = label::csv(&rows);
+    let mut lines = csv.split("\r\n");
+    assert_eq!(lines.next(), Some("q,concept,cycle,name,label,aliases"));
+    assert_eq!(lines.next(), Some("9.0 result,result-number,CYCL DEF 9,\"say \"\"this\"\", now\",,"));
+    assert_eq!(lines.nth(2), Some("Q201,depth,CYCL DEF 901,Depth,DEPTH,DPTH"));
+}
+
+#[test]
+fn labels_are_checked_for_characters_case_and_length() {
+    let data = Data::small();
+    let mut files = vec![("locales/en/small.ftl".to_owned(), String::new())];
+    files[0].1 =
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/small/locales/en/small.ftl"))
+            .expect("it is there")
+            .replace(".label = DEPTH", ".label = DEPTH → DOWN")
+            .replace(".label = MODE", ".label = Mode")
+            .replace(".label = STEP DOWN", ".label = STEP DOWN, STEP BY STEP");
+    let (locales, _) = Locales::load(files);
+    let codes: Vec<&str> = label::check(&data.catalogue, &locales).iter().map(|found| found.code).collect();
+    assert_eq!(codes, ["label-character", "label-lower-case", "label-too-long"]);
+}
+
+#[test]
+fn labels_of_all_data_can_be_printed() {
+    let data = Data::embedded();
+    let found = label::check(&data.catalogue, &data.locales);
+    let shown: Vec<String> = found.iter().map(|found| format!("{} {:?}", found.code, found.args)).collect();
+    assert!(shown.is_empty(), "{shown:#?}");
+}
+
+/// The head of a printed block: `; control: tnc640 lang: sl source: 001:1825-1833 form: table`.
+fn head(line: &str, key: &str) -> Option<String> {
+    let mut words =
+        line.split_whitespace().skip_while(|word| word.trim_end_matches(':') != key || !word.ends_with(':'));
+    words.nth(1).map(str::to_owned)
+}
+
+#[test]
+fn printed_blocks_are_reproduced_byte_for_byte() {
+    let data = Data::embedded();
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/printed");
+    let mut files = Vec::new();
+    if directory.is_dir() {
+        collect(&directory, &directory, &mut files);
+    }
+    let mut failures = Vec::new();
+    files.sort();
+    for (name, text) in &files {
+        let (first, body) = text.split_once('\n').expect("a head and a block");
+        let control = head(first, "control").expect("the head names the control");
+        let language = head(first, "lang").expect("the head names the language");
+        match reproduce(&data, &control, &language, body) {
+            Reproduced::Exactly => {}
+            Reproduced::Untranslated => {}
+            Reproduced::Not(attempts) => failures.push(format!("{name}:\n{body}--- printed instead:\n{attempts}")),
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+enum Reproduced {
+    Exactly,
+    Untranslated,
+    Not(String),
+}
+
+fn reproduce(data: &Data, control: &str, tag: &str, body: &str) -> Reproduced {
+    let on = data.on(control);
+    let cycle = on.cycles.values().find(|cycle| {
+        let key = cycle.key.to_string();
+        body.split_once(&key).is_some_and(|(_, rest)| rest.starts_with([' ', '.']))
+    });
+    let Some(cycle) = cycle else { return Reproduced::Not("(no such cycle on the control)\n".to_owned()) };
+    let language = data.locales.language(tag).expect("the language is there");
+    let mut attempts = String::new();
+    for example in &cycle.file.nc_examples {
+        match label::example(on, cycle, language, example) {
+            Ok(printed) if printed == body => return Reproduced::Exactly,
+            Ok(printed) => attempts.push_str(&printed),
+            Err(faults) if faults.iter().all(|fault| fault.code == "locale-missing-text") => {
+                return Reproduced::Untranslated;
+            }
+            Err(faults) => attempts.push_str(&format!("{faults:?}\n")),
+        }
+    }
+    Reproduced::Not(attempts)
+}
