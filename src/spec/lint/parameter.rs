@@ -141,6 +141,7 @@ pub(super) fn lines(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) 
         }
         if let (Some(q), Some(model)) = (field.stands_for, model)
             && model.param(q).is_none()
+            && !model.file.results.iter().any(|result| result.q == Some(q))
         {
             found.push(
                 Diagnostic::error("spec-unknown-parameter", param.place.clone())
