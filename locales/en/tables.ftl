@@ -3,3 +3,4 @@ table-tool = Tool table
 table-preset = Preset table
 table-datum = Datum table
 table-probe = Touch-probe table
+table-kinematics = Kinematics table
