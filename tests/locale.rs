@@ -352,6 +352,12 @@ fn the_programs_language_follows_the_request_and_the_environment() {
 }
 
 #[test]
+fn a_text_can_be_sketched_without_arguments() {
+    let locales = finnish("a = { $n ->\n    [one] yksi\n   *[other] { UNIT($n, \"mm\") } ja { $name }{ \"!\" }\n }\n");
+    assert_eq!(locales.language("fi").unwrap().sketch("a").as_deref(), Some("‹n› ja ‹name›!"));
+}
+
+#[test]
 fn interface_texts_fall_back_to_english_and_always_say_something() {
     let (locales, _) = load(&[
         ("locales/en/a.ftl", "diag-known = known { $n }\ndiagnostic-without-text = no text for { $code }{ $values }\n"),

@@ -24,7 +24,7 @@ diag-locale-syntax =
     }.
 diag-locale-isolation-mark = A directional isolation mark stands here; it must not reach NC programs.
 diag-locale-duplicate = “{ $key }” is defined twice; a message and a term of the same name count too.
-diag-locale-first-definition = first defined here
+related-first-definition = first defined here
 diag-locale-variant = “{ $key }” is not a name with at most two suffixes, for a cycle and a control.
 diag-locale-unit-form = “{ $key }” is not a template: a unit has text and one { "{ $value }" }, a list has { "{ $first }" } and { "{ $last }" } in its value and in its attribute “more”.
 diag-locale-unknown-reference = There is no “{ $name }”.

@@ -24,7 +24,7 @@ diag-locale-syntax =
     }.
 diag-locale-isolation-mark = Tässä on kirjoitussuunnan eristysmerkki; se ei saa päätyä NC-ohjelmaan.
 diag-locale-duplicate = ”{ $key }” on määritelty kahdesti; samanniminen viesti ja termi lasketaan samaksi.
-diag-locale-first-definition = ensimmäinen määrittely
+related-first-definition = ensimmäinen määrittely
 diag-locale-variant = ”{ $key }” ei ole nimi, jossa on enintään kaksi loppuosaa (työkierto ja ohjaus).
 diag-locale-unit-form = ”{ $key }” ei ole malli: yksikössä on tekstiä ja yksi { "{ $value }" }, luettelossa { "{ $first }" } ja { "{ $last }" } sekä arvossa että attribuutissa ”more”.
 diag-locale-unknown-reference = Kohdetta ”{ $name }” ei ole.

@@ -24,7 +24,7 @@ diag-locale-syntax =
     }.
 diag-locale-isolation-mark = Qui c'è un segno di isolamento della direzione; non deve arrivare nei programmi NC.
 diag-locale-duplicate = «{ $key }» è definito due volte; conta anche un messaggio con il nome di un termine.
-diag-locale-first-definition = prima definizione
+related-first-definition = prima definizione
 diag-locale-variant = «{ $key }» non è un nome con al massimo due suffissi, per ciclo e controllo numerico.
 diag-locale-unit-form = «{ $key }» non è un modello: un'unità ha testo e un { "{ $value }" }, un elenco ha { "{ $first }" } e { "{ $last }" } nel valore e nell'attributo «more».
 diag-locale-unknown-reference = «{ $name }» non esiste.

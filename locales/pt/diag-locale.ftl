@@ -24,7 +24,7 @@ diag-locale-syntax =
     }.
 diag-locale-isolation-mark = Está aqui uma marca de isolamento da direção; não pode chegar aos programas NC.
 diag-locale-duplicate = «{ $key }» está definido duas vezes; conta também uma mensagem com o nome de um termo.
-diag-locale-first-definition = primeira definição
+related-first-definition = primeira definição
 diag-locale-variant = «{ $key }» não é um nome com dois sufixos no máximo, para o ciclo e o comando.
 diag-locale-unit-form = «{ $key }» não é um modelo: uma unidade tem texto e um { "{ $value }" }, uma lista tem { "{ $first }" } e { "{ $last }" } no valor e no atributo «more».
 diag-locale-unknown-reference = «{ $name }» não existe.

@@ -24,7 +24,7 @@ diag-locale-syntax =
     }.
 diag-locale-isolation-mark = Tukaj je znak za ločitev smeri pisanja; v NC-program ne sme priti.
 diag-locale-duplicate = »{ $key }« je določeno dvakrat; šteje tudi enako ime sporočila in izraza.
-diag-locale-first-definition = prva določitev
+related-first-definition = prva določitev
 diag-locale-variant = »{ $key }« ni ime z največ dvema priponama, za cikel in krmiljenje.
 diag-locale-unit-form = »{ $key }« ni predloga: enota ima besedilo in en { "{ $value }" }, seznam ima { "{ $first }" } in { "{ $last }" } v vrednosti in v atributu »more«.
 diag-locale-unknown-reference = »{ $name }« ne obstaja.

@@ -280,6 +280,12 @@ impl Language {
         self.text(key, scope, &Args::new())
     }
 
+    /// The text as it reads without arguments, for lists of texts: variables as `‹name›`, and the
+    /// default of each selection.
+    pub fn sketch<'k>(&self, key: impl Into<Key<'k>>) -> Option<String> {
+        Some(pattern::sketch(self.pattern(self.find(key.into(), Scope::NONE)?)?))
+    }
+
     pub(super) fn find(&self, key: Key, scope: Scope) -> Option<&Form> {
         self.entries.get(key.id)?.best(key.attribute, scope)
     }

@@ -200,7 +200,7 @@ impl<'d> Reader<'d> {
                 self.diagnostics.push(
                     Diagnostic::error("locale-duplicate", Place::new(source, form.span))
                         .arg("key", name)
-                        .related("locale-first-definition", Place::new(source, first)),
+                        .related("first-definition", Place::new(source, first)),
                 );
                 continue;
             }
@@ -216,7 +216,7 @@ impl<'d> Reader<'d> {
             self.diagnostics.push(
                 Diagnostic::error("locale-duplicate", place.clone())
                     .arg("key", name)
-                    .related("locale-first-definition", first.clone()),
+                    .related("first-definition", first.clone()),
             );
             return true;
         }

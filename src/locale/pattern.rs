@@ -73,6 +73,35 @@ pub(super) fn plain<'a>(pattern: &Pattern<&'a str>) -> Option<&'a str> {
     }
 }
 
+/// The pattern as a reader may see it without arguments: variables as `‹name›`, the default of each
+/// selection.
+pub(super) fn sketch(pattern: &Pattern<&str>) -> String {
+    pattern.elements.iter().map(sketch_element).collect()
+}
+
+fn sketch_element(element: &PatternElement<&str>) -> String {
+    let inline = match element {
+        PatternElement::TextElement { value } => return (*value).to_owned(),
+        PatternElement::Placeable { expression: Expression::Inline(inline) } => inline,
+        PatternElement::Placeable { expression: Expression::Select { variants, .. } } => {
+            return variants.iter().find(|variant| variant.default).map_or_else(String::new, |it| sketch(&it.value));
+        }
+    };
+    match inline {
+        InlineExpression::StringLiteral { value } | InlineExpression::NumberLiteral { value } => {
+            fluent_syntax::unicode::unescape_unicode_to_string(value).into_owned()
+        }
+        InlineExpression::VariableReference { id }
+        | InlineExpression::MessageReference { id, .. }
+        | InlineExpression::TermReference { id, .. } => format!("‹{}›", id.name),
+        InlineExpression::FunctionReference { arguments, .. } => match arguments.positional.first() {
+            Some(InlineExpression::VariableReference { id }) => format!("‹{}›", id.name),
+            _ => String::new(),
+        },
+        InlineExpression::Placeable { .. } => String::new(),
+    }
+}
+
 #[derive(Clone, Debug)]
 enum Part {
     Text(String),

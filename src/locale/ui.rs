@@ -75,9 +75,9 @@ impl<'l> Ui<'l> {
         })
     }
 
-    /// The caption of a place that belongs to a diagnostic: the message `diag-<caption>`.
+    /// The caption of a place that belongs to a diagnostic: the message `related-<caption>`.
     pub fn caption(&self, caption: &str, diagnostic: &Diagnostic) -> String {
-        self.text(&format!("diag-{caption}"), &Args::of(diagnostic))
+        self.text(&format!("related-{caption}"), &Args::of(diagnostic))
     }
 }
 
