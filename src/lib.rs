@@ -2,6 +2,7 @@
 //! printer, a manual generator, a program checker and a reference engine.
 //!
 //! See `ARCHITECTURE.md` for the map of the modules and what each of them must not know.
+pub mod cli;
 pub mod data;
 pub mod diag;
 pub mod dialog;
@@ -11,4 +12,5 @@ pub mod expr;
 pub mod label;
 pub mod locale;
 pub mod spec;
+pub mod system;
 pub mod text;

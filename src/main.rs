@@ -1,2 +1,6 @@
 //! The command `ciklo`.
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    ciklo::cli::main(ciklo::system::arguments())
+}

@@ -48,7 +48,7 @@ fn stored(wanted: fn(&str) -> bool) -> Locales {
 
 /// The files that belong to this module.
 fn own() -> Locales {
-    stored(|name| ["units.ftl", "interface.ftl", "diag-locale.ftl"].iter().any(|own| name.ends_with(own)))
+    stored(|name| ["units.ftl", "interface.ftl", "diag-locale.ftl", "cli.ftl"].iter().any(|own| name.ends_with(own)))
 }
 
 #[test]

@@ -36,6 +36,12 @@ impl<'l> Ui<'l> {
         Ok(Self { own, fallback })
     }
 
+    /// The source language, whatever was asked for.
+    pub fn source(locales: &'l Locales) -> Self {
+        let fallback = locales.source();
+        Self { own: fallback, fallback }
+    }
+
     /// The tag of the language.
     pub fn tag(&self) -> &'l str {
         self.own.map_or(SOURCE_LANGUAGE, Language::tag)
@@ -51,6 +57,22 @@ impl<'l> Ui<'l> {
         let languages = [self.own, self.fallback].into_iter().flatten();
         let mut texts = languages.map(|language| language.text(key, &Scope::NONE, args));
         texts.find_map(Result::ok).map(|text| text.into_owned())
+    }
+
+    /// All codes that some text explains: the messages with the prefix, without it, sorted.
+    pub fn codes(&self, prefix: &str) -> Vec<&'l str> {
+        let languages = [self.own, self.fallback].into_iter().flatten();
+        let mut codes: Vec<&str> =
+            languages.flat_map(Language::ids).filter_map(|id: &'l str| id.strip_prefix(prefix)).collect();
+        codes.sort_unstable();
+        codes.dedup();
+        codes
+    }
+
+    /// A text as it reads without arguments; its key if no language has it.
+    pub fn sketch(&self, key: &str) -> String {
+        let mut languages = [self.own, self.fallback].into_iter().flatten();
+        languages.find_map(|language| language.sketch(key)).unwrap_or_else(|| key.to_owned())
     }
 
     /// The word for a severity.

@@ -1,0 +1,109 @@
+# The command line: help, messages, and findings about files and words.
+
+cli-about = Specifications of CNC cycles as dialogs, NC blocks, manuals, program checks and an engine
+cli-heading-usage = Usage:
+cli-heading-commands = Commands
+cli-heading-arguments = Arguments
+cli-heading-options = Options
+cli-heading-examples = Examples:
+
+cli-build = Write the manuals, dialogs and label tables
+cli-build-out = Directory to write; it is exchanged when everything is whole (default: out)
+cli-build-control = Only this control; may be repeated
+cli-build-lang = Only this language; may be repeated
+cli-schema = Print the JSON Schema of the specifications
+cli-lint = Report everything that is wrong with specifications and languages
+cli-lint-accept = Record all translations as matching their English texts
+cli-coverage = Show what is complete, missing, stale, pending and not executed
+cli-dialog = Show the dialog of a cycle
+cli-block = Write the NC block of a cycle
+cli-block-values = Values of parameters, such as Q321=50; the others have those of the manual's example
+cli-block-number = Block number of the first block (default: that of the manual's example)
+cli-block-form = Form of an old-style cycle that has several
+cli-parse = Take a program apart into blocks, as JSON
+cli-parse-print = Print the program again, byte for byte
+cli-check = Check programs for one control
+cli-explain = Say what the code of a finding means
+cli-explain-code = The code; without it, all codes are listed
+cli-translate = Write a program with the names and labels of another language; nothing else changes
+cli-translate-to = Language of the names and labels
+cli-translate-control = Control of the program (default: the one whose cycles it has)
+cli-translate-out = File to write (default: standard output)
+cli-run = Execute a program in a scene
+cli-run-out = Directory for the tables and logs that the program writes
+cli-run-events = Print each event as a line of JSON
+cli-run-lang = Language of the logs (default: that of the control's manual)
+cli-conform = Execute the examples of the specifications
+cli-export = Print all cycles of a control in a language, as JSON
+
+cli-arg-cycle = Number of the cycle, such as 412 or "TCH PROBE 412"
+cli-arg-file = NC program; “-” reads standard input
+cli-arg-files = NC programs; “-” reads standard input
+cli-arg-control = Control, such as tnc640
+cli-arg-lang = Language, such as fi
+cli-arg-scene = Scene file: machine, tools, workpiece
+cli-arg-format = Form of the output: text (default), json
+cli-arg-report = Form of the output: text (default), json, junit
+cli-arg-data = Directory with cycle-specs, locales and templates to use instead of the built-in ones
+cli-arg-ui-lang = Language of the program's own texts (default: that of the environment)
+cli-arg-help = Show this help
+cli-arg-version = Show the version
+
+cli-summary = { $errors ->
+        [0] { $warnings ->
+            [0] Nothing found.
+            [one] No errors, { $warnings } warning.
+           *[other] No errors, { $warnings } warnings.
+        }
+        [one] { $errors } error, { $warnings ->
+            [one] { $warnings } warning.
+           *[other] { $warnings } warnings.
+        }
+       *[other] { $errors } errors, { $warnings ->
+            [one] { $warnings } warning.
+           *[other] { $warnings } warnings.
+        }
+    }
+cli-written = Written: { $path }
+cli-usage-hint = Perhaps { $suggestion }?
+cli-usage-help = See --help.
+
+diag-usage = { $reason ->
+        [no-value] { $subject } needs a value.
+        [invalid-value] “{ $value }” is no value for { $subject }.
+        [unknown-argument] There is no argument { $subject }.
+        [unknown-command] There is no command { $subject }.
+        [no-command] A command is missing.
+        [missing-argument] This is missing: { $subject }.
+        [conflict] { $subject } does not go together with the other arguments, or stands twice.
+        [too-many-values] { $subject } has too many values.
+        [not-text] An argument is not valid text.
+       *[other] The command line is wrong.
+    } { $hint }
+diag-io-read = { $path } cannot be read: { $reason ->
+        [not-found] it does not exist
+        [permission] permission is denied
+        [is-directory] it is a directory
+        [not-directory] it is not a directory
+       *[other] { $detail }
+    }.
+diag-io-write = { $path } cannot be written: { $reason ->
+        [not-found] the directory does not exist
+        [permission] permission is denied
+        [is-directory] it is a directory
+        [not-directory] a part of the path is not a directory
+        [full] no space is left
+        [read-only] the file system is read-only
+       *[other] { $detail }
+    }.
+diag-io-foreign-directory = { $path } has files that ciklo did not write, so it is not replaced. Choose an empty or a new directory.
+diag-no-data = { $path } has none of the directories cycle-specs, locales and templates.
+diag-data-encoding = { $path } is not UTF-8.
+diag-unknown-code = There is no code “{ $code }”; “ciklo explain” lists them all.
+diag-needs-data = { $option } needs a working copy: --data DIR.
+diag-unknown-control = There is no control “{ $control }”; there are { $known }.
+diag-unknown-language = There is no language “{ $language }”; there are { $known }.
+diag-cycle-name = “{ $cycle }” is not the number of a cycle: 412, or "TCH PROBE 412".
+diag-cycle-not-here = { $control } has no cycle { $cycle }.
+diag-cycle-ambiguous = { $control } has two cycles { $cycle }: { $keys }.
+diag-locale-unknown-suffix = “{ $name }” is neither a cycle nor a control.

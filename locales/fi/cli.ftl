@@ -1,0 +1,109 @@
+# Komentorivi: ohje, ilmoitukset sekä tiedostoja ja sanoja koskevat havainnot.
+
+cli-about = CNC-työkiertojen määrittelyt dialogeina, NC-lauseina, käsikirjoina, ohjelman tarkastuksena ja suorituksena
+cli-heading-usage = Käyttö:
+cli-heading-commands = Komennot
+cli-heading-arguments = Argumentit
+cli-heading-options = Valitsimet
+cli-heading-examples = Esimerkkejä:
+
+cli-build = Kirjoita käsikirjat, dialogit ja tunnustekstitaulukot
+cli-build-out = Kirjoitettava hakemisto; se vaihdetaan, kun kaikki on valmista (oletus: out)
+cli-build-control = Vain tämä ohjaus; voidaan toistaa
+cli-build-lang = Vain tämä kieli; voidaan toistaa
+cli-schema = Tulosta määrittelyjen JSON-skeema
+cli-lint = Ilmoita kaikki määrittelyjen ja kielten virheet
+cli-lint-accept = Merkitse kaikki käännökset englanninkielisiä tekstejään vastaaviksi
+cli-coverage = Näytä, mikä on valmista, puuttuu, on vanhentunut, odottaa tai on suorittamatta
+cli-dialog = Näytä työkierron dialogi
+cli-block = Kirjoita työkierron NC-lause
+cli-block-values = Parametrien arvoja, esimerkiksi Q321=50; muilla on käsikirjan esimerkin arvot
+cli-block-number = Ensimmäisen lauseen numero (oletus: käsikirjan esimerkin numero)
+cli-block-form = Vanhanmuotoisen työkierron muoto, jos niitä on useita
+cli-parse = Erittele ohjelma lauseiksi JSON-muotoon
+cli-parse-print = Tulosta ohjelma takaisin tavulleen samana
+cli-check = Tarkasta ohjelmia yhdelle ohjaukselle
+cli-explain = Kerro, mitä havainnon koodi tarkoittaa
+cli-explain-code = Koodi; ilman sitä luetellaan kaikki koodit
+cli-translate = Kirjoita ohjelma toisen kielen nimillä ja tunnusteksteillä; muu ei muutu
+cli-translate-to = Nimien ja tunnustekstien kieli
+cli-translate-control = Ohjelman ohjaus (oletus: se, jonka työkiertoja ohjelmassa on)
+cli-translate-out = Kirjoitettava tiedosto (oletus: vakiotuloste)
+cli-run = Suorita ohjelma näyttämöllä
+cli-run-out = Hakemisto taulukoille ja pöytäkirjoille, jotka ohjelma kirjoittaa
+cli-run-events = Tulosta jokainen tapahtuma JSON-rivinä
+cli-run-lang = Pöytäkirjojen kieli (oletus: ohjauksen käsikirjan kieli)
+cli-conform = Suorita määrittelyjen esimerkit
+cli-export = Tulosta ohjauksen kaikki työkierrot yhdellä kielellä JSON-muodossa
+
+cli-arg-cycle = Työkierron numero, esimerkiksi 412 tai "TCH PROBE 412"
+cli-arg-file = NC-ohjelma; ”-” lukee vakiosyötteen
+cli-arg-files = NC-ohjelmat; ”-” lukee vakiosyötteen
+cli-arg-control = Ohjaus, esimerkiksi tnc640
+cli-arg-lang = Kieli, esimerkiksi fi
+cli-arg-scene = Näyttämötiedosto: kone, työkalut, työkappale
+cli-arg-format = Tulosteen muoto: text (oletus), json
+cli-arg-report = Tulosteen muoto: text (oletus), json, junit
+cli-arg-data = Hakemisto, jonka cycle-specs-, locales- ja templates-tietoja käytetään sisäisten sijasta
+cli-arg-ui-lang = Ohjelman omien tekstien kieli (oletus: ympäristön kieli)
+cli-arg-help = Näytä tämä ohje
+cli-arg-version = Näytä versio
+
+cli-summary = { $errors ->
+        [0] { $warnings ->
+            [0] Ei havaintoja.
+            [one] Ei virheitä, { $warnings } varoitus.
+           *[other] Ei virheitä, { $warnings } varoitusta.
+        }
+        [one] { $errors } virhe, { $warnings ->
+            [one] { $warnings } varoitus.
+           *[other] { $warnings } varoitusta.
+        }
+       *[other] { $errors } virhettä, { $warnings ->
+            [one] { $warnings } varoitus.
+           *[other] { $warnings } varoitusta.
+        }
+    }
+cli-written = Kirjoitettu: { $path }
+cli-usage-hint = Tarkoititko: { $suggestion }?
+cli-usage-help = Katso --help.
+
+diag-usage = { $reason ->
+        [no-value] Arvo puuttuu: { $subject }.
+        [invalid-value] ”{ $value }” ei kelpaa arvoksi: { $subject }.
+        [unknown-argument] Argumenttia { $subject } ei ole.
+        [unknown-command] Komentoa { $subject } ei ole.
+        [no-command] Komento puuttuu.
+        [missing-argument] Puuttuu: { $subject }.
+        [conflict] { $subject } ei sovi yhteen muiden argumenttien kanssa tai on annettu kahdesti.
+        [too-many-values] Liian monta arvoa: { $subject }.
+        [not-text] Argumentti ei ole kelvollista tekstiä.
+       *[other] Komentorivi on virheellinen.
+    } { $hint }
+diag-io-read = Lukeminen ei onnistu: { $path }: { $reason ->
+        [not-found] kohdetta ei ole
+        [permission] ei käyttöoikeutta
+        [is-directory] kohde on hakemisto
+        [not-directory] kohde ei ole hakemisto
+       *[other] { $detail }
+    }.
+diag-io-write = Kirjoittaminen ei onnistu: { $path }: { $reason ->
+        [not-found] hakemistoa ei ole
+        [permission] ei käyttöoikeutta
+        [is-directory] kohde on hakemisto
+        [not-directory] polun osa ei ole hakemisto
+        [full] tila on loppunut
+        [read-only] tiedostojärjestelmä on vain luettavissa
+       *[other] { $detail }
+    }.
+diag-io-foreign-directory = Hakemistossa { $path } on tiedostoja, joita ciklo ei ole kirjoittanut, joten sitä ei korvata. Valitse tyhjä tai uusi hakemisto.
+diag-no-data = Hakemistossa { $path } ei ole hakemistoja cycle-specs, locales eikä templates.
+diag-data-encoding = { $path } ei ole UTF-8-muodossa.
+diag-unknown-code = Koodia ”{ $code }” ei ole; ”ciklo explain” luettelee kaikki.
+diag-needs-data = { $option } tarvitsee työkopion: --data DIR.
+diag-unknown-control = Ohjausta ”{ $control }” ei ole; ohjaukset ovat { $known }.
+diag-unknown-language = Kieltä ”{ $language }” ei ole; kielet ovat { $known }.
+diag-cycle-name = ”{ $cycle }” ei ole työkierron numero: 412 tai "TCH PROBE 412".
+diag-cycle-not-here = Ohjauksessa { $control } ei ole työkiertoa { $cycle }.
+diag-cycle-ambiguous = Ohjauksessa { $control } on kaksi työkiertoa { $cycle }: { $keys }.
+diag-locale-unknown-suffix = ”{ $name }” ei ole työkierto eikä ohjaus.

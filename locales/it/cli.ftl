@@ -1,0 +1,109 @@
+# La riga di comando: guida, messaggi e rilievi su file e parole.
+
+cli-about = Specifiche di cicli CNC come dialoghi, blocchi NC, manuali, verifica ed esecuzione dei programmi
+cli-heading-usage = Uso:
+cli-heading-commands = Comandi
+cli-heading-arguments = Argomenti
+cli-heading-options = Opzioni
+cli-heading-examples = Esempi:
+
+cli-build = Scrive i manuali, i dialoghi e le tabelle delle etichette
+cli-build-out = Cartella da scrivere; viene sostituita quando tutto è completo (predefinita: out)
+cli-build-control = Solo questo controllo numerico; ripetibile
+cli-build-lang = Solo questa lingua; ripetibile
+cli-schema = Stampa lo schema JSON delle specifiche
+cli-lint = Segnala tutto ciò che è errato nelle specifiche e nelle lingue
+cli-lint-accept = Registra tutte le traduzioni come corrispondenti ai testi inglesi
+cli-coverage = Mostra che cosa è completo, mancante, superato, in sospeso o non eseguito
+cli-dialog = Mostra il dialogo di un ciclo
+cli-block = Scrive il blocco NC di un ciclo
+cli-block-values = Valori dei parametri, ad esempio Q321=50; gli altri hanno quelli dell'esempio del manuale
+cli-block-number = Numero del primo blocco (predefinito: quello dell'esempio del manuale)
+cli-block-form = Forma di un ciclo del vecchio tipo che ne ha più di una
+cli-parse = Scompone un programma in blocchi, come JSON
+cli-parse-print = Ristampa il programma, identico byte per byte
+cli-check = Verifica programmi per un controllo numerico
+cli-explain = Spiega il codice di un rilievo
+cli-explain-code = Il codice; se manca, vengono elencati tutti
+cli-translate = Scrive un programma con i nomi e le etichette di un'altra lingua; nient'altro cambia
+cli-translate-to = Lingua dei nomi e delle etichette
+cli-translate-control = Controllo numerico del programma (predefinito: quello di cui contiene i cicli)
+cli-translate-out = File da scrivere (predefinito: uscita standard)
+cli-run = Esegue un programma in una scena
+cli-run-out = Cartella per le tabelle e i protocolli scritti dal programma
+cli-run-events = Stampa ogni evento come riga JSON
+cli-run-lang = Lingua dei protocolli (predefinita: quella del manuale del controllo numerico)
+cli-conform = Esegue gli esempi delle specifiche
+cli-export = Stampa tutti i cicli di un controllo numerico in una lingua, come JSON
+
+cli-arg-cycle = Numero del ciclo, ad esempio 412 o "TCH PROBE 412"
+cli-arg-file = Programma NC; «-» legge l'ingresso standard
+cli-arg-files = Programmi NC; «-» legge l'ingresso standard
+cli-arg-control = Controllo numerico, ad esempio tnc640
+cli-arg-lang = Lingua, ad esempio fi
+cli-arg-scene = File della scena: macchina, utensili, pezzo
+cli-arg-format = Forma dell'uscita: text (predefinita), json
+cli-arg-report = Forma dell'uscita: text (predefinita), json, junit
+cli-arg-data = Cartella con cycle-specs, locales e templates da usare al posto dei dati incorporati
+cli-arg-ui-lang = Lingua dei testi del programma stesso (predefinita: quella dell'ambiente)
+cli-arg-help = Mostra questa guida
+cli-arg-version = Mostra la versione
+
+cli-summary = { $errors ->
+        [0] { $warnings ->
+            [0] Nessun rilievo.
+            [one] Nessun errore, { $warnings } avviso.
+           *[other] Nessun errore, { $warnings } avvisi.
+        }
+        [one] { $errors } errore, { $warnings ->
+            [one] { $warnings } avviso.
+           *[other] { $warnings } avvisi.
+        }
+       *[other] { $errors } errori, { $warnings ->
+            [one] { $warnings } avviso.
+           *[other] { $warnings } avvisi.
+        }
+    }
+cli-written = Scritto: { $path }
+cli-usage-hint = Forse { $suggestion }?
+cli-usage-help = Vedere --help.
+
+diag-usage = { $reason ->
+        [no-value] { $subject } richiede un valore.
+        [invalid-value] «{ $value }» non è un valore per { $subject }.
+        [unknown-argument] L'argomento { $subject } non esiste.
+        [unknown-command] Il comando { $subject } non esiste.
+        [no-command] Manca un comando.
+        [missing-argument] Manca: { $subject }.
+        [conflict] { $subject } non è compatibile con gli altri argomenti o compare due volte.
+        [too-many-values] { $subject } ha troppi valori.
+        [not-text] Un argomento non è testo valido.
+       *[other] La riga di comando è errata.
+    } { $hint }
+diag-io-read = Impossibile leggere { $path }: { $reason ->
+        [not-found] non esiste
+        [permission] permesso negato
+        [is-directory] è una cartella
+        [not-directory] non è una cartella
+       *[other] { $detail }
+    }.
+diag-io-write = Impossibile scrivere { $path }: { $reason ->
+        [not-found] la cartella non esiste
+        [permission] permesso negato
+        [is-directory] è una cartella
+        [not-directory] una parte del percorso non è una cartella
+        [full] non c'è più spazio
+        [read-only] il file system è di sola lettura
+       *[other] { $detail }
+    }.
+diag-io-foreign-directory = { $path } contiene file non scritti da ciklo, perciò non viene sostituita. Scegliere una cartella vuota o nuova.
+diag-no-data = { $path } non contiene nessuna delle cartelle cycle-specs, locales e templates.
+diag-data-encoding = { $path } non è in UTF-8.
+diag-unknown-code = Il codice «{ $code }» non esiste; «ciklo explain» li elenca tutti.
+diag-needs-data = { $option } richiede una copia di lavoro: --data DIR.
+diag-unknown-control = Il controllo numerico «{ $control }» non esiste; ci sono { $known }.
+diag-unknown-language = La lingua «{ $language }» non esiste; ci sono { $known }.
+diag-cycle-name = «{ $cycle }» non è il numero di un ciclo: 412 o "TCH PROBE 412".
+diag-cycle-not-here = { $control } non ha il ciclo { $cycle }.
+diag-cycle-ambiguous = { $control } ha due cicli { $cycle }: { $keys }.
+diag-locale-unknown-suffix = «{ $name }» non è né un ciclo né un controllo numerico.

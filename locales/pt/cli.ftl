@@ -1,0 +1,109 @@
+# A linha de comandos: ajuda, mensagens e observações sobre ficheiros e palavras.
+
+cli-about = Especificações de ciclos CNC como diálogos, blocos NC, manuais, verificação e execução de programas
+cli-heading-usage = Utilização:
+cli-heading-commands = Comandos
+cli-heading-arguments = Argumentos
+cli-heading-options = Opções
+cli-heading-examples = Exemplos:
+
+cli-build = Escreve os manuais, os diálogos e as tabelas de textos dos parâmetros
+cli-build-out = Pasta a escrever; é substituída quando tudo estiver completo (predefinição: out)
+cli-build-control = Só este comando numérico; pode repetir-se
+cli-build-lang = Só este idioma; pode repetir-se
+cli-schema = Mostra o esquema JSON das especificações
+cli-lint = Indica tudo o que está errado nas especificações e nos idiomas
+cli-lint-accept = Regista todas as traduções como correspondentes aos textos ingleses
+cli-coverage = Mostra o que está completo, em falta, desatualizado, pendente ou por executar
+cli-dialog = Mostra o diálogo de um ciclo
+cli-block = Escreve o bloco NC de um ciclo
+cli-block-values = Valores dos parâmetros, por exemplo Q321=50; os outros têm os do exemplo do manual
+cli-block-number = Número do primeiro bloco (predefinição: o do exemplo do manual)
+cli-block-form = Forma de um ciclo antigo que tenha várias
+cli-parse = Decompõe um programa em blocos, como JSON
+cli-parse-print = Volta a mostrar o programa, igual byte a byte
+cli-check = Verifica programas para um comando numérico
+cli-explain = Diz o que significa o código de uma observação
+cli-explain-code = O código; sem ele, são indicados todos
+cli-translate = Escreve um programa com os nomes e textos de outro idioma; nada mais muda
+cli-translate-to = Idioma dos nomes e textos
+cli-translate-control = Comando numérico do programa (predefinição: aquele cujos ciclos contém)
+cli-translate-out = Ficheiro a escrever (predefinição: saída padrão)
+cli-run = Executa um programa num cenário
+cli-run-out = Pasta para as tabelas e os protocolos que o programa escreve
+cli-run-events = Mostra cada evento como uma linha JSON
+cli-run-lang = Idioma dos protocolos (predefinição: o do manual do comando numérico)
+cli-conform = Executa os exemplos das especificações
+cli-export = Mostra todos os ciclos de um comando numérico num idioma, como JSON
+
+cli-arg-cycle = Número do ciclo, por exemplo 412 ou "TCH PROBE 412"
+cli-arg-file = Programa NC; «-» lê a entrada padrão
+cli-arg-files = Programas NC; «-» lê a entrada padrão
+cli-arg-control = Comando numérico, por exemplo tnc640
+cli-arg-lang = Idioma, por exemplo fi
+cli-arg-scene = Ficheiro do cenário: máquina, ferramentas, peça
+cli-arg-format = Forma da saída: text (predefinição), json
+cli-arg-report = Forma da saída: text (predefinição), json, junit
+cli-arg-data = Pasta com cycle-specs, locales e templates a usar em vez dos dados incorporados
+cli-arg-ui-lang = Idioma dos textos do próprio programa (predefinição: o do ambiente)
+cli-arg-help = Mostra esta ajuda
+cli-arg-version = Mostra a versão
+
+cli-summary = { $errors ->
+        [0] { $warnings ->
+            [0] Nada a assinalar.
+            [one] Sem erros, { $warnings } aviso.
+           *[other] Sem erros, { $warnings } avisos.
+        }
+        [one] { $errors } erro, { $warnings ->
+            [one] { $warnings } aviso.
+           *[other] { $warnings } avisos.
+        }
+       *[other] { $errors } erros, { $warnings ->
+            [one] { $warnings } aviso.
+           *[other] { $warnings } avisos.
+        }
+    }
+cli-written = Escrito: { $path }
+cli-usage-hint = Talvez { $suggestion }?
+cli-usage-help = Ver --help.
+
+diag-usage = { $reason ->
+        [no-value] { $subject } precisa de um valor.
+        [invalid-value] «{ $value }» não é um valor para { $subject }.
+        [unknown-argument] O argumento { $subject } não existe.
+        [unknown-command] O comando { $subject } não existe.
+        [no-command] Falta um comando.
+        [missing-argument] Falta: { $subject }.
+        [conflict] { $subject } não é compatível com os outros argumentos ou aparece duas vezes.
+        [too-many-values] { $subject } tem demasiados valores.
+        [not-text] Um argumento não é texto válido.
+       *[other] A linha de comandos está errada.
+    } { $hint }
+diag-io-read = Não é possível ler { $path }: { $reason ->
+        [not-found] não existe
+        [permission] sem permissão
+        [is-directory] é uma pasta
+        [not-directory] não é uma pasta
+       *[other] { $detail }
+    }.
+diag-io-write = Não é possível escrever { $path }: { $reason ->
+        [not-found] a pasta não existe
+        [permission] sem permissão
+        [is-directory] é uma pasta
+        [not-directory] uma parte do caminho não é uma pasta
+        [full] não há mais espaço
+        [read-only] o sistema de ficheiros é só de leitura
+       *[other] { $detail }
+    }.
+diag-io-foreign-directory = { $path } tem ficheiros que o ciklo não escreveu, por isso não é substituída. Escolha uma pasta vazia ou nova.
+diag-no-data = { $path } não tem nenhuma das pastas cycle-specs, locales e templates.
+diag-data-encoding = { $path } não está em UTF-8.
+diag-unknown-code = O código «{ $code }» não existe; «ciklo explain» indica todos.
+diag-needs-data = { $option } precisa de uma cópia de trabalho: --data DIR.
+diag-unknown-control = O comando numérico «{ $control }» não existe; existem { $known }.
+diag-unknown-language = O idioma «{ $language }» não existe; existem { $known }.
+diag-cycle-name = «{ $cycle }» não é o número de um ciclo: 412 ou "TCH PROBE 412".
+diag-cycle-not-here = { $control } não tem o ciclo { $cycle }.
+diag-cycle-ambiguous = { $control } tem dois ciclos { $cycle }: { $keys }.
+diag-locale-unknown-suffix = «{ $name }» não é um ciclo nem um comando numérico.

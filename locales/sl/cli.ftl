@@ -1,0 +1,127 @@
+# Ukazna vrstica: pomoč, sporočila ter ugotovitve o datotekah in besedah.
+
+cli-about = Specifikacije CNC-ciklov kot pogovorna okna, NC-nizi, priročniki, preverjanje in izvajanje programov
+cli-heading-usage = Uporaba:
+cli-heading-commands = Ukazi
+cli-heading-arguments = Argumenti
+cli-heading-options = Možnosti
+cli-heading-examples = Primeri:
+
+cli-build = Zapiše priročnike, pogovorna okna in preglednice oznak
+cli-build-out = Mapa za zapis; zamenja se, ko je vse dokončano (privzeto: out)
+cli-build-control = Samo to krmiljenje; lahko se ponovi
+cli-build-lang = Samo ta jezik; lahko se ponovi
+cli-schema = Izpiše shemo JSON specifikacij
+cli-lint = Javi vse napake v specifikacijah in jezikih
+cli-lint-accept = Zabeleži, da vsi prevodi ustrezajo angleškim besedilom
+cli-coverage = Prikaže, kaj je popolno, kaj manjka, je zastarelo, čaka ali ni izvedeno
+cli-dialog = Prikaže pogovorno okno cikla
+cli-block = Zapiše NC-niz cikla
+cli-block-values = Vrednosti parametrov, na primer Q321=50; drugi imajo vrednosti iz primera v priročniku
+cli-block-number = Številka prvega niza (privzeto: iz primera v priročniku)
+cli-block-form = Oblika cikla stare oblike, če jih je več
+cli-parse = Razčleni program v nize, kot JSON
+cli-parse-print = Program ponovno izpiše, bajt za bajtom enako
+cli-check = Preveri programe za eno krmiljenje
+cli-explain = Pove, kaj pomeni koda ugotovitve
+cli-explain-code = Koda; brez nje se izpišejo vse kode
+cli-translate = Zapiše program z imeni in oznakami drugega jezika; nič drugega se ne spremeni
+cli-translate-to = Jezik imen in oznak
+cli-translate-control = Krmiljenje programa (privzeto: tisto, katerega cikle vsebuje)
+cli-translate-out = Datoteka za zapis (privzeto: standardni izhod)
+cli-run = Izvede program v prizorišču
+cli-run-out = Mapa za preglednice in protokole, ki jih zapiše program
+cli-run-events = Vsak dogodek izpiše kot vrstico JSON
+cli-run-lang = Jezik protokolov (privzeto: jezik priročnika krmiljenja)
+cli-conform = Izvede primere iz specifikacij
+cli-export = Izpiše vse cikle krmiljenja v enem jeziku, kot JSON
+
+cli-arg-cycle = Številka cikla, na primer 412 ali "TCH PROBE 412"
+cli-arg-file = NC-program; »-« bere standardni vhod
+cli-arg-files = NC-programi; »-« bere standardni vhod
+cli-arg-control = Krmiljenje, na primer tnc640
+cli-arg-lang = Jezik, na primer fi
+cli-arg-scene = Datoteka prizorišča: stroj, orodja, obdelovanec
+cli-arg-format = Oblika izpisa: text (privzeto), json
+cli-arg-report = Oblika izpisa: text (privzeto), json, junit
+cli-arg-data = Mapa s podmapami cycle-specs, locales in templates namesto vgrajenih podatkov
+cli-arg-ui-lang = Jezik besedil samega programa (privzeto: jezik okolja)
+cli-arg-help = Prikaže to pomoč
+cli-arg-version = Prikaže različico
+
+cli-summary = { $errors ->
+        [0] { $warnings ->
+            [0] Brez ugotovitev.
+            [one] Brez napak, { $warnings } opozorilo.
+            [two] Brez napak, { $warnings } opozorili.
+            [few] Brez napak, { $warnings } opozorila.
+           *[other] Brez napak, { $warnings } opozoril.
+        }
+        [one] { $errors } napaka, { $warnings ->
+            [one] { $warnings } opozorilo.
+            [two] { $warnings } opozorili.
+            [few] { $warnings } opozorila.
+           *[other] { $warnings } opozoril.
+        }
+        [two] { $errors } napaki, { $warnings ->
+            [one] { $warnings } opozorilo.
+            [two] { $warnings } opozorili.
+            [few] { $warnings } opozorila.
+           *[other] { $warnings } opozoril.
+        }
+        [few] { $errors } napake, { $warnings ->
+            [one] { $warnings } opozorilo.
+            [two] { $warnings } opozorili.
+            [few] { $warnings } opozorila.
+           *[other] { $warnings } opozoril.
+        }
+       *[other] { $errors } napak, { $warnings ->
+            [one] { $warnings } opozorilo.
+            [two] { $warnings } opozorili.
+            [few] { $warnings } opozorila.
+           *[other] { $warnings } opozoril.
+        }
+    }
+cli-written = Zapisano: { $path }
+cli-usage-hint = Morda { $suggestion }?
+cli-usage-help = Glejte --help.
+
+diag-usage = { $reason ->
+        [no-value] { $subject } potrebuje vrednost.
+        [invalid-value] »{ $value }« ni vrednost za { $subject }.
+        [unknown-argument] Argument { $subject } ne obstaja.
+        [unknown-command] Ukaz { $subject } ne obstaja.
+        [no-command] Manjka ukaz.
+        [missing-argument] Manjka: { $subject }.
+        [conflict] { $subject } ni združljivo z drugimi argumenti ali je navedeno dvakrat.
+        [too-many-values] { $subject } ima preveč vrednosti.
+        [not-text] Argument ni veljavno besedilo.
+       *[other] Ukazna vrstica je napačna.
+    } { $hint }
+diag-io-read = { $path } ni mogoče prebrati: { $reason ->
+        [not-found] ne obstaja
+        [permission] ni dovoljenja
+        [is-directory] to je mapa
+        [not-directory] to ni mapa
+       *[other] { $detail }
+    }.
+diag-io-write = { $path } ni mogoče zapisati: { $reason ->
+        [not-found] mapa ne obstaja
+        [permission] ni dovoljenja
+        [is-directory] to je mapa
+        [not-directory] del poti ni mapa
+        [full] prostora je zmanjkalo
+        [read-only] datotečni sistem je samo za branje
+       *[other] { $detail }
+    }.
+diag-io-foreign-directory = V mapi { $path } so datoteke, ki jih ciklo ni zapisal, zato ni zamenjana. Izberite prazno ali novo mapo.
+diag-no-data = V mapi { $path } ni nobene od map cycle-specs, locales in templates.
+diag-data-encoding = { $path } ni v kodiranju UTF-8.
+diag-unknown-code = Koda »{ $code }« ne obstaja; »ciklo explain« izpiše vse.
+diag-needs-data = { $option } potrebuje delovno kopijo: --data DIR.
+diag-unknown-control = Krmiljenje »{ $control }« ne obstaja; na voljo so { $known }.
+diag-unknown-language = Jezik »{ $language }« ne obstaja; na voljo so { $known }.
+diag-cycle-name = »{ $cycle }« ni številka cikla: 412 ali "TCH PROBE 412".
+diag-cycle-not-here = Krmiljenje { $control } nima cikla { $cycle }.
+diag-cycle-ambiguous = Krmiljenje { $control } ima dva cikla { $cycle }: { $keys }.
+diag-locale-unknown-suffix = »{ $name }« ni ne cikel ne krmiljenje.

@@ -1,0 +1,50 @@
+//! The arguments that several commands share.
+//!
+//! Invariant: an argument has its help in the message `cli-arg-<name>`, or in `cli-<command>-<name>`
+//! where a command gives it a meaning of its own.
+use std::path::PathBuf;
+
+use clap::{Arg, ArgAction, ArgMatches, builder::PossibleValuesParser, value_parser};
+
+use crate::locale::{Args, Ui};
+
+pub(super) const DATA: &str = "data";
+pub(super) const UI_LANGUAGE: &str = "ui-lang";
+const FORMAT: &str = "format";
+
+/// An option or positional argument with its help.
+pub(super) fn argument(ui: &Ui, name: &'static str, help: &str) -> Arg {
+    Arg::new(name).help(ui.text(help, &Args::new()))
+}
+
+/// An option with a value, `--name VALUE`.
+pub(super) fn option(ui: &Ui, name: &'static str, value: &'static str) -> Arg {
+    argument(ui, name, &format!("cli-arg-{name}")).long(name).value_name(value)
+}
+
+/// A switch, `--name`, with its help in a message of the command.
+pub(super) fn switch(ui: &Ui, name: &'static str, help: &str) -> Arg {
+    argument(ui, name, help).long(name).action(ArgAction::SetTrue)
+}
+
+/// `--data DIR`, before or behind the command.
+pub(super) fn data(ui: &Ui) -> Arg {
+    option(ui, DATA, "DIR").global(true).value_parser(value_parser!(PathBuf))
+}
+
+/// `--ui-lang LANG`, before or behind the command.
+pub(super) fn ui_language(ui: &Ui) -> Arg {
+    option(ui, UI_LANGUAGE, "LANG").global(true)
+}
+
+/// `--format`, with the first of the formats as default.
+pub(super) fn format(ui: &Ui, formats: &'static [&'static str]) -> Arg {
+    let arg = option(ui, FORMAT, "FORMAT").value_parser(PossibleValuesParser::new(formats));
+    // What `clap` would say about possible values and the default is in English; the help says it.
+    arg.default_values(formats.iter().take(1).copied()).hide_possible_values(true).hide_default_value(true)
+}
+
+/// The chosen format.
+pub(super) fn chosen_format(matches: &ArgMatches) -> &str {
+    matches.get_one::<String>(FORMAT).map_or("text", String::as_str)
+}

@@ -1,0 +1,101 @@
+//! `ciklo lint`: everything that can be wrong with specifications and languages.
+use clap::ArgMatches;
+
+use super::session::Session;
+use super::{Command, Failure, Outcome, arguments};
+use crate::diag::Diagnostic;
+use crate::locale::{Args, Language, LocaleError, Locales, SOURCE_LANGUAGE, Scope, Ui};
+use crate::spec::{self, Catalogue};
+use crate::system;
+
+pub(super) const COMMAND: Command = Command {
+    name: "lint",
+    usage: "[--data DIR] [--format FORMAT] [--accept-translations]",
+    examples: &["ciklo lint", "ciklo lint --data . --format json", "ciklo lint --data . --accept-translations"],
+    arguments: own,
+    run,
+};
+
+const ACCEPT: &str = "accept-translations";
+
+fn own(ui: &Ui) -> Vec<clap::Arg> {
+    vec![arguments::format(ui, &["text", "json"]), arguments::switch(ui, ACCEPT, "cli-lint-accept")]
+}
+
+fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
+    let files = session.files()?;
+    let (locales, mut found) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    if matches.get_flag(ACCEPT) {
+        return accept(session, &locales);
+    }
+    let (catalogue, mistakes) = Catalogue::load(files);
+    found.extend(mistakes);
+    found.extend(spec::lint(&catalogue));
+    found.extend(languages(&locales)?);
+    found.extend(texts(&catalogue, &locales));
+    let errors = session.report(found, arguments::chosen_format(matches))?;
+    Ok(if errors { Outcome::Errors } else { Outcome::Clean })
+}
+
+/// Writes down that every translation is good as it stands.
+fn accept(session: &mut Session, locales: &Locales) -> Result<Outcome, Failure> {
+    let Some(root) = session.data() else {
+        return Err(Diagnostic::global("needs-data").arg("option", format!("--{ACCEPT}")).into());
+    };
+    for tag in locales.tags().filter(|tag| *tag != SOURCE_LANGUAGE) {
+        let path = root.join("locales").join(tag).join("source.lock");
+        system::write(&path, locales.accepted(tag)?.as_bytes())?;
+        let args = Args::new().text("path", path.display().to_string());
+        let line = session.ui.text("cli-written", &args);
+        session.output.remark(&line);
+    }
+    Ok(Outcome::Clean)
+}
+
+fn languages(locales: &Locales) -> Result<Vec<Diagnostic>, LocaleError> {
+    let mut found = Vec::new();
+    for tag in locales.tags() {
+        found.extend(locales.audit(tag)?.diagnostics());
+    }
+    Ok(found)
+}
+
+/// Texts that a cycle needs and the source language lacks (a translation that lacks what the source
+/// has is found by comparing them), and variants for cycles or controls that do not exist.
+fn texts(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    if let Some(source) = locales.source() {
+        for on in catalogue.controls.values() {
+            for cycle in on.cycles.values() {
+                let scope = Scope::new(cycle.name(), on.id());
+                let place = &cycle.file.name.place;
+                let missing = spec::texts(cycle, on).into_iter().filter(|text| {
+                    let key = text.attribute.map_or(text.id.clone(), |attribute| format!("{}.{attribute}", text.id));
+                    !source.has(&key, &scope)
+                });
+                found.extend(missing.map(|text| {
+                    let key = text.attribute.map_or(text.id.clone(), |attribute| format!("{}.{attribute}", text.id));
+                    Diagnostic::error("locale-missing-text", place.clone())
+                        .arg("key", key)
+                        .arg("language", source.tag())
+                }));
+            }
+        }
+    }
+    locales.iter().for_each(|language| variants(catalogue, language, &mut found));
+    let mut seen = std::collections::HashSet::new();
+    found.retain(|diagnostic| {
+        let place = diagnostic.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));
+        seen.insert((diagnostic.code, place, format!("{:?}", diagnostic.args)))
+    });
+    found
+}
+
+fn variants(catalogue: &Catalogue, language: &Language, found: &mut Vec<Diagnostic>) {
+    for (suffix, place) in language.suffixes() {
+        let mut controls = catalogue.controls.iter();
+        if !controls.any(|(id, on)| id == suffix || on.by_name(suffix).is_some()) {
+            found.push(Diagnostic::error("locale-unknown-suffix", place).arg("name", suffix));
+        }
+    }
+}

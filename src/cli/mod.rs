@@ -1,0 +1,119 @@
+//! The command `ciklo`: one file a command, and what they share.
+//!
+//! Exit codes: 0 clean, 1 errors were found in what was given, 2 the command could not be carried out
+//! (wrong words on the command line, a file that cannot be read or written). Invariant: only this
+//! module and `system` touch files, environment and terminal, and no command holds knowledge that a
+//! library module could hold.
+mod arguments;
+mod explain;
+mod lint;
+mod schema;
+mod session;
+mod usage;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::ArgMatches;
+
+use crate::diag::Diagnostic;
+use crate::locale::Ui;
+use crate::system;
+use session::{Output, Session};
+
+/// How a command ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Outcome {
+    /// Nothing was wrong.
+    Clean,
+    /// Errors were found and told.
+    Errors,
+}
+
+/// Why a command could not be carried out.
+#[derive(Debug)]
+enum Failure {
+    /// Something outside, or a wrong word.
+    Trouble(Box<Diagnostic>),
+    /// The data that everything is made from has mistakes.
+    Data(Vec<Diagnostic>),
+    /// Nobody reads standard output any more.
+    BrokenPipe,
+}
+
+impl From<Diagnostic> for Failure {
+    fn from(diagnostic: Diagnostic) -> Self {
+        Self::Trouble(Box::new(diagnostic))
+    }
+}
+
+impl From<system::Trouble> for Failure {
+    fn from(trouble: system::Trouble) -> Self {
+        Diagnostic::from(trouble).into()
+    }
+}
+
+impl From<crate::locale::LocaleError> for Failure {
+    fn from(error: crate::locale::LocaleError) -> Self {
+        Diagnostic::from(error).into()
+    }
+}
+
+/// What a command has to say about itself.
+struct Command {
+    name: &'static str,
+    /// The words behind the name; placeholders are in capitals.
+    usage: &'static str,
+    examples: &'static [&'static str],
+    arguments: fn(&Ui) -> Vec<clap::Arg>,
+    run: fn(&mut Session, &ArgMatches) -> Result<Outcome, Failure>,
+}
+
+/// All commands, in the order of the help.
+static COMMANDS: &[Command] = &[lint::COMMAND, schema::COMMAND, explain::COMMAND];
+
+const EXIT_ERRORS: u8 = 1;
+const EXIT_TROUBLE: u8 = 2;
+
+/// Carries out a command line, the program's name first.
+pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let words: Vec<OsString> = words.into_iter().collect();
+    let locales = session::interface();
+    let mut output = Output::new();
+    let asked = usage::interface_language(&words);
+    let environment = ["LC_ALL", "LC_MESSAGES", "LANG"].map(system::variable);
+    let environment: Vec<Option<&str>> = environment.iter().map(Option::as_deref).collect();
+    let ui = match Ui::new(&locales, asked.as_deref(), &environment) {
+        Ok(ui) => ui,
+        Err(error) => {
+            let ui = Ui::new(&locales, None, &environment).unwrap_or_else(|_| Ui::source(&locales));
+            output.complain(&error.into(), &ui);
+            return ExitCode::from(EXIT_TROUBLE);
+        }
+    };
+    let result = match usage::command_line(&ui).try_get_matches_from(words) {
+        Ok(matches) => run(&ui, &mut output, &matches),
+        Err(error) => usage::explain(&error, &ui, &mut output),
+    };
+    let result = result.and_then(|outcome| output.finish().map(|()| outcome));
+    match result {
+        Ok(Outcome::Clean) | Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
+        Ok(Outcome::Errors) => ExitCode::from(EXIT_ERRORS),
+        Err(Failure::Trouble(diagnostic)) => {
+            output.complain(&diagnostic, &ui);
+            ExitCode::from(EXIT_TROUBLE)
+        }
+        Err(Failure::Data(diagnostics)) => {
+            diagnostics.iter().for_each(|diagnostic| output.complain(diagnostic, &ui));
+            ExitCode::from(EXIT_ERRORS)
+        }
+    }
+}
+
+fn run(ui: &Ui, output: &mut Output, matches: &ArgMatches) -> Result<Outcome, Failure> {
+    let Some((name, own)) = matches.subcommand() else { return Ok(Outcome::Clean) };
+    let Some(command) = COMMANDS.iter().find(|command| command.name == name) else { return Ok(Outcome::Clean) };
+    let data = matches.get_one::<std::path::PathBuf>(arguments::DATA);
+    let mut session = Session::new(*ui, output, data.map(std::path::PathBuf::as_path));
+    (command.run)(&mut session, own)
+}

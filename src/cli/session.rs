@@ -1,0 +1,164 @@
+//! What a command works with: the data, loaded when first needed, and the streams.
+//!
+//! Invariant: standard output carries the result and nothing else; everything about how it went goes
+//! to standard error.
+use std::cell::OnceCell;
+use std::io::{self, BufWriter, StdoutLock, Write as _};
+use std::path::Path;
+
+use super::Failure;
+use crate::data::{self, Files};
+use crate::diag::{Diagnostic, Severity};
+use crate::locale::render::{render, to_json_line};
+use crate::locale::{Args, Locales, Ui};
+use crate::spec::Catalogue;
+use crate::system;
+
+/// The directories of a working copy that hold data.
+const TOPS: [&str; 3] = ["cycle-specs", "locales", "templates"];
+/// Files of a language that the program's own texts are in.
+const INTERFACE: [&str; 4] = ["diag-", "cli", "interface", "units"];
+
+/// The program's own texts, in all languages.
+pub(super) fn interface() -> Locales {
+    let files = data::embedded();
+    let own = files.iter().filter(|(path, _)| {
+        path.rsplit('/').next().is_some_and(|name| INTERFACE.iter().any(|prefix| name.starts_with(prefix)))
+    });
+    Locales::load(own.map(|(path, text)| (path, text))).0
+}
+
+/// Standard output, buffered, and standard error.
+pub(super) struct Output {
+    stdout: BufWriter<StdoutLock<'static>>,
+    colours: (bool, bool),
+}
+
+impl Output {
+    pub(super) fn new() -> Self {
+        Self { stdout: BufWriter::new(io::stdout().lock()), colours: system::colours() }
+    }
+
+    /// Writes a part of the result.
+    pub(super) fn print(&mut self, text: &str) -> Result<(), Failure> {
+        self.write(text.as_bytes())
+    }
+
+    /// Writes a part of the result, byte by byte as it is.
+    pub(super) fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
+        self.stdout.write_all(bytes).map_err(|error| stdout_failure(&error))
+    }
+
+    /// Writes out what is buffered.
+    pub(super) fn finish(&mut self) -> Result<(), Failure> {
+        self.stdout.flush().map_err(|error| stdout_failure(&error))
+    }
+
+    /// Tells of a problem on standard error.
+    pub(super) fn complain(&mut self, diagnostic: &Diagnostic, ui: &Ui) {
+        // Order matters where both streams are one terminal; and with standard error gone, nobody is left to tell.
+        let _ = self.stdout.flush();
+        let _ = io::stderr().write_all(render(diagnostic, ui, self.colours.1).as_bytes());
+    }
+
+    /// Writes a line about how it went to standard error.
+    pub(super) fn remark(&mut self, line: &str) {
+        let _ = self.stdout.flush();
+        let _ = writeln!(io::stderr(), "{line}");
+    }
+}
+
+fn stdout_failure(error: &io::Error) -> Failure {
+    match error.kind() {
+        io::ErrorKind::BrokenPipe => Failure::BrokenPipe,
+        _ => system::stdout_trouble(error).into(),
+    }
+}
+
+/// One command being carried out.
+pub(super) struct Session<'s> {
+    pub(super) ui: Ui<'s>,
+    pub(super) output: &'s mut Output,
+    data: Option<&'s Path>,
+    files: OnceCell<Files>,
+}
+
+impl<'s> Session<'s> {
+    pub(super) fn new(ui: Ui<'s>, output: &'s mut Output, data: Option<&'s Path>) -> Self {
+        Self { ui, output, data, files: OnceCell::new() }
+    }
+
+    /// The directory of the working copy, if one is used instead of the embedded data.
+    pub(super) fn data(&self) -> Option<&'s Path> {
+        self.data
+    }
+
+    /// The files that everything is made from.
+    pub(super) fn files(&self) -> Result<&Files, Failure> {
+        if let Some(files) = self.files.get() {
+            return Ok(files);
+        }
+        let files = match self.data {
+            None => data::embedded(),
+            Some(root) => working_copy(root)?,
+        };
+        Ok(self.files.get_or_init(|| files))
+    }
+
+    /// The catalogue, which must be without mistakes.
+    pub(super) fn catalogue(&self) -> Result<Catalogue, Failure> {
+        let (catalogue, found) = Catalogue::load(self.files()?);
+        sound(found).map(|()| catalogue)
+    }
+
+    /// The languages, which must be without mistakes.
+    pub(super) fn locales(&self) -> Result<Locales, Failure> {
+        let (locales, found) = Locales::load(self.files()?.iter().map(|(path, text)| (path, text)));
+        sound(found).map(|()| locales)
+    }
+
+    /// Prints findings as the result of the command, in the order of files and places: as text with a
+    /// count at the end, or as JSON lines. Says whether there are errors.
+    pub(super) fn report(&mut self, mut found: Vec<Diagnostic>, format: &str) -> Result<bool, Failure> {
+        found.sort_by(|a, b| place_key(a).cmp(&place_key(b)));
+        for diagnostic in &found {
+            let text = match format {
+                "json" => to_json_line(diagnostic, &self.ui) + "\n",
+                _ => render(diagnostic, &self.ui, self.output.colours.0) + "\n",
+            };
+            self.output.print(&text)?;
+        }
+        let count = |severity| found.iter().filter(|diagnostic| diagnostic.severity == severity).count();
+        let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
+        if format != "json" {
+            let args = Args::new().number("errors", errors as f64).number("warnings", warnings as f64);
+            let line = self.ui.text("cli-summary", &args);
+            self.output.remark(&line);
+        }
+        Ok(errors > 0)
+    }
+}
+
+fn place_key(diagnostic: &Diagnostic) -> (Option<&str>, usize, &'static str) {
+    let place = diagnostic.place.as_ref();
+    (place.map(|place| place.source.name()), place.map_or(0, |place| place.span.start), diagnostic.code)
+}
+
+fn sound(found: Vec<Diagnostic>) -> Result<(), Failure> {
+    let errors: Vec<Diagnostic> = found.into_iter().filter(|it| it.severity == Severity::Error).collect();
+    if errors.is_empty() { Ok(()) } else { Err(Failure::Data(errors)) }
+}
+
+fn working_copy(root: &Path) -> Result<Files, Failure> {
+    let tree = system::read_tree(root, &TOPS)?;
+    if tree.is_empty() {
+        return Err(Diagnostic::global("no-data").arg("path", root.display().to_string()).into());
+    }
+    let mut files = Files::new();
+    for (path, bytes) in tree {
+        let text =
+            String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", path.as_str()))?;
+        files.push((path, text));
+    }
+    Ok(files)
+}

@@ -1,0 +1,147 @@
+//! The command line as `clap` knows it, in the reader's language.
+//!
+//! `clap` speaks English only, so its headings are replaced and its errors are told in our words.
+//! Invariant: nothing that a user reads comes from `clap` except what they typed.
+use std::ffi::OsString;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, ArgAction};
+
+use super::arguments::{self, UI_LANGUAGE};
+use super::session::Output;
+use super::{COMMANDS, Command, Failure, Outcome};
+use crate::diag::Diagnostic;
+use crate::locale::{Args, Ui};
+
+/// Columns of the help where the width of the terminal is not known, and at most.
+const WIDTH: usize = 100;
+
+/// The language asked for by `--ui-lang`, looked for before anything can be told in a language.
+pub(super) fn interface_language(words: &[OsString]) -> Option<String> {
+    let mut words = words.iter().map(|word| word.to_string_lossy());
+    while let Some(word) = words.next() {
+        match word.strip_prefix("--").and_then(|rest| rest.strip_prefix(UI_LANGUAGE)) {
+            Some("") => return words.next().map(|value| value.into_owned()),
+            Some(rest) if rest.starts_with('=') => return rest.strip_prefix('=').map(str::to_owned),
+            _ => {}
+        }
+        if word == "--" {
+            break;
+        }
+    }
+    None
+}
+
+/// The whole command line.
+pub(super) fn command_line(ui: &Ui) -> clap::Command {
+    let about = ui.text("cli-about", &Args::new());
+    let commands = COMMANDS.iter().map(|command| subcommand(command, ui));
+    let examples: Vec<&str> = COMMANDS.iter().filter_map(|command| command.examples.first().copied()).collect();
+    let root = shared(clap::Command::new("ciklo"), ui, "ciklo COMMAND", &examples)
+        .about(about)
+        .version(env!("CARGO_PKG_VERSION"))
+        .disable_version_flag(true)
+        .disable_help_subcommand(true)
+        .subcommand_help_heading(ui.text("cli-heading-commands", &Args::new()))
+        .subcommand_required(true)
+        .arg(arguments::data(ui))
+        .arg(arguments::ui_language(ui))
+        .arg(flag(ui, "version", 'V', ArgAction::Version))
+        .subcommands(commands);
+    headed(root, ui)
+}
+
+fn subcommand(command: &Command, ui: &Ui) -> clap::Command {
+    let usage = format!("ciklo {} {}", command.name, command.usage);
+    let own = shared(clap::Command::new(command.name), ui, usage.trim_end(), command.examples)
+        .about(ui.text(&format!("cli-{}", command.name), &Args::new()))
+        .args((command.arguments)(ui));
+    headed(own, ui)
+}
+
+fn shared(command: clap::Command, ui: &Ui, usage: &str, examples: &[&str]) -> clap::Command {
+    let heading = |name| ui.text(name, &Args::new());
+    let lines: String = examples.iter().map(|example| format!("\n  {example}")).collect();
+    let after = match lines.as_str() {
+        "" => String::new(),
+        lines => format!("{}{lines}", heading("cli-heading-examples")),
+    };
+    command
+        .override_usage(usage.to_owned())
+        .help_template(format!(
+            "{{about-with-newline}}\n{} {{usage}}\n\n{{all-args}}{{after-help}}",
+            heading("cli-heading-usage")
+        ))
+        .after_help(after)
+        .max_term_width(WIDTH)
+        .disable_help_flag(true)
+        .arg(flag(ui, "help", 'h', ArgAction::Help))
+}
+
+fn flag(ui: &Ui, name: &'static str, short: char, action: ArgAction) -> Arg {
+    arguments::argument(ui, name, &format!("cli-arg-{name}")).long(name).short(short).action(action)
+}
+
+/// Puts every argument below a heading in the reader's language.
+fn headed(command: clap::Command, ui: &Ui) -> clap::Command {
+    let (arguments, options) =
+        (ui.text("cli-heading-arguments", &Args::new()), ui.text("cli-heading-options", &Args::new()));
+    command.mut_args(|arg| {
+        let heading = if arg.is_positional() { &arguments } else { &options };
+        arg.help_heading(heading.clone())
+    })
+}
+
+/// Tells what `clap` found: help, the version, or a mistake on the command line.
+pub(super) fn explain(error: &clap::Error, ui: &Ui, output: &mut Output) -> Result<Outcome, Failure> {
+    match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
+            output.print(&error.render().to_string())?;
+            Ok(Outcome::Clean)
+        }
+        kind => Err(mistake(kind, error, ui).into()),
+    }
+}
+
+fn mistake(kind: ErrorKind, error: &clap::Error, ui: &Ui) -> Diagnostic {
+    let reason = match kind {
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation if text(error, ContextKind::InvalidValue).is_empty() => {
+            "no-value"
+        }
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => "invalid-value",
+        ErrorKind::UnknownArgument => "unknown-argument",
+        ErrorKind::InvalidSubcommand => "unknown-command",
+        ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => "no-command",
+        ErrorKind::MissingRequiredArgument => "missing-argument",
+        ErrorKind::ArgumentConflict => "conflict",
+        ErrorKind::TooManyValues | ErrorKind::WrongNumberOfValues => "too-many-values",
+        ErrorKind::TooFewValues | ErrorKind::NoEquals => "no-value",
+        ErrorKind::InvalidUtf8 => "not-text",
+        _ => "other",
+    };
+    let subject = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand].map(|kind| text(error, kind));
+    let suggestions = [
+        ContextKind::SuggestedArg,
+        ContextKind::SuggestedSubcommand,
+        ContextKind::SuggestedValue,
+        ContextKind::ValidValue,
+    ];
+    let suggestion = suggestions.map(|kind| text(error, kind)).into_iter().find(|text| !text.is_empty());
+    let hint = match suggestion {
+        Some(suggestion) => ui.text("cli-usage-hint", &Args::new().text("suggestion", suggestion)),
+        None => ui.text("cli-usage-help", &Args::new()),
+    };
+    Diagnostic::global("usage")
+        .arg("reason", reason)
+        .arg("subject", subject.concat())
+        .arg("value", text(error, ContextKind::InvalidValue))
+        .arg("hint", hint)
+}
+
+fn text(error: &clap::Error, kind: ContextKind) -> String {
+    match error.get(kind) {
+        Some(ContextValue::String(text)) => text.clone(),
+        Some(ContextValue::Strings(texts)) => texts.join(", "),
+        _ => String::new(),
+    }
+}

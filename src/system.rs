@@ -1,0 +1,290 @@
+//! The outside world: files, the environment and the terminal.
+//!
+//! Invariant: nothing half-written is ever found under the name that was asked for. A file is written
+//! beside its target and renamed; a directory is filled beside its target and exchanged when whole.
+use std::ffi::OsString;
+use std::io::{self, IsTerminal, Write as _};
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use crate::diag::Diagnostic;
+
+/// Marks a directory as one that was written by us and may be replaced.
+const MARK: &str = ".ciklo-build";
+/// How deep directories with data are followed; links could otherwise lead round in a circle.
+const DEEPEST: usize = 16;
+
+/// Something outside that failed.
+#[derive(Debug)]
+pub struct Trouble {
+    code: &'static str,
+    path: PathBuf,
+    reason: &'static str,
+    detail: String,
+}
+
+impl Trouble {
+    fn new(code: &'static str, path: &Path, error: &io::Error) -> Self {
+        let reason = match error.kind() {
+            io::ErrorKind::NotFound => "not-found",
+            io::ErrorKind::PermissionDenied => "permission",
+            io::ErrorKind::IsADirectory => "is-directory",
+            io::ErrorKind::NotADirectory => "not-directory",
+            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "full",
+            io::ErrorKind::ReadOnlyFilesystem => "read-only",
+            _ => "other",
+        };
+        Self { code, path: path.to_owned(), reason, detail: error.to_string() }
+    }
+}
+
+impl From<Trouble> for Diagnostic {
+    fn from(trouble: Trouble) -> Self {
+        Self::global(trouble.code)
+            .arg("path", trouble.path.display().to_string())
+            .arg("reason", trouble.reason)
+            .arg("detail", trouble.detail)
+    }
+}
+
+/// The words of the command line, the program's name first.
+pub fn arguments() -> impl Iterator<Item = OsString> {
+    env::args_os()
+}
+
+/// A variable of the environment; nothing if it is not set or not text.
+pub fn variable(name: &str) -> Option<String> {
+    env::var(name).ok()
+}
+
+/// Whether progress can be shown: standard error is a terminal.
+pub fn shows_progress() -> bool {
+    io::stderr().is_terminal()
+}
+
+/// Whether standard output and standard error take colours.
+pub fn colours() -> (bool, bool) {
+    let never = anstream::ColorChoice::Never;
+    (
+        anstream::AutoStream::choice(&io::stdout()) != never && io::stdout().is_terminal(),
+        anstream::AutoStream::choice(&io::stderr()) != never && io::stderr().is_terminal(),
+    )
+}
+
+/// What to say if standard output does not take any more.
+pub fn stdout_trouble(error: &io::Error) -> Trouble {
+    Trouble::new("io-write", Path::new("-"), error)
+}
+
+/// The bytes of a file; of standard input for `-`.
+///
+/// # Errors
+/// `io-read` if it cannot be read.
+pub fn read(path: &Path) -> Result<Vec<u8>, Trouble> {
+    let read = if path == Path::new("-") {
+        let mut bytes = Vec::new();
+        io::Read::read_to_end(&mut io::stdin().lock(), &mut bytes).map(|_| bytes)
+    } else {
+        fs::read(path)
+    };
+    read.map_err(|error| Trouble::new("io-read", path, &error))
+}
+
+/// All files below some directories in `root`, by path with `/`, in the order of paths. Hidden files
+/// are passed over.
+///
+/// # Errors
+/// `io-read` if `root` is no directory or something in it cannot be read.
+pub fn read_tree(root: &Path, tops: &[&str]) -> Result<Vec<(String, Vec<u8>)>, Trouble> {
+    fs::read_dir(root).map_err(|error| Trouble::new("io-read", root, &error))?;
+    let mut files = Vec::new();
+    for top in tops {
+        let path = root.join(top);
+        if path.is_dir() {
+            collect(&path, top, 0, &mut files)?;
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
+fn collect(directory: &Path, name: &str, depth: usize, files: &mut Vec<(String, Vec<u8>)>) -> Result<(), Trouble> {
+    let trouble = |error: io::Error| Trouble::new("io-read", directory, &error);
+    for entry in fs::read_dir(directory).map_err(trouble)? {
+        let entry = entry.map_err(trouble)?;
+        let own = entry.file_name().to_string_lossy().into_owned();
+        let (path, name) = (entry.path(), format!("{name}/{own}"));
+        if own.starts_with('.') {
+            continue;
+        }
+        if !path.is_dir() {
+            files.push((name, read(&path)?));
+        } else if depth < DEEPEST {
+            collect(&path, &name, depth + 1, files)?;
+        }
+    }
+    Ok(())
+}
+
+/// Writes a file so that it is either the old one or whole.
+///
+/// # Errors
+/// `io-write` if it cannot be written; the old file is then untouched.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Trouble> {
+    write_beside(path, bytes).map_err(|error| Trouble::new("io-write", path, &error))
+}
+
+fn write_beside(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // A device such as /dev/stdout or a pipe cannot be replaced by renaming.
+    if fs::metadata(path).is_ok_and(|known| !known.is_file()) {
+        return fs::write(path, bytes);
+    }
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let mut file = temporary(parent(&target))?;
+    file.write_all(bytes)?;
+    if let Ok(known) = fs::metadata(&target) {
+        file.as_file().set_permissions(known.permissions())?;
+    }
+    file.persist(&target).map_err(|error| error.error)?;
+    Ok(())
+}
+
+#[cfg(unix)]
+fn temporary(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
+    use std::os::unix::fs::PermissionsExt as _;
+    // Reduced by the user's mask, as for any new file.
+    let permissions = fs::Permissions::from_mode(0o666);
+    tempfile::Builder::new().prefix(".ciklo-").permissions(permissions).tempfile_in(directory)
+}
+
+#[cfg(not(unix))]
+fn temporary(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
+    tempfile::Builder::new().prefix(".ciklo-").tempfile_in(directory)
+}
+
+fn parent(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    }
+}
+
+/// A directory in the making. Dropped before [`Staged::commit`], it leaves no trace.
+#[derive(Debug)]
+pub struct Staged {
+    target: PathBuf,
+    scratch: tempfile::TempDir,
+    whole: PathBuf,
+}
+
+impl Staged {
+    /// Begins a directory that will stand at `target`; what was built there before stays until then.
+    ///
+    /// # Errors
+    /// `io-foreign-directory` if something stands there that we did not write; `io-write`.
+    pub fn new(target: &Path) -> Result<Self, Trouble> {
+        let trouble = |error: io::Error| Trouble::new("io-write", target, &error);
+        let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
+        if !is_ours(&target).map_err(trouble)? {
+            let error = io::Error::from(io::ErrorKind::AlreadyExists);
+            return Err(Trouble::new("io-foreign-directory", &target, &error));
+        }
+        fs::create_dir_all(parent(&target)).map_err(trouble)?;
+        let scratch = tempfile::Builder::new().prefix(".ciklo-").tempdir_in(parent(&target)).map_err(trouble)?;
+        let whole = scratch.path().join("new");
+        fs::create_dir(&whole).map_err(trouble)?;
+        fs::write(whole.join(MARK), "ciklo build 1\n").map_err(trouble)?;
+        Ok(Self { target, scratch, whole })
+    }
+
+    /// Writes a file of the directory; `path` has `/` and stays inside.
+    ///
+    /// # Errors
+    /// `io-write` if it cannot be written.
+    pub fn write(&self, path: &str, bytes: &[u8]) -> Result<(), Trouble> {
+        let inside: PathBuf = path.split('/').filter(|part| !matches!(*part, "" | "." | "..")).collect();
+        let file = self.whole.join(&inside);
+        let written = fs::create_dir_all(parent(&file)).and_then(|()| fs::write(&file, bytes));
+        written.map_err(|error| Trouble::new("io-write", &self.target.join(&inside), &error))
+    }
+
+    /// Puts the directory in its place, in exchange for what was built there before.
+    ///
+    /// # Errors
+    /// `io-write` if it cannot be moved; the old one then stands where it stood.
+    pub fn commit(self) -> Result<(), Trouble> {
+        let trouble = |error: io::Error| Trouble::new("io-write", &self.target, &error);
+        let old = self.scratch.path().join("old");
+        let replaced = self.target.exists();
+        if replaced {
+            fs::rename(&self.target, &old).map_err(trouble)?;
+        }
+        let moved = fs::rename(&self.whole, &self.target);
+        if moved.is_err() && replaced {
+            fs::rename(&old, &self.target).map_err(trouble)?;
+        }
+        moved.map_err(trouble)
+    }
+}
+
+/// Whether a directory may be replaced: it is not there, it is empty, or we wrote it.
+fn is_ours(target: &Path) -> io::Result<bool> {
+    match fs::read_dir(target) {
+        Ok(mut entries) => Ok(target.join(MARK).is_file() || entries.next().is_none()),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(true),
+        Err(error) => Err(error),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_directory_is_exchanged_when_whole_and_not_before() {
+        let root = tempfile::tempdir().unwrap();
+        let target = root.path().join("a/out");
+        let first = Staged::new(&target).unwrap();
+        first.write("x/y.txt", b"1").unwrap();
+        first.write("../../escape.txt", b"1").unwrap();
+        assert!(!target.exists());
+        first.commit().unwrap();
+        assert_eq!(fs::read(target.join("x/y.txt")).unwrap(), b"1");
+        assert!(!root.path().join("escape.txt").exists());
+
+        let abandoned = Staged::new(&target).unwrap();
+        abandoned.write("x/y.txt", b"2").unwrap();
+        drop(abandoned);
+        assert_eq!(fs::read(target.join("x/y.txt")).unwrap(), b"1");
+
+        let second = Staged::new(&target).unwrap();
+        second.write("z.txt", b"3").unwrap();
+        second.commit().unwrap();
+        assert!(!target.join("x").exists());
+        assert_eq!(fs::read(target.join("z.txt")).unwrap(), b"3");
+        let beside: Vec<_> = fs::read_dir(root.path().join("a")).unwrap().collect();
+        assert_eq!(beside.len(), 1, "nothing temporary is left");
+    }
+
+    #[test]
+    fn a_directory_of_someone_else_is_left_alone() {
+        let root = tempfile::tempdir().unwrap();
+        fs::write(root.path().join("thesis.txt"), "all my work").unwrap();
+        let trouble = Staged::new(root.path()).unwrap_err();
+        assert_eq!(Diagnostic::from(trouble).code, "io-foreign-directory");
+        assert!(root.path().join("thesis.txt").exists());
+    }
+
+    #[test]
+    fn a_file_is_replaced_whole_and_keeps_its_permissions() {
+        let root = tempfile::tempdir().unwrap();
+        let path = root.path().join("a.h");
+        write(&path, b"one").unwrap();
+        write(&path, b"two").unwrap();
+        assert_eq!(read(&path).unwrap(), b"two");
+        assert_eq!(fs::read_dir(root.path()).unwrap().count(), 1);
+        let missing = read(&root.path().join("none")).unwrap_err();
+        assert_eq!(missing.reason, "not-found");
+        assert!(write(&root.path().join("none/a.h"), b"").is_err());
+    }
+}
