@@ -130,7 +130,8 @@ impl<T: Decode> Decode for Entries<T> {
     }
 
     fn schema(defs: &mut Definitions) -> Value {
-        json!({"type": "object", "additionalProperties": T::schema(defs)})
+        let vary = json!({"type": "array", "items": {"type": "object"}});
+        json!({"type": "object", "properties": {"vary": vary}, "additionalProperties": T::schema(defs)})
     }
 }
 
