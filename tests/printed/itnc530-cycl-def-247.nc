@@ -1,0 +1,3 @@
+; control: itnc530 lang: it source: 002:1385-1387
+2 CYCL DEF 247 DEF. ZERO PEZZO
+Q339=1 ;NUMERO ORIGINE
