@@ -2,4 +2,5 @@
 //!
 //! Invariant: nothing here prints, reads files or knows a cycle; worlds are built from texts that are handed in.
 pub mod geometry;
+pub mod plan;
 pub mod solid;

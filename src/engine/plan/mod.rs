@@ -1,0 +1,171 @@
+//! Plans: the run of a cycle on one control, compiled from its specification to slots and typed actions.
+//!
+//! Names become slots, types are settled, fragments are inlined with their arguments, conditions are compiled
+//! where they are used. Whatever cannot be compiled is a diagnostic at its place in the file, so the same
+//! stage serves the linter. Invariant: knows the form of specifications and no cycle; executes nothing.
+mod act;
+mod guard;
+mod item;
+mod names;
+mod strategy;
+mod types;
+mod verb;
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use crate::diag::Diagnostic;
+use crate::expr::QRef;
+use crate::spec::{Catalogue, Cycle, OnControl};
+
+pub use act::{
+    Act, Block, Calc, Case, Collect, Cooling, Do, Guard, Inlined, Item, Let, Series, SeriesKind, SpindleTurn, Step,
+    StrategyCall, Target, Transform,
+};
+pub use names::Builtin;
+pub use strategy::Strategy;
+
+use names::Names;
+
+/// The index of a value while a plan is executed.
+pub type Slot = usize;
+
+/// What a sentence of the run is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SentenceKind {
+    /// A numbered step.
+    Step,
+    /// A bullet inside a step.
+    Say,
+}
+
+/// A sentence of the run: what coverage counts.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Sentence {
+    /// What it is.
+    pub kind: SentenceKind,
+    /// Its id.
+    pub id: Arc<str>,
+}
+
+/// A compiled run.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// How many slots an execution needs.
+    pub slots: usize,
+    /// How many lists an execution needs.
+    pub lists: usize,
+    /// The known names that the run reads, with their slots.
+    pub builtins: Vec<(Slot, Builtin)>,
+    /// Slots of old-style fields by their ids.
+    pub fields: Vec<(Slot, Arc<str>)>,
+    /// Parameters that this control lacks, with the values that stand for them.
+    pub constants: Vec<(QRef, f64)>,
+    /// Q parameters of the shared run that fields stand for: the parameter and the slot of the field.
+    pub stands_for: Vec<(QRef, Slot)>,
+    /// Named values in order.
+    pub lets: Vec<Let>,
+    /// Guards in order.
+    pub guards: Vec<Guard>,
+    /// The run.
+    pub items: Vec<Item>,
+    /// Every sentence of the run in order, those of fragments included.
+    pub sentences: Vec<Sentence>,
+    /// Whether the run probes or reads data of the touch probe.
+    pub probes: bool,
+    pending: BTreeSet<Arc<str>>,
+}
+
+impl Plan {
+    /// The names of the strategies and verbs that the engine does not have yet, in alphabetical order.
+    pub fn pending(&self) -> impl Iterator<Item = &str> {
+        self.pending.iter().map(|name| &**name)
+    }
+}
+
+/// Compiles the run of a cycle. The plan lacks whatever a diagnostic is about.
+pub fn compile(cycle: &Cycle, on: &OnControl) -> (Plan, Vec<Diagnostic>) {
+    let mut compiler = Compiler::new(cycle, on);
+    let mut scope = names::Scope::default();
+    compiler.old_fields(&mut scope);
+    let mut lets = Vec::new();
+    compiler.lets(&cycle.file.lets, &mut scope, &mut lets);
+    let guards = compiler.guards(&cycle.file.guards, &scope, &mut lets);
+    let items = compiler.items(&cycle.file.run, &mut scope);
+    compiler.unused_conditions(&scope);
+    let builtins = compiler.names.used_builtins();
+    let probes = compiler.probes || builtins.iter().any(|(_, builtin)| builtin.is_of_probe());
+    let plan = Plan {
+        slots: compiler.names.slots(),
+        lists: compiler.lists,
+        builtins,
+        fields: compiler.fields,
+        constants: cycle.lacking.clone(),
+        stands_for: compiler.stands_for,
+        lets,
+        guards,
+        items,
+        sentences: compiler.sentences,
+        probes,
+        pending: compiler.pending,
+    };
+    (plan, compiler.found)
+}
+
+/// Compiles every run of the catalogue and tells what is wrong; what several controls share shows once.
+pub fn check(catalogue: &Catalogue) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for on in catalogue.controls.values() {
+        for cycle in on.cycles.values() {
+            found.extend(compile(cycle, on).1);
+        }
+    }
+    let mut seen = std::collections::HashSet::new();
+    found.retain(|diagnostic| {
+        let place = diagnostic.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));
+        seen.insert((diagnostic.code, place, format!("{:?}", diagnostic.args)))
+    });
+    found
+}
+
+struct Compiler<'c> {
+    cycle: &'c Cycle,
+    on: &'c OnControl,
+    found: Vec<Diagnostic>,
+    names: Names,
+    lists: usize,
+    fields: Vec<(Slot, Arc<str>)>,
+    stands_for: Vec<(QRef, Slot)>,
+    /// The fragments that are being inlined, for refusing recursion.
+    inside: Vec<Arc<str>>,
+    used_conditions: BTreeSet<Arc<str>>,
+    sentences: Vec<Sentence>,
+    probes: bool,
+    pending: BTreeSet<Arc<str>>,
+}
+
+impl<'c> Compiler<'c> {
+    fn new(cycle: &'c Cycle, on: &'c OnControl) -> Self {
+        Self {
+            cycle,
+            on,
+            found: Vec::new(),
+            names: Names::new(cycle, on),
+            lists: 0,
+            fields: Vec::new(),
+            stands_for: Vec::new(),
+            inside: Vec::new(),
+            used_conditions: BTreeSet::new(),
+            sentences: Vec::new(),
+            probes: false,
+            pending: BTreeSet::new(),
+        }
+    }
+
+    fn sentence(&mut self, kind: SentenceKind, id: &Arc<str>) {
+        let sentence = Sentence { kind, id: Arc::clone(id) };
+        if !self.sentences.contains(&sentence) {
+            self.sentences.push(sentence);
+        }
+    }
+}

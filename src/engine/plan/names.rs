@@ -1,0 +1,283 @@
+//! Names and slots: what a name in an expression stands for, and what the known names are.
+//!
+//! Invariant: a name is bound once in its scope; slots are never shared by two names.
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use super::Slot;
+use crate::diag::{Diagnostic, Place};
+use crate::expr::{QRef, Resolve, Type};
+use crate::spec::{Cycle, Name, OnControl};
+
+/// A name that the engine gives a value to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Builtin {
+    /// The programmed position now.
+    Here,
+    /// The position when the cycle began.
+    Start,
+    /// Radius of the tool, mm, oversize included.
+    ToolRadius,
+    /// Length of the tool, mm, oversize included.
+    ToolLength,
+    /// Greatest plunging angle of the tool, degrees.
+    ToolAngle,
+    /// Length of the tool's cutting edges, mm.
+    ToolLcuts,
+    /// The number of the tool.
+    ToolNumber,
+    /// Whether a tool call has fixed the tool axis.
+    ToolCalled,
+    /// Distance kept from the touch point, mm.
+    ProbeSetUp,
+    /// Probing feed, mm/min.
+    ProbeFeed,
+    /// Feed between touch points, mm/min.
+    ProbeFmax,
+    /// The greatest probing path, mm.
+    ProbeDist,
+    /// The effective radius of the ball, mm.
+    ProbeBallRadius,
+    /// Whether pre-positioning is at the machine's rapid rate.
+    ProbeMachineRapid,
+    /// A mirror image is active.
+    ActiveMirror,
+    /// A scaling is active.
+    ActiveScaling,
+    /// A scaling by axes is active.
+    ActiveAxisScaling,
+    /// A datum shift is active.
+    ActiveDatumShift,
+    /// A rotation is active.
+    ActiveRotation,
+    /// A basic rotation is active.
+    ActiveBasicRotation,
+    /// The working plane is tilted.
+    ActiveTilting,
+    /// Turning is active.
+    ActiveTurning,
+    /// A machine datum by its neutral name.
+    Machine(Arc<str>),
+    /// Whether the definition has the form of that number.
+    Form(usize),
+    /// Whether the old-style field of that id was programmed.
+    Given(Arc<str>),
+}
+
+impl Builtin {
+    /// Whether it has a value only while a touch probe is in the spindle.
+    pub const fn is_of_probe(&self) -> bool {
+        matches!(
+            self,
+            Self::ProbeSetUp
+                | Self::ProbeFeed
+                | Self::ProbeFmax
+                | Self::ProbeDist
+                | Self::ProbeBallRadius
+                | Self::ProbeMachineRapid
+        )
+    }
+}
+
+/// The known names that do not depend on the cycle or the control.
+const FIXED: &[(&str, Builtin, Type)] = &[
+    ("here", Builtin::Here, Type::Point),
+    ("start", Builtin::Start, Type::Point),
+    ("tool.radius", Builtin::ToolRadius, Type::Number),
+    ("tool.length", Builtin::ToolLength, Type::Number),
+    ("tool.angle", Builtin::ToolAngle, Type::Number),
+    ("tool.lcuts", Builtin::ToolLcuts, Type::Number),
+    ("tool.number", Builtin::ToolNumber, Type::Number),
+    ("tool.called", Builtin::ToolCalled, Type::Bool),
+    ("probe.set_up", Builtin::ProbeSetUp, Type::Number),
+    ("probe.feed", Builtin::ProbeFeed, Type::Number),
+    ("probe.fmax", Builtin::ProbeFmax, Type::Number),
+    ("probe.dist", Builtin::ProbeDist, Type::Number),
+    ("probe.ball_radius", Builtin::ProbeBallRadius, Type::Number),
+    ("probe.machine_rapid", Builtin::ProbeMachineRapid, Type::Bool),
+    ("active.mirror", Builtin::ActiveMirror, Type::Bool),
+    ("active.scaling", Builtin::ActiveScaling, Type::Bool),
+    ("active.axis_scaling", Builtin::ActiveAxisScaling, Type::Bool),
+    ("active.datum_shift", Builtin::ActiveDatumShift, Type::Bool),
+    ("active.rotation", Builtin::ActiveRotation, Type::Bool),
+    ("active.basic_rotation", Builtin::ActiveBasicRotation, Type::Bool),
+    ("active.tilting", Builtin::ActiveTilting, Type::Bool),
+    ("active.turning", Builtin::ActiveTurning, Type::Bool),
+];
+
+struct Known {
+    name: String,
+    builtin: Builtin,
+    ty: Type,
+    slot: Slot,
+}
+
+/// The known names of a cycle on a control, the Q parameters that it may read, and the slots so far.
+pub(super) struct Names {
+    known: Vec<Known>,
+    used: RefCell<BTreeSet<Slot>>,
+    readable: BTreeSet<QRef>,
+    slots: usize,
+}
+
+/// A hyphen cannot stand in a name of an expression.
+pub(super) fn as_name(id: &str) -> String {
+    id.replace('-', "_")
+}
+
+impl Names {
+    pub(super) fn new(cycle: &Cycle, on: &OnControl) -> Self {
+        let mut names = Self { known: Vec::new(), used: RefCell::default(), readable: BTreeSet::new(), slots: 0 };
+        for (name, builtin, ty) in FIXED {
+            names.know((*name).to_owned(), builtin.clone(), *ty);
+        }
+        for (neutral, _) in &on.control.data.0 {
+            let name = format!("machine.{}", as_name(neutral.as_str()));
+            names.know(name, Builtin::Machine(Arc::clone(&neutral.text)), Type::Number);
+        }
+        for (index, form) in cycle.file.forms.iter().enumerate() {
+            names.know(format!("form_{}", as_name(form.form.as_str())), Builtin::Form(index), Type::Bool);
+        }
+        for field in cycle.params.iter().filter_map(|param| param.field.as_ref()) {
+            let name = format!("given_{}", as_name(field.id.as_str()));
+            if !names.known.iter().any(|known| known.name == name) {
+                names.know(name, Builtin::Given(Arc::clone(&field.id.text)), Type::Bool);
+            }
+        }
+        names.readable.extend(cycle.params.iter().filter_map(|param| param.q));
+        names.readable.extend(cycle.lacking.iter().map(|(q, _)| *q));
+        names.readable.extend(cycle.file.results.iter().filter_map(|result| result.q));
+        names
+    }
+
+    fn know(&mut self, name: String, builtin: Builtin, ty: Type) {
+        let slot = self.slot();
+        self.known.push(Known { name, builtin, ty, slot });
+    }
+
+    /// A new slot.
+    pub(super) const fn slot(&mut self) -> Slot {
+        self.slots += 1;
+        self.slots - 1
+    }
+
+    /// How many slots there are.
+    pub(super) const fn slots(&self) -> usize {
+        self.slots
+    }
+
+    /// From now on the parameter may be read.
+    pub(super) fn allow(&mut self, q: QRef) {
+        self.readable.insert(q);
+    }
+
+    /// The known names that some expression reads.
+    pub(super) fn used_builtins(&self) -> Vec<(Slot, Builtin)> {
+        let used = self.used.borrow();
+        let of = |known: &Known| used.contains(&known.slot).then(|| (known.slot, known.builtin.clone()));
+        self.known.iter().filter_map(of).collect()
+    }
+}
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Binding {
+    /// A value that is there as soon as the name is.
+    Value(Slot, Type),
+    /// A value that may be missing when it is read.
+    Maybe(Slot, Type),
+    /// The result of a strategy that is pending: every field of it is a number.
+    Open(Slot),
+    /// A list of values of that type.
+    List(usize, Type),
+}
+
+/// The names of a stretch of a run.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scope {
+    names: Vec<(String, Binding)>,
+}
+
+impl Scope {
+    /// The binding of a name.
+    pub(super) fn get(&self, name: &str) -> Option<Binding> {
+        self.names.iter().find(|(known, _)| known == name).map(|(_, binding)| *binding)
+    }
+
+    /// Binds a name without looking whether it is free.
+    pub(super) fn push(&mut self, name: impl Into<String>, binding: Binding) {
+        self.names.push((name.into(), binding));
+    }
+
+    /// A mark to return to.
+    pub(super) const fn mark(&self) -> usize {
+        self.names.len()
+    }
+
+    /// Forgets every name bound after the mark.
+    pub(super) fn leave(&mut self, mark: usize) {
+        self.names.truncate(mark);
+    }
+
+    /// The names bound after the mark.
+    pub(super) fn since(&self, mark: usize) -> &[(String, Binding)] {
+        &self.names[mark.min(self.names.len())..]
+    }
+}
+
+/// Resolves names for one expression and notes what it reads.
+pub(super) struct Resolver<'r> {
+    pub(super) names: &'r Names,
+    pub(super) scope: &'r Scope,
+    /// Slots that may be without a value.
+    pub(super) needs: RefCell<Vec<Slot>>,
+}
+
+impl Resolve for Resolver<'_> {
+    fn name(&self, path: &[String]) -> Option<(usize, Type)> {
+        let joined = path.join(".");
+        let binding = self.scope.get(&joined).or_else(|| match self.scope.get(path.first()?)? {
+            open @ Binding::Open(_) => Some(open),
+            _ => None,
+        });
+        match binding {
+            Some(Binding::Value(slot, ty)) => return Some((slot, ty)),
+            Some(Binding::Maybe(slot, ty)) => {
+                self.needs.borrow_mut().push(slot);
+                return Some((slot, ty));
+            }
+            Some(Binding::Open(slot)) => {
+                self.needs.borrow_mut().push(slot);
+                return Some((slot, Type::Number));
+            }
+            Some(Binding::List(..)) | None => {}
+        }
+        let known = self.names.known.iter().find(|known| known.name == joined)?;
+        self.names.used.borrow_mut().insert(known.slot);
+        Some((known.slot, known.ty))
+    }
+
+    fn q(&self, q: QRef) -> bool {
+        self.names.readable.contains(&q)
+    }
+}
+
+impl super::Compiler<'_> {
+    /// Binds a name, or tells that it is taken.
+    pub(super) fn bind(&mut self, name: &Name, binding: Binding, scope: &mut Scope) {
+        self.bind_text(name.as_str(), &name.place, binding, scope);
+    }
+
+    pub(super) fn bind_text(&mut self, name: &str, place: &Place, binding: Binding, scope: &mut Scope) {
+        let known = self.names.known.iter().any(|known| known.name == name);
+        if known || scope.get(name).is_some() {
+            self.found.push(Diagnostic::error("plan-name-taken", place.clone()).arg("name", name));
+        } else if !name.starts_with(|c: char| c.is_ascii_lowercase())
+            || name.contains(|c: char| !(c.is_ascii_lowercase() || c.is_ascii_digit() || matches!(c, '_' | '.')))
+        {
+            self.found.push(Diagnostic::error("plan-name-form", place.clone()).arg("name", name));
+        }
+        scope.push(name, binding);
+    }
+}

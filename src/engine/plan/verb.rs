@@ -1,0 +1,390 @@
+//! Verbs: each action typed into what the engine does.
+//!
+//! Invariant: one verb, one meaning; a modifier or key that means nothing to the verb is a mistake.
+use std::sync::Arc;
+
+use super::act::{Act, Cooling, Do, SpindleTurn, StrategyCall, Target, Transform};
+use super::names::{Binding, Scope};
+use super::{Calc, Compiler, Let, Strategy};
+use crate::diag::{Diagnostic, Place};
+use crate::expr::{QKind, QRef, Type};
+use crate::spec::{Action, Argument, Entries, Formula, Name, ParameterKind, Verb};
+
+/// The tables that actions may read and write.
+const TABLES: &[&str] = &["tool", "preset", "datum", "probe"];
+/// The axes of the working plane as keys of a target.
+const AXES: [&str; 3] = ["main", "minor", "tool"];
+
+impl Compiler<'_> {
+    pub(super) fn action(&mut self, action: &Action, scope: &mut Scope) -> Option<Do> {
+        let when = self.when(action.when.as_ref(), scope);
+        self.modifiers(action);
+        let act = self.act(action, scope);
+        Some(Do { when: when?, act: act?, place: action.place.clone() })
+    }
+
+    /// Reports modifiers that the verb does not take.
+    fn modifiers(&mut self, action: &Action) {
+        use Verb::{Ask, Feed, Fit, Log, Probe, Strategy, Synchronized, Table, Touch, Turn, Use};
+        let verb = action.verb;
+        let takes_feed = matches!(verb, Feed | Verb::Arc | Synchronized | Turn | Touch);
+        let binds = matches!(verb, Probe | Fit | Table | Use | Strategy | Ask | Touch);
+        let takes_values = matches!(verb, Use | Strategy | Log);
+        let mut refuse = |given: bool, takes: bool, modifier: &'static str| {
+            if given && !takes {
+                let diagnostic = Diagnostic::error("plan-modifier", action.place.clone());
+                self.found.push(diagnostic.arg("verb", verb.as_str()).arg("modifier", modifier));
+            }
+        };
+        refuse(action.at.is_some(), takes_feed, "at");
+        refuse(action.bind.is_some(), binds, "as");
+        refuse(!action.with.0.is_empty(), takes_values, "with");
+    }
+
+    fn act(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
+        let (argument, place) = (&action.argument, &action.place);
+        Some(match action.verb {
+            Verb::Rapid => Act::Rapid(self.target(argument, place, scope)?),
+            Verb::Feed => {
+                let target = self.target(argument, place, scope);
+                let feed = match &action.at {
+                    Some(at) => self.typed(at, Type::Number, scope),
+                    None => {
+                        self.missing_argument(place, "at");
+                        None
+                    }
+                };
+                Act::Feed(target?, feed?)
+            }
+            Verb::Arc => self.arc(action, scope)?,
+            Verb::Dwell => Act::Dwell(self.argument(argument, Type::Number, scope, place)?),
+            Verb::Probe => self.probe(action, scope)?,
+            Verb::Call => match self.one(argument, "last-cycle", place)?.as_str() {
+                "last-cycle" => Act::CallLast,
+                _ => return self.wrong_act(place, "last-cycle"),
+            },
+            Verb::Set => Act::Set(self.set(argument, place, scope)?),
+            Verb::Store => self.store(argument, place, scope)?,
+            Verb::Let => Act::Let(self.let_names(argument, place, scope)?),
+            Verb::Transform => Act::Transform(self.transform(argument, place, scope)?),
+            Verb::Table => self.table(action, scope)?,
+            Verb::Log => {
+                let name = self.one(argument, "id", place)?;
+                let with = self.values(&action.with, scope);
+                Act::Log { name: name.text, with }
+            }
+            Verb::Fit => self.fit(action, scope)?,
+            Verb::Lock => Act::Lock(self.argument(argument, Type::Number, scope, place)?),
+            Verb::Spindle => match self.one(argument, "spindle-word", place)?.as_str() {
+                "clockwise" => Act::Spindle(SpindleTurn::Clockwise),
+                "counter-clockwise" => Act::Spindle(SpindleTurn::CounterClockwise),
+                "stop" => Act::Spindle(SpindleTurn::Stop),
+                _ => return self.wrong_act(place, "spindle-word"),
+            },
+            Verb::Orient => Act::Orient(self.argument(argument, Type::Number, scope, place)?),
+            Verb::Coolant => match self.one(argument, "coolant-word", place)?.as_str() {
+                "flood" => Act::Coolant(Cooling::On),
+                "stop" => Act::Coolant(Cooling::Off),
+                _ => return self.wrong_act(place, "coolant-word"),
+            },
+            Verb::Fail => Act::Fail(self.one(argument, "id", place)?.text),
+            Verb::Message => Act::Message(self.one(argument, "id", place)?.text),
+            Verb::Ask => {
+                let id = self.one(argument, "id", place)?.text;
+                let into = action.bind.as_ref().map(|name| self.result(name, Type::Bool, scope));
+                Act::Ask { id, into }
+            }
+            Verb::Use => {
+                let name = self.one(argument, "id", place)?;
+                Act::Use(Box::new(self.inline(&name, &action.with, action.bind.as_ref(), place, scope)?))
+            }
+            Verb::Strategy => self.strategy(action, scope)?,
+            Verb::Synchronized | Verb::Turn | Verb::Touch | Verb::Remember => {
+                self.open_result(action.bind.as_ref(), scope);
+                self.pend(action.verb.as_str())
+            }
+        })
+    }
+
+    fn wrong_act(&mut self, place: &Place, expected: &'static str) -> Option<Act> {
+        self.wrong(place, expected);
+        None
+    }
+
+    fn pend(&mut self, name: &str) -> Act {
+        let name: Arc<str> = name.into();
+        self.pending.insert(Arc::clone(&name));
+        Act::Pending(name)
+    }
+
+    /// A slot for the result of an action.
+    fn result(&mut self, name: &Name, ty: Type, scope: &mut Scope) -> usize {
+        let slot = self.names.slot();
+        self.bind(name, Binding::Maybe(slot, ty), scope);
+        slot
+    }
+
+    fn open_result(&mut self, name: Option<&Name>, scope: &mut Scope) {
+        if let Some(name) = name {
+            let slot = self.names.slot();
+            self.bind(name, Binding::Open(slot), scope);
+        }
+    }
+
+    /// The entries of a mapping whose keys are all known.
+    fn entries<'a>(&mut self, argument: &'a Argument, keys: &[&str], place: &Place) -> Option<&'a Entries<Argument>> {
+        let Argument::Many(entries) = argument else {
+            self.wrong(place, "mapping");
+            return None;
+        };
+        for (key, _) in &entries.0 {
+            if !keys.contains(&key.as_str()) {
+                self.unknown_argument(key, keys.iter().copied());
+            }
+        }
+        Some(entries)
+    }
+
+    /// The value of a key that must be there.
+    fn required(
+        &mut self,
+        entries: &Entries<Argument>,
+        key: &str,
+        ty: Type,
+        place: &Place,
+        scope: &Scope,
+    ) -> Option<Calc> {
+        match entries.get(key) {
+            Some(argument) => self.argument(argument, ty, scope, place),
+            None => {
+                self.missing_argument(place, key);
+                None
+            }
+        }
+    }
+
+    /// The word of a key that must be there.
+    fn required_word(&mut self, entries: &Entries<Argument>, key: &str, place: &Place) -> Option<Name> {
+        match entries.get(key) {
+            Some(argument) => self.one(argument, "id", place),
+            None => {
+                self.missing_argument(place, key);
+                None
+            }
+        }
+    }
+
+    fn target(&mut self, argument: &Argument, place: &Place, scope: &Scope) -> Option<Target> {
+        let entries = self.entries(argument, &["main", "minor", "tool", "to"], place)?;
+        if let Some(point) = entries.get("to") {
+            if entries.0.len() > 1 {
+                self.wrong(place, "point-or-axes");
+            }
+            return self.argument(point, Type::Point, scope, place).map(Target::Point);
+        }
+        if entries.0.is_empty() {
+            self.wrong(place, "point-or-axes");
+            return None;
+        }
+        let mut axes = [None, None, None];
+        for (axis, key) in axes.iter_mut().zip(AXES) {
+            if let Some(argument) = entries.get(key) {
+                *axis = Some(self.argument(argument, Type::Number, scope, place)?);
+            }
+        }
+        Some(Target::Axes(axes))
+    }
+
+    fn arc(&mut self, action: &Action, scope: &Scope) -> Option<Act> {
+        let place = &action.place;
+        let entries = self.entries(&action.argument, &["centre", "to", "direction"], place)?;
+        let centre = self.required(entries, "centre", Type::Point, place, scope);
+        let to = self.required(entries, "to", Type::Point, place, scope);
+        let direction = self.required(entries, "direction", Type::Number, place, scope);
+        let feed = match &action.at {
+            Some(at) => Some(self.typed(at, Type::Number, scope)?),
+            None => None,
+        };
+        Some(Act::Arc { centre: centre?, to: to?, direction: direction?, feed })
+    }
+
+    fn probe(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
+        self.probes = true;
+        let entries = self.entries(&action.argument, &["towards"], &action.place)?;
+        let towards = self.required(entries, "towards", Type::Point, &action.place, scope);
+        let into = action.bind.as_ref().map(|name| self.result(name, Type::Point, scope));
+        Some(Act::Probe { towards: towards?, into })
+    }
+
+    fn set(&mut self, argument: &Argument, place: &Place, scope: &Scope) -> Option<Vec<(QRef, Calc)>> {
+        let Argument::Many(entries) = argument else {
+            self.wrong(place, "mapping");
+            return None;
+        };
+        let mut values = Vec::new();
+        for (key, argument) in &entries.0 {
+            let Some(q) = QRef::parse(key.as_str()) else {
+                self.wrong(&key.place, "q-parameter");
+                continue;
+            };
+            let ty = if q.kind == QKind::Qs { Type::Text } else { Type::Number };
+            values.extend(self.argument(argument, ty, scope, place).map(|calc| (q, calc)));
+            self.names.allow(q);
+        }
+        Some(values)
+    }
+
+    fn store(&mut self, argument: &Argument, place: &Place, scope: &Scope) -> Option<Act> {
+        let entries = self.entries(argument, &["field", "value"], place)?;
+        let field = self.required_word(entries, "field", place);
+        let value = self.required(entries, "value", Type::Number, place, scope);
+        let field = self.field(&field?, Some(ParameterKind::QNumber))?;
+        Some(Act::Store { field, value: value? })
+    }
+
+    /// The id of an old-style field of this cycle.
+    fn field(&mut self, name: &Name, kind: Option<ParameterKind>) -> Option<Arc<str>> {
+        let is_it = |param: &&crate::spec::Param| param.field.as_ref().is_some_and(|field| field.id == *name);
+        match self.cycle.params.iter().find(is_it) {
+            Some(param) if kind.is_none_or(|kind| kind == param.kind) => Some(Arc::clone(&name.text)),
+            Some(_) => {
+                self.wrong(&name.place, "q-number-field");
+                None
+            }
+            None => {
+                let diagnostic = Diagnostic::error("plan-unknown-field", name.place.clone());
+                self.found.push(diagnostic.arg("name", name.as_str()));
+                None
+            }
+        }
+    }
+
+    fn let_names(&mut self, argument: &Argument, place: &Place, scope: &mut Scope) -> Option<Vec<Let>> {
+        let Argument::Many(entries) = argument else {
+            self.wrong(place, "mapping");
+            return None;
+        };
+        let mut lets = Vec::new();
+        for (name, argument) in &entries.0 {
+            let value = self.one(argument, "expression", place).and_then(|text| self.formula(&text));
+            let calc = value.and_then(|formula| self.calc(&formula, scope));
+            let ty = calc.as_ref().map_or(Type::Number, |calc| calc.code.ty());
+            let slot = self.result(name, ty, scope);
+            lets.extend(calc.map(|value| Let { slot, value }));
+        }
+        Some(lets)
+    }
+
+    fn transform(&mut self, argument: &Argument, place: &Place, scope: &Scope) -> Option<Transform> {
+        let keys = ["datum-shift", "datum-row", "rotation", "preset"];
+        let entries = self.entries(argument, &keys, place)?;
+        let [(key, argument)] = entries.0.as_slice() else {
+            self.wrong(place, "one-transform");
+            return None;
+        };
+        if key.as_str() == "preset" {
+            return self.argument(argument, Type::Number, scope, place).map(Transform::Preset);
+        }
+        let name = self.one(argument, "id", place)?;
+        let field = self.field(&name, None)?;
+        match key.as_str() {
+            "datum-shift" => Some(Transform::DatumShift(field)),
+            "datum-row" => Some(Transform::DatumRow(field)),
+            "rotation" => Some(Transform::Rotation(field)),
+            _ => None,
+        }
+    }
+
+    fn table(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
+        let place = &action.place;
+        let entries = self.entries(&action.argument, &["table", "row", "column", "add", "value"], place)?;
+        let table = self.required_word(entries, "table", place);
+        let row = self.required(entries, "row", Type::Number, place, scope);
+        let column = self.required_word(entries, "column", place);
+        let (table, column) = (table?, column?.text);
+        if !TABLES.contains(&table.as_str()) {
+            let diagnostic = Diagnostic::error("plan-unknown-table", table.place.clone());
+            self.found.push(diagnostic.arg("name", table.as_str()).arg("known", TABLES.join(", ")));
+            return None;
+        }
+        let table = table.text;
+        let written = match (entries.get("add"), entries.get("value")) {
+            (None, None) => None,
+            (Some(argument), None) => Some((argument, true)),
+            (None, Some(argument)) => Some((argument, false)),
+            (Some(_), Some(_)) => return self.wrong_act(place, "add-or-value"),
+        };
+        match (written, &action.bind) {
+            (None, Some(name)) => {
+                let into = self.result(name, Type::Number, scope);
+                Some(Act::ReadTable { table, row: row?, column, into })
+            }
+            (Some((argument, add)), None) => {
+                let value = self.argument(argument, Type::Number, scope, place)?;
+                Some(Act::WriteTable { table, row: row?, column, value, add })
+            }
+            _ => self.wrong_act(place, "read-or-write"),
+        }
+    }
+
+    fn values(&mut self, with: &Entries<Formula>, scope: &Scope) -> Vec<(Arc<str>, Calc)> {
+        let mut values = Vec::new();
+        for (name, formula) in &with.0 {
+            values.extend(self.calc(formula, scope).map(|calc| (Arc::clone(&name.text), calc)));
+        }
+        values
+    }
+
+    fn fit(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
+        let place = &action.place;
+        let entries = self.entries(&action.argument, &["circle"], place)?;
+        let list = self.required_word(entries, "circle", place)?;
+        let Some(name) = &action.bind else {
+            self.missing_argument(place, "as");
+            return None;
+        };
+        let (centre, radius) = (self.names.slot(), self.names.slot());
+        let full = |field: &str| format!("{}.{field}", name.as_str());
+        self.bind_text(&full("centre"), &name.place, Binding::Maybe(centre, Type::Point), scope);
+        self.bind_text(&full("radius"), &name.place, Binding::Maybe(radius, Type::Number), scope);
+        match scope.get(list.as_str()) {
+            Some(Binding::List(list, Type::Point)) => Some(Act::FitCircle { list, centre, radius }),
+            Some(_) => self.wrong_act(&list.place, "list-of-points"),
+            None => {
+                let diagnostic = Diagnostic::error("plan-unknown-name", list.place.clone());
+                self.found.push(diagnostic.arg("name", list.as_str()));
+                None
+            }
+        }
+    }
+
+    fn strategy(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
+        let name = self.one(&action.argument, "id", &action.place)?;
+        let Some(strategy) = Strategy::by_name(name.as_str()) else {
+            self.values(&action.with, scope);
+            self.open_result(action.bind.as_ref(), scope);
+            return Some(self.pend(name.as_str()));
+        };
+        let parameters = strategy.parameters();
+        for (key, _) in &action.with.0 {
+            if !parameters.iter().any(|parameter| parameter.name == key.as_str()) {
+                self.unknown_argument(key, parameters.iter().map(|parameter| parameter.name));
+            }
+        }
+        let mut with = Vec::with_capacity(parameters.len());
+        for parameter in parameters {
+            with.push(match action.with.get(parameter.name) {
+                Some(formula) => Some(self.typed(formula, parameter.ty, scope)?),
+                None if parameter.required => {
+                    self.missing_argument(&action.place, parameter.name);
+                    return None;
+                }
+                None => None,
+            });
+        }
+        if let Some(bind) = &action.bind {
+            self.wrong(&bind.place, "no-result");
+        }
+        Some(Act::Strategy(StrategyCall { strategy, with }))
+    }
+}
