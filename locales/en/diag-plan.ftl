@@ -13,6 +13,7 @@ diag-plan-argument = The argument is not well formed: { $expected ->
     [type-word] number, truth, point or text is expected.
     [spindle-word] clockwise, counter-clockwise or stop is expected.
     [coolant-word] flood or stop is expected.
+    [cancel-word] radius-compensation, datum-shift, mirroring, rotation, scaling or axis-scaling is expected.
    *[other] { $expected } is expected.
 }
 diag-plan-missing-argument = The argument { $name } is missing.

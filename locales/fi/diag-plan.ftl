@@ -13,6 +13,7 @@ diag-plan-argument = Argumentti on virheellinen: { $expected ->
     [type-word] odotetaan sanaa number, truth, point tai text.
     [spindle-word] odotetaan sanaa clockwise, counter-clockwise tai stop.
     [coolant-word] odotetaan sanaa flood tai stop.
+    [cancel-word] odotetaan sanaa radius-compensation, datum-shift, mirroring, rotation, scaling tai axis-scaling.
    *[other] odotetaan: { $expected }.
 }
 diag-plan-missing-argument = Argumentti { $name } puuttuu.

@@ -13,6 +13,7 @@ diag-plan-argument = L'argomento non è ben formato: { $expected ->
     [type-word] è atteso number, truth, point o text.
     [spindle-word] è atteso clockwise, counter-clockwise o stop.
     [coolant-word] è atteso flood o stop.
+    [cancel-word] è atteso radius-compensation, datum-shift, mirroring, rotation, scaling o axis-scaling.
    *[other] è atteso: { $expected }.
 }
 diag-plan-missing-argument = Manca l'argomento { $name }.

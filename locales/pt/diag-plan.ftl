@@ -13,6 +13,7 @@ diag-plan-argument = O argumento não está bem formado: { $expected ->
     [type-word] espera-se number, truth, point ou text.
     [spindle-word] espera-se clockwise, counter-clockwise ou stop.
     [coolant-word] espera-se flood ou stop.
+    [cancel-word] espera-se radius-compensation, datum-shift, mirroring, rotation, scaling ou axis-scaling.
    *[other] espera-se: { $expected }.
 }
 diag-plan-missing-argument = Falta o argumento { $name }.

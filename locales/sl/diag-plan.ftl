@@ -13,6 +13,7 @@ diag-plan-argument = Argument ni pravilno oblikovan: { $expected ->
     [type-word] pričakovana je beseda number, truth, point ali text.
     [spindle-word] pričakovana je beseda clockwise, counter-clockwise ali stop.
     [coolant-word] pričakovana je beseda flood ali stop.
+    [cancel-word] pričakovana je beseda radius-compensation, datum-shift, mirroring, rotation, scaling ali axis-scaling.
    *[other] pričakovano: { $expected }.
 }
 diag-plan-missing-argument = Manjka argument { $name }.

@@ -49,7 +49,12 @@ pub enum Item {
     /// A numbered sentence with its actions.
     Step(Step),
     /// A titled section.
-    Group(Vec<Item>),
+    Group {
+        /// Only executed if this holds.
+        when: Option<Calc>,
+        /// Its items.
+        items: Vec<Item>,
+    },
     /// A series.
     Each(Box<Series>),
 }
@@ -87,6 +92,8 @@ pub struct Case {
     pub say: Option<Arc<str>>,
     /// What is done.
     pub acts: Vec<Do>,
+    /// Values that every case has under the same name: from the slot here to the slot behind the choice.
+    pub exports: Vec<(Slot, Slot)>,
 }
 
 /// A series with what is done for its members.
@@ -189,6 +196,38 @@ pub enum Cooling {
     Off,
 }
 
+/// What `cancel` ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cancel {
+    /// Radius compensation.
+    RadiusCompensation,
+    /// The datum shift.
+    DatumShift,
+    /// The mirror image.
+    Mirroring,
+    /// The rotation.
+    Rotation,
+    /// Scaling.
+    Scaling,
+    /// Scaling by axes.
+    AxisScaling,
+}
+
+impl Cancel {
+    /// The one of that word.
+    pub fn by_word(word: &str) -> Option<Self> {
+        Some(match word {
+            "radius-compensation" => Self::RadiusCompensation,
+            "datum-shift" => Self::DatumShift,
+            "mirroring" => Self::Mirroring,
+            "rotation" => Self::Rotation,
+            "scaling" => Self::Scaling,
+            "axis-scaling" => Self::AxisScaling,
+            _ => return None,
+        })
+    }
+}
+
 /// Changes of the coordinate system, from old-style fields or values.
 #[derive(Clone, Debug)]
 pub enum Transform {
@@ -198,8 +237,10 @@ pub enum Transform {
     DatumRow(Arc<str>),
     /// Rotation by the angle of the field.
     Rotation(Arc<str>),
-    /// The preset of that row; what was shifted or turned is reset.
+    /// The preset of that row.
     Preset(Calc),
+    /// What is no longer active.
+    Cancel(Vec<Cancel>),
 }
 
 /// A strategy with its arguments, by the order of its signature.
@@ -209,6 +250,8 @@ pub struct StrategyCall {
     pub strategy: Strategy,
     /// Its arguments by the order of its signature.
     pub with: Vec<Option<Calc>>,
+    /// Slots of its results by the order of its signature.
+    pub results: Vec<Slot>,
 }
 
 /// A fragment where it is used.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::names::{Binding, Scope};
 use super::types::type_of_word;
-use super::{Block, Compiler, Guard, Inlined, Let};
+use super::{Block, Compiler, Guard, Inlined, Let, StandsFor};
 use crate::diag::{Diagnostic, Place};
 use crate::expr::Type;
 use crate::spec::{self, Entries, Formula, Fragment, Moment, Name, Outcome, Param, ParameterKind, Shape};
@@ -36,8 +36,9 @@ impl<'c> Compiler<'c> {
             });
             if let Some(q) = field.stands_for {
                 self.names.allow(q);
-                if !self.stands_for.contains(&(q, slot)) {
-                    self.stands_for.push((q, slot));
+                let stands = StandsFor { q, slot, names_it: param.kind == ParameterKind::QNumber };
+                if !self.stands_for.contains(&stands) {
+                    self.stands_for.push(stands);
                 }
             }
         }

@@ -53,7 +53,9 @@ impl Compiler<'_> {
             return self.step(item, id, scope).map(Item::Step);
         }
         if item.group.is_some() {
-            return Some(Item::Group(self.items(&item.items, scope)));
+            let when = self.when(item.when.as_ref(), scope);
+            let items = self.items(&item.items, scope);
+            return Some(Item::Group { when: when?, items });
         }
         let name = item.each.as_ref()?;
         let mark = scope.mark();
@@ -88,6 +90,7 @@ impl Compiler<'_> {
         scope: &mut Scope,
     ) -> Vec<Case> {
         let mut compiled = Vec::new();
+        let mut bound: Vec<Vec<(String, Binding)>> = Vec::new();
         for case in cases {
             let mut when = Vec::new();
             for used in &case.case {
@@ -103,10 +106,34 @@ impl Compiler<'_> {
             }
             let mark = scope.mark();
             let acts = self.acts(&case.actions, scope);
+            bound.push(scope.since(mark).to_vec());
             scope.leave(mark);
-            compiled.push(Case { when, say: case.say.as_ref().map(|say| Arc::clone(&say.text)), acts });
+            let say = case.say.as_ref().map(|say| Arc::clone(&say.text));
+            compiled.push(Case { when, say, acts, exports: Vec::new() });
+        }
+        if cases.last().is_some_and(|case| case.case.is_empty()) {
+            self.export(&bound, &mut compiled, scope);
         }
         compiled
+    }
+
+    /// A name that every case binds alike is seen behind the choice.
+    fn export(&mut self, bound: &[Vec<(String, Binding)>], cases: &mut [Case], scope: &mut Scope) {
+        let Some((first, others)) = bound.split_first() else { return };
+        for (name, binding) in first {
+            let same = |names: &Vec<(String, Binding)>| {
+                names.iter().find(|(other, found)| other == name && found.is_like(*binding)).map(|(_, found)| *found)
+            };
+            let Some(rest) = others.iter().map(same).collect::<Option<Vec<_>>>() else { continue };
+            let Some(all) = std::iter::once(*binding).chain(rest).map(Binding::slot).collect::<Option<Vec<_>>>() else {
+                continue;
+            };
+            let slot = self.names.slot();
+            for (case, from) in cases.iter_mut().zip(all) {
+                case.exports.push((from, slot));
+            }
+            scope.push(name.as_str(), binding.moved_to(slot));
+        }
     }
 
     /// Conditions that no case uses stand for parameters; they are compiled to be checked.

@@ -19,8 +19,8 @@ use crate::expr::QRef;
 use crate::spec::{Catalogue, Cycle, OnControl};
 
 pub use act::{
-    Act, Block, Calc, Case, Collect, Cooling, Do, Guard, Inlined, Item, Let, Series, SeriesKind, SpindleTurn, Step,
-    StrategyCall, Target, Transform,
+    Act, Block, Calc, Cancel, Case, Collect, Cooling, Do, Guard, Inlined, Item, Let, Series, SeriesKind, SpindleTurn,
+    Step, StrategyCall, Target, Transform,
 };
 pub use names::Builtin;
 pub use strategy::Strategy;
@@ -48,6 +48,17 @@ pub struct Sentence {
     pub id: Arc<str>,
 }
 
+/// An old-style field instead of a Q parameter of the run that it shares.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StandsFor {
+    /// The parameter as the run names it.
+    pub q: QRef,
+    /// The slot of the field.
+    pub slot: Slot,
+    /// Whether the field names the parameter that is meant, and is not its value.
+    pub names_it: bool,
+}
+
 /// A compiled run.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -61,8 +72,8 @@ pub struct Plan {
     pub fields: Vec<(Slot, Arc<str>)>,
     /// Parameters that this control lacks, with the values that stand for them.
     pub constants: Vec<(QRef, f64)>,
-    /// Q parameters of the shared run that fields stand for: the parameter and the slot of the field.
-    pub stands_for: Vec<(QRef, Slot)>,
+    /// Q parameters of the shared run that old-style fields stand for.
+    pub stands_for: Vec<StandsFor>,
     /// Named values in order.
     pub lets: Vec<Let>,
     /// Guards in order.
@@ -135,7 +146,7 @@ struct Compiler<'c> {
     names: Names,
     lists: usize,
     fields: Vec<(Slot, Arc<str>)>,
-    stands_for: Vec<(QRef, Slot)>,
+    stands_for: Vec<StandsFor>,
     /// The fragments that are being inlined, for refusing recursion.
     inside: Vec<Arc<str>>,
     used_conditions: BTreeSet<Arc<str>>,

@@ -193,6 +193,34 @@ pub(super) enum Binding {
     List(usize, Type),
 }
 
+impl Binding {
+    /// Whether both are values of the same type.
+    pub(super) fn is_like(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::Value(_, a) | Self::Maybe(_, a), Self::Value(_, b) | Self::Maybe(_, b)) => a == b,
+            (Self::Open(_), Self::Open(_)) => true,
+            _ => false,
+        }
+    }
+
+    /// The slot of a value.
+    pub(super) const fn slot(self) -> Option<Slot> {
+        match self {
+            Self::Value(slot, _) | Self::Maybe(slot, _) | Self::Open(slot) => Some(slot),
+            Self::List(..) => None,
+        }
+    }
+
+    /// The same kind of value in another slot; whether it is there is not sure.
+    pub(super) const fn moved_to(self, slot: Slot) -> Self {
+        match self {
+            Self::Value(_, ty) | Self::Maybe(_, ty) => Self::Maybe(slot, ty),
+            Self::Open(_) => Self::Open(slot),
+            list @ Self::List(..) => list,
+        }
+    }
+}
+
 /// The names of a stretch of a run.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scope {

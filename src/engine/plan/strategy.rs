@@ -13,6 +13,8 @@ pub enum Strategy {
     WritePreset,
     /// A row of the active datum table is written so that a point will have given coordinates.
     WriteDatumRow,
+    /// Reads a tolerance band that is written as a text (TNC 640 manual 004, lines 151-162).
+    ToleranceBand,
 }
 
 /// An argument of a strategy.
@@ -38,6 +40,7 @@ const POINT: Parameter = required("point", Type::Point);
 const MAIN: Parameter = optional("main");
 const MINOR: Parameter = optional("minor");
 const TOOL: Parameter = optional("tool");
+const TEXT: Parameter = required("text", Type::Text);
 const ROW: Parameter = required("row", Type::Number);
 
 impl Strategy {
@@ -47,6 +50,7 @@ impl Strategy {
             "set-datum" => Self::SetDatum,
             "write-preset" => Self::WritePreset,
             "write-datum-row" => Self::WriteDatumRow,
+            "tolerance-band" => Self::ToleranceBand,
             _ => return None,
         })
     }
@@ -56,6 +60,15 @@ impl Strategy {
         match self {
             Self::SetDatum => &[POINT, MAIN, MINOR, TOOL],
             Self::WritePreset | Self::WriteDatumRow => &[POINT, MAIN, MINOR, TOOL, ROW],
+            Self::ToleranceBand => &[TEXT],
+        }
+    }
+
+    /// Its results, all of them numbers.
+    pub const fn results(self) -> &'static [&'static str] {
+        match self {
+            Self::SetDatum | Self::WritePreset | Self::WriteDatumRow => &[],
+            Self::ToleranceBand => &["upper", "lower", "monitored"],
         }
     }
 }

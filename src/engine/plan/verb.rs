@@ -3,7 +3,7 @@
 //! Invariant: one verb, one meaning; a modifier or key that means nothing to the verb is a mistake.
 use std::sync::Arc;
 
-use super::act::{Act, Cooling, Do, SpindleTurn, StrategyCall, Target, Transform};
+use super::act::{Act, Cancel, Cooling, Do, SpindleTurn, StrategyCall, Target, Transform};
 use super::names::{Binding, Scope};
 use super::{Calc, Compiler, Let, Strategy};
 use crate::diag::{Diagnostic, Place};
@@ -27,7 +27,7 @@ impl Compiler<'_> {
     fn modifiers(&mut self, action: &Action) {
         use Verb::{Ask, Feed, Fit, Log, Probe, Strategy, Synchronized, Table, Touch, Turn, Use};
         let verb = action.verb;
-        let takes_feed = matches!(verb, Feed | Verb::Arc | Synchronized | Turn | Touch);
+        let takes_feed = matches!(verb, Feed | Verb::Arc | Synchronized | Turn | Touch | Strategy);
         let binds = matches!(verb, Probe | Fit | Table | Use | Strategy | Ask | Touch);
         let takes_values = matches!(verb, Use | Strategy | Log);
         let mut refuse = |given: bool, takes: bool, modifier: &'static str| {
@@ -276,7 +276,7 @@ impl Compiler<'_> {
     }
 
     fn transform(&mut self, argument: &Argument, place: &Place, scope: &Scope) -> Option<Transform> {
-        let keys = ["datum-shift", "datum-row", "rotation", "preset"];
+        let keys = ["datum-shift", "datum-row", "rotation", "preset", "cancel"];
         let entries = self.entries(argument, &keys, place)?;
         let [(key, argument)] = entries.0.as_slice() else {
             self.wrong(place, "one-transform");
@@ -284,6 +284,9 @@ impl Compiler<'_> {
         };
         if key.as_str() == "preset" {
             return self.argument(argument, Type::Number, scope, place).map(Transform::Preset);
+        }
+        if key.as_str() == "cancel" {
+            return self.cancel(argument, place);
         }
         let name = self.one(argument, "id", place)?;
         let field = self.field(&name, None)?;
@@ -293,6 +296,22 @@ impl Compiler<'_> {
             "rotation" => Some(Transform::Rotation(field)),
             _ => None,
         }
+    }
+
+    fn cancel(&mut self, argument: &Argument, place: &Place) -> Option<Transform> {
+        let Argument::List(words) = argument else {
+            self.wrong(place, "list");
+            return None;
+        };
+        let mut ended = Vec::new();
+        for word in words {
+            let word = self.one(word, "cancel-word", place)?;
+            match Cancel::by_word(word.as_str()) {
+                Some(cancel) => ended.push(cancel),
+                None => self.wrong(&word.place, "cancel-word"),
+            }
+        }
+        Some(Transform::Cancel(ended))
     }
 
     fn table(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
@@ -362,6 +381,9 @@ impl Compiler<'_> {
         let name = self.one(&action.argument, "id", &action.place)?;
         let Some(strategy) = Strategy::by_name(name.as_str()) else {
             self.values(&action.with, scope);
+            if let Some(at) = &action.at {
+                self.typed(at, Type::Number, scope);
+            }
             self.open_result(action.bind.as_ref(), scope);
             return Some(self.pend(name.as_str()));
         };
@@ -382,9 +404,19 @@ impl Compiler<'_> {
                 None => None,
             });
         }
-        if let Some(bind) = &action.bind {
-            self.wrong(&bind.place, "no-result");
+        let mut results = Vec::new();
+        match &action.bind {
+            Some(bind) if strategy.results().is_empty() => self.wrong(&bind.place, "no-result"),
+            Some(bind) => {
+                for field in strategy.results() {
+                    let slot = self.names.slot();
+                    let full = format!("{}.{field}", bind.as_str());
+                    self.bind_text(&full, &bind.place, Binding::Maybe(slot, Type::Number), scope);
+                    results.push(slot);
+                }
+            }
+            None => {}
         }
-        Some(Act::Strategy(StrategyCall { strategy, with }))
+        Some(Act::Strategy(StrategyCall { strategy, with, results }))
     }
 }
