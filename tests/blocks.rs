@@ -4,9 +4,10 @@ use std::path::Path;
 
 use ciklo::data;
 use ciklo::dialog;
+use ciklo::expr::QRef;
 use ciklo::label::{self, Request};
 use ciklo::locale::Locales;
-use ciklo::spec::{Catalogue, Cycle, CycleKey, Keyword, OnControl};
+use ciklo::spec::{Catalogue, Cycle, CycleKey, Entries, Field, Keyword, Name, NcExample, OnControl, Shape};
 
 struct Data {
     catalogue: Catalogue,
@@ -171,9 +172,8 @@ fn printed_blocks_are_reproduced_byte_for_byte() {
         let (first, body) = text.split_once('\n').expect("a head and a block");
         let control = head(first, "control").expect("the head names the control");
         let language = head(first, "lang").expect("the head names the language");
-        match reproduce(&data, &control, &language, body) {
-            Reproduced::Exactly => {}
-            Reproduced::Untranslated => {}
+        match reproduce(&data, &control, &language, head(first, "form").as_deref(), body) {
+            Reproduced::Exactly | Reproduced::Untranslated => {}
             Reproduced::Not(attempts) => failures.push(format!("{name}:\n{body}--- printed instead:\n{attempts}")),
         }
     }
@@ -186,7 +186,8 @@ enum Reproduced {
     Not(String),
 }
 
-fn reproduce(data: &Data, control: &str, tag: &str, body: &str) -> Reproduced {
+/// Prints every example of the cycle, and then the block with the values that the manual prints.
+fn reproduce(data: &Data, control: &str, tag: &str, form: Option<&str>, body: &str) -> Reproduced {
     let on = data.on(control);
     let cycle = on.cycles.values().find(|cycle| {
         let key = cycle.key.to_string();
@@ -195,15 +196,71 @@ fn reproduce(data: &Data, control: &str, tag: &str, body: &str) -> Reproduced {
     let Some(cycle) = cycle else { return Reproduced::Not("(no such cycle on the control)\n".to_owned()) };
     let language = data.locales.language(tag).expect("the language is there");
     let mut attempts = String::new();
-    for example in &cycle.file.nc_examples {
+    let as_printed = values_of(cycle, form, body);
+    for example in cycle.file.nc_examples.iter().chain([&as_printed]) {
         match label::example(on, cycle, language, example) {
             Ok(printed) if printed == body => return Reproduced::Exactly,
-            Ok(printed) => attempts.push_str(&printed),
+            Ok(printed) => attempts = printed,
             Err(faults) if faults.iter().all(|fault| fault.code == "locale-missing-text") => {
                 return Reproduced::Untranslated;
             }
-            Err(faults) => attempts.push_str(&format!("{faults:?}\n")),
+            Err(faults) => attempts = format!("{faults:?}\n"),
         }
     }
     Reproduced::Not(attempts)
+}
+
+/// The number, form and values of a printed block, as an example of the cycle.
+fn values_of(cycle: &Cycle, form: Option<&str>, body: &str) -> NcExample {
+    let place = cycle.file.place.clone();
+    let name = |text: &str| Name { text: text.into(), place: place.clone() };
+    let number = body.split(' ').next().and_then(|number| number.parse().ok());
+    let mut values: Vec<(Name, String)> = Vec::new();
+    let mut without = Vec::new();
+    for line in body.lines().filter(|line| line.starts_with('Q')) {
+        if let Some((q, (value, _))) = line.split_once('=').and_then(|(q, rest)| Some((q, rest.split_once(" ;")?))) {
+            values.push((name(q), value.to_owned()));
+        }
+    }
+    let at = cycle.file.forms.iter().position(|own| form.is_none_or(|form| own.form.as_str() == form)).unwrap_or(0);
+    for (_, field) in cycle.fields(at) {
+        let printed = printed_values(cycle, field, body);
+        if printed.is_empty() {
+            without.push(name(field.id.as_str()));
+        }
+        for (value, turn) in printed.into_iter().zip(1..) {
+            let id = field.id.as_str();
+            values.push((name(&if turn == 1 { id.to_owned() } else { format!("{id}-{turn}") }), value));
+        }
+    }
+    let values = Entries(values);
+    let form = form.map(name);
+    NcExample { number, form, values, without, before: Vec::new(), after: Vec::new(), title: None, place }
+}
+
+fn printed_values(cycle: &Cycle, field: &Field, body: &str) -> Vec<String> {
+    let starts = |line: &str, at: u32| {
+        let key = format!("{}.{at} ", cycle.key);
+        line.split_once(&key).map(|(_, rest)| rest.to_owned())
+    };
+    let mut values = Vec::new();
+    for at in field.line..=if field.repeat { 99 } else { field.line } {
+        let Some(rest) = body.lines().find_map(|line| starts(line, at)) else { break };
+        let words: Vec<&str> = rest.split(' ').collect();
+        let sign = |word: &&&str| word.starts_with(|c: char| "XYZABC".contains(c)) && word.ends_with(['+', '-']);
+        let value = match field.shape {
+            Shape::Labelled => {
+                words.iter().skip_while(|word| !word.ends_with(':')).nth(1).map(|word| (*word).to_owned())
+            }
+            Shape::Q => words.iter().find(|word| QRef::parse(word).is_some()).map(|word| (*word).to_owned()),
+            Shape::AxisDirection => words.iter().find(sign).map(|word| (*word).to_owned()),
+            Shape::Word => {
+                let word = field.word.as_deref().unwrap_or_default();
+                rest.split_once(word).map(|(before, value)| format!("{before}{value}"))
+            }
+            _ => Some(rest),
+        };
+        values.extend(value);
+    }
+    values
 }
