@@ -12,5 +12,6 @@ pub mod expr;
 pub mod label;
 pub mod locale;
 pub mod spec;
+pub mod syntax;
 pub mod system;
 pub mod text;

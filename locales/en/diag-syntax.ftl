@@ -1,0 +1,45 @@
+### Texts of the parser's findings. $found is what stands there, $expected a key for what could stand there or a word of a program.
+
+syntax-expected =
+    { $expected ->
+        [block] the beginning of a block
+        [end] the end of the block
+        [sign] a sign
+        [word] a coordinate, R0, RL, RR, a feed or an M function
+        [number] a number
+        [m-function] an M function
+        [blk-form-part] 0.1 or 0.2
+        [tool-word] S, F, DL, DR or DR2, each once
+        [tool] a tool number or a tool name in quotation marks
+        [value] a number or a Q parameter
+        [quotation-mark] a closing quotation mark
+        [unit] MM or INCH
+        [label] a label number or a label name in quotation marks
+        [call] LBL or PGM
+        [name] a name
+        [selection] TABLE, PATTERN, CONTOUR, PGM or CYCLE
+        [cycle-word] CYCL DEF, CYCL CALL or TCH PROBE
+        [cycle-number] the number of a cycle
+        [text-parameter] a QS parameter
+        [parameter] a Q parameter
+        [relation] EQU, NE, GT or LT
+        [relation-of-number] the comparison of this FN number
+        [less-nesting] a shorter or less nested formula
+        [field] a field of the cycle
+        [operand] a number, a Q parameter or a function
+        [operator] an arithmetic operator
+        [closing-bracket] a closing bracket
+        [known-function] a function of the formula language
+        [character] a character of the formula language
+        [arguments] another number of arguments
+        [in-spec-only] arithmetic only, since programs know no comparison here
+       *[other] { $expected }
+    }
+
+diag-syntax-unknown-block = No block begins with “{ $found }”.
+diag-syntax-unexpected = “{ $found }” cannot stand here; expected: { syntax-expected }.
+diag-syntax-incomplete = The block is incomplete; expected: { syntax-expected }.
+diag-syntax-unclosed-text = The text has no closing quotation mark: { $found }
+diag-syntax-formula = “{ $found }” cannot stand here in a formula; expected: { syntax-expected }.
+diag-syntax-remark = “{ $found }” stands behind a tab and belongs to no block; a control would refuse it. Comments begin with a semicolon.
+diag-syntax-dangling-continuation = The ~ announces a further line, but none that belongs to this block follows.

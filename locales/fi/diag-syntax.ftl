@@ -1,0 +1,45 @@
+### Jäsentimen löydösten tekstit. $found on se, mitä kohdassa lukee, $expected avain sille, mitä siinä voisi lukea, tai ohjelman sana.
+
+syntax-expected =
+    { $expected ->
+        [block] lauseen alku
+        [end] lauseen loppu
+        [sign] etumerkki
+        [word] koordinaatti, R0, RL, RR, syöttöarvo tai M-toiminto
+        [number] luku
+        [m-function] M-toiminto
+        [blk-form-part] 0.1 tai 0.2
+        [tool-word] S, F, DL, DR tai DR2, kukin kerran
+        [tool] työkalun numero tai työkalun nimi lainausmerkeissä
+        [value] luku tai Q-parametri
+        [quotation-mark] sulkeva lainausmerkki
+        [unit] MM tai INCH
+        [label] labelin numero tai labelin nimi lainausmerkeissä
+        [call] LBL tai PGM
+        [name] nimi
+        [selection] TABLE, PATTERN, CONTOUR, PGM tai CYCLE
+        [cycle-word] CYCL DEF, CYCL CALL tai TCH PROBE
+        [cycle-number] työkierron numero
+        [text-parameter] QS-parametri
+        [parameter] Q-parametri
+        [relation] EQU, NE, GT tai LT
+        [relation-of-number] tämän FN-numeron vertailu
+        [less-nesting] lyhyempi tai vähemmän sisäkkäinen kaava
+        [field] työkierron kenttä
+        [operand] luku, Q-parametri tai funktio
+        [operator] laskutoimituksen merkki
+        [closing-bracket] sulkeva kaarisulku
+        [known-function] kaavakielen funktio
+        [character] kaavakielen merkki
+        [arguments] toinen määrä argumentteja
+        [in-spec-only] vain laskutoimituksia, koska ohjelmissa ei tässä voi vertailla
+       *[other] { $expected }
+    }
+
+diag-syntax-unknown-block = Mikään lause ei ala näin: ”{ $found }”.
+diag-syntax-unexpected = ”{ $found }” ei voi olla tässä; odotettiin: { syntax-expected }.
+diag-syntax-incomplete = Lause on vajaa; odotettiin: { syntax-expected }.
+diag-syntax-unclosed-text = Tekstistä puuttuu sulkeva lainausmerkki: { $found }
+diag-syntax-formula = ”{ $found }” ei voi olla tässä kaavassa; odotettiin: { syntax-expected }.
+diag-syntax-remark = ”{ $found }” on sarkainmerkin takana eikä kuulu mihinkään lauseeseen; ohjaus hylkäisi sen. Kommentti alkaa puolipisteellä.
+diag-syntax-dangling-continuation = Merkki ~ ilmoittaa jatkorivin, mutta tähän lauseeseen kuuluvaa riviä ei seuraa.

@@ -1,0 +1,45 @@
+### Testi delle segnalazioni dell'analizzatore. $found è ciò che si trova in quel punto, $expected una chiave per ciò che vi potrebbe stare, oppure una parola di programma.
+
+syntax-expected =
+    { $expected ->
+        [block] l'inizio di un blocco
+        [end] la fine del blocco
+        [sign] un segno
+        [word] una coordinata, R0, RL, RR, un avanzamento o una funzione M
+        [number] un numero
+        [m-function] una funzione M
+        [blk-form-part] 0.1 o 0.2
+        [tool-word] S, F, DL, DR o DR2, ciascuno una sola volta
+        [tool] un numero utensile o un nome utensile tra virgolette
+        [value] un numero o un parametro Q
+        [quotation-mark] le virgolette di chiusura
+        [unit] MM o INCH
+        [label] un numero di label o un nome di label tra virgolette
+        [call] LBL o PGM
+        [name] un nome
+        [selection] TABLE, PATTERN, CONTOUR, PGM o CYCLE
+        [cycle-word] CYCL DEF, CYCL CALL o TCH PROBE
+        [cycle-number] il numero di un ciclo
+        [text-parameter] un parametro QS
+        [parameter] un parametro Q
+        [relation] EQU, NE, GT o LT
+        [relation-of-number] il confronto proprio di questo numero FN
+        [less-nesting] una formula più breve o meno annidata
+        [field] un campo del ciclo
+        [operand] un numero, un parametro Q o una funzione
+        [operator] un operatore aritmetico
+        [closing-bracket] una parentesi chiusa
+        [known-function] una funzione del linguaggio delle formule
+        [character] un carattere del linguaggio delle formule
+        [arguments] un altro numero di argomenti
+        [in-spec-only] solo operazioni aritmetiche, perché qui i programmi non ammettono confronti
+       *[other] { $expected }
+    }
+
+diag-syntax-unknown-block = Nessun blocco inizia con «{ $found }».
+diag-syntax-unexpected = «{ $found }» non può stare qui; previsto: { syntax-expected }.
+diag-syntax-incomplete = Il blocco è incompleto; previsto: { syntax-expected }.
+diag-syntax-unclosed-text = Al testo mancano le virgolette di chiusura: { $found }
+diag-syntax-formula = «{ $found }» non può stare in questo punto della formula; previsto: { syntax-expected }.
+diag-syntax-remark = «{ $found }» segue una tabulazione e non appartiene ad alcun blocco; il controllo lo rifiuterebbe. I commenti iniziano con un punto e virgola.
+diag-syntax-dangling-continuation = Il carattere ~ annuncia una riga successiva, ma non ne segue alcuna che appartenga a questo blocco.

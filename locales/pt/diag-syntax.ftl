@@ -1,0 +1,45 @@
+### Textos das mensagens do analisador. $found é o que se encontra nesse ponto, $expected uma chave para o que aí poderia estar, ou uma palavra de programa.
+
+syntax-expected =
+    { $expected ->
+        [block] o início de um bloco
+        [end] o fim do bloco
+        [sign] um sinal
+        [word] uma coordenada, R0, RL, RR, um avanço ou uma função M
+        [number] um número
+        [m-function] uma função M
+        [blk-form-part] 0.1 ou 0.2
+        [tool-word] S, F, DL, DR ou DR2, cada um só uma vez
+        [tool] um número de ferramenta ou um nome de ferramenta entre aspas
+        [value] um número ou um parâmetro Q
+        [quotation-mark] as aspas finais
+        [unit] MM ou INCH
+        [label] um número de label ou um nome de label entre aspas
+        [call] LBL ou PGM
+        [name] um nome
+        [selection] TABLE, PATTERN, CONTOUR, PGM ou CYCLE
+        [cycle-word] CYCL DEF, CYCL CALL ou TCH PROBE
+        [cycle-number] o número de um ciclo
+        [text-parameter] um parâmetro QS
+        [parameter] um parâmetro Q
+        [relation] EQU, NE, GT ou LT
+        [relation-of-number] a comparação própria deste número FN
+        [less-nesting] uma fórmula mais curta ou menos encadeada
+        [field] um campo do ciclo
+        [operand] um número, um parâmetro Q ou uma função
+        [operator] um operador aritmético
+        [closing-bracket] um parêntese final
+        [known-function] uma função da linguagem de fórmulas
+        [character] um carácter da linguagem de fórmulas
+        [arguments] outro número de argumentos
+        [in-spec-only] apenas operações aritméticas, pois aqui os programas não admitem comparações
+       *[other] { $expected }
+    }
+
+diag-syntax-unknown-block = Nenhum bloco começa com «{ $found }».
+diag-syntax-unexpected = «{ $found }» não pode estar aqui; esperado: { syntax-expected }.
+diag-syntax-incomplete = O bloco está incompleto; esperado: { syntax-expected }.
+diag-syntax-unclosed-text = Faltam ao texto as aspas finais: { $found }
+diag-syntax-formula = «{ $found }» não pode estar neste ponto da fórmula; esperado: { syntax-expected }.
+diag-syntax-remark = «{ $found }» está atrás de uma tabulação e não pertence a nenhum bloco; o comando recusá-lo-ia. Os comentários começam com ponto e vírgula.
+diag-syntax-dangling-continuation = O carácter ~ anuncia mais uma linha, mas não se segue nenhuma que pertença a este bloco.

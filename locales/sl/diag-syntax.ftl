@@ -1,0 +1,45 @@
+### Besedila ugotovitev razčlenjevalnika. $found je to, kar stoji na tem mestu, $expected ključ za to, kar bi lahko stalo, ali beseda programa.
+
+syntax-expected =
+    { $expected ->
+        [block] začetek niza
+        [end] konec niza
+        [sign] predznak
+        [word] koordinata, R0, RL, RR, pomik ali M-funkcija
+        [number] število
+        [m-function] M-funkcija
+        [blk-form-part] 0.1 ali 0.2
+        [tool-word] S, F, DL, DR ali DR2, vsak po enkrat
+        [tool] številka orodja ali ime orodja v narekovajih
+        [value] število ali Q-parameter
+        [quotation-mark] zaključni narekovaj
+        [unit] MM ali INCH
+        [label] številka oznake ali ime oznake v narekovajih
+        [call] LBL ali PGM
+        [name] ime
+        [selection] TABLE, PATTERN, CONTOUR, PGM ali CYCLE
+        [cycle-word] CYCL DEF, CYCL CALL ali TCH PROBE
+        [cycle-number] številka cikla
+        [text-parameter] QS-parameter
+        [parameter] Q-parameter
+        [relation] EQU, NE, GT ali LT
+        [relation-of-number] primerjava, ki pripada tej številki FN
+        [less-nesting] krajša ali manj gnezdena formula
+        [field] polje cikla
+        [operand] število, Q-parameter ali funkcija
+        [operator] računski operator
+        [closing-bracket] zaklepaj
+        [known-function] funkcija jezika formul
+        [character] znak jezika formul
+        [arguments] drugačno število argumentov
+        [in-spec-only] samo računske operacije, ker programi tu ne poznajo primerjav
+       *[other] { $expected }
+    }
+
+diag-syntax-unknown-block = Noben niz se ne začne z »{ $found }«.
+diag-syntax-unexpected = »{ $found }« tu ne more stati; pričakovano: { syntax-expected }.
+diag-syntax-incomplete = Niz ni popoln; pričakovano: { syntax-expected }.
+diag-syntax-unclosed-text = Besedilo nima zaključnega narekovaja: { $found }
+diag-syntax-formula = »{ $found }« na tem mestu formule ne more stati; pričakovano: { syntax-expected }.
+diag-syntax-remark = »{ $found }« stoji za tabulatorjem in ne pripada nobenemu nizu; krmiljenje bi ga zavrnilo. Komentar se začne s podpičjem.
+diag-syntax-dangling-continuation = Znak ~ napoveduje nadaljnjo vrstico, vendar ne sledi nobena, ki bi pripadala temu nizu.

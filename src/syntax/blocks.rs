@@ -1,0 +1,370 @@
+//! The content of one block: which kind it is, and the kinds that are neither motions nor cycles.
+use super::cursor::{Cursor, Read, Word};
+use super::tree::{
+    BlockKind, CallLbl, FnAssign, FnJump, FnOp, Formula, Frame, Label, LabelRef, Path, Relation, Selection, SyntaxError,
+};
+use super::{cycle, motion};
+use crate::diag::Span;
+use crate::expr::{self, QKind, QRef};
+
+/// The longest formula that is read. Controls allow a few hundred characters; the limit bounds nesting.
+const MAX_FORMULA: usize = 4096;
+
+/// First words of blocks that exist but are not analysed.
+const OTHER: [&[u8]; 21] = [
+    b"ADP",
+    b"APPR",
+    b"CONTOUR",
+    b"DEP",
+    b"FC",
+    b"FCT",
+    b"FILE",
+    b"FL",
+    b"FLT",
+    b"FPOL",
+    b"FUNCTION",
+    b"GLOBAL",
+    b"LN",
+    b"OPEN",
+    b"PATTERN",
+    b"PLANE",
+    b"POLARKIN",
+    b"SPL",
+    b"TRANS",
+    b"TURNDATA",
+    b"SECTION",
+];
+
+/// Functions on texts; formulas with them are known and not analysed.
+const TEXT_FUNCTIONS: [&str; 8] = ["TOCHAR", "TONUMB", "SUBSTR", "INSTR", "STRLEN", "STRCOMP", "SYSSTR", "SYSREAD"];
+
+/// Reads the content of a block (without number and comment).
+pub(super) fn content(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
+    cursor.blanks();
+    if cursor.byte() == b'*' {
+        cursor.at += 1;
+        cursor.opt_mark(b'-');
+        return Ok(BlockKind::Structure(cursor.rest()));
+    }
+    let start = *cursor;
+    let word = cursor.peek_word();
+    cursor.at = word.span.end;
+    match word.as_bytes() {
+        b"BEGIN" => frame(cursor).map(|frame| BlockKind::BeginPgm(Box::new(frame))),
+        b"END" => frame(cursor).map(|frame| BlockKind::EndPgm(Box::new(frame))),
+        b"M" => {
+            *cursor = start;
+            motion::functions(cursor).map(BlockKind::Functions)
+        }
+        b"LBL" => label_block(cursor),
+        b"CALL" => call(cursor, word),
+        b"CYCL" | b"TCH" => {
+            *cursor = start;
+            cycle_block(cursor)
+        }
+        b"FN" => function(cursor, word),
+        b"IF" => jump(cursor, None),
+        b"STOP" => motion::functions(cursor).map(BlockKind::Stop),
+        b"SEL" => select(cursor),
+        b"BLK" => blank(cursor, word),
+        b"TOOL" => tool(cursor),
+        b"DECLARE" => declare(cursor, word),
+        b"Q" | b"QL" | b"QR" | b"QS" => {
+            *cursor = start;
+            assignment(cursor)
+        }
+        name => match Path::by_name(name) {
+            Some(path) => motion::motion(cursor, path).map(|motion| BlockKind::Motion(Box::new(motion))),
+            None if OTHER.contains(&name) => Ok(BlockKind::Other(word.span)),
+            None => {
+                *cursor = start;
+                Err(SyntaxError { code: "syntax-unknown-block", ..cursor.expected("block") })
+            }
+        },
+    }
+}
+
+fn frame(cursor: &mut Cursor<'_>) -> Read<Frame> {
+    cursor.keyword("PGM")?;
+    let rest = cursor.rest();
+    let text = cursor.text.get(rest.start..rest.end).unwrap_or_default();
+    let inch = [("MM", false), ("INCH", true)].into_iter().find_map(|(unit, inch)| {
+        let at = text.len().checked_sub(unit.len())?;
+        let found = text.get(at..)?.eq_ignore_ascii_case(unit);
+        let name = text.get(..at)?;
+        (found && (name.is_empty() || name.ends_with(char::is_whitespace))).then(|| (name.trim_end().len(), inch))
+    });
+    match inch {
+        Some((length, inch)) => Ok(Frame { name: Span::new(rest.start, rest.start + length), inch }),
+        None => Err(SyntaxError {
+            code: "syntax-unexpected",
+            span: last_word(text, rest.start, rest.end),
+            expected: "unit",
+        }),
+    }
+}
+
+fn last_word(text: &str, start: usize, end: usize) -> Span {
+    let at = text.rfind(char::is_whitespace).map_or(0, |at| at + 1);
+    let at = (at..text.len()).find(|&at| text.is_char_boundary(at)).unwrap_or(text.len());
+    Span::new(start + at, end)
+}
+
+/// A label: number, name in quotation marks, or (where it is called) a parameter.
+fn label(cursor: &mut Cursor<'_>, called: bool) -> Read<LabelRef> {
+    cursor.blanks();
+    let start = cursor.at;
+    let target = if let Some(name) = cursor.opt_text()? {
+        Label::Name(name)
+    } else if let Some(q) = cursor.opt_q().filter(|_| called) {
+        Label::Q(q)
+    } else {
+        let number = cursor.opt_whole().and_then(|number| u16::try_from(number).ok());
+        Label::Number(number.ok_or_else(|| cursor.expected("label"))?)
+    };
+    Ok(LabelRef { span: Span::new(start, cursor.at), target })
+}
+
+fn label_block(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
+    let label = label(cursor, false)?;
+    cursor.finish()?;
+    Ok(BlockKind::Lbl(Box::new(label)))
+}
+
+fn call(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
+    if cursor.opt_keyword(b"LBL") {
+        let label = label(cursor, true)?;
+        let repeat =
+            if cursor.opt_keyword(b"REP") || cursor.opt_keyword(b"REPQ") { Some(repeat(cursor)?) } else { None };
+        cursor.finish()?;
+        return Ok(BlockKind::CallLbl(Box::new(CallLbl { label, repeat })));
+    }
+    if cursor.opt_keyword(b"PGM") {
+        return name(cursor).map(BlockKind::CallPgm);
+    }
+    if cursor.opt_keyword(b"SELECTED") {
+        return Ok(BlockKind::Other(word.span));
+    }
+    cursor.blanks();
+    Err(cursor.expected("call"))
+}
+
+/// `6` or `6/6`: the repetitions, and behind the bar those that are left.
+fn repeat(cursor: &mut Cursor<'_>) -> Read<super::tree::Operand> {
+    if cursor.byte_at(cursor.at.wrapping_sub(1)).eq_ignore_ascii_case(&b'Q') {
+        cursor.at -= 1;
+    }
+    let count = cursor.operand()?;
+    if cursor.opt_mark(b'/') {
+        cursor.operand()?;
+    }
+    Ok(count)
+}
+
+/// A name with or without quotation marks, up to the end.
+fn name(cursor: &mut Cursor<'_>) -> Read<Span> {
+    if let Some(name) = cursor.opt_text()? {
+        cursor.finish()?;
+        return Ok(name);
+    }
+    if cursor.done() {
+        return Err(cursor.expected("name"));
+    }
+    if let Some(tab) = cursor.text.get(cursor.at..cursor.end).and_then(|rest| rest.find('\t')) {
+        cursor.at += tab + 1;
+        cursor.blanks();
+        return Err(cursor.expected("end"));
+    }
+    Ok(cursor.rest())
+}
+
+fn select(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
+    cursor.blanks();
+    let what = cursor.peek_word();
+    match what.as_bytes() {
+        b"TABLE" | b"PATTERN" | b"CONTOUR" | b"PGM" | b"CYCLE" => {
+            cursor.at = what.span.end;
+            Ok(BlockKind::Sel(Box::new(Selection { what: what.span, name: name(cursor)? })))
+        }
+        _ => Err(cursor.expected("selection")),
+    }
+}
+
+fn blank(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
+    cursor.keyword("FORM")?;
+    Ok(match motion::opt_blk_form(cursor)? {
+        Some(form) => BlockKind::BlkForm(Box::new(form)),
+        None => BlockKind::Other(word.span),
+    })
+}
+
+fn tool(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
+    if cursor.opt_keyword(b"DEF") {
+        return motion::tool_def(cursor).map(|def| BlockKind::ToolDef(Box::new(def)));
+    }
+    cursor.keyword("CALL")?;
+    motion::tool_call(cursor).map(|call| BlockKind::ToolCall(Box::new(call)))
+}
+
+fn cycle_block(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
+    let start = *cursor;
+    if cursor.opt_keyword(b"CYCL") && cursor.opt_keyword(b"CALL") {
+        return motion::cycl_call(cursor).map(|call| BlockKind::CyclCall(Box::new(call)));
+    }
+    *cursor = start;
+    cycle::head(cursor)
+}
+
+fn declare(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
+    if cursor.opt_keyword(b"STRING") {
+        cursor.blanks();
+        let start = *cursor;
+        return match cursor.opt_q() {
+            Some(QRef { kind: QKind::Qs, .. }) => {
+                *cursor = start;
+                assignment(cursor)
+            }
+            _ => Err(start.expected("text-parameter")),
+        };
+    }
+    cursor.keyword("CONTOUR")?;
+    Ok(BlockKind::Other(word.span))
+}
+
+/// A parameter that can be set, with its place and the `=` behind it.
+fn target(cursor: &mut Cursor<'_>) -> Read<(QRef, Span)> {
+    cursor.blanks();
+    let start = cursor.at;
+    let Some(q) = cursor.opt_q() else { return Err(cursor.expected("parameter")) };
+    let span = Span::new(start, cursor.at);
+    if !cursor.opt_mark(b'=') {
+        return Err(cursor.expected("="));
+    }
+    Ok((q, span))
+}
+
+fn assignment(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
+    let (target, target_span) = target(cursor)?;
+    let text = cursor.rest();
+    let written = cursor.text.get(text.start..text.end).unwrap_or_default();
+    if written.len() > MAX_FORMULA {
+        return Err(SyntaxError { code: "syntax-formula", span: text, expected: "less-nesting" });
+    }
+    let unjoined = without_joints(written);
+    match expr::parse_formula(unjoined.as_deref().unwrap_or(written)) {
+        Ok(expr) => Ok(BlockKind::Formula(Box::new(Formula { target, target_span, expr, text }))),
+        Err(_) if TEXT_FUNCTIONS.iter().any(|name| written.contains(name)) => Ok(BlockKind::Other(target_span)),
+        Err(error) => Err(SyntaxError {
+            code: "syntax-formula",
+            span: Span::new(text.start + error.span.start, text.start + error.span.end),
+            expected: error.expected,
+        }),
+    }
+}
+
+/// A formula of several lines with blanks for the joints, so that its places stay; nothing if it has none.
+fn without_joints(written: &str) -> Option<String> {
+    if !written.contains(['\n', '\r']) {
+        return None;
+    }
+    let mut text = String::with_capacity(written.len());
+    let mut cursor = Cursor::new(written, Span::new(0, written.len()));
+    while cursor.at < cursor.end {
+        let from = cursor.at;
+        cursor.blanks();
+        text.extend(std::iter::repeat_n(' ', cursor.at - from));
+        let rest = written.get(cursor.at..).unwrap_or_default();
+        let next = rest.find(|c: char| matches!(c, ' ' | '\t' | '~' | ';' | '\r' | '\n')).unwrap_or(rest.len());
+        let next = if cursor.at == from { next.max(rest.chars().next().map_or(0, char::len_utf8)) } else { next };
+        text.push_str(rest.get(..next).unwrap_or_default());
+        cursor.at += next;
+    }
+    Some(text)
+}
+
+fn function(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
+    cursor.blanks();
+    let at = *cursor;
+    let Some(number) = cursor.opt_whole() else { return Err(at.expected("number")) };
+    cursor.opt_mark(b':');
+    let op = match number {
+        0 => FnOp::Set,
+        1 => FnOp::Add,
+        2 => FnOp::Sub,
+        3 => FnOp::Mul,
+        4 => FnOp::Div,
+        5 => FnOp::Sqrt,
+        6 => FnOp::Sin,
+        7 => FnOp::Cos,
+        8 => FnOp::Len,
+        9..=12 => {
+            cursor.keyword("IF")?;
+            return jump(cursor, Some(number));
+        }
+        13 => FnOp::Ang,
+        14..=99 => return Ok(BlockKind::Other(word.span)),
+        _ => return Err(at.expected("number")),
+    };
+    calculation(cursor, op).map(|assign| BlockKind::FnAssign(Box::new(assign)))
+}
+
+fn calculation(cursor: &mut Cursor<'_>, op: FnOp) -> Read<FnAssign> {
+    let (target, target_span) = target(cursor)?;
+    let prefix = match op {
+        FnOp::Sqrt => Some("SQRT"),
+        FnOp::Sin => Some("SIN"),
+        FnOp::Cos => Some("COS"),
+        _ => None,
+    };
+    if let Some(prefix) = prefix {
+        cursor.keyword(prefix)?;
+    }
+    let a = cursor.operand()?;
+    let b = match op {
+        FnOp::Set | FnOp::Sqrt | FnOp::Sin | FnOp::Cos => None,
+        _ => {
+            operator(cursor, op)?;
+            Some(cursor.operand()?)
+        }
+    };
+    cursor.finish()?;
+    Ok(FnAssign { target, target_span, op, a, b })
+}
+
+fn operator(cursor: &mut Cursor<'_>, op: FnOp) -> Read<()> {
+    let (mark, word, name) = match op {
+        FnOp::Add => (Some(b'+'), None, "+"),
+        FnOp::Sub => (Some(b'-'), None, "-"),
+        FnOp::Mul => (Some(b'*'), None, "*"),
+        FnOp::Div => (Some(b'/'), Some("DIV"), "DIV"),
+        FnOp::Len => (None, Some("LEN"), "LEN"),
+        _ => (None, Some("ANG"), "ANG"),
+    };
+    let hit = mark.is_some_and(|mark| cursor.opt_mark(mark))
+        || word.is_some_and(|word: &str| cursor.opt_keyword(word.as_bytes()));
+    if hit { Ok(()) } else { Err(cursor.expected(name)) }
+}
+
+/// `IF a EQU b GOTO LBL x`, the `IF` being read; `number` is that of the FN, if one is written.
+fn jump(cursor: &mut Cursor<'_>, number: Option<u32>) -> Read<BlockKind> {
+    let a = cursor.operand()?;
+    cursor.blanks();
+    let word = cursor.peek_word();
+    let (relation, its_number) = match word.as_bytes() {
+        b"EQU" => (Relation::Equal, 9),
+        b"NE" => (Relation::NotEqual, 10),
+        b"GT" => (Relation::Greater, 11),
+        b"LT" => (Relation::Less, 12),
+        _ => return Err(cursor.expected("relation")),
+    };
+    if number.is_some_and(|number| number != its_number) {
+        return Err(cursor.expected("relation-of-number"));
+    }
+    cursor.at = word.span.end;
+    let b = cursor.operand()?;
+    cursor.keyword("GOTO")?;
+    cursor.keyword("LBL")?;
+    let label = label(cursor, true)?;
+    cursor.finish()?;
+    Ok(BlockKind::FnJump(Box::new(FnJump { relation, a, b, label })))
+}

@@ -1,0 +1,314 @@
+//! Heads of cycle definitions, parameter lines, and the fields of the old form.
+//!
+//! Invariant: a cycle is known by keyword and number only; names and labels are kept as they are
+//! printed and never decide anything.
+use super::cursor::{Cursor, Read, skip_blanks, trim};
+use super::tree::{Amount, Axis, BlockKind, CycleDef, CycleKeyword, OldCycleLine, OldWord, Operand, Value, ValueKind};
+use crate::diag::Span;
+use crate::expr::QRef;
+
+/// Whether a block's content starts like a cycle definition.
+pub(super) fn starts_definition(text: &str, content: Span) -> bool {
+    let mut cursor = Cursor::new(text, content);
+    matches!(cursor.byte(), b'C' | b'c' | b'T' | b't') && keyword(&mut cursor).is_some()
+}
+
+fn keyword(cursor: &mut Cursor<'_>) -> Option<CycleKeyword> {
+    if cursor.opt_keyword(b"CYCL") {
+        return cursor.opt_keyword(b"DEF").then_some(CycleKeyword::CyclDef);
+    }
+    (cursor.opt_keyword(b"TCH") && cursor.opt_keyword(b"PROBE")).then_some(CycleKeyword::TchProbe)
+}
+
+/// The first line of a definition, or a line of the old form.
+pub(super) fn head(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
+    let start = cursor.at;
+    let Some(keyword) = keyword(cursor) else {
+        cursor.blanks();
+        return Err(cursor.expected("cycle-word"));
+    };
+    cursor.blanks();
+    let here = *cursor;
+    let Some(number) = cursor.opt_whole() else { return Err(here.expected("cycle-number")) };
+    let old = matches!(cursor.byte(), b'.' | b',') && cursor.byte_at(cursor.at + 1).is_ascii_digit();
+    if !old && matches!(cursor.byte(), b'.' | b',') {
+        return Err(cursor.expected("cycle-number"));
+    }
+    if !old {
+        let head = Span::new(start, cursor.at);
+        let name = name(cursor)?;
+        let definition = CycleDef { keyword, number, head, name, parameters: Vec::new(), errors: Vec::new() };
+        return Ok(BlockKind::CycleDef(Box::new(definition)));
+    }
+    cursor.at += 1;
+    let Some(line) = cursor.opt_whole() else { return Err(here.expected("cycle-number")) };
+    let head = Span::new(start, cursor.at);
+    let name = if line == 0 { old_name(cursor)? } else { None };
+    let words = words(cursor)?;
+    Ok(BlockKind::OldCycleLine(Box::new(OldCycleLine { keyword, number, line, head, name, words })))
+}
+
+/// What is left is a name; text behind a tab is none.
+fn name(cursor: &mut Cursor<'_>) -> Read<Option<Span>> {
+    cursor.blanks();
+    let rest = cursor.text.get(cursor.at..cursor.end).unwrap_or_default();
+    if let Some(tab) = rest.trim_end().find('\t') {
+        cursor.at += tab + 1;
+        cursor.blanks();
+        return Err(cursor.expected("end"));
+    }
+    let span = cursor.rest();
+    Ok((span.start < span.end).then_some(span))
+}
+
+/// The name on line 0 ends where a parameter begins: the fields of some cycles start on that line.
+fn old_name(cursor: &mut Cursor<'_>) -> Read<Option<Span>> {
+    cursor.blanks();
+    let start = cursor.at;
+    let mut at = start;
+    while at < cursor.end {
+        let mut ahead = Cursor { at, ..*cursor };
+        if ahead.opt_q().is_some() {
+            break;
+        }
+        let rest = cursor.text.as_bytes().get(at..cursor.end).unwrap_or_default();
+        let word = rest.iter().position(|b| matches!(b, b' ' | b'\t')).unwrap_or(rest.len());
+        at = skip_blanks(cursor.text.as_bytes(), at + word.max(1), cursor.end);
+    }
+    let mut named = Cursor { end: at, ..*cursor };
+    let found = name(&mut named);
+    cursor.at = if found.is_ok() { at } else { named.at };
+    found
+}
+
+/// The fields up to the end of the block.
+fn words(cursor: &mut Cursor<'_>) -> Read<Vec<OldWord>> {
+    let mut found = Vec::new();
+    loop {
+        let before = cursor.at;
+        if cursor.done() {
+            return Ok(found);
+        }
+        let here = *cursor;
+        let word = word(cursor)?;
+        let blanks = cursor.text.as_bytes().get(before..here.at).unwrap_or_default();
+        // A listing's remark stands behind a tab; only a field with its value attached goes on there.
+        if !found.is_empty() && blanks.contains(&b'\t') && !reads_as_field(cursor.text, &word) {
+            return Err(here.expected("end"));
+        }
+        found.push(word);
+    }
+}
+
+fn reads_as_field(text: &str, word: &OldWord) -> bool {
+    let colon = text.get(word.name.start..word.name.end).is_some_and(|name| name.ends_with(':'));
+    colon || (word.value.kind != ValueKind::Missing && word.value.span.start == word.name.end)
+}
+
+fn word(cursor: &mut Cursor<'_>) -> Read<OldWord> {
+    let start = cursor.at;
+    let (name, value) = if cursor.opt_mark(b'#') {
+        let name = Span::new(start, cursor.at);
+        let operand = cursor.operand()?;
+        (name, from_operand(operand))
+    } else if let Some(operand) = cursor.opt_operand() {
+        (Span::new(start, start), number_or_list(cursor, operand))
+    } else {
+        let name = field_name(cursor)?;
+        let value = field_value(cursor, name)?;
+        (name, value)
+    };
+    Ok(OldWord { span: Span::new(start, cursor.at.max(name.end)), name, value })
+}
+
+fn from_operand(operand: Operand) -> Value {
+    let kind = match operand.amount {
+        Amount::Number(number) => ValueKind::Number(number),
+        Amount::Q { negative, q } => ValueKind::Q { negative, q },
+    };
+    Value { span: operand.span, kind }
+}
+
+/// `1/2/3`: several numbers with bars are one value.
+fn number_or_list(cursor: &mut Cursor<'_>, first: Operand) -> Value {
+    let mut end = first.span.end;
+    while cursor.byte_at(end) == b'/' {
+        cursor.at = end + 1;
+        match cursor.opt_operand() {
+            Some(next) => end = next.span.end,
+            None => break,
+        }
+    }
+    cursor.at = end;
+    if end == first.span.end {
+        return from_operand(first);
+    }
+    Value { span: Span::new(first.span.start, end), kind: ValueKind::Word }
+}
+
+/// Whether the value of a field starts at a byte: a number, a sign, a parameter.
+fn value_at(cursor: &Cursor<'_>, at: usize) -> bool {
+    let mut ahead = Cursor { at, ..*cursor };
+    matches!(cursor.byte_at(at), b'+' | b'#') || cursor.number_at(at) || ahead.opt_q().is_some() || minus_at(cursor, at)
+}
+
+/// A hyphen between letters belongs to a name; otherwise it is a minus.
+fn minus_at(cursor: &Cursor<'_>, at: usize) -> bool {
+    let mut ahead = Cursor { at: at + 1, ..*cursor };
+    let next = cursor.byte_at(at + 1);
+    cursor.byte_at(at) == b'-' && (!(next.is_ascii_alphabetic() || next >= 0x80) || ahead.opt_q().is_some())
+}
+
+/// The end of one word of a name that starts at a byte.
+fn name_part(cursor: &Cursor<'_>, start: usize) -> usize {
+    let rest = cursor.text.get(start..cursor.end).unwrap_or_default();
+    for (offset, c) in rest.char_indices() {
+        let at = start + offset;
+        let part = c.is_alphabetic() || matches!(c, '.' | '_' | '(' | ')' | '°' | 'º' | 'ª' | '&') || c == '-';
+        if !part || (c == '-' && minus_at(cursor, at)) || (offset > 0 && cursor.number_at(at)) {
+            return at;
+        }
+    }
+    cursor.end
+}
+
+/// A name: words up to a colon (included) or a value. The letter of an axis is a name of its own.
+fn field_name(cursor: &mut Cursor<'_>) -> Read<Span> {
+    let bytes = cursor.text.as_bytes();
+    let start = cursor.at;
+    let mut end = start;
+    loop {
+        let part = skip_blanks(bytes, end, cursor.end);
+        // A tab ends the name, so does whatever is no letter.
+        let tab = bytes.get(end..part).unwrap_or_default().contains(&b'\t');
+        let starts = cursor.text.get(part..cursor.end).and_then(|t| t.chars().next()).is_some_and(char::is_alphabetic);
+        if tab || !starts || (end > start && value_at(cursor, part)) {
+            break;
+        }
+        let part_end = name_part(cursor, part);
+        if cursor.byte_at(part_end) == b':' {
+            let path = cursor.byte_at(part_end + 1) == b'\\';
+            end = if path { end } else { part_end + 1 };
+            break;
+        }
+        let alone = end == start && is_axis(bytes.get(part..part_end).unwrap_or_default());
+        end = part_end;
+        if alone || value_at(cursor, part_end) {
+            break;
+        }
+    }
+    if end == start && !cursor.text.get(start..cursor.end).is_some_and(|t| t.starts_with(char::is_alphabetic)) {
+        return Err(cursor.expected("field"));
+    }
+    cursor.at = end;
+    Ok(Span::new(start, end))
+}
+
+fn is_axis(name: &[u8]) -> bool {
+    let name = name.strip_prefix(b"I").unwrap_or(name);
+    name.len() == 1 && Axis::by_name(&name.to_ascii_uppercase()).is_some()
+}
+
+/// The value of a field, its name being read.
+fn field_value(cursor: &mut Cursor<'_>, name: Span) -> Read<Value> {
+    let here = cursor.at;
+    let colon = name.end > name.start && cursor.text.as_bytes().get(name.end - 1) == Some(&b':');
+    let missing = Value { span: Span::new(here, here), kind: ValueKind::Missing };
+    let at = skip_blanks(cursor.text.as_bytes(), here, cursor.end);
+    if let sign @ (b'+' | b'-') = cursor.byte_at(at)
+        && !value_at(cursor, skip_blanks(cursor.text.as_bytes(), at + 1, cursor.end))
+    {
+        cursor.at = at + 1;
+        return Ok(Value { span: Span::new(at, at + 1), kind: ValueKind::Sign(sign == b'-') });
+    }
+    if value_at(cursor, at) && cursor.byte_at(at) != b'#' {
+        return match cursor.opt_operand() {
+            Some(operand) => Ok(number_or_list(cursor, operand)),
+            None => Err(cursor.expected("value")),
+        };
+    }
+    if let Some(text) = cursor.opt_text()? {
+        return Ok(Value { span: Span::new(text.start - 1, text.end + 1), kind: ValueKind::Text(text) });
+    }
+    let span = Span::new(at, printed_end(cursor, at));
+    let path =
+        name.start == name.end || cursor.text.get(span.start..span.end).is_some_and(|printed| printed.contains(":\\"));
+    if (colon || path) && span.start < span.end {
+        cursor.at = span.end;
+        return Ok(Value { span, kind: ValueKind::Word });
+    }
+    cursor.at = here;
+    Ok(missing)
+}
+
+/// The end of what is printed without a blank from a byte on.
+fn printed_end(cursor: &Cursor<'_>, at: usize) -> usize {
+    let rest = cursor.text.as_bytes().get(at..cursor.end).unwrap_or_default();
+    at + rest.iter().position(|b| matches!(b, b' ' | b'\t' | b'\r' | b'\n' | b'~' | b';')).unwrap_or(rest.len())
+}
+
+/// `Q200=2` without its label.
+pub(super) struct Assignment {
+    pub(super) span: Span,
+    pub(super) q: QRef,
+    pub(super) q_span: Span,
+    pub(super) value: Value,
+    /// Whether no blank stands before `=`, as controls print parameters.
+    pub(super) tight: bool,
+}
+
+/// Whether content starts like `Q200=`.
+pub(super) fn starts_parameter(text: &str, content: Span) -> bool {
+    let mut cursor = Cursor::new(text, content);
+    cursor.blanks();
+    cursor.opt_q().is_some() && cursor.opt_mark(b'=')
+}
+
+/// Whether content starts like `Q200=` without a blank, as controls print parameters.
+pub(super) fn starts_tight_parameter(text: &str, content: Span) -> bool {
+    let mut cursor = Cursor::new(text, content);
+    cursor.opt_q().is_some() && cursor.byte() == b'='
+}
+
+/// A parameter with a value that a cycle definition can hold.
+pub(super) fn parameter(cursor: &mut Cursor<'_>) -> Read<Assignment> {
+    cursor.blanks();
+    let start = cursor.at;
+    let Some(q) = cursor.opt_q() else { return Err(cursor.expected("parameter")) };
+    let q_span = Span::new(start, cursor.at);
+    let tight = cursor.byte() == b'=';
+    if !cursor.opt_mark(b'=') {
+        return Err(cursor.expected("="));
+    }
+    let value = parameter_value(cursor)?;
+    cursor.finish()?;
+    Ok(Assignment { span: Span::new(start, value.span.end.max(q_span.end + 1)), q, q_span, value, tight })
+}
+
+fn parameter_value(cursor: &mut Cursor<'_>) -> Read<Value> {
+    if cursor.done() {
+        return Ok(Value { span: Span::new(cursor.at, cursor.at), kind: ValueKind::Missing });
+    }
+    if let Some(text) = cursor.opt_text()? {
+        return Ok(Value { span: Span::new(text.start - 1, text.end + 1), kind: ValueKind::Text(text) });
+    }
+    if let Some(operand) = cursor.opt_operand() {
+        return Ok(from_operand(operand));
+    }
+    let word = cursor.peek_word();
+    if word.span.start == word.span.end {
+        return Err(cursor.expected("value"));
+    }
+    cursor.at = word.span.end;
+    Ok(Value { span: word.span, kind: ValueKind::Word })
+}
+
+/// The label in a comment: what stands behind `;`, up to a tab.
+pub(super) fn label(text: &str, comment: Span) -> Option<Span> {
+    let bytes = text.as_bytes();
+    let inside = trim(bytes, Span::new(comment.start + 1, comment.end));
+    let written = bytes.get(inside.start..inside.end)?;
+    let end = written.iter().position(|&b| b == b'\t').map_or(inside.end, |tab| inside.start + tab);
+    let label = trim(bytes, Span::new(inside.start, end));
+    (label.start < label.end).then_some(label)
+}

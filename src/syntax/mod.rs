@@ -1,0 +1,114 @@
+//! Klartext programs: a lossless parser that never fails.
+//!
+//! [`parse`] divides a text into blocks; their spans lie one behind the other and cover it, so
+//! printing an untouched program gives the same text back, and [`encoding`] the same bytes. What no
+//! rule reads becomes a block of kind `unknown` with an error. Invariant: this module knows how
+//! blocks are written and no cycle: numbers, labels and names mean nothing here.
+mod assemble;
+mod blocks;
+mod cursor;
+mod cycle;
+pub mod encoding;
+pub mod json;
+mod lines;
+mod motion;
+mod tree;
+mod view;
+
+pub use tree::*;
+pub use view::{CycleForm, CycleView};
+
+use std::sync::Arc;
+
+use crate::diag::{Diagnostic, Place, Severity, Source, Span};
+
+/// How many characters of the text an error quotes.
+const MAX_FOUND: usize = 40;
+
+/// A program: its text in blocks.
+#[derive(Clone, Debug)]
+pub struct Program {
+    source: Arc<Source>,
+    blocks: Vec<Block>,
+    warnings: Vec<SyntaxError>,
+}
+
+/// Reads a program. Any text is one; unreadable blocks are [`BlockKind::Unknown`].
+pub fn parse(source: &Arc<Source>) -> Program {
+    let assembled = assemble::assemble(source.text());
+    let mut warnings = assembled.warnings;
+    warnings.sort_by_key(|warning| warning.span.start);
+    Program { source: Arc::clone(source), blocks: assembled.blocks, warnings }
+}
+
+impl Program {
+    /// The source.
+    pub fn source(&self) -> &Arc<Source> {
+        &self.source
+    }
+
+    /// The blocks, in order.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// The program's text, put together from its blocks.
+    pub fn text(&self) -> String {
+        self.blocks.iter().map(|block| self.slice(block.span)).collect()
+    }
+
+    /// The text at a place.
+    pub fn slice(&self, span: Span) -> &str {
+        self.source.text().get(span.start..span.end).unwrap_or_default()
+    }
+
+    /// How many physical lines the text has.
+    pub fn lines(&self) -> usize {
+        self.blocks.iter().map(|block| block.lines).sum()
+    }
+
+    /// The block that holds a byte.
+    pub fn block_at(&self, byte: usize) -> Option<&Block> {
+        let at = self.blocks.partition_point(|block| block.span.end <= byte);
+        self.blocks.get(at).filter(|block| block.span.start <= byte)
+    }
+
+    /// Text behind a tab that is no part of the block, as printed listings have it.
+    pub fn remark(&self, block: &Block) -> Option<Span> {
+        let at = self.warnings.partition_point(|warning| warning.span.start < block.span.start);
+        let own = self.warnings.get(at..)?.iter().take_while(|warning| warning.span.start < block.span.end);
+        own.into_iter().find(|warning| warning.code == assemble::REMARK).map(|warning| warning.span)
+    }
+
+    /// What cannot be read: of each unknown block and of each unreadable line in a cycle the error.
+    pub fn errors(&self) -> impl Iterator<Item = &SyntaxError> {
+        self.blocks.iter().flat_map(|block| match &block.kind {
+            BlockKind::Unknown(error) => std::slice::from_ref(&**error),
+            BlockKind::CycleDef(cycle) => cycle.errors.as_slice(),
+            _ => &[],
+        })
+    }
+
+    /// Errors and warnings, in the order of the text.
+    pub fn diagnostics(&self) -> Vec<Diagnostic> {
+        let errors = self.errors().map(|error| (Severity::Error, error));
+        let warnings = self.warnings.iter().map(|error| (Severity::Warning, error));
+        let mut all: Vec<_> = errors.chain(warnings).collect();
+        all.sort_by_key(|(_, error)| error.span.start);
+        all.into_iter().map(|(severity, error)| self.diagnostic(severity, error)).collect()
+    }
+
+    fn diagnostic(&self, severity: Severity, error: &SyntaxError) -> Diagnostic {
+        let visible = |c: char| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c };
+        let found: String = self.slice(error.span).trim().chars().map(visible).take(MAX_FOUND).collect();
+        let code = if found.is_empty() { "syntax-incomplete" } else { error.code };
+        let place = Place::new(&self.source, error.span);
+        let diagnostic = Diagnostic { severity, ..Diagnostic::error(code, place) };
+        diagnostic.arg("found", found).arg("expected", error.expected)
+    }
+
+    /// The cycle definitions: each with Q parameters, and the lines of each of the old form as one.
+    pub fn cycles(&self) -> Vec<CycleView<'_>> {
+        view::cycles(&self.blocks)
+    }
+}

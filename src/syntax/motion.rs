@@ -1,0 +1,309 @@
+//! Contour elements, tool blocks and the words that several blocks share: coordinates, feed, M functions.
+use super::cursor::{Cursor, Read};
+use super::tree::{
+    Axis, BlkForm, CallForm, Compensation, Coord, CyclCall, Feed, FeedKind, MFunction, Motion, Path, ToolCall, ToolDef,
+    ToolRef,
+};
+use crate::diag::Span;
+
+/// A coordinate, if one starts here.
+fn opt_coord(cursor: &mut Cursor<'_>) -> Read<Option<Coord>> {
+    cursor.blanks();
+    let word = cursor.peek_word();
+    let (axis, incremental, length) = match word.as_bytes() {
+        // `XQ1` is the axis and a parameter.
+        [b'I', axis @ .., b'Q'] if !axis.is_empty() => (Axis::by_name(axis), true, axis.len() + 1),
+        [axis @ .., b'Q'] if !axis.is_empty() => (Axis::by_name(axis), false, axis.len()),
+        [b'I', axis @ ..] if !axis.is_empty() => (Axis::by_name(axis), true, axis.len() + 1),
+        axis => (Axis::by_name(axis), false, axis.len()),
+    };
+    let Some(axis) = axis else { return Ok(None) };
+    cursor.at = word.span.start + length;
+    let value = cursor.operand()?;
+    Ok(Some(Coord { span: Span::new(word.span.start, value.span.end), axis, incremental, value }))
+}
+
+/// A feed word, if one starts here.
+fn opt_feed(cursor: &mut Cursor<'_>) -> Read<Option<Feed>> {
+    cursor.blanks();
+    let start = cursor.at;
+    let word = cursor.peek_word();
+    let kind = match word.as_bytes() {
+        b"FMAX" => {
+            cursor.at = word.span.end;
+            FeedKind::Max
+        }
+        b"FAUTO" => {
+            cursor.at = word.span.end;
+            FeedKind::Auto
+        }
+        b"FU" | b"FUQ" => {
+            cursor.at = start + 2;
+            FeedKind::PerRevolution(cursor.operand()?)
+        }
+        b"FZ" | b"FZQ" => {
+            cursor.at = start + 2;
+            FeedKind::PerTooth(cursor.operand()?)
+        }
+        b"F" | b"FQ" => {
+            cursor.at = start + 1;
+            if cursor.opt_keyword(b"MAX") {
+                FeedKind::Max
+            } else if cursor.opt_keyword(b"AUTO") {
+                FeedKind::Auto
+            } else {
+                FeedKind::Value(cursor.operand()?)
+            }
+        }
+        _ => return Ok(None),
+    };
+    Ok(Some(Feed { span: Span::new(start, cursor.at), kind }))
+}
+
+/// An M function with what belongs to it, if one starts here.
+fn opt_function(cursor: &mut Cursor<'_>) -> Read<Option<MFunction>> {
+    cursor.blanks();
+    let start = cursor.at;
+    let word = cursor.peek_word();
+    if !word.is(b"M") {
+        return Ok(None);
+    }
+    cursor.at = word.span.end;
+    cursor.blanks();
+    let Some(number) = cursor.opt_whole().and_then(|n| u16::try_from(n).ok()) else {
+        return Err(cursor.expected("number"));
+    };
+    let end = cursor.at;
+    let with = opt_function_tail(cursor)?;
+    if with.is_none() {
+        cursor.at = end;
+    }
+    Ok(Some(MFunction { span: Span::new(start, cursor.at), number, with }))
+}
+
+/// `MB MAX`, `MB50` (how far to retract) or `LA10` (how far to look ahead).
+fn opt_function_tail(cursor: &mut Cursor<'_>) -> Read<Option<Span>> {
+    cursor.blanks();
+    let start = cursor.at;
+    let word = cursor.peek_word();
+    match word.as_bytes() {
+        b"MBMAX" => cursor.at = word.span.end,
+        b"MB" | b"LA" => {
+            cursor.at = word.span.end;
+            if !cursor.opt_keyword(b"MAX") {
+                cursor.operand()?;
+            }
+        }
+        _ => return Ok(None),
+    }
+    Ok(Some(Span::new(start, cursor.at)))
+}
+
+/// M functions up to the end of the block.
+pub(super) fn functions(cursor: &mut Cursor<'_>) -> Read<Vec<MFunction>> {
+    let mut found = Vec::new();
+    while !cursor.done() {
+        match opt_function(cursor)? {
+            Some(function) => found.push(function),
+            None => return Err(cursor.expected("m-function")),
+        }
+    }
+    Ok(found)
+}
+
+/// The words of a contour element, its first word being read.
+pub(super) fn motion(cursor: &mut Cursor<'_>, path: Path) -> Read<Motion> {
+    let mut motion = Motion {
+        path,
+        // Most elements have two; one that has more makes room for itself.
+        coords: Vec::with_capacity(2),
+        radius: None,
+        counter_clockwise: None,
+        compensation: None,
+        feed: None,
+        functions: Vec::new(),
+    };
+    if path == Path::Chf {
+        motion.radius = Some(cursor.operand()?);
+    }
+    while !cursor.done() {
+        if !motion_word(cursor, &mut motion)? {
+            return Err(cursor.expected("word"));
+        }
+    }
+    Ok(motion)
+}
+
+fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
+    if let Some(coord) = opt_coord(cursor)? {
+        motion.coords.push(coord);
+        return Ok(true);
+    }
+    let word = cursor.peek_word();
+    match word.as_bytes() {
+        b"R" | b"RQ" => return radius_word(cursor, motion),
+        b"RL" if motion.compensation.is_none() => motion.compensation = Some(Compensation::Rl),
+        b"RR" if motion.compensation.is_none() => motion.compensation = Some(Compensation::Rr),
+        b"DR" if motion.counter_clockwise.is_none() => {
+            let sign = cursor.byte_at(word.span.end);
+            if !matches!(sign, b'+' | b'-') {
+                cursor.at = word.span.end;
+                return Err(cursor.expected("sign"));
+            }
+            motion.counter_clockwise = Some(sign == b'+');
+            cursor.at = word.span.end + 1;
+            return Ok(true);
+        }
+        b"M" => {
+            motion.functions.extend(opt_function(cursor)?);
+            return Ok(true);
+        }
+        _ => {
+            let feed = if motion.feed.is_none() { opt_feed(cursor)? } else { None };
+            motion.feed = motion.feed.or(feed);
+            return Ok(feed.is_some());
+        }
+    }
+    cursor.at = word.span.end;
+    Ok(true)
+}
+
+/// `R0`, or the radius of an element that has one.
+fn radius_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
+    let has_radius = matches!(motion.path, Path::Cr | Path::Rnd) && motion.radius.is_none();
+    let zero = cursor.byte_at(cursor.at + 1) == b'0';
+    let more = matches!(cursor.byte_at(cursor.at + 2), b'0'..=b'9' | b'.' | b',');
+    if zero && !more && motion.path != Path::Rnd && motion.compensation.is_none() {
+        motion.compensation = Some(Compensation::R0);
+        cursor.at += 2;
+        return Ok(true);
+    }
+    if !has_radius {
+        return Ok(false);
+    }
+    cursor.at += 1;
+    motion.radius = Some(cursor.operand()?);
+    Ok(true)
+}
+
+/// The words of `BLK FORM 0.1` and `0.2`, the first two being read; nothing for its other forms.
+pub(super) fn opt_blk_form(cursor: &mut Cursor<'_>) -> Read<Option<BlkForm>> {
+    cursor.blanks();
+    if !cursor.byte().is_ascii_digit() {
+        return Ok(None);
+    }
+    let mut ahead = *cursor;
+    let part = match (ahead.opt_whole(), matches!(ahead.byte(), b'.' | b',')) {
+        (Some(0), true) => {
+            ahead.at += 1;
+            ahead.opt_whole()
+        }
+        _ => None,
+    };
+    let part = match part {
+        Some(1) => 1,
+        Some(2) => 2,
+        _ => return Err(cursor.expected("blk-form-part")),
+    };
+    *cursor = ahead;
+    let axis = opt_axis(cursor);
+    let mut coords = Vec::new();
+    while let Some(coord) = opt_coord(cursor)? {
+        coords.push(coord);
+    }
+    cursor.finish()?;
+    Ok(Some(BlkForm { part, axis, coords }))
+}
+
+/// The letter of an axis that no value follows.
+fn opt_axis(cursor: &mut Cursor<'_>) -> Option<Axis> {
+    cursor.blanks();
+    let word = cursor.peek_word();
+    let axis = Axis::by_name(word.as_bytes()).filter(|axis| !matches!(axis, Axis::Pr | Axis::Pa))?;
+    let after = cursor.byte_at(word.span.end);
+    if matches!(after, b'+' | b'-') || cursor.number_at(word.span.end) {
+        return None;
+    }
+    cursor.at = word.span.end;
+    Some(axis)
+}
+
+/// A tool: number, parameter or name.
+fn opt_tool(cursor: &mut Cursor<'_>) -> Read<Option<ToolRef>> {
+    if let Some(name) = cursor.opt_text()? {
+        return Ok(Some(ToolRef::Name(name)));
+    }
+    Ok(cursor.opt_operand().map(ToolRef::Number))
+}
+
+/// The words of `TOOL CALL`, the first two being read.
+pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<ToolCall> {
+    let tool = opt_tool(cursor)?;
+    let axis = opt_axis(cursor);
+    let mut call = ToolCall { tool, axis, speed: None, feed: None, dl: None, dr: None, dr2: None };
+    while !cursor.done() {
+        let word = cursor.peek_word();
+        let slot = match word.as_bytes() {
+            b"S" | b"SQ" => &mut call.speed,
+            b"DL" | b"DLQ" => &mut call.dl,
+            b"DR" | b"DRQ" if is_second_radius(cursor, word.span.end) => &mut call.dr2,
+            b"DR" | b"DRQ" => &mut call.dr,
+            _ => {
+                let feed = if call.feed.is_none() { opt_feed(cursor)? } else { None };
+                if feed.is_none() {
+                    return Err(cursor.expected("tool-word"));
+                }
+                call.feed = feed;
+                continue;
+            }
+        };
+        if slot.is_some() {
+            return Err(cursor.expected("tool-word"));
+        }
+        let q = usize::from(word.as_bytes().ends_with(b"Q"));
+        let second = usize::from(q == 0 && is_second_radius(cursor, word.span.end));
+        cursor.at = word.span.end - q + second;
+        cursor.opt_mark(b':');
+        *slot = Some(cursor.operand()?);
+    }
+    Ok(call)
+}
+
+/// `DR2+0.1` and `DR2:+0.1` are another word than `DR2`, a radius oversize of 2.
+fn is_second_radius(cursor: &Cursor<'_>, at: usize) -> bool {
+    cursor.byte_at(at) == b'2' && matches!(cursor.byte_at(at + 1), b'+' | b'-' | b':' | b'Q' | b'q')
+}
+
+/// The words of `TOOL DEF`, the first two being read.
+pub(super) fn tool_def(cursor: &mut Cursor<'_>) -> Read<ToolDef> {
+    let Some(tool) = opt_tool(cursor)? else { return Err(cursor.expected("tool")) };
+    let mut def = ToolDef { tool, length: None, radius: None };
+    while !cursor.done() {
+        let word = cursor.peek_word();
+        let slot = match word.as_bytes() {
+            b"L" if def.length.is_none() => &mut def.length,
+            b"R" if def.radius.is_none() => &mut def.radius,
+            _ => return Err(cursor.expected("tool-word")),
+        };
+        cursor.at = word.span.end;
+        *slot = Some(cursor.operand()?);
+    }
+    Ok(def)
+}
+
+/// The words of `CYCL CALL`, the first two being read.
+pub(super) fn cycl_call(cursor: &mut Cursor<'_>) -> Read<CyclCall> {
+    let form = if cursor.opt_keyword(b"PAT") {
+        CallForm::Pattern
+    } else if cursor.opt_keyword(b"POS") {
+        let mut coords = Vec::new();
+        while let Some(coord) = opt_coord(cursor)? {
+            coords.push(coord);
+        }
+        CallForm::Position(coords)
+    } else {
+        CallForm::Plain
+    };
+    let feed = opt_feed(cursor)?;
+    Ok(CyclCall { form, feed, functions: functions(cursor)? })
+}

@@ -1,0 +1,663 @@
+//! The typed blocks of a program, with the place of everything in them.
+//!
+//! Invariant: the spans of a program's blocks, line ends included, lie one behind the other and cover
+//! its text; nothing here knows what a cycle's number or parameter means.
+use crate::diag::Span;
+use crate::expr::{Expr, QRef};
+
+/// One block: a line, or several joined by `~` or belonging to one cycle definition.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// All its physical lines, the last line end included.
+    pub span: Span,
+    /// Its first physical line, from 1.
+    pub line: usize,
+    /// How many physical lines it has.
+    pub lines: usize,
+    /// The printed block number.
+    pub number: Option<u32>,
+    /// Whether `/` lets the operator skip the block.
+    pub skip: bool,
+    /// The comment from `;` on, without a `~` at its end; of a cycle, the comment of its first line.
+    pub comment: Option<Span>,
+    /// What it says.
+    pub kind: BlockKind,
+}
+
+/// What a block says.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum BlockKind {
+    /// Blank lines, as many as follow each other.
+    Empty,
+    /// A comment only.
+    Comment,
+    /// A structure block: `* - text`; the span of the text.
+    Structure(Span),
+    /// `BEGIN PGM name MM`.
+    BeginPgm(Box<Frame>),
+    /// `END PGM name MM`.
+    EndPgm(Box<Frame>),
+    /// `BLK FORM 0.1 …` and `0.2`.
+    BlkForm(Box<BlkForm>),
+    /// `TOOL CALL`.
+    ToolCall(Box<ToolCall>),
+    /// `TOOL DEF`.
+    ToolDef(Box<ToolDef>),
+    /// A contour element or positioning: `L`, `C`, `CC` and so on.
+    Motion(Box<Motion>),
+    /// M functions only.
+    Functions(Vec<MFunction>),
+    /// `LBL`.
+    Lbl(Box<LabelRef>),
+    /// `CALL LBL`, with or without `REP`.
+    CallLbl(Box<CallLbl>),
+    /// `CALL PGM`: the name without quotation marks.
+    CallPgm(Span),
+    /// `SEL TABLE`, `SEL PATTERN` …
+    Sel(Box<Selection>),
+    /// `FN 0` to `FN 8` and `FN 13`.
+    FnAssign(Box<FnAssign>),
+    /// `FN 9` to `FN 12`, or the short `IF … GOTO`.
+    FnJump(Box<FnJump>),
+    /// `Q1 = …` or `QS1 = …`, also `DECLARE STRING`.
+    Formula(Box<Formula>),
+    /// A cycle definition with Q parameters.
+    CycleDef(Box<CycleDef>),
+    /// One line of a cycle definition of the old form.
+    OldCycleLine(Box<OldCycleLine>),
+    /// `CYCL CALL`.
+    CyclCall(Box<CyclCall>),
+    /// `STOP`, with its M functions.
+    Stop(Vec<MFunction>),
+    /// A block known by its first word only; that word.
+    Other(Span),
+    /// What no rule reads.
+    Unknown(Box<SyntaxError>),
+}
+
+impl BlockKind {
+    /// The name of the kind in machine-readable output.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Empty => "empty",
+            Self::Comment => "comment",
+            Self::Structure(_) => "structure",
+            Self::BeginPgm(_) => "begin-pgm",
+            Self::EndPgm(_) => "end-pgm",
+            Self::BlkForm(_) => "blk-form",
+            Self::ToolCall(_) => "tool-call",
+            Self::ToolDef(_) => "tool-def",
+            Self::Motion(motion) => motion.path.name(),
+            Self::Functions(_) => "m",
+            Self::Lbl(_) => "lbl",
+            Self::CallLbl(_) => "call-lbl",
+            Self::CallPgm(_) => "call-pgm",
+            Self::Sel(_) => "sel",
+            Self::FnAssign(_) => "fn-assign",
+            Self::FnJump(_) => "fn-jump",
+            Self::Formula(formula) => match formula.target.kind {
+                crate::expr::QKind::Qs => "string-formula",
+                _ => "formula",
+            },
+            Self::CycleDef(cycle) => cycle.keyword.kind_name(),
+            Self::OldCycleLine(line) => line.keyword.kind_name(),
+            Self::CyclCall(_) => "cycl-call",
+            Self::Stop(_) => "stop",
+            Self::Other(_) => "other",
+            Self::Unknown(_) => "unknown",
+        }
+    }
+}
+
+/// Why something cannot be read. Its text is made from a diagnostic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SyntaxError {
+    /// The code of the diagnostic.
+    pub code: &'static str,
+    /// What stands there.
+    pub span: Span,
+    /// A key for what was expected, or the very word in capitals.
+    pub expected: &'static str,
+}
+
+/// A number or a Q parameter, signed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Operand {
+    /// Sign included.
+    pub span: Span,
+    /// Its value.
+    pub amount: Amount,
+}
+
+/// The value of an operand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Amount {
+    /// A number.
+    Number(f64),
+    /// A parameter.
+    Q {
+        /// Whether a minus stands before it.
+        negative: bool,
+        /// The parameter.
+        q: QRef,
+    },
+}
+
+/// Name and unit of `BEGIN PGM` and `END PGM`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Frame {
+    /// The program's name; blanks may stand in it.
+    pub name: Span,
+    /// Whether the unit is INCH, not MM.
+    pub inch: bool,
+}
+
+/// Axes and polar coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[expect(missing_docs, reason = "each is the axis of its letter; Pr and Pa are polar radius and angle")]
+pub enum Axis {
+    X,
+    Y,
+    Z,
+    A,
+    B,
+    C,
+    U,
+    V,
+    W,
+    Pr,
+    Pa,
+}
+
+impl Axis {
+    /// The axis of an upper-case name, `PR` and `PA` included.
+    pub fn by_name(name: &[u8]) -> Option<Self> {
+        Some(match name {
+            b"X" => Self::X,
+            b"Y" => Self::Y,
+            b"Z" => Self::Z,
+            b"A" => Self::A,
+            b"B" => Self::B,
+            b"C" => Self::C,
+            b"U" => Self::U,
+            b"V" => Self::V,
+            b"W" => Self::W,
+            b"PR" => Self::Pr,
+            b"PA" => Self::Pa,
+            _ => return None,
+        })
+    }
+
+    /// The name as programs print it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::X => "X",
+            Self::Y => "Y",
+            Self::Z => "Z",
+            Self::A => "A",
+            Self::B => "B",
+            Self::C => "C",
+            Self::U => "U",
+            Self::V => "V",
+            Self::W => "W",
+            Self::Pr => "PR",
+            Self::Pa => "PA",
+        }
+    }
+
+    /// Whether it is one of `X`, `Y`, `Z`.
+    pub const fn is_linear_main(self) -> bool {
+        matches!(self, Self::X | Self::Y | Self::Z)
+    }
+}
+
+/// A coordinate: `X+10`, `IX-5`, `PA+Q3`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coord {
+    /// The whole word.
+    pub span: Span,
+    /// The axis.
+    pub axis: Axis,
+    /// Whether `I` stands before it.
+    pub incremental: bool,
+    /// Its value: mm (or inch) or degrees.
+    pub value: Operand,
+}
+
+/// A line of the blank definition.
+#[derive(Clone, Debug)]
+pub struct BlkForm {
+    /// 1 for the minimum point, 2 for the maximum point.
+    pub part: u8,
+    /// The spindle axis, in part 1.
+    pub axis: Option<Axis>,
+    /// The corner.
+    pub coords: Vec<Coord>,
+}
+
+/// A tool.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ToolRef {
+    /// A number, with the step behind the point if there is one, or a parameter (`Q` or `QS`).
+    Number(Operand),
+    /// A name, without its quotation marks.
+    Name(Span),
+}
+
+/// `TOOL CALL`.
+#[derive(Clone, Debug)]
+pub struct ToolCall {
+    /// The tool; none when only speed or feed change.
+    pub tool: Option<ToolRef>,
+    /// The tool axis.
+    pub axis: Option<Axis>,
+    /// Spindle speed, rev/min.
+    pub speed: Option<Operand>,
+    /// Feed.
+    pub feed: Option<Feed>,
+    /// Oversize of the length.
+    pub dl: Option<Operand>,
+    /// Oversize of the radius.
+    pub dr: Option<Operand>,
+    /// Oversize of the corner radius.
+    pub dr2: Option<Operand>,
+}
+
+/// `TOOL DEF`.
+#[derive(Clone, Debug)]
+pub struct ToolDef {
+    /// The tool.
+    pub tool: ToolRef,
+    /// Its length.
+    pub length: Option<Operand>,
+    /// Its radius.
+    pub radius: Option<Operand>,
+}
+
+/// The kind of a contour element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Path {
+    /// Straight line.
+    L,
+    /// Straight line, polar.
+    Lp,
+    /// Circle centre or pole.
+    Cc,
+    /// Circle about the centre.
+    C,
+    /// Circle of a radius.
+    Cr,
+    /// Tangential circle.
+    Ct,
+    /// Circle about the pole.
+    Cp,
+    /// Tangential circle, polar.
+    Ctp,
+    /// Rounding.
+    Rnd,
+    /// Chamfer.
+    Chf,
+}
+
+impl Path {
+    /// The path of an upper-case word.
+    pub fn by_name(name: &[u8]) -> Option<Self> {
+        Some(match name {
+            b"L" => Self::L,
+            b"LP" => Self::Lp,
+            b"CC" => Self::Cc,
+            b"C" => Self::C,
+            b"CR" => Self::Cr,
+            b"CT" => Self::Ct,
+            b"CP" => Self::Cp,
+            b"CTP" => Self::Ctp,
+            b"RND" => Self::Rnd,
+            b"CHF" => Self::Chf,
+            _ => return None,
+        })
+    }
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::L => "l",
+            Self::Lp => "lp",
+            Self::Cc => "cc",
+            Self::C => "c",
+            Self::Cr => "cr",
+            Self::Ct => "ct",
+            Self::Cp => "cp",
+            Self::Ctp => "ctp",
+            Self::Rnd => "rnd",
+            Self::Chf => "chf",
+        }
+    }
+}
+
+/// A contour element.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// Its kind.
+    pub path: Path,
+    /// The coordinates, in the order written.
+    pub coords: Vec<Coord>,
+    /// The radius of `CR` and `RND`, the length of `CHF`; mm (or inch).
+    pub radius: Option<Operand>,
+    /// The direction of rotation: true for `DR+`, counter-clockwise.
+    pub counter_clockwise: Option<bool>,
+    /// Radius compensation.
+    pub compensation: Option<Compensation>,
+    /// Feed.
+    pub feed: Option<Feed>,
+    /// M functions.
+    pub functions: Vec<MFunction>,
+}
+
+impl Motion {
+    /// The coordinate of an axis, the last one if it is written twice.
+    pub fn coord(&self, axis: Axis) -> Option<&Coord> {
+        self.coords.iter().rev().find(|coord| coord.axis == axis)
+    }
+}
+
+/// Radius compensation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Compensation {
+    /// `R0`: none.
+    R0,
+    /// `RL`: tool to the left of the contour.
+    Rl,
+    /// `RR`: tool to the right of the contour.
+    Rr,
+}
+
+/// A feed word.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Feed {
+    /// The whole word.
+    pub span: Span,
+    /// Its value.
+    pub kind: FeedKind,
+}
+
+/// The value of a feed word.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FeedKind {
+    /// `F500`: mm/min (or 1/10 inch/min).
+    Value(Operand),
+    /// `FMAX`: rapid.
+    Max,
+    /// `FAUTO`: the feed of the tool call.
+    Auto,
+    /// `FU`: mm per revolution.
+    PerRevolution(Operand),
+    /// `FZ`: mm per tooth.
+    PerTooth(Operand),
+}
+
+/// An M function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MFunction {
+    /// The whole word, what belongs to it included (`M140 MB MAX`).
+    pub span: Span,
+    /// Its number.
+    pub number: u16,
+    /// What is written behind it: `MB MAX`, `LA10`.
+    pub with: Option<Span>,
+}
+
+/// A label.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LabelRef {
+    /// The number or the name, quotation marks included.
+    pub span: Span,
+    /// Which one.
+    pub target: Label,
+}
+
+/// The label meant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Label {
+    /// A number; 0 ends a subprogram.
+    Number(u16),
+    /// A name: its place, without quotation marks.
+    Name(Span),
+    /// The content of a parameter (only where labels are called).
+    Q(QRef),
+}
+
+/// `CALL LBL`.
+#[derive(Clone, Debug)]
+pub struct CallLbl {
+    /// Where to.
+    pub label: LabelRef,
+    /// `REP`: how often the part is repeated.
+    pub repeat: Option<Operand>,
+}
+
+/// `SEL TABLE` and its like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Selection {
+    /// `TABLE`, `PATTERN` …
+    pub what: Span,
+    /// The name, without quotation marks.
+    pub name: Span,
+}
+
+/// What `FN 0` to `FN 8` and `FN 13` calculate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FnOp {
+    /// FN 0: `a`.
+    Set,
+    /// FN 1: `a + b`.
+    Add,
+    /// FN 2: `a - b`.
+    Sub,
+    /// FN 3: `a * b`.
+    Mul,
+    /// FN 4: `a DIV b`.
+    Div,
+    /// FN 5: square root of `a`.
+    Sqrt,
+    /// FN 6: sine of `a` degrees.
+    Sin,
+    /// FN 7: cosine of `a` degrees.
+    Cos,
+    /// FN 8: `a LEN b`, the root of the sum of squares.
+    Len,
+    /// FN 13: `a ANG b`, the angle whose opposite side is `a` and whose adjacent side is `b`.
+    Ang,
+}
+
+/// `FN 0: Q1 = +5` and its like.
+#[derive(Clone, Debug)]
+pub struct FnAssign {
+    /// The parameter that is set.
+    pub target: QRef,
+    /// Its place.
+    pub target_span: Span,
+    /// The operation.
+    pub op: FnOp,
+    /// The first operand.
+    pub a: Operand,
+    /// The second one, where the operation has two.
+    pub b: Option<Operand>,
+}
+
+/// A comparison of a jump.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// FN 9, `EQU`.
+    Equal,
+    /// FN 10, `NE`.
+    NotEqual,
+    /// FN 11, `GT`.
+    Greater,
+    /// FN 12, `LT`.
+    Less,
+}
+
+/// A conditional jump.
+#[derive(Clone, Debug)]
+pub struct FnJump {
+    /// The comparison.
+    pub relation: Relation,
+    /// Left of it.
+    pub a: Operand,
+    /// Right of it.
+    pub b: Operand,
+    /// Where to.
+    pub label: LabelRef,
+}
+
+/// An assignment by formula.
+#[derive(Clone, Debug)]
+pub struct Formula {
+    /// The parameter that is set.
+    pub target: QRef,
+    /// Its place.
+    pub target_span: Span,
+    /// The formula; its spans count from the start of `text`.
+    pub expr: Expr,
+    /// The formula's place in the program.
+    pub text: Span,
+}
+
+/// The two families of cycles; the same number means different cycles in each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum CycleKeyword {
+    /// `CYCL DEF`.
+    CyclDef,
+    /// `TCH PROBE`.
+    TchProbe,
+}
+
+impl CycleKeyword {
+    /// As programs print it.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::CyclDef => "CYCL DEF",
+            Self::TchProbe => "TCH PROBE",
+        }
+    }
+
+    const fn kind_name(self) -> &'static str {
+        match self {
+            Self::CyclDef => "cycl-def",
+            Self::TchProbe => "tch-probe",
+        }
+    }
+}
+
+/// A cycle definition with Q parameters, of as many lines as it takes.
+#[derive(Clone, Debug)]
+pub struct CycleDef {
+    /// The family.
+    pub keyword: CycleKeyword,
+    /// The number in the family.
+    pub number: u32,
+    /// Keyword and number.
+    pub head: Span,
+    /// The printed name.
+    pub name: Option<Span>,
+    /// The parameters in the order written.
+    pub parameters: Vec<Parameter>,
+    /// What cannot be read inside, at most one for a line.
+    pub errors: Vec<SyntaxError>,
+}
+
+/// A parameter of a cycle definition.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// From `Q` to the end of the value.
+    pub span: Span,
+    /// The parameter.
+    pub q: QRef,
+    /// Its place.
+    pub q_span: Span,
+    /// The value.
+    pub value: Value,
+    /// The label behind `;`, trimmed; absent if there is no `;` or nothing behind it.
+    pub label: Option<Span>,
+}
+
+/// A value as printed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Value {
+    /// Its place; empty if it is missing.
+    pub span: Span,
+    /// What it is.
+    pub kind: ValueKind,
+}
+
+/// What a value is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ValueKind {
+    /// A number.
+    Number(f64),
+    /// A parameter.
+    Q {
+        /// Whether a minus stands before it.
+        negative: bool,
+        /// The parameter.
+        q: QRef,
+    },
+    /// A word such as `FAUTO` or `PREDEF`.
+    Word,
+    /// A text: its place without the quotation marks.
+    Text(Span),
+    /// A sign alone, the direction of `X-`: true for minus.
+    Sign(bool),
+    /// Nothing.
+    Missing,
+}
+
+/// One line `n.k` of a cycle definition of the old form.
+#[derive(Clone, Debug)]
+pub struct OldCycleLine {
+    /// The family.
+    pub keyword: CycleKeyword,
+    /// The number in the family: n.
+    pub number: u32,
+    /// The line: k.
+    pub line: u32,
+    /// Keyword, number and line.
+    pub head: Span,
+    /// The printed name, on line 0.
+    pub name: Option<Span>,
+    /// The fields in the order written.
+    pub words: Vec<OldWord>,
+}
+
+/// A field of the old form: `X+60`, `#5`, `ROT+35`, `HEIGHT: +90`, `Q5`, `X-`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OldWord {
+    /// The whole field.
+    pub span: Span,
+    /// The name as printed, a colon included; empty where only a value stands.
+    pub name: Span,
+    /// The value.
+    pub value: Value,
+}
+
+/// `CYCL CALL`.
+#[derive(Clone, Debug)]
+pub struct CyclCall {
+    /// Where the cycle is called.
+    pub form: CallForm,
+    /// Feed between the points.
+    pub feed: Option<Feed>,
+    /// M functions.
+    pub functions: Vec<MFunction>,
+}
+
+/// Where a cycle is called.
+#[derive(Clone, Debug)]
+pub enum CallForm {
+    /// Here.
+    Plain,
+    /// `PAT`: on every point of the pattern.
+    Pattern,
+    /// `POS`: at a position.
+    Position(Vec<Coord>),
+}

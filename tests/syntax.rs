@@ -1,0 +1,296 @@
+//! The parser on programs with all kinds of blocks, and its laws on any input.
+//!
+//! Programs stand in `tests/syntax/*.h`, the trees expected beside them in `*.tree`;
+//! `UPDATE=1 cargo test --test syntax` writes them anew.
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use ciklo::diag::Source;
+use ciklo::syntax::encoding::{Charset, decode};
+use ciklo::syntax::{BlockKind, Program, json, parse};
+use proptest::prelude::*;
+
+#[path = "syntax/dump.rs"]
+mod dump;
+
+fn program(text: &str) -> Program {
+    parse(&Source::new("test.h", text))
+}
+
+fn files(extension: &str) -> Vec<PathBuf> {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/syntax");
+    let mut found: Vec<PathBuf> = fs::read_dir(directory)
+        .expect("the directory of programs")
+        .map(|entry| entry.expect("a directory entry").path())
+        .filter(|path| path.extension().is_some_and(|e| e == extension))
+        .collect();
+    found.sort();
+    found
+}
+
+/// Blocks cover the text one behind the other, and each begins and ends with a line.
+fn assert_tiled(program: &Program) {
+    let text = program.source().text();
+    assert_eq!(program.text(), text);
+    let (mut at, mut line) = (0, 1);
+    for block in program.blocks() {
+        assert_eq!(block.span.start, at);
+        assert_eq!(block.line, line);
+        assert_eq!(block.line, program.source().line_of(at));
+        assert!(block.span.end > at && block.lines > 0);
+        at = block.span.end;
+        line += block.lines;
+    }
+    assert_eq!(at, text.len());
+    let ends_open = !text.is_empty() && !text.ends_with(['\n', '\r']);
+    let written = text.replace("\r\n", "\n").replace('\r', "\n").matches('\n').count() + usize::from(ends_open);
+    assert_eq!(program.lines(), written);
+}
+
+#[test]
+fn programs_have_the_expected_trees() {
+    let mut wrong = Vec::new();
+    for path in files("h") {
+        let bytes = fs::read(&path).expect("a program");
+        let decoded = decode(&bytes);
+        assert_eq!(
+            decoded.encoding.encode(&decoded.text).expect("what was read").as_ref(),
+            bytes,
+            "{}",
+            path.display()
+        );
+        let program = program(&decoded.text);
+        assert_tiled(&program);
+        let tree = dump::dump(&program);
+        let beside = path.with_extension("tree");
+        if env::var_os("UPDATE").is_some() {
+            fs::write(&beside, tree).expect("the expectation written");
+        } else if fs::read_to_string(&beside).unwrap_or_default() != tree {
+            wrong.push(format!("{} should be\n{tree}", beside.display()));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn every_expectation_has_its_program() {
+    let stems = |extension: &str| -> BTreeSet<_> { files(extension).iter().map(|p| p.with_extension("")).collect() };
+    assert_eq!(stems("tree"), stems("h"));
+}
+
+#[test]
+fn the_programs_show_every_kind_of_block() {
+    let mut seen = BTreeSet::new();
+    for path in files("h") {
+        let decoded = decode(&fs::read(&path).expect("a program"));
+        seen.extend(program(&decoded.text).blocks().iter().map(|block| block.kind.name()));
+    }
+    let all = "begin-pgm blk-form c call-lbl call-pgm cc chf comment cp cr ct ctp cycl-call cycl-def empty end-pgm fn-assign \
+               fn-jump formula l lbl lp m other rnd sel stop string-formula structure tch-probe tool-call tool-def unknown";
+    assert_eq!(seen.into_iter().collect::<Vec<_>>(), all.split_whitespace().collect::<Vec<_>>());
+}
+
+#[test]
+fn the_document_lists_cycles_and_unreadable_lines() {
+    let text = "0 BEGIN PGM A MM\n1 CYCL DEF 200 DRILLING ~\n Q200=+2 ;CLEARANCE ~\n Q206=FAUTO\n2 TCH PROBE 31.0 LENGTH\n\
+                3 TCH PROBE 31.1 CHECK: 0 Q5\n4 TCH PROBE 31.2 ALT.: +120\n5 CYCL DEF 7.0 DATUM\n6 CYCL DEF 7.1 #5\n\
+                what\n\n\n7 END PGM A MM";
+    let program = program(text);
+    let document = serde_json::to_value(json::document(&program)).expect("a document");
+    let parameter =
+        |q: &str, value: &str, label: Option<&str>| serde_json::json!({"q": q, "value": value, "label": label});
+    let expected = serde_json::json!({
+        "format": "ciklo-parse/1",
+        "lines": 13,
+        "blocks": 10,
+        "kinds": {"begin-pgm": 1, "cycl-def": 3, "empty": 1, "end-pgm": 1, "tch-probe": 3, "unknown": 1},
+        "unknown": [{"line": 10, "text": "what"}],
+        "cycles": [
+            {"keyword": "CYCL DEF", "number": 200, "line": 2,
+             "parameters": [parameter("Q200", "+2", Some("CLEARANCE")), parameter("Q206", "FAUTO", None)]},
+            {"keyword": "TCH PROBE", "number": 31, "line": 5,
+             "parameters": [parameter("31.1 CHECK:", "0", None), parameter("31.1", "Q5", None),
+                            parameter("31.2 ALT.:", "+120", None)]},
+            {"keyword": "CYCL DEF", "number": 7, "line": 8, "parameters": [parameter("7.1 #", "5", None)]},
+        ],
+    });
+    assert_eq!(document, expected);
+}
+
+#[test]
+fn the_documented_kinds_are_those_of_the_programs() {
+    let page = include_str!("../docs/parse.md");
+    for path in files("h") {
+        let decoded = decode(&fs::read(&path).expect("a program"));
+        for block in program(&decoded.text).blocks() {
+            assert!(page.contains(&format!("`{}`", block.kind.name())), "{} is not documented", block.kind.name());
+        }
+    }
+}
+
+#[test]
+fn every_code_has_a_text_in_every_language() {
+    let mut codes = BTreeSet::new();
+    for path in files("h") {
+        let decoded = decode(&fs::read(&path).expect("a program"));
+        codes.extend(program(&decoded.text).diagnostics().iter().map(|finding| finding.code));
+    }
+    let all = [
+        "syntax-dangling-continuation",
+        "syntax-formula",
+        "syntax-incomplete",
+        "syntax-remark",
+        "syntax-unclosed-text",
+        "syntax-unexpected",
+        "syntax-unknown-block",
+    ];
+    assert_eq!(codes.into_iter().collect::<Vec<_>>(), all);
+    for language in ["en", "fi", "sl", "it", "pt"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("locales").join(language).join("diag-syntax.ftl");
+        let texts = fs::read_to_string(path).expect("the texts of the parser");
+        for code in all {
+            assert!(texts.contains(&format!("\ndiag-{code} = ")), "{code} in {language}");
+        }
+    }
+}
+
+#[test]
+fn numbers_are_those_that_rust_reads() {
+    for text in ["0.1", "7.5", "99999.9999", "123456789012345678", "0.000000000000000000000012345", ".5", "5."] {
+        let program = program(&format!("L X-{}", text.replace('.', ",")));
+        let BlockKind::Motion(motion) = &program.blocks()[0].kind else { panic!("no motion: {text}") };
+        let expected = -text.parse::<f64>().expect("a number");
+        assert_eq!(motion.coords[0].value.amount, ciklo::syntax::Amount::Number(expected));
+    }
+}
+
+#[test]
+fn huge_and_hostile_texts_are_read_in_linear_time() {
+    let mut texts = vec![
+        "\0".repeat(1 << 20),
+        "\r".repeat(1 << 20),
+        "9".repeat(1 << 20),
+        "Q1 = ".to_owned() + &"(".repeat(1 << 20),
+    ];
+    for unit in [
+        "~\n",
+        "Q1=2 ~\n",
+        "L X+1 ~\n",
+        "\"",
+        "~",
+        "CYCL DEF 7.1 X ",
+        "X Y:",
+        ";",
+        "\t",
+        "- + ",
+        "Q",
+        "A\n",
+        "TCH PROBE 1\n",
+        "Q2=1 ;A\n",
+        "\n;\n",
+    ] {
+        texts.push(unit.repeat(20_000));
+        texts.push("5 CYCL DEF 200 A\n".to_owned() + &unit.repeat(20_000));
+        texts.push("5 CYCL DEF 7.0 ".to_owned() + &unit.repeat(20_000));
+        texts.push("5 L X+1 ".to_owned() + &unit.repeat(20_000));
+    }
+    for text in texts {
+        assert_tiled(&program(&text));
+    }
+}
+
+#[test]
+fn windows_1252_refuses_what_it_cannot_write() {
+    let decoded = decode(b"T\xcaTE");
+    assert_eq!((decoded.text.as_str(), decoded.encoding.charset), ("TÊTE", Charset::Windows1252));
+    assert_eq!(decoded.encoding.encode("KOT Č"), Err('Č'));
+}
+
+/// Lines such as programs have, and pieces of them.
+fn pieces() -> impl Strategy<Value = String> {
+    let lines = [
+        "0 BEGIN PGM A MM",
+        "5 CYCL DEF 200 DRILLING",
+        "CYCL DEF 7.0 DATUM",
+        "CYCL DEF 7.1 X+",
+        "Q200=2 ;CLEARANCE",
+        "QS400=\"1-1",
+        "\"",
+        ";",
+        "~",
+        " ~",
+        "\n",
+        "\r\n",
+        "\r",
+        "\t",
+        " ",
+        "Q1 = ",
+        "+Q2 * SIN 30",
+        "L X+10 R0 FMAX M99",
+        "TCH PROBE ",
+        "31.2 HEIGHT: +120 Q5 X-",
+        "FN 9: IF +Q1 EQU 0 GOTO LBL 1",
+        "/",
+        "* - text",
+        "12",
+        "é",
+        "\u{a0}",
+        "#5",
+    ];
+    proptest::collection::vec(
+        prop_oneof![8 => proptest::sample::select(lines.to_vec()).prop_map(str::to_owned), 1 => ".{0,4}"],
+        0..24,
+    )
+    .prop_map(|pieces| pieces.concat())
+}
+
+proptest! {
+    #[test]
+    fn any_bytes_come_back(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+        let decoded = decode(&bytes);
+        let parsed = program(&decoded.text);
+        assert_tiled(&parsed);
+        let text = parsed.text();
+        prop_assert_eq!(decoded.encoding.encode(&text).expect("what was read").into_owned(), bytes);
+    }
+
+    #[test]
+    fn any_text_is_tiled_and_every_place_is_inside(text in pieces()) {
+        let parsed = program(&text);
+        assert_tiled(&parsed);
+        for finding in parsed.diagnostics() {
+            let span = finding.place.expect("a place").span;
+            prop_assert!(span.start <= span.end && text.get(span.start..span.end).is_some());
+        }
+        let unknown = json::document(&parsed).unknown;
+        prop_assert_eq!(unknown.len(), parsed.errors().count());
+        prop_assert!(dump::dump(&parsed).len() >= text.len() / 100);
+    }
+}
+
+/// A line torn in a good program is one unknown line, and nothing else becomes one.
+#[test]
+fn one_malformed_line_is_one_unknown() {
+    for name in ["contour", "drilling", "probing"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/syntax/{name}.h"));
+        let good = fs::read_to_string(path).expect("a program");
+        let lines: Vec<&str> = good.lines().collect();
+        for (index, line) in lines.iter().enumerate() {
+            // What `~` joins to a torn line is torn as well, unless a cycle's parameters follow.
+            if name == "contour" && line.contains('~') {
+                continue;
+            }
+            let number = line.split(' ').next().filter(|word| word.parse::<u32>().is_ok()).unwrap_or_default();
+            for number in ["", number] {
+                let torn = format!("{number} § torn §");
+                let mut lines = lines.clone();
+                lines[index] = &torn;
+                let text = lines.join("\n");
+                let program = program(&text);
+                let unknown: Vec<_> = json::document(&program).unknown.iter().map(|u| (u.line, u.text)).collect();
+                assert_eq!(unknown, [(index + 1, torn.as_str())], "{name}, line {}", index + 1);
+            }
+        }
+    }
+}
