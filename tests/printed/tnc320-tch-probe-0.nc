@@ -1,0 +1,3 @@
+; control: tnc320 lang: fi source: 000:4737-4739
+67 TCH PROBE 0.0 PERUSTASO Q5 X-
+68 TCH PROBE 0.1 X+5 Y+0 Z-5

@@ -1,0 +1,5 @@
+; control: tnc426-430 lang: pt source: 003:2895-2901 corrected: word of 31.3 (tooth-measurement-word)
+7 TCH PROBE 31.0 LONGITUDE DA FERRAMENTA
+8 TCH PROBE 31.1 VERIFICAR: 1
+9 TCH PROBE 31.2 ALTURA: +120
+10 TCH PROBE 31.3 MEDIÇÃO DE NAVALHAS: 1

@@ -1,0 +1,5 @@
+; control: tnc426-430 lang: pt source: 003:2907-2913 corrected: O and colon in Q340 (scanned-text)
+7 TCH PROBE 481 LONGITUDE DA FERRAMENTA
+Q340=1 ;VERIFICAR
+Q260=+100 ;ALTURA SEGURA
+Q341=1 ;MEDIÇÃO DE NAVALHAS

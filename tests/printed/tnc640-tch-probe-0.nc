@@ -1,0 +1,3 @@
+; control: tnc640 lang: sl source: 001:12659-12661
+67 TCH PROBE 0.0 REFERENČNA RAVNINA Q5 X-
+68 TCH PROBE 0.1 X+5 Y+0 Z-5
