@@ -17,9 +17,10 @@ cli-lint-accept = Record all translations as matching their English texts
 cli-coverage = Show what is complete, missing, stale, pending and not executed
 cli-dialog = Show the dialog of a cycle
 cli-block = Write the NC block of a cycle
-cli-block-values = Values of parameters, such as Q321=50; the others have those of the manual's example
+cli-block-values = Number of the cycle, and values of parameters such as Q321=50; the others have those of the manual's example
 cli-block-number = Block number of the first block (default: that of the manual's example)
 cli-block-form = Form of an old-style cycle that has several
+cli-block-without = Optional field to leave out; may be repeated
 cli-parse = Take a program apart into blocks, as JSON
 cli-parse-print = Print the program again, byte for byte
 cli-check = Check programs for one control
@@ -36,7 +37,7 @@ cli-run-lang = Language of the logs (default: that of the control's manual)
 cli-conform = Execute the examples of the specifications
 cli-export = Print all cycles of a control in a language, as JSON
 
-cli-arg-cycle = Number of the cycle, such as 412 or "TCH PROBE 412"
+cli-arg-cycle = Number of the cycle, such as 412 or TCH PROBE 412
 cli-arg-file = NC program; “-” reads standard input
 cli-arg-files = NC programs; “-” reads standard input
 cli-arg-control = Control, such as tnc640
@@ -106,4 +107,6 @@ diag-unknown-language = There is no language “{ $language }”; there are { $k
 diag-cycle-name = “{ $cycle }” is not the number of a cycle: 412, or "TCH PROBE 412".
 diag-cycle-not-here = { $control } has no cycle { $cycle }.
 diag-cycle-ambiguous = { $control } has two cycles { $cycle }: { $keys }.
+diag-cycle-only-named = The manual of { $control } only names { $cycle } ({ $name }); it does not describe it.
+diag-internal = A mistake of ciklo itself: { $detail }.
 diag-locale-unknown-suffix = “{ $name }” is neither a cycle nor a control.

@@ -17,9 +17,10 @@ cli-lint-accept = Merkitse kaikki käännökset englanninkielisiä tekstejään 
 cli-coverage = Näytä, mikä on valmista, puuttuu, on vanhentunut, odottaa tai on suorittamatta
 cli-dialog = Näytä työkierron dialogi
 cli-block = Kirjoita työkierron NC-lause
-cli-block-values = Parametrien arvoja, esimerkiksi Q321=50; muilla on käsikirjan esimerkin arvot
+cli-block-values = Työkierron numero sekä parametrien arvoja, esimerkiksi Q321=50; muilla on käsikirjan esimerkin arvot
 cli-block-number = Ensimmäisen lauseen numero (oletus: käsikirjan esimerkin numero)
 cli-block-form = Vanhanmuotoisen työkierron muoto, jos niitä on useita
+cli-block-without = Pois jätettävä valinnainen kenttä; voidaan toistaa
 cli-parse = Erittele ohjelma lauseiksi JSON-muotoon
 cli-parse-print = Tulosta ohjelma takaisin tavulleen samana
 cli-check = Tarkasta ohjelmia yhdelle ohjaukselle
@@ -36,7 +37,7 @@ cli-run-lang = Pöytäkirjojen kieli (oletus: ohjauksen käsikirjan kieli)
 cli-conform = Suorita määrittelyjen esimerkit
 cli-export = Tulosta ohjauksen kaikki työkierrot yhdellä kielellä JSON-muodossa
 
-cli-arg-cycle = Työkierron numero, esimerkiksi 412 tai "TCH PROBE 412"
+cli-arg-cycle = Työkierron numero, esimerkiksi 412 tai TCH PROBE 412
 cli-arg-file = NC-ohjelma; ”-” lukee vakiosyötteen
 cli-arg-files = NC-ohjelmat; ”-” lukee vakiosyötteen
 cli-arg-control = Ohjaus, esimerkiksi tnc640
@@ -106,4 +107,6 @@ diag-unknown-language = Kieltä ”{ $language }” ei ole; kielet ovat { $known
 diag-cycle-name = ”{ $cycle }” ei ole työkierron numero: 412 tai "TCH PROBE 412".
 diag-cycle-not-here = Ohjauksessa { $control } ei ole työkiertoa { $cycle }.
 diag-cycle-ambiguous = Ohjauksessa { $control } on kaksi työkiertoa { $cycle }: { $keys }.
+diag-cycle-only-named = Ohjauksen { $control } käsikirja vain mainitsee työkierron { $cycle } ({ $name }) eikä kuvaa sitä.
+diag-internal = Ciklon oma virhe: { $detail }.
 diag-locale-unknown-suffix = ”{ $name }” ei ole työkierto eikä ohjaus.

@@ -17,9 +17,10 @@ cli-lint-accept = Registra tutte le traduzioni come corrispondenti ai testi ingl
 cli-coverage = Mostra che cosa è completo, mancante, superato, in sospeso o non eseguito
 cli-dialog = Mostra il dialogo di un ciclo
 cli-block = Scrive il blocco NC di un ciclo
-cli-block-values = Valori dei parametri, ad esempio Q321=50; gli altri hanno quelli dell'esempio del manuale
+cli-block-values = Numero del ciclo e valori dei parametri, ad esempio Q321=50; gli altri hanno quelli dell'esempio del manuale
 cli-block-number = Numero del primo blocco (predefinito: quello dell'esempio del manuale)
 cli-block-form = Forma di un ciclo del vecchio tipo che ne ha più di una
+cli-block-without = Campo facoltativo da tralasciare; ripetibile
 cli-parse = Scompone un programma in blocchi, come JSON
 cli-parse-print = Ristampa il programma, identico byte per byte
 cli-check = Verifica programmi per un controllo numerico
@@ -36,7 +37,7 @@ cli-run-lang = Lingua dei protocolli (predefinita: quella del manuale del contro
 cli-conform = Esegue gli esempi delle specifiche
 cli-export = Stampa tutti i cicli di un controllo numerico in una lingua, come JSON
 
-cli-arg-cycle = Numero del ciclo, ad esempio 412 o "TCH PROBE 412"
+cli-arg-cycle = Numero del ciclo, ad esempio 412 o TCH PROBE 412
 cli-arg-file = Programma NC; «-» legge l'ingresso standard
 cli-arg-files = Programmi NC; «-» legge l'ingresso standard
 cli-arg-control = Controllo numerico, ad esempio tnc640
@@ -106,4 +107,6 @@ diag-unknown-language = La lingua «{ $language }» non esiste; ci sono { $known
 diag-cycle-name = «{ $cycle }» non è il numero di un ciclo: 412 o "TCH PROBE 412".
 diag-cycle-not-here = { $control } non ha il ciclo { $cycle }.
 diag-cycle-ambiguous = { $control } ha due cicli { $cycle }: { $keys }.
+diag-cycle-only-named = Il manuale di { $control } nomina soltanto { $cycle } ({ $name }) e non lo descrive.
+diag-internal = Un errore di ciklo stesso: { $detail }.
 diag-locale-unknown-suffix = «{ $name }» non è né un ciclo né un controllo numerico.

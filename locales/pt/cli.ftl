@@ -17,9 +17,10 @@ cli-lint-accept = Regista todas as traduções como correspondentes aos textos i
 cli-coverage = Mostra o que está completo, em falta, desatualizado, pendente ou por executar
 cli-dialog = Mostra o diálogo de um ciclo
 cli-block = Escreve o bloco NC de um ciclo
-cli-block-values = Valores dos parâmetros, por exemplo Q321=50; os outros têm os do exemplo do manual
+cli-block-values = Número do ciclo e valores dos parâmetros, por exemplo Q321=50; os outros têm os do exemplo do manual
 cli-block-number = Número do primeiro bloco (predefinição: o do exemplo do manual)
 cli-block-form = Forma de um ciclo antigo que tenha várias
+cli-block-without = Campo opcional a omitir; pode repetir-se
 cli-parse = Decompõe um programa em blocos, como JSON
 cli-parse-print = Volta a mostrar o programa, igual byte a byte
 cli-check = Verifica programas para um comando numérico
@@ -36,7 +37,7 @@ cli-run-lang = Idioma dos protocolos (predefinição: o do manual do comando num
 cli-conform = Executa os exemplos das especificações
 cli-export = Mostra todos os ciclos de um comando numérico num idioma, como JSON
 
-cli-arg-cycle = Número do ciclo, por exemplo 412 ou "TCH PROBE 412"
+cli-arg-cycle = Número do ciclo, por exemplo 412 ou TCH PROBE 412
 cli-arg-file = Programa NC; «-» lê a entrada padrão
 cli-arg-files = Programas NC; «-» lê a entrada padrão
 cli-arg-control = Comando numérico, por exemplo tnc640
@@ -106,4 +107,6 @@ diag-unknown-language = O idioma «{ $language }» não existe; existem { $known
 diag-cycle-name = «{ $cycle }» não é o número de um ciclo: 412 ou "TCH PROBE 412".
 diag-cycle-not-here = { $control } não tem o ciclo { $cycle }.
 diag-cycle-ambiguous = { $control } tem dois ciclos { $cycle }: { $keys }.
+diag-cycle-only-named = O manual de { $control } apenas menciona { $cycle } ({ $name }), sem o descrever.
+diag-internal = Um erro do próprio ciklo: { $detail }.
 diag-locale-unknown-suffix = «{ $name }» não é um ciclo nem um comando numérico.

@@ -17,9 +17,10 @@ cli-lint-accept = Zabeleži, da vsi prevodi ustrezajo angleškim besedilom
 cli-coverage = Prikaže, kaj je popolno, kaj manjka, je zastarelo, čaka ali ni izvedeno
 cli-dialog = Prikaže pogovorno okno cikla
 cli-block = Zapiše NC-niz cikla
-cli-block-values = Vrednosti parametrov, na primer Q321=50; drugi imajo vrednosti iz primera v priročniku
+cli-block-values = Številka cikla in vrednosti parametrov, na primer Q321=50; drugi imajo vrednosti iz primera v priročniku
 cli-block-number = Številka prvega niza (privzeto: iz primera v priročniku)
 cli-block-form = Oblika cikla stare oblike, če jih je več
+cli-block-without = Neobvezno polje, ki se izpusti; lahko se ponovi
 cli-parse = Razčleni program v nize, kot JSON
 cli-parse-print = Program ponovno izpiše, bajt za bajtom enako
 cli-check = Preveri programe za eno krmiljenje
@@ -36,7 +37,7 @@ cli-run-lang = Jezik protokolov (privzeto: jezik priročnika krmiljenja)
 cli-conform = Izvede primere iz specifikacij
 cli-export = Izpiše vse cikle krmiljenja v enem jeziku, kot JSON
 
-cli-arg-cycle = Številka cikla, na primer 412 ali "TCH PROBE 412"
+cli-arg-cycle = Številka cikla, na primer 412 ali TCH PROBE 412
 cli-arg-file = NC-program; »-« bere standardni vhod
 cli-arg-files = NC-programi; »-« bere standardni vhod
 cli-arg-control = Krmiljenje, na primer tnc640
@@ -124,4 +125,6 @@ diag-unknown-language = Jezik »{ $language }« ne obstaja; na voljo so { $known
 diag-cycle-name = »{ $cycle }« ni številka cikla: 412 ali "TCH PROBE 412".
 diag-cycle-not-here = Krmiljenje { $control } nima cikla { $cycle }.
 diag-cycle-ambiguous = Krmiljenje { $control } ima dva cikla { $cycle }: { $keys }.
+diag-cycle-only-named = Priročnik za { $control } cikel { $cycle } ({ $name }) samo omenja in ga ne opisuje.
+diag-internal = Napaka v samem programu ciklo: { $detail }.
 diag-locale-unknown-suffix = »{ $name }« ni ne cikel ne krmiljenje.

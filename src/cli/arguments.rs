@@ -37,6 +37,31 @@ pub(super) fn ui_language(ui: &Ui) -> Arg {
     option(ui, UI_LANGUAGE, "LANG").global(true)
 }
 
+/// `--control CONTROL`, which must be given.
+pub(super) fn control(ui: &Ui) -> Arg {
+    option(ui, "control", "CONTROL").required(true)
+}
+
+/// `--lang LANG`.
+pub(super) fn language(ui: &Ui) -> Arg {
+    option(ui, "lang", "LANG")
+}
+
+/// One or more words without a name, with its help in that message.
+pub(super) fn words(ui: &Ui, name: &'static str, value: &'static str, help: &str) -> Arg {
+    argument(ui, name, help).value_name(value).num_args(1..).required(true)
+}
+
+/// The value of an argument that must be given.
+pub(super) fn text(matches: &ArgMatches, name: &str) -> String {
+    matches.get_one::<String>(name).cloned().unwrap_or_default()
+}
+
+/// All values of an argument.
+pub(super) fn all(matches: &ArgMatches, name: &str) -> Vec<String> {
+    matches.get_many::<String>(name).into_iter().flatten().cloned().collect()
+}
+
 /// `--format`, with the first of the formats as default.
 pub(super) fn format(ui: &Ui, formats: &'static [&'static str]) -> Arg {
     let arg = option(ui, FORMAT, "FORMAT").value_parser(PossibleValuesParser::new(formats));

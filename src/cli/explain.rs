@@ -34,7 +34,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     let key = format!("{PREFIX}{code}");
     session.output.print(&format!("{code}\n  {}\n", session.ui.sketch(&key)))?;
-    if let Some(more) = session.ui.find(&format!("{key}.explain"), &Args::new()) {
+    if let Some(more) = session.ui.find(&format!("explain-{code}"), &Args::new()) {
         session.output.print(&format!("\n{more}\n"))?;
     }
     Ok(Outcome::Clean)

@@ -1,9 +1,12 @@
 //! `ciklo lint`: everything that can be wrong with specifications and languages.
+use std::path::Path;
+
 use clap::ArgMatches;
 
 use super::session::Session;
-use super::{Command, Failure, Outcome, arguments};
+use super::{Command, Failure, Outcome, arguments, session};
 use crate::diag::Diagnostic;
+use crate::label;
 use crate::locale::{Args, Language, LocaleError, Locales, SOURCE_LANGUAGE, Scope, Ui};
 use crate::spec::{self, Catalogue};
 use crate::system;
@@ -11,7 +14,7 @@ use crate::system;
 pub(super) const COMMAND: Command = Command {
     name: "lint",
     usage: "[--data DIR] [--format FORMAT] [--accept-translations]",
-    examples: &["ciklo lint", "ciklo lint --data . --format json", "ciklo lint --data . --accept-translations"],
+    examples: &["ciklo lint", "ciklo lint --data . --format json", "ciklo lint --accept-translations"],
     arguments: own,
     run,
 };
@@ -23,25 +26,30 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 }
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
+    if matches.get_flag(ACCEPT) {
+        return accept(session);
+    }
     let files = session.files()?;
     let (locales, mut found) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-    if matches.get_flag(ACCEPT) {
-        return accept(session, &locales);
-    }
     let (catalogue, mistakes) = Catalogue::load(files);
     found.extend(mistakes);
     found.extend(spec::lint(&catalogue));
     found.extend(languages(&locales)?);
     found.extend(texts(&catalogue, &locales));
+    found.extend(label::check(&catalogue, &locales));
     let errors = session.report(found, arguments::chosen_format(matches))?;
     Ok(if errors { Outcome::Errors } else { Outcome::Clean })
 }
 
-/// Writes down that every translation is good as it stands.
-fn accept(session: &mut Session, locales: &Locales) -> Result<Outcome, Failure> {
-    let Some(root) = session.data() else {
+/// Writes down that every translation is good as it stands, in the working copy given or in the
+/// present directory if it is one.
+fn accept(session: &mut Session) -> Result<Outcome, Failure> {
+    let here = Path::new(".");
+    let Some(root) = session.data().or_else(|| session::is_working_copy(here).then_some(here)) else {
         return Err(Diagnostic::global("needs-data").arg("option", format!("--{ACCEPT}")).into());
     };
+    let files = session::working_copy(root)?;
+    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
     for tag in locales.tags().filter(|tag| *tag != SOURCE_LANGUAGE) {
         let path = root.join("locales").join(tag).join("source.lock");
         system::write(&path, locales.accepted(tag)?.as_bytes())?;

@@ -5,7 +5,11 @@
 //! module and `system` touch files, environment and terminal, and no command holds knowledge that a
 //! library module could hold.
 mod arguments;
+mod block;
+mod cycle;
+mod dialog;
 mod explain;
+mod export;
 mod lint;
 mod schema;
 mod session;
@@ -70,7 +74,8 @@ struct Command {
 }
 
 /// All commands, in the order of the help.
-static COMMANDS: &[Command] = &[lint::COMMAND, schema::COMMAND, explain::COMMAND];
+static COMMANDS: &[Command] =
+    &[dialog::COMMAND, block::COMMAND, lint::COMMAND, schema::COMMAND, explain::COMMAND, export::COMMAND];
 
 const EXIT_ERRORS: u8 = 1;
 const EXIT_TROUBLE: u8 = 2;

@@ -17,7 +17,7 @@ use crate::system;
 /// The directories of a working copy that hold data.
 const TOPS: [&str; 3] = ["cycle-specs", "locales", "templates"];
 /// Files of a language that the program's own texts are in.
-const INTERFACE: [&str; 4] = ["diag-", "cli", "interface", "units"];
+const INTERFACE: [&str; 5] = ["diag-", "explain-", "cli", "interface", "units"];
 
 /// The program's own texts, in all languages.
 pub(super) fn interface() -> Locales {
@@ -139,6 +139,14 @@ impl<'s> Session<'s> {
     }
 }
 
+/// A document, for people to read too.
+pub(super) fn json(document: &impl serde::Serialize) -> Result<String, Failure> {
+    let text = serde_json::to_string_pretty(document);
+    // Only a map with keys that are no text cannot be written, and no document of ours has one.
+    let text = text.map_err(|error| Diagnostic::global("internal").arg("detail", error.to_string()))?;
+    Ok(text + "\n")
+}
+
 fn place_key(diagnostic: &Diagnostic) -> (Option<&str>, usize, &'static str) {
     let place = diagnostic.place.as_ref();
     (place.map(|place| place.source.name()), place.map_or(0, |place| place.span.start), diagnostic.code)
@@ -149,7 +157,12 @@ fn sound(found: Vec<Diagnostic>) -> Result<(), Failure> {
     if errors.is_empty() { Ok(()) } else { Err(Failure::Data(errors)) }
 }
 
-fn working_copy(root: &Path) -> Result<Files, Failure> {
+/// Whether a directory looks like one with data.
+pub(super) fn is_working_copy(root: &Path) -> bool {
+    TOPS.iter().take(2).all(|top| root.join(top).is_dir())
+}
+
+pub(super) fn working_copy(root: &Path) -> Result<Files, Failure> {
     let tree = system::read_tree(root, &TOPS)?;
     if tree.is_empty() {
         return Err(Diagnostic::global("no-data").arg("path", root.display().to_string()).into());

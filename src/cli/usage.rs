@@ -133,7 +133,7 @@ fn mistake(kind: ErrorKind, error: &clap::Error, ui: &Ui) -> Diagnostic {
     };
     Diagnostic::global("usage")
         .arg("reason", reason)
-        .arg("subject", subject.concat())
+        .arg("subject", subject.concat().replace("...", ""))
         .arg("value", text(error, ContextKind::InvalidValue))
         .arg("hint", hint)
 }

@@ -1,0 +1,73 @@
+//! Finding the control, the language and the cycle that words of the command line mean.
+//!
+//! Invariant: a word that means nothing, or two things, is an error that lists what there is.
+use clap::ArgMatches;
+
+use super::Failure;
+use crate::diag::Diagnostic;
+use crate::locale::{Language, Locales};
+use crate::spec::{Catalogue, Cycle, CycleKey, Known, OnControl};
+
+/// The control of `--control`.
+pub(super) fn control<'c>(catalogue: &'c Catalogue, id: &str) -> Result<&'c OnControl, Failure> {
+    catalogue.on(id).ok_or_else(|| {
+        let known: Vec<&str> = catalogue.controls.keys().map(String::as_str).collect();
+        Diagnostic::global("unknown-control").arg("control", id).arg("known", known.join(", ")).into()
+    })
+}
+
+/// The language with that tag.
+pub(super) fn language<'l>(locales: &'l Locales, tag: &str) -> Result<&'l Language, Failure> {
+    locales.language(tag).map_err(|_| {
+        let known: Vec<&str> = locales.tags().collect();
+        Diagnostic::global("unknown-language").arg("language", tag).arg("known", known.join(", ")).into()
+    })
+}
+
+/// The language of `--lang`; that of the control's manual without it.
+pub(super) fn language_for<'l>(
+    locales: &'l Locales,
+    on: &OnControl,
+    matches: &ArgMatches,
+) -> Result<&'l Language, Failure> {
+    let tag = matches.get_one::<String>("lang").map_or(on.control.language.as_str(), String::as_str);
+    language(locales, tag)
+}
+
+/// The cycle that words mean: `412`, `TCH PROBE 412`, `tch-probe-412`.
+pub(super) fn find<'c>(on: &'c OnControl, words: &str) -> Result<&'c Cycle, Failure> {
+    let Some((keyword, number)) = parse(words) else {
+        return Err(Diagnostic::global("cycle-name").arg("cycle", words).into());
+    };
+    let is_it = |key: &CycleKey| key.number == number && (keyword.is_empty() || key.keyword.as_str() == keyword);
+    let found: Vec<&Cycle> = on.cycles.values().filter(|cycle| is_it(&cycle.key)).collect();
+    match found.as_slice() {
+        [cycle] => Ok(cycle),
+        [] => Err(absent(on, words, &is_it)),
+        several => {
+            let keys: Vec<String> = several.iter().map(|cycle| cycle.key.to_string()).collect();
+            let diagnostic = Diagnostic::global("cycle-ambiguous").arg("cycle", number.to_string());
+            Err(diagnostic.arg("control", on.id()).arg("keys", keys.join(", ")).into())
+        }
+    }
+}
+
+fn absent(on: &OnControl, words: &str, is_it: &dyn Fn(&CycleKey) -> bool) -> Failure {
+    let named = on.control.named.iter().map(|named| CycleKey::new(named.keyword, named.number)).find(|key| is_it(key));
+    let diagnostic = match named.map(|key| (key, on.known(key))) {
+        Some((key, Known::Named(named))) => {
+            let diagnostic = Diagnostic::global("cycle-only-named").arg("cycle", key.to_string());
+            diagnostic.arg("name", named.name.as_str())
+        }
+        _ => Diagnostic::global("cycle-not-here").arg("cycle", words),
+    };
+    diagnostic.arg("control", on.id()).into()
+}
+
+/// Keyword (empty if only a number is given) and number.
+fn parse(words: &str) -> Option<(String, u32)> {
+    let words = words.to_uppercase().replace(['-', '_'], " ");
+    let mut words: Vec<&str> = words.split_whitespace().collect();
+    let number = words.pop()?.parse().ok()?;
+    Some((words.join(" "), number))
+}

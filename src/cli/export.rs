@@ -1,0 +1,28 @@
+//! `ciklo export`: all cycles of a control, as JSON.
+use clap::ArgMatches;
+
+use super::session::Session;
+use super::{Command, Failure, Outcome, arguments, cycle, session};
+use crate::export;
+use crate::locale::Ui;
+
+pub(super) const COMMAND: Command = Command {
+    name: "export",
+    usage: "--control CONTROL [--lang LANG]",
+    examples: &["ciklo export --control tnc640 --lang sl > tnc640.json"],
+    arguments: own,
+    run,
+};
+
+fn own(ui: &Ui) -> Vec<clap::Arg> {
+    vec![arguments::control(ui), arguments::language(ui)]
+}
+
+fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
+    let (catalogue, locales) = (session.catalogue()?, session.locales()?);
+    let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
+    let language = cycle::language_for(&locales, on, matches)?;
+    let export = export::export(on, language).map_err(Failure::Data)?;
+    session.output.print(&session::json(&export)?)?;
+    Ok(Outcome::Clean)
+}

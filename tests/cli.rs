@@ -1,0 +1,167 @@
+//! The command as a user meets it: exit codes, what goes to which stream, and the reference of its
+//! help. `UPDATE=1 cargo test --test cli` rewrites the expectations in `tests/cli/` and `docs/cli.md`.
+use std::fmt::Write as _;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+const HELP: &str = "docs/cli.md";
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn ciklo(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ciklo"));
+    command.args(arguments).current_dir(root()).stdin(Stdio::null());
+    for name in ["LC_ALL", "LC_MESSAGES", "LANG", "NO_COLOR", "CLICOLOR_FORCE"] {
+        command.env_remove(name);
+    }
+    command.env("COLUMNS", "100");
+    command
+}
+
+fn run(arguments: &[&str]) -> Output {
+    ciklo(arguments).output().unwrap()
+}
+
+fn updating() -> bool {
+    std::env::var_os("UPDATE").is_some()
+}
+
+/// Compares with a stored text, or stores it.
+fn stored(path: &Path, actual: &str) {
+    if updating() {
+        std::fs::write(path, actual).unwrap();
+        return;
+    }
+    let expected = std::fs::read_to_string(path).unwrap_or_default();
+    assert_eq!(actual, expected, "{} is stale; UPDATE=1 cargo test --test cli rewrites it", path.display());
+}
+
+/// A case file has lines `$ arguments`, each followed by what the command gave: `exit N`, lines of
+/// standard output, and lines of standard error behind `! `. `| N` at the end of the arguments keeps
+/// the first N lines of each stream. Words in double quotes are one argument.
+#[test]
+fn cases() {
+    let mut files: Vec<PathBuf> =
+        std::fs::read_dir(root().join("tests/cli")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    assert!(!files.is_empty());
+    for file in files {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let mut actual = String::new();
+        for line in text.lines().filter(|line| line.starts_with("$ ") || line.starts_with('#')) {
+            let _ = writeln!(actual, "{line}");
+            if let Some(command) = line.strip_prefix("$ ") {
+                case(command, &mut actual);
+            }
+        }
+        stored(&file, &actual);
+    }
+}
+
+fn case(line: &str, actual: &mut String) {
+    let (line, most) = match line.rsplit_once('|') {
+        Some((line, most)) => (line, most.trim().parse().unwrap()),
+        None => (line, usize::MAX),
+    };
+    let arguments: Vec<&str> = line
+        .split('"')
+        .enumerate()
+        .flat_map(|(index, part)| if index % 2 == 1 { vec![part] } else { part.split_whitespace().collect() })
+        .collect();
+    let output = run(&arguments);
+    let _ = writeln!(actual, "exit {}", output.status.code().unwrap_or(-1));
+    for line in String::from_utf8_lossy(&output.stdout).lines().take(most) {
+        let _ = writeln!(actual, "{line}");
+    }
+    for line in String::from_utf8_lossy(&output.stderr).lines().take(most) {
+        let _ = writeln!(actual, "! {line}");
+    }
+    actual.push('\n');
+}
+
+#[test]
+fn the_reference_is_the_help() {
+    let help = |arguments: &[&str]| {
+        let output = run(&[arguments, &["--ui-lang", "en", "--help"]].concat());
+        assert!(output.status.success() && output.stderr.is_empty());
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let overview = help(&[]);
+    let commands = overview.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let mut page = String::from("# The command line\n\nThis is what `ciklo --help` says; a test keeps it so.\n\n");
+    let _ = write!(page, "```text\n{overview}```\n");
+    let mut count = 0;
+    for name in commands.filter_map(|line| line.strip_prefix("  ")).filter(|line| !line.starts_with(' ')) {
+        let name = name.split_whitespace().next().unwrap();
+        let text = help(&[name]);
+        assert!(text.contains("Examples:\n  ciklo "), "{name} has no examples");
+        let _ = write!(page, "\n## {name}\n\n```text\n{text}```\n");
+        count += 1;
+    }
+    assert!(count >= 5);
+    stored(&root().join(HELP), &page);
+}
+
+#[test]
+fn every_language_has_all_of_the_help() {
+    for language in ["fi", "sl", "it", "pt"] {
+        let output = run(&["--ui-lang", language, "--help"]);
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(!text.contains("cli-") && !text.contains("Usage") && !text.contains("Options"), "{text}");
+    }
+}
+
+#[test]
+fn the_environment_chooses_the_language() {
+    let complaint = |name, value| {
+        let output = ciklo(&["nonsense"]).env(name, value).output().unwrap();
+        String::from_utf8(output.stderr).unwrap()
+    };
+    assert!(complaint("LANG", "fi_FI.UTF-8").starts_with("virhe["));
+    assert!(complaint("LC_ALL", "sl_SI").starts_with("napaka["));
+    assert!(complaint("LANG", "de_DE.UTF-8").starts_with("error["));
+}
+
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let mut child = ciklo(&["schema"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    let mut told = String::new();
+    child.stderr.take().unwrap().read_to_string(&mut told).unwrap();
+    assert_eq!((child.wait().unwrap().code(), told.as_str()), (Some(0), ""));
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_disk_is_told() {
+    let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+    let output = ciklo(&["schema"]).stdout(full).stderr(Stdio::piped()).spawn().unwrap().wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("no space is left"));
+}
+
+#[test]
+fn a_working_copy_replaces_the_built_in_data() {
+    let copy = tempfile::tempdir().unwrap();
+    let data = copy.path().to_str().unwrap();
+    assert_eq!(run(&["lint", "--data", data]).status.code(), Some(2), "an empty directory has no data");
+    let english = copy.path().join("locales/en");
+    std::fs::create_dir_all(&english).unwrap();
+    std::fs::create_dir_all(copy.path().join("locales/fi")).unwrap();
+    std::fs::write(english.join("a.ftl"), "a = A\nb = { gone }\n").unwrap();
+    std::fs::write(copy.path().join("locales/fi/a.ftl"), "a = B\n").unwrap();
+    let output = run(&["lint", "--data", data, "--format", "json"]);
+    assert_eq!(output.status.code(), Some(1));
+    let lines: Vec<serde_json::Value> =
+        String::from_utf8(output.stdout).unwrap().lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let codes: Vec<&str> = lines.iter().filter_map(|line| line["code"].as_str()).collect();
+    assert_eq!(codes, ["locale-missing-translation", "locale-unknown-reference", "locale-unrecorded"]);
+    assert_eq!((lines[1]["line"].as_u64(), lines[1]["file"].as_str()), (Some(2), Some("locales/en/a.ftl")));
+
+    assert_eq!(run(&["lint", "--data", data, "--accept-translations"]).status.code(), Some(0));
+    let lock = std::fs::read_to_string(copy.path().join("locales/fi/source.lock")).unwrap();
+    assert!(lock.starts_with("a ") && lock.len() == "a 01234567\n".len(), "{lock}");
+}
