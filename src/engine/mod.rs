@@ -4,3 +4,4 @@
 pub mod geometry;
 pub mod plan;
 pub mod solid;
+pub mod table;

@@ -1,3 +1,4 @@
 //! The world of the engine: geometry, solids, tables, scenes.
 mod solid_cases;
 mod solid_laws;
+mod tables;

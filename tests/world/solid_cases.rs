@@ -202,3 +202,17 @@ fn nothing_is_nowhere() {
     assert_eq!(nothing.nearest(DVec3::ZERO), Ok(None));
     assert_eq!(nothing.first_contact(1.0, DVec3::ZERO, DVec3::X), Ok(None));
 }
+
+#[test]
+fn grazing_all_along_is_no_contact() {
+    // The arc runs in a plane exactly one radius in front of the face.
+    let part = block([1.5, 0.0, 0.0], [3.5, 5.0, 10.0]);
+    let arc = Path::Arc {
+        centre: dvec3(0.0, -1.5, 8.75),
+        axis: DVec3::X,
+        from: dvec3(-2.5, 3.25, 0.25),
+        sweep: 35.75,
+        rise: 0.0,
+    };
+    assert_eq!(body(part).first_contact_on(4.0, &arc), Ok(None));
+}

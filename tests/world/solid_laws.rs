@@ -120,7 +120,7 @@ proptest! {
         let body = Body::new(&shape).expect("a sound shape");
         let found = match body.first_contact_on(radius, &path) {
             Ok(found) => found,
-            Err(SolidError::Edge(_)) => return Ok(()),
+            Err(SolidError::Edge(_) | SolidError::Cusp(_)) => return Ok(()),
             Err(other) => return Err(TestCaseError::fail(format!("{other:?}"))),
         };
         let end = found.map_or(1.0, |contact| contact.t);
@@ -163,7 +163,9 @@ proptest! {
             (Ok(None), Ok(None)) | (Err(_), Err(_)) => {}
             (Ok(Some(a)), Ok(None)) => prop_assert!(grazing(&a.normal, &path, a.t), "{a:?} was lost"),
             (Ok(None), Ok(Some(b))) => prop_assert!(grazing(&frame.inverse().vector(b.normal), &path, b.t), "{b:?} came"),
-            (a, b) => prop_assert!(matches!((a, b), (Err(SolidError::Edge(_)), _) | (_, Err(SolidError::Edge(_)))), "{a:?} {b:?}"),
+            // Limits are found by tolerances, so a limit in one world may just be avoided in the other.
+            (Err(SolidError::Edge(_) | SolidError::Cusp(_)), _) | (_, Err(SolidError::Edge(_) | SolidError::Cusp(_))) => {}
+            (a, b) => prop_assert!(false, "{a:?} {b:?}"),
         }
     }
 

@@ -34,8 +34,8 @@ pub struct Nearest {
 
 /// A ball that is closer or deeper than this touches, in mm: the accuracy that is promised.
 const TOUCH: f64 = 1e-9;
-/// A motion approaches a surface when the cosine between its direction and the normal is below the negative of this.
-const APPROACH: f64 = 1e-12;
+/// A motion whose angle to a surface is below this (as a sine) may only graze it: the way ahead decides.
+const SHALLOW: f64 = 1e-5;
 /// A root of the polynomial is one of the distance only if the gap there is below this, in mm, before it is sharpened.
 const NEAR_ROOT: f64 = 1e-3;
 /// Unsupported edges are told apart from the ball down to this share of its radius.
@@ -58,7 +58,7 @@ impl Body {
     /// # Errors
     /// An edge that is not supported may be nearer, or a number is not finite.
     pub fn nearest(&self, p: DVec3) -> Result<Option<Nearest>, SolidError> {
-        let nearest = self.nearest_supported(p)?;
+        let nearest = self.nearest_within(p, f64::INFINITY)?;
         let reach = nearest.map_or(1e9, |nearest| nearest.distance);
         self.no_edge_within(p, reach)?;
         Ok(nearest)
@@ -69,15 +69,15 @@ impl Body {
     /// # Errors
     /// An edge that is not supported may touch the ball, or a number is not finite.
     pub fn touches(&self, ball_radius: f64, centre: DVec3) -> Result<bool, SolidError> {
-        if self.nearest_supported(centre)?.is_some_and(|nearest| nearest.distance < ball_radius - TOUCH) {
+        if self.nearest_within(centre, ball_radius - TOUCH)?.is_some() {
             return Ok(true);
         }
         self.no_edge_within(centre, ball_radius)?;
         Ok(false)
     }
 
-    /// The nearest point of the solid apart from edges that are not supported.
-    fn nearest_supported(&self, p: DVec3) -> Result<Option<Nearest>, SolidError> {
+    /// The nearest point of the solid that is closer than `limit`, apart from edges that are not supported.
+    fn nearest_within(&self, p: DVec3, limit: f64) -> Result<Option<Nearest>, SolidError> {
         if !p.is_finite() {
             return Err(SolidError::NotFinite);
         }
@@ -85,7 +85,8 @@ impl Body {
             return Ok(Some(Nearest { distance: 0.0, point: p }));
         }
         let feet = self.features.iter().map(|f| f.foot(p));
-        let mut feet: Vec<(f64, DVec3)> = feet.map(|foot| ((foot - p).length(), foot)).collect();
+        let feet = feet.map(|foot| ((foot - p).length(), foot));
+        let mut feet: Vec<(f64, DVec3)> = feet.filter(|(distance, _)| *distance < limit).collect();
         feet.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (distance, point) in feet {
             if self.contains(point)? {
@@ -190,7 +191,7 @@ impl Body {
             let normal = (start - point) / distance;
             let deflected = gap < -TOUCH;
             let contact = Contact { t: 0.0, ball_centre: start, point, normal, deflected };
-            if deflected || normal.dot(way) < -APPROACH {
+            if deflected || normal.dot(way) < -SHALLOW {
                 if best.is_none_or(|(least, _)| gap < least) {
                     best = Some((gap, contact));
                 }
@@ -201,7 +202,7 @@ impl Body {
         if let Some((_, contact)) = best {
             return Ok(Some(contact));
         }
-        // An arc can leave a touched face along its tangent and still bend into it.
+        // A motion along a touched face may still lead or bend into it.
         let bends_in = sliding.is_some() && self.touches(radius, path.at(0.5 * next))?;
         Ok(sliding.filter(|_| bends_in))
     }
@@ -259,8 +260,9 @@ impl Body {
     fn helix_is_free(&self, radius: f64, path: &Path, from: f64, to: f64) -> Result<(), SolidError> {
         let half = 0.5 * (to - from) * path.length();
         let middle = 0.5 * (from + to);
-        let distance = self.nearest_supported(path.at(middle))?.map_or(f64::INFINITY, |nearest| nearest.distance);
-        if distance > radius + half {
+        let distance =
+            self.nearest_within(path.at(middle), radius + half)?.map_or(f64::INFINITY, |nearest| nearest.distance);
+        if distance >= radius + half {
             return self.no_edge_within(path.at(middle), radius + half);
         }
         if distance < radius || half <= MIN_STEP {
@@ -271,34 +273,62 @@ impl Body {
     }
 }
 
-/// A root of a feature's polynomial, sharpened on the true distance and kept if it is an approach.
-fn candidate(feature: &Feature, piece: &Piece, radius: f64, root: f64) -> Option<Candidate> {
-    let state = |u: f64| {
+/// The ball at one place of a piece, and a feature.
+struct State {
+    centre: DVec3,
+    point: DVec3,
+    /// Distance less radius.
+    gap: f64,
+    /// Change of the gap by the parameter of the piece.
+    slope: f64,
+}
+
+impl State {
+    fn new(feature: &Feature, piece: &Piece, radius: f64, u: f64) -> Self {
         let centre = piece.at(u);
         let point = feature.foot(centre);
         let away = centre - point;
         let distance = away.length();
         let slope = if distance > 0.0 { away.dot(piece.speed(u)) / distance } else { 0.0 };
-        (centre, point, distance - radius, slope)
-    };
-    let (mut u, mut here) = (root, state(root));
-    if here.2.abs() > NEAR_ROOT {
+        Self { centre, point, gap: distance - radius, slope }
+    }
+}
+
+/// A root of a feature's polynomial, sharpened on the true distance and kept if it is an approach.
+fn candidate(feature: &Feature, piece: &Piece, radius: f64, root: f64) -> Option<Candidate> {
+    let (mut u, mut here) = (root, State::new(feature, piece, radius, root));
+    if here.gap.abs() > NEAR_ROOT {
         return None;
     }
     for _ in 0..8 {
-        let (_, _, gap, slope) = here;
-        let next = u - gap / slope;
+        let next = u - here.gap / here.slope;
         if !next.is_finite() || next < piece.low || next > piece.high {
             break;
         }
-        let there = state(next);
-        if there.2.abs() >= gap.abs() {
+        let there = State::new(feature, piece, radius, next);
+        if there.gap.abs() >= here.gap.abs() {
             break;
         }
         (u, here) = (next, there);
     }
-    let (centre, point, gap, slope) = here;
-    let forward = if piece.backwards() { -slope } else { slope };
-    let speed = piece.speed(u).length();
-    (gap.abs() <= TOUCH && forward < -APPROACH * speed).then(|| Candidate { t: piece.t(u), centre, point })
+    let forward = if piece.backwards() { -here.slope } else { here.slope };
+    let steep = SHALLOW * piece.speed(u).length();
+    let approach = forward < -steep || (forward < steep && deepens(feature, piece, radius, u));
+    (here.gap.abs() <= TOUCH && approach).then(|| Candidate { t: piece.t(u), centre: here.centre, point: here.point })
+}
+
+/// Whether a ball that barely approaches a feature gets deeper into it than the accuracy before it leaves again.
+fn deepens(feature: &Feature, piece: &Piece, radius: f64, u: f64) -> bool {
+    let (end, sign) = if piece.backwards() { (piece.low, -1.0) } else { (piece.high, 1.0) };
+    let room = (end - u).abs();
+    let mut ahead = room * 1e-9;
+    while ahead < room {
+        let there = State::new(feature, piece, radius, u + sign * ahead);
+        if there.gap.abs() > TOUCH {
+            return there.gap < 0.0;
+        }
+        ahead *= 1.5;
+    }
+    let last = State::new(feature, piece, radius, end);
+    last.gap < 0.0 && sign * last.slope < 0.0
 }

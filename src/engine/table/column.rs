@@ -1,0 +1,214 @@
+//! The kinds of tables and their columns, as the manuals name them.
+//!
+//! Invariant: a name appears here only if a manual has it; other columns of a file are kept and read as text.
+
+/// What the cells of a column hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// The number of the row.
+    Key,
+    /// Text or a word.
+    Text,
+    /// mm, or inch in a table in inches.
+    Length,
+    /// mm/min, or inch/min in a table in inches.
+    Feed,
+    /// Degrees.
+    Angle,
+    /// A number without a unit.
+    Number,
+}
+
+/// A column: its name, its width in characters and what it holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// The printed name.
+    pub name: &'static str,
+    /// Characters from its start to the start of the next one.
+    pub width: usize,
+    /// What it holds.
+    pub quantity: Quantity,
+}
+
+/// The kinds of tables that cycles read and write.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum TableKind {
+    /// Tools, `TOOL.T`.
+    Tool,
+    /// Touch probes, `tchprobe.tp`.
+    Probe,
+    /// Presets, `PRESET.PR`.
+    Preset,
+    /// Datums, any `.D`.
+    Datum,
+}
+
+/// Room for `-99999.999999999` and a blank: the engine's results keep 1e-9 mm.
+const WIDE: usize = 17;
+
+const fn key(name: &'static str) -> Column {
+    Column { name, width: 8, quantity: Quantity::Key }
+}
+
+const fn text(name: &'static str, width: usize) -> Column {
+    Column { name, width, quantity: Quantity::Text }
+}
+
+const fn length(name: &'static str) -> Column {
+    Column { name, width: WIDE, quantity: Quantity::Length }
+}
+
+const fn angle(name: &'static str) -> Column {
+    Column { name, width: WIDE, quantity: Quantity::Angle }
+}
+
+const fn feed(name: &'static str) -> Column {
+    Column { name, width: 11, quantity: Quantity::Feed }
+}
+
+const fn number(name: &'static str) -> Column {
+    Column { name, width: 9, quantity: Quantity::Number }
+}
+
+/// Tool measurement: TNC 320 manual lines 6916-6955; LCUTS, ANGLE: TNC 640 4704; T-ANGLE: 1750; TP_NO: 10661; TL: 12624.
+const TOOL: &[Column] = &[
+    key("T"),
+    text("NAME", 33),
+    length("L"),
+    length("R"),
+    length("R2"),
+    length("DL"),
+    length("DR"),
+    length("DR2"),
+    text("TL", 4),
+    number("CUT"),
+    length("LTOL"),
+    length("RTOL"),
+    length("R2TOL"),
+    text("DIRECT.", 9),
+    length("R-OFFS"),
+    length("L-OFFS"),
+    length("LBREAK"),
+    length("RBREAK"),
+    length("LCUTS"),
+    angle("ANGLE"),
+    angle("T-ANGLE"),
+    number("TP_NO"),
+    text("TYP", 7),
+    text("DOC", 33),
+];
+
+/// TNC 640 manual lines 10661-10671, TNC 320 lines 493-555.
+const PROBE: &[Column] = &[
+    key("NO"),
+    text("TYPE", 17),
+    length("CAL_OF1"),
+    length("CAL_OF2"),
+    angle("CAL_ANG"),
+    feed("F"),
+    feed("FMAX"),
+    length("DIST"),
+    length("SET_UP"),
+    text("F_PREPOS", 14),
+    text("TRACK", 7),
+];
+
+/// SPA, SPB, SPC: TNC 320 manual lines 794-795; the axes are those that cycles write.
+const PRESET: &[Column] = &[
+    key("NO"),
+    text("DOC", 33),
+    length("X"),
+    length("Y"),
+    length("Z"),
+    angle("SPA"),
+    angle("SPB"),
+    angle("SPC"),
+    angle("A"),
+    angle("B"),
+    angle("C"),
+    length("U"),
+    length("V"),
+    length("W"),
+];
+
+/// TNC 640 manual lines 6422-6450.
+const DATUM: &[Column] = &[
+    key("D"),
+    length("X"),
+    length("Y"),
+    length("Z"),
+    angle("A"),
+    angle("B"),
+    angle("C"),
+    length("U"),
+    length("V"),
+    length("W"),
+    text("DOC", 33),
+];
+
+impl TableKind {
+    /// All kinds.
+    pub const ALL: [Self; 4] = [Self::Tool, Self::Probe, Self::Preset, Self::Datum];
+
+    /// The columns in their order; the first is the number of the row.
+    pub const fn columns(self) -> &'static [Column] {
+        match self {
+            Self::Tool => TOOL,
+            Self::Probe => PROBE,
+            Self::Preset => PRESET,
+            Self::Datum => DATUM,
+        }
+    }
+
+    /// The extension of its files, with the dot, in upper case.
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::Tool => ".T",
+            Self::Probe => ".TP",
+            Self::Preset => ".PR",
+            Self::Datum => ".D",
+        }
+    }
+
+    /// The name of the file that a control has of this kind, or that a scene's table gets.
+    pub const fn file_name(self) -> &'static str {
+        match self {
+            Self::Tool => "TOOL.T",
+            Self::Probe => "tchprobe.tp",
+            Self::Preset => "PRESET.PR",
+            Self::Datum => "DATUM.D",
+        }
+    }
+
+    /// The word for it in specifications and messages.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Tool => "tool",
+            Self::Probe => "probe",
+            Self::Preset => "preset",
+            Self::Datum => "datum",
+        }
+    }
+
+    /// The kind of that word.
+    pub fn by_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.as_str() == word)
+    }
+
+    /// The kind of a file by its extension.
+    pub fn of_file(name: &str) -> Option<Self> {
+        let extension = name.rsplit_once('.').map(|(_, extension)| format!(".{}", extension.to_ascii_uppercase()))?;
+        Self::ALL.into_iter().find(|kind| kind.extension() == extension)
+    }
+
+    /// The column of a name; manuals print some names with `-` or `_`, and with `TT:` in front.
+    pub fn column(self, name: &str) -> Option<&'static Column> {
+        self.columns().iter().find(|column| same_name(column.name, name))
+    }
+}
+
+/// Whether two printed names mean the same column (R-OFFS, R_OFFS, TT:R_OFFS).
+pub(super) fn same_name(a: &str, b: &str) -> bool {
+    let bare = |name: &str| name.strip_prefix("TT:").unwrap_or(name).replace('-', "_").to_ascii_uppercase();
+    bare(a) == bare(b)
+}
