@@ -2,6 +2,9 @@
 //!
 //! Invariant: nothing here prints, reads files or knows a cycle; worlds are built from texts that are handed in.
 pub mod geometry;
+pub mod machine;
 pub mod plan;
+mod read;
+pub mod scene;
 pub mod solid;
 pub mod table;

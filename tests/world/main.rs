@@ -1,4 +1,5 @@
 //! The world of the engine: geometry, solids, tables, scenes.
+mod scenes;
 mod solid_cases;
 mod solid_laws;
 mod tables;

@@ -5,8 +5,9 @@
 //! enough to walk around those lines.
 use glam::DVec3;
 
-/// Directions closer than this are the same direction.
-const SAME_DIRECTION: f64 = 1e-9;
+/// Directions closer than this are the same direction: surfaces that overlap by a tenth of a nanometre
+/// cross at a greater angle even if their radius is 10 m.
+const SAME_DIRECTION: f64 = 1e-7;
 
 /// Whether two unit normals belong to the same plane through a point.
 pub(super) fn parallel(a: DVec3, b: DVec3) -> bool {

@@ -11,6 +11,9 @@ const REACH: f64 = 2e5;
 /// Directions count as parallel or perpendicular below this; over 1000 mm that is 1e-9 mm.
 const PARALLEL: f64 = 1e-12;
 
+/// Surfaces that overlap by less than this (mm) only touch.
+const OVERLAP: f64 = 1e-10;
+
 /// An edge curve; directions are unit vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Curve {
@@ -120,7 +123,10 @@ fn plane_and(normal: DVec3, offset: f64, other: Surface) -> Meeting {
         Surface::Plane { normal: m, offset: e } => planes(normal, offset, m, e),
         Surface::Sphere { centre, radius } => {
             let gap = normal.dot(centre) - offset;
-            circle_of(centre - normal * gap, normal, radius * radius - gap * gap)
+            if radius - gap.abs() <= OVERLAP {
+                return none();
+            }
+            ring(centre - normal * gap, normal, libm::sqrt(radius * radius - gap * gap))
         }
         Surface::Cylinder { origin, axis, radius } => plane_and_cylinder(normal, offset, origin, axis, radius),
         Surface::Cone { apex, axis, sin, cos } => {
@@ -142,23 +148,19 @@ fn plane_and_cylinder(normal: DVec3, offset: f64, origin: DVec3, axis: DVec3, ra
         return Meeting::Other;
     }
     let gap = offset - normal.dot(origin);
-    let rest = radius * radius - gap * gap;
+    let depth = radius - gap.abs();
     let (foot, side) = (origin + normal * gap, axis.cross(normal).normalize());
-    if rest.abs() <= 2.0 * radius * SAME {
+    if depth.abs() <= OVERLAP {
         return one(Curve::Line { origin: foot, direction: axis });
     }
-    if rest < 0.0 {
+    if depth < 0.0 {
         return none();
     }
-    let half = side * libm::sqrt(rest);
+    let half = side * libm::sqrt(radius * radius - gap * gap);
     Meeting::Curves([half, -half].map(|way| Curve::Line { origin: foot + way, direction: axis }).to_vec())
 }
 
-/// A circle by its squared radius; a single point or nothing is no edge.
-fn circle_of(centre: DVec3, axis: DVec3, square: f64) -> Meeting {
-    if square <= 0.0 { none() } else { ring(centre, axis, libm::sqrt(square)) }
-}
-
+/// A circle; a single point is no edge.
 fn ring(centre: DVec3, axis: DVec3, radius: f64) -> Meeting {
     if radius <= SAME { none() } else { one(Curve::Circle { centre, axis, radius }) }
 }
@@ -166,11 +168,17 @@ fn ring(centre: DVec3, axis: DVec3, radius: f64) -> Meeting {
 fn spheres(a: DVec3, r: f64, b: DVec3, s: f64) -> Meeting {
     let way = b - a;
     let distance = way.length();
-    if distance <= SAME {
+    if !cross_over(distance, r, s) {
         return none();
     }
     let along = (distance * distance + r * r - s * s) / (2.0 * distance);
-    circle_of(a + way * (along / distance), way / distance, r * r - along * along)
+    let square = (r * r - along * along).max(0.0);
+    ring(a + way * (along / distance), way / distance, libm::sqrt(square))
+}
+
+/// Whether two circles at this distance cross, and do not only touch.
+fn cross_over(distance: f64, r: f64, s: f64) -> bool {
+    distance < r + s - OVERLAP && distance > (r - s).abs() + OVERLAP
 }
 
 fn sphere_and_cylinder(centre: DVec3, radius: f64, origin: DVec3, axis: DVec3, across: f64) -> Meeting {
@@ -180,13 +188,16 @@ fn sphere_and_cylinder(centre: DVec3, radius: f64, origin: DVec3, axis: DVec3, a
         let apart = off >= across + radius || off + radius <= across;
         return if apart { none() } else { Meeting::Other };
     }
-    let square = radius * radius - across * across;
-    if square < 0.0 {
+    let depth = radius - across;
+    let at = |height: f64| Curve::Circle { centre: origin + axis * height, axis, radius: across };
+    if depth.abs() <= OVERLAP {
+        return one(at(height));
+    }
+    if depth < 0.0 {
         return none();
     }
-    let half = libm::sqrt(square);
-    let at = |height: f64| Curve::Circle { centre: origin + axis * height, axis, radius: across };
-    Meeting::Curves(if half <= SAME { vec![at(height)] } else { vec![at(height - half), at(height + half)] })
+    let half = libm::sqrt(radius * radius - across * across);
+    Meeting::Curves(vec![at(height - half), at(height + half)])
 }
 
 fn cylinders(a: DVec3, u: DVec3, r: f64, b: DVec3, v: DVec3, s: f64) -> Meeting {
@@ -198,16 +209,15 @@ fn cylinders(a: DVec3, u: DVec3, r: f64, b: DVec3, v: DVec3, s: f64) -> Meeting 
     }
     let way = split(b, a, u).1;
     let distance = way.length();
-    if distance <= SAME || distance > r + s + SAME || distance < (r - s).abs() - SAME {
+    if distance <= SAME || distance > r + s + OVERLAP || distance < (r - s).abs() - OVERLAP {
         return none();
     }
     let along = (distance * distance + r * r - s * s) / (2.0 * distance);
-    let square = r * r - along * along;
     let foot = a + way * (along / distance);
-    if square <= 2.0 * r * SAME {
+    if !cross_over(distance, r, s) {
         return one(Curve::Line { origin: foot, direction: u });
     }
-    let half = u.cross(way / distance) * libm::sqrt(square);
+    let half = u.cross(way / distance) * libm::sqrt((r * r - along * along).max(0.0));
     Meeting::Curves([half, -half].map(|way| Curve::Line { origin: foot + way, direction: u }).to_vec())
 }
 
@@ -223,12 +233,12 @@ fn cone_and_sphere(apex: DVec3, axis: DVec3, sin: f64, cos: f64, centre: DVec3, 
         return if gap >= radius { none() } else { Meeting::Other };
     }
     // Along a generator at the way s from the apex: s² - 2 s height cos + height² = radius².
-    let root = radius * radius - height * height * sin * sin;
-    if root < 0.0 {
+    let depth = radius - height.abs() * sin;
+    if depth < -OVERLAP {
         return none();
     }
-    let (middle, half) = (height * cos, libm::sqrt(root));
-    let ways = if half <= SAME { vec![middle] } else { vec![middle - half, middle + half] };
+    let (middle, half) = (height * cos, libm::sqrt((radius * radius - height * height * sin * sin).max(0.0)));
+    let ways = if depth <= OVERLAP { vec![middle] } else { vec![middle - half, middle + half] };
     let rings = ways.into_iter().filter(|s| s * sin > SAME);
     Meeting::Curves(rings.map(|s| Curve::Circle { centre: apex + axis * (s * cos), axis, radius: s * sin }).collect())
 }

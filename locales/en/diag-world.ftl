@@ -1,0 +1,46 @@
+# Findings about scenes, machines, tables and solids.
+# $found and $known come from the file or from the program and are shown as they are.
+
+diag-scene-expected =
+    { $expected ->
+        [mapping] A mapping of keys and values should stand here, not "{ $found }".
+        [list] A list should stand here, not "{ $found }".
+        [number] A number should stand here, not "{ $found }".
+        [text] A text should stand here, not "{ $found }".
+        [axis] The letter of an axis (X, Y or Z) should stand here, not "{ $found }".
+        [two-numbers] Two numbers should stand here, not "{ $found }".
+        [three-numbers] Three numbers should stand here, not "{ $found }".
+        [row-number] The number of a table row should stand here, not "{ $found }".
+        [unit] The unit is mm or inch, not "{ $found }".
+        [clock] A date and a time such as 2015-07-03T14:05:00 should stand here, not "{ $found }".
+        [datum-file] The name of a datum table ends in .D.
+       *[solids] At least one solid should stand here.
+    }
+diag-scene-unknown-key = The key { $key } means nothing here; known are { $known }.
+diag-scene-missing-key = The key { $key } is missing.
+diag-scene-not-positive = This must be greater than zero, not { $found }.
+diag-scene-version = This version of the file format is not known; known is { $known }.
+diag-scene-repeated = { $found } is given twice.
+diag-scene-min-max = Every minimum must be smaller than its maximum.
+diag-scene-no-length = This has no length.
+diag-scene-one-solid = Exactly one solid belongs here: { $known }.
+diag-scene-unknown-machine = There is no machine named { $name }; known are { $known }.
+diag-scene-start-outside = The start lies outside the traverse range of axis { $axis }: { $found } mm is not between { $min } and { $max } mm.
+
+diag-solid-not-finite = A dimension is not a finite positive number.
+diag-solid-edge-unsupported = The ball may touch an edge that is neither a straight line nor a circle; this contact cannot be calculated exactly.
+diag-solid-cusp = The ball may touch a place where surfaces meet tangentially and leave no thickness; this contact cannot be calculated exactly.
+diag-solid-helix-unsupported = The ball may touch the workpiece on a helix; this contact cannot be calculated exactly.
+
+diag-table-no-header = The table must begin with a line "BEGIN", the name of a { $extension } file and the unit.
+diag-table-no-heading = The second line must name the columns, { $column } among them.
+diag-table-no-end = The line [END] is missing.
+diag-table-no-row-number = The row has no number: "{ $found }".
+diag-table-duplicate-row = The row { $row } stands twice.
+diag-table-bad-number = { $file }, row { $row }, column { $column }: "{ $found }" is not a number.
+diag-table-missing = There is no table { $file }.
+diag-table-no-row = The table { $file } has no row { $row }.
+diag-table-no-column = The table { $file } has no column { $column }.
+diag-table-too-wide = { $file }, row { $row }: the value does not fit into column { $column }.
+diag-table-text-in-numbers = { $file }, row { $row }: column { $column } takes numbers only.
+diag-table-key-column = { $file }, row { $row }: the row number in column { $column } cannot be changed.

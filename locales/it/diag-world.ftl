@@ -1,0 +1,45 @@
+# Segnalazioni su scene, macchine, tabelle e solidi.
+
+diag-scene-expected =
+    { $expected ->
+        [mapping] Qui sono previste chiavi con valori, non "{ $found }".
+        [list] Qui è previsto un elenco, non "{ $found }".
+        [number] Qui è previsto un numero, non "{ $found }".
+        [text] Qui è previsto un testo, non "{ $found }".
+        [axis] Qui è prevista la lettera di un asse (X, Y o Z), non "{ $found }".
+        [two-numbers] Qui sono previsti due numeri, non "{ $found }".
+        [three-numbers] Qui sono previsti tre numeri, non "{ $found }".
+        [row-number] Qui è previsto il numero di una riga della tabella, non "{ $found }".
+        [unit] L'unità di misura è mm o inch, non "{ $found }".
+        [clock] Qui sono previste data e ora, ad esempio 2015-07-03T14:05:00, non "{ $found }".
+        [datum-file] Il nome di una tabella origini termina con .D.
+       *[solids] Qui è previsto almeno un solido.
+    }
+diag-scene-unknown-key = La chiave { $key } non ha significato in questo punto; chiavi note: { $known }.
+diag-scene-missing-key = Manca la chiave { $key }.
+diag-scene-not-positive = Il valore deve essere maggiore di zero, non { $found }.
+diag-scene-version = Questa versione del formato del file non è nota; versione nota: { $known }.
+diag-scene-repeated = { $found } è indicato due volte.
+diag-scene-min-max = Ogni valore minimo deve essere inferiore al rispettivo massimo.
+diag-scene-no-length = La lunghezza è nulla.
+diag-scene-one-solid = Qui è ammesso esattamente un solido: { $known }.
+diag-scene-unknown-machine = Non esiste alcuna macchina di nome { $name }; macchine note: { $known }.
+diag-scene-start-outside = Il punto di partenza è fuori dal campo di traslazione dell'asse { $axis }: { $found } mm non è compreso tra { $min } e { $max } mm.
+
+diag-solid-not-finite = Una quota non è un numero finito e positivo.
+diag-solid-edge-unsupported = La sfera del tastatore può toccare uno spigolo che non è né una retta né un cerchio; questo contatto non può essere calcolato con esattezza.
+diag-solid-cusp = La sfera del tastatore può toccare un punto in cui le superfici sono tangenti e non lasciano spessore; questo contatto non può essere calcolato con esattezza.
+diag-solid-helix-unsupported = La sfera del tastatore può toccare il pezzo durante un movimento elicoidale; questo contatto non può essere calcolato con esattezza.
+
+diag-table-no-header = La tabella deve iniziare con una riga contenente "BEGIN", il nome di un file { $extension } e l'unità di misura.
+diag-table-no-heading = La seconda riga deve contenere i nomi delle colonne, tra cui { $column }.
+diag-table-no-end = Manca la riga [END].
+diag-table-no-row-number = La riga non ha numero: "{ $found }".
+diag-table-duplicate-row = La riga { $row } è presente due volte.
+diag-table-bad-number = { $file }, riga { $row }, colonna { $column }: "{ $found }" non è un numero.
+diag-table-missing = La tabella { $file } non esiste.
+diag-table-no-row = La tabella { $file } non contiene la riga { $row }.
+diag-table-no-column = La tabella { $file } non contiene la colonna { $column }.
+diag-table-too-wide = { $file }, riga { $row }: il valore è troppo lungo per la colonna { $column }.
+diag-table-text-in-numbers = { $file }, riga { $row }: nella colonna { $column } sono ammessi solo numeri.
+diag-table-key-column = { $file }, riga { $row }: il numero di riga nella colonna { $column } non può essere modificato.

@@ -1,0 +1,45 @@
+# Ocorrências em cenas, máquinas, tabelas e sólidos.
+
+diag-scene-expected =
+    { $expected ->
+        [mapping] Aqui devem estar chaves com valores e não "{ $found }".
+        [list] Aqui deve estar uma lista e não "{ $found }".
+        [number] Aqui deve estar um número e não "{ $found }".
+        [text] Aqui deve estar um texto e não "{ $found }".
+        [axis] Aqui deve estar a letra de um eixo (X, Y ou Z) e não "{ $found }".
+        [two-numbers] Aqui devem estar dois números e não "{ $found }".
+        [three-numbers] Aqui devem estar três números e não "{ $found }".
+        [row-number] Aqui deve estar o número de uma linha da tabela e não "{ $found }".
+        [unit] A unidade de medida é mm ou inch e não "{ $found }".
+        [clock] Aqui devem estar a data e a hora, por exemplo 2015-07-03T14:05:00, e não "{ $found }".
+        [datum-file] O nome de uma tabela de pontos zero termina em .D.
+       *[solids] Aqui deve estar pelo menos um sólido.
+    }
+diag-scene-unknown-key = A chave { $key } não tem significado aqui; chaves conhecidas: { $known }.
+diag-scene-missing-key = Falta a chave { $key }.
+diag-scene-not-positive = O valor deve ser maior do que zero e não { $found }.
+diag-scene-version = Esta versão do formato do ficheiro não é conhecida; versão conhecida: { $known }.
+diag-scene-repeated = { $found } está indicado duas vezes.
+diag-scene-min-max = Cada valor mínimo deve ser menor do que o respetivo máximo.
+diag-scene-no-length = O comprimento é zero.
+diag-scene-one-solid = Aqui deve estar exatamente um sólido: { $known }.
+diag-scene-unknown-machine = Não existe nenhuma máquina com o nome { $name }; máquinas conhecidas: { $known }.
+diag-scene-start-outside = O ponto de partida está fora da margem de deslocação do eixo { $axis }: { $found } mm não está entre { $min } e { $max } mm.
+
+diag-solid-not-finite = Uma medida não é um número finito e positivo.
+diag-solid-edge-unsupported = A esfera de apalpação pode tocar numa aresta que não é uma reta nem um círculo; este contacto não pode ser calculado com exatidão.
+diag-solid-cusp = A esfera de apalpação pode tocar num ponto em que as superfícies são tangentes e não deixam espessura; este contacto não pode ser calculado com exatidão.
+diag-solid-helix-unsupported = A esfera de apalpação pode tocar na peça durante um movimento helicoidal; este contacto não pode ser calculado com exatidão.
+
+diag-table-no-header = A tabela deve começar por uma linha com "BEGIN", o nome de um ficheiro { $extension } e a unidade de medida.
+diag-table-no-heading = A segunda linha deve conter os nomes das colunas, entre eles { $column }.
+diag-table-no-end = Falta a linha [END].
+diag-table-no-row-number = A linha não tem número: "{ $found }".
+diag-table-duplicate-row = A linha { $row } aparece duas vezes.
+diag-table-bad-number = { $file }, linha { $row }, coluna { $column }: "{ $found }" não é um número.
+diag-table-missing = A tabela { $file } não existe.
+diag-table-no-row = A tabela { $file } não tem a linha { $row }.
+diag-table-no-column = A tabela { $file } não tem a coluna { $column }.
+diag-table-too-wide = { $file }, linha { $row }: o valor não cabe na coluna { $column }.
+diag-table-text-in-numbers = { $file }, linha { $row }: a coluna { $column } só aceita números.
+diag-table-key-column = { $file }, linha { $row }: o número da linha na coluna { $column } não pode ser alterado.

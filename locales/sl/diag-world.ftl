@@ -1,0 +1,45 @@
+# Ugotovitve o prizorih, strojih, preglednicah in telesih.
+
+diag-scene-expected =
+    { $expected ->
+        [mapping] Tukaj bi morali biti ključi z vrednostmi, ne »{ $found }«.
+        [list] Tukaj bi moral biti seznam, ne »{ $found }«.
+        [number] Tukaj bi moralo biti število, ne »{ $found }«.
+        [text] Tukaj bi moralo biti besedilo, ne »{ $found }«.
+        [axis] Tukaj bi morala biti črka osi (X, Y ali Z), ne »{ $found }«.
+        [two-numbers] Tukaj bi morali biti dve števili, ne »{ $found }«.
+        [three-numbers] Tukaj bi morala biti tri števila, ne »{ $found }«.
+        [row-number] Tukaj bi morala biti številka vrstice v preglednici, ne »{ $found }«.
+        [unit] Merska enota je mm ali inch, ne »{ $found }«.
+        [clock] Tukaj bi morala biti datum in ura, na primer 2015-07-03T14:05:00, ne »{ $found }«.
+        [datum-file] Ime preglednice ničelnih točk se konča z .D.
+       *[solids] Tukaj bi moralo biti vsaj eno telo.
+    }
+diag-scene-unknown-key = Ključ { $key } tukaj nima pomena; znani ključi so { $known }.
+diag-scene-missing-key = Manjka ključ { $key }.
+diag-scene-not-positive = Vrednost mora biti večja od nič, ne { $found }.
+diag-scene-version = Ta različica oblike datoteke ni znana; znana je { $known }.
+diag-scene-repeated = { $found } je navedeno dvakrat.
+diag-scene-min-max = Vsaka najmanjša vrednost mora biti manjša od največje.
+diag-scene-no-length = Dolžina je nič.
+diag-scene-one-solid = Sem spada natanko eno telo: { $known }.
+diag-scene-unknown-machine = Stroja z imenom { $name } ni; znani so { $known }.
+diag-scene-start-outside = Začetni položaj je zunaj območja premika osi { $axis }: { $found } mm ni med { $min } in { $max } mm.
+
+diag-solid-not-finite = Ena od mer ni končno pozitivno število.
+diag-solid-edge-unsupported = Tipalna kroglica se lahko dotakne roba, ki ni ne premica ne krog; tega dotika ni mogoče natančno izračunati.
+diag-solid-cusp = Tipalna kroglica se lahko dotakne mesta, kjer se ploskvi stikata tangencialno in med njima ni materiala; tega dotika ni mogoče natančno izračunati.
+diag-solid-helix-unsupported = Tipalna kroglica se lahko obdelovanca dotakne pri gibu po vijačnici; tega dotika ni mogoče natančno izračunati.
+
+diag-table-no-header = Preglednica se mora začeti z vrstico, v kateri so »BEGIN«, ime datoteke { $extension } in merska enota.
+diag-table-no-heading = V drugi vrstici morajo biti imena stolpcev, med njimi { $column }.
+diag-table-no-end = Manjka vrstica [END].
+diag-table-no-row-number = Vrstica nima številke: »{ $found }«.
+diag-table-duplicate-row = Vrstica { $row } je navedena dvakrat.
+diag-table-bad-number = { $file }, vrstica { $row }, stolpec { $column }: »{ $found }« ni število.
+diag-table-missing = Preglednice { $file } ni.
+diag-table-no-row = V preglednici { $file } ni vrstice { $row }.
+diag-table-no-column = V preglednici { $file } ni stolpca { $column }.
+diag-table-too-wide = { $file }, vrstica { $row }: vrednost je predolga za stolpec { $column }.
+diag-table-text-in-numbers = { $file }, vrstica { $row }: v stolpec { $column } je mogoče vnesti samo števila.
+diag-table-key-column = { $file }, vrstica { $row }: številke vrstice v stolpcu { $column } ni mogoče spremeniti.

@@ -1,0 +1,121 @@
+//! Machines: which axes there are, how far and how fast they go.
+//!
+//! Invariant: a machine is data; it knows no position, no tool and no workpiece.
+use super::geometry::Axis;
+use super::read::Reader;
+use crate::data::Files;
+use crate::diag::{Diagnostic, Source};
+use crate::spec::{Node, read_yaml};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// The version of machine files that is understood.
+const VERSION: &str = "1";
+/// Where machines with a name are kept.
+const FOLDER: &str = "cycle-specs/machines/";
+
+/// A linear axis of a machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MachineAxis {
+    /// Its letter.
+    pub axis: Axis,
+    /// The lowest machine coordinate in mm.
+    pub min: f64,
+    /// The highest machine coordinate in mm.
+    pub max: f64,
+    /// Rapid traverse in mm/min.
+    pub rapid: f64,
+}
+
+/// A machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Machine {
+    /// Its name.
+    pub name: String,
+    /// The axis along which the spindle and the touch probe point.
+    pub spindle: Axis,
+    /// Its linear axes.
+    pub axes: Vec<MachineAxis>,
+}
+
+impl Machine {
+    /// The machine of that name among the data files.
+    ///
+    /// # Errors
+    /// The mistakes in its file; an empty list if there is no such machine.
+    pub fn named(name: &str, files: &Files) -> Result<Self, Vec<Diagnostic>> {
+        let path = format!("{FOLDER}{name}.yaml");
+        let text =
+            files.iter().find(|(known, _)| *known == path).map(|(_, text)| text.as_str()).ok_or_else(Vec::new)?;
+        Self::parse(&Source::new(path, text))
+    }
+
+    /// The names of the machines among the data files.
+    pub fn names(files: &Files) -> Vec<&str> {
+        files.iter().filter_map(|(path, _)| path.strip_prefix(FOLDER)?.strip_suffix(".yaml")).collect()
+    }
+
+    /// Reads a machine file.
+    ///
+    /// # Errors
+    /// All mistakes with their places.
+    pub fn parse(source: &Arc<Source>) -> Result<Self, Vec<Diagnostic>> {
+        let mut reader = Reader::new(source);
+        let node = read_yaml(source, &mut reader.found);
+        let machine = node.and_then(|node| Self::read(&node, &mut reader));
+        machine.filter(|_| reader.found.is_empty()).ok_or(reader.found)
+    }
+
+    /// Reads a machine written out in another file.
+    pub(super) fn read(node: &Node, reader: &mut Reader<'_>) -> Option<Self> {
+        if !reader.only_keys(node, &["machine", "name", "spindle", "axes"]) {
+            return None;
+        }
+        if let Some(version) = node.get("machine").filter(|version| version.text() != Some(VERSION)) {
+            reader.report("scene-version", version, vec![("known", VERSION.into())]);
+        }
+        let name = node.get("name").and_then(|name| reader.text(name)).unwrap_or_default().to_owned();
+        let spindle = node.get("spindle").map_or(Some(Axis::Z), |axis| reader.axis(axis));
+        let list = reader.need(node, "axes")?;
+        let mut axes: Vec<MachineAxis> = Vec::new();
+        for item in reader.items(list) {
+            let Some(axis) = read_axis(item, reader) else { continue };
+            if axes.iter().any(|known| known.axis == axis.axis) {
+                reader.report("scene-repeated", item, vec![("found", axis.axis.letter().to_string().into())]);
+            }
+            axes.push(axis);
+        }
+        Some(Self { name, spindle: spindle?, axes })
+    }
+
+    /// The data of an axis, if the machine has it.
+    pub fn axis(&self, axis: Axis) -> Option<&MachineAxis> {
+        self.axes.iter().find(|known| known.axis == axis)
+    }
+
+    /// The first axis that a position in machine coordinates would take beyond its limits.
+    pub fn beyond_limits(&self, position: DVec3) -> Option<&MachineAxis> {
+        self.axes.iter().find(|axis| !(axis.min..=axis.max).contains(&axis.axis.of(position)))
+    }
+
+    /// The feed in mm/min along the path when every axis that moves keeps within its rapid traverse.
+    pub fn rapid_feed(&self, way: DVec3) -> f64 {
+        let length = way.length();
+        let time = self.axes.iter().map(|axis| axis.axis.of(way).abs() / axis.rapid).fold(0.0, f64::max);
+        if time > 0.0 { length / time } else { self.axes.iter().map(|axis| axis.rapid).fold(f64::INFINITY, f64::min) }
+    }
+}
+
+fn read_axis(node: &Node, reader: &mut Reader<'_>) -> Option<MachineAxis> {
+    reader.only_keys(node, &["axis", "min", "max", "rapid"]);
+    let axis = reader.need(node, "axis").and_then(|node| reader.axis(node));
+    let min = reader.need(node, "min").and_then(|node| reader.length(node));
+    let max = reader.need(node, "max").and_then(|node| reader.length(node));
+    let rapid = reader.need(node, "rapid").and_then(|node| reader.positive(node));
+    let (axis, min, max, rapid) = (axis?, min?, max?, rapid?);
+    if min >= max {
+        reader.report("scene-min-max", node, Vec::new());
+        return None;
+    }
+    Some(MachineAxis { axis, min, max, rapid })
+}

@@ -1,0 +1,347 @@
+//! Scenes: the world in which a program runs, as one YAML file. `docs/scene.md` describes the form.
+//!
+//! Invariant: a scene that is read is sound (numbers are finite, solids have an extent, the active preset
+//! exists, the machine can stand at the start), and anything unknown in it was an error with its place.
+mod answers;
+mod clock;
+mod rows;
+mod solid;
+
+pub use answers::Answers;
+pub use clock::Clock;
+
+use super::geometry::Frame;
+use super::machine::Machine;
+use super::read::Reader;
+use super::solid::{Body, Shape};
+use super::table::{Table, TableError, TableKind};
+use crate::data::{Files, embedded};
+use crate::diag::{Diagnostic, Source};
+use crate::spec::{Kind, Node, read_yaml};
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
+
+/// The version of scene files that is understood.
+const VERSION: &str = "1";
+/// mm in an inch.
+const INCH: f64 = 25.4;
+/// The machine of a scene that names none.
+const DEFAULT_MACHINE: &str = "mill-3-axis";
+/// Where the tool stands at the start of a scene that does not say it, in the coordinates of the active preset.
+const DEFAULT_START: DVec3 = DVec3::new(0.0, 0.0, 100.0);
+/// The keys of a scene.
+const KEYS: &[&str] = &[
+    "scene",
+    "units",
+    "clock",
+    "machine",
+    "machine_parameters",
+    "tools",
+    "probe",
+    "presets",
+    "datums",
+    "start",
+    "stock",
+    "parts",
+    "answers",
+];
+
+/// The value of a machine parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ParameterValue {
+    /// A number, in the unit of the machine parameter.
+    Number(f64),
+    /// A word or text.
+    Text(String),
+    /// Several numbers.
+    List(Vec<f64>),
+}
+
+/// The touch probe as it really is; what the control believes stands in the probe table and the tool table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Probe {
+    /// The number of its row in the probe table.
+    pub row: f64,
+    /// The true radius of the ball in mm.
+    pub ball_radius: f64,
+    /// The true offset of the ball centre from the spindle axis in mm, in main and secondary axis.
+    pub offset: DVec2,
+}
+
+/// A world.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The time at which the run starts.
+    pub clock: Clock,
+    /// The machine.
+    pub machine: Machine,
+    /// Machine parameters by name, in the order of the file.
+    pub machine_parameters: Vec<(String, ParameterValue)>,
+    /// The tool table.
+    pub tools: Table,
+    /// The touch probe table.
+    pub probes: Table,
+    /// The touch probe, if there is one.
+    pub probe: Option<Probe>,
+    /// The preset table.
+    pub presets: Table,
+    /// The number of the preset that is active at the start.
+    pub active_preset: f64,
+    /// The datum tables; the first one is active at the start.
+    pub datums: Vec<Table>,
+    /// From the coordinates of the preset that is active at the start to the machine.
+    pub frame: Frame,
+    /// Where the tool tip is at the start, in machine coordinates.
+    pub start: DVec3,
+    /// The raw material, in machine coordinates.
+    pub stock: Option<Shape>,
+    /// All parts together, in machine coordinates. They stay where they are when a program changes its preset.
+    pub parts: Shape,
+    /// The parts, ready for contact.
+    pub body: Body,
+    /// What the operator says.
+    pub answers: Answers,
+}
+
+/// From the coordinates of a preset to the machine: X, Y, Z shifted, SPA, SPB, SPC turned. Empty cells are 0.
+///
+/// # Errors
+/// There is no such row.
+pub fn preset_frame(presets: &Table, row: f64) -> Result<Frame, TableError> {
+    let number = |column| presets.number(row, column).map(Option::unwrap_or_default);
+    let shift = DVec3::new(number("X")?, number("Y")?, number("Z")?);
+    Ok(Frame::placed(shift, DVec3::new(number("SPA")?, number("SPB")?, number("SPC")?)))
+}
+
+impl Scene {
+    /// Reads a scene file; machines are looked up among the embedded data.
+    ///
+    /// # Errors
+    /// All mistakes with their places.
+    pub fn parse(source: &Arc<Source>) -> Result<Self, Vec<Diagnostic>> {
+        Self::parse_with(source, &embedded())
+    }
+
+    /// Reads a scene file; machines are looked up among `files`.
+    ///
+    /// # Errors
+    /// All mistakes with their places.
+    pub fn parse_with(source: &Arc<Source>, files: &Files) -> Result<Self, Vec<Diagnostic>> {
+        let mut reader = Reader::new(source);
+        let Some(node) = read_yaml(source, &mut reader.found) else {
+            if reader.found.is_empty() {
+                return Self::read(&Node { span: (0..0).into(), kind: Kind::Scalar("".into(), true) }, reader, files);
+            }
+            return Err(reader.found);
+        };
+        reader.need(&node, "scene");
+        Self::read(&node, reader, files)
+    }
+
+    /// Reads a scene that is written out in another file of which `node` is a part; `scene: 1` may be left out.
+    ///
+    /// # Errors
+    /// All mistakes with their places.
+    pub fn from_node(node: &Node, source: &Arc<Source>, files: &Files) -> Result<Self, Vec<Diagnostic>> {
+        Self::read(node, Reader::new(source), files)
+    }
+
+    fn read(node: &Node, mut reader: Reader<'_>, files: &Files) -> Result<Self, Vec<Diagnostic>> {
+        let r = &mut reader;
+        r.only_keys(node, KEYS);
+        if let Some(version) = node.get("scene").filter(|version| version.text() != Some(VERSION)) {
+            r.report("scene-version", version, vec![("known", VERSION.into())]);
+        }
+        units(node, r);
+        let clock = node.get("clock").map_or(Some(Clock::DEFAULT), |node| clock(node, r));
+        let machine = machine(node, r, files);
+        let machine_parameters = node.get("machine_parameters").map_or_else(Vec::new, |node| parameters(node, r));
+        let mut tools = Table::new(TableKind::Tool, TableKind::Tool.file_name());
+        if let Some(node) = node.get("tools") {
+            rows::rows(node, &mut tools, r);
+        }
+        let mut probes = Table::new(TableKind::Probe, TableKind::Probe.file_name());
+        let probe = node.get("probe").and_then(|node| probe(node, &mut probes, r));
+        let (presets, active_preset) = presets(node, r);
+        let datums = datums(node, r);
+        let frame = preset_frame(&presets, active_preset).unwrap_or(Frame::IDENTITY);
+        let start = start(node, machine.as_ref(), &frame, r);
+        let placed = |shape| Shape::Placed { frame, shape: Box::new(shape) };
+        let stock = node.get("stock").and_then(|node| solid::stock(node, r)).map(placed);
+        let list = node.get("parts").map_or(&[][..], |node| r.items(node));
+        let parts = placed(Shape::Union(list.iter().filter_map(|item| solid::part(item, r)).collect()));
+        let answers = node.get("answers").map_or_else(Answers::default, |node| Answers::read(node, r));
+        let body = Body::new(&parts).map_err(|error| r.report(error.code(), node, Vec::new())).ok();
+        match (clock, machine, body) {
+            (Some(clock), Some(machine), Some(body)) if reader.found.is_empty() => Ok(Self {
+                clock,
+                machine,
+                machine_parameters,
+                tools,
+                probes,
+                probe,
+                presets,
+                active_preset,
+                datums,
+                frame,
+                start,
+                stock,
+                parts,
+                body,
+                answers,
+            }),
+            _ => Err(reader.found),
+        }
+    }
+
+    /// The value of a machine parameter by its name.
+    pub fn machine_parameter(&self, name: &str) -> Option<&ParameterValue> {
+        self.machine_parameters.iter().find(|(known, _)| known == name).map(|(_, value)| value)
+    }
+}
+
+/// Sets the unit of the lengths that follow.
+fn units(node: &Node, r: &mut Reader<'_>) {
+    let Some(units) = node.get("units") else { return };
+    match units.text() {
+        Some("mm") => {}
+        Some("inch") => r.scale = INCH,
+        _ => r.expected(units, "unit"),
+    }
+}
+
+fn clock(node: &Node, r: &mut Reader<'_>) -> Option<Clock> {
+    let clock = node.text().and_then(Clock::parse);
+    if clock.is_none() {
+        r.expected(node, "clock");
+    }
+    clock
+}
+
+/// The machine by name, or written out.
+fn machine(node: &Node, r: &mut Reader<'_>, files: &Files) -> Option<Machine> {
+    let name = match node.get("machine") {
+        Some(inline @ Node { kind: Kind::Map(_), .. }) => return Machine::read(inline, r),
+        Some(name) => r.text(name)?,
+        None => DEFAULT_MACHINE,
+    };
+    match Machine::named(name, files) {
+        Ok(machine) => Some(machine),
+        Err(found) if found.is_empty() => {
+            let known = Machine::names(files).join(", ");
+            let at = node.get("machine").unwrap_or(node);
+            r.report("scene-unknown-machine", at, vec![("name", name.into()), ("known", known.into())]);
+            None
+        }
+        Err(found) => {
+            r.found.extend(found);
+            None
+        }
+    }
+}
+
+fn parameters(node: &Node, r: &mut Reader<'_>) -> Vec<(String, ParameterValue)> {
+    let mut all = Vec::new();
+    for (name, value) in r.entries(node) {
+        let value = match &value.kind {
+            Kind::Scalar(text, plain) => match text.parse::<f64>() {
+                Ok(number) if *plain && number.is_finite() => ParameterValue::Number(number),
+                _ => ParameterValue::Text(text.to_string()),
+            },
+            Kind::List(items) => ParameterValue::List(items.iter().filter_map(|item| r.number(item)).collect()),
+            Kind::Map(_) => {
+                r.expected(value, "number");
+                continue;
+            }
+        };
+        all.push((name.text.to_string(), value));
+    }
+    all
+}
+
+/// A row of the probe table and what is true of the probe.
+fn probe(node: &Node, table: &mut Table, r: &mut Reader<'_>) -> Option<Probe> {
+    let entries = r.entries(node);
+    let columns = entries.iter().filter(|(key, _)| !matches!(&*key.text, "ball_radius" | "offset"));
+    let row = rows::row(node, columns, Some(1.0), table, r);
+    let ball_radius = r.need(node, "ball_radius").and_then(|node| r.positive(node));
+    let row = row?;
+    for (column, value) in [("F", 300.0), ("FMAX", 3000.0), ("DIST", 10.0), ("SET_UP", 2.0)] {
+        if node.get(column).is_none() {
+            // The standard columns have room for these.
+            let _ = table.set(row, column, &super::table::Cell::Number(value));
+        }
+    }
+    let believed = |column| table.number(row, column).ok().flatten().unwrap_or_default();
+    let offset = match node.get("offset") {
+        None => DVec2::new(believed("CAL_OF1"), believed("CAL_OF2")),
+        Some(node) => match r.items(node) {
+            [main, secondary] => DVec2::new(r.length(main)?, r.length(secondary)?),
+            _ => {
+                r.expected(node, "two-numbers");
+                return None;
+            }
+        },
+    };
+    Some(Probe { row, ball_radius: ball_radius?, offset })
+}
+
+/// The preset table, which always has a row 0, and the number of the active row.
+fn presets(node: &Node, r: &mut Reader<'_>) -> (Table, f64) {
+    let mut table = Table::new(TableKind::Preset, TableKind::Preset.file_name());
+    let (mut active, mut at) = (0.0, None);
+    if let Some(node) = node.get("presets") {
+        r.only_keys(node, &["active", "rows"]);
+        if let Some(list) = node.get("rows") {
+            rows::rows(list, &mut table, r);
+        }
+        at = node.get("active");
+        active = at.and_then(|node| rows::row_number(node, r)).unwrap_or(0.0);
+    }
+    let _ = table.add_row(0.0);
+    if let Some(node) = at.filter(|_| !table.has_row(active)) {
+        let found = TableError::NoRow { file: table.file().to_owned(), row: active }.diagnostic();
+        r.report(found.code, node, found.args);
+    }
+    (table, active)
+}
+
+/// The datum tables: one as a list of rows, or several as a mapping by file name.
+fn datums(node: &Node, r: &mut Reader<'_>) -> Vec<Table> {
+    let mut tables = Vec::new();
+    let Some(node) = node.get("datums") else { return tables };
+    let mut add = |file: &str, node: &Node, r: &mut Reader<'_>| {
+        let mut table = Table::new(TableKind::Datum, file);
+        rows::rows(node, &mut table, r);
+        tables.push(table);
+    };
+    if let Kind::Map(entries) = &node.kind {
+        for (name, node) in entries {
+            if TableKind::of_file(&name.text) != Some(TableKind::Datum) {
+                r.expected(node, "datum-file");
+            }
+            add(&name.text, node, r);
+        }
+    } else {
+        add(TableKind::Datum.file_name(), node, r);
+    }
+    tables
+}
+
+/// The start in machine coordinates, where the machine must be able to stand.
+fn start(node: &Node, machine: Option<&Machine>, frame: &Frame, r: &mut Reader<'_>) -> DVec3 {
+    let given = node.get("start");
+    let start = given.map_or(Some(DEFAULT_START), |node| r.vector(node)).unwrap_or(DEFAULT_START);
+    let start = frame.point(start);
+    if let (Some(node), Some(axis)) = (given, machine.and_then(|machine| machine.beyond_limits(start))) {
+        let letter = axis.axis.letter().to_string();
+        let args = vec![
+            ("axis", letter.into()),
+            ("found", axis.axis.of(start).into()),
+            ("min", axis.min.into()),
+            ("max", axis.max.into()),
+        ];
+        r.report("scene-start-outside", node, args);
+    }
+    start
+}
