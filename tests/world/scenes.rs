@@ -37,7 +37,7 @@ answers:
 "#;
 
 fn read(text: &str) -> Result<Scene, Vec<(&'static str, usize, usize)>> {
-    Scene::parse(&Source::new("test.scene.yaml", text)).map_err(|found| {
+    Scene::parse(&Source::new("test.scene.yaml", text), &embedded()).map_err(|found| {
         found
             .iter()
             .map(|d| {

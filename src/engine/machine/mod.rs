@@ -3,7 +3,6 @@
 //! Invariant: a machine is data; it knows no position, no tool and no workpiece.
 use super::geometry::Axis;
 use super::read::Reader;
-use crate::data::Files;
 use crate::diag::{Diagnostic, Source};
 use crate::spec::{Node, read_yaml};
 use glam::DVec3;
@@ -39,11 +38,11 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// The machine of that name among the data files.
+    /// The machine of that name among the data files (paths and texts).
     ///
     /// # Errors
     /// The mistakes in its file; an empty list if there is no such machine.
-    pub fn named(name: &str, files: &Files) -> Result<Self, Vec<Diagnostic>> {
+    pub fn named(name: &str, files: &[(String, String)]) -> Result<Self, Vec<Diagnostic>> {
         let path = format!("{FOLDER}{name}.yaml");
         let text =
             files.iter().find(|(known, _)| *known == path).map(|(_, text)| text.as_str()).ok_or_else(Vec::new)?;
@@ -51,7 +50,7 @@ impl Machine {
     }
 
     /// The names of the machines among the data files.
-    pub fn names(files: &Files) -> Vec<&str> {
+    pub fn names(files: &[(String, String)]) -> Vec<&str> {
         files.iter().filter_map(|(path, _)| path.strip_prefix(FOLDER)?.strip_suffix(".yaml")).collect()
     }
 

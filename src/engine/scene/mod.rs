@@ -15,7 +15,6 @@ use super::machine::Machine;
 use super::read::Reader;
 use super::solid::{Body, Shape};
 use super::table::{Table, TableError, TableKind};
-use crate::data::{Files, embedded};
 use crate::diag::{Diagnostic, Source};
 use crate::spec::{Kind, Node, read_yaml};
 use glam::{DVec2, DVec3};
@@ -114,19 +113,11 @@ pub fn preset_frame(presets: &Table, row: f64) -> Result<Frame, TableError> {
 }
 
 impl Scene {
-    /// Reads a scene file; machines are looked up among the embedded data.
+    /// Reads a scene file; machines are looked up among `files`, the paths and texts of the data.
     ///
     /// # Errors
     /// All mistakes with their places.
-    pub fn parse(source: &Arc<Source>) -> Result<Self, Vec<Diagnostic>> {
-        Self::parse_with(source, &embedded())
-    }
-
-    /// Reads a scene file; machines are looked up among `files`.
-    ///
-    /// # Errors
-    /// All mistakes with their places.
-    pub fn parse_with(source: &Arc<Source>, files: &Files) -> Result<Self, Vec<Diagnostic>> {
+    pub fn parse(source: &Arc<Source>, files: &[(String, String)]) -> Result<Self, Vec<Diagnostic>> {
         let mut reader = Reader::new(source);
         let Some(node) = read_yaml(source, &mut reader.found) else {
             if reader.found.is_empty() {
@@ -142,11 +133,11 @@ impl Scene {
     ///
     /// # Errors
     /// All mistakes with their places.
-    pub fn from_node(node: &Node, source: &Arc<Source>, files: &Files) -> Result<Self, Vec<Diagnostic>> {
+    pub fn from_node(node: &Node, source: &Arc<Source>, files: &[(String, String)]) -> Result<Self, Vec<Diagnostic>> {
         Self::read(node, Reader::new(source), files)
     }
 
-    fn read(node: &Node, mut reader: Reader<'_>, files: &Files) -> Result<Self, Vec<Diagnostic>> {
+    fn read(node: &Node, mut reader: Reader<'_>, files: &[(String, String)]) -> Result<Self, Vec<Diagnostic>> {
         let r = &mut reader;
         r.only_keys(node, KEYS);
         if let Some(version) = node.get("scene").filter(|version| version.text() != Some(VERSION)) {
@@ -219,7 +210,7 @@ fn clock(node: &Node, r: &mut Reader<'_>) -> Option<Clock> {
 }
 
 /// The machine by name, or written out.
-fn machine(node: &Node, r: &mut Reader<'_>, files: &Files) -> Option<Machine> {
+fn machine(node: &Node, r: &mut Reader<'_>, files: &[(String, String)]) -> Option<Machine> {
     let name = match node.get("machine") {
         Some(inline @ Node { kind: Kind::Map(_), .. }) => return Machine::read(inline, r),
         Some(name) => r.text(name)?,
