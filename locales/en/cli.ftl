@@ -50,6 +50,45 @@ cli-arg-ui-lang = Language of the program's own texts (default: that of the envi
 cli-arg-help = Show this help
 cli-arg-version = Show the version
 
+cli-examples-build =
+    ciklo build
+    ciklo build --out manuals --control tnc640 --lang fi --lang sl
+cli-examples-dialog =
+    ciklo dialog 412 --control tnc640 --lang fi
+    ciklo dialog TCH PROBE 0 --control tnc320 --lang it --format json
+cli-examples-block =
+    ciklo block 200 Q201=-30 Q202=5 --control tnc640 --lang sl
+    ciklo block CYCL DEF 7 --control tnc640 --lang fi --number 13
+cli-examples-parse =
+    ciklo parse part.h
+    ciklo parse part.h --print > copy.h
+cli-examples-check =
+    ciklo check part.h --control tnc640
+    ciklo check *.h --control itnc530 --format json
+cli-examples-translate =
+    ciklo translate part.h --to it > pezzo.h
+    ciklo translate part.h --to pt --control tnc426-430 --out peca.h
+cli-examples-run =
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --events
+cli-examples-conform =
+    ciklo conform
+    ciklo conform --control tnc320 --format junit > conform.xml
+cli-examples-coverage =
+    ciklo coverage
+    ciklo coverage --format json
+cli-examples-lint =
+    ciklo lint
+    ciklo lint --data . --format json
+    ciklo lint --accept-translations
+cli-examples-schema =
+    ciklo schema > cycle.schema.json
+cli-examples-explain =
+    ciklo explain locale-missing-text
+    ciklo explain
+cli-examples-export =
+    ciklo export --control tnc640 --lang sl > tnc640.json
+
 cli-summary = { $errors ->
         [0] { $warnings ->
             [0] Nothing found.
@@ -110,3 +149,4 @@ diag-cycle-ambiguous = { $control } has two cycles { $cycle }: { $keys }.
 diag-cycle-only-named = The manual of { $control } only names { $cycle } ({ $name }); it does not describe it.
 diag-internal = A mistake of ciklo itself: { $detail }.
 diag-locale-unknown-suffix = “{ $name }” is neither a cycle nor a control.
+diag-not-encodable = The character “{ $sign }” cannot be written in the encoding of this file (Windows-1252).

@@ -50,6 +50,45 @@ cli-arg-ui-lang = Lingua dei testi del programma stesso (predefinita: quella del
 cli-arg-help = Mostra questa guida
 cli-arg-version = Mostra la versione
 
+cli-examples-build =
+    ciklo build
+    ciklo build --out manuals --control tnc640 --lang fi --lang sl
+cli-examples-dialog =
+    ciklo dialog 412 --control tnc640 --lang fi
+    ciklo dialog TCH PROBE 0 --control tnc320 --lang it --format json
+cli-examples-block =
+    ciklo block 200 Q201=-30 Q202=5 --control tnc640 --lang sl
+    ciklo block CYCL DEF 7 --control tnc640 --lang fi --number 13
+cli-examples-parse =
+    ciklo parse part.h
+    ciklo parse part.h --print > copy.h
+cli-examples-check =
+    ciklo check part.h --control tnc640
+    ciklo check *.h --control itnc530 --format json
+cli-examples-translate =
+    ciklo translate part.h --to it > pezzo.h
+    ciklo translate part.h --to pt --control tnc426-430 --out peca.h
+cli-examples-run =
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --events
+cli-examples-conform =
+    ciklo conform
+    ciklo conform --control tnc320 --format junit > conform.xml
+cli-examples-coverage =
+    ciklo coverage
+    ciklo coverage --format json
+cli-examples-lint =
+    ciklo lint
+    ciklo lint --data . --format json
+    ciklo lint --accept-translations
+cli-examples-schema =
+    ciklo schema > cycle.schema.json
+cli-examples-explain =
+    ciklo explain locale-missing-text
+    ciklo explain
+cli-examples-export =
+    ciklo export --control tnc640 --lang sl > tnc640.json
+
 cli-summary = { $errors ->
         [0] { $warnings ->
             [0] Nessun rilievo.
@@ -110,3 +149,4 @@ diag-cycle-ambiguous = { $control } ha due cicli { $cycle }: { $keys }.
 diag-cycle-only-named = Il manuale di { $control } nomina soltanto { $cycle } ({ $name }) e non lo descrive.
 diag-internal = Un errore di ciklo stesso: { $detail }.
 diag-locale-unknown-suffix = «{ $name }» non è né un ciclo né un controllo numerico.
+diag-not-encodable = Il carattere «{ $sign }» non può essere scritto nella codifica di questo file (Windows-1252).

@@ -50,6 +50,45 @@ cli-arg-ui-lang = Jezik besedil samega programa (privzeto: jezik okolja)
 cli-arg-help = Prikaže to pomoč
 cli-arg-version = Prikaže različico
 
+cli-examples-build =
+    ciklo build
+    ciklo build --out manuals --control tnc640 --lang fi --lang sl
+cli-examples-dialog =
+    ciklo dialog 412 --control tnc640 --lang fi
+    ciklo dialog TCH PROBE 0 --control tnc320 --lang it --format json
+cli-examples-block =
+    ciklo block 200 Q201=-30 Q202=5 --control tnc640 --lang sl
+    ciklo block CYCL DEF 7 --control tnc640 --lang fi --number 13
+cli-examples-parse =
+    ciklo parse part.h
+    ciklo parse part.h --print > copy.h
+cli-examples-check =
+    ciklo check part.h --control tnc640
+    ciklo check *.h --control itnc530 --format json
+cli-examples-translate =
+    ciklo translate part.h --to it > pezzo.h
+    ciklo translate part.h --to pt --control tnc426-430 --out peca.h
+cli-examples-run =
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --events
+cli-examples-conform =
+    ciklo conform
+    ciklo conform --control tnc320 --format junit > conform.xml
+cli-examples-coverage =
+    ciklo coverage
+    ciklo coverage --format json
+cli-examples-lint =
+    ciklo lint
+    ciklo lint --data . --format json
+    ciklo lint --accept-translations
+cli-examples-schema =
+    ciklo schema > cycle.schema.json
+cli-examples-explain =
+    ciklo explain locale-missing-text
+    ciklo explain
+cli-examples-export =
+    ciklo export --control tnc640 --lang sl > tnc640.json
+
 cli-summary = { $errors ->
         [0] { $warnings ->
             [0] Brez ugotovitev.
@@ -128,3 +167,4 @@ diag-cycle-ambiguous = Krmiljenje { $control } ima dva cikla { $cycle }: { $keys
 diag-cycle-only-named = Priročnik za { $control } cikel { $cycle } ({ $name }) samo omenja in ga ne opisuje.
 diag-internal = Napaka v samem programu ciklo: { $detail }.
 diag-locale-unknown-suffix = »{ $name }« ni ne cikel ne krmiljenje.
+diag-not-encodable = Znaka »{ $sign }« ni mogoče zapisati v kodiranju te datoteke (Windows-1252).

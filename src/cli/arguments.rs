@@ -37,6 +37,11 @@ pub(super) fn ui_language(ui: &Ui) -> Arg {
     option(ui, UI_LANGUAGE, "LANG").global(true)
 }
 
+/// One program.
+pub(super) fn file(ui: &Ui) -> Arg {
+    argument(ui, "file", "cli-arg-file").value_name("FILE").required(true)
+}
+
 /// `--control CONTROL`, which must be given.
 pub(super) fn control(ui: &Ui) -> Arg {
     option(ui, "control", "CONTROL").required(true)

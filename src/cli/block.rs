@@ -9,10 +9,6 @@ use crate::locale::Ui;
 pub(super) const COMMAND: Command = Command {
     name: "block",
     usage: "CYCLE [NAME=VALUE]… --control CONTROL [--lang LANG] [--number N] [--form FORM] [--without FIELD]…",
-    examples: &[
-        "ciklo block 200 Q201=-30 Q202=5 --control tnc640 --lang sl",
-        "ciklo block CYCL DEF 7 --control tnc640 --lang fi --number 13",
-    ],
     arguments: own,
     run,
 };

@@ -6,16 +6,8 @@ use super::{Command, Failure, Outcome, arguments, cycle, session};
 use crate::dialog;
 use crate::locale::Ui;
 
-pub(super) const COMMAND: Command = Command {
-    name: "dialog",
-    usage: "CYCLE --control CONTROL [--lang LANG] [--format FORMAT]",
-    examples: &[
-        "ciklo dialog 412 --control tnc640 --lang fi",
-        "ciklo dialog TCH PROBE 0 --control tnc320 --lang it --format json",
-    ],
-    arguments: own,
-    run,
-};
+pub(super) const COMMAND: Command =
+    Command { name: "dialog", usage: "CYCLE --control CONTROL [--lang LANG] [--format FORMAT]", arguments: own, run };
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![

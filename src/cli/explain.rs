@@ -6,13 +6,7 @@ use super::{Command, Failure, Outcome, arguments};
 use crate::diag::Diagnostic;
 use crate::locale::{Args, Ui};
 
-pub(super) const COMMAND: Command = Command {
-    name: "explain",
-    usage: "[CODE]",
-    examples: &["ciklo explain locale-missing-text", "ciklo explain"],
-    arguments: own,
-    run,
-};
+pub(super) const COMMAND: Command = Command { name: "explain", usage: "[CODE]", arguments: own, run };
 
 /// The messages of diagnostics have this before the code.
 const PREFIX: &str = "diag-";

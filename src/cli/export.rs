@@ -6,13 +6,8 @@ use super::{Command, Failure, Outcome, arguments, cycle, session};
 use crate::export;
 use crate::locale::Ui;
 
-pub(super) const COMMAND: Command = Command {
-    name: "export",
-    usage: "--control CONTROL [--lang LANG]",
-    examples: &["ciklo export --control tnc640 --lang sl > tnc640.json"],
-    arguments: own,
-    run,
-};
+pub(super) const COMMAND: Command =
+    Command { name: "export", usage: "--control CONTROL [--lang LANG]", arguments: own, run };
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![arguments::control(ui), arguments::language(ui)]

@@ -6,18 +6,14 @@ use clap::ArgMatches;
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, session};
 use crate::diag::Diagnostic;
+use crate::engine::plan;
 use crate::label;
 use crate::locale::{Args, Language, LocaleError, Locales, SOURCE_LANGUAGE, Scope, Ui};
 use crate::spec::{self, Catalogue};
 use crate::system;
 
-pub(super) const COMMAND: Command = Command {
-    name: "lint",
-    usage: "[--data DIR] [--format FORMAT] [--accept-translations]",
-    examples: &["ciklo lint", "ciklo lint --data . --format json", "ciklo lint --accept-translations"],
-    arguments: own,
-    run,
-};
+pub(super) const COMMAND: Command =
+    Command { name: "lint", usage: "[--data DIR] [--format FORMAT] [--accept-translations]", arguments: own, run };
 
 const ACCEPT: &str = "accept-translations";
 
@@ -34,6 +30,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let (catalogue, mistakes) = Catalogue::load(files);
     found.extend(mistakes);
     found.extend(spec::lint(&catalogue));
+    found.extend(plan::check(&catalogue));
     found.extend(languages(&locales)?);
     found.extend(texts(&catalogue, &locales));
     found.extend(label::check(&catalogue, &locales));

@@ -11,6 +11,8 @@ mod dialog;
 mod explain;
 mod export;
 mod lint;
+mod parse;
+mod program;
 mod schema;
 mod session;
 mod usage;
@@ -68,14 +70,20 @@ struct Command {
     name: &'static str,
     /// The words behind the name; placeholders are in capitals.
     usage: &'static str,
-    examples: &'static [&'static str],
     arguments: fn(&Ui) -> Vec<clap::Arg>,
     run: fn(&mut Session, &ArgMatches) -> Result<Outcome, Failure>,
 }
 
 /// All commands, in the order of the help.
-static COMMANDS: &[Command] =
-    &[dialog::COMMAND, block::COMMAND, lint::COMMAND, schema::COMMAND, explain::COMMAND, export::COMMAND];
+static COMMANDS: &[Command] = &[
+    dialog::COMMAND,
+    block::COMMAND,
+    parse::COMMAND,
+    lint::COMMAND,
+    schema::COMMAND,
+    explain::COMMAND,
+    export::COMMAND,
+];
 
 const EXIT_ERRORS: u8 = 1;
 const EXIT_TROUBLE: u8 = 2;

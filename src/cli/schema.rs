@@ -5,13 +5,7 @@ use super::session::Session;
 use super::{Command, Failure, Outcome};
 use crate::spec;
 
-pub(super) const COMMAND: Command = Command {
-    name: "schema",
-    usage: "",
-    examples: &["ciklo schema > cycle.schema.json"],
-    arguments: |_| Vec::new(),
-    run,
-};
+pub(super) const COMMAND: Command = Command { name: "schema", usage: "", arguments: |_| Vec::new(), run };
 
 fn run(session: &mut Session, _: &ArgMatches) -> Result<Outcome, Failure> {
     session.output.print(&format!("{:#}\n", spec::schema()))?;

@@ -36,8 +36,9 @@ pub(super) fn interface_language(words: &[OsString]) -> Option<String> {
 pub(super) fn command_line(ui: &Ui) -> clap::Command {
     let about = ui.text("cli-about", &Args::new());
     let commands = COMMANDS.iter().map(|command| subcommand(command, ui));
-    let examples: Vec<&str> = COMMANDS.iter().filter_map(|command| command.examples.first().copied()).collect();
-    let root = shared(clap::Command::new("ciklo"), ui, "ciklo COMMAND", &examples)
+    let examples: Vec<String> =
+        COMMANDS.iter().filter_map(|command| examples(command, ui).lines().next().map(str::to_owned)).collect();
+    let root = shared(clap::Command::new("ciklo"), ui, "ciklo COMMAND", &examples.join("\n"))
         .about(about)
         .version(env!("CARGO_PKG_VERSION"))
         .disable_version_flag(true)
@@ -53,15 +54,20 @@ pub(super) fn command_line(ui: &Ui) -> clap::Command {
 
 fn subcommand(command: &Command, ui: &Ui) -> clap::Command {
     let usage = format!("ciklo {} {}", command.name, command.usage);
-    let own = shared(clap::Command::new(command.name), ui, usage.trim_end(), command.examples)
-        .about(ui.text(&format!("cli-{}", command.name), &Args::new()))
-        .args((command.arguments)(ui));
+    let words = clap::Command::new(command.name).args((command.arguments)(ui));
+    let own = shared(words, ui, usage.trim_end(), &examples(command, ui))
+        .about(ui.text(&format!("cli-{}", command.name), &Args::new()));
     headed(own, ui)
 }
 
-fn shared(command: clap::Command, ui: &Ui, usage: &str, examples: &[&str]) -> clap::Command {
+/// Command lines to try, a line each. They name cycles, so they stand with the texts.
+fn examples(command: &Command, ui: &Ui) -> String {
+    ui.text(&format!("cli-examples-{}", command.name), &Args::new())
+}
+
+fn shared(command: clap::Command, ui: &Ui, usage: &str, examples: &str) -> clap::Command {
     let heading = |name| ui.text(name, &Args::new());
-    let lines: String = examples.iter().map(|example| format!("\n  {example}")).collect();
+    let lines: String = examples.lines().map(|example| format!("\n  {example}")).collect();
     let after = match lines.as_str() {
         "" => String::new(),
         lines => format!("{}{lines}", heading("cli-heading-examples")),
