@@ -3,6 +3,7 @@
 //!
 //! See `ARCHITECTURE.md` for the map of the modules and what each of them must not know.
 pub mod cli;
+pub mod coverage;
 pub mod data;
 pub mod diag;
 pub mod dialog;

@@ -22,6 +22,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("translate", &["diag", "expr", "spec", "locale", "text", "label", "syntax", "check"]),
     ("engine", &["diag", "expr", "spec", "syntax"]),
     ("conform", &["diag", "expr", "spec", "locale", "text", "label", "syntax", "engine"]),
+    ("coverage", &["diag", "expr", "spec", "locale", "engine"]),
     ("system", &["diag"]),
     (
         "cli",
