@@ -266,10 +266,13 @@ pub enum FitError {
 
 /// Points count as collinear when their deviation from a line is below this share of their extent.
 const COLLINEAR: f64 = 1e-12;
-/// A fit has converged when a step is below this share of the extent of the points.
-const CONVERGED: f64 = 1e-15;
-/// A fit that has not converged by then will not.
-const MAX_STEPS: usize = 128;
+/// A fit is near its minimum when a step is below this share of the extent of the points: the sum of squares
+/// is too flat there to choose by, and the gradient decides.
+const NEAR_MINIMUM: f64 = 1e-5;
+/// A fit that has not come near its minimum by then will not.
+const MAX_STEPS: usize = 512;
+/// Newton doubles the digits with each step; more steps only repeat the rounding.
+const NEWTON_STEPS: usize = 8;
 
 /// The circle through three points.
 ///
@@ -292,7 +295,7 @@ pub fn circle_through_3(points: [DVec2; 3]) -> Result<Circle, FitError> {
 }
 
 /// The circle with the least sum of squared distances from the points (geometric fit): Levenberg's damped
-/// Gauss-Newton iteration, started from the algebraic fit of Kåsa.
+/// Gauss-Newton iteration, started from the algebraic fit of Kåsa and finished by Newton's method.
 ///
 /// # Errors
 /// Too few points, points on a line, or no minimum; see [`FitError`].
@@ -343,28 +346,58 @@ fn cost(circle: Circle, points: &[DVec2]) -> f64 {
         .sum()
 }
 
-/// Damped Gauss-Newton; the damping falls to nothing, so the end converges as fast as without it.
+/// Damped Gauss-Newton until the minimum is near, then Newton.
 fn refine(start: Circle, points: &[DVec2]) -> Result<Circle, FitError> {
     let (mut best, mut best_cost, mut damping) = (start, cost(start, points), 0.0);
     for _ in 0..MAX_STEPS {
         let step = gauss_newton_step(best, points, damping).ok_or(FitError::NoConvergence)?;
-        let next = Circle { centre: best.centre + DVec2::new(step.x, step.y), radius: best.radius + step.z };
+        if step.length() <= NEAR_MINIMUM * (1.0 + best.radius) {
+            return newton(best, points).ok_or(FitError::NoConvergence);
+        }
+        let next = moved(best, step);
         let next_cost = cost(next, points);
-        let small = step.length() <= CONVERGED * (1.0 + best.radius);
         if next_cost <= best_cost {
             (best, best_cost) = (next, next_cost);
             damping = if damping < 1e-8 { 0.0 } else { damping / 10.0 };
-        } else if small || step.length() <= 1e-12 {
-            // Rounding decides here: the cost is flat to the last bit.
-            return Ok(best);
         } else {
             damping = if damping == 0.0 { 1e-4 } else { damping * 10.0 };
         }
-        if small {
-            return Ok(best);
-        }
     }
     Err(FitError::NoConvergence)
+}
+
+fn moved(circle: Circle, step: DVec3) -> Circle {
+    Circle { centre: circle.centre + DVec2::new(step.x, step.y), radius: circle.radius + step.z }
+}
+
+/// Newton's method on the gradient; nothing where the sum of squares does not curve upwards.
+fn newton(start: Circle, points: &[DVec2]) -> Option<Circle> {
+    let mut circle = start;
+    for _ in 0..NEWTON_STEPS {
+        let (mut hessian, mut gradient) = (DMat3::ZERO, DVec3::ZERO);
+        for p in points {
+            let away = p - circle.centre;
+            let distance = away.length();
+            let (n, gap) = (away / distance, distance - circle.radius);
+            let row = DVec3::new(n.x, n.y, 1.0);
+            let side = DVec3::new(-n.y, n.x, 0.0);
+            // The distance itself curves across the normal, by one over the distance.
+            let bend = side * (gap / distance);
+            hessian += outer(row, row) + outer(bend, side);
+            gradient -= row * gap;
+        }
+        let step = hessian.inverse() * gradient;
+        let minimum = hessian.determinant() > 0.0 && step.is_finite() && step.dot(hessian * step) >= 0.0;
+        if !minimum {
+            return None;
+        }
+        circle = moved(circle, -step);
+    }
+    Some(circle)
+}
+
+fn outer(a: DVec3, b: DVec3) -> DMat3 {
+    DMat3::from_cols(a * b.x, a * b.y, a * b.z)
 }
 
 fn gauss_newton_step(circle: Circle, points: &[DVec2], damping: f64) -> Option<DVec3> {
@@ -376,7 +409,7 @@ fn gauss_newton_step(circle: Circle, points: &[DVec2], damping: f64) -> Option<D
             return None;
         }
         let row = DVec3::new(away.x / distance, away.y / distance, 1.0);
-        normal += DMat3::from_cols(row * row.x, row * row.y, row * row.z);
+        normal += outer(row, row);
         right += row * (distance - circle.radius);
     }
     let damped = normal + DMat3::from_diagonal(DVec3::splat(damping * points.len() as f64));
