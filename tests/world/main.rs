@@ -4,3 +4,4 @@ mod scenes;
 mod solid_cases;
 mod solid_laws;
 mod tables;
+mod texts;

@@ -223,3 +223,13 @@ fn clocks_are_dates_that_exist() {
         assert_eq!(Clock::parse(text), None, "{text}");
     }
 }
+
+#[test]
+fn the_documented_scene_is_read() {
+    let page = include_str!("../../docs/scene.md");
+    let mut blocks = page.split("```yaml\n").skip(1).map(|rest| rest.split("```").next().unwrap_or_default());
+    let scene = read(blocks.next().expect("a scene")).expect("a sound scene");
+    assert_eq!(scene.start, dvec3(100.0, 50.0, 30.0));
+    let machine = Machine::parse(&Source::new("machine.yaml", blocks.next().expect("a machine"))).expect("a machine");
+    assert_eq!(machine.axes.len(), 1);
+}

@@ -216,3 +216,17 @@ fn grazing_all_along_is_no_contact() {
     };
     assert_eq!(body(part).first_contact_on(4.0, &arc), Ok(None));
 }
+
+#[test]
+fn a_plate_of_many_holes() {
+    let mut shapes = vec![block([-10.0, -10.0, -20.0], [400.0, 400.0, 0.0])];
+    for k in 0..60 {
+        shapes.push(upright(f64::from(k % 8) * 48.0 + 15.0, f64::from(k / 8) * 48.0 + 15.0, 6.0, 0.0, -20.0));
+    }
+    let plate = body(Shape::Difference(shapes));
+    for k in 0..60 {
+        let centre = dvec3(f64::from(k % 8) * 48.0 + 15.0, f64::from(k / 8) * 48.0 + 15.0, -5.0);
+        let found = plate.first_contact(2.0, centre, centre + DVec3::X * 30.0).expect("supported");
+        assert_centre(found, (centre + DVec3::X * 4.0).to_array());
+    }
+}

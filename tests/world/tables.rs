@@ -145,3 +145,23 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn the_documented_columns_are_the_standard_ones() {
+    let page = include_str!("../../docs/tables.md");
+    for kind in TableKind::ALL {
+        let name = if kind == TableKind::Probe { "touch probe" } else { kind.as_str() };
+        let row = page.lines().find(|line| line.starts_with(&format!("| {name} |")));
+        let cell = row.and_then(|row| row.split('|').nth(3)).expect("a row of the kind");
+        // Widths stand in brackets behind the columns that have them.
+        let mut documented = Vec::new();
+        for group in cell.split(')') {
+            let Some((names, width)) = group.rsplit_once('(') else { continue };
+            let width: usize = width.trim_end_matches(" each").parse().expect("a width");
+            documented
+                .extend(names.split(',').map(str::trim).filter(|name| !name.is_empty()).map(|name| (name, width)));
+        }
+        let standard: Vec<_> = kind.columns().iter().map(|column| (column.name, column.width)).collect();
+        assert_eq!(documented, standard);
+    }
+}

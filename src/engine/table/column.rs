@@ -84,7 +84,6 @@ const TOOL: &[Column] = &[
     number("CUT"),
     length("LTOL"),
     length("RTOL"),
-    length("R2TOL"),
     text("DIRECT.", 9),
     length("R-OFFS"),
     length("L-OFFS"),
@@ -94,7 +93,6 @@ const TOOL: &[Column] = &[
     angle("ANGLE"),
     angle("T-ANGLE"),
     number("TP_NO"),
-    text("TYP", 7),
     text("DOC", 33),
 ];
 
@@ -126,9 +124,6 @@ const PRESET: &[Column] = &[
     angle("A"),
     angle("B"),
     angle("C"),
-    length("U"),
-    length("V"),
-    length("W"),
 ];
 
 /// TNC 640 manual lines 6422-6450.
