@@ -219,3 +219,13 @@ impl Diagnostic {
         self.args.iter().find(|(key, _)| *key == name).map(|(_, value)| value)
     }
 }
+
+/// Keeps the first of diagnostics that say the same of the same place: what several controls share
+/// is found once for each of them.
+pub fn dedupe(found: &mut Vec<Diagnostic>) {
+    let mut seen = std::collections::HashSet::new();
+    found.retain(|diagnostic| {
+        let place = diagnostic.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));
+        seen.insert((diagnostic.code, place, format!("{:?}", diagnostic.args)))
+    });
+}

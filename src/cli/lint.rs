@@ -88,11 +88,7 @@ fn texts(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
         }
     }
     locales.iter().for_each(|language| variants(catalogue, language, &mut found));
-    let mut seen = std::collections::HashSet::new();
-    found.retain(|diagnostic| {
-        let place = diagnostic.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));
-        seen.insert((diagnostic.code, place, format!("{:?}", diagnostic.args)))
-    });
+    crate::diag::dedupe(&mut found);
     found
 }
 

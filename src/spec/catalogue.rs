@@ -11,7 +11,7 @@ use super::form::{Choice, CycleFile, Described, Dictionary, Fragment, Meaning, P
 use super::profile::{Control, Errata, Erratum, Named};
 use super::vocabulary::{Keyword, ParameterKind, Quantity, Reference, Shape};
 use super::yaml::{self, Node};
-use crate::diag::{Diagnostic, Place, Source};
+use crate::diag::{Diagnostic, Place, Source, dedupe};
 use crate::expr::QRef;
 
 /// The key of a cycle: how it is written and its number.
@@ -295,16 +295,6 @@ impl Catalogue {
     pub fn on(&self, control: &str) -> Option<&OnControl> {
         self.controls.get(control)
     }
-}
-
-/// The same mistake shows once, though a file is read for every control.
-pub(super) fn dedupe(found: &mut Vec<Diagnostic>) {
-    let mut seen = std::collections::HashSet::new();
-    found.retain(|diagnostic| {
-        let place = diagnostic.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));
-        let args = format!("{:?}", diagnostic.args);
-        seen.insert((diagnostic.code, place, args))
-    });
 }
 
 fn load_control(profile: &Control, files: &Files, found: &mut Vec<Diagnostic>) -> OnControl {

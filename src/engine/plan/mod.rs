@@ -131,11 +131,7 @@ pub fn check(catalogue: &Catalogue) -> Vec<Diagnostic> {
             found.extend(compile(cycle, on).1);
         }
     }
-    let mut seen = std::collections::HashSet::new();
-    found.retain(|diagnostic| {
-        let place = diagnostic.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));
-        seen.insert((diagnostic.code, place, format!("{:?}", diagnostic.args)))
-    });
+    crate::diag::dedupe(&mut found);
     found
 }
 

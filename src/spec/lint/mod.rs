@@ -12,9 +12,9 @@ pub use parameter::{is_offered, takes};
 
 use std::collections::BTreeSet;
 
-use super::catalogue::{Catalogue, Cycle, OnControl, dedupe};
+use super::catalogue::{Catalogue, Cycle, OnControl};
 use super::decode::Name;
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, Severity, dedupe};
 
 /// All findings about the catalogue; what several controls share shows once.
 pub fn lint(catalogue: &Catalogue) -> Vec<Diagnostic> {
