@@ -12,6 +12,7 @@ pub mod export;
 pub mod expr;
 pub mod label;
 pub mod locale;
+pub mod manual;
 pub mod spec;
 pub mod syntax;
 pub mod system;

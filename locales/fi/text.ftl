@@ -11,7 +11,7 @@ range-from = vähintään { $min }
 range-to = enintään { $max }
 range-length = enintään { $length } merkkiä
 
-caption-reference = Vertailu
+caption-reference = Mitoitustapa
 reference-absolute = absoluuttinen
 reference-incremental = inkrementaalinen
 caption-range = Sisäänsyöttöalue

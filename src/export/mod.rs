@@ -279,6 +279,6 @@ fn steps(text: &CycleText) -> Vec<ExportedStep> {
 
 fn notes(text: &CycleText) -> Vec<ExportedNote> {
     let notes = text.notes().into_iter().map(|(kind, text)| (kind.as_str(), text));
-    let guards = text.guards().into_iter().map(|(_, text)| (GUARD, text));
+    let guards = text.guards().into_iter().map(|guard| (GUARD, guard.text));
     notes.chain(guards).map(|(kind, text)| ExportedNote { kind, text: text.into_owned() }).collect()
 }

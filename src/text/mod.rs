@@ -62,6 +62,17 @@ fn param_name(param: &Param, cycle: &Cycle, language: &Language) -> String {
     word.map_or_else(|_| param.label_in(cycle.key.number), |word| word.trim_end_matches([':', ' ']).to_owned())
 }
 
+/// What the control checks before it executes a cycle.
+#[derive(Clone, Debug)]
+pub struct GuardText<'a> {
+    /// What happens if the check fails.
+    pub outcome: Outcome,
+    /// What is checked.
+    pub text: Cow<'a, str>,
+    /// The printed name of the machine datum that switches the check off.
+    pub switched_off_by: Option<&'a str>,
+}
+
 /// The texts of one cycle on one control in one language.
 pub struct CycleText<'a> {
     /// The control.
@@ -179,8 +190,8 @@ impl<'a> CycleText<'a> {
         self.cycle.file.notes.iter().map(|note| (note.kind, self.named("note", &note.note))).collect()
     }
 
-    /// What the control checks and refuses, with the outcome, guards of fragments included.
-    pub fn guards(&self) -> Vec<(Outcome, Cow<'a, str>)> {
+    /// What the control checks and refuses, guards of fragments included.
+    pub fn guards(&self) -> Vec<GuardText<'a>> {
         let mut texts = Vec::new();
         let mut seen = Vec::new();
         self.collect_guards(&self.cycle.file.guards, &mut seen, &mut texts);
@@ -191,21 +202,23 @@ impl<'a> CycleText<'a> {
         &self,
         guards: &'a [crate::spec::Guard],
         seen: &mut Vec<&'a str>,
-        texts: &mut Vec<(Outcome, Cow<'a, str>)>,
+        texts: &mut Vec<GuardText<'a>>,
     ) {
         for guard in guards {
-            for (name, is_fragment) in
-                guard.code.iter().map(|n| (n, false)).chain(guard.r#use.iter().map(|n| (n, true)))
-            {
-                if seen.contains(&name.as_str()) {
-                    continue;
-                }
-                seen.push(name.as_str());
-                match self.on.fragments.get(name.as_str()) {
-                    Some(fragment) if is_fragment => self.collect_guards(&fragment.guards, seen, texts),
-                    _ if is_fragment => {}
-                    _ => texts.push((guard.then.unwrap_or(Outcome::Error), self.named("guard", name))),
-                }
+            let Some(name) = guard.code.as_ref().or(guard.r#use.as_ref()) else { continue };
+            if seen.contains(&name.as_str()) {
+                continue;
+            }
+            seen.push(name.as_str());
+            if guard.code.is_some() {
+                let datum = guard.switched_off_by.as_ref();
+                texts.push(GuardText {
+                    outcome: guard.then.unwrap_or(Outcome::Error),
+                    text: self.named("guard", name),
+                    switched_off_by: datum.map(|datum| self.on.datum(datum.as_str()).unwrap_or(datum.as_str())),
+                });
+            } else if let Some(fragment) = self.on.fragments.get(name.as_str()) {
+                self.collect_guards(&fragment.guards, seen, texts);
             }
         }
     }

@@ -1,0 +1,78 @@
+# Words of the manual site. Every message named site-… is available to the templates as a word without arguments.
+
+site-language-name = English
+site-skip = Skip to the content
+site-manual = Cycle manual
+site-overview = Overview
+site-languages = Languages
+site-controls = Controls
+site-control = Control
+site-on-this-page = On this page
+
+# A page of a cycle
+site-key-facts = Key facts
+site-cycle = Cycle
+site-nc-name = Name in the program
+site-din-iso = DIN/ISO
+site-takes-effect = Takes effect
+site-on-call = when it is called (CALL-active)
+site-on-definition = as soon as it is defined (DEF-active)
+site-options = Software options
+site-group = Group
+site-as-used = The manual of this control does not describe the cycle; it uses the cycle in a program.
+site-purpose = Purpose
+site-run = Cycle run
+site-by-operator = Operator
+site-notes = Please note
+
+# Signal words of notes
+site-kind-danger = DANGER
+site-kind-caution = CAUTION
+site-kind-note = NOTE
+site-kind-machine-builder = MACHINE MANUFACTURER
+site-checks = What the control checks
+site-guard-error = Error message
+site-guard-skip = Not executed
+site-guard-warn = Warning
+site-guard-confirm = Confirmation
+site-parameters = Cycle parameters
+site-no-parameters = This cycle has no parameters.
+site-parameter = Parameter
+site-meaning = Meaning
+site-input = Input
+site-or = or
+site-results = Results
+site-of = Compare with
+site-tables = Tables
+site-table = Table
+site-file = File
+site-columns = Columns
+site-access = Use
+site-reads = is read
+site-writes = is written
+site-nc-example = NC blocks
+site-klartext = Klartext
+site-see-also = See also
+site-previous = Previous cycle
+site-next = Next cycle
+site-pages = Pages
+
+# Overview
+site-by-group = By group
+site-by-number = By number
+site-by-name = By name
+site-number = Number
+site-name = Name
+site-named-only = Named only
+site-named-intro = The manuals of this control name these cycles without describing them here; the names are printed as in the manuals.
+site-data = Data
+site-dialog-bundle = Dialogs (JSON)
+site-label-table = NC labels
+site-export = Everything in one file (JSON)
+site-choose = Choose a control and a language
+
+# Words with arguments.
+page-title = { $name } · { $key } · { $control }
+page-overview-title = Cycles of the { $control }
+page-form = Form { $number }
+page-switched-off-by = Can be switched off with { $datum }.

@@ -1,0 +1,71 @@
+//! Prose of the locales as HTML: bold, code and links within a line.
+//!
+//! Invariant: whatever the text is, what comes out is well-formed inline HTML and shows every
+//! character of it; a link leads to a page that exists or is plain text.
+use pulldown_cmark::{Event, Parser, Tag, TagEnd};
+
+use super::section::{Section, link_target};
+
+/// Stands before the text while it is parsed, so that no line is taken for a list or a heading.
+const GUARD: char = '\u{2060}';
+
+/// The text as inline HTML.
+pub(super) fn html(text: &str, section: &Section) -> String {
+    let mut out = String::with_capacity(text.len() + 16);
+    if !text.contains(['*', '_', '`', '[', '\\']) {
+        escape(text, &mut out);
+        return out;
+    }
+    let guarded = format!("{GUARD}{text}");
+    let mut open = Vec::new();
+    for event in Parser::new(&guarded) {
+        match event {
+            Event::Text(text) | Event::Html(text) | Event::InlineHtml(text) => {
+                escape(text.trim_start_matches(GUARD), &mut out)
+            }
+            Event::Code(code) => element("code", &code, &mut out),
+            Event::SoftBreak | Event::HardBreak => out.push(' '),
+            Event::Start(Tag::Strong) => out.push_str("<strong>"),
+            Event::End(TagEnd::Strong) => out.push_str("</strong>"),
+            Event::Start(Tag::Emphasis) => out.push_str("<em>"),
+            Event::End(TagEnd::Emphasis) => out.push_str("</em>"),
+            Event::Start(Tag::Link { dest_url, .. }) => {
+                let entry = link_target(&dest_url).and_then(|key| section.entry(key));
+                if let Some(entry) = entry {
+                    out.push_str(&format!("<a href=\"{}\">", entry.file));
+                }
+                open.push(entry.is_some());
+            }
+            Event::End(TagEnd::Link) if open.pop() == Some(true) => out.push_str("</a>"),
+            _ => {}
+        }
+    }
+    out
+}
+
+fn element(name: &str, text: &str, out: &mut String) {
+    out.push('<');
+    out.push_str(name);
+    out.push('>');
+    escape(text, out);
+    out.push_str("</");
+    out.push_str(name);
+    out.push('>');
+}
+
+/// Appends the text with the characters replaced that mean something in HTML.
+pub(super) fn escape(text: &str, out: &mut String) {
+    let mut rest = text;
+    while let Some(at) = rest.find(['&', '<', '>', '"']) {
+        let (before, after) = rest.split_at(at);
+        out.push_str(before);
+        out.push_str(match after.as_bytes().first() {
+            Some(b'&') => "&amp;",
+            Some(b'<') => "&lt;",
+            Some(b'>') => "&gt;",
+            _ => "&quot;",
+        });
+        rest = &after[1..];
+    }
+    out.push_str(rest);
+}
