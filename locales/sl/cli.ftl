@@ -1,6 +1,6 @@
 # Ukazna vrstica: pomoč, sporočila ter ugotovitve o datotekah in besedah.
 
-cli-about = Specifikacije CNC-ciklov kot pogovorna okna, NC-nizi, priročniki, preverjanje in izvajanje programov
+cli-about = Specifikacije CNC-ciklov kot pogovorna okna, NC-stavki, priročniki, preverjanje in izvajanje programov
 cli-heading-usage = Uporaba:
 cli-heading-commands = Ukazi
 cli-heading-arguments = Argumenti
@@ -16,12 +16,12 @@ cli-lint = Javi vse napake v specifikacijah in jezikih
 cli-lint-accept = Zabeleži, da vsi prevodi ustrezajo angleškim besedilom
 cli-coverage = Prikaže, kaj je popolno, kaj manjka, je zastarelo, čaka ali ni izvedeno
 cli-dialog = Prikaže pogovorno okno cikla
-cli-block = Zapiše NC-niz cikla
+cli-block = Zapiše NC-stavek cikla
 cli-block-values = Številka cikla in vrednosti parametrov, na primer Q321=50; drugi imajo vrednosti iz primera v priročniku
-cli-block-number = Številka prvega niza (privzeto: iz primera v priročniku)
+cli-block-number = Številka prvega stavka (privzeto: iz primera v priročniku)
 cli-block-form = Oblika cikla stare oblike, če jih je več
 cli-block-without = Neobvezno polje, ki se izpusti; lahko se ponovi
-cli-parse = Razčleni program v nize, kot JSON
+cli-parse = Razčleni program v stavke, kot JSON
 cli-parse-print = Program ponovno izpiše, bajt za bajtom enako
 cli-check = Preveri programe za eno krmiljenje
 cli-explain = Pove, kaj pomeni koda ugotovitve

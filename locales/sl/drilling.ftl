@@ -8,8 +8,8 @@ step-drill-to-plunging-depth = Orodje vrta s pomikom { $q-plunging-feed } do { -
 step-retract-and-return-to-set-up-clearance = Krmiljenje umakne orodje v hitrem teku (FMAX) na { -set-up-clearance(case: "accusative") }, ga tam zadrži za čas { $q-dwell-at-top }, če je vnesen, in ga v hitrem teku (FMAX) vrne na { -set-up-clearance(case: "accusative") } nad doseženo globino.
 step-dwell-at-hole-bottom = Orodje se na dnu vrtine zadrži za čas { $q-dwell-at-bottom }, če je vnesen.
 step-rapid-out-of-hole = Orodje se z dna vrtine umakne v hitrem teku (FMAX):
-say-rapid-to-second-set-up-clearance = na { -second-set-up-clearance(case: "accusative") } { $q-second-set-up-clearance }
-say-rapid-back-to-set-up-clearance = na { -set-up-clearance(case: "accusative") } { $q-set-up-clearance }
+say-rapid-to-second-set-up-clearance = na { -second-set-up-clearance(case: "accusative") } { $q-second-set-up-clearance }, če je vnesena
+say-rapid-back-to-set-up-clearance = sicer na { -set-up-clearance(case: "accusative") } { $q-set-up-clearance }
 note-position-over-hole-centre = Programirajte pozicionirni stavek na začetno točko (središče vrtine) v { -working-plane(case: "locative") } s popravkom polmera R0.
 note-point-table-hole-centres = Če cikel prikličete s preglednico točk, so točke { -working-plane(case: "genitive") } središča vrtin. Če želite, da koordinata osi vretena iz preglednice velja kot koordinata začetne točke, za koordinato { -surface(case: "genitive") } { $q-surface-coordinate } vnesite 0.
 

@@ -13,6 +13,7 @@ guard-depth-positive = Globina je pozitivna. Vnesite negativno globino ali dovol
 
 # --- notes ---
 note-program-before-call = Pred priklicem cikla programirajte priklic orodja, smer vrtenja vretena (M3 ali M4) in definicijo cikla; za testno grafiko je potreben tudi surovec (BLK FORM).
+note-graphic-test-first = Nevarnost kolizije! Cikli lahko izvajajo obsežne obdelave. Zaradi varnosti pred obdelavo izvedite grafični programski test.
 note-sign-of-depth = Predznak globine { $q-depth } določa smer obdelave. Pri globini 0 krmiljenje cikla ne izvede.
 note-positive-depth-error = Nevarnost kolizije! Strojni parameter { $mp-display-depth-err } določa, ali krmiljenje ob vnosu pozitivne globine javi napako (vklop) ali ne (izklop).
 note-positive-depth-reverses = Nevarnost kolizije! Pri pozitivni globini { $q-depth } krmiljenje predpoložaj izračuna v nasprotno smer: orodje se po orodni osi v hitrem teku premakne na { -set-up-clearance(case: "accusative") } pod { -surface(case: "instrumental") }.

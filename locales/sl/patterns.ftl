@@ -4,12 +4,12 @@ cycle-circular-pattern = Točkovni vzorec na krogu
     .purpose = Izvede nazadnje definirani obdelovalni cikel v točkah na krogu ali na krožnem loku.
 step-move-to-first-operation = Krmiljenje premakne orodje v hitrem teku s trenutnega položaja na začetno točko prve obdelave: na { -second-set-up-clearance(case: "accusative") } { $q-second-set-up-clearance } (os vretena), na začetno točko v { -working-plane(case: "locative") } in na { -set-up-clearance(case: "accusative") } { $q-set-up-clearance } nad { -surface(case: "instrumental") } (os vretena).
 step-call-last-machining-cycle = S tega položaja krmiljenje izvede nazadnje definirani obdelovalni cikel.
-step-height-between-operations = Med obdelavami se orodje po osi vretena premakne ({ $q-pattern-clearance-mode }):
-say-to-second-set-up-clearance = na { -second-set-up-clearance(case: "accusative") }
-say-to-set-up-clearance = na { -set-up-clearance(case: "accusative") }
-step-move-to-next-operation = Krmiljenje nato premakne orodje na začetno točko naslednje obdelave ({ $q-pattern-traverse-type }) in tam na { -set-up-clearance(case: "accusative") }:
-say-on-the-pitch-circle = po delnem krogu
-say-in-a-straight-line = premočrtno
+step-height-between-operations = Med obdelavami se orodje po osi vretena premakne:
+say-to-second-set-up-clearance = { $q-pattern-clearance-mode } = 1: na { -second-set-up-clearance(case: "accusative") } { $q-second-set-up-clearance }
+say-to-set-up-clearance = { $q-pattern-clearance-mode } = 0: na { -set-up-clearance(case: "accusative") } { $q-set-up-clearance }
+step-move-to-next-operation = Krmiljenje nato premakne orodje na začetno točko naslednje obdelave in tam na { -set-up-clearance(case: "accusative") } { $q-set-up-clearance }:
+say-on-the-pitch-circle = { $q-pattern-traverse-type } = 1: po delnem krogu
+say-in-a-straight-line = { $q-pattern-traverse-type } = 0: premočrtno
 until-all-operations-done = niso opravljene vse obdelave (število: { $q-number-of-operations })
 condition-stepping-angle-computed = kotni korak { $q-pattern-stepping-angle } ni vnesen
 condition-clearance-at-second = { $q-pattern-clearance-mode } zahteva { -second-set-up-clearance(case: "accusative") }

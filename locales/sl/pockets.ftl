@@ -5,9 +5,9 @@ cycle-rectangular-pocket = Pravokotni žep
 step-move-over-pocket-centre = Krmiljenje premakne orodje v hitrem teku najprej po orodni osi na { -second-set-up-clearance(case: "accusative") } { $q-second-set-up-clearance } (na { -set-up-clearance(case: "accusative") }, če ta ni vnesena), nato nad središče žepa in nazadnje na { -set-up-clearance(case: "accusative") } { $q-set-up-clearance }.
 group-roughing = Grobo rezkanje
 step-plunge-at-centre = Orodje se v središču žepa spusti v obdelovanec na naslednjo { -plunging-depth(case: "accusative") } { $q-plunging-depth }. Način določa parameter { $q-plunging-strategy }:
-say-plunge-vertically = navpično s pomikom { $q-plunging-feed }
-say-plunge-helically = vijačno
-say-plunge-reciprocating = nihajoče, sem ter tja
+say-plunge-vertically = { $q-plunging-strategy } = 0: navpično s pomikom { $q-plunging-feed }
+say-plunge-helically = { $q-plunging-strategy } = 1: vijačno s pomikom { $q-plunging-feed }
+say-plunge-reciprocating = { $q-plunging-strategy } = 2: nihajoče, sem ter tja, s pomikom { $q-plunging-feed }
 step-clear-level = Krmiljenje izprazni žep od znotraj navzven in pri tem upošteva prekrivanje poti { $q-path-overlap } ter nadmeri finega rezkanja { $q-side-allowance } in { $q-floor-allowance }. Na koncu se orodje od stene žepa odmakne tangencialno.
 step-leave-wall-and-return = Orodje se premakne na { -set-up-clearance(case: "accusative") } nad trenutno { -plunging-depth(case: "instrumental") } in od tam v hitrem teku nazaj v središče žepa.
 until-roughing-depth-reached = ni dosežena globina { $q-depth }, zmanjšana za globinsko nadmero { $q-floor-allowance }

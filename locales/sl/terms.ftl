@@ -64,3 +64,51 @@
         [locative] preglednici orodij
         [instrumental] preglednico orodij
     }
+-clearance-height = { $case ->
+       *[nominative] varna višina
+        [genitive] varne višine
+        [dative] varni višini
+        [accusative] varno višino
+        [locative] varni višini
+        [instrumental] varno višino
+    }
+-measuring-height = { $case ->
+       *[nominative] merilna višina
+        [genitive] merilne višine
+        [dative] merilni višini
+        [accusative] merilno višino
+        [locative] merilni višini
+        [instrumental] merilno višino
+    }
+-probe = { $case ->
+       *[nominative] tipalni sistem
+        [genitive] tipalnega sistema
+        [dative] tipalnemu sistemu
+        [accusative] tipalni sistem
+        [locative] tipalnem sistemu
+        [instrumental] tipalnim sistemom
+    }
+-probe-axis = { $case ->
+       *[nominative] os tipalnega sistema
+        [genitive] osi tipalnega sistema
+        [dative] osi tipalnega sistema
+        [accusative] os tipalnega sistema
+        [locative] osi tipalnega sistema
+        [instrumental] osjo tipalnega sistema
+    }
+-touch-point = { $case ->
+       *[nominative] tipalna točka
+        [genitive] tipalne točke
+        [dative] tipalni točki
+        [accusative] tipalno točko
+        [locative] tipalni točki
+        [instrumental] tipalno točko
+    }
+-calibration-sphere = { $case ->
+       *[nominative] umeritvena krogla
+        [genitive] umeritvene krogle
+        [dative] umeritveni krogli
+        [accusative] umeritveno kroglo
+        [locative] umeritveni krogli
+        [instrumental] umeritveno kroglo
+    }

@@ -9,8 +9,8 @@ cycle-datum-shift = Zamik ničelne točke
     .nc = NIČELNA TOČKA
     .purpose = Ponovi obdelave na poljubnih mestih obdelovanca. Po definiciji se vse koordinate nanašajo na novo ničelno točko. Zamik je naveden v programu ali vzet iz { -datum-table(case: "genitive") }, na primer za obdelave, ki se ponavljajo na več mestih, ali za pogosto potreben zamik.
 step-shift-datum = Krmiljenje zamakne ničelno točko:
-say-shift-by-table-row = za vrednosti navedene vrstice aktivne { -datum-table(case: "genitive") }
-say-shift-by-coordinates = na vsaki programirani osi na navedeno koordinato; absolutne vrednosti se nanašajo na ničelno točko obdelovanca, inkrementalne pa na nazadnje veljavno ničelno točko
+say-shift-by-table-row = pri navedeni številki vrstice: za vrednosti te vrstice aktivne { -datum-table(case: "genitive") }
+say-shift-by-coordinates = pri navedenih koordinatah: na vsaki programirani osi na navedeno koordinato; absolutne vrednosti se nanašajo na ničelno točko obdelovanca, inkrementalne pa na nazadnje veljavno ničelno točko
 condition-shift-from-table = je ničelna točka vzeta iz { -datum-table(case: "genitive") }
 note-reset-datum-shift = Zamik ničelne točke ponastavite tako, da z novo definicijo cikla programirate zamik na koordinate X=0, Y=0 itd. ali da zamik na koordinate X=0, Y=0 itd. prikličete iz { -datum-table(case: "genitive") }.
 note-rotary-axes-may-be-shifted = Vnesete lahko tudi rotacijske osi.
@@ -22,7 +22,8 @@ note-datum-table-is-absolute = Koordinate iz preglednic ničelnih točk delujejo
 note-datum-table-rows-at-end = Nove vrstice je mogoče dodati samo na konec { -datum-table(case: "genitive") }.
 note-datum-table-name-begins-with-letter = Ime datoteke nove { -datum-table(case: "genitive") } se mora začeti s črko.
 note-save-datum-table-changes = Ko spremenite vrednost v { -datum-table(case: "locative") }, spremembo shranite s tipko ENT. Sicer je pri izvajanju programa krmiljenje ne upošteva.
-note-datum-table-columns = Če za aktivno os ne želite ničelne točke, njen vnos izbrišite s tipko DEL. Lastnosti stolpcev lahko urejate s številko ključa 555343.
+note-edit-datum-table = Preglednico ničelnih točk urejate v načinu Shranjevanje/urejanje programa: s tipko PGM MGT prikličite upravljanje datotek, z gumbi prikažite datoteke vrste .D in izberite preglednico ali vnesite novo ime datoteke. Gumbi omogočajo skok na začetek ali konec preglednice, na naslednjo ali prejšnjo stran in na začetek ali konec vrstice, dodajanje ene ali več vrstic na konec, brisanje vrstice, iskanje ter kopiranje in vstavljanje vrednosti. Preglednico zapustite tako, da v upravljanju datotek prikažete drugo vrsto datotek in izberete želeno datoteko.
+note-datum-table-columns = Če za aktivno os ne želite ničelne točke, njen vnos izbrišite s tipko DEL. Lastnosti stolpcev lahko urejate, ko v meniju MOD vnesete številko ključa 555343; gumb UREJANJE OBLIKE nato prikaže stolpce z njihovimi lastnostmi. Spremembe veljajo samo za odprto preglednico.
 note-datum-row-in-status-display = Dodatni prikaz stanja kaže ime in pot aktivne { -datum-table(case: "genitive") }, številko aktivne ničelne točke in njeno opombo iz stolpca DOC.
 
 # --- 10 ---

@@ -1,0 +1,45 @@
+# What several touch-probe cycles share.
+
+# --- run ---
+step-position-at-first-touch-point = Krmiljenje pozicionira { -probe(case: "accusative") } v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) in s pozicionirno logiko na prvo { -touch-point(case: "accusative") }. Tipalne točke izračuna iz vnosov v ciklu in iz varnostne razdalje v stolpcu { $mp-set-up }.
+step-position-at-first-touch-point__tnc426-430 = Krmiljenje pozicionira { -probe(case: "accusative") } v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) in s pozicionirno logiko na prvo { -touch-point(case: "accusative") }. Tipalne točke izračuna iz vnosov v ciklu in iz varnostne razdalje { $mp-set-up }.
+step-move-to-measuring-height = Tipalni sistem se premakne na { -measuring-height(case: "accusative") } { $q-measuring-height }.
+step-probe-outward = Tipalni sistem izvede tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }). Smer tipanja krmiljenje določi iz začetnega kota { $q-probing-starting-angle } in kotnega koraka { $q-probing-stepping-angle }.
+step-probe-outward__tnc426-430 = Tipalni sistem izvede tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }). Smer tipanja krmiljenje določi iz začetnega kota { $q-probing-starting-angle } in kotnega koraka { $q-probing-stepping-angle }.
+step-travel-to-next-touch-point = Tipalni sistem se premakne na naslednjo { -touch-point(case: "accusative") }:
+say-start-again-from-centre = če dimenzije žepa in varnostna razdalja ne dovoljujejo predpozicioniranja v bližini tipalnih točk, ostane v središču in se ne premakne na { -clearance-height(case: "accusative") }
+say-travel-straight-at-clearance-height = premočrtno na { -clearance-height(case: "locative") } { $q-clearance-height }
+say-travel-on-circle-at-clearance-height = po krožnem loku na { -clearance-height(case: "locative") } { $q-clearance-height }
+say-travel-on-circle-at-measuring-height = po krožnem loku na { -measuring-height(case: "locative") } { $q-measuring-height }
+until-all-touch-points-probed = niso otipane vse tipalne točke
+
+# --- conditions ---
+condition-travel-at-clearance-height = se { -probe(case: "nominative") } premika na { -clearance-height(case: "locative") } ({ $q-traverse-to-clearance-height } = 1)
+condition-probe-axis-wanted = je { $q-probing-in-probe-axis } = 1
+
+# --- guards ---
+guard-probe-axis-undefined = Pred definicijo cikla ni priklica orodja, zato { -probe-axis(case: "nominative") } ni določena.
+guard-transformation-active = Aktivno je zrcaljenje, faktor merila ali faktor merila, specifičen za os. Med ciklom tipalnega sistema ne sme biti aktiven noben od njih.
+guard-basic-rotation-active = Aktivna je osnovna rotacija. Tega cikla pri osnovni rotaciji ni dovoljeno izvajati.
+guard-stepping-angle-too-small = Kotni korak { $q-probing-stepping-angle } je manjši od 5°.
+guard-tolerance-exceeded = Toleranca je prekoračena.
+guard-tool-broken = Odstopanje je večje od tolerance loma orodja. Orodje je blokirano.
+
+# --- notes: probing in general ---
+note-positioning-logic = Pozicionirna logika: če je najnižja točka tipalne glave pod { -clearance-height(case: "instrumental") } { $q-clearance-height }, krmiljenje { -probe(case: "accusative") } najprej po { -probe-axis(case: "locative") } umakne na { -clearance-height(case: "accusative") } in ga nato v { -working-plane(case: "locative") } pozicionira na prvo { -touch-point(case: "accusative") }. Če je nad { -clearance-height(case: "instrumental") }, krmiljenje { -probe(case: "accusative") } najprej v { -working-plane(case: "locative") } pozicionira na prvo { -touch-point(case: "accusative") } in ga nato po { -probe-axis(case: "locative") } premakne neposredno na { -measuring-height(case: "accusative") } { $q-measuring-height }.
+note-tool-call-before-definition = Pred definicijo cikla programirajte priklic orodja, ki določa { -probe-axis(case: "accusative") }.
+note-no-mirror-or-scaling-while-probing = Med izvajanjem ciklov tipalnega sistema ne smejo biti aktivni zrcaljenje (cikel 8), faktor merila (cikel 11) in faktor merila, specifičen za os (cikel 26).
+note-transformations-while-probing = Med izvajanjem ciklov tipalnega sistema ne sme biti aktiven noben cikel za preračunavanje koordinat: ničelna točka (7), zrcaljenje (8), rotacija (10), faktor merila (11 in 26), obdelovalna ravnina (19).
+note-heidenhain-probes-only = Delovanje tipalnih ciklov je zagotovljeno samo s tipalnimi sistemi HEIDENHAIN.
+note-prepare-for-3d-probes = Proizvajalec stroja mora krmiljenje pripraviti za 3D-tipalne sisteme. Upoštevajte priročnik za stroj.
+note-compensation-data-for-probing = Pazite, da so podatki za popravek (dolžina, polmer) ob začetku cikla pravi: podatki umerjanja ali podatki zadnjega stavka TOOL CALL. Izbere jih { $mp-calibration-data-source }.
+note-step-below-90-for-arcs = Če želite namesto polnega kroga izmeriti krožni lok, programirajte kotni korak { $q-probing-stepping-angle }, manjši od 90°.
+note-smallest-stepping-angle = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna referenčno točko. Najmanjši vnos: 5°.
+note-smallest-stepping-angle__measure-hole = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna dimenzije vrtine. Najmanjši vnos: 5°.
+note-small-stepping-angle-less-exact = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna središče.
+note-results-in-active-system = Vse rezultate v parametrih rezultatov in v datoteki s protokolom krmiljenje navaja v aktivnem koordinatnem sistemu, ki je lahko zamaknjen, zasukan ali nagnjen.
+
+# --- results ---
+result-centre-main-actual = Dejanska vrednost središča glavne osi
+result-centre-minor-actual = Dejanska vrednost središča pomožne osi
+result-diameter-actual = Dejanski premer
