@@ -8,7 +8,7 @@ diag-block-wrong-kind =
         [integer] celo število
         [number-or-name] število ali ime v narekovajih
         [text] besedilo v narekovajih
-        [q-number] parameter Q
+        [q-number] Q-parameter
         [axis-direction] os s predznakom, na primer X-
         [position] koordinate po oseh, na primer X+5 Y+0
         [row] vrstica preglednice, na primer #5

@@ -7,8 +7,8 @@ diag-plan-argument = Argument ni pravilno oblikovan: { $expected ->
     [add-or-value] pričakovana je vrednost add ali value, ne obe.
     [read-or-write] pričakovana je vrednost add ali value (pisanje) ali as (branje).
     [list-of-points] pričakovan je seznam točk.
-    [q-parameter] pričakovan je parameter Q.
-    [q-number-field] pričakovano je polje, ki imenuje parameter Q.
+    [q-parameter] pričakovan je Q-parameter.
+    [q-number-field] pričakovano je polje, ki imenuje Q-parameter.
     [no-result] strategija nima rezultata, ki bi ga bilo mogoče poimenovati.
     [type-word] pričakovana je beseda number, truth, point ali text.
     [spindle-word] pričakovana je beseda clockwise, counter-clockwise ali stop.
@@ -20,11 +20,11 @@ diag-plan-missing-argument = Manjka argument { $name }.
 diag-plan-modifier = Glagol { $verb } ne pozna dodatka { $modifier }.
 diag-plan-name-form = Ime { $name } lahko vsebuje le male črke, števke in znak _.
 diag-plan-name-taken = Ime { $name } je tukaj že zasedeno.
-diag-plan-recursive-fragment = Del { $name } uporablja samega sebe.
+diag-plan-recursive-fragment = Fragment { $name } uporablja samega sebe.
 diag-plan-type = Pričakovano: { $expected }, najdeno: { $found }.
 diag-plan-unknown-argument = Argumenta { $name } ni; na voljo so: { $known }.
 diag-plan-unknown-field = Cikel nima polja { $name }.
-diag-plan-unknown-fragment = Dela z imenom { $name } ni.
+diag-plan-unknown-fragment = Fragment { $name } ne obstaja.
 diag-plan-unknown-name = Ime { $name } tukaj ni znano.
 diag-plan-unknown-series = Zaporedja { $name } ni; na voljo so: { $known }.
 diag-plan-unknown-table = Preglednice { $name } ni; na voljo so: { $known }.

@@ -1,7 +1,7 @@
 ## Mistakes in specifications. $expected and $found come from the file or name a kind of value.
 
 diag-spec-both-forms = Cikel ima parametre in vrstice stare oblike; zapisati ga je mogoče samo v eni obliki.
-diag-spec-case-incomplete = Primer { $name } potrebuje sceno in pričakovanje ali razlog za izpustitev.
+diag-spec-case-incomplete = Primer { $name } potrebuje prizorišče in pričakovanje ali razlog za izpustitev.
 diag-spec-case-never-reached = Do te možnosti nikoli ne pride: prejšnja zajame vse, kar bi zajela ta.
 diag-spec-case-proves-nothing = Primer { $name } ne pove, kaj dokazuje.
 diag-spec-duplicate-choice = Izbira { $value } je ponujena dvakrat.
@@ -34,9 +34,9 @@ diag-spec-run-item = Element poteka ni pravilno sestavljen: { $reason ->
     [group-body] skupina vsebuje elemente in ničesar drugega.
    *[step-keys] choose, then in by spadajo h koraku.
 }
-diag-spec-text-parameter = { $name }: parameter QS sprejme besedilo, in to samo parameter QS.
+diag-spec-text-parameter = { $name }: QS-parameter sprejme besedilo, in samo QS-parameter ga sprejme.
 diag-spec-unknown-condition = Pogoj { $name } ne obstaja.
-diag-spec-unknown-control = Krmiljenje { $name } ne obstaja; na voljo so { $known }.
+diag-spec-unknown-control = Krmiljenje { $control } ne obstaja; na voljo so { $known }.
 diag-spec-unknown-cycle = { $control } ne pozna cikla { $cycle }.
 diag-spec-unknown-cycle-name = Noben cikel tega krmiljenja nima imena { $name }.
 diag-spec-unknown-datum = { $control } nima strojnega podatka { $name }.

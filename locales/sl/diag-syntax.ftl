@@ -2,8 +2,8 @@
 
 syntax-expected =
     { $expected ->
-        [block] začetek niza
-        [end] konec niza
+        [block] začetek stavka
+        [end] konec stavka
         [sign] predznak
         [word] koordinata, R0, RL, RR, pomik ali M-funkcija
         [number] število
@@ -36,10 +36,10 @@ syntax-expected =
        *[other] { $expected }
     }
 
-diag-syntax-unknown-block = Noben niz se ne začne z »{ $found }«.
+diag-syntax-unknown-block = Noben stavek se ne začne z »{ $found }«.
 diag-syntax-unexpected = »{ $found }« tu ne more stati; pričakovano: { syntax-expected }.
-diag-syntax-incomplete = Niz ni popoln; pričakovano: { syntax-expected }.
+diag-syntax-incomplete = Stavek ni popoln; pričakovano: { syntax-expected }.
 diag-syntax-unclosed-text = Besedilo nima zaključnega narekovaja: { $found }
 diag-syntax-formula = »{ $found }« na tem mestu formule ne more stati; pričakovano: { syntax-expected }.
-diag-syntax-remark = »{ $found }« stoji za tabulatorjem in ne pripada nobenemu nizu; krmiljenje bi ga zavrnilo. Komentar se začne s podpičjem.
-diag-syntax-dangling-continuation = Znak ~ napoveduje nadaljnjo vrstico, vendar ne sledi nobena, ki bi pripadala temu nizu.
+diag-syntax-remark = »{ $found }« stoji za tabulatorjem in ne pripada nobenemu stavku; krmiljenje bi ga zavrnilo. Komentar se začne s podpičjem.
+diag-syntax-dangling-continuation = Znak ~ napoveduje nadaljnjo vrstico, vendar ne sledi nobena, ki bi pripadala temu stavku.

@@ -1,4 +1,4 @@
-# Ugotovitve o prizorih, strojih, preglednicah in telesih.
+# Ugotovitve o prizoriščih, strojih, preglednicah in telesih.
 
 diag-scene-expected =
     { $expected ->
@@ -27,9 +27,9 @@ diag-scene-unknown-machine = Stroja z imenom { $name } ni; znani so { $known }.
 diag-scene-start-outside = Začetni položaj je zunaj območja premika osi { $axis }: { $found } mm ni med { $min } in { $max } mm.
 
 diag-solid-not-finite = Ena od mer ni končno pozitivno število.
-diag-solid-edge-unsupported = Tipalna kroglica se lahko dotakne roba, ki ni ne premica ne krog; tega dotika ni mogoče natančno izračunati.
-diag-solid-cusp = Tipalna kroglica se lahko dotakne mesta, kjer se ploskvi stikata tangencialno in med njima ni materiala; tega dotika ni mogoče natančno izračunati.
-diag-solid-helix-unsupported = Tipalna kroglica se lahko obdelovanca dotakne pri gibu po vijačnici; tega dotika ni mogoče natančno izračunati.
+diag-solid-edge-unsupported = Tipalna krogla se lahko dotakne roba, ki ni ne premica ne krog; tega dotika ni mogoče natančno izračunati.
+diag-solid-cusp = Tipalna krogla se lahko dotakne mesta, kjer se ploskvi stikata tangencialno in med njima ni materiala; tega dotika ni mogoče natančno izračunati.
+diag-solid-helix-unsupported = Tipalna krogla se lahko obdelovanca dotakne pri gibu po vijačnici; tega dotika ni mogoče natančno izračunati.
 
 diag-table-no-header = Preglednica se mora začeti z vrstico, v kateri so »BEGIN«, ime datoteke { $extension } in merska enota.
 diag-table-no-heading = V drugi vrstici morajo biti imena stolpcev, med njimi { $column }.

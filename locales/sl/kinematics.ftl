@@ -87,6 +87,9 @@ choice-sphere-preset-before-and-after = prednastavitev se postavi v središče k
 parameter-backlash-angle = Zračnost - območje kota
     .label = ZRAČNOST - OBMOČJE KOTA
     .help = Kot, za katerega rotacijske osi naredijo dodatni premik na drugo stran, da se izmeri njihova zračnost. Biti mora precej večji od dejanske zračnosti. Pri vrednosti 0 se zračnost ne izmeri.
+parameter-backlash-angle__itnc530 =
+    .label = ZRAČNOST - OBM. KOTA
+    .label-aliases = ZRAČNOST - OBMOČJE KOTA
 
 # --- 451 ---
 cycle-measure-kinematics = Merjenje kinematike
