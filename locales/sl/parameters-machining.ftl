@@ -150,7 +150,7 @@ parameter-pattern-clearance-mode = Premik na varno višino
     .label = PREMIK NA VARNO VIŠINO
     .label-aliases = PREMIK NA VARNOSTNO VIŠINO
     .help = Na kateri višini se orodje premika med obdelavami.
-parameter-pattern-traverse-type = Način premika
+parameter-pattern-traverse-type = Način premika? Premočrtno=0/krožno=1
     .label = NAČIN PREMIKA
     .help = Po kakšni poti se orodje premika med obdelavami.
     .prompt = Način premika? Premočrtno=0/krožno=1

@@ -57,6 +57,7 @@ choice-four-touch-points = 4 merilne točke (običajna nastavitev)
 choice-three-touch-points = 3 merilne točke
 parameter-probing-traverse-type = Način premika? Premočrtno=0/krožno=1
     .label = NAČIN PREMIKA
+    .prompt = Način premika? Premočrtno=0/krožno=1
     .help = Pot, po kateri se { -probe(case: "nominative") } premika med merilnimi točkami, če se premika na { -clearance-height(case: "locative") } ({ $q-traverse-to-clearance-height } = 1).
 choice-traverse-straight = premočrtno premikanje med merilnimi točkami
 choice-traverse-on-circle = krožni premik po premeru delnega kroga med merilnimi točkami

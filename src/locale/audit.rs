@@ -14,6 +14,9 @@ use super::pattern::{Node, visit};
 use super::{LocaleError, Locales, SOURCE_LANGUAGE};
 use crate::diag::{Diagnostic, Place, Source};
 
+/// Attributes that a language may have alone: whether there is one depends on what its manual prints.
+const OWN: [&str; 3] = ["label-aliases", "nc-aliases", "prompt"];
+
 /// What a translation was made from.
 #[derive(Debug, Default)]
 pub(super) struct Lock(BTreeMap<String, u32>);
@@ -208,7 +211,7 @@ impl Locales {
             let original = counterpart(source, &text).and_then(|form| source.pattern(form));
             match original {
                 Some(original) => compare(&mut audit, (source, original), translation, &text),
-                None if text.id.starts_with('-') => {}
+                None if text.id.starts_with('-') || text.attribute.is_some_and(|name| OWN.contains(&name)) => {}
                 None => audit.orphans.push(finding(translation, &text.key, text.form, None)),
             }
         }
