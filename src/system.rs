@@ -204,7 +204,10 @@ impl Staged {
     pub fn write(&self, path: &str, bytes: &[u8]) -> Result<(), Trouble> {
         let inside: PathBuf = path.split('/').filter(|part| !matches!(*part, "" | "." | "..")).collect();
         let file = self.whole.join(&inside);
-        let written = fs::create_dir_all(parent(&file)).and_then(|()| fs::write(&file, bytes));
+        let written = fs::write(&file, bytes).or_else(|error| match error.kind() {
+            io::ErrorKind::NotFound => fs::create_dir_all(parent(&file)).and_then(|()| fs::write(&file, bytes)),
+            _ => Err(error),
+        });
         written.map_err(|error| Trouble::new("io-write", &self.target.join(&inside), &error))
     }
 

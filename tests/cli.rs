@@ -165,3 +165,76 @@ fn a_working_copy_replaces_the_built_in_data() {
     let lock = std::fs::read_to_string(copy.path().join("locales/fi/source.lock")).unwrap();
     assert!(lock.starts_with("a ") && lock.len() == "a 01234567\n".len(), "{lock}");
 }
+
+/// Copies a directory, whole.
+fn copy(from: &Path, to: &Path) {
+    std::fs::create_dir_all(to).unwrap();
+    for entry in std::fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let target = to.join(entry.file_name());
+        if entry.path().is_dir() {
+            copy(&entry.path(), &target);
+        } else {
+            std::fs::copy(entry.path(), target).unwrap();
+        }
+    }
+}
+
+#[test]
+fn a_build_that_fails_leaves_the_last_good_one() {
+    let scratch = tempfile::tempdir().unwrap();
+    let data = scratch.path().join("data");
+    for top in ["cycle-specs", "locales", "templates"] {
+        copy(&root().join(top), &data.join(top));
+    }
+    let out = scratch.path().join("site");
+    let words = ["build", "--control", "tnc320", "--lang", "en"];
+    let paths = ["--out", out.to_str().unwrap(), "--data", data.to_str().unwrap()];
+    let build = || run(&[&words[..], &paths[..]].concat());
+
+    let first = build();
+    assert!(first.status.success(), "{}", String::from_utf8_lossy(&first.stderr));
+    assert!(first.stdout.is_empty(), "a pipe gets no progress");
+    let index = std::fs::read(out.join("index.html")).unwrap();
+
+    // A text that is needed disappears.
+    let groups = data.join("locales/en/cycle-groups.ftl");
+    let kept = std::fs::read(&groups).unwrap();
+    std::fs::write(&groups, "").unwrap();
+    let failed = build();
+    assert_eq!(failed.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&failed.stderr).contains("locale-missing-text"));
+    assert_eq!(std::fs::read(out.join("index.html")).unwrap(), index);
+    std::fs::write(&groups, kept).unwrap();
+
+    // A file of the user's own stands where the site should go.
+    let own = scratch.path().join("own");
+    std::fs::create_dir(&own).unwrap();
+    std::fs::write(own.join("thesis.txt"), "all of it").unwrap();
+    let refused = run(&["build", "--out", own.to_str().unwrap()]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("io-foreign-directory"));
+    assert!(own.join("thesis.txt").exists());
+
+    assert!(build().status.success(), "the site is exchanged");
+    let left: Vec<_> = std::fs::read_dir(scratch.path()).unwrap().collect();
+    assert_eq!(left.len(), 3, "nothing temporary is left: {left:?}");
+}
+
+#[test]
+fn any_file_is_parsed_and_printed_again() {
+    let scratch = tempfile::tempdir().unwrap();
+    let path = scratch.path().join("odd.h");
+    let file = path.to_str().unwrap();
+    let odd: [&[u8]; 5] =
+        [b"", b"\xff\xfe\x00\x01 L X", b"0 BEGIN PGM A MM\r\n1 L X\xe4\r2", b"\xef\xbb\xbf; \xc4\x8d", b"\0\0\0"];
+    for bytes in odd {
+        std::fs::write(&path, bytes).unwrap();
+        let printed = run(&["parse", file, "--print"]);
+        assert!(printed.status.success());
+        assert_eq!(printed.stdout, bytes);
+        let document: serde_json::Value = serde_json::from_slice(&run(&["parse", file]).stdout).unwrap();
+        assert_eq!(document["format"], "ciklo-parse/1");
+    }
+    assert_eq!(run(&["parse", "no-such-file.h"]).status.code(), Some(2));
+}

@@ -42,6 +42,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "translate",
             "engine",
             "conform",
+            "coverage",
             "system",
         ],
     ),

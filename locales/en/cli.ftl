@@ -105,6 +105,16 @@ cli-summary = { $errors ->
         }
     }
 cli-written = Written: { $path }
+cli-building = Pages
+cli-built = { $pages } pages, { $files } files: { $path }
+cli-coverage-control = { $control } ({ $title }): { $described } cycles described, { $named } named only
+cli-coverage-complete = complete
+cli-coverage-missing = { $language }: { $count } of { $of } texts missing: { $ids }
+cli-coverage-stale = { $language }: { $count } of { $of } texts stale: { $ids }
+cli-coverage-pending = Pending in the engine: { $ids }
+cli-coverage-unexecuted = Not executed by an example: { $count } of { $of } sentences: { $ids }
+cli-coverage-unprovoked = Not provoked by an example: { $ids }
+
 cli-usage-hint = Perhaps { $suggestion }?
 cli-usage-help = See --help.
 

@@ -105,6 +105,16 @@ cli-summary = { $errors ->
         }
     }
 cli-written = Kirjoitettu: { $path }
+cli-building = Sivuja
+cli-built = Sivuja { $pages }, tiedostoja { $files }: { $path }
+cli-coverage-control = { $control } ({ $title }): työkiertoja kuvattu { $described }, vain mainittu { $named }
+cli-coverage-complete = valmis
+cli-coverage-missing = { $language }: tekstejä puuttuu { $count }/{ $of }: { $ids }
+cli-coverage-stale = { $language }: vanhentuneita tekstejä { $count }/{ $of }: { $ids }
+cli-coverage-pending = Suorituksesta puuttuu: { $ids }
+cli-coverage-unexecuted = Esimerkit eivät suorita: lauseita { $count }/{ $of }: { $ids }
+cli-coverage-unprovoked = Esimerkit eivät aiheuta: { $ids }
+
 cli-usage-hint = Tarkoititko: { $suggestion }?
 cli-usage-help = Katso --help.
 

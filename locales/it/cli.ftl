@@ -105,6 +105,16 @@ cli-summary = { $errors ->
         }
     }
 cli-written = Scritto: { $path }
+cli-building = Pagine
+cli-built = Pagine: { $pages }, file: { $files }: { $path }
+cli-coverage-control = { $control } ({ $title }): cicli descritti { $described }, solo nominati { $named }
+cli-coverage-complete = completo
+cli-coverage-missing = { $language }: testi mancanti { $count } di { $of }: { $ids }
+cli-coverage-stale = { $language }: testi superati { $count } di { $of }: { $ids }
+cli-coverage-pending = In sospeso nell'esecuzione: { $ids }
+cli-coverage-unexecuted = Frasi non eseguite da un esempio: { $count } di { $of }: { $ids }
+cli-coverage-unprovoked = Non provocati da un esempio: { $ids }
+
 cli-usage-hint = Forse { $suggestion }?
 cli-usage-help = Vedere --help.
 

@@ -105,6 +105,16 @@ cli-summary = { $errors ->
         }
     }
 cli-written = Escrito: { $path }
+cli-building = Páginas
+cli-built = Páginas: { $pages }, ficheiros: { $files }: { $path }
+cli-coverage-control = { $control } ({ $title }): ciclos descritos { $described }, apenas mencionados { $named }
+cli-coverage-complete = completo
+cli-coverage-missing = { $language }: textos em falta { $count } de { $of }: { $ids }
+cli-coverage-stale = { $language }: textos desatualizados { $count } de { $of }: { $ids }
+cli-coverage-pending = Pendente na execução: { $ids }
+cli-coverage-unexecuted = Frases não executadas por um exemplo: { $count } de { $of }: { $ids }
+cli-coverage-unprovoked = Não provocado por um exemplo: { $ids }
+
 cli-usage-hint = Talvez { $suggestion }?
 cli-usage-help = Ver --help.
 

@@ -6,6 +6,8 @@
 //! library module could hold.
 mod arguments;
 mod block;
+mod build;
+mod coverage;
 mod cycle;
 mod dialog;
 mod explain;
@@ -13,6 +15,7 @@ mod export;
 mod lint;
 mod parse;
 mod program;
+mod progress;
 mod schema;
 mod session;
 mod usage;
@@ -76,9 +79,11 @@ struct Command {
 
 /// All commands, in the order of the help.
 static COMMANDS: &[Command] = &[
+    build::COMMAND,
     dialog::COMMAND,
     block::COMMAND,
     parse::COMMAND,
+    coverage::COMMAND,
     lint::COMMAND,
     schema::COMMAND,
     explain::COMMAND,

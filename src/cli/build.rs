@@ -1,0 +1,74 @@
+//! `ciklo build`: the manuals with their dialogs and labels.
+use std::path::Path;
+use std::sync::Mutex;
+
+use clap::{ArgAction, ArgMatches};
+
+use super::progress::Progress;
+use super::session::Session;
+use super::{Command, Failure, Outcome, arguments, cycle};
+use crate::diag::Diagnostic;
+use crate::locale::{Args, Ui};
+use crate::manual::{Request, Site};
+use crate::system::Staged;
+
+pub(super) const COMMAND: Command =
+    Command { name: "build", usage: "[--out DIR] [--control CONTROL]… [--lang LANG]…", arguments: own, run };
+
+/// Where the manuals go if nothing is said.
+const OUT: &str = "out";
+
+fn own(ui: &Ui) -> Vec<clap::Arg> {
+    let several =
+        |name, value, help| arguments::argument(ui, name, help).long(name).value_name(value).action(ArgAction::Append);
+    vec![
+        arguments::argument(ui, "out", "cli-build-out").long("out").value_name("DIR"),
+        several("control", "CONTROL", "cli-build-control"),
+        several("lang", "LANG", "cli-build-lang"),
+    ]
+}
+
+fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
+    let (catalogue, locales) = (session.catalogue()?, session.locales()?);
+    let (controls, languages) = (arguments::all(matches, "control"), arguments::all(matches, "lang"));
+    for id in &controls {
+        cycle::control(&catalogue, id)?;
+    }
+    for tag in &languages {
+        cycle::language(&locales, tag)?;
+    }
+    let out = matches.get_one::<String>("out").map_or(OUT, String::as_str);
+    let staged = Staged::new(Path::new(out))?;
+    let request = Request {
+        catalogue: &catalogue,
+        locales: &locales,
+        files: session.files()?,
+        controls: &controls,
+        languages: &languages,
+    };
+    let site = Site::new(&request).map_err(Failure::Data)?;
+    let progress = Progress::new(session.ui.text("cli-building", &Args::new()), site.pages());
+    // A disk that is full is told once, not for each file that did not fit.
+    let trouble: Mutex<Option<Diagnostic>> = Mutex::new(None);
+    let built = site.write(&|path, bytes| {
+        progress.step();
+        staged.write(path, bytes).map_err(|error| {
+            let diagnostic = Diagnostic::from(error);
+            if let Ok(mut first) = trouble.lock() {
+                first.get_or_insert_with(|| diagnostic.clone());
+            }
+            diagnostic
+        })
+    });
+    drop(progress);
+    if let Some(diagnostic) = trouble.into_inner().ok().flatten() {
+        return Err(diagnostic.into());
+    }
+    let built = built.map_err(Failure::Data)?;
+    staged.commit()?;
+    let index = Path::new(out).join("index.html").display().to_string();
+    let args = Args::new().number("pages", built.pages as f64).number("files", built.files as f64);
+    let line = session.ui.text("cli-built", &args.text("path", index));
+    session.output.remark(&line);
+    Ok(Outcome::Clean)
+}
