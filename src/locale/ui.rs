@@ -80,9 +80,13 @@ impl<'l> Ui<'l> {
         self.text(&format!("severity-{}", severity.as_str()), &Args::new())
     }
 
-    /// The text of a diagnostic: the message `diag-<code>` with its arguments. A code without a
-    /// message is named, with whatever arguments there are.
+    /// The text of a diagnostic: the message `diag-<code>` with its arguments, or the sentence that it
+    /// brings along as its argument `message`. A code without either is named, with whatever arguments
+    /// there are.
     pub fn diagnostic(&self, diagnostic: &Diagnostic) -> String {
+        if let Some(Arg::Text(message)) = diagnostic.get("message") {
+            return message.clone();
+        }
         let args = Args::of(diagnostic);
         self.find(&format!("diag-{}", diagnostic.code), &args).unwrap_or_else(|| {
             let mut values = String::new();

@@ -209,7 +209,7 @@ fn tool(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
 fn cycle_block(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
     let start = *cursor;
     if cursor.opt_keyword(b"CYCL") && cursor.opt_keyword(b"CALL") {
-        return motion::cycl_call(cursor).map(|call| BlockKind::CyclCall(Box::new(call)));
+        return motion::cycl_call(cursor, start.at).map(|call| BlockKind::CyclCall(Box::new(call)));
     }
     *cursor = start;
     cycle::head(cursor)

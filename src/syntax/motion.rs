@@ -291,8 +291,9 @@ pub(super) fn tool_def(cursor: &mut Cursor<'_>) -> Read<ToolDef> {
     Ok(def)
 }
 
-/// The words of `CYCL CALL`, the first two being read.
-pub(super) fn cycl_call(cursor: &mut Cursor<'_>) -> Read<CyclCall> {
+/// The words of `CYCL CALL`, the first two being read; they began at `start`.
+pub(super) fn cycl_call(cursor: &mut Cursor<'_>, start: usize) -> Read<CyclCall> {
+    let head = Span::new(start, cursor.at);
     let form = if cursor.opt_keyword(b"PAT") {
         CallForm::Pattern
     } else if cursor.opt_keyword(b"POS") {
@@ -305,5 +306,5 @@ pub(super) fn cycl_call(cursor: &mut Cursor<'_>) -> Read<CyclCall> {
         CallForm::Plain
     };
     let feed = opt_feed(cursor)?;
-    Ok(CyclCall { form, feed, functions: functions(cursor)? })
+    Ok(CyclCall { head, form, feed, functions: functions(cursor)? })
 }

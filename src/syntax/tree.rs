@@ -643,6 +643,8 @@ pub struct OldWord {
 /// `CYCL CALL`.
 #[derive(Clone, Debug)]
 pub struct CyclCall {
+    /// `CYCL CALL`.
+    pub head: Span,
     /// Where the cycle is called.
     pub form: CallForm,
     /// Feed between the points.

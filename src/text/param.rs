@@ -32,7 +32,7 @@ impl<'a> CycleText<'a> {
         let id = format!("parameter-{}", param.is.as_str());
         let name = self.get(&id, &param.is.place);
         let label = self.label(param, &id);
-        let label_aliases = self.find(&format!("{id}.label-aliases")).map_or_else(Vec::new, |list| aliases(&list));
+        let label_aliases = self.label_aliases_of(param);
         let prompt = self.find(&format!("{id}.prompt"));
         let prompt =
             prompt.unwrap_or_else(|| self.general("prompt-from-name", &Args::new().text("name", name.as_ref())));
@@ -62,6 +62,12 @@ impl<'a> CycleText<'a> {
     /// The printed word of a labelled field, or the NC label.
     pub fn label_of(&self, param: &'a Param) -> Option<Cow<'a, str>> {
         self.label(param, &format!("parameter-{}", param.is.as_str()))
+    }
+
+    /// Other printed forms of the label.
+    pub fn label_aliases_of(&self, param: &Param) -> Vec<String> {
+        let id = format!("parameter-{}.label-aliases", param.is.as_str());
+        self.find(&id).map_or_else(Vec::new, |list| aliases(&list))
     }
 
     /// The printed range with its unit, as prose shows it: `0 to 99999.9999 mm`.

@@ -1,0 +1,273 @@
+//! What the rules need to know of a program, read off once.
+//!
+//! Invariant: nothing is judged here; the order of events is that of the text, and [`Flow`] says
+//! whether that can be the order of the run.
+use std::borrow::Cow;
+
+use super::fields;
+use super::{Against, CycleLabels};
+use crate::diag::Span;
+use crate::expr::{QKind, QRef};
+use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, ParameterKind, TakesEffect};
+use crate::syntax::{BlockKind, CycleForm, CycleKeyword, CycleView, MFunction, OldCycleLine, Program, Value};
+
+/// A program with its cycle definitions resolved for a control.
+pub struct Facts<'a> {
+    /// The program.
+    pub program: &'a Program,
+    /// What it is checked against.
+    pub against: Against<'a>,
+    /// Its cycle definitions, in order.
+    pub definitions: Vec<Definition<'a>>,
+    /// What happens, in the order of the text.
+    pub events: Vec<Event>,
+    /// Whether the text's order can be trusted.
+    pub flow: Flow,
+    /// Whether lengths are inches.
+    pub inch: bool,
+    /// The language of its labels, if any of them is known.
+    pub language: Option<String>,
+}
+
+/// A cycle definition.
+pub struct Definition<'a> {
+    /// As written.
+    pub view: CycleView<'a>,
+    /// Its key.
+    pub key: CycleKey,
+    /// What the control knows of it.
+    pub known: Known<'a>,
+    /// Its parameters or fields as written, those of described cycles with their specification.
+    pub items: Vec<Item<'a>>,
+    /// What a described cycle needs and the definition lacks.
+    pub missing: Vec<&'a Param>,
+    /// Whether a line of it cannot be read.
+    pub torn: bool,
+}
+
+/// A parameter or field as written.
+pub struct Item<'a> {
+    /// Its specification, if the cycle is described and has it.
+    pub param: Option<&'a Param>,
+    /// How messages call it: `Q200`, `31.2 HEIGHT:`.
+    pub name: Cow<'a, str>,
+    /// All of it up to the end of the value.
+    pub span: Span,
+    /// The value's place.
+    pub value_span: Span,
+    /// The value in capitals as the specification's examples are written: `+60`, `X+60`, `#5`, `"AB"`.
+    pub printed: String,
+    /// The value, if it is a single one.
+    pub value: Option<Value>,
+    /// The printed label, or the printed word of an old-style field.
+    pub label: Option<Span>,
+}
+
+/// Something that happens in a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Event {
+    /// A tool call; whether it names the tool axis.
+    Tool {
+        /// Whether it names the tool axis.
+        axis: bool,
+    },
+    /// A cycle definition, by index.
+    Define(usize),
+    /// A call of the last cycle, and its place.
+    Call(Span),
+    /// The block that follows, which is neither comment nor blank.
+    Block,
+    /// The spindle turns from here on.
+    SpindleOn,
+    /// The spindle stands from here on.
+    SpindleOff,
+    /// Nobody can say from the program whether the spindle turns.
+    SpindleUnknown,
+}
+
+/// What is known of the order of the run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Flow {
+    /// Blocks are repeated, called or passed over.
+    pub jumps: bool,
+    /// Other programs are called.
+    pub programs: bool,
+    /// The cycle is called at every position (M89).
+    pub modal: bool,
+    /// There are blocks that are not analysed, such as a change to turning.
+    pub opaque: bool,
+}
+
+impl<'a> Facts<'a> {
+    /// The facts of a program.
+    pub fn of(program: &'a Program, against: &Against<'a>) -> Self {
+        let definitions = program.cycles().into_iter().map(|view| Definition::of(program, view, against)).collect();
+        let mut facts = Self {
+            program,
+            against: *against,
+            definitions,
+            events: Vec::new(),
+            flow: Flow::default(),
+            inch: false,
+            language: None,
+        };
+        facts.follow();
+        facts.language = against.language.map(str::to_owned).or_else(|| super::labels::language_of(&facts));
+        facts
+    }
+
+    /// The text at a place.
+    pub fn text(&self, span: Span) -> &'a str {
+        self.program.slice(span)
+    }
+
+    /// The labels of a definition's cycle.
+    pub fn labels(&self, definition: &Definition<'_>) -> Option<&'a CycleLabels> {
+        self.against.labels.cycle(definition.key)
+    }
+
+    /// The definitions of described cycles with their specifications.
+    pub fn described(&self) -> impl Iterator<Item = (&Definition<'a>, &'a Cycle)> {
+        self.definitions.iter().filter_map(|definition| match definition.known {
+            Known::Described(cycle) => Some((definition, cycle)),
+            _ => None,
+        })
+    }
+
+    /// Walks through the blocks and notes what happens.
+    fn follow(&mut self) {
+        let mut next = 0;
+        for (index, block) in self.program.blocks().iter().enumerate() {
+            if !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_)) {
+                self.events.push(Event::Block);
+            }
+            // A block that may be skipped may not happen.
+            self.flow.jumps |= block.skip;
+            while self.definitions.get(next).is_some_and(|definition| definition.view.first == index) {
+                self.events.push(Event::Define(next));
+                next += 1;
+            }
+            match &block.kind {
+                BlockKind::BeginPgm(frame) => self.inch = frame.inch,
+                BlockKind::CallLbl(_) | BlockKind::FnJump(_) => self.flow.jumps = true,
+                BlockKind::CallPgm(_) => self.flow.programs = true,
+                BlockKind::Other(word) => self.other(*word),
+                BlockKind::Unknown(_) => self.flow.opaque = true,
+                BlockKind::ToolCall(call) => {
+                    self.events.push(Event::Tool { axis: call.axis.is_some() });
+                }
+                BlockKind::Motion(motion) => self.functions(&motion.functions, None),
+                BlockKind::Functions(list) | BlockKind::Stop(list) => self.functions(list, None),
+                BlockKind::CyclCall(call) => {
+                    self.functions(&call.functions, Some(call.head));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Blocks known by their first word: a program may be called, or the machine be another one.
+    fn other(&mut self, word: Span) {
+        let word = self.program.slice(word).to_ascii_uppercase();
+        self.flow.programs |= word == "CALL";
+        self.flow.opaque |= word == "FUNCTION";
+    }
+
+    /// What M functions do: those at the start of the block, then the call, then those at its end.
+    fn functions(&mut self, list: &[MFunction], call: Option<Span>) {
+        let mut calls: Vec<Span> = call.into_iter().collect();
+        for function in list {
+            match function.number {
+                3 | 4 | 13 | 14 => self.events.push(Event::SpindleOn),
+                89 => {
+                    self.flow.modal = true;
+                    calls.push(function.span);
+                }
+                99 => calls.push(function.span),
+                _ => {}
+            }
+        }
+        self.events.extend(calls.into_iter().map(Event::Call));
+        for function in list {
+            match function.number {
+                0 | 2 | 5 | 6 | 30 => self.events.push(Event::SpindleOff),
+                1 | 3 | 4 | 8 | 9 | 13 | 14 | 89..=199 => {}
+                // What else an M function does is the machine builder's affair.
+                _ => self.events.push(Event::SpindleUnknown),
+            }
+        }
+    }
+}
+
+impl<'a> Definition<'a> {
+    fn of(program: &'a Program, view: CycleView<'a>, against: &Against<'a>) -> Self {
+        let keyword = match view.keyword {
+            CycleKeyword::CyclDef => Keyword::CyclDef,
+            CycleKeyword::TchProbe => Keyword::TchProbe,
+        };
+        let key = CycleKey::new(keyword, view.number);
+        let known = against.on.known(key);
+        let cycle = match known {
+            Known::Described(cycle) => Some(cycle),
+            _ => None,
+        };
+        let mut definition = Self { view, key, known, items: Vec::new(), missing: Vec::new(), torn: false };
+        match definition.view.form.clone() {
+            CycleForm::Parameters(written) => {
+                definition.torn = !written.errors.is_empty();
+                definition.parameters(program, written, cycle);
+            }
+            CycleForm::Lines(lines) => definition.lines(program, &lines, cycle),
+        }
+        definition
+    }
+
+    fn parameters(&mut self, program: &'a Program, written: &'a crate::syntax::CycleDef, cycle: Option<&'a Cycle>) {
+        for parameter in &written.parameters {
+            let printed = program.slice(parameter.value.span);
+            let quoted = printed.starts_with('"');
+            self.items.push(Item {
+                param: cycle.and_then(|cycle| param_of(cycle, parameter.q)),
+                name: Cow::Owned(parameter.q.to_string()),
+                span: parameter.span,
+                value_span: parameter.value.span,
+                printed: if quoted { printed.to_owned() } else { printed.to_uppercase() },
+                value: Some(parameter.value),
+                label: parameter.label,
+            });
+        }
+        let Some(cycle) = cycle else { return };
+        let written =
+            |param: &Param| self.items.iter().any(|item| item.param.is_some_and(|own| std::ptr::eq(own, param)));
+        let needed = |param: &&Param| param.field.as_ref().is_none_or(|field| field.form == 0 && !field.optional);
+        self.missing = cycle.params.iter().filter(|param| needed(param) && !written(param)).collect();
+    }
+
+    fn lines(&mut self, program: &'a Program, lines: &[&'a OldCycleLine], cycle: Option<&'a Cycle>) {
+        let Some(cycle) = cycle else { return };
+        let matched = fields::matching(program, cycle, lines);
+        self.items = matched.items;
+        self.missing = matched.missing;
+    }
+
+    /// When the cycle acts, if that is known. All touch-probe cycles act when they are defined.
+    pub fn takes_effect(&self) -> Option<TakesEffect> {
+        match (self.known, self.key.keyword) {
+            (Known::Described(cycle), _) => Some(cycle.file.takes_effect),
+            (_, Keyword::TchProbe) => Some(TakesEffect::OnDefinition),
+            _ => None,
+        }
+    }
+}
+
+/// The parameter of a Q number. One that takes a number or a name has the same number in both families.
+fn param_of(cycle: &Cycle, q: QRef) -> Option<&Param> {
+    cycle.param(q).or_else(|| {
+        let other = match q.kind {
+            QKind::Qs => QRef { kind: QKind::Q, ..q },
+            QKind::Q => QRef { kind: QKind::Qs, ..q },
+            _ => return None,
+        };
+        cycle.param(other).filter(|param| param.kind == ParameterKind::NumberOrName)
+    })
+}

@@ -1,0 +1,120 @@
+//! The guards of specifications, evaluated with what a program writes.
+//!
+//! Names are replaced by the formulas that they stand for until only numbers and Q parameters are
+//! left. Invariant: a guard that needs anything else (a parameter calculated, the tool, the machine)
+//! says nothing.
+use std::sync::Arc;
+
+use crate::expr::{Code, Env, EvalError, Expr, Node, QRef, Resolve, Type, Value, compile};
+use crate::spec::{Cycle, Entries, Formula, Guard, OnControl};
+
+/// How deep names may stand for names; longer chains are circles, which the checks of the
+/// specifications report.
+const MAX_DEPTH: usize = 16;
+
+/// A guard with its condition in terms of Q parameters, as far as that goes.
+pub(super) struct Ready<'c> {
+    /// The guard.
+    pub(super) guard: &'c Guard,
+    /// Its condition.
+    pub(super) condition: Expr,
+}
+
+/// The guards of a cycle, those of fragments included.
+pub(super) fn of<'c>(on: &'c OnControl, cycle: &'c Cycle) -> Vec<Ready<'c>> {
+    let names = |path: &[String]| match path {
+        [name] => cycle.file.lets.get(name).map(|formula| formula.expr.clone()),
+        _ => None,
+    };
+    let mut found = Vec::new();
+    collect(on, &cycle.file.guards, &names, 0, &mut found);
+    found
+}
+
+fn collect<'c>(
+    on: &'c OnControl,
+    guards: &'c [Guard],
+    names: &dyn Fn(&[String]) -> Option<Expr>,
+    depth: usize,
+    found: &mut Vec<Ready<'c>>,
+) {
+    for guard in guards {
+        if let Some(when) = &guard.when {
+            found.push(Ready { guard, condition: replaced(&when.expr, names, 0) });
+        }
+        let fragment = guard.r#use.as_ref().and_then(|name| on.fragments.get(name.as_str()));
+        if let Some(fragment) = fragment.filter(|_| depth < MAX_DEPTH) {
+            let given = arguments(&guard.with, names);
+            let inside = |path: &[String]| match path {
+                [name] => given
+                    .iter()
+                    .find(|(own, _)| own == name)
+                    .map(|(_, expr)| expr.clone())
+                    .or_else(|| fragment.lets.get(name).map(|formula| formula.expr.clone())),
+                _ => None,
+            };
+            collect(on, &fragment.guards, &inside, depth + 1, found);
+        }
+    }
+}
+
+fn arguments(with: &Entries<Formula>, names: &dyn Fn(&[String]) -> Option<Expr>) -> Vec<(String, Expr)> {
+    with.0.iter().map(|(name, formula)| (name.as_str().to_owned(), replaced(&formula.expr, names, 0))).collect()
+}
+
+/// The expression with known names replaced.
+fn replaced(expr: &Expr, names: &dyn Fn(&[String]) -> Option<Expr>, depth: usize) -> Expr {
+    if depth > MAX_DEPTH {
+        return expr.clone();
+    }
+    let again = |inner: &Expr| replaced(inner, names, depth + 1);
+    let node = match &expr.node {
+        Node::Name(path) => return names(path).map_or_else(|| expr.clone(), |known| again(&known)),
+        Node::Unary(op, inner) => Node::Unary(*op, Box::new(again(inner))),
+        Node::Binary(op, left, right) => Node::Binary(*op, Box::new(again(left)), Box::new(again(right))),
+        Node::Call(func, args) => Node::Call(*func, args.iter().map(again).collect()),
+        plain => plain.clone(),
+    };
+    Expr { node, span: expr.span }
+}
+
+/// The values that a definition writes as numbers or texts.
+#[derive(Default)]
+pub(super) struct Written {
+    pub(super) numbers: Vec<(QRef, f64)>,
+    pub(super) texts: Vec<(QRef, Arc<str>)>,
+}
+
+impl Written {
+    /// Whether the condition holds; nothing if that cannot be said.
+    pub(super) fn holds(&self, condition: &Expr) -> Option<bool> {
+        let code: Code = compile(condition, &OnlyParameters).ok()?;
+        code.truth(self).ok()
+    }
+}
+
+struct OnlyParameters;
+
+impl Resolve for OnlyParameters {
+    fn name(&self, _: &[String]) -> Option<(usize, Type)> {
+        None
+    }
+}
+
+impl Env for Written {
+    fn slot(&self, _: usize) -> &Value {
+        // No name has a slot here, so nothing asks for one.
+        const NONE: &Value = &Value::Number(f64::NAN);
+        NONE
+    }
+
+    fn number(&self, q: QRef) -> Result<f64, EvalError> {
+        let found = self.numbers.iter().find(|(own, _)| *own == q);
+        found.map(|(_, value)| *value).ok_or(EvalError::Undefined(q))
+    }
+
+    fn text(&self, q: QRef) -> Result<Arc<str>, EvalError> {
+        let found = self.texts.iter().find(|(own, _)| *own == q);
+        found.map(|(_, text)| Arc::clone(text)).ok_or(EvalError::Undefined(q))
+    }
+}

@@ -1,0 +1,121 @@
+//! The labels of a control's cycles in all languages, and the language of a program.
+//!
+//! Invariant: a text that a language lacks matches nothing; labels are compared without regard to
+//! case and blanks, as programs come from many hands.
+use std::cell::OnceCell;
+use std::collections::BTreeMap;
+
+use super::facts::Facts;
+use crate::locale::{Language, Locales};
+use crate::spec::{Cycle, CycleKey, OnControl};
+use crate::text::{CycleText, Vocabulary};
+
+/// The labels of a control, put together when a cycle is first asked for.
+pub struct LabelBook<'a> {
+    on: &'a OnControl,
+    locales: &'a Locales,
+    cycles: BTreeMap<CycleKey, OnceCell<CycleLabels>>,
+}
+
+/// The labels of a cycle in all languages, in the order of their tags.
+#[derive(Debug)]
+pub struct CycleLabels {
+    /// The labels in each language.
+    pub languages: Vec<LanguageLabels>,
+}
+
+/// The labels of a cycle in a language.
+#[derive(Debug)]
+pub struct LanguageLabels {
+    /// The tag of the language.
+    pub tag: String,
+    /// The name in NC blocks and its printed variants.
+    pub name: ParamLabels,
+    /// The labels of the parameters, in the order of the cycle's.
+    pub params: Vec<ParamLabels>,
+}
+
+/// A label with its variants.
+#[derive(Debug, Default)]
+pub struct ParamLabels {
+    /// The label as it is printed; the printed word of an old-style field.
+    pub label: Option<String>,
+    /// It and its variants, folded.
+    folded: Vec<String>,
+}
+
+impl ParamLabels {
+    fn new(label: Option<String>, aliases: Vec<String>) -> Self {
+        let label = label.filter(|label| !label.is_empty());
+        let folded = label.iter().chain(&aliases).map(|label| fold(label)).collect();
+        Self { label, folded }
+    }
+
+    /// Whether a printed label is this one.
+    pub fn matches(&self, printed: &str) -> bool {
+        let printed = fold(printed);
+        self.folded.contains(&printed)
+    }
+}
+
+/// A label for comparison: capitals, single blanks, no colon at the end.
+fn fold(label: &str) -> String {
+    let words: Vec<&str> = label.split_whitespace().collect();
+    words.join(" ").trim_end_matches(':').to_uppercase()
+}
+
+impl<'a> LabelBook<'a> {
+    /// The labels of a control in all languages that are loaded.
+    pub fn new(on: &'a OnControl, locales: &'a Locales) -> Self {
+        Self { on, locales, cycles: on.cycles.keys().map(|key| (*key, OnceCell::new())).collect() }
+    }
+
+    /// The labels of a cycle; nothing if the control does not describe it.
+    pub fn cycle(&self, key: CycleKey) -> Option<&CycleLabels> {
+        let cycle = self.on.cycles.get(&key)?;
+        Some(self.cycles.get(&key)?.get_or_init(|| CycleLabels {
+            languages: self.locales.iter().map(|language| labels(self.on, cycle, language)).collect(),
+        }))
+    }
+}
+
+fn labels(on: &OnControl, cycle: &Cycle, language: &Language) -> LanguageLabels {
+    let vocabulary = Vocabulary::of(on, cycle, language);
+    let text = CycleText::new(on, cycle, language, &vocabulary);
+    let own = |text: &CycleText<'_>, param| {
+        ParamLabels::new(text.label_of(param).map(|label| label.into_owned()), text.label_aliases_of(param))
+    };
+    LanguageLabels {
+        tag: language.tag().to_owned(),
+        name: ParamLabels::new(Some(text.nc_name().into_owned()), text.nc_name_aliases()),
+        params: cycle.params.iter().map(|param| own(&text, param)).collect(),
+    }
+}
+
+impl CycleLabels {
+    /// The labels in a language.
+    pub fn language(&self, tag: &str) -> Option<&LanguageLabels> {
+        self.languages.iter().find(|language| language.tag == tag)
+    }
+}
+
+/// The language that most of the program's names and labels belong to; among equals the language of
+/// the control's manual.
+pub(super) fn language_of(facts: &Facts<'_>) -> Option<String> {
+    let mut votes: BTreeMap<&str, usize> = BTreeMap::new();
+    for (definition, cycle) in facts.described() {
+        let Some(labels) = facts.labels(definition) else { continue };
+        for language in &labels.languages {
+            let named = definition.view.name.is_some_and(|name| language.name.matches(facts.text(name)));
+            let labelled = definition.items.iter().filter(|item| {
+                let index = item.param.and_then(|param| cycle.params.iter().position(|own| std::ptr::eq(own, param)));
+                let own = index.and_then(|index| language.params.get(index));
+                item.label.zip(own).is_some_and(|(label, own)| own.matches(facts.text(label)))
+            });
+            *votes.entry(&language.tag).or_default() += labelled.count() + usize::from(named);
+        }
+    }
+    let manual = facts.against.on.control.language.as_str();
+    let best = votes.into_iter().filter(|(_, count)| *count > 0).max_by_key(|(tag, count)| (*count, *tag == manual));
+    best.map(|(tag, _)| tag.to_owned())
+}

@@ -1,0 +1,64 @@
+//! The program checker: what a control, its manual or a reader would object to in a program.
+//!
+//! [`Facts`] reads off a program what the rules need, once; each rule under `rules/` is one file with
+//! one code, registered in [`RULES`]. Invariant: a rule speaks only where it is certain. What depends
+//! on the run of the program (jumps, parameters calculated, machine data) keeps it silent.
+mod facts;
+mod fields;
+mod guards;
+mod labels;
+mod rules;
+
+pub use facts::{Definition, Event, Facts, Flow, Item};
+pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels};
+pub use rules::RULES;
+
+use crate::diag::{Diagnostic, Place, Severity, Span};
+use crate::locale::Language;
+use crate::spec::{Catalogue, OnControl};
+use crate::syntax::Program;
+
+/// A rule of the checker.
+#[derive(Debug)]
+pub struct Rule {
+    /// The stable code of its findings.
+    pub code: &'static str,
+    /// How bad they are; guards of specifications have a severity each.
+    pub severity: Severity,
+    /// Looks for them.
+    run: fn(&Rule, &Facts<'_>, &mut Vec<Diagnostic>),
+}
+
+impl Rule {
+    /// A finding of this rule.
+    fn at(&self, facts: &Facts<'_>, span: Span) -> Diagnostic {
+        let place = Place::new(facts.program.source(), span);
+        Diagnostic { severity: self.severity, ..Diagnostic::error(self.code, place) }
+    }
+}
+
+/// What programs are checked against.
+#[derive(Clone, Copy)]
+pub struct Against<'a> {
+    /// All controls, to tell on which of them a cycle exists.
+    pub catalogue: &'a Catalogue,
+    /// The control that the program is for.
+    pub on: &'a OnControl,
+    /// Its labels in all languages.
+    pub labels: &'a LabelBook<'a>,
+    /// The language of the program's labels; found out from them if not given.
+    pub language: Option<&'a str>,
+    /// Languages for the sentences of guards, the first that has a sentence wins.
+    pub readers: &'a [&'a Language],
+}
+
+/// Everything that can be said against a program, syntax included, in the order of its text.
+pub fn check(program: &Program, against: &Against<'_>) -> Vec<Diagnostic> {
+    let facts = Facts::of(program, against);
+    let mut found = program.diagnostics();
+    for rule in RULES {
+        (rule.run)(rule, &facts, &mut found);
+    }
+    found.sort_by_key(|diagnostic| diagnostic.place.as_ref().map(|place| (place.span.start, place.span.end)));
+    found
+}

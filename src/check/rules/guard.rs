@@ -1,0 +1,89 @@
+//! The guards of the specifications: what the control itself refuses, skips, doubts or asks.
+//!
+//! Each finding has the code of the guard. Only numbers and texts that the definition writes are
+//! known; guards that a machine datum switches off count as active.
+use std::collections::BTreeSet;
+use std::sync::{Mutex, OnceLock, PoisonError};
+
+use crate::check::guards::{self, Ready, Written};
+use crate::check::{Definition, Facts, Rule};
+use crate::diag::{Diagnostic, Severity, Span};
+use crate::expr::QRef;
+use crate::spec::{Cycle, Outcome};
+use crate::syntax::ValueKind;
+use crate::text::{CycleText, Vocabulary};
+
+pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run };
+
+fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (definition, cycle) in facts.described() {
+        let written = written(facts, definition, cycle);
+        for ready in guards::of(facts.against.on, cycle) {
+            if written.holds(&ready.condition) == Some(true) {
+                found.extend(finding(facts, definition, cycle, &ready));
+            }
+        }
+    }
+}
+
+/// The values that are known: those written as numbers or texts, and those that this control lacks.
+fn written(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle) -> Written {
+    let mut known = Written { numbers: cycle.lacking.clone(), texts: Vec::new() };
+    for item in &definition.items {
+        let (Some(q), Some(value)) = (item.param.and_then(read_as), item.value) else { continue };
+        match value.kind {
+            ValueKind::Number(number) => known.numbers.push((q, number)),
+            ValueKind::Text(inside) => known.texts.push((q, facts.text(inside).into())),
+            _ => {}
+        }
+    }
+    known
+}
+
+/// The Q parameter under which the guards read a parameter or field.
+fn read_as(param: &crate::spec::Param) -> Option<QRef> {
+    param.q.or_else(|| param.field.as_ref().and_then(|field| field.stands_for))
+}
+
+fn finding(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle, ready: &Ready<'_>) -> Option<Diagnostic> {
+    let code = ready.guard.code.as_ref()?;
+    let severity = match ready.guard.then {
+        Some(Outcome::Error) | None => Severity::Error,
+        Some(Outcome::Skip | Outcome::Warn | Outcome::Confirm) => Severity::Warning,
+    };
+    let place = place(definition, ready).unwrap_or(definition.view.head);
+    let rule = Rule { code: lasting(code.as_str()), severity, run };
+    Some(rule.at(facts, place).arg("message", sentence(facts, cycle, code)))
+}
+
+/// The first parameter written that the guard reads.
+fn place(definition: &Definition<'_>, ready: &Ready<'_>) -> Option<Span> {
+    let read = ready.condition.q_refs();
+    let mut items = definition.items.iter();
+    items.find(|item| item.param.and_then(read_as).is_some_and(|q| read.contains(&q))).map(|item| item.span)
+}
+
+/// The guard's sentence in the first of the reader's languages that has it; its code without one.
+fn sentence(facts: &Facts<'_>, cycle: &Cycle, code: &crate::spec::Name) -> String {
+    let on = facts.against.on;
+    let key = format!("guard-{}", code.as_str());
+    let mut sentences = facts.against.readers.iter().filter_map(|language| {
+        let vocabulary = Vocabulary::of(on, cycle, language);
+        let text = CycleText::new(on, cycle, language, &vocabulary);
+        let sentence = text.find(&key)?.into_owned();
+        text.faults().is_empty().then_some(sentence)
+    });
+    sentences.next().unwrap_or_else(|| code.as_str().to_owned())
+}
+
+/// The code for as long as the program runs. There are as many as the specifications have guards.
+fn lasting(code: &str) -> &'static str {
+    static CODES: OnceLock<Mutex<BTreeSet<&'static str>>> = OnceLock::new();
+    let mut codes = CODES.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = codes.get(code) {
+        return known;
+    }
+    let lasting: &'static str = Box::leak(code.to_owned().into_boxed_str());
+    codes.insert(lasting);
+    lasting
+}

@@ -1,0 +1,29 @@
+//! A parameter that stands before one which it follows on the control.
+//!
+//! Controls know parameters by their numbers, so this is a warning; it is said once a definition.
+//! Lines of the old form may stand in any order.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+
+pub(super) const RULE: Rule = Rule { code: "misordered-parameter", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (definition, cycle) in facts.described().filter(|(_, cycle)| !cycle.is_old_style()) {
+        let place = |item: &crate::check::Item<'_>| {
+            let param = item.param?;
+            cycle.params.iter().position(|own| std::ptr::eq(own, param))
+        };
+        let mut last: Option<(usize, &str)> = None;
+        for item in &definition.items {
+            let Some(own) = place(item) else { continue };
+            match last {
+                Some((before, name)) if own < before => {
+                    let finding = rule.at(facts, item.span).arg("parameter", item.name.as_ref());
+                    found.push(finding.arg("before", name).arg("cycle", definition.key.to_string()));
+                    break;
+                }
+                _ => last = Some((own, item.name.as_ref())),
+            }
+        }
+    }
+}
