@@ -51,10 +51,10 @@ parameter-depth-for-chip-breaking = Globina vrtanja do loma ostružkov
     .help = Primik, po katerem se ostružek odlomi. Pri vrednosti 0 loma ostružkov ni.
 parameter-chip-breaking-retraction = Odmik pri lomu ostružkov
     .label = ODMIK PRI LOMU OSTRUŽKOV
-    .help = Razdalja, za katero se orodje umakne, da odlomi ostružek. Orodje se umakne s 3000 mm/min.
+    .help = Razdalja, za katero se orodje umakne, da odlomi ostružek. Orodje se umakne s hitrostjo 3000 mm/min.
 parameter-deepened-starting-point = Globlja začetna točka
     .label = ZAČETNA TOČKA
-    .help = Začetna točka dejanskega vrtanja, merjena od { -surface(case: "genitive") }, kadar je luknja s krajšim orodjem že izvrtana do določene globine. Orodje se vanjo premakne z varnostne razdalje s predpozicionirnim pomikom { $q-pre-positioning-feed }.
+    .help = Začetna točka dejanskega vrtanja, merjena od { -surface(case: "genitive") }, kadar je luknja s krajšim orodjem že izvrtana do določene globine. Orodje se do nje premakne z varnostne razdalje s predpozicionirnim pomikom { $q-pre-positioning-feed }.
 
 # --- feeds and times ---
 parameter-plunging-feed = Pomik pri globinskem primiku

@@ -7,13 +7,13 @@ group-roughing = Grobo rezkanje
 step-plunge-at-centre = Orodje se v središču žepa spusti v obdelovanec na naslednjo { -plunging-depth(case: "accusative") } { $q-plunging-depth }. Način določa parameter { $q-plunging-strategy }:
 say-plunge-vertically = { $q-plunging-strategy } = 0: navpično s pomikom { $q-plunging-feed }
 say-plunge-helically = { $q-plunging-strategy } = 1: vijačno s pomikom { $q-plunging-feed }
-say-plunge-reciprocating = { $q-plunging-strategy } = 2: nihajoče, sem ter tja, s pomikom { $q-plunging-feed }
+say-plunge-reciprocating = { $q-plunging-strategy } = 2: nihajoče s pomikom { $q-plunging-feed }
 step-clear-level = Krmiljenje izprazni žep od znotraj navzven in pri tem upošteva prekrivanje poti { $q-path-overlap } ter nadmeri finega rezkanja { $q-side-allowance } in { $q-floor-allowance }. Na koncu se orodje od stene žepa odmakne tangencialno.
 step-leave-wall-and-return = Orodje se premakne na { -set-up-clearance(case: "accusative") } nad trenutno { -plunging-depth(case: "instrumental") } in od tam v hitrem teku nazaj v središče žepa.
 until-roughing-depth-reached = ni dosežena globina { $q-depth }, zmanjšana za globinsko nadmero { $q-floor-allowance }
 group-finishing = Fino rezkanje
 step-rapid-to-first-plunging-depth = Če je programirano samo fino rezkanje ({ $q-machining-operation } = 2), krmiljenje premakne orodje v središču žepa v hitrem teku na prvo { -plunging-depth(case: "accusative") }.
-step-finish-side = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka steno žepa, ki se ji približa tangencialno; če je vnesen { $q-finishing-infeed }, v več primikih.
+step-finish-side = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka steno žepa, ki se ji približa tangencialno; če je vnesen primik { $q-finishing-infeed }, v več primikih.
 until-side-finished = stena ni fino rezkana do globine { $q-depth }
 step-finish-floor = Če je definirana globinska nadmera { $q-floor-allowance }, krmiljenje nato fino rezka dno žepa od znotraj navzven; dnu se približa tangencialno.
 step-leave-pocket = Orodje se iz žepa umakne v hitrem teku:

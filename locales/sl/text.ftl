@@ -3,7 +3,7 @@
 prompt-from-name = { $name }?
 
 # $until: a clause behind “dokler”, such as “ni dosežena globina”.
-repeat-steps = Koraki od { $from } do { $to } se ponavljajo, dokler { $until }.
+repeat-steps = Izvedba korakov od { $from } do { $to } se ponavlja, dokler { $until }.
 repeat-step = Korak { $from } se ponavlja, dokler { $until }.
 
 range-both = od { $min } do { $max }

@@ -37,15 +37,15 @@ cycle-tool-length-old = Merjenje dolžine orodja
     .purpose = S tipalnim sistemom za orodje izmeri ali preveri dolžino orodja. Krmiljenje rezultat shrani v osrednji zalogovnik orodja TOOL.T in ga uporabi pri naslednjem priklicu orodja. Stara oblika cikla 481.
 step-position-tool-over-setter = Krmiljenje pozicionira orodje na { -clearance-height(case: "accusative") } { $q-tool-clearance-height }, vendar ne pod varnostno območje nad ploščo.
 step-touch-tool-setter = Krmiljenje izmeri dolžino:
-say-measure-tooth-by-tooth = rezilo za rezilom pri { $q-tooth-measurement } = 1: orodje se pozicionira ob tipalni glavi, s čelno ploskvijo pod njenim zgornjim robom, kot določa { $mp-setter-axis-offset }, in za dodatni zamik dolžine { $mp-setter-offset-length }, če je vnesen v { -tool-table(case: "locative") }. Krmiljenje z vrtečim se orodjem radialno otipa začetni kot, nato pa s spreminjanjem usmeritve vretena izmeri dolžino vseh rezil
+say-measure-tooth-by-tooth = rezilo za rezilom pri vrednosti { $q-tooth-measurement } = 1: orodje se pozicionira ob tipalni glavi, s čelno ploskvijo pod njenim zgornjim robom, kot določa { $mp-setter-axis-offset }, in za dodatni zamik dolžine { $mp-setter-offset-length }, če je vnesen v { -tool-table(case: "locative") }. Krmiljenje z radialnim tipanjem vrtečega se orodja določi začetni kot, nato pa s spreminjanjem usmeritve vretena izmeri dolžino vseh rezil
 say-measure-rotating-or-stationary = z vrtečim se orodjem, če je njegov premer večji od merilne površine: orodje je od središča { -probe(case: "genitive") } zamaknjeno za { $mp-setter-offset-radius } iz { -tool-table(case: "genitive") } in se med vrtenjem premakne na merilno površino, tako da se najde najdaljše rezilo. Sicer, pa tudi pri svedrih in krožnih rezkarjih, z mirujočim orodjem: premakne se nad sredino merilne površine in nato z mirujočim vretenom nanjo; za to je { $mp-setter-offset-radius } v { -tool-table(case: "locative") } 0
 step-store-tool-length = Krmiljenje shrani rezultat:
-say-overwrite-tool-length = pri { $q-tool-check } = 0 prepiše dolžino orodja { $mp-tool-length } v TOOL.T in nastavi delta vrednost { $mp-delta-length } na 0
-say-enter-delta-length = pri { $q-tool-check } = 1 izmerjeno dolžino primerja z dolžino orodja { $mp-tool-length }, odstopanje s predznakom vnese kot delta vrednost { $mp-delta-length } in v Q115 ter orodje blokira (stanje L), če je presežena toleranca obrabe ali toleranca loma
+say-overwrite-tool-length = pri vrednosti { $q-tool-check } = 0 prepiše dolžino orodja { $mp-tool-length } v TOOL.T in nastavi delta vrednost { $mp-delta-length } na 0
+say-enter-delta-length = pri vrednosti { $q-tool-check } = 1 izmerjeno dolžino primerja z dolžino orodja { $mp-tool-length }, odstopanje s predznakom vnese kot delta vrednost { $mp-delta-length } in v Q115 ter orodje blokira (stanje L), če je presežena toleranca obrabe ali toleranca loma
 result-tool-length-deviation = Odstopanje dolžine orodja
 result-tool-status = Stanje meritve: 0,0 = v mejah tolerance, 1,0 = obrabljeno, 2,0 = zlomljeno
 guard-tool-call-missing = Priklicano ni nobeno orodje. Orodje, ki ga želite izmeriti, prikličite s TOOL CALL.
-note-enter-tool-data-first = Pred prvim merjenjem orodja v { -tool-table(case: "accusative") } TOOL.T vnesite njegov približni polmer in dolžino, število rezil in smer rezanja.
+note-enter-tool-data-first = Pred prvim merjenjem orodja v { -tool-table(case: "accusative") } TOOL.T vnesite približni polmer in približno dolžino, število rezil in smer rezanja.
 note-most-teeth-measurable = Rezila je mogoče posamezno meriti pri orodjih z največ 20 rezili.
 note-most-teeth-measurable__itnc530 = Rezila je mogoče posamezno meriti pri orodjih z največ 99 rezili. Prikaz stanja kaže vrednosti za največ 24 rezil.
 note-tool-table-must-be-active = Merilni cikli delujejo samo, če je osrednji zalogovnik orodja TOOL.T aktiven.
