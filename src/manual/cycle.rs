@@ -108,14 +108,12 @@ impl Maker<'_, '_> {
                     text: self.html(&step.text),
                     bullets: step.bullets.iter().map(|bullet| self.html(&bullet.text)).collect(),
                     by_operator: step.by_operator,
-                    repeats: false,
                 },
                 RunPart::Repeat(repeat) => StepView {
                     number: repeat.number,
                     text: self.html(&repeat.text),
                     bullets: Vec::new(),
                     by_operator: false,
-                    repeats: true,
                 },
             };
             match stretches.last_mut() {
@@ -181,14 +179,12 @@ impl Maker<'_, '_> {
     fn parameter(&self, param: &Param) -> ParameterView {
         let texts = self.text.param(param);
         let input = self.text.range(param).or_else(|| {
-            let values: Vec<&str> = param.choices.iter().map(|choice| choice.value.as_str()).collect();
+            let values: Vec<String> = param.choices.iter().map(|choice| shown(choice.value.as_str())).collect();
             (!values.is_empty()).then(|| values.join(", "))
         });
         let input = input.or_else(|| self.text.unit(param.quantity).map(std::borrow::Cow::into_owned));
-        let choice = |(value, text): &(&str, std::borrow::Cow<str>)| ChoiceView {
-            value: value.replace('-', "\u{2212}"),
-            text: self.html(text),
-        };
+        let choice =
+            |(value, text): &(&str, std::borrow::Cow<str>)| ChoiceView { value: shown(value), text: self.html(text) };
         ParameterView {
             id: anchor(&texts.q),
             q: texts.q,
@@ -285,6 +281,11 @@ impl Maker<'_, '_> {
             name_lang: (control.language != self.section.language.tag()).then(|| control.language.clone()),
         })
     }
+}
+
+/// The value of a choice as prose shows it, with a real minus sign.
+fn shown(value: &str) -> String {
+    value.replace('-', "\u{2212}")
 }
 
 /// The id of a row: `Q200`, `field-31-2-height`.

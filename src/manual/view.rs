@@ -86,7 +86,6 @@ pub(super) struct StepView {
     pub(super) text: Html,
     pub(super) bullets: Vec<Html>,
     pub(super) by_operator: bool,
-    pub(super) repeats: bool,
 }
 
 /// All notes of a kind.
