@@ -63,8 +63,22 @@ fn primitive() -> impl Strategy<Value = Shape> {
     ]
 }
 
+/// Any primitive turned, and half-spaces at a slant.
+fn slanted() -> impl Strategy<Value = Shape> {
+    let turned = (primitive(), point(4), point(90)).prop_map(|(shape, shift, rotate)| Shape::Placed {
+        frame: Frame::placed(shift, rotate),
+        shape: Box::new(shape),
+    });
+    let half = (point(6), point(5))
+        .prop_filter("a direction", |(_, normal)| *normal != DVec3::ZERO)
+        .prop_map(|(point, normal)| Shape::HalfSpace { point, normal });
+    prop_oneof![turned, half]
+}
+
 fn shape() -> impl Strategy<Value = Shape> {
     prop_oneof![
+        prop::collection::vec(prop_oneof![primitive(), slanted()], 1..4).prop_map(Shape::Union),
+        prop::collection::vec(prop_oneof![primitive(), slanted()], 2..4).prop_map(Shape::Difference),
         primitive(),
         prop::collection::vec(primitive(), 1..4).prop_map(Shape::Union),
         prop::collection::vec(primitive(), 2..4).prop_map(Shape::Difference),
