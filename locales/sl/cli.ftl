@@ -125,12 +125,12 @@ cli-summary = { $errors ->
 cli-written = Zapisano: { $path }
 cli-building = Strani
 cli-built = Strani: { $pages }, datotek: { $files }: { $path }
-cli-coverage-control = { $control } ({ $title }): opisanih ciklov { $described }, samo omenjenih { $named }
+cli-coverage-control = { $control } ({ $title }): opisani cikli: { $described }, samo omenjeni: { $named }
 cli-coverage-complete = popolno
-cli-coverage-missing = { $language }: manjka besedil { $count } od { $of }: { $ids }
-cli-coverage-stale = { $language }: zastarelih besedil { $count } od { $of }: { $ids }
+cli-coverage-missing = { $language }: manjkajoča besedila: { $count } od { $of }: { $ids }
+cli-coverage-stale = { $language }: zastarela besedila: { $count } od { $of }: { $ids }
 cli-coverage-pending = V izvajanju še ni na voljo: { $ids }
-cli-coverage-unexecuted = Primeri ne izvedejo stavkov: { $count } od { $of }: { $ids }
+cli-coverage-unexecuted = Povedi, ki jih primeri ne izvedejo: { $count } od { $of }: { $ids }
 cli-coverage-unprovoked = Primeri ne sprožijo: { $ids }
 
 cli-usage-hint = Morda { $suggestion }?

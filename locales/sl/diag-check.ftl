@@ -3,8 +3,8 @@
 diag-call-of-def-active-cycle = Cikel { $cycle } deluje takoj, ko je definiran; ni ga dovoljeno priklicati.
     .explain = Vzorci, preračunavanja koordinat in cikli tipalnega sistema delujejo ob definiciji. Priklic za njimi je napaka, če prej ni definiran noben obdelovalni cikel ali če stoji takoj za vzorcem, ki je obdelovalni cikel že priklical.
 diag-called-but-not-defined = Tu se prikliče cikel, pred tem pa ni definiran nobeden.
-    .explain = CYCL CALL, M99 in M89 izvedejo obdelovalni cikel, ki je bil definiran nazadnje. Brez definicije ni česa izvesti. V programih s skoki, podprogrami ali preskočenimi nizi se to javi samo, če ni definiran noben cikel, nikoli pa, če se kličejo drugi programi.
-diag-choice-not-offered = { $parameter }={ $value } ni nobena od možnosti: { $offered }.
+    .explain = CYCL CALL, M99 in M89 izvedejo obdelovalni cikel, ki je bil definiran nazadnje. Brez definicije ni česa izvesti. V programih s skoki, podprogrami ali preskočenimi stavki se to javi samo, če ni definiran noben cikel, nikoli pa, če se kličejo drugi programi.
+diag-choice-not-offered = Vrednosti { $parameter }={ $value } ni med možnostmi: { $offered }.
     .explain = Parameter ponuja izbiro vrednosti, od katerih ima vsaka svoj pomen, ta vrednost pa ni med njimi. Primer: Q215=3 v CYCL DEF 251.
 diag-cycle-not-described = Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
     .explain = Krmiljenje ima ta cikel, vendar tu zanj ni opisa. Njegovi parametri, oznake in učinek se preskočijo.
@@ -31,7 +31,7 @@ diag-missing-parameter = V ciklu { $cycle } manjka { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } je premajhno: najmanjša vrednost je { $limit }.
-        [long] Besedilo parametra { $parameter } je predolgo: dovoljenih je { $limit } znakov.
+        [long] Besedilo parametra { $parameter } je predolgo: največje število znakov je { $limit }.
        *[above] { $parameter }={ $value } je preveliko: največja vrednost je { $limit }.
     }
     .explain = Priročnik krmiljenja navaja za parameter razpon, vrednost pa je zunaj njega. Razponi veljajo samo za to krmiljenje; kjer jih priročnik ne navaja, se ne preverja nič. V programih v palcih se dolžine in pomiki ne preverjajo. Primer: Q202=-5.
