@@ -187,7 +187,7 @@ impl Maker<'_, '_> {
             |(value, text): &(&str, std::borrow::Cow<str>)| ChoiceView { value: shown(value), text: self.html(text) };
         ParameterView {
             id: anchor(&texts.q),
-            q: texts.q,
+            q: texts.q.split(' ').next().unwrap_or_default().to_owned(),
             label: texts.label.map(std::borrow::Cow::into_owned),
             name: texts.name.into_owned(),
             help: self.html(&texts.help),
@@ -205,12 +205,20 @@ impl Maker<'_, '_> {
         let cycle = self.text.cycle;
         let view = |outcome: &crate::spec::Outcomes| {
             Some(ResultView {
-                q: crate::export::result_name(cycle, outcome)?,
+                q: outcome.q.map(|q| q.to_string()).or_else(|| self.field_name(outcome.field.as_ref()?.as_str()))?,
                 text: self.html(&self.text.result(&outcome.is)),
                 of: outcome.of.map(|q| q.to_string()),
             })
         };
         cycle.file.results.iter().filter_map(view).collect()
+    }
+
+    /// The line and name of a field, where a result names the field that the program fills in.
+    fn field_name(&self, id: &str) -> Option<String> {
+        let cycle = self.text.cycle;
+        let fields = cycle.params.iter().filter_map(|param| Some((param, param.field.as_ref()?)));
+        let (param, field) = fields.into_iter().find(|(_, field)| field.id.as_str() == id)?;
+        Some(format!("{}.{} {}", cycle.key.number, field.line, self.text.param(param).name))
     }
 
     fn tables(&self) -> Vec<TableView> {
