@@ -24,6 +24,7 @@ cli-block-without = Optional field to leave out; may be repeated
 cli-parse = Take a program apart into blocks, as JSON
 cli-parse-print = Print the program again, byte for byte
 cli-check = Check programs for one control
+cli-check-lang = Language of the programs' labels (default: found out from them)
 cli-explain = Say what the code of a finding means
 cli-explain-code = The code; without it, all codes are listed
 cli-translate = Write a program with the names and labels of another language; nothing else changes
@@ -115,6 +116,10 @@ cli-coverage-pending = Pending in the engine: { $ids }
 cli-coverage-unexecuted = Not executed by an example: { $count } of { $of } sentences: { $ids }
 cli-coverage-unprovoked = Not provoked by an example: { $ids }
 
+cli-translated = { $count ->
+        [one] { $count } change: { $path }
+       *[other] { $count } changes: { $path }
+    }
 cli-usage-hint = Perhaps { $suggestion }?
 cli-usage-help = See --help.
 

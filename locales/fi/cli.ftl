@@ -24,6 +24,7 @@ cli-block-without = Pois jätettävä valinnainen kenttä; voidaan toistaa
 cli-parse = Erittele ohjelma lauseiksi JSON-muotoon
 cli-parse-print = Tulosta ohjelma takaisin tavulleen samana
 cli-check = Tarkasta ohjelmia yhdelle ohjaukselle
+cli-check-lang = Ohjelmien tunnustekstien kieli (oletus: päätellään niistä)
 cli-explain = Kerro, mitä havainnon koodi tarkoittaa
 cli-explain-code = Koodi; ilman sitä luetellaan kaikki koodit
 cli-translate = Kirjoita ohjelma toisen kielen nimillä ja tunnusteksteillä; muu ei muutu
@@ -115,6 +116,10 @@ cli-coverage-pending = Suorituksesta puuttuu: { $ids }
 cli-coverage-unexecuted = Esimerkit eivät suorita: lauseita { $count }/{ $of }: { $ids }
 cli-coverage-unprovoked = Esimerkit eivät aiheuta: { $ids }
 
+cli-translated = { $count ->
+        [one] { $count } muutos: { $path }
+       *[other] { $count } muutosta: { $path }
+    }
 cli-usage-hint = Tarkoititko: { $suggestion }?
 cli-usage-help = Katso --help.
 

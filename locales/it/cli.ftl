@@ -24,6 +24,7 @@ cli-block-without = Campo facoltativo da tralasciare; ripetibile
 cli-parse = Scompone un programma in blocchi, come JSON
 cli-parse-print = Ristampa il programma, identico byte per byte
 cli-check = Verifica programmi per un controllo numerico
+cli-check-lang = Lingua delle etichette dei programmi (predefinita: ricavata da esse)
 cli-explain = Spiega il codice di un rilievo
 cli-explain-code = Il codice; se manca, vengono elencati tutti
 cli-translate = Scrive un programma con i nomi e le etichette di un'altra lingua; nient'altro cambia
@@ -115,6 +116,10 @@ cli-coverage-pending = In sospeso nell'esecuzione: { $ids }
 cli-coverage-unexecuted = Frasi non eseguite da un esempio: { $count } di { $of }: { $ids }
 cli-coverage-unprovoked = Non provocati da un esempio: { $ids }
 
+cli-translated = { $count ->
+        [one] { $count } modifica: { $path }
+       *[other] { $count } modifiche: { $path }
+    }
 cli-usage-hint = Forse { $suggestion }?
 cli-usage-help = Vedere --help.
 

@@ -24,6 +24,7 @@ cli-block-without = Campo opcional a omitir; pode repetir-se
 cli-parse = Decompõe um programa em blocos, como JSON
 cli-parse-print = Volta a mostrar o programa, igual byte a byte
 cli-check = Verifica programas para um comando numérico
+cli-check-lang = Idioma dos textos dos programas (predefinição: deduzido deles)
 cli-explain = Diz o que significa o código de uma observação
 cli-explain-code = O código; sem ele, são indicados todos
 cli-translate = Escreve um programa com os nomes e textos de outro idioma; nada mais muda
@@ -115,6 +116,10 @@ cli-coverage-pending = Pendente na execução: { $ids }
 cli-coverage-unexecuted = Frases não executadas por um exemplo: { $count } de { $of }: { $ids }
 cli-coverage-unprovoked = Não provocado por um exemplo: { $ids }
 
+cli-translated = { $count ->
+        [one] { $count } alteração: { $path }
+       *[other] { $count } alterações: { $path }
+    }
 cli-usage-hint = Talvez { $suggestion }?
 cli-usage-help = Ver --help.
 

@@ -24,6 +24,7 @@ cli-block-without = Neobvezno polje, ki se izpusti; lahko se ponovi
 cli-parse = Razčleni program v stavke, kot JSON
 cli-parse-print = Program ponovno izpiše, bajt za bajtom enako
 cli-check = Preveri programe za eno krmiljenje
+cli-check-lang = Jezik oznak v programih (privzeto: ugotovi se iz njih)
 cli-explain = Pove, kaj pomeni koda ugotovitve
 cli-explain-code = Koda; brez nje se izpišejo vse kode
 cli-translate = Zapiše program z imeni in oznakami drugega jezika; nič drugega se ne spremeni
@@ -133,6 +134,12 @@ cli-coverage-pending = V izvajanju še ni na voljo: { $ids }
 cli-coverage-unexecuted = Povedi, ki jih primeri ne izvedejo: { $count } od { $of }: { $ids }
 cli-coverage-unprovoked = Primeri ne sprožijo: { $ids }
 
+cli-translated = { $count ->
+        [one] { $count } sprememba: { $path }
+        [two] { $count } spremembi: { $path }
+        [few] { $count } spremembe: { $path }
+       *[other] { $count } sprememb: { $path }
+    }
 cli-usage-hint = Morda { $suggestion }?
 cli-usage-help = Glejte --help.
 

@@ -7,6 +7,7 @@
 mod arguments;
 mod block;
 mod build;
+mod check;
 mod coverage;
 mod cycle;
 mod dialog;
@@ -18,6 +19,7 @@ mod program;
 mod progress;
 mod schema;
 mod session;
+mod translate;
 mod usage;
 
 use std::ffi::OsString;
@@ -83,6 +85,8 @@ static COMMANDS: &[Command] = &[
     dialog::COMMAND,
     block::COMMAND,
     parse::COMMAND,
+    check::COMMAND,
+    translate::COMMAND,
     coverage::COMMAND,
     lint::COMMAND,
     schema::COMMAND,
