@@ -146,6 +146,14 @@ fn every_page_can_be_reached_from_the_first_one() {
 }
 
 #[test]
+fn a_path_of_the_control_keeps_its_backslash() {
+    let site = whole_site();
+    let page = |name: &str| String::from_utf8_lossy(&site[name]).into_owned();
+    assert!(page("tnc640/en/tch-probe-421.html").contains(r"in the directory TNC:\.</"));
+    assert!(page("tnc426-430/en/tch-probe-421.html").contains(r"to RS232:\.</"));
+}
+
+#[test]
 fn the_same_input_gives_the_same_bytes() {
     let files = small();
     let first = build(&files, &[]).expect("the small site is whole");

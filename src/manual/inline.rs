@@ -16,7 +16,8 @@ pub(super) fn html(text: &str, section: &Section) -> String {
         escape(text, &mut out);
         return out;
     }
-    let guarded = format!("{GUARD}{text}");
+    // A backslash is a character of paths here, and no escape as in Markdown.
+    let guarded = format!("{GUARD}{}", text.replace('\\', "\\\\"));
     let mut open = Vec::new();
     for event in Parser::new(&guarded) {
         match event {
