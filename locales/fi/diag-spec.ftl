@@ -1,0 +1,59 @@
+## Määrittelyjen virheet. $expected ja $found tulevat tiedostosta tai nimeävät arvon lajin.
+
+diag-spec-both-forms = Työkierrolla on sekä parametreja että vanhan muodon rivejä; se voidaan kirjoittaa vain yhdessä muodossa.
+diag-spec-case-incomplete = Tapaus { $name } tarvitsee asetelman ja odotetun tuloksen tai syyn ohittamiseen.
+diag-spec-case-never-reached = Tähän tapaukseen ei koskaan päästä: aiempi tapaus kattaa kaiken, minkä tämä kattaisi.
+diag-spec-case-proves-nothing = Tapaus { $name } ei kerro, minkä se todistaa.
+diag-spec-duplicate-choice = Vaihtoehto { $value } on tarjolla kahdesti.
+diag-spec-duplicate-cycle = { $cycle } ({ $name }) on kuvattu kahdesti samalle ohjaukselle.
+diag-spec-duplicate-key = Avain { $key } on tässä kahdesti.
+diag-spec-duplicate-name = Nimi { $name } on tässä kahdesti.
+diag-spec-duplicate-parameter = { $q } on työkierrossa kahdesti.
+diag-spec-empty-range = Alue on tyhjä: { $min } on suurempi kuin { $max }.
+diag-spec-example-out-of-range = Esimerkkiarvo { $value } ei kelpaa parametrille { $name }.
+diag-spec-expected = Odotettiin { $expected }, löytyi { $found }.
+diag-spec-expression = Tämä ei ole lauseke: odotettiin { $expected }, löytyi ”{ $found }”.
+diag-spec-foreign-manual = Käsikirja { $manual } ei ole ohjauksen { $control } käsikirja.
+diag-spec-guard-keys = Tarkastus tarvitsee avaimet code, when ja then, tai se nimeää osan avaimella use.
+diag-spec-id-form = Tunnus { $name } ei ole muotoa, jossa pienet kirjaimet ja numerot erotetaan yhdysmerkillä (kebab case).
+diag-spec-lines-form = Rivit ”{ $lines }” eivät ole numeroita tai alueita suuruusjärjestyksessä.
+diag-spec-missing-key = Avain { $key } puuttuu.
+diag-spec-no-example = Parametrilla { $name } ei ole esimerkkiarvoa.
+diag-spec-no-parameters = Työkierrolla ei ole parametreja eikä vanhan muodon rivejä.
+diag-spec-no-source = Tälle ohjaukselle ei ole annettu käsikirjan rivejä.
+diag-spec-no-steps = Kulussa ei ole vaiheita.
+diag-spec-only-and-except = Kohdassa voi olla joko only tai except, ei molempia.
+diag-spec-otherwise-last = Tapauksen, jolla ei ole ehtoja, on oltava viimeinen.
+diag-spec-range-of-text = { $name } ei ole luku, joten sillä ei voi olla aluetta.
+diag-spec-result-target = Tulos { $name } tarvitsee joko Q-parametrin tai tämän työkierron kentän.
+diag-spec-run-item = Kulun kohta on virheellinen: { $reason ->
+    [one-head] siinä on oltava täsmälleen yksi avaimista step, group ja each.
+    [series-keys] in, until, between ja collect kuuluvat avaimen each yhteyteen.
+    [series-body] each tarvitsee sarjan avaimeen in ja kulun kohtia avaimeen do.
+    [step-body] vaiheessa on toimintoja, ei kulun kohtia.
+    [group-body] ryhmässä on kohtia eikä mitään muuta.
+   *[step-keys] choose, then ja by kuuluvat vaiheeseen.
+}
+diag-spec-text-parameter = { $name }: QS-parametrin arvo on teksti, ja vain QS-parametrilla voi olla teksti.
+diag-spec-unknown-condition = Ehtoa { $name } ei ole.
+diag-spec-unknown-control = Ohjausta { $control } ei ole; ohjaukset ovat { $known }.
+diag-spec-unknown-cycle = Ohjaus { $control } ei tunne työkiertoa { $cycle }.
+diag-spec-unknown-cycle-name = Tässä ohjauksessa ei ole työkiertoa nimeltä { $name }.
+diag-spec-unknown-datum = Ohjauksessa { $control } ei ole konetietoa nimeltä { $name }.
+diag-spec-unknown-form = Työkierrolla ei ole muotoa nimeltä { $name }.
+diag-spec-unknown-fragment = Osaa { $name } ei ole.
+diag-spec-unknown-key = Avaimella { $key } ei ole tässä merkitystä; tunnetut avaimet: { $known }.
+diag-spec-unknown-meaning = Sanastossa ei ole parametria nimeltä { $name }.
+diag-spec-unknown-option = Ohjauksessa { $control } ei ole ohjelmisto-optiota { $option }.
+diag-spec-unknown-parameter = Työkierrolla { $cycle } ei ole parametria { $name }.
+diag-spec-unused = Nimeä { $name } ei käytetä.
+diag-spec-word-shape = { $name }: muoto word tarvitsee avaimen word, eikä mikään muu muoto hyväksy sitä.
+diag-spec-yaml-feature = { $feature ->
+    [anchor] Ankkureita ja tunnisteita ei käytetä määrittelyissä.
+    [alias] Viittauksia ankkureihin ei käytetä määrittelyissä.
+    [depth] Tiedostossa on liian monta sisäkkäistä tasoa.
+    [second-document] Tiedostossa on vain yksi dokumentti.
+   *[structured-key] Avaimen on oltava tavallinen sana.
+}
+diag-spec-yaml-syntax = Tämä ei ole YAML-muotoa: { $reason }.
+related-first-place = ensimmäinen on tässä

@@ -1,0 +1,68 @@
+# Työkierrot, jotka mittaavat työkalun pöytäkosketusjärjestelmällä.
+
+# --- parametrit ---
+parameter-tool-check = Työkalun mittaus =0 / testaus=1
+    .label = TESTAUS
+    .word = TESTAUS:
+    .prompt = Työkalun mittaus =0 / testaus=1
+    .help = Mitataanko työkalu ensimmäistä kertaa vai tarkastetaanko jo aiemmin mitattu työkalu. Ensimmäinen mittaus korvaa työkalun pituuden { $mp-tool-length } keskustyökalumuistissa TOOL.T ja asettaa delta-arvon { $mp-delta-length } nollaan. Tarkastuksessa mitattua pituutta verrataan työkalun pituuteen { $mp-tool-length }; poikkeama kirjataan etumerkkeineen delta-arvoon { $mp-delta-length }, ja se on käytettävissä myös parametrissa Q115. Jos delta-arvo on suurempi kuin työkalun pituuden sallittu kulumis- tai rikkotoleranssi, ohjaus asettaa työkalulle eston (tila L työkalutaulukossa TOOL.T).
+choice-tool-first-measurement = Työkalun mittaus ensimmäistä kertaa
+choice-tool-check = Aiemmin mitatun työkalun tarkastus
+parameter-tool-status-parameter = Parametri no. tulokselle
+    .prompt = Parametri no. tulokselle?
+    .help = Sen parametrin numero, johon ohjaus tallentaa mittauksen tilan: 0,0: työkalu toleranssin sisäpuolella; 1,0: työkalu kulunut ({ $mp-wear-tolerance-length } ylitetty); 2,0: työkalu rikkoutunut ({ $mp-break-tolerance-length } ylitetty). Jos tulosta ei käytetä ohjelmassa, vastaa kysymykseen näppäimellä NO ENT.
+parameter-tool-clearance-height = Varmuuskorkeus
+    .label = VARMUUSKORKEUS
+    .word = KORKEUS:
+    .prompt = Varmuuskorkeus
+    .help = Karan akselin asema, jossa työkalu ei voi törmätä työkappaleisiin eikä kiinnittimiin. Se perustuu voimassa olevaan työkappaleen peruspisteeseen. Jos arvo on niin pieni, että työkalun kärki jäisi levyn yläreunan alapuolelle, ohjaus paikoittaa työkalun automaattisesti levyn yläpuolelle (varmuusalue { $mp-setter-safety-distance }).
+parameter-tooth-measurement = Terän mittaus 0=Ei / 1=Kyllä
+    .label = TERÄN MITTAUS
+    .word = TERÄN MITTAUS:
+    .prompt = Terän mittaus 0=Ei / 1=Kyllä
+    .help = Mitataanko terät yksitellen. Mitattavissa on enintään 20 terää.
+parameter-tooth-measurement__itnc530 =
+    .help = Mitataanko terät yksitellen. Mitattavissa on enintään 99 terää.
+parameter-tooth-measurement__tnc426-430 =
+    .help = Mitataanko terät yksitellen.
+choice-no-tooth-measurement = Ei yksittäisterän mittausta
+choice-tooth-measurement = Yksittäisterän mittaus
+
+# --- 31 ja 481 ---
+cycle-tool-length = Työkalun pituuden mittaus
+    .nc = TYÖKALUN PITUUS
+    .purpose = Mittaa tai tarkastaa työkalun pituuden pöytäkosketusjärjestelmällä. Ohjaus tallentaa tuloksen keskustyökalumuistiin TOOL.T ja käyttää sitä seuraavasta työkalukutsusta lähtien.
+cycle-tool-length-old = Työkalun pituuden mittaus (vanha muoto)
+    .nc = TYÖKALUN PITUUS
+    .purpose = Mittaa tai tarkastaa työkalun pituuden pöytäkosketusjärjestelmällä. Ohjaus tallentaa tuloksen keskustyökalumuistiin TOOL.T ja käyttää sitä seuraavasta työkalukutsusta lähtien. Työkierron 481 vanha lausemuoto.
+step-position-tool-over-setter = Ohjaus paikoittaa työkalun varmuuskorkeudelle { $q-tool-clearance-height }, ei kuitenkaan levyn yläpuolella olevaa varmuusaluetta alemmas.
+step-touch-tool-setter = Ohjaus mittaa pituuden:
+say-measure-tooth-by-tooth = terä kerrallaan, jos { $q-tooth-measurement }=1: työkalu paikoitetaan kosketuspään sivulle niin, että sen otsapinta on kosketuspään yläreunan alapuolella arvon { $mp-setter-axis-offset } verran, ja jos työkalutaulukossa on pituuden lisäsiirtymä { $mp-setter-offset-length }, vielä sen verran. Ohjaus koskettaa pyörivää työkalua säteen suunnassa ja etsii näin aloituskulman, minkä jälkeen se mittaa jokaisen terän pituuden muuttamalla karan suuntausta
+say-measure-rotating-or-stationary = pyörivällä työkalulla, jos sen halkaisija on suurempi kuin mittauspinta: työkalua siirretään kosketusjärjestelmän keskipisteestä työkalutaulukon arvon { $mp-setter-offset-radius } verran ja ajetaan pyörivänä mittauspintaan, jolloin löytyy pisin terä. Muussa tapauksessa sekä porilla ja sädejyrsimillä mitataan paikallaan olevalla työkalulla: se siirtyy mittauspinnan keskikohdan yläpuolelle ja ajaa sitten karan ollessa pysähdyksissä mittauspintaan; tätä varten { $mp-setter-offset-radius } on työkalutaulukossa 0
+step-store-tool-length = Ohjaus tallentaa tuloksen:
+say-overwrite-tool-length = jos { $q-tool-check }=0, se korvaa työkalun pituuden { $mp-tool-length } työkalutaulukossa TOOL.T ja asettaa delta-arvon { $mp-delta-length } nollaan
+say-enter-delta-length = jos { $q-tool-check }=1, se vertaa mitattua pituutta työkalun pituuteen { $mp-tool-length }, kirjaa poikkeaman etumerkkeineen delta-arvoon { $mp-delta-length } ja parametriin Q115 ja asettaa työkalulle eston (tila L), jos kulumis- tai rikkotoleranssi on ylitetty
+result-tool-length-deviation = Työkalun pituuden poikkeama
+result-tool-status = Mittauksen tila: 0,0 = toleranssin sisäpuolella, 1,0 = kulunut, 2,0 = rikkoutunut
+guard-tool-call-missing = Työkalua ei ole kutsuttu. Kutsu mitattava työkalu käskyllä TOOL CALL.
+note-enter-tool-data-first = Ennen kuin mittaat työkalun ensimmäistä kertaa, syötä työkalutaulukkoon TOOL.T sen likimääräinen säde ja pituus, terien lukumäärä ja terän suunta.
+note-most-teeth-measurable = Terät voidaan mitata yksitellen työkaluista, joissa on enintään 20 terää.
+note-most-teeth-measurable__itnc530 = Terät voidaan mitata yksitellen työkaluista, joissa on enintään 99 terää. Tilanäyttö esittää enintään 24 terän arvot.
+note-tool-table-must-be-active = Mittaustyökierrot toimivat vain, jos keskustyökalumuisti TOOL.T on aktiivinen.
+note-tool-call-before-tool-measurement = Ennen kuin käytät mittaustyökiertoja, syötä kaikki mittauksessa tarvittavat tiedot keskustyökalumuistiin ja kutsu mitattava työkalu käskyllä TOOL CALL.
+note-three-ways-to-measure-length = Pituus voidaan mitata kolmella tavalla: pyörivällä työkalulla, jos sen halkaisija on suurempi kuin kosketusjärjestelmän mittauspinta; paikallaan olevalla työkalulla, jos sen halkaisija on pienempi tai kyse on porasta tai sädejyrsimestä; terä kerrallaan paikallaan olevalla työkalulla, jos sen halkaisija on suurempi kuin mittauspinta.
+note-tool-measurement-feed-and-speed = Kun työkalu on paikallaan, ohjaus käyttää parametrin { $mp-stationary-probing-feed } kosketussyöttöarvoa. Kun työkalu pyörii, ohjaus laskee karan kierrosluvun n = { $mp-max-peripheral-speed } / (r · 0,0063) yksikössä r/min suurimmasta sallitusta kehänopeudesta (m/min) ja aktiivisesta työkalun säteestä r (mm) sekä kosketussyöttöarvon v = mittaustoleranssi · n yksikössä mm/min.
+note-tool-measurement-tolerance = { $mp-probing-feed-calculation } määrää mittaustoleranssin. ConstantTolerance: toleranssi säilyy vakiona, joten erittäin suurilla työkaluilla syöttöarvo pienenee nollaan, sitä aiemmin, mitä pienemmät { $mp-max-peripheral-speed } ja { $mp-measuring-tolerance } ovat. VariableTolerance: toleranssi on { $mp-measuring-tolerance } työkalun säteeseen 30 mm asti, kaksinkertainen 60 mm:iin, kolminkertainen 90 mm:iin ja nelinkertainen 120 mm:iin asti. ConstantFeed: syöttöarvo säilyy vakiona ja mittausvirhe kasvaa säteen mukana: (r · { $mp-measuring-tolerance }) / 5 mm.
+note-tool-measurement-tolerance__itnc530 = { $mp-probing-feed-calculation } määrää mittaustoleranssin. 0: toleranssi säilyy vakiona, joten erittäin suurilla työkaluilla syöttöarvo pienenee nollaan, sitä aiemmin, mitä pienemmät { $mp-max-peripheral-speed } ja { $mp-measuring-tolerance } ovat. 1: toleranssi on { $mp-measuring-tolerance } työkalun säteeseen 30 mm asti, kaksinkertainen 60 mm:iin, kolminkertainen 90 mm:iin ja nelinkertainen 120 mm:iin asti. 2: syöttöarvo säilyy vakiona ja mittausvirhe kasvaa säteen mukana: (r · { $mp-measuring-tolerance }) / 5 mm.
+note-tool-measurement-tolerance__tnc426-430 = { $mp-probing-feed-calculation } määrää mittaustoleranssin. 0: toleranssi säilyy vakiona, joten erittäin suurilla työkaluilla syöttöarvo pienenee nollaan, sitä aiemmin, mitä pienemmät { $mp-max-peripheral-speed } ja { $mp-measuring-tolerance } ovat. 1: toleranssi on { $mp-measuring-tolerance } työkalun säteeseen 30 mm asti, kaksinkertainen 60 mm:iin, kolminkertainen 90 mm:iin ja nelinkertainen 120 mm:iin asti. 2: syöttöarvo säilyy vakiona ja mittausvirhe kasvaa säteen mukana: (r · { $mp-measuring-tolerance }) / 5 mm.
+note-old-and-new-form = Työkierrot 31–33 ja 481–483 toimivat samalla tavalla. Eroja on vain kaksi: 481–483 ovat käytettävissä myös DIN/ISO-muodossa (G481–G483), ja ne käyttävät mittauksen tilalle vapaasti valittavan parametrin sijasta kiinteää parametria Q199.
+note-status-parameter-optional = Ilman tulosparametria mittauksen tilaa ei tallenneta.
+note-tool-measurement-in-tilted-plane = Työkaluja voidaan mitata myös koneistustason ollessa käännettynä.
+note-tool-status-display = Lisätilanäyttö voi esittää tulokset (koneen käyttötavoilla): ohjelma vasemmalla, tulokset oikealla. Kulumistoleranssin ylittävien arvojen merkkinä on *, rikkotoleranssin ylittävien B.
+note-from-software-280476 = Käytettävissä NC-ohjelmistosta 280 476-xx lähtien.
+note-not-in-iso = Vanha muoto ei ole käytettävissä DIN/ISO-muodossa.
+note-prepare-for-tool-probe = Koneen valmistajan on valmisteltava kone ja ohjaus pöytäkosketusjärjestelmää varten. Kaikkia työkiertoja ja toimintoja ei ehkä ole käytettävissä. Katso koneen käyttöohjekirjaa.
+title-first-measurement-rotating-old = Ensimmäinen mittaus pyörivällä työkalulla; vanha muoto
+title-first-measurement-rotating-status = Ensimmäinen mittaus pyörivällä työkalulla, tilan tallennus parametriin Q1
+title-check-teeth-status-old = Tarkastus yksittäisterän mittauksella, tilan tallennus parametriin Q5; vanha muoto
+title-check-teeth-without-status = Tarkastus yksittäisterän mittauksella, tilaa ei tallenneta
