@@ -1,18 +1,18 @@
 # Komentorivi: ohje, ilmoitukset sekä tiedostoja ja sanoja koskevat havainnot.
 
-cli-about = CNC-työkiertojen määrittelyt dialogeina, NC-lauseina, käsikirjoina, ohjelman tarkastuksena ja suorituksena
+cli-about = CNC-työkiertojen kuvaukset dialogeina, NC-lauseina, käsikirjoina, ohjelmien tarkastuksena ja suorituksena
 cli-heading-usage = Käyttö:
 cli-heading-commands = Komennot
 cli-heading-arguments = Argumentit
 cli-heading-options = Valitsimet
 cli-heading-examples = Esimerkkejä:
 
-cli-build = Kirjoita käsikirjat, dialogit ja tunnustekstitaulukot
+cli-build = Kirjoita käsikirjat, dialogit ja NC-tekstien taulukot
 cli-build-out = Kirjoitettava hakemisto; se vaihdetaan, kun kaikki on valmista (oletus: out)
 cli-build-control = Vain tämä ohjaus; voidaan toistaa
 cli-build-lang = Vain tämä kieli; voidaan toistaa
-cli-schema = Tulosta määrittelyjen JSON-skeema
-cli-lint = Ilmoita kaikki määrittelyjen ja kielten virheet
+cli-schema = Tulosta kuvausten JSON-skeema
+cli-lint = Ilmoita kaikki kuvausten ja kielten virheet
 cli-lint-accept = Merkitse kaikki käännökset englanninkielisiä tekstejään vastaaviksi
 cli-coverage = Näytä, mikä on valmista, puuttuu, on vanhentunut, odottaa tai on suorittamatta
 cli-dialog = Näytä työkierron dialogi
@@ -27,15 +27,15 @@ cli-check = Tarkasta ohjelmia yhdelle ohjaukselle
 cli-check-lang = Ohjelmien tunnustekstien kieli (oletus: päätellään niistä)
 cli-explain = Kerro, mitä havainnon koodi tarkoittaa
 cli-explain-code = Koodi; ilman sitä luetellaan kaikki koodit
-cli-translate = Kirjoita ohjelma toisen kielen nimillä ja tunnusteksteillä; muu ei muutu
-cli-translate-to = Nimien ja tunnustekstien kieli
+cli-translate = Kirjoita ohjelma toisen kielen nimillä ja NC-teksteillä; muu ei muutu
+cli-translate-to = Nimien ja NC-tekstien kieli
 cli-translate-control = Ohjelman ohjaus (oletus: se, jonka työkiertoja ohjelmassa on)
 cli-translate-out = Kirjoitettava tiedosto (oletus: vakiotuloste)
-cli-run = Suorita ohjelma näyttämöllä
+cli-run = Suorita ohjelma asetelmassa
 cli-run-out = Hakemisto taulukoille ja pöytäkirjoille, jotka ohjelma kirjoittaa
 cli-run-events = Tulosta jokainen tapahtuma JSON-rivinä
 cli-run-lang = Pöytäkirjojen kieli (oletus: ohjauksen käsikirjan kieli)
-cli-conform = Suorita määrittelyjen esimerkit
+cli-conform = Suorita kuvausten esimerkit
 cli-export = Tulosta ohjauksen kaikki työkierrot yhdellä kielellä JSON-muodossa
 
 cli-arg-cycle = Työkierron numero, esimerkiksi 412 tai TCH PROBE 412
@@ -43,7 +43,7 @@ cli-arg-file = NC-ohjelma; ”-” lukee vakiosyötteen
 cli-arg-files = NC-ohjelmat; ”-” lukee vakiosyötteen
 cli-arg-control = Ohjaus, esimerkiksi tnc640
 cli-arg-lang = Kieli, esimerkiksi fi
-cli-arg-scene = Näyttämötiedosto: kone, työkalut, työkappale
+cli-arg-scene = Asetelmatiedosto: kone, työkalut, työkappale
 cli-arg-format = Tulosteen muoto: text (oletus), json
 cli-arg-report = Tulosteen muoto: text (oletus), json, junit
 cli-arg-data = Hakemisto, jonka cycle-specs-, locales- ja templates-tietoja käytetään sisäisten sijasta

@@ -1,4 +1,4 @@
-## Määrittelyjen virheet. $expected ja $found tulevat tiedostosta tai nimeävät arvon lajin.
+## Työkiertokuvausten virheet. $expected ja $found tulevat tiedostosta tai nimeävät arvon lajin.
 
 diag-spec-both-forms = Työkierrolla on sekä parametreja että vanhan muodon rivejä; se voidaan kirjoittaa vain yhdessä muodossa.
 diag-spec-case-incomplete = Tapaus { $name } tarvitsee asetelman ja odotetun tuloksen tai syyn ohittamiseen.
@@ -49,8 +49,8 @@ diag-spec-unknown-parameter = Työkierrolla { $cycle } ei ole parametria { $name
 diag-spec-unused = Nimeä { $name } ei käytetä.
 diag-spec-word-shape = { $name }: muoto word tarvitsee avaimen word, eikä mikään muu muoto hyväksy sitä.
 diag-spec-yaml-feature = { $feature ->
-    [anchor] Ankkureita ja tunnisteita ei käytetä määrittelyissä.
-    [alias] Viittauksia ankkureihin ei käytetä määrittelyissä.
+    [anchor] Ankkureita ja tunnisteita ei käytetä kuvauksissa.
+    [alias] Viittauksia ankkureihin ei käytetä kuvauksissa.
     [depth] Tiedostossa on liian monta sisäkkäistä tasoa.
     [second-document] Tiedostossa on vain yksi dokumentti.
    *[structured-key] Avaimen on oltava tavallinen sana.

@@ -1,4 +1,4 @@
-# Tilanteita, koneita, taulukoita ja kappaleita koskevat havainnot.
+# Asetelmia, koneita, taulukoita ja kappaleita koskevat havainnot.
 
 diag-scene-expected =
     { $expected ->

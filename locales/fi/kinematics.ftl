@@ -89,7 +89,7 @@ say-move-without-retraction = jos { $q-retraction-height }=0, vetäytymättä mi
 say-move-over-retraction-height = muussa tapauksessa karan akseli siirtyy ensin vetäytymiskorkeudelle { $q-retraction-height } ja kosketusjärjestelmä koneistustasossa nollapisteeseen
 step-measure-rotary-axes = Ohjaus mittaa automaattisesti kaikki kiertoakselit peräkkäin määritellyllä tarkkuudella. Referenssimittaus tehdään kulmassa 0°.
 step-measure-backlash = Ohjaus mittaa välyksen:
-say-backlash-from-two-measurements = kulmalla { $q-backlash-angle } kahdella mittauksella kiertoakselia kohti
+say-backlash-from-two-measurements = kulmalla { $q-backlash-angle }, jokaisella kiertoakselilla kahdella mittauksella
 say-no-backlash-measurement = jos { $q-backlash-angle }=0, välystä ei mitata
 step-adapt-kinematics = Ohjaus arvioi mittauksen tilan { $q-kinematics-mode } mukaan:
 say-report-possible-optimization = tarkastus: ohjaus määrittää mitatuista asemista kääntömuunnoksen staattisen tarkkuuden, kirjaa pöytäkirjaan, mitä asemien optimoinnilla voitaisiin saavuttaa, eikä muuta mitään

@@ -64,7 +64,7 @@ note-no-log-for-reference-plane = Ohjaus ei laadi mittauspöytäkirjaa tästä t
 # --- 444 ---
 cycle-probing-3d = Kosketus 3D
     .nc = KOSKETUS 3D
-    .purpose = Tarkastaa yksittäisen pisteen osan pinnalla, esimerkiksi vapaamuotoisella pinnalla. Työkierto osoittaa, onko piste normaalivektorin suunnassa asetuskoordinaattiensa ylä- vai alapuolella; sen jälkeen voidaan tehdä esimerkiksi jälkityö. Käytettävissä ovat toleranssivalvonta, protokolla ja tulosparametrit.
+    .purpose = Tarkastaa yksittäisen pisteen osan pinnalla, esimerkiksi vapaamuotoisella pinnalla. Työkierto osoittaa, onko piste normaalivektorin suunnassa asetuskoordinaattiensa ylä- vai alapuolella; sen jälkeen voidaan tehdä esimerkiksi jälkityöstö. Käytettävissä ovat toleranssivalvonta, protokolla ja tulosparametrit.
 step-position-on-normal = Kosketusjärjestelmä siirtyy hetkellisasemastaan normaalivektorilla olevaan pisteeseen. Pisteen etäisyys asetuskoordinaateista on kosketuskuulan säde plus { $mp-set-up } plus { $q-probing-clearance }. Esipaikoituksessa otetaan huomioon varmuuskorkeus { $q-clearance-height }.
 step-probe-nominal-point = Kosketusjärjestelmä ajaa asetuskoordinaatteihin. Kosketusliikkeen määrää { $mp-probing-distance } eikä normaalivektori, jota käytetään vain koordinaattien oikeaan laskentaan.
 step-return-and-store-position = Kun ohjaus on mitannut aseman, kosketusjärjestelmä vetäytyy ja pysähtyy. Ohjaus tallentaa mitatut koordinaatit ja poikkeamat tulosparametreihin.

@@ -60,7 +60,8 @@ parameter-number-of-touch-points = Mittauspisteiden lukumäärä (4/3)
     .help = Mitataanko reikä neljällä vai kolmella kosketuksella.
 choice-four-touch-points = Käytetään 4 mittauspistettä (standardiasetus)
 choice-three-touch-points = Käytetään 3 mittauspistettä
-parameter-probing-traverse-type = Liiketapa? Suora=0/ympyrä=1
+parameter-probing-traverse-type = Liiketapa
+    .prompt = Liiketapa? Suora=0/ympyrä=1
     .label = LIIKETAPA
     .help = Rata, jota pitkin kosketusjärjestelmä siirtyy mittauspisteiden välillä, jos siirrytään varmuuskorkeudella ({ $q-traverse-to-clearance-height }=1).
 choice-traverse-straight = Ajo suoraa pitkin

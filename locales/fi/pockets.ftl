@@ -9,7 +9,7 @@ say-plunge-vertically = { $q-plunging-strategy } = 0: kohtisuoraan syöttöarvol
 say-plunge-helically = { $q-plunging-strategy } = 1: kierukkarataa pitkin syöttöarvolla { $q-plunging-feed }
 say-plunge-reciprocating = { $q-plunging-strategy } = 2: edestakaisin heiluriliikkeellä syöttöarvolla { $q-plunging-feed }
 step-clear-level = Ohjaus rouhii taskun sisältä ulospäin ja ottaa huomioon ratalimityksen { $q-path-overlap } sekä silitystyövarat { $q-side-allowance } ja { $q-floor-allowance }. Lopuksi työkalu irtautuu taskun seinämästä tangentiaalisesti.
-step-leave-wall-and-return = Työkalu siirtyy varmuusetäisyydelle hetkellisestä asetussyvyydestä ja palaa sieltä pikaliikkeellä taskun keskipisteeseen.
+step-leave-wall-and-return = Työkalu siirtyy varmuusetäisyydelle hetkellisen asetussyvyyden yläpuolelle ja palaa sieltä pikaliikkeellä taskun keskipisteeseen.
 until-roughing-depth-reached = syvyys { $q-depth } vähennettynä pohjan silitystyövaralla { $q-floor-allowance } on saavutettu
 group-finishing = Silitys
 step-rapid-to-first-plunging-depth = Jos vain silitys on ohjelmoitu ({ $q-machining-operation } = 2), ohjaus siirtää työkalun taskun keskipisteessä pikaliikkeellä ensimmäiseen asetussyvyyteen.
@@ -27,7 +27,7 @@ note-without-tool-table-plunge-vertically = Jos työkalutaulukko ei ole aktiivin
 note-position-at-pocket-start = Paikoita työkalu koneistustason alkupisteeseen sädekorjauksella R0. Ota huomioon taskun sijainti { $q-pocket-position }.
 note-positions-in-tool-axis-itself = Ohjaus paikoittaa työkalun työkaluakselin suunnassa itse. Ota huomioon 2. varmuusetäisyys { $q-second-set-up-clearance }.
 note-returns-to-starting-point = Työkierron lopussa ohjaus palauttaa työkalun alkupisteeseen.
-note-clearance-above-chips = Aina kun taso on rouhittu, työkalu palaa pikaliikkeellä taskun keskipisteeseen, varmuusetäisyydelle hetkellisestä asetussyvyydestä. Valitse varmuusetäisyys niin, ettei työkalu voi liikkuessaan juuttua lastuihin.
+note-clearance-above-chips = Aina kun taso on rouhittu, työkalu palaa pikaliikkeellä taskun keskipisteeseen varmuusetäisyydelle hetkellisen asetussyvyyden yläpuolelle. Valitse varmuusetäisyys niin, ettei työkalu voi liikkuessaan juuttua lastuihin.
 note-helix-diameter-monitored = Kierukkamaisessa sisäänpistossa ohjaus antaa virheilmoituksen, jos sen laskema kierukan halkaisija on pienempi kuin kaksi kertaa työkalun halkaisija. Keskeltä lastuavilla työkaluilla tarkastuksen voi kytkeä pois koneparametrilla { $mp-suppress-plunge-err }.
 note-cutting-edge-limits-infeed = Jos terä on lyhyempi kuin asetussyvyys { $q-plunging-depth }, ohjaus pienentää asetussyvyyden työkalutaulukon terän pituuteen { $mp-cutting-edge-length }.
 note-finishing-only-starts-at-first-depth = Törmäysvaara! Jos työkierto kutsutaan koneistuksen laajuudella 2 (vain silitys), ohjaus siirtää työkalun taskun keskipisteessä pikaliikkeellä ensimmäiseen asetussyvyyteen.
