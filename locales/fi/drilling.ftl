@@ -11,7 +11,7 @@ step-rapid-out-of-hole = Työkalu poistuu reiän pohjalta pikaliikkeellä (FMAX)
 say-rapid-to-second-set-up-clearance = 2. varmuusetäisyydelle { $q-second-set-up-clearance }, jos se on annettu
 say-rapid-back-to-set-up-clearance = muussa tapauksessa varmuusetäisyydelle { $q-set-up-clearance }
 note-position-over-hole-centre = Ohjelmoi paikoituslause koneistustason alkupisteeseen (reiän keskipisteeseen) sädekorjauksella R0.
-note-point-table-hole-centres = Jos työkierto kutsutaan pistetaulukon kanssa, koneistustason pisteet ovat reikien keskipisteitä. Jos haluat käyttää taulukon karan akselin koordinaattia alkupisteen koordinaattina, anna työkappaleen yläpinnan koordinaatiksi { $q-surface-coordinate } arvo 0.
+note-point-table-hole-centres = Jos työkierto kutsutaan pistetaulukon avulla, koneistustason pisteet ovat reikien keskipisteitä. Jos haluat käyttää taulukon karan akselin koordinaattia alkupisteen koordinaattina, anna työkappaleen yläpinnan koordinaatiksi { $q-surface-coordinate } arvo 0.
 
 # --- 205 ---
 cycle-universal-pecking = Yleissyväporaus
