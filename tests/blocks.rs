@@ -8,6 +8,7 @@ use ciklo::expr::QRef;
 use ciklo::label::{self, Request};
 use ciklo::locale::Locales;
 use ciklo::spec::{Catalogue, Cycle, CycleKey, Entries, Field, Keyword, Name, NcExample, OnControl, Shape};
+use proptest::prelude::*;
 
 struct Data {
     catalogue: Catalogue,
@@ -104,6 +105,24 @@ fn values_known_only_when_the_program_runs_are_taken() {
         assert!(block(901, &[("Q203", value)], None).is_ok(), "{value}");
     }
     assert!(block(901, &[("Q202", "7")], None).is_ok(), "a choice may be a comparison");
+}
+
+proptest! {
+    /// Whatever is given as a value, a block is refused or has a line for each parameter.
+    #[test]
+    fn no_value_breaks_the_lines_of_a_block(name in "(Q20[0-4]|QS204|q201)", value in any::<String>()) {
+        if let Ok(text) = block(901, &[(&name, &value)], None) {
+            prop_assert_eq!(text.lines().count(), 5);
+        }
+    }
+
+    /// Every number of the range is taken as it is written, and every other one is refused.
+    #[test]
+    fn ranges_are_inclusive(hundredths in -2000_i32..=2000) {
+        let value = format!("{}", f64::from(hundredths) / 100.0);
+        let taken = block(901, &[("Q203", &value)], None).is_ok_and(|text| text.contains(&format!("Q203={value} ;")));
+        prop_assert_eq!(taken, (0..=1000).contains(&hundredths));
+    }
 }
 
 #[test]

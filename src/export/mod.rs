@@ -8,7 +8,7 @@ use serde_json::{Number, Value};
 use crate::diag::Diagnostic;
 use crate::locale::Language;
 use crate::spec::{Cycle, OnControl, Param};
-use crate::text::{self, Bullet, CycleText, RunPart};
+use crate::text::{self, CycleText, Numbered, RunPart};
 
 /// The name and version of the form.
 pub const FORMAT: &str = "ciklo-export/1";
@@ -265,16 +265,15 @@ pub fn result_name(cycle: &Cycle, outcome: &crate::spec::Outcomes) -> Option<Str
 }
 
 fn steps(text: &CycleText) -> Vec<ExportedStep> {
-    let mut steps = Vec::new();
-    RunPart::walk(&text.run(), &mut |number, id, sentence, bullets: &[Bullet]| {
-        let mut text = sentence.to_owned();
-        for bullet in bullets {
+    let step = |step: Numbered| {
+        let mut text = step.text.into_owned();
+        for bullet in step.bullets {
             text.push_str("\n- ");
             text.push_str(&bullet.text);
         }
-        steps.push(ExportedStep { number, id: id.to_owned(), text });
-    });
-    steps
+        ExportedStep { number: step.number, id: step.id.to_owned(), text }
+    };
+    RunPart::numbered(text.run()).into_iter().map(step).collect()
 }
 
 fn notes(text: &CycleText) -> Vec<ExportedNote> {

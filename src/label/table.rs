@@ -31,7 +31,7 @@ pub fn table(on: &OnControl, language: &Language) -> Result<Vec<LabelRow>, Vec<D
     let mut rows = Vec::new();
     let mut faults = Vec::new();
     for cycle in on.cycles.values() {
-        match with_texts(on, cycle, language, |text| rows_of(text)) {
+        match with_texts(on, cycle, language, rows_of) {
             Ok(more) => rows.extend(more),
             Err(more) => faults.extend(more),
         }

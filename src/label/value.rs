@@ -138,6 +138,8 @@ fn quoted(param: &Param, text: &str) -> Option<Refusal> {
         Some(rest) => rest.strip_suffix('"').filter(|inner| !inner.contains('"')),
         None => Some(text).filter(|inner| !inner.contains('"')),
     };
+    // A block is a line a parameter.
+    let inner = inner.filter(|inner| !inner.contains(char::is_control));
     match (inner, param.max_length) {
         (None, _) => Some(Refusal::Kind),
         (Some(inner), Some(most)) if inner.chars().count() > most as usize => Some(Refusal::TooLong(most)),

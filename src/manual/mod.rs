@@ -44,6 +44,8 @@ pub struct Request<'a> {
 /// several threads, in no particular order.
 pub type Sink<'s> = dyn Fn(&str, &[u8]) -> Result<(), Diagnostic> + Sync + 's;
 
+type Put<'p> = dyn Fn(&str, &[u8]) -> Result<(), Vec<Diagnostic>> + 'p;
+
 /// What was built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Built {
@@ -143,7 +145,7 @@ impl<'a> Site<'a> {
         Ok(Built { pages: self.pages(), files: files.into_inner() })
     }
 
-    fn make(&self, job: Job, put: &dyn Fn(&str, &[u8]) -> Result<(), Vec<Diagnostic>>) -> Result<(), Vec<Diagnostic>> {
+    fn make(&self, job: Job, put: &Put) -> Result<(), Vec<Diagnostic>> {
         match job {
             Job::Index => put("index.html", index::page(self)?.as_bytes()),
             Job::Overview(at) => {

@@ -14,7 +14,7 @@ use crate::locale::{Args, Digits, Language, LocaleError, Scope};
 use crate::spec::{Cycle, Name, NoteKind, OnControl, Outcome, Param};
 
 pub use param::ParamText;
-pub use run::{Bullet, Repeat, RunPart, Step};
+pub use run::{Bullet, Numbered, Repeat, RunPart, Step};
 
 /// What separates the variants of one attribute, such as `.nc-aliases`.
 const ALIAS_SEPARATOR: char = '|';

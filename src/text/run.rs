@@ -47,6 +47,19 @@ pub struct Repeat<'a> {
     pub last: usize,
 }
 
+/// A step or a repetition as a list shows it.
+#[derive(Clone, Debug)]
+pub struct Numbered<'a> {
+    /// Its number.
+    pub number: usize,
+    /// Its id.
+    pub id: &'a str,
+    /// Its text.
+    pub text: Cow<'a, str>,
+    /// The sentences below it.
+    pub bullets: Vec<Bullet<'a>>,
+}
+
 /// A part of a run.
 #[derive(Clone, Debug)]
 pub enum RunPart<'a> {
@@ -66,15 +79,21 @@ pub enum RunPart<'a> {
 }
 
 impl<'a> RunPart<'a> {
-    /// Shows every step and repetition, in order, as number, id, text and bullets.
-    pub fn walk(parts: &[RunPart<'a>], visit: &mut dyn FnMut(usize, &'a str, &str, &[Bullet<'a>])) {
+    /// Every step and repetition of the parts in order, sections dissolved.
+    pub fn numbered(parts: Vec<RunPart<'a>>) -> Vec<Numbered<'a>> {
+        let mut list = Vec::new();
         for part in parts {
             match part {
-                RunPart::Section { parts, .. } => Self::walk(parts, visit),
-                RunPart::Step(step) => visit(step.number, step.id, &step.text, &step.bullets),
-                RunPart::Repeat(repeat) => visit(repeat.number, repeat.id, &repeat.text, &[]),
+                RunPart::Section { parts, .. } => list.extend(Self::numbered(parts)),
+                RunPart::Step(Step { number, id, text, bullets, .. }) => {
+                    list.push(Numbered { number, id, text, bullets });
+                }
+                RunPart::Repeat(Repeat { number, id, text, .. }) => {
+                    list.push(Numbered { number, id, text, bullets: Vec::new() });
+                }
             }
         }
+        list
     }
 }
 
