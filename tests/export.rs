@@ -94,7 +94,7 @@ fn notes_keep_their_kinds_and_checks_of_the_control_follow() {
     let export = serde_json::to_value(small().expect("all texts are there")).expect("it is JSON");
     assert_eq!(
         export["cycles"][1]["notes"],
-        json!([{"kind": "caution", "text": "Mind the tool."}, {"kind": "guard", "text": "A depth of 0 is refused."}])
+        json!([{"kind": "caution", "text": "Mind the tool: *see* `TNC:\\tool_a.t`, <b> & F_PREPOS, - \"1. not a list\"."}, {"kind": "guard", "text": "A depth of 0 is refused."}])
     );
 }
 

@@ -24,7 +24,7 @@ pub(super) fn html(text: &str, section: &Section) -> String {
             Event::Text(text) | Event::Html(text) | Event::InlineHtml(text) => {
                 escape(text.trim_start_matches(GUARD), &mut out)
             }
-            Event::Code(code) => element("code", &code, &mut out),
+            Event::Code(code) => element("code", &code.replace("\\\\", "\\"), &mut out),
             Event::SoftBreak | Event::HardBreak => out.push(' '),
             Event::Start(Tag::Strong) => out.push_str("<strong>"),
             Event::End(TagEnd::Strong) => out.push_str("</strong>"),
