@@ -73,8 +73,13 @@ pub enum Event {
     },
     /// A cycle definition, by index.
     Define(usize),
-    /// A call of the last cycle, and its place.
-    Call(Span),
+    /// A call of the last cycle.
+    Call {
+        /// Its place.
+        span: Span,
+        /// Whether it is a block of its own, `CYCL CALL`, that moves nowhere before.
+        alone: bool,
+    },
     /// The block that follows, which is neither comment nor blank.
     Block,
     /// The spindle turns from here on.
@@ -187,7 +192,8 @@ impl<'a> Facts<'a> {
                 _ => {}
             }
         }
-        self.events.extend(calls.into_iter().map(Event::Call));
+        let alone = call.is_some();
+        self.events.extend(calls.into_iter().map(|span| Event::Call { span, alone }));
         for function in list {
             match function.number {
                 0 | 2 | 5 | 6 | 30 => self.events.push(Event::SpindleOff),

@@ -23,12 +23,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 blocks_since = 0;
             }
             Event::Block => blocks_since += 1,
-            Event::Call(span) => {
+            Event::Call { span, alone } => {
                 let Some(last) = last.filter(|last| last.takes_effect() == Some(TakesEffect::OnDefinition)) else {
                     continue;
                 };
                 let pattern = matches!(last.known, Known::Described(cycle) if calls_last(cycle));
-                if !callable || (pattern && blocks_since == 1) {
+                if !callable || (pattern && *alone && blocks_since == 1) {
                     found.push(rule.at(facts, *span).arg("cycle", last.key.to_string()));
                 }
             }

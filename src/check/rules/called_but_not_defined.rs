@@ -14,7 +14,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for event in &facts.events {
         match event {
             Event::Define(_) => return,
-            Event::Call(span) => found.push(rule.at(facts, *span)),
+            Event::Call { span, .. } => found.push(rule.at(facts, *span)),
             _ => {}
         }
     }

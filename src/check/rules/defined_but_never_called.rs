@@ -14,7 +14,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     let calls = |event: &Event| match event {
-        Event::Call(_) => true,
+        Event::Call { .. } => true,
         Event::Define(index) => facts.definitions.get(*index).is_some_and(calls_by_itself),
         _ => false,
     };

@@ -29,7 +29,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                     machining = matches!(definition.known, Known::Described(cycle) if removes_material(cycle));
                 }
             }
-            Event::Call(span) if machining && on == Some(false) => {
+            Event::Call { span, .. } if machining && on == Some(false) => {
                 found.push(rule.at(facts, *span));
                 return;
             }

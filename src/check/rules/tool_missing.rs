@@ -25,7 +25,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// The place of a cycle that moves the tool: one that is called, or a touch-probe cycle.
 fn moves(facts: &Facts<'_>, event: &Event) -> Option<Span> {
     match event {
-        Event::Call(span) if !facts.definitions.is_empty() => Some(*span),
+        Event::Call { span, .. } if !facts.definitions.is_empty() => Some(*span),
         Event::Define(index) => {
             let definition = facts.definitions.get(*index)?;
             (definition.key.keyword == Keyword::TchProbe).then_some(definition.view.head)

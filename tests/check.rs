@@ -1,0 +1,176 @@
+//! The checker on programs: for every rule one that it objects to and one that it leaves alone, and
+//! the blocks that the manuals print.
+//!
+//! Programs stand in `tests/check/<code>.h` and `<code>-not.h`; their first line names the control.
+//! What is found stands beside each in `*.expect`; `UPDATE=1 cargo test --test check` writes it anew.
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use ciklo::check::{Against, Facts, LabelBook, RULES, check};
+use ciklo::data;
+use ciklo::diag::{Diagnostic, Severity, Source};
+use ciklo::locale::{Locales, Ui};
+use ciklo::spec::{Catalogue, OnControl};
+use ciklo::syntax::{Program, parse};
+
+struct Data {
+    catalogue: Catalogue,
+    locales: Locales,
+}
+
+impl Data {
+    fn new() -> Self {
+        let files = data::embedded();
+        let (catalogue, _) = Catalogue::load(&files);
+        let (locales, _) = Locales::load(files);
+        Self { catalogue, locales }
+    }
+
+    fn with<T>(&self, control: &str, then: impl FnOnce(&Against<'_>) -> T) -> T {
+        let on: &OnControl = self.catalogue.on(control).unwrap_or_else(|| panic!("no control {control}"));
+        let labels = LabelBook::new(on, &self.locales);
+        let readers = [self.locales.source().expect("English is there")];
+        then(&Against { catalogue: &self.catalogue, on, labels: &labels, language: None, readers: &readers })
+    }
+
+    fn check(&self, control: &str, program: &Program) -> Vec<Diagnostic> {
+        self.with(control, |against| check(program, against))
+    }
+}
+
+/// The value of a word such as `control:` in the first line.
+fn head<'t>(text: &'t str, word: &str) -> &'t str {
+    let line = text.lines().next().unwrap_or_default();
+    line.split(word).nth(1).and_then(|rest| rest.split_whitespace().next()).unwrap_or("tnc640")
+}
+
+fn files(directory: &str, extension: &str) -> Vec<PathBuf> {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join(directory);
+    let entries = fs::read_dir(directory).expect("the directory");
+    let mut found: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    found.retain(|path| path.extension().is_some_and(|own| own == extension));
+    found.sort();
+    found
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem().expect("a name").to_string_lossy().into_owned()
+}
+
+fn line(diagnostic: &Diagnostic) -> String {
+    let place = diagnostic.place.as_ref().expect("a place");
+    let (start, end) = (place.start(), place.end());
+    let place = format!("{}:{}-{}:{}", start.line, start.column, end.line, end.column);
+    format!("{place} {} {}\n", diagnostic.severity.as_str(), diagnostic.code)
+}
+
+fn found_in(data: &Data, path: &Path) -> Vec<Diagnostic> {
+    let text = fs::read_to_string(path).expect("a program");
+    data.check(head(&text, "control:"), &parse(&Source::new("program.h", text.clone())))
+}
+
+#[test]
+fn programs_have_the_expected_findings() {
+    let data = Data::new();
+    let mut wrong = Vec::new();
+    for path in files("tests/check", "h") {
+        let found: String = found_in(&data, &path).iter().map(line).collect();
+        let beside = path.with_extension("expect");
+        if env::var_os("UPDATE").is_some() {
+            fs::write(&beside, found).expect("the expectation written");
+        } else if fs::read_to_string(&beside).ok().as_ref() != Some(&found) {
+            wrong.push(format!("{} should be\n{found}", beside.display()));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn every_expectation_has_its_program() {
+    let stems = |extension| files("tests/check", extension).iter().map(|path| stem(path)).collect::<BTreeSet<_>>();
+    assert_eq!(stems("expect"), stems("h"));
+}
+
+#[test]
+fn every_rule_fires_once_and_stays_silent_once() {
+    let data = Data::new();
+    let fires = |name: &str, code: &str| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/check/{name}.h"));
+        let found = found_in(&data, &path);
+        found.iter().filter(|diagnostic| diagnostic.code == code).count()
+    };
+    for rule in RULES {
+        // Guards speak with codes of their own; this is one of them.
+        let code = if rule.code == "guard" { "depth-positive" } else { rule.code };
+        assert!(fires(rule.code, code) > 0, "{} does not fire", rule.code);
+        assert_eq!(fires(&format!("{}-not", rule.code), code), 0, "{} fires where it must not", rule.code);
+    }
+}
+
+#[test]
+fn every_code_has_a_text_and_an_explanation_in_every_language() {
+    let data = Data::new();
+    let codes = RULES.iter().map(|rule| rule.code).chain(["label-not-encodable", "label-missing"]);
+    for code in codes {
+        for tag in data.locales.tags() {
+            let language = data.locales.language(tag).expect("it is listed");
+            for key in [format!("diag-{code}"), format!("diag-{code}.explain")] {
+                assert!(language.has(key.as_str(), &ciklo::locale::Scope::NONE), "{key} in {tag}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_finding_can_be_said() {
+    let data = Data::new();
+    for tag in data.locales.tags() {
+        let ui = Ui::new(&data.locales, Some(tag), &[]).expect("it is listed");
+        for path in files("tests/check", "h") {
+            for diagnostic in found_in(&data, &path) {
+                let text = ui.diagnostic(&diagnostic);
+                assert!(!text.contains(diagnostic.code) && !text.contains('{'), "{tag}: {text}");
+            }
+        }
+    }
+}
+
+/// What the manuals print is right, apart from what is known to be a misprint.
+#[test]
+fn printed_blocks_are_free_of_errors() {
+    let data = Data::new();
+    let mut wrong = Vec::new();
+    for path in files("tests/printed", "nc") {
+        let text = fs::read_to_string(&path).expect("a block");
+        let control = head(&text, "control:").to_owned();
+        let found = data.check(&control, &parse(&Source::new("printed.h", text.clone())));
+        // A block by itself has no tool.
+        let errors = found.iter().filter(|d| d.severity == Severity::Error && d.code != "tool-missing");
+        let misprint = |diagnostic: &&Diagnostic| {
+            let place = diagnostic.place.as_ref().expect("a place");
+            let written = &text[place.span.start..place.span.end];
+            data.catalogue.errata.iter().any(|erratum| erratum.printed.as_deref() == Some(written))
+        };
+        let errors = errors.filter(|diagnostic| !misprint(diagnostic));
+        wrong.extend(errors.map(|diagnostic| format!("{}: {}", stem(&path), line(diagnostic))));
+    }
+    assert_eq!(wrong, Vec::<String>::new());
+}
+
+#[test]
+fn the_language_of_a_program_is_that_of_its_labels() {
+    let data = Data::new();
+    for path in files("tests/printed", "nc") {
+        let text = fs::read_to_string(&path).expect("a block");
+        let language = head(&text, "lang:").to_owned();
+        let program = parse(&Source::new("printed.h", text.clone()));
+        let found = data.with(head(&text, "control:"), |against| Facts::of(&program, against).language);
+        let has_labels = text.lines().any(|line| line.starts_with('Q') && line.contains(';'));
+        if has_labels
+            && data.locales.language(&language).is_ok_and(|l| l.has("cycle-drilling", &ciklo::locale::Scope::NONE))
+        {
+            assert_eq!(found.as_deref(), Some(language.as_str()), "{}", stem(&path));
+        }
+    }
+}
