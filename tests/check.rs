@@ -115,7 +115,7 @@ fn every_code_has_a_text_and_an_explanation_in_every_language() {
     for code in codes {
         for tag in data.locales.tags() {
             let language = data.locales.language(tag).expect("it is listed");
-            for key in [format!("diag-{code}"), format!("diag-{code}.explain")] {
+            for key in [format!("diag-{code}"), format!("explain-{code}")] {
                 assert!(language.has(key.as_str(), &ciklo::locale::Scope::NONE), "{key} in {tag}");
             }
         }

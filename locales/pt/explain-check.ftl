@@ -1,0 +1,22 @@
+# Significado dos códigos da verificação de programas, para `ciklo explain`.
+
+explain-call-of-def-active-cycle = Os padrões de pontos, as conversões de coordenadas e os ciclos de apalpação actuam ao serem definidos. Uma chamada depois deles é um erro se antes não estiver definido nenhum ciclo de maquinação, ou se vier directamente a seguir a um padrão, que já chamou o ciclo de maquinação.
+explain-called-but-not-defined = CYCL CALL, M99 e M89 executam o ciclo de maquinação definido em último lugar. Sem definição não há nada para executar. Nos programas com saltos, sub-programas ou blocos omitidos só se indica se não houver nenhum ciclo definido, e nunca se forem chamados outros programas.
+explain-choice-not-offered = O parâmetro oferece uma escolha de valores, cada um com o seu significado, e este não é nenhum deles. Exemplo: Q215=3 em CYCL DEF 251.
+explain-cycle-not-described = O comando dispõe do ciclo, mas aqui não há especificação que o descreva. Os seus parâmetros, textos e efeito não são considerados.
+explain-cycle-not-on-control = Os manuais deste comando não conhecem o ciclo, os de outro conhecem. O programa foi escrito para esse outro comando, ou foi escolhido com --control o comando errado.
+explain-defined-but-never-called = O ciclo actua quando é chamado com CYCL CALL, M99 ou M89, ou por um padrão de pontos, e nada disso se segue antes do próximo ciclo desse tipo ou do fim. A definição não tem efeito, ou a chamada foi esquecida.
+explain-duplicate-parameter = A definição dá dois valores ao mesmo parâmetro ou campo; não se pode dizer qual é o pretendido.
+explain-guard = As especificações dizem em que condições um comando recusa um ciclo, o omite, avisa ou pergunta. Cada uma dessas condições tem um código próprio; só é verificada com valores que o programa escreve como números ou textos.
+explain-label-missing = O programa não pode ser escrito inteiramente nesta língua: um texto das especificações ainda não está traduzido. O texto anterior mantém-se. O comando ciklo coverage lista o que falta.
+explain-label-not-encodable = O programa não é um ficheiro UTF-8 e a sua codificação (Windows-1252) não tem um carácter do novo texto. Converta primeiro o ficheiro para UTF-8, se o comando o ler.
+explain-label-of-another-language = A maioria dos textos do programa está numa língua, este está noutra. O comando ciklo translate escreve-os todos numa só língua.
+explain-label-of-another-parameter = O comentário atrás do valor é o texto de outro parâmetro do mesmo ciclo. O comando lê apenas o número, mas o valor pode estar destinado ao outro parâmetro. Os textos que não existem em nenhuma língua não são considerados.
+explain-misordered-parameter = O comando reconhece os parâmetros pelo número e aceita outra ordem, mas dificilmente a definição foi criada num comando. É indicado o primeiro parâmetro fora de ordem.
+explain-missing-parameter = O manual do comando indica para o ciclo um parâmetro ou campo que a definição não tem. As definições com uma linha ilegível não são consideradas. Exemplo: CYCL DEF 247 sem Q339.
+explain-out-of-range = O manual do comando indica para o parâmetro um campo de introdução, e o valor está fora dele. Os campos valem só para este comando; onde o manual não os indica, nada é verificado. Nos programas em polegadas não se verificam longitudes nem avanços. Exemplo: Q202=-5.
+explain-spindle-off = Nada ligou a ferramenta (M3, M4, M13, M14), ou ela foi parada entretanto (M0, M5, M6). Depois de uma chamada da ferramenta e de funções M do fabricante nada se indica. Indicado uma vez por programa.
+explain-tool-missing = Os ciclos precisam do eixo da ferramenta, que TOOL CALL indica: TOOL CALL 5 Z S2000. Indicado uma vez por programa.
+explain-unknown-cycle = O número não corresponde a nenhum ciclo nos manuais em que as especificações se baseiam, nem a um ciclo do fabricante da máquina (300 a 399, 500 a 599). Verifique a palavra-chave e o número: CYCL DEF 32 e TCH PROBE 32 são ciclos diferentes. Exemplo: CYCL DEF 299.
+explain-unknown-parameter = O parâmetro ou campo não está entre os que o manual do comando indica para o ciclo. Pertence a outro ciclo ou a outro comando, ou o número está errado. Exemplo: Q999 em CYCL DEF 247.
+explain-wrong-value-kind = O valor é de um tipo que o parâmetro não aceita: um texto em vez de um número, um número com decimais onde é preciso um inteiro, uma palavra que o manual não prevê, ou nada. Um parâmetro Q é sempre admitido. Exemplo: Q201=FAUTO.
