@@ -61,7 +61,7 @@ site-named-only = Cicli solo citati
 site-named-intro = I manuali di questo controllo citano questi cicli, che qui non sono descritti; i nomi sono riportati come nei manuali.
 site-data = Dati
 site-dialog-bundle = Dialoghi (JSON)
-site-label-table = Testi NC
+site-label-table = Etichette NC
 site-export = Tutti i dati in un solo file (JSON)
 site-choose = Selezionare il controllo e la lingua
 

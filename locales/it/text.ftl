@@ -2,7 +2,7 @@
 
 prompt-from-name = { $name }?
 
-# $until: a clause behind “finché”, such as “la profondità è raggiunta”.
+# $until: a clause behind “finché”, with “non”, such as “la profondità non è raggiunta”.
 repeat-steps = I passi da { $from } a { $to } vengono ripetuti finché { $until }.
 repeat-step = Il passo { $from } viene ripetuto finché { $until }.
 
