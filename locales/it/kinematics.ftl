@@ -3,7 +3,7 @@
 # --- parameters ---
 parameter-kinematics-mode = Modo (0=verifica/1=misura)
     .label = MODO
-    .help = Se il controllo verifica oppure ottimizza la cinematica attiva.
+    .help = Definire se il controllo verifica oppure ottimizza la cinematica attiva.
 parameter-kinematics-mode__itnc530 = MODO (0/1/2)
 choice-kinematics-check = verificare la cinematica attiva della macchina: il controllo misura gli assi rotativi definiti, ma non apporta modifiche; i risultati vengono visualizzati in un protocollo di misura
 choice-kinematics-optimize-position = ottimizzare la cinematica attiva della macchina: il controllo misura gli assi rotativi definiti e ne ottimizza la posizione
@@ -14,7 +14,7 @@ parameter-sphere-radius = Raggio esatto sfera calibrata
 parameter-sphere-radius__itnc530 = RAGGIO ESATTO SFERA CALIBRATA
 parameter-retraction-height = Altezza di ritorno
     .label = ALTEZZA DI RITORNO
-    .help = Se e a quale altezza si ritrae il sistema di tastatura prima del posizionamento di un asse rotativo.
+    .help = Definire se e a quale altezza si ritrae il sistema di tastatura prima del posizionamento di un asse rotativo.
 parameter-retraction-height__itnc530 = ALTEZZA DI RITORNO
 choice-no-retraction = senza spostamento all'altezza di ritorno: il controllo si porta alla posizione di misura successiva nell'asse da misurare e alla prima posizione di misura nella sequenza A, B, C; non ammesso con assi Hirth
 choice-retraction = altezza di ritorno nel sistema di coordinate del pezzo non ruotato, alla quale il controllo porta l'asse del mandrino prima di posizionare un asse rotativo; nel piano di lavoro porta il sistema di tastatura sull'origine; in questo modo la sorveglianza del tastatore non è attiva, perciò definire la velocità di posizionamento in { $q-kinematics-positioning-feed }
@@ -82,7 +82,7 @@ parameter-sphere-touch-points__itnc530 = N. PUNTI MISURATI
     .help = Numero di tastature con cui il controllo misura la sfera calibrata nel piano.
 parameter-sphere-preset = Imposta Preset (0/1/2/3)
     .label = IMPOSTA PRESET
-    .help = Se il controllo imposta automaticamente il Preset attivo (origine) al centro della sfera.
+    .help = Definire se il controllo imposta automaticamente il Preset attivo (origine) al centro della sfera.
 parameter-sphere-preset__itnc530 = IMPOSTA PRESET (0/1/2/3)
 choice-sphere-preset-none = senza impostazione automatica del Preset al centro della sfera: impostarlo manualmente prima dell'avvio del ciclo
 choice-sphere-preset-before = impostazione automatica del Preset al centro della sfera prima della misurazione: preposizionare manualmente il sistema di tastatura sopra la sfera calibrata prima dell'avvio del ciclo
@@ -160,7 +160,7 @@ note-calibration-fine = Ottimizzazione fine sull'intero campo di spostamento: da
 note-calibration-one-position = Ottimizzazione di una posizione speciale di un asse rotativo: 2 o 3 punti di misura; misurare con l'angolo con cui avverrà la lavorazione, con la sfera nel punto di lavorazione.
 note-calibration-check = Verifica della precisione della macchina: da 4 a 8 punti di misura; l'angolo di partenza e l'angolo finale dovrebbero coprire il campo più ampio possibile.
 note-calibration-backlash = Determinazione del gioco degli assi rotativi: da 8 a 12 punti di misura; l'angolo di partenza e l'angolo finale dovrebbero coprire il campo più ampio possibile.
-note-backlash-measured-twice = Il gioco è un lieve gioco tra encoder e tavola che si presenta con l'inversione del senso di rotazione. Al di fuori dell'anello di regolazione (ad esempio con l'encoder motore) può provocare errori considerevoli. { $q-backlash-angle } ne attiva la misurazione; il ciclo misura allora due volte ogni asse rotativo.
+note-backlash-measured-twice = Per gioco si intende un lieve scarto tra encoder e tavola che si presenta con l'inversione del senso di rotazione. Al di fuori dell'anello di regolazione (ad esempio con l'encoder motore) può provocare errori considerevoli. { $q-backlash-angle } ne attiva la misurazione; il ciclo misura allora due volte ogni asse rotativo.
 note-backlash-not-compensated = Il controllo non compensa automaticamente il gioco.
 note-backlash-not-determined = Il gioco non viene determinato se il raggio del cerchio di misura è inferiore a 1 mm, se { $mp-rotary-axis-m-function } definisce una funzione M o se si tratta di un asse Hirth. Quanto maggiore è il raggio del cerchio di misura, tanto più precisa è la determinazione del gioco.
 note-reset-tilting = Accertarsi che tutte le funzioni di rotazione del piano di lavoro siano resettate.
@@ -180,7 +180,7 @@ note-inactive-axes-ignored = I dati della definizione del ciclo relativi ad assi
 note-status-window = Una finestra in primo piano visualizza lo stato della misurazione. Il controllo la nasconde non appena viene eseguito un percorso più lungo del raggio della sfera.
 note-kinematics-log-contents = Il protocollo contiene data e ora, il percorso del programma NC, il modo, il numero della cinematica attiva e il raggio della sfera inserito; per ogni asse rotativo misurato: angolo di partenza, angolo finale, angolo di registrazione, numero dei punti di misura, dispersione (scostamento standard), errore massimo, errore angolare, gioco medio, errore di posizionamento medio, raggio del cerchio di misura, valori di correzione in tutti gli assi (spostamento Preset) e imprecisione di misura per assi rotativi.
 note-kinematics-log-contents__itnc530 = Il protocollo contiene data e ora, il percorso del programma NC, il modo, il numero della cinematica attiva e il raggio della sfera inserito; per ogni asse rotativo misurato: angolo di partenza, angolo finale, angolo di registrazione, numero dei punti di misura, dispersione (scostamento standard), errore massimo, errore angolare, gioco medio, errore di posizionamento medio, raggio del cerchio di misura, valori di correzione in tutti gli assi (spostamento Preset), valutazione dei punti di misura e imprecisione di misura per assi rotativi.
-note-kinematics-log-explained = Nel modo verifica il protocollo indica la precisione raggiungibile con un'ottimizzazione, negli altri modi la precisione raggiunta. Se non è stato possibile calcolare la posizione angolare di un asse rotativo, i dati misurati vengono comunque protocollati. Dispersione misurata: il 68,3 % degli errori nello spazio misurati rientra in ± questo valore; ottimizzata: il 68,3 % degli errori previsti dopo la correzione. La valutazione dei punti di misura è una misura della qualità delle posizioni di misura rispetto alle conversioni modificabili del modello. Non dovrebbe essere inferiore a 2 per nessun asse rotativo, meglio se 4 o più; se è piccola, ampliare il campo di misura dell'asse o aumentare il numero dei punti. Se ciò non basta, la descrizione della cinematica potrebbe essere errata.
+note-kinematics-log-explained = Nel modo verifica il protocollo indica la precisione raggiungibile con un'ottimizzazione, negli altri modi la precisione raggiunta. Se non è stato possibile calcolare la posizione angolare di un asse rotativo, i dati misurati vengono comunque protocollati. Dispersione misurata: il 68,3% degli errori nello spazio misurati rientra in ± questo valore; ottimizzata: il 68,3% degli errori previsti dopo la correzione. La valutazione dei punti di misura è una misura della qualità delle posizioni di misura rispetto alle conversioni modificabili del modello. Non dovrebbe essere inferiore a 2 per nessun asse rotativo, meglio se 4 o più; se è piccola, ampliare il campo di misura dell'asse o aumentare il numero dei punti. Se ciò non basta, la descrizione della cinematica potrebbe essere errata.
 note-measuring-uncertainty = L'imprecisione di misura è indicata in gradi per 1 µm di imprecisione del sistema. Imprecisione del sistema = SQRT(3 · u² + p²), con l'imprecisione di posizione (oppure, per il gioco, la ripetibilità) u di ogni asse lineare e l'imprecisione p del sistema di tastatura. Esempi: u = 10 µm, p = 2 µm: 17,4 µm, con 0,0002°/µm 0,0034°; u = 5 µm, p = 2 µm: 8,9 µm, con 0,0002°/µm 0,0018°.
 note-reference-head = Per la taratura di teste intercambiabili inserirne una come testa di riferimento, serrare la sfera calibrata, inserire il sistema di tastatura, misurare la cinematica completa con questo ciclo e impostare il Preset dopo la misurazione ({ $q-sphere-preset }=2 o 3). Le altre teste vengono poi tarate con il ciclo 452.
 note-drift-reference = Per compensare la deriva serrare la sfera calibrata, misurare la cinematica completa con questo ciclo prima dell'inizio della lavorazione, impostare il Preset dopo la misurazione ({ $q-sphere-preset }=2 o 3), quindi impostare i Preset dei pezzi e avviare la lavorazione. Il ciclo 452 compensa la deriva a intervalli regolari.

@@ -79,7 +79,7 @@ parameter-dwell-at-bottom = Tempo di sosta sotto
 # --- milling of pockets ---
 parameter-machining-operation = Tipo di lavorazione
     .label = TIPO DI LAVORAZIONE
-    .help = Che cosa viene lavorato. La finitura laterale e quella del fondo vengono eseguite solo se è definito il rispettivo sovrametallo ({ $q-side-allowance }, { $q-floor-allowance }).
+    .help = Definire che cosa viene lavorato. La finitura laterale e quella del fondo vengono eseguite solo se è definito il rispettivo sovrametallo ({ $q-side-allowance }, { $q-floor-allowance }).
 parameter-first-side-length = Lunghezza 1° lato
     .label = LUNGHEZZA 1° LATO
     .help = Lunghezza della tasca, parallela all'asse principale del piano di lavoro.

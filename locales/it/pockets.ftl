@@ -13,7 +13,7 @@ step-leave-wall-and-return = L'utensile si porta alla distanza di sicurezza sopr
 until-roughing-depth-reached = la profondità { $q-depth }, meno il sovrametallo del fondo { $q-floor-allowance }, non è raggiunta
 group-finishing = Finitura
 step-rapid-to-first-plunging-depth = Se è programmata solo la finitura ({ $q-machining-operation } = 2), il controllo porta l'utensile in rapido, al centro della tasca, alla prima profondità incremento.
-step-finish-side = Se è definito un sovrametallo { $q-side-allowance }, il controllo esegue dapprima la finitura laterale della tasca con accostamento tangenziale; con { $q-finishing-infeed } in più incrementi.
+step-finish-side = Se è definito un sovrametallo { $q-side-allowance }, il controllo esegue dapprima la finitura laterale della tasca con accostamento tangenziale, in più incrementi se è inserito { $q-finishing-infeed }.
 until-side-finished = la parete non è finita fino alla profondità { $q-depth }
 step-finish-floor = Se è definito un sovrametallo { $q-floor-allowance }, il controllo esegue poi la finitura del fondo della tasca dall'interno verso l'esterno con accostamento tangenziale.
 step-leave-pocket = L'utensile lascia la tasca in rapido:

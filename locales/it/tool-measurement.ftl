@@ -5,14 +5,14 @@ parameter-tool-check = Misura=0/verifica utensile=1
     .label = VERIFICA
     .word = VERIFICA:
     .prompt = Misura=0/verifica utensile=1
-    .help = Se l'utensile viene misurato per la prima volta oppure se viene controllato un utensile già misurato. La prima misurazione sovrascrive la lunghezza utensile { $mp-tool-length } nella memoria utensili centrale TOOL.T e imposta il valore delta { $mp-delta-length } a 0. La verifica confronta la lunghezza misurata con la lunghezza utensile { $mp-tool-length }; lo scostamento viene registrato con il suo segno come valore delta { $mp-delta-length } ed è disponibile anche in Q115. Se il valore delta è maggiore della tolleranza di usura o di rottura ammessa per la lunghezza utensile, il controllo blocca l'utensile (stato L in TOOL.T).
+    .help = Definire se l'utensile viene misurato per la prima volta oppure se viene controllato un utensile già misurato. La prima misurazione sovrascrive la lunghezza utensile { $mp-tool-length } nella memoria utensili centrale TOOL.T e imposta il valore delta { $mp-delta-length } a 0. La verifica confronta la lunghezza misurata con la lunghezza utensile { $mp-tool-length }; lo scostamento viene registrato con il suo segno come valore delta { $mp-delta-length } ed è disponibile anche in Q115. Se il valore delta è maggiore della tolleranza di usura o di rottura ammessa per la lunghezza utensile, il controllo blocca l'utensile (stato L in TOOL.T).
 parameter-tool-check__itnc530 = MISURA=0/VERIFICA UTENSILE=1
     .prompt = MISURA=0/VERIFICA UTENSILE=1
 choice-tool-first-measurement = misurare l'utensile per la prima volta
 choice-tool-check = verificare un utensile già misurato
 parameter-tool-status-parameter = Nr. parametro per risultato?
     .prompt = Nr. parametro per risultato?
-    .help = Numero del parametro in cui il controllo memorizza lo stato della misurazione: 0,0: utensile in tolleranza; 1,0: utensile usurato ({ $mp-wear-tolerance-length } superata); 2,0: utensile rotto ({ $mp-break-tolerance-length } superata). Se il risultato non viene elaborato nel programma, rispondere alla domanda con NO ENT.
+    .help = Numero del parametro in cui il controllo memorizza lo stato della misurazione: 0,0: utensile in tolleranza; 1,0: utensile usurato (superato il valore { $mp-wear-tolerance-length }); 2,0: utensile rotto (superato il valore { $mp-break-tolerance-length }). Se il risultato non viene elaborato nel programma, rispondere alla domanda con NO ENT.
 parameter-tool-status-parameter__itnc530 = NR. PARAMETRO PER RISULTATO?
     .prompt = NR. PARAMETRO PER RISULTATO?
 parameter-tool-clearance-height = Altezza di sicurezza
@@ -26,12 +26,12 @@ parameter-tooth-measurement = Tastatura taglienti? 0=No/1=Sì
     .label = TASTATURA TAGLIENTI
     .word = TASTATURA TAGLIENTI:
     .prompt = Tastatura taglienti? 0=No/1=Sì
-    .help = Se viene eseguita la misurazione dei singoli taglienti. È possibile misurare al massimo 20 taglienti.
+    .help = Definire se viene eseguita la misurazione dei singoli taglienti. È possibile misurare al massimo 20 taglienti.
 parameter-tooth-measurement__itnc530 = TASTATURA TAGLIENTI? 0=No/1=Si
     .prompt = TASTATURA TAGLIENTI? 0=No/1=Si
-    .help = Se viene eseguita la misurazione dei singoli taglienti. È possibile misurare al massimo 99 taglienti.
+    .help = Definire se viene eseguita la misurazione dei singoli taglienti. È possibile misurare al massimo 99 taglienti.
 parameter-tooth-measurement__tnc426-430 =
-    .help = Se viene eseguita la misurazione dei singoli taglienti.
+    .help = Definire se viene eseguita la misurazione dei singoli taglienti.
 choice-no-tooth-measurement = senza misurazione dei singoli taglienti
 choice-tooth-measurement = con misurazione dei singoli taglienti
 
