@@ -82,7 +82,7 @@ result-position-tool-actual = Posizione misurata asse utensile
 result-position-main-deviation = Scostamento misurato asse principale
 result-position-minor-deviation = Scostamento misurato asse secondario
 result-position-tool-deviation = Scostamento misurato asse utensile
-result-deviation-3d = Scostamento 3D misurato; minore di 0: sottomisura, maggiore di 0: sovrametallo
+result-deviation-3d = Scostamento 3D misurato; minore di 0: sottomisura, maggiore di 0: sovramisura
 result-workpiece-status = Stato del pezzo: −1 = non definito, 0 = buono, 1 = ripresa, 2 = scarto
 guard-zero-normal-vector = Tutte le componenti del vettore normale sono 0.
 guard-mill-mode-only = Il ciclo può essere eseguito solo nel modo FUNCTION MODE MILL.
