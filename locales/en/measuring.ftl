@@ -10,15 +10,16 @@ say-hole-is-scrap = scrap (Q182=1) if the hole is larger than { $q-hole-greatest
 say-hole-needs-rework = rework (Q181=1) if the hole is smaller than { $q-hole-least-diameter }
 say-hole-is-good = otherwise within tolerance (Q180=1), also if no tolerances or limits are entered
 step-write-measuring-log = The control makes the measuring log as { $q-measuring-log } says:
-say-log-to-file = it stores the log in the file TCHPR{ $cycle }.TXT
-say-log-on-screen = it interrupts the program run and shows the log on the screen; NC start continues the program
+say-log-to-file = with { $q-measuring-log }=1 it stores the log in the file TCHPR{ $cycle }.TXT
+say-log-on-screen = with { $q-measuring-log }=2 it interrupts the program run and shows the log on the screen; NC start continues the program
 say-no-log = otherwise it makes no log
 message-measuring-log-on-screen = The measuring log is on the screen. Continue with NC start.
 step-monitor-tool = The control monitors the tool { $q-monitored-tool }:
-say-correct-tool-radius = it adds the deviation of the radius to the delta radius in the column DR of the tool table; if the deviation is greater than the breakage tolerance RBREAK, it shows an error message, stops the program run and locks the tool (column TL = L)
+say-correct-tool-radius = with { $q-monitored-tool } not 0 it adds the deviation of the radius to the delta radius in the column DR of the tool table; if the deviation is greater than the breakage tolerance RBREAK, it shows an error message, stops the program run and locks the tool (column TL = L)
 say-no-tool-monitoring = with { $q-monitored-tool }=0 no tool is monitored
 step-stop-on-tolerance-error = The control reacts to a tolerance that is exceeded as { $q-stop-on-tolerance-error } says:
-say-stop-with-tolerance-error = it interrupts the program run and shows an error message
+say-stop-with-tolerance-error = with { $q-stop-on-tolerance-error }=1 it interrupts the program run and shows an error message
+say-stop-with-tolerance-error__probing-3d = with { $q-tolerance-error-reaction }=1 it interrupts the program run and shows an error message
 say-continue-program = otherwise the program continues
 result-centre-main-deviation = Deviation of centre in main axis
 result-centre-minor-deviation = Deviation of centre in secondary axis
@@ -75,7 +76,7 @@ say-surface-is-scrap = 2 (scrap) if the point is below the tolerance band
 say-surface-is-good = 0 (good) otherwise
 step-write-surface-log = The control makes the log and stores it in HTML format.
 step-react-to-tolerance-error = The control reacts to a point out of tolerance as { $q-tolerance-error-reaction } says:
-say-stop-below-nominal = if the point is below the nominal coordinate, it shows a message and interrupts the program
+say-stop-below-nominal = with { $q-tolerance-error-reaction }=2 and a point below the nominal coordinate it shows a message and interrupts the program
 result-position-main-actual = Measured position in main axis
 result-position-minor-actual = Measured position in secondary axis
 result-position-tool-actual = Measured position in tool axis

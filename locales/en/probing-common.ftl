@@ -8,9 +8,10 @@ step-probe-outward = The touch probe carries out a probing at the probing feed r
 step-probe-outward__tnc426-430 = The touch probe carries out a probing at the probing feed rate ({ $mp-probing-feed } or { $mp-analog-probing-feed }). The control derives the probing direction from the starting angle { $q-probing-starting-angle } and the stepping angle { $q-probing-stepping-angle }.
 step-travel-to-next-touch-point = The touch probe moves to the next touch point:
 say-start-again-from-centre = if the pocket and the set-up clearance leave no room for pre-positioning near the touch points, it stays at the centre and does not move to clearance height
-say-travel-straight-at-clearance-height = on a straight line at clearance height { $q-clearance-height }
-say-travel-on-circle-at-clearance-height = on a circular arc at clearance height { $q-clearance-height }
-say-travel-on-circle-at-measuring-height = on a circular arc at measuring height { $q-measuring-height }
+say-travel-straight-at-clearance-height = with { $q-traverse-to-clearance-height }=1 and { $q-probing-traverse-type }=0 on a straight line at clearance height { $q-clearance-height }
+say-travel-on-circle-at-clearance-height = with { $q-traverse-to-clearance-height }=1 on a circular arc at clearance height { $q-clearance-height }
+say-travel-on-circle-at-clearance-height__tnc640 = with { $q-traverse-to-clearance-height }=1 and { $q-probing-traverse-type }=1 on a circular arc at clearance height { $q-clearance-height }
+say-travel-on-circle-at-measuring-height = with { $q-traverse-to-clearance-height }=0 on a circular arc at measuring height { $q-measuring-height }
 until-all-touch-points-probed = all touch points have been probed
 
 # --- conditions ---

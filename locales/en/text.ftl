@@ -5,6 +5,7 @@ prompt-from-name = { $name }?
 
 # A numbered sentence of a run. $from, $to: numbers of steps. $until: a clause from until-….
 repeat-steps = Steps { $from } to { $to } are repeated until { $until }.
+repeat-two-steps = Steps { $from } and { $to } are repeated until { $until }.
 repeat-step = Step { $from } is repeated until { $until }.
 
 # Ranges of entry; the unit stands with the last number.

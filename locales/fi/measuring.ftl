@@ -10,15 +10,16 @@ say-hole-is-scrap = hylky (Q182=1), jos reikä on suurempi kuin { $q-hole-greate
 say-hole-needs-rework = jälkityö (Q181=1), jos reikä on pienempi kuin { $q-hole-least-diameter }
 say-hole-is-good = muussa tapauksessa toleranssin sisäpuolella (Q180=1), myös silloin, kun toleransseja tai rajoja ei ole annettu
 step-write-measuring-log = Ohjaus laatii mittauspöytäkirjan parametrin { $q-measuring-log } mukaan:
-say-log-to-file = se tallentaa pöytäkirjan tiedostoon TCHPR{ $cycle }.TXT
-say-log-on-screen = se keskeyttää ohjelmanajon ja tulostaa pöytäkirjan näytölle; NC-käynnistys jatkaa ohjelmaa
+say-log-to-file = jos { $q-measuring-log }=1, se tallentaa pöytäkirjan tiedostoon TCHPR{ $cycle }.TXT
+say-log-on-screen = jos { $q-measuring-log }=2, se keskeyttää ohjelmanajon ja tulostaa pöytäkirjan näytölle; NC-käynnistys jatkaa ohjelmaa
 say-no-log = muussa tapauksessa se ei laadi pöytäkirjaa
 message-measuring-log-on-screen = Mittauspöytäkirja on näytöllä. Jatka NC-käynnistyksellä.
 step-monitor-tool = Ohjaus valvoo työkalua { $q-monitored-tool }:
-say-correct-tool-radius = se lisää säteen poikkeaman työkalutaulukon sarakkeen DR delta-säteeseen; jos poikkeama on suurempi kuin rikkotoleranssi RBREAK, se antaa virheilmoituksen, pysäyttää ohjelmanajon ja asettaa työkalulle eston (sarake TL = L)
+say-correct-tool-radius = jos { $q-monitored-tool } ei ole 0, se lisää säteen poikkeaman työkalutaulukon sarakkeen DR delta-säteeseen; jos poikkeama on suurempi kuin rikkotoleranssi RBREAK, se antaa virheilmoituksen, pysäyttää ohjelmanajon ja asettaa työkalulle eston (sarake TL = L)
 say-no-tool-monitoring = jos { $q-monitored-tool }=0, mitään työkalua ei valvota
 step-stop-on-tolerance-error = Ohjaus reagoi toleranssin ylitykseen parametrin { $q-stop-on-tolerance-error } mukaan:
-say-stop-with-tolerance-error = se keskeyttää ohjelmanajon ja antaa virheilmoituksen
+say-stop-with-tolerance-error = jos { $q-stop-on-tolerance-error }=1, se keskeyttää ohjelmanajon ja antaa virheilmoituksen
+say-stop-with-tolerance-error__probing-3d = jos { $q-tolerance-error-reaction }=1, se keskeyttää ohjelmanajon ja antaa virheilmoituksen
 say-continue-program = muussa tapauksessa ohjelma jatkuu
 result-centre-main-deviation = Poikkeama pääakselin keskipisteestä
 result-centre-minor-deviation = Poikkeama sivuakselin keskipisteestä
@@ -76,7 +77,7 @@ say-surface-is-scrap = 2 (hylätty), jos piste on toleranssialueen alapuolella
 say-surface-is-good = 0 (hyväksytty) muussa tapauksessa
 step-write-surface-log = Ohjaus laatii protokollan ja tallentaa sen HTML-muodossa.
 step-react-to-tolerance-error = Ohjaus reagoi toleranssin ulkopuolella olevaan pisteeseen parametrin { $q-tolerance-error-reaction } mukaan:
-say-stop-below-nominal = jos piste on asetuskoordinaatin alapuolella, se näyttää ilmoituksen ja keskeyttää ohjelman
+say-stop-below-nominal = jos { $q-tolerance-error-reaction }=2 ja piste on asetuskoordinaatin alapuolella, se näyttää ilmoituksen ja keskeyttää ohjelman
 result-position-main-actual = Mitattu asema pääakseli
 result-position-minor-actual = Sivuakselin mitattu asema
 result-position-tool-actual = Työkaluakselin mitattu asema

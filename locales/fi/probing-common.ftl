@@ -8,9 +8,10 @@ step-probe-outward = Kosketusjärjestelmä tekee kosketuksen kosketussyöttöarv
 step-probe-outward__tnc426-430 = Kosketusjärjestelmä tekee kosketuksen kosketussyöttöarvolla ({ $mp-probing-feed } tai { $mp-analog-probing-feed }). Ohjaus päättelee kosketussuunnan aloituskulmasta { $q-probing-starting-angle } ja kulma-askeleesta { $q-probing-stepping-angle }.
 step-travel-to-next-touch-point = Kosketusjärjestelmä siirtyy seuraavaan kosketuspisteeseen:
 say-start-again-from-centre = jos tasku ja varmuusetäisyys eivät jätä tilaa esipaikoitukselle kosketuspisteiden lähellä, se pysyy keskipisteessä eikä aja varmuuskorkeudelle
-say-travel-straight-at-clearance-height = suoraa pitkin varmuuskorkeudella { $q-clearance-height }
-say-travel-on-circle-at-clearance-height = ympyränkaarta pitkin varmuuskorkeudella { $q-clearance-height }
-say-travel-on-circle-at-measuring-height = ympyränkaarta pitkin mittauskorkeudella { $q-measuring-height }
+say-travel-straight-at-clearance-height = jos { $q-traverse-to-clearance-height }=1 ja { $q-probing-traverse-type }=0, suoraa pitkin varmuuskorkeudella { $q-clearance-height }
+say-travel-on-circle-at-clearance-height = jos { $q-traverse-to-clearance-height }=1, ympyränkaarta pitkin varmuuskorkeudella { $q-clearance-height }
+say-travel-on-circle-at-clearance-height__tnc640 = jos { $q-traverse-to-clearance-height }=1 ja { $q-probing-traverse-type }=1, ympyränkaarta pitkin varmuuskorkeudella { $q-clearance-height }
+say-travel-on-circle-at-measuring-height = jos { $q-traverse-to-clearance-height }=0, ympyränkaarta pitkin mittauskorkeudella { $q-measuring-height }
 until-all-touch-points-probed = kaikkia kosketuspisteitä on kosketettu
 
 # --- ehdot ---

@@ -4,6 +4,7 @@ prompt-from-name = { $name }?
 
 # $until: a clause behind “kunnes”, such as “syvyys on saavutettu”.
 repeat-steps = Vaiheet { $from }–{ $to } toistetaan, kunnes { $until }.
+repeat-two-steps = Vaiheet { $from } ja { $to } toistetaan, kunnes { $until }.
 repeat-step = Vaihe { $from } toistetaan, kunnes { $until }.
 
 range-both = { $min } … { $max }

@@ -4,6 +4,7 @@ prompt-from-name = { $name }?
 
 # $until: a clause behind “finché”, with “non”, such as “la profondità non è raggiunta”.
 repeat-steps = I passi da { $from } a { $to } vengono ripetuti finché { $until }.
+repeat-two-steps = I passi { $from } e { $to } vengono ripetuti finché { $until }.
 repeat-step = Il passo { $from } viene ripetuto finché { $until }.
 
 range-both = da { $min } a { $max }

@@ -4,6 +4,7 @@ prompt-from-name = { $name }?
 
 # $until: a clause in the subjunctive behind “até que”, such as “a profundidade seja atingida”.
 repeat-steps = Os passos { $from } a { $to } repetem-se até que { $until }.
+repeat-two-steps = Os passos { $from } e { $to } repetem-se até que { $until }.
 repeat-step = O passo { $from } repete-se até que { $until }.
 
 range-both = de { $min } a { $max }

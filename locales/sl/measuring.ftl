@@ -11,15 +11,16 @@ say-hole-is-scrap = izvržek (Q182 = 1), če je vrtina večja od { $q-hole-great
 say-hole-needs-rework = potrebna je dodatna obdelava (Q181 = 1), če je vrtina manjša od { $q-hole-least-diameter }
 say-hole-is-good = sicer je v mejah tolerance (Q180 = 1), tudi če tolerance ali mejne vrednosti niso vnesene
 step-write-measuring-log = Krmiljenje ustvari merilni protokol, kot določa { $q-measuring-log }:
-say-log-to-file = protokol shrani v datoteko TCHPR{ $cycle }.TXT
-say-log-on-screen = prekine programski tek in prikaže protokol na zaslonu; program se nadaljuje z NC-zagonom
+say-log-to-file = pri { $q-measuring-log } = 1 protokol shrani v datoteko TCHPR{ $cycle }.TXT
+say-log-on-screen = pri { $q-measuring-log } = 2 prekine programski tek in prikaže protokol na zaslonu; program se nadaljuje z NC-zagonom
 say-no-log = sicer protokola ne ustvari
 message-measuring-log-on-screen = Merilni protokol je na zaslonu. Nadaljujte z NC-zagonom.
 step-monitor-tool = Krmiljenje nadzoruje orodje { $q-monitored-tool }:
-say-correct-tool-radius = odstopanje polmera prišteje delta vrednosti polmera v stolpcu DR { -tool-table(case: "genitive") }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
+say-correct-tool-radius = pri { $q-monitored-tool }, ki ni 0, odstopanje polmera prišteje delta vrednosti polmera v stolpcu DR { -tool-table(case: "genitive") }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
 say-no-tool-monitoring = pri { $q-monitored-tool } = 0 se ne nadzoruje nobeno orodje
 step-stop-on-tolerance-error = Krmiljenje se na prekoračeno toleranco odzove, kot določa { $q-stop-on-tolerance-error }:
-say-stop-with-tolerance-error = prekine programski tek in prikaže sporočilo o napaki
+say-stop-with-tolerance-error = pri { $q-stop-on-tolerance-error } = 1 prekine programski tek in prikaže sporočilo o napaki
+say-stop-with-tolerance-error__probing-3d = pri { $q-tolerance-error-reaction } = 1 prekine programski tek in prikaže sporočilo o napaki
 say-continue-program = sicer se program nadaljuje
 result-centre-main-deviation = Odstopanje središča glavne osi
 result-centre-minor-deviation = Odstopanje središča pomožne osi
@@ -76,7 +77,7 @@ say-surface-is-scrap = 2 (izvržek), če je točka pod tolerančnim območjem
 say-surface-is-good = 0 (dobro) v drugih primerih
 step-write-surface-log = Krmiljenje ustvari protokol in ga shrani v obliki HTML.
 step-react-to-tolerance-error = Krmiljenje se na točko zunaj tolerance odzove, kot določa { $q-tolerance-error-reaction }:
-say-stop-below-nominal = če je točka pod želeno koordinato, prikaže sporočilo in prekine program
+say-stop-below-nominal = pri { $q-tolerance-error-reaction } = 2 prikaže sporočilo in prekine program, če je točka pod želeno koordinato
 result-position-main-actual = Izmerjeni položaj glavne osi
 result-position-minor-actual = Izmerjeni položaj pomožne osi
 result-position-tool-actual = Izmerjeni položaj orodne osi

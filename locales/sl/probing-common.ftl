@@ -8,9 +8,10 @@ step-probe-outward = Tipalni sistem izvede tipanje s pomikom pri tipanju (stolpe
 step-probe-outward__tnc426-430 = Tipalni sistem izvede tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }). Smer tipanja krmiljenje določi iz začetnega kota { $q-probing-starting-angle } in kotnega koraka { $q-probing-stepping-angle }.
 step-travel-to-next-touch-point = Tipalni sistem se premakne na naslednjo { -touch-point(case: "accusative") }:
 say-start-again-from-centre = če dimenzije žepa in varnostna razdalja ne dovoljujejo predpozicioniranja v bližini tipalnih točk, ostane v središču in se ne premakne na { -clearance-height(case: "accusative") }
-say-travel-straight-at-clearance-height = premočrtno na { -clearance-height(case: "locative") } { $q-clearance-height }
-say-travel-on-circle-at-clearance-height = po krožnem loku na { -clearance-height(case: "locative") } { $q-clearance-height }
-say-travel-on-circle-at-measuring-height = po krožnem loku na { -measuring-height(case: "locative") } { $q-measuring-height }
+say-travel-straight-at-clearance-height = pri { $q-traverse-to-clearance-height } = 1 in { $q-probing-traverse-type } = 0 premočrtno na { -clearance-height(case: "locative") } { $q-clearance-height }
+say-travel-on-circle-at-clearance-height = pri { $q-traverse-to-clearance-height } = 1 po krožnem loku na { -clearance-height(case: "locative") } { $q-clearance-height }
+say-travel-on-circle-at-clearance-height__tnc640 = pri { $q-traverse-to-clearance-height } = 1 in { $q-probing-traverse-type } = 1 po krožnem loku na { -clearance-height(case: "locative") } { $q-clearance-height }
+say-travel-on-circle-at-measuring-height = pri { $q-traverse-to-clearance-height } = 0 po krožnem loku na { -measuring-height(case: "locative") } { $q-measuring-height }
 until-all-touch-points-probed = niso otipane vse tipalne točke
 
 # --- conditions ---

@@ -4,6 +4,7 @@ prompt-from-name = { $name }?
 
 # $until: a clause behind “dokler”, such as “ni dosežena globina”.
 repeat-steps = Izvedba korakov od { $from } do { $to } se ponavlja, dokler { $until }.
+repeat-two-steps = Koraka { $from } in { $to } se ponavljata, dokler { $until }.
 repeat-step = Korak { $from } se ponavlja, dokler { $until }.
 
 range-both = od { $min } do { $max }

@@ -144,7 +144,11 @@ impl<'a> CycleText<'a> {
         let (Some(until), true) = (&item.until, *last >= first) else { return };
         let clause = self.named("until", until);
         let args = Args::new().number("from", first as f64).number("to", *last as f64).text("until", clause.as_ref());
-        let key = if *last == first { "repeat-step" } else { "repeat-steps" };
+        let key = match *last - first {
+            0 => "repeat-step",
+            1 => "repeat-two-steps",
+            _ => "repeat-steps",
+        };
         let text = self.general(key, &args);
         let repeated = *last;
         *last += 1;
