@@ -82,7 +82,7 @@ fn steps_are_numbered_through_and_repetitions_name_the_steps_of_their_series() {
             (1, "approach", "The tool approaches.\n- In mode 0 it moves to SAFE_H first."),
             (2, "peck", "The tool pecks."),
             (3, "clear-chips", "The tool clears the chips.\n- In mode 0 it waits.\n- Otherwise it goes on."),
-            (4, "depth-reached", "Steps 2 to 3 are repeated until the depth is reached."),
+            (4, "depth-reached", "Steps 2 and 3 are repeated until the depth is reached."),
             (5, "tap", "The tool taps once."),
             (6, "all-tapped", "Step 5 is repeated until all is tapped."),
         ]

@@ -10,15 +10,16 @@ say-hole-is-scrap = scarto (Q182=1), se il foro è più grande di { $q-hole-grea
 say-hole-needs-rework = ripresa (Q181=1), se il foro è più piccolo di { $q-hole-least-diameter }
 say-hole-is-good = altrimenti in tolleranza (Q180=1), anche se non è inserita alcuna tolleranza o quota limite
 step-write-measuring-log = Il controllo crea il protocollo di misura in base a { $q-measuring-log }:
-say-log-to-file = memorizza il protocollo nel file TCHPR{ $cycle }.TXT
-say-log-on-screen = interrompe l'esecuzione del programma e visualizza il protocollo sullo schermo; il programma prosegue con Avvio NC
+say-log-to-file = con { $q-measuring-log }=1 memorizza il protocollo nel file TCHPR{ $cycle }.TXT
+say-log-on-screen = con { $q-measuring-log }=2 interrompe l'esecuzione del programma e visualizza il protocollo sullo schermo; il programma prosegue con Avvio NC
 say-no-log = altrimenti non crea alcun protocollo
 message-measuring-log-on-screen = Il protocollo di misura è visualizzato sullo schermo. Proseguire con Avvio NC.
 step-monitor-tool = Viene eseguito il controllo dell'utensile { $q-monitored-tool }:
-say-correct-tool-radius = lo scostamento del raggio viene sommato al raggio delta nella colonna DR della tabella utensili; se lo scostamento è maggiore della tolleranza di rottura RBREAK, viene visualizzato un messaggio d'errore, l'esecuzione del programma viene arrestata e l'utensile bloccato (colonna TL = L)
+say-correct-tool-radius = con { $q-monitored-tool } diverso da 0 lo scostamento del raggio viene sommato al raggio delta nella colonna DR della tabella utensili; se lo scostamento è maggiore della tolleranza di rottura RBREAK, viene visualizzato un messaggio d'errore, l'esecuzione del programma viene arrestata e l'utensile bloccato (colonna TL = L)
 say-no-tool-monitoring = con { $q-monitored-tool }=0 non viene controllato alcun utensile
 step-stop-on-tolerance-error = Il controllo reagisce al superamento di una tolleranza in base a { $q-stop-on-tolerance-error }:
-say-stop-with-tolerance-error = interrompe l'esecuzione del programma e visualizza un messaggio d'errore
+say-stop-with-tolerance-error = con { $q-stop-on-tolerance-error }=1 interrompe l'esecuzione del programma e visualizza un messaggio d'errore
+say-stop-with-tolerance-error__probing-3d = con { $q-tolerance-error-reaction }=1 interrompe l'esecuzione del programma e visualizza un messaggio d'errore
 say-continue-program = altrimenti il programma prosegue
 result-centre-main-deviation = Scostamento centro asse principale
 result-centre-minor-deviation = Scostamento centro asse secondario
@@ -75,7 +76,7 @@ say-surface-is-scrap = 2 (scarto), se il punto si trova al di sotto del campo di
 say-surface-is-good = 0 (buono) negli altri casi
 step-write-surface-log = Il controllo crea il protocollo e lo memorizza in formato HTML.
 step-react-to-tolerance-error = Il controllo reagisce a un punto fuori tolleranza in base a { $q-tolerance-error-reaction }:
-say-stop-below-nominal = se il punto si trova al di sotto della coordinata nominale, visualizza un messaggio e interrompe il programma
+say-stop-below-nominal = con { $q-tolerance-error-reaction }=2 e un punto al di sotto della coordinata nominale visualizza un messaggio e interrompe il programma
 result-position-main-actual = Posizione misurata asse principale
 result-position-minor-actual = Posizione misurata asse secondario
 result-position-tool-actual = Posizione misurata asse utensile

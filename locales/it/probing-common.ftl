@@ -8,9 +8,10 @@ step-probe-outward = Il sistema di tastatura esegue una tastatura con l'avanzame
 step-probe-outward__tnc426-430 = Il sistema di tastatura esegue una tastatura con l'avanzamento di tastatura ({ $mp-probing-feed } o { $mp-analog-probing-feed }). Il controllo determina la direzione di tastatura dall'angolo di partenza { $q-probing-starting-angle } e dall'angolo incrementale { $q-probing-stepping-angle }.
 step-travel-to-next-touch-point = Il sistema di tastatura si porta al punto di tastatura successivo:
 say-start-again-from-centre = se la tasca e la distanza di sicurezza non lasciano spazio per un preposizionamento vicino ai punti di tastatura, rimane al centro e non si porta all'altezza di sicurezza
-say-travel-straight-at-clearance-height = su una retta all'altezza di sicurezza { $q-clearance-height }
-say-travel-on-circle-at-clearance-height = su un arco di cerchio all'altezza di sicurezza { $q-clearance-height }
-say-travel-on-circle-at-measuring-height = su un arco di cerchio all'altezza di misura { $q-measuring-height }
+say-travel-straight-at-clearance-height = con { $q-traverse-to-clearance-height }=1 e { $q-probing-traverse-type }=0 su una retta all'altezza di sicurezza { $q-clearance-height }
+say-travel-on-circle-at-clearance-height = con { $q-traverse-to-clearance-height }=1 su un arco di cerchio all'altezza di sicurezza { $q-clearance-height }
+say-travel-on-circle-at-clearance-height__tnc640 = con { $q-traverse-to-clearance-height }=1 e { $q-probing-traverse-type }=1 su un arco di cerchio all'altezza di sicurezza { $q-clearance-height }
+say-travel-on-circle-at-measuring-height = con { $q-traverse-to-clearance-height }=0 su un arco di cerchio all'altezza di misura { $q-measuring-height }
 until-all-touch-points-probed = non sono stati tastati tutti i punti di tastatura
 
 # --- conditions ---
