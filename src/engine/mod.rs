@@ -5,6 +5,7 @@ pub mod geometry;
 pub mod machine;
 pub mod plan;
 mod read;
+pub mod run;
 pub mod scene;
 pub mod solid;
 pub mod table;

@@ -80,6 +80,24 @@ impl Builtin {
     }
 }
 
+impl Builtin {
+    /// Whether its value may change while a cycle is executed.
+    pub const fn changes(&self) -> bool {
+        matches!(
+            self,
+            Self::Here
+                | Self::ActiveMirror
+                | Self::ActiveScaling
+                | Self::ActiveAxisScaling
+                | Self::ActiveDatumShift
+                | Self::ActiveRotation
+                | Self::ActiveBasicRotation
+                | Self::ActiveTilting
+                | Self::ActiveTurning
+        )
+    }
+}
+
 /// The known names that do not depend on the cycle or the control.
 const FIXED: &[(&str, Builtin, Type)] = &[
     ("here", Builtin::Here, Type::Point),

@@ -1,0 +1,308 @@
+//! Actions of plans: each verb as an effect on the world.
+//!
+//! Invariant: coordinates of actions are main, minor and tool axis; they become axes here and nowhere deeper.
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
+
+use super::cycle::{Exec, Verdict};
+use super::define::{FieldCoord, FieldValue};
+use super::event::MessageKind;
+use super::fault::{Class, Fault};
+use super::motion::Speed;
+use super::world::LOCKED;
+use super::{Content, Done, EventKind, Leave, Run};
+use crate::engine::geometry::{FitError, fit_circle};
+use crate::engine::plan::{Act, Calc, Cancel, Cooling, Inlined, Slot, SpindleTurn, Target, Transform};
+use crate::engine::table::{Cell, TableKind};
+use crate::expr::{QKind, Value};
+use crate::spec::Moment;
+
+impl<'e> Run<'_, 'e> {
+    pub(super) fn act(&mut self, act: &Act, exec: &mut Exec<'_, 'e>) -> Done {
+        match act {
+            Act::Rapid(target) => {
+                let to = self.target_of(target, exec)?;
+                self.straight_to(to, None, Ok(Speed::Rapid))
+            }
+            Act::Feed(target, feed) => {
+                let to = self.target_of(target, exec)?;
+                let feed = self.number(feed, exec)?;
+                self.straight_to(to, None, Speed::of_feed(feed))
+            }
+            Act::Arc { centre, to, direction, feed } => self.arc_act(centre, to, direction, feed.as_ref(), exec),
+            Act::Dwell(seconds) => {
+                let seconds = self.number(seconds, exec)?;
+                if seconds > 0.0 {
+                    self.tell(EventKind::Dwell(seconds));
+                }
+                Ok(())
+            }
+            Act::Probe { towards, into } => {
+                let towards = self.point(towards, exec)?;
+                let centre = self.probe(self.world.system.axes(towards))?;
+                if let Some(slot) = into {
+                    exec.put(*slot, Value::Point(self.in_plane(centre)));
+                }
+                Ok(())
+            }
+            Act::CallLast => self.call_last_cycle(),
+            Act::Set(values) => {
+                for (q, calc) in values {
+                    let content = match self.value(calc, exec)? {
+                        Value::Text(text) if q.kind == QKind::Qs => Content::Text(text),
+                        Value::Number(number) => Content::Number(number),
+                        _ => return Err(Fault::new(Class::Internal, "text-or-number").into()),
+                    };
+                    self.set_of_cycle(*q, content, exec)?;
+                }
+                Ok(())
+            }
+            Act::Store { field, value } => {
+                let value = self.number(value, exec)?;
+                match exec.definition.field(field) {
+                    Some(FieldValue::Q(q)) => Ok(self.set(*q, Content::Number(value))?),
+                    _ => Ok(()),
+                }
+            }
+            Act::Let(lets) => {
+                for named in lets {
+                    let value = self.value(&named.value, exec)?;
+                    exec.put(named.slot, value);
+                }
+                Ok(())
+            }
+            Act::Transform(transform) => self.transform(transform, exec),
+            Act::ReadTable { table, row, column, into } => self.read_table(table, row, column, *into, exec),
+            Act::WriteTable { table, row, column, value, add } => {
+                let (row, value) = (self.number(row, exec)?, self.number(value, exec)?);
+                self.write_table(table_kind(table)?, row, column, value, *add)
+            }
+            Act::Log { name, with } => {
+                let mut values = Vec::with_capacity(with.len());
+                for (name, calc) in with {
+                    values.push((Arc::clone(name), self.value(calc, exec)?));
+                }
+                self.log(name, &values, exec)
+            }
+            Act::FitCircle { list, centre, radius } => self.fit_circle(*list, *centre, *radius, exec),
+            Act::Lock(number) => {
+                let number = self.number(number, exec)?;
+                self.write_cell(TableKind::Tool, number, "TL", &Cell::Text(LOCKED.to_owned()))
+            }
+            Act::Spindle(turn) => {
+                self.spindle(match turn {
+                    SpindleTurn::Clockwise => 1,
+                    SpindleTurn::CounterClockwise => -1,
+                    SpindleTurn::Stop => 0,
+                });
+                Ok(())
+            }
+            Act::Orient(angle) => {
+                let angle = self.number(angle, exec)?;
+                self.tell(EventKind::Spindle { direction: 0, speed: 0.0, orient: Some(angle) });
+                Ok(())
+            }
+            Act::Coolant(cooling) => {
+                self.coolant(*cooling == Cooling::On);
+                Ok(())
+            }
+            Act::Fail(code) => {
+                self.shown.guards.insert((exec.definition.cycle.key, Arc::clone(code)));
+                Err(Fault::of_cycle(code).into())
+            }
+            Act::Message(id) => {
+                self.tell(EventKind::Message { kind: MessageKind::Note, id: Arc::clone(id), answer: None });
+                Ok(())
+            }
+            Act::Ask { id, into } => self.ask_act(id, *into, exec),
+            Act::Use(inlined) => self.inlined(inlined, exec),
+            Act::Strategy(call) => self.strategy(call, exec),
+            Act::Pending(name) => Err(Fault::unsupported("strategy-pending").arg("name", &**name).into()),
+        }
+    }
+
+    /// The target of a move, by axes.
+    fn target_of(&self, target: &Target, exec: &Exec<'_, 'e>) -> Result<DVec3, Fault> {
+        match target {
+            Target::Point(point) => Ok(self.world.system.axes(self.point(point, exec)?)),
+            Target::Axes(values) => {
+                let plane = self.world.system.plane;
+                let mut to = self.world.here;
+                for (axis, calc) in [plane.main, plane.secondary, plane.tool].into_iter().zip(values) {
+                    if let Some(calc) = calc {
+                        to = axis.with(to, self.number(calc, exec)?);
+                    }
+                }
+                Ok(to)
+            }
+        }
+    }
+
+    fn arc_act(
+        &mut self,
+        centre: &Calc,
+        to: &Calc,
+        direction: &Calc,
+        feed: Option<&Calc>,
+        exec: &Exec<'_, 'e>,
+    ) -> Done {
+        let centre = self.world.system.axes(self.point(centre, exec)?);
+        let to = self.world.system.axes(self.point(to, exec)?);
+        let direction = self.number(direction, exec)?;
+        let speed = match feed {
+            Some(feed) => Speed::of_feed(self.number(feed, exec)?),
+            None => Ok(Speed::Rapid),
+        };
+        let near = (to - self.world.here).length() == 0.0;
+        if near || direction == 0.0 {
+            return self.straight_to(to, None, speed);
+        }
+        self.arc_to(centre, to, direction.signum(), None, speed)
+    }
+
+    fn inlined(&mut self, inlined: &Inlined, exec: &mut Exec<'_, 'e>) -> Done {
+        self.lets(&inlined.lets, exec);
+        if self.guards(&inlined.guards, Moment::Call, exec)? == Verdict::Skip {
+            return Ok(());
+        }
+        self.acts(&inlined.block, exec)
+    }
+
+    fn ask_act(&mut self, id: &Arc<str>, into: Option<Slot>, exec: &mut Exec<'_, 'e>) -> Done {
+        let answer = self.ask(id);
+        self.tell(EventKind::Message { kind: MessageKind::Question, id: Arc::clone(id), answer });
+        match (answer, into) {
+            (Some(agreed), Some(slot)) => {
+                exec.put(slot, Value::Bool(agreed));
+                Ok(())
+            }
+            (Some(true), None) => Ok(()),
+            (Some(false), None) | (None, _) => Err(Leave::Stopped),
+        }
+    }
+
+    fn fit_circle(&mut self, list: usize, centre: Slot, radius: Slot, exec: &mut Exec<'_, 'e>) -> Done {
+        let points: Vec<DVec3> =
+            exec.lists.get(list).map_or(&[][..], Vec::as_slice).iter().filter_map(as_point).collect();
+        let flat: Vec<DVec2> = points.iter().map(|point| point.truncate()).collect();
+        let circle = fit_circle(&flat).map_err(|error| {
+            let fault = Fault::control(match error {
+                FitError::TooFew => "fit-too-few",
+                FitError::Collinear => "fit-collinear",
+                FitError::NotFinite | FitError::NoConvergence => "fit-failed",
+            });
+            fault.arg("points", flat.len())
+        })?;
+        let height = points.iter().map(|point| point.z).sum::<f64>() / points.len() as f64;
+        exec.put(centre, Value::Point(circle.centre.extend(height)));
+        exec.put(radius, Value::Number(circle.radius));
+        Ok(())
+    }
+
+    fn transform(&mut self, transform: &Transform, exec: &Exec<'_, 'e>) -> Done {
+        let before = self.world.system.told();
+        match transform {
+            Transform::DatumShift(id) => {
+                if let Some(FieldValue::Coords(coords)) = exec.definition.field(id) {
+                    let shift = shifted(self.world.system.datum(), coords);
+                    self.world.system.set_datum(shift);
+                }
+            }
+            Transform::DatumRow(id) => {
+                if let Some(FieldValue::Number { value: row, .. }) = exec.definition.field(id) {
+                    let table = self.world.table(TableKind::Datum)?;
+                    let number = |column| table.number(*row, column).map(Option::unwrap_or_default);
+                    let shift = DVec3::new(number("X")?, number("Y")?, number("Z")?);
+                    self.world.system.set_datum(shift);
+                }
+            }
+            Transform::Rotation(id) => {
+                if let Some(FieldValue::Number { value, incremental }) = exec.definition.field(id) {
+                    let from = if *incremental { self.world.system.rotation() } else { 0.0 };
+                    self.world.system.set_rotation(from + value);
+                }
+            }
+            Transform::Preset(row) => {
+                let row = self.number(row, exec)?;
+                let (origin, basic) = self.world.preset(row)?;
+                self.world.system.set_preset(row, origin, basic);
+            }
+            Transform::Cancel(ended) => {
+                for cancel in ended {
+                    match cancel {
+                        Cancel::DatumShift => self.world.system.set_datum(DVec3::ZERO),
+                        Cancel::Rotation => self.world.system.set_rotation(0.0),
+                        // The engine refuses to bring these into effect.
+                        Cancel::RadiusCompensation | Cancel::Mirroring | Cancel::Scaling | Cancel::AxisScaling => {}
+                    }
+                }
+            }
+        }
+        self.transformed(before);
+        Ok(())
+    }
+
+    /// After a change of the system: program coordinates follow, and the change is told.
+    pub(super) fn transformed(&mut self, before: super::Coordinates) {
+        let now = self.world.system.told();
+        if now != before {
+            self.world.renew();
+            self.tell(EventKind::Transform(now));
+        }
+    }
+
+    /// The column of a word: `main`, `minor` and `tool` are the axes of the working plane.
+    fn column(&self, word: &str) -> String {
+        self.world.system.axis_of_word(word).map_or_else(|| word.to_owned(), |axis| axis.letter().to_string())
+    }
+
+    fn read_table(&self, table: &str, row: &Calc, column: &str, into: Slot, exec: &mut Exec<'_, 'e>) -> Done {
+        let row = self.number(row, exec)?;
+        let value = self.world.table(table_kind(table)?)?.number(row, &self.column(column))?;
+        exec.put(into, Value::Number(value.unwrap_or_default()));
+        Ok(())
+    }
+
+    fn write_table(&mut self, kind: TableKind, row: f64, column: &str, value: f64, add: bool) -> Done {
+        let column = self.column(column);
+        let old = if add { self.world.table(kind)?.number(row, &column)?.unwrap_or_default() } else { 0.0 };
+        self.write_cell(kind, row, &column, &Cell::Number(old + value))
+    }
+
+    /// Writes a cell and tells it. Rows of the tool table must be there; others are added.
+    pub(super) fn write_cell(&mut self, kind: TableKind, row: f64, column: &str, cell: &Cell) -> Done {
+        let table = self.world.table_to_write(kind)?;
+        if kind != TableKind::Tool {
+            table.add_row(row)?;
+        }
+        table.set(row, column, cell)?;
+        let file = table.file().to_owned();
+        let value = match cell {
+            Cell::Number(number) => Content::Number(*number),
+            Cell::Text(text) => Content::Text(text.as_str().into()),
+            Cell::Empty => Content::Text("".into()),
+        };
+        self.tell(EventKind::Table { file, row, column: column.to_owned(), value });
+        Ok(())
+    }
+}
+
+const fn as_point(value: &Value) -> Option<DVec3> {
+    match value {
+        Value::Point(point) => Some(*point),
+        _ => None,
+    }
+}
+
+fn table_kind(word: &str) -> Result<TableKind, Fault> {
+    TableKind::by_word(word).ok_or_else(|| Fault::new(Class::Internal, "table-missing").arg("file", word))
+}
+
+/// A datum shift with new coordinates: axes not named keep theirs.
+fn shifted(from: DVec3, coords: &[FieldCoord]) -> DVec3 {
+    coords.iter().fold(from, |shift, coord| {
+        let base = if coord.incremental { coord.axis.of(shift) } else { 0.0 };
+        coord.axis.with(shift, base + coord.value)
+    })
+}

@@ -1,0 +1,328 @@
+//! Blocks: what each kind does, and the M functions.
+//!
+//! Invariant: an M function that is not listed here is a fault, never ignored.
+use super::fault::Fault;
+use super::program::After;
+use super::world::LOCKED;
+use super::{Content, Done, EventKind, Run, Spindle};
+use crate::engine::geometry::Axis as LinearAxis;
+use crate::engine::table::{Cell, TableKind};
+use crate::expr::{Env, EvalError, QKind, QRef, Value, atan2d, cosd, sind};
+use crate::syntax::{
+    Amount, Axis, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Operand, ToolCall,
+    ToolDef, ToolRef,
+};
+
+/// What an M function does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Effect {
+    Stop,
+    End,
+    Spindle(i8),
+    Coolant(bool),
+    SpindleAndCoolant(i8),
+    CallAlways,
+    CallOnce,
+    /// Coordinates of the block are machine coordinates.
+    MachineCoordinates,
+    /// It changes nothing that events tell (tool change at the machine, display, look-ahead).
+    Nothing,
+}
+
+fn effect(number: u16) -> Option<Effect> {
+    Some(match number {
+        0 | 1 => Effect::Stop,
+        2 | 30 => Effect::End,
+        3 => Effect::Spindle(1),
+        4 => Effect::Spindle(-1),
+        5 => Effect::Spindle(0),
+        8 => Effect::Coolant(true),
+        9 => Effect::Coolant(false),
+        13 => Effect::SpindleAndCoolant(1),
+        14 => Effect::SpindleAndCoolant(-1),
+        89 => Effect::CallAlways,
+        99 => Effect::CallOnce,
+        91 => Effect::MachineCoordinates,
+        6 | 90 | 101 | 102 | 107 | 108 | 120 | 127 | 137 => Effect::Nothing,
+        _ => return None,
+    })
+}
+
+/// Q parameters while a program's formula is evaluated: there are no other names.
+struct ProgramEnv<'p>(&'p super::Params);
+
+static NOTHING: Value = Value::Bool(false);
+
+impl Env for ProgramEnv<'_> {
+    fn slot(&self, _: usize) -> &Value {
+        &NOTHING
+    }
+
+    fn number(&self, q: QRef) -> Result<f64, EvalError> {
+        self.0.number(q)
+    }
+
+    fn text(&self, q: QRef) -> Result<std::sync::Arc<str>, EvalError> {
+        self.0.text(q)
+    }
+}
+
+impl<'e> Run<'_, 'e> {
+    pub(super) fn block(&mut self, block: &'e Block) -> Done<After> {
+        match &block.kind {
+            BlockKind::Empty
+            | BlockKind::Comment
+            | BlockKind::Structure(_)
+            | BlockKind::BlkForm(_)
+            | BlockKind::OldCycleLine(_)
+                if self.definition_here().is_none() => {}
+            BlockKind::BeginPgm(frame) if frame.inch => return Err(Fault::unsupported("unsupported-inch").into()),
+            BlockKind::BeginPgm(_) => {}
+            BlockKind::EndPgm(_) => return Ok(After::End),
+            BlockKind::ToolCall(call) => self.tool_call(call)?,
+            BlockKind::ToolDef(definition) => self.tool_definition(definition)?,
+            BlockKind::Motion(motion) => {
+                self.before(&motion.functions)?;
+                let in_machine = motion.functions.iter().any(|m| effect(m.number) == Some(Effect::MachineCoordinates));
+                let positioned = self.motion(motion, in_machine)?;
+                return self.after(&motion.functions, positioned);
+            }
+            BlockKind::Functions(functions) => {
+                self.before(functions)?;
+                return self.after(functions, false);
+            }
+            BlockKind::Lbl(label) => self.label(label)?,
+            BlockKind::CallLbl(call) => self.call_label(call)?,
+            BlockKind::CallPgm(name) => self.call_program(self.slice(*name))?,
+            BlockKind::Sel(selection) => self.select(self.slice(selection.what), self.slice(selection.name))?,
+            BlockKind::FnAssign(assign) => self.assign(assign)?,
+            BlockKind::FnJump(jump) => self.jump(jump)?,
+            BlockKind::Formula(formula) => self.formula(formula.target)?,
+            BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) => self.define_here()?,
+            BlockKind::CyclCall(call) => return self.cycle_call(call),
+            BlockKind::Stop(functions) => {
+                self.before(functions)?;
+                self.stop()?;
+                return self.after(functions, false);
+            }
+            BlockKind::Other(word) => {
+                return Err(Fault::unsupported("unsupported-block").arg("word", self.slice(*word)).into());
+            }
+            BlockKind::Unknown(error) => {
+                let found = self.slice(error.span).trim().chars().take(40).collect::<String>();
+                return Err(Fault::program("block-unreadable").arg("found", found).into());
+            }
+            _ => {}
+        }
+        Ok(After::GoOn)
+    }
+
+    /// The value of an operand.
+    pub(super) fn operand(&self, operand: &Operand) -> Result<f64, Fault> {
+        match operand.amount {
+            Amount::Number(number) => Ok(number),
+            Amount::Q { negative, q } => {
+                let value = self.params.number(q)?;
+                Ok(if negative { -value } else { value })
+            }
+        }
+    }
+
+    /// Gives a Q parameter a value, and tells it if that changes it.
+    pub(super) fn set(&mut self, q: QRef, value: Content) -> Result<(), Fault> {
+        let changed = self.params.set(q, &value).map_err(|error| match error {
+            EvalError::Undefined(q) => Fault::program("no-such-parameter").arg("q", q.to_string()),
+            other => other.into(),
+        })?;
+        if changed {
+            self.tell(EventKind::Set { q, value });
+        }
+        Ok(())
+    }
+
+    fn assign(&mut self, assign: &FnAssign) -> Done {
+        let a = self.operand(&assign.a)?;
+        let b = assign.b.as_ref().map_or(Ok(0.0), |b| self.operand(b))?;
+        let value = match assign.op {
+            FnOp::Set => a,
+            FnOp::Add => a + b,
+            FnOp::Sub => a - b,
+            FnOp::Mul => a * b,
+            FnOp::Div if b == 0.0 => return Err(EvalError::DivisionByZero.into()),
+            FnOp::Div => a / b,
+            FnOp::Sqrt if a < 0.0 => return Err(EvalError::Domain(crate::expr::Func::Sqrt, a).into()),
+            FnOp::Sqrt => libm::sqrt(a),
+            FnOp::Sin => sind(a),
+            FnOp::Cos => cosd(a),
+            FnOp::Len => libm::hypot(a, b),
+            FnOp::Ang => atan2d(a, b).rem_euclid(360.0),
+        };
+        if !value.is_finite() {
+            return Err(EvalError::Overflow.into());
+        }
+        Ok(self.set(assign.target, Content::Number(value))?)
+    }
+
+    fn formula(&mut self, target: QRef) -> Done {
+        let code = self.programs.get(self.flow.program).and_then(|prepared| prepared.formula(self.flow.block));
+        let Some(code) = code else { return Err(EvalError::Kind.into()) };
+        let value = match (target.kind, code.eval(&ProgramEnv(&self.params))?) {
+            (QKind::Qs, Value::Text(text)) => Content::Text(text),
+            (QKind::Q | QKind::Ql | QKind::Qr, Value::Number(number)) => Content::Number(number),
+            _ => return Err(EvalError::Kind.into()),
+        };
+        Ok(self.set(target, value)?)
+    }
+
+    fn select(&mut self, what: &str, name: &str) -> Done {
+        if !what.eq_ignore_ascii_case("TABLE") {
+            return Err(Fault::unsupported("unsupported-block").arg("word", format!("SEL {what}")).into());
+        }
+        Ok(self.world.select_datum_table(name)?)
+    }
+
+    fn tool_number(&self, tool: &ToolRef) -> Result<f64, Fault> {
+        let named = |name: &str| match self.world.tool_named(name)? {
+            Some(number) => Ok(number),
+            None => Err(Fault::program("tool-missing").arg("tool", name)),
+        };
+        match tool {
+            ToolRef::Number(Operand { amount: Amount::Q { q, .. }, .. }) if q.kind == QKind::Qs => {
+                named(&self.params.text(*q)?)
+            }
+            ToolRef::Number(operand) => self.operand(operand),
+            ToolRef::Name(span) => named(self.slice(*span)),
+        }
+    }
+
+    fn tool_call(&mut self, call: &ToolCall) -> Done {
+        if let Some(axis) = call.axis {
+            self.world.system.set_plane(linear(axis)?);
+            self.world.renew();
+        }
+        if let Some(tool) = &call.tool {
+            let number = self.tool_number(tool)?;
+            let delta = |value: &Option<Operand>| value.as_ref().map_or(Ok(0.0), |value| self.operand(value));
+            let (delta_radius, delta_length) = (delta(&call.dr)?, delta(&call.dl)?);
+            let table = self.world.table(TableKind::Tool)?;
+            if self.world.has_tools() && !table.has_row(number) {
+                return Err(Fault::program("tool-missing").arg("tool", number).into());
+            }
+            if self.world.has_tools() && table.text(number, "TL")? == LOCKED {
+                return Err(Fault::control("tool-locked").arg("tool", number).into());
+            }
+            self.world.tool = Some(self.world.tool_data(number, delta_radius, delta_length)?);
+            let axis = self.world.system.plane.tool;
+            self.tell(EventKind::Tool { number, axis });
+        }
+        if let Some(speed) = &call.speed {
+            self.modal.spindle.speed = self.operand(speed)?;
+        }
+        if let Some(feed) = &call.feed {
+            match feed.kind {
+                FeedKind::Value(value) => {
+                    let value = self.operand(&value)?;
+                    (self.modal.feed, self.modal.tool_feed) = (Some(value), Some(value));
+                }
+                _ => return Err(Fault::unsupported("unsupported-feed").arg("word", self.slice(feed.span)).into()),
+            }
+        }
+        Ok(())
+    }
+
+    /// Tool data in the program: they are as good as a row of the table.
+    fn tool_definition(&mut self, definition: &ToolDef) -> Done {
+        let number = self.tool_number(&definition.tool)?;
+        for (column, value) in [("L", &definition.length), ("R", &definition.radius)] {
+            let Some(value) = value else { continue };
+            let value = self.operand(value)?;
+            if let Some(table) = self.world.tools_of_program() {
+                table.add_row(number)?;
+                table.set(number, column, &Cell::Number(value))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn cycle_call(&mut self, call: &CyclCall) -> Done<After> {
+        match call.form {
+            CallForm::Plain => {}
+            CallForm::Pattern => {
+                return Err(Fault::unsupported("unsupported-block").arg("word", "CYCL CALL PAT").into());
+            }
+            CallForm::Position(_) => {
+                return Err(Fault::unsupported("unsupported-block").arg("word", "CYCL CALL POS").into());
+            }
+        }
+        self.before(&call.functions)?;
+        self.call_last_cycle()?;
+        self.after(&call.functions, false)
+    }
+
+    /// M functions that act at the beginning of their block.
+    fn before(&mut self, functions: &[MFunction]) -> Done {
+        for function in functions {
+            let Some(effect) = effect(function.number) else {
+                let word = self.slice(function.span).trim().to_owned();
+                return Err(Fault::unsupported("unsupported-m").arg("word", word).into());
+            };
+            match effect {
+                Effect::Spindle(direction) if direction != 0 => self.spindle(direction),
+                Effect::Coolant(true) => self.coolant(true),
+                Effect::SpindleAndCoolant(direction) => {
+                    self.spindle(direction);
+                    self.coolant(true);
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// M functions that act at the end of their block, and the call of the last cycle.
+    fn after(&mut self, functions: &[MFunction], positioned: bool) -> Done<After> {
+        let has = |wanted| functions.iter().any(|function| effect(function.number) == Some(wanted));
+        if has(Effect::CallAlways) {
+            self.modal.call_always = true;
+        }
+        let once = has(Effect::CallOnce);
+        if once || (self.modal.call_always && (positioned || has(Effect::CallAlways))) {
+            self.call_last_cycle()?;
+        }
+        if once {
+            self.modal.call_always = false;
+        }
+        let ends = has(Effect::End);
+        if has(Effect::Spindle(0)) || (ends && self.modal.spindle.direction != 0) {
+            self.spindle(0);
+        }
+        if has(Effect::Coolant(false)) || (ends && self.modal.coolant) {
+            self.coolant(false);
+        }
+        if has(Effect::Stop) {
+            self.stop()?;
+        }
+        Ok(if ends { After::End } else { After::GoOn })
+    }
+
+    pub(super) fn spindle(&mut self, direction: i8) {
+        self.modal.spindle = Spindle { direction, ..self.modal.spindle };
+        let speed = if direction == 0 { 0.0 } else { self.modal.spindle.speed };
+        self.tell(EventKind::Spindle { direction, speed, orient: None });
+    }
+
+    pub(super) fn coolant(&mut self, on: bool) {
+        self.modal.coolant = on;
+        self.tell(EventKind::Coolant(on));
+    }
+}
+
+/// The linear axis of an axis word.
+pub(super) fn linear(axis: Axis) -> Result<LinearAxis, Fault> {
+    match axis {
+        Axis::X => Ok(LinearAxis::X),
+        Axis::Y => Ok(LinearAxis::Y),
+        Axis::Z => Ok(LinearAxis::Z),
+        other => Err(Fault::unsupported("unsupported-axis").arg("axis", other.name())),
+    }
+}

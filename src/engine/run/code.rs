@@ -1,0 +1,115 @@
+//! Programs prepared for running: labels found, formulas compiled, lines of old-style definitions joined.
+//!
+//! Invariant: done once for a program; running it looks nothing up by name.
+use std::collections::HashMap;
+
+use super::fault::Fault;
+use crate::expr::{self, Code};
+use crate::syntax::{Block, BlockKind, CycleView, Formula, Label, Program};
+
+/// Names are unknown in programs: only Q parameters have values.
+struct NoNames;
+
+impl expr::Resolve for NoNames {
+    fn name(&self, _: &[String]) -> Option<(usize, expr::Type)> {
+        None
+    }
+}
+
+/// What a label is known by.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+enum Key {
+    Number(u16),
+    Name(String),
+}
+
+/// A program ready to run.
+pub(super) struct Prepared<'p> {
+    /// The program.
+    pub(super) program: &'p Program,
+    /// Its definitions of cycles.
+    pub(super) cycles: Vec<CycleView<'p>>,
+    /// By block: the index of the definition that begins there.
+    definitions: Vec<Option<usize>>,
+    /// By block: the compiled formula.
+    formulas: Vec<Option<Code>>,
+    /// The block of each label; nothing if the label stands twice.
+    labels: HashMap<Key, Option<usize>>,
+}
+
+impl<'p> Prepared<'p> {
+    pub(super) fn new(program: &'p Program) -> Self {
+        let blocks = program.blocks();
+        let cycles = program.cycles();
+        let mut definitions = vec![None; blocks.len()];
+        for (index, view) in cycles.iter().enumerate() {
+            if let Some(cell) = definitions.get_mut(view.first) {
+                *cell = Some(index);
+            }
+        }
+        let formulas = blocks.iter().map(|block| formula(&block.kind)).collect();
+        let mut labels = HashMap::new();
+        for (index, block) in blocks.iter().enumerate() {
+            let BlockKind::Lbl(label) = &block.kind else { continue };
+            let Some(key) = key(program, label.target).filter(|key| *key != Key::Number(0)) else { continue };
+            labels.entry(key).and_modify(|block| *block = None).or_insert(Some(index));
+        }
+        Self { program, cycles, definitions, formulas, labels }
+    }
+
+    /// The block of that index.
+    pub(super) fn block(&self, index: usize) -> Option<&'p Block> {
+        self.program.blocks().get(index)
+    }
+
+    /// The definition that begins at a block.
+    pub(super) fn definition(&self, block: usize) -> Option<usize> {
+        self.definitions.get(block).copied().flatten()
+    }
+
+    /// The compiled formula of a block.
+    pub(super) fn formula(&self, block: usize) -> Option<&Code> {
+        self.formulas.get(block)?.as_ref()
+    }
+
+    /// The block of a label; `text` is its name where a parameter gives it.
+    pub(super) fn label(&self, label: Label, text: Option<&str>) -> Result<usize, Fault> {
+        let key = match (label, text) {
+            (Label::Q(_), Some(text)) => Some(Key::Name(text.to_owned())),
+            _ => key(self.program, label),
+        };
+        self.find(key)
+    }
+
+    /// The block of a numbered label.
+    pub(super) fn numbered_label(&self, number: u16) -> Result<usize, Fault> {
+        self.find(Some(Key::Number(number)))
+    }
+
+    fn find(&self, key: Option<Key>) -> Result<usize, Fault> {
+        let shown = match &key {
+            Some(Key::Number(number)) => number.to_string(),
+            Some(Key::Name(name)) => name.clone(),
+            None => String::new(),
+        };
+        match key.and_then(|key| self.labels.get(&key)) {
+            Some(Some(block)) => Ok(*block),
+            Some(None) => Err(Fault::program("label-twice").arg("label", shown)),
+            None => Err(Fault::program("label-missing").arg("label", shown)),
+        }
+    }
+}
+
+fn key(program: &Program, label: Label) -> Option<Key> {
+    match label {
+        Label::Number(number) => Some(Key::Number(number)),
+        Label::Name(span) => Some(Key::Name(program.slice(span).to_owned())),
+        Label::Q(_) => None,
+    }
+}
+
+fn formula(kind: &BlockKind) -> Option<Code> {
+    let BlockKind::Formula(formula) = kind else { return None };
+    let Formula { expr, .. } = &**formula;
+    expr::compile(expr, &NoNames).ok()
+}

@@ -1,0 +1,148 @@
+//! The coordinate system of a program: preset, datum shift, rotation, in the order of their definition.
+//!
+//! Invariant: the system is rigid; program and machine coordinates convert into each other without loss of
+//! more than rounding.
+use glam::DVec3;
+
+use super::event::Coordinates;
+use crate::engine::geometry::{Axis, Frame, WorkingPlane};
+
+/// A change on top of the preset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Change {
+    Shift(DVec3),
+    Rotate(f64),
+}
+
+/// A coordinate system.
+#[derive(Clone, Debug)]
+pub struct System {
+    /// The row of the preset table.
+    pub preset: f64,
+    /// The preset in machine coordinates.
+    pub origin: DVec3,
+    /// Spatial angles of the preset: a basic rotation.
+    pub basic: DVec3,
+    /// The working plane.
+    pub plane: WorkingPlane,
+    changes: Vec<Change>,
+    frame: Frame,
+    back: Frame,
+}
+
+impl System {
+    pub(super) fn new(plane: WorkingPlane) -> Self {
+        Self {
+            preset: 0.0,
+            origin: DVec3::ZERO,
+            basic: DVec3::ZERO,
+            plane,
+            changes: Vec::new(),
+            frame: Frame::IDENTITY,
+            back: Frame::IDENTITY,
+        }
+    }
+
+    /// From program coordinates to the machine.
+    pub const fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    /// From the machine to program coordinates.
+    pub const fn back(&self) -> &Frame {
+        &self.back
+    }
+
+    /// From the coordinates of the preset to the machine.
+    pub fn preset_frame(&self) -> Frame {
+        Frame::placed(self.origin, self.basic)
+    }
+
+    /// The datum shift in effect.
+    pub fn datum(&self) -> DVec3 {
+        let shift = |change: &Change| if let Change::Shift(by) = change { Some(*by) } else { None };
+        self.changes.iter().find_map(shift).unwrap_or(DVec3::ZERO)
+    }
+
+    /// The rotation in effect, degrees.
+    pub fn rotation(&self) -> f64 {
+        let angle = |change: &Change| if let Change::Rotate(angle) = change { Some(*angle) } else { None };
+        self.changes.iter().find_map(angle).unwrap_or(0.0)
+    }
+
+    pub(super) fn set_preset(&mut self, preset: f64, origin: DVec3, basic: DVec3) {
+        (self.preset, self.origin, self.basic) = (preset, origin, basic);
+        self.rebuild();
+    }
+
+    pub(super) fn set_plane(&mut self, axis: Axis) {
+        self.plane = WorkingPlane::of_tool_axis(axis);
+        self.rebuild();
+    }
+
+    pub(super) fn set_datum(&mut self, by: DVec3) {
+        self.change(Change::Shift(by), by == DVec3::ZERO);
+    }
+
+    pub(super) fn set_rotation(&mut self, angle: f64) {
+        self.change(Change::Rotate(angle), angle == 0.0);
+    }
+
+    /// What is newly defined acts in the system defined so far; what is redefined keeps its place.
+    fn change(&mut self, change: Change, ends: bool) {
+        let same = |other: &Change| std::mem::discriminant(other) == std::mem::discriminant(&change);
+        match self.changes.iter().position(same) {
+            Some(at) if ends => {
+                self.changes.remove(at);
+            }
+            Some(at) => self.changes[at] = change,
+            None if ends => {}
+            None => self.changes.push(change),
+        }
+        self.rebuild();
+    }
+
+    fn rebuild(&mut self) {
+        let mut frame = self.preset_frame();
+        for change in &self.changes {
+            frame = frame.of(match change {
+                Change::Shift(by) => Frame::shift(*by),
+                Change::Rotate(angle) => Frame::rotate(self.plane.tool, *angle),
+            });
+        }
+        self.frame = frame;
+        self.back = frame.inverse();
+    }
+
+    /// Axis coordinates of a point given by main, minor and tool axis.
+    pub fn axes(&self, plane_point: DVec3) -> DVec3 {
+        self.plane.lift(glam::DVec2::new(plane_point.x, plane_point.y), plane_point.z)
+    }
+
+    /// Main, minor and tool coordinates of a point given by axes.
+    pub fn in_plane(&self, axes: DVec3) -> DVec3 {
+        let flat = self.plane.flat(axes);
+        DVec3::new(flat.x, flat.y, self.plane.tool.of(axes))
+    }
+
+    /// The axis of a name in specifications.
+    pub fn axis_of_word(&self, word: &str) -> Option<Axis> {
+        Some(match word {
+            "main" => self.plane.main,
+            "minor" => self.plane.secondary,
+            "tool" => self.plane.tool,
+            _ => return None,
+        })
+    }
+
+    /// The system as an event tells it.
+    pub fn told(&self) -> Coordinates {
+        Coordinates {
+            preset: self.preset,
+            origin: self.origin,
+            basic_rotation: self.basic,
+            datum: self.datum(),
+            rotation: self.rotation(),
+        }
+    }
+}

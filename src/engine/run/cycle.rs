@@ -1,0 +1,430 @@
+//! Executing plans: values in slots, guards, steps, choices.
+//!
+//! Invariant: a slot without a value is never read; an error in a named value shows only where it is needed.
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::define::{Definition, FieldValue};
+use super::event::MessageKind;
+use super::fault::{Class, Fault};
+use super::world::ProbeData;
+use super::{Content, Done, EventKind, Leave, Params, Run};
+use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Sentence, SentenceKind, Slot, Step};
+use crate::expr::{Env, EvalError, QRef, Value};
+use crate::spec::{Moment, Outcome};
+
+/// Cycles that call cycles go no deeper than this.
+const MAX_NESTED: usize = 8;
+
+/// The state of a slot.
+#[derive(Clone, Debug)]
+enum Filled {
+    Yes,
+    No,
+    /// Its value could not be calculated.
+    Failed(Fault),
+}
+
+/// One execution of a plan.
+pub(super) struct Exec<'d, 'e> {
+    pub(super) definition: &'d Definition<'e>,
+    pub(super) plan: Arc<Plan>,
+    values: Vec<Value>,
+    filled: Vec<Filled>,
+    pub(super) lists: Vec<Vec<Value>>,
+    /// The position when the cycle began: main, minor, tool axis.
+    start: DVec3,
+    /// Values for parameters that no Q parameter of the program holds.
+    shadows: Vec<(QRef, f64)>,
+    /// The probe as it was when the cycle began.
+    probe: Option<ProbeData>,
+}
+
+/// What an expression of a plan sees.
+struct View<'v, 'd, 'e> {
+    exec: &'v Exec<'d, 'e>,
+    params: &'v Params,
+}
+
+impl Env for View<'_, '_, '_> {
+    fn slot(&self, slot: usize) -> &Value {
+        static NOTHING: Value = Value::Bool(false);
+        self.exec.values.get(slot).unwrap_or(&NOTHING)
+    }
+
+    fn number(&self, q: QRef) -> Result<f64, EvalError> {
+        let exec = self.exec;
+        if let Some((_, value)) = exec.plan.constants.iter().find(|(known, _)| *known == q) {
+            return Ok(*value);
+        }
+        if let Some(stands) = exec.plan.stands_for.iter().find(|stands| stands.q == q) {
+            let Value::Number(value) = self.slot(stands.slot) else { return Err(EvalError::Undefined(q)) };
+            if !stands.names_it {
+                return Ok(*value);
+            }
+            if let Some((_, value)) = exec.shadows.iter().find(|(known, _)| *known == q) {
+                return Ok(*value);
+            }
+        }
+        self.params.number(q)
+    }
+
+    fn text(&self, q: QRef) -> Result<Arc<str>, EvalError> {
+        self.params.text(q)
+    }
+}
+
+impl<'d, 'e> Exec<'d, 'e> {
+    fn new(definition: &'d Definition<'e>, start: DVec3, probe: Option<ProbeData>) -> Self {
+        let plan = Arc::clone(&definition.plan);
+        Self {
+            definition,
+            values: vec![Value::Bool(false); plan.slots],
+            filled: vec![Filled::No; plan.slots],
+            lists: vec![Vec::new(); plan.lists],
+            start,
+            shadows: Vec::new(),
+            probe,
+            plan,
+        }
+    }
+
+    pub(super) fn put(&mut self, slot: Slot, value: Value) {
+        if let (Some(cell), Some(filled)) = (self.values.get_mut(slot), self.filled.get_mut(slot)) {
+            *cell = value;
+            *filled = Filled::Yes;
+        }
+    }
+
+    fn fail(&mut self, slot: Slot, fault: Fault) {
+        if let Some(filled) = self.filled.get_mut(slot) {
+            *filled = Filled::Failed(fault);
+        }
+    }
+
+    fn copy(&mut self, from: Slot, to: Slot) {
+        if let Some(Filled::Yes) = self.filled.get(from)
+            && let Some(value) = self.values.get(from).cloned()
+        {
+            self.put(to, value);
+        }
+    }
+
+    /// A parameter that an old-style field names, written: the Q parameter of the program, if there is one.
+    pub(super) fn redirected(&mut self, q: QRef, value: f64) -> Option<QRef> {
+        let stands = *self.plan.stands_for.iter().find(|stands| stands.q == q && stands.names_it)?;
+        let id = self.plan.fields.iter().find(|(slot, _)| *slot == stands.slot).map(|(_, id)| Arc::clone(id))?;
+        self.shadows.retain(|(known, _)| *known != q);
+        self.shadows.push((q, value));
+        match self.definition.field(&id) {
+            Some(FieldValue::Q(target)) => Some(*target),
+            _ => None,
+        }
+    }
+
+    /// Whether a parameter is written to where a field says.
+    pub(super) fn is_redirected(&self, q: QRef) -> bool {
+        self.plan.stands_for.iter().any(|stands| stands.q == q && stands.names_it)
+    }
+}
+
+impl<'e> Run<'_, 'e> {
+    /// Calls the last call-active cycle.
+    pub(super) fn call_last_cycle(&mut self) -> Done {
+        let Some(definition) = self.last_cycle.clone() else { return Err(Fault::program("no-cycle-to-call").into()) };
+        self.execute(&definition)
+    }
+
+    /// The guards that look when the cycle is defined.
+    pub(super) fn at_definition(&mut self, definition: &Definition<'e>) -> Done {
+        let plan = Arc::clone(&definition.plan);
+        if !plan.guards.iter().any(|guard| guard.at == Moment::Definition) {
+            return Ok(());
+        }
+        let mut exec = self.exec(definition);
+        self.prepare(&mut exec);
+        self.guards(&plan.guards, Moment::Definition, &mut exec).map(|_| ())
+    }
+
+    /// Executes a cycle.
+    pub(super) fn execute(&mut self, definition: &Definition<'e>) -> Done {
+        if self.inside >= MAX_NESTED {
+            return Err(Fault::new(Class::Limit, "cycle-depth-limit").arg("limit", MAX_NESTED as f64).into());
+        }
+        let plan = Arc::clone(&definition.plan);
+        let (outer_at, outer_probing) = (self.at.cycle.clone(), self.probing);
+        self.at.cycle = Some((definition.cycle.key, None));
+        let mut exec = self.exec(definition);
+        self.prepare(&mut exec);
+        if self.guards(&plan.guards, Moment::Call, &mut exec)? == Verdict::Skip {
+            self.at.cycle = outer_at;
+            return Ok(());
+        }
+        if let Some(name) = plan.pending().next() {
+            let fault = Fault::unsupported("strategy-pending").arg("name", name);
+            return Err(fault.arg("cycle", definition.cycle.key.to_string()).into());
+        }
+        if plan.probes {
+            self.world.probe()?;
+        }
+        self.probing |= plan.probes;
+        self.inside += 1;
+        self.items(&plan.items, &mut exec)?;
+        self.inside -= 1;
+        self.probing = outer_probing;
+        self.at.cycle = outer_at;
+        Ok(())
+    }
+
+    fn exec<'d>(&self, definition: &'d Definition<'e>) -> Exec<'d, 'e> {
+        Exec::new(definition, self.in_plane(self.world.here), self.world.probe().ok())
+    }
+
+    /// Main, minor and tool coordinates of a point given by axes.
+    pub(super) fn in_plane(&self, axes: DVec3) -> DVec3 {
+        self.world.system.in_plane(axes)
+    }
+
+    fn prepare(&mut self, exec: &mut Exec<'_, 'e>) {
+        let plan = Arc::clone(&exec.plan);
+        for (slot, id) in &plan.fields {
+            let value = match exec.definition.field(id) {
+                None => continue,
+                Some(FieldValue::Number { value, .. }) => Value::Number(*value),
+                Some(FieldValue::Q(q)) => Value::Number(f64::from(q.number)),
+                Some(FieldValue::Direction(direction)) => Value::Point(self.in_plane(*direction)),
+                Some(FieldValue::Coords(coords)) => {
+                    let mut point = self.world.here;
+                    for coord in coords {
+                        let from = if coord.incremental { coord.axis.of(self.world.here) } else { 0.0 };
+                        point = coord.axis.with(point, from + coord.value);
+                    }
+                    Value::Point(self.in_plane(point))
+                }
+            };
+            exec.put(*slot, value);
+        }
+        for (slot, builtin) in &plan.builtins {
+            let value = self.builtin(builtin, exec);
+            exec.put(*slot, value);
+        }
+        self.lets(&plan.lets, exec);
+    }
+
+    /// Gives the known names that change while a cycle runs their present values.
+    fn refresh(&self, exec: &mut Exec<'_, 'e>) {
+        let plan = Arc::clone(&exec.plan);
+        for (slot, builtin) in plan.builtins.iter().filter(|(_, builtin)| builtin.changes()) {
+            let value = self.builtin(builtin, exec);
+            exec.put(*slot, value);
+        }
+    }
+
+    fn builtin(&self, builtin: &Builtin, exec: &Exec<'_, 'e>) -> Value {
+        let world = &self.world;
+        let system = &world.system;
+        let tool = world.tool.unwrap_or_default();
+        let probe = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of));
+        match builtin {
+            Builtin::Here => Value::Point(self.in_plane(world.here)),
+            Builtin::Start => Value::Point(exec.start),
+            Builtin::ToolRadius => Value::Number(tool.radius),
+            Builtin::ToolLength => Value::Number(tool.length),
+            Builtin::ToolAngle => Value::Number(tool.angle),
+            Builtin::ToolLcuts => Value::Number(tool.lcuts),
+            Builtin::ToolNumber => Value::Number(tool.number),
+            Builtin::ToolCalled => Value::Bool(world.tool.is_some()),
+            Builtin::ProbeSetUp => probe(|probe| probe.set_up),
+            Builtin::ProbeFeed => probe(|probe| probe.feed),
+            Builtin::ProbeFmax => probe(|probe| probe.fmax),
+            Builtin::ProbeDist => probe(|probe| probe.dist),
+            Builtin::ProbeBallRadius => probe(|probe| probe.ball_radius),
+            Builtin::ProbeMachineRapid => Value::Bool(exec.probe.is_some_and(|probe| probe.machine_rapid)),
+            Builtin::ActiveDatumShift => Value::Bool(system.datum() != DVec3::ZERO),
+            Builtin::ActiveRotation => Value::Bool(system.rotation() != 0.0),
+            Builtin::ActiveBasicRotation => Value::Bool(system.basic != DVec3::ZERO),
+            // Nothing that the engine executes brings these into effect.
+            Builtin::ActiveMirror
+            | Builtin::ActiveScaling
+            | Builtin::ActiveAxisScaling
+            | Builtin::ActiveTilting
+            | Builtin::ActiveTurning => Value::Bool(false),
+            Builtin::Machine(name) => Value::Number(self.machine_datum(name).unwrap_or(0.0)),
+            Builtin::Form(form) => Value::Bool(exec.definition.form == Some(*form)),
+            Builtin::Given(id) => Value::Bool(exec.definition.field(id).is_some()),
+        }
+    }
+
+    /// The value of a machine datum in the scene, by its neutral name.
+    fn machine_datum(&self, neutral: &str) -> Option<f64> {
+        let printed = self.engine.on.datum(neutral)?;
+        self.world.machine_parameter(printed)
+    }
+
+    /// Evaluates named values; one that fails says so when it is needed.
+    pub(super) fn lets(&self, lets: &[Let], exec: &mut Exec<'_, 'e>) {
+        for named in lets {
+            match self.value(&named.value, exec) {
+                Ok(value) => exec.put(named.slot, value),
+                Err(fault) => exec.fail(named.slot, fault),
+            }
+        }
+    }
+
+    fn needed(calc: &Calc, exec: &Exec<'_, 'e>) -> Result<(), Fault> {
+        for slot in &calc.needs {
+            match exec.filled.get(*slot) {
+                Some(Filled::Yes) => {}
+                Some(Filled::Failed(fault)) => return Err(fault.clone()),
+                _ => {
+                    let start = calc.place.start();
+                    let place = format!("{}:{}", calc.place.source.name(), start.line);
+                    return Err(Fault::new(Class::Internal, "value-not-bound").arg("place", place));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn value(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<Value, Fault> {
+        Self::needed(calc, exec)?;
+        Ok(calc.code.eval(&View { exec, params: &self.params })?)
+    }
+
+    pub(super) fn number(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
+        Self::needed(calc, exec)?;
+        Ok(calc.code.number(&View { exec, params: &self.params })?)
+    }
+
+    pub(super) fn truth(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<bool, Fault> {
+        Self::needed(calc, exec)?;
+        Ok(calc.code.truth(&View { exec, params: &self.params })?)
+    }
+
+    /// A point: main, minor, tool axis.
+    pub(super) fn point(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<DVec3, Fault> {
+        Self::needed(calc, exec)?;
+        Ok(calc.code.point(&View { exec, params: &self.params })?)
+    }
+
+    pub(super) fn holds(&self, when: Option<&Calc>, exec: &Exec<'_, 'e>) -> Result<bool, Fault> {
+        when.map_or(Ok(true), |when| self.truth(when, exec))
+    }
+
+    pub(super) fn guards(&mut self, guards: &[Guard], at: Moment, exec: &mut Exec<'_, 'e>) -> Done<Verdict> {
+        for guard in guards.iter().filter(|guard| guard.at == at) {
+            let off = |name: &Arc<str>| self.machine_datum(name) == Some(0.0);
+            if guard.switched_off_by.as_ref().is_some_and(off) || !self.truth(&guard.when, exec)? {
+                continue;
+            }
+            self.shown.guards.insert((exec.definition.cycle.key, Arc::clone(&guard.code)));
+            let message = |run: &mut Self, kind, answer| {
+                run.tell(EventKind::Message { kind, id: Arc::clone(&guard.code), answer });
+            };
+            match guard.then {
+                Outcome::Error => return Err(Fault::of_cycle(&guard.code).into()),
+                Outcome::Skip => {
+                    message(self, MessageKind::Skip, None);
+                    return Ok(Verdict::Skip);
+                }
+                Outcome::Warn => message(self, MessageKind::Warning, None),
+                Outcome::Confirm => {
+                    let answer = self.ask(&guard.code).or_else(|| self.ask("confirm"));
+                    message(self, MessageKind::Confirm, answer);
+                    if answer != Some(true) {
+                        return Err(Leave::Stopped);
+                    }
+                }
+            }
+        }
+        Ok(Verdict::GoOn)
+    }
+
+    pub(super) fn items(&mut self, items: &[Item], exec: &mut Exec<'_, 'e>) -> Done {
+        for item in items {
+            self.refresh(exec);
+            match item {
+                Item::Step(step) => self.step(step, exec)?,
+                Item::Group { when, items } => {
+                    if self.holds(when.as_ref(), exec)? {
+                        self.items(items, exec)?;
+                    }
+                }
+                Item::Each(series) => self.series(series, exec)?,
+            }
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, step: &Step, exec: &mut Exec<'_, 'e>) -> Done {
+        if !self.holds(step.when.as_ref(), exec)? {
+            return Ok(());
+        }
+        let key = exec.definition.cycle.key;
+        self.at.cycle = Some((key, Some(Arc::clone(&step.id))));
+        self.show(key, SentenceKind::Step, &step.id);
+        self.acts(&step.block, exec)
+    }
+
+    fn show(&mut self, key: crate::spec::CycleKey, kind: SentenceKind, id: &Arc<str>) {
+        self.shown.sentences.insert((key, Sentence { kind, id: Arc::clone(id) }));
+    }
+
+    pub(super) fn acts(&mut self, block: &Block, exec: &mut Exec<'_, 'e>) -> Done {
+        self.each_act(&block.first, exec)?;
+        self.choose(&block.choose, exec)?;
+        self.each_act(&block.then, exec)
+    }
+
+    fn choose(&mut self, cases: &[Case], exec: &mut Exec<'_, 'e>) -> Done {
+        self.refresh(exec);
+        for case in cases {
+            let mut all = true;
+            for (condition, negated) in &case.when {
+                all = self.truth(condition, exec)? != *negated;
+                if !all {
+                    break;
+                }
+            }
+            if !all {
+                continue;
+            }
+            if let Some(say) = &case.say {
+                self.show(exec.definition.cycle.key, SentenceKind::Say, say);
+            }
+            self.each_act(&case.acts, exec)?;
+            case.exports.iter().for_each(|(from, to)| exec.copy(*from, *to));
+            return Ok(());
+        }
+        Ok(())
+    }
+
+    fn each_act(&mut self, acts: &[Do], exec: &mut Exec<'_, 'e>) -> Done {
+        for action in acts {
+            self.refresh(exec);
+            if self.holds(action.when.as_ref(), exec)? {
+                self.act(&action.act, exec)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets a Q parameter of the run: where a field says where the result goes, there.
+    pub(super) fn set_of_cycle(&mut self, q: QRef, value: Content, exec: &mut Exec<'_, 'e>) -> Result<(), Fault> {
+        if let (true, Content::Number(number)) = (exec.is_redirected(q), &value) {
+            let Some(target) = exec.redirected(q, *number) else { return Ok(()) };
+            return self.set(target, value);
+        }
+        self.set(q, value)
+    }
+}
+
+/// What guards decide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Verdict {
+    /// The cycle goes on.
+    GoOn,
+    /// It is not executed.
+    Skip,
+}

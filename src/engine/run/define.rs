@@ -1,0 +1,312 @@
+//! Definitions of cycles: values of parameters and old-style fields, guards, and when the cycle acts.
+//!
+//! Invariant: the values of new-form parameters are the program's Q parameters; fields of the old form belong to
+//! the definition.
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::block::linear;
+use super::fault::{Class, Fault};
+use super::motion::RAPID_FEED;
+use super::{Content, Done, Run};
+use crate::engine::geometry::Axis as LinearAxis;
+use crate::engine::plan::Plan;
+use crate::expr::{QKind, QRef};
+use crate::spec::{self, Cycle, CycleKey, Keyword, Known, Param, ParameterKind, Shape, TakesEffect};
+use crate::syntax::{
+    Axis, CycleDef, CycleForm, CycleKeyword, CycleView, OldCycleLine, OldWord, Parameter, Value, ValueKind,
+};
+
+/// A coordinate of an old-style field.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FieldCoord {
+    pub(super) axis: LinearAxis,
+    pub(super) value: f64,
+    pub(super) incremental: bool,
+}
+
+/// The value of an old-style field.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum FieldValue {
+    /// A number; whether it counts from what is in effect.
+    Number { value: f64, incremental: bool },
+    /// Coordinates.
+    Coords(Vec<FieldCoord>),
+    /// An axis with the sense of a movement.
+    Direction(DVec3),
+    /// A Q parameter.
+    Q(QRef),
+}
+
+/// A cycle as it was defined.
+#[derive(Clone, Debug)]
+pub(super) struct Definition<'e> {
+    pub(super) cycle: &'e Cycle,
+    pub(super) plan: Arc<Plan>,
+    /// The form, if the cycle has several.
+    pub(super) form: Option<usize>,
+    /// Values of old-style fields by their ids.
+    pub(super) fields: Vec<(Arc<str>, FieldValue)>,
+}
+
+impl Definition<'_> {
+    /// The value of a field.
+    pub(super) fn field(&self, id: &str) -> Option<&FieldValue> {
+        self.fields.iter().find(|(known, _)| **known == *id).map(|(_, value)| value)
+    }
+}
+
+fn keyword(keyword: CycleKeyword) -> Keyword {
+    match keyword {
+        CycleKeyword::CyclDef => Keyword::CyclDef,
+        CycleKeyword::TchProbe => Keyword::TchProbe,
+    }
+}
+
+impl<'e> Run<'_, 'e> {
+    /// The definition that begins at the block being executed.
+    pub(super) fn definition_here(&self) -> Option<usize> {
+        self.programs.get(self.flow.program)?.definition(self.flow.block)
+    }
+
+    /// Executes the definition that begins here.
+    pub(super) fn define_here(&mut self) -> Done {
+        let Some(index) = self.definition_here() else { return Ok(()) };
+        let Some(view) = self.programs.get(self.flow.program).and_then(|program| program.cycles.get(index).cloned())
+        else {
+            return Ok(());
+        };
+        self.flow.next = view.last + 1;
+        let cycle = self.known(&view)?;
+        self.at.cycle = Some((cycle.key, None));
+        let plan = self.plan(cycle)?;
+        let definition = match view.form {
+            CycleForm::Parameters(parameters) => self.parameters(cycle, plan, parameters)?,
+            CycleForm::Lines(lines) => self.lines(cycle, plan, &lines)?,
+        };
+        self.at_definition(&definition)?;
+        if cycle.file.takes_effect == TakesEffect::OnDefinition {
+            return self.execute(&definition);
+        }
+        self.modal.call_always = false;
+        self.last_cycle = Some(Arc::new(definition));
+        Ok(())
+    }
+
+    fn known(&self, view: &CycleView<'_>) -> Result<&'e Cycle, Fault> {
+        let on = self.engine.on;
+        let key = CycleKey::new(keyword(view.keyword), view.number);
+        let named = |fault: Fault| fault.arg("cycle", key.to_string()).arg("control", on.id());
+        match on.known(key) {
+            Known::Described(cycle) => Ok(cycle),
+            Known::Named(_) | Known::Builders => Err(named(Fault::unsupported("unsupported-cycle"))),
+            Known::Unknown => Err(named(Fault::program("cycle-unknown"))),
+        }
+    }
+
+    fn parameters(&mut self, cycle: &'e Cycle, plan: Arc<Plan>, written: &CycleDef) -> Done<Definition<'e>> {
+        if let Some(error) = written.errors.first() {
+            let found = self.slice(error.span).trim().to_owned();
+            return Err(Fault::program("block-unreadable").arg("found", found).into());
+        }
+        let of_cycle = |fault: Fault, q: QRef| fault.arg("q", q.to_string()).arg("cycle", cycle.key.to_string());
+        for parameter in &written.parameters {
+            if cycle.param(parameter.q).is_none() {
+                return Err(of_cycle(Fault::program("parameter-unknown"), parameter.q).into());
+            }
+        }
+        for param in &cycle.params {
+            let Some(q) = param.q else { continue };
+            let found = written.parameters.iter().rev().find(|parameter| parameter.q == q);
+            let content = match found {
+                Some(parameter) => self.parameter_value(param, parameter).map_err(|fault| of_cycle(fault, q))?,
+                None => match param.neutral {
+                    Some(neutral) => Content::Number(neutral),
+                    None => return Err(of_cycle(Fault::program("parameter-missing"), q).into()),
+                },
+            };
+            self.give(param, q, content)?;
+        }
+        Ok(Definition { cycle, plan, form: None, fields: Vec::new() })
+    }
+
+    /// Writes a transfer parameter. The name of a tool goes into the text parameter of the same number, and its
+    /// number where one belongs.
+    fn give(&mut self, param: &Param, q: QRef, content: Content) -> Done {
+        if let (Content::Text(name), ParameterKind::NumberOrName) = (&content, param.kind) {
+            let number = self.world.tool_named(name)?;
+            self.set(QRef { kind: QKind::Qs, number: q.number }, content)?;
+            let Some(number) = number else { return Ok(()) };
+            return Ok(self.set(q, Content::Number(number))?);
+        }
+        Ok(self.set(q, content)?)
+    }
+
+    fn parameter_value(&self, param: &Param, parameter: &Parameter) -> Result<Content, Fault> {
+        let value = &parameter.value;
+        let textual = matches!(param.kind, ParameterKind::Text | ParameterKind::NumberOrName);
+        let content = match value.kind {
+            ValueKind::Text(span) if textual => Content::Text(self.slice(span).into()),
+            ValueKind::Q { q, negative: false } if q.kind == QKind::Qs && textual => {
+                Content::Text(self.params.text(q)?)
+            }
+            ValueKind::Word => Content::Number(self.word_value(param, value)?),
+            ValueKind::Missing => return Err(Fault::program("value-missing")),
+            _ => Content::Number(self.number_of(value)?),
+        };
+        match &content {
+            Content::Number(_) if param.kind == ParameterKind::Text => Err(Fault::program("text-or-number")),
+            Content::Number(number) if !matches!(value.kind, ValueKind::Word) && !spec::takes(param, *number) => {
+                Err(Fault::program("parameter-out-of-range").arg("value", *number))
+            }
+            _ => Ok(content),
+        }
+    }
+
+    /// The number of a value that is not a word.
+    fn number_of(&self, value: &Value) -> Result<f64, Fault> {
+        match value.kind {
+            ValueKind::Number(number) => Ok(number),
+            ValueKind::Q { negative, q } => {
+                let number = self.params.number(q)?;
+                Ok(if negative { -number } else { number })
+            }
+            _ => Err(Fault::program("text-or-number")),
+        }
+    }
+
+    /// The number that a word stands for at the moment of the definition.
+    fn word_value(&self, param: &Param, value: &Value) -> Result<f64, Fault> {
+        let text = self.slice(value.span).trim().to_ascii_uppercase();
+        let split = text.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len());
+        let (word, rest) = text.split_at(split);
+        if !param.words.iter().any(|known| known == word) {
+            return Err(Fault::program("word-not-offered").arg("word", word));
+        }
+        let factor = || {
+            let number = rest.trim().replace(',', ".").parse::<f64>();
+            number.map_err(|_| Fault::program("text-or-number"))
+        };
+        match word {
+            "FAUTO" => self.modal.tool_feed.ok_or_else(|| Fault::program("feed-missing")),
+            "FMAX" => Ok(RAPID_FEED),
+            "FU" => Ok(factor()? * self.modal.spindle.speed),
+            "FZ" => Ok(factor()? * self.modal.spindle.speed * self.world.tool.map_or(0.0, |tool| tool.teeth)),
+            _ => Err(Fault::unsupported("unsupported-word").arg("word", word)),
+        }
+    }
+
+    fn lines(&mut self, cycle: &'e Cycle, plan: Arc<Plan>, lines: &[&OldCycleLine]) -> Done<Definition<'e>> {
+        let unreadable = |found: &str| {
+            let fault = Fault::program("field-unknown").arg("found", found.trim());
+            fault.arg("cycle", cycle.key.to_string())
+        };
+        if !cycle.is_old_style() {
+            return Err(unreadable(lines.first().map_or("", |line| self.slice(line.head))).into());
+        }
+        let mut first_misfit = None;
+        for form in 0..cycle.file.forms.len() {
+            match self.fields_of_form(cycle, form, lines)? {
+                Ok(fields) => {
+                    let known = |id: &str| fields.iter().any(|(field, _)| **field == *id);
+                    let missing = cycle.fields(form).find(|(_, field)| !field.optional && !known(field.id.as_str()));
+                    if let Some((_, field)) = missing {
+                        let fault = Fault::program("field-missing").arg("field", field.id.as_str());
+                        return Err(fault.arg("cycle", cycle.key.to_string()).into());
+                    }
+                    return Ok(Definition { cycle, plan, form: Some(form), fields });
+                }
+                Err(misfit) => first_misfit = first_misfit.or(Some(misfit)),
+            }
+        }
+        Err(unreadable(first_misfit.map_or("", |word: OldWord| self.slice(word.span))).into())
+    }
+
+    /// The fields of the lines as that form reads them, or the first word that it cannot.
+    #[expect(clippy::type_complexity, reason = "the inner error is the word that does not fit")]
+    fn fields_of_form(
+        &self,
+        cycle: &Cycle,
+        form: usize,
+        lines: &[&OldCycleLine],
+    ) -> Result<Result<Vec<(Arc<str>, FieldValue)>, OldWord>, Fault> {
+        let mut fields: Vec<(Arc<str>, FieldValue)> = Vec::new();
+        for line in lines {
+            let mut expected: Vec<(&Param, &spec::Field)> = cycle
+                .fields(form)
+                .filter(|(_, field)| field.line == line.line || (field.repeat && line.line > field.line))
+                .collect();
+            for word in &line.words {
+                let fits = |(param, field): &(&Param, &spec::Field)| self.fits(word, param, field);
+                let Some(at) = expected.iter().position(fits) else { return Ok(Err(*word)) };
+                let Some((param, field)) = expected.get(at).copied() else { return Ok(Err(*word)) };
+                let value = self.field_value(word, param, field)?;
+                if !matches!(field.shape, Shape::Position) {
+                    expected.remove(at);
+                }
+                match (fields.iter_mut().find(|(id, _)| *id == field.id.text), value) {
+                    (Some((_, FieldValue::Coords(all))), FieldValue::Coords(more)) => all.extend(more),
+                    (Some(_), _) => return Ok(Err(*word)),
+                    (None, value) => fields.push((Arc::clone(&field.id.text), value)),
+                }
+            }
+        }
+        Ok(Ok(fields))
+    }
+
+    /// Whether a word has the shape of a field. Printed names never decide.
+    fn fits(&self, word: &OldWord, param: &Param, field: &spec::Field) -> bool {
+        let name = self.slice(word.name).trim().to_ascii_uppercase();
+        let numeric = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
+        let axis = axis_of(&name).is_some();
+        match field.shape {
+            Shape::Labelled => name.ends_with(':') && (numeric || param.kind == ParameterKind::Text),
+            Shape::Word => {
+                let wanted = field.word.as_deref().unwrap_or_default();
+                numeric && (name == wanted || (name.strip_prefix('I') == Some(wanted)))
+            }
+            Shape::Q => name.is_empty() && matches!(word.value.kind, ValueKind::Q { .. }),
+            Shape::AxisDirection => axis && matches!(word.value.kind, ValueKind::Sign(_)),
+            Shape::Position | Shape::AxisCoordinate => axis && numeric,
+            Shape::Row => name == "#" && numeric,
+        }
+    }
+
+    fn field_value(&self, word: &OldWord, param: &Param, field: &spec::Field) -> Result<FieldValue, Fault> {
+        let name = self.slice(word.name).trim().to_ascii_uppercase();
+        let in_range = |value: f64| {
+            if spec::takes(param, value) {
+                return Ok(value);
+            }
+            let fault = Fault::program("parameter-out-of-range").arg("q", field.id.as_str()).arg("value", value);
+            Err(fault)
+        };
+        match (field.shape, word.value.kind) {
+            (Shape::Q, ValueKind::Q { q, .. }) => Ok(FieldValue::Q(q)),
+            (Shape::AxisDirection, ValueKind::Sign(minus)) => {
+                let (axis, _) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
+                Ok(FieldValue::Direction(linear(axis)?.unit() * if minus { -1.0 } else { 1.0 }))
+            }
+            (Shape::Position | Shape::AxisCoordinate, _) => {
+                let (axis, incremental) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
+                let value = in_range(self.number_of(&word.value)?)?;
+                Ok(FieldValue::Coords(vec![FieldCoord { axis: linear(axis)?, value, incremental }]))
+            }
+            _ => {
+                let incremental = field.word.as_deref().is_some_and(|wanted| name != wanted);
+                Ok(FieldValue::Number { value: in_range(self.number_of(&word.value)?)?, incremental })
+            }
+        }
+    }
+}
+
+/// The axis of a word such as `X` or `IX`, and whether it is incremental.
+fn axis_of(name: &str) -> Option<(Axis, bool)> {
+    let (letters, incremental) = match name.strip_prefix('I') {
+        Some(rest) => (rest, true),
+        None => (name, false),
+    };
+    let axis = Axis::by_name(letters.as_bytes()).filter(|axis| !matches!(axis, Axis::Pr | Axis::Pa))?;
+    Some((axis, incremental))
+}

@@ -1,0 +1,343 @@
+//! The interpreter: executes a program in the world of a scene and tells what happens as events.
+//!
+//! Cycles are executed from their plans, so a specification and its execution cannot differ. Invariant: knows no
+//! cycle by number, reads and writes no files, prints nothing; the same program, scene and control give the same
+//! events.
+mod act;
+mod block;
+mod code;
+mod coordinates;
+mod cycle;
+mod define;
+mod event;
+mod fault;
+mod flow;
+mod log;
+mod motion;
+mod params;
+mod probe;
+mod program;
+mod series;
+mod strategy;
+mod world;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use glam::DVec3;
+
+pub use coordinates::System;
+pub use event::{At, Content, Coordinates, Event, EventKind, FORMAT, MessageKind, MoveKind, Probing, Status};
+pub use fault::{Class, Fault};
+pub use params::Params;
+pub use world::Tool;
+
+use super::plan::{self, Plan, Sentence};
+use super::scene::Scene;
+use crate::diag::{Arg, Diagnostic, Place};
+use crate::spec::{CycleKey, OnControl};
+use crate::syntax::Program;
+use code::Prepared;
+use define::Definition;
+use world::World;
+
+/// Texts that a run needs for logs, in the language of the program.
+pub trait Texts {
+    /// The text of a message of the locale files.
+    ///
+    /// # Errors
+    /// The message is missing or cannot be formatted.
+    fn message(&self, id: &str, args: &[(&str, Arg)]) -> Result<String, Diagnostic>;
+
+    /// The template of a log: the extension of its file and its text.
+    fn template(&self, name: &str) -> Option<(String, String)>;
+}
+
+/// Texts for runs that write no log: every look-up fails.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoTexts;
+
+impl Texts for NoTexts {
+    fn message(&self, id: &str, _: &[(&str, Arg)]) -> Result<String, Diagnostic> {
+        Err(Diagnostic::global("log-text").arg("reason", id))
+    }
+
+    fn template(&self, _: &str) -> Option<(String, String)> {
+        None
+    }
+}
+
+/// How much a run may do before it ends with a limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Blocks executed.
+    pub blocks: u64,
+    /// Jumps back, repeats and calls.
+    pub jumps: u64,
+    /// Nested calls of subprograms and programs.
+    pub depth: usize,
+    /// Members of one series.
+    pub members: u32,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { blocks: 10_000_000, jumps: 1_000_000, depth: 19, members: 100_000 }
+    }
+}
+
+/// A sentence or guard of a cycle that a run has shown.
+#[derive(Clone, Debug, Default)]
+pub struct Shown {
+    /// Steps and bullets executed.
+    pub sentences: BTreeSet<(CycleKey, Sentence)>,
+    /// Guards that applied, by code.
+    pub guards: BTreeSet<(CycleKey, Arc<str>)>,
+}
+
+/// What came out of a run.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// How it ended.
+    pub status: Status,
+    /// Why, if it ended before its end.
+    pub fault: Option<Fault>,
+    /// The fault with its place in the program and the calls that led there.
+    pub diagnostic: Option<Diagnostic>,
+    /// Names and texts of the tables that were written.
+    pub tables: Vec<(String, String)>,
+    /// Names and texts of the logs that were written.
+    pub logs: Vec<(String, String)>,
+    /// The Q parameters at the end.
+    pub params: Params,
+    /// The tool tip at the end, in program coordinates.
+    pub position: DVec3,
+    /// What was executed of the cycles.
+    pub shown: Shown,
+}
+
+/// A program, a control and a world, ready to run.
+pub struct Engine<'e> {
+    program: &'e Program,
+    others: BTreeMap<String, &'e Program>,
+    on: &'e OnControl,
+    scene: &'e Scene,
+    texts: &'e dyn Texts,
+    limits: Limits,
+    skip_blocks: bool,
+}
+
+impl<'e> Engine<'e> {
+    /// A run of the program on the control in the world of the scene.
+    pub fn new(program: &'e Program, on: &'e OnControl, scene: &'e Scene, texts: &'e dyn Texts) -> Self {
+        let limits = Limits::default();
+        Self { program, others: BTreeMap::new(), on, scene, texts, limits, skip_blocks: false }
+    }
+
+    /// The same with other limits.
+    #[must_use]
+    pub const fn with_limits(mut self, limits: Limits) -> Self {
+        self.limits = limits;
+        self
+    }
+
+    /// The same with a program that others can call by that name (file name, extension and case do not matter).
+    #[must_use]
+    pub fn with_program(mut self, name: &str, program: &'e Program) -> Self {
+        self.others.insert(flow::program_key(name), program);
+        self
+    }
+
+    /// The same with blocks that begin with `/` left out.
+    #[must_use]
+    pub const fn skipping_blocks(mut self) -> Self {
+        self.skip_blocks = true;
+        self
+    }
+
+    /// Runs the program to its end and tells every event.
+    pub fn run(&self, emit: &mut dyn FnMut(Event)) -> Outcome {
+        let world = match World::new(self.scene) {
+            Ok(world) => world,
+            Err(error) => return self.not_started(error.into(), emit),
+        };
+        let mut programs = vec![Prepared::new(self.program)];
+        let mut names = BTreeMap::new();
+        for (name, program) in &self.others {
+            names.insert(name.clone(), programs.len());
+            programs.push(Prepared::new(program));
+        }
+        let mut run = Run::new(self, programs, names, world, emit);
+        let end = run.program();
+        run.finish(end)
+    }
+
+    fn not_started(&self, fault: Fault, emit: &mut dyn FnMut(Event)) -> Outcome {
+        let at = At { program: self.program.source().name().into(), ..At::default() };
+        let status = fault.class.status();
+        emit(Event { at: at.clone(), kind: EventKind::Error(fault.clone()) });
+        emit(Event { at, kind: EventKind::End(status) });
+        Outcome {
+            status,
+            diagnostic: Some(fault.diagnostic(None)),
+            fault: Some(fault),
+            tables: Vec::new(),
+            logs: Vec::new(),
+            params: Params::new(),
+            position: DVec3::ZERO,
+            shown: Shown::default(),
+        }
+    }
+}
+
+/// Why execution leaves the straight way.
+#[derive(Clone, Debug)]
+enum Leave {
+    /// With a fault.
+    Fault(Fault),
+    /// The program stopped and nobody continued it.
+    Stopped,
+}
+
+impl<F: Into<Fault>> From<F> for Leave {
+    fn from(fault: F) -> Self {
+        Self::Fault(fault.into())
+    }
+}
+
+/// What executing something gives.
+type Done<T = ()> = Result<T, Leave>;
+
+/// The spindle as the program set it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Spindle {
+    speed: f64,
+    direction: i8,
+}
+
+/// Modal data of the program.
+#[derive(Clone, Copy, Debug, Default)]
+struct Modal {
+    /// The feed of the last F word, mm/min.
+    feed: Option<f64>,
+    /// The feed of the tool call.
+    tool_feed: Option<f64>,
+    spindle: Spindle,
+    coolant: bool,
+    /// The pole, program coordinates by axis.
+    pole: Option<DVec3>,
+    /// Whether every positioning block calls the last cycle (M89).
+    call_always: bool,
+}
+
+/// A run.
+struct Run<'r, 'e> {
+    engine: &'r Engine<'e>,
+    emit: &'r mut dyn FnMut(Event),
+    programs: Vec<Prepared<'e>>,
+    /// Programs that can be called, by name.
+    names: BTreeMap<String, usize>,
+    plans: BTreeMap<CycleKey, Arc<Plan>>,
+    world: World<'e>,
+    params: Params,
+    modal: Modal,
+    last_cycle: Option<Arc<Definition<'e>>>,
+    flow: flow::Flow,
+    at: At,
+    shown: Shown,
+    logs: Vec<(String, String)>,
+    /// Nested executions of cycles.
+    inside: usize,
+    /// Whether a cycle is executed that probes.
+    probing: bool,
+}
+
+impl<'r, 'e> Run<'r, 'e> {
+    fn new(
+        engine: &'r Engine<'e>,
+        programs: Vec<Prepared<'e>>,
+        names: BTreeMap<String, usize>,
+        world: World<'e>,
+        emit: &'r mut dyn FnMut(Event),
+    ) -> Self {
+        let at = At { program: engine.program.source().name().into(), ..At::default() };
+        Self {
+            engine,
+            emit,
+            flow: flow::Flow::new(&programs),
+            programs,
+            names,
+            plans: BTreeMap::new(),
+            world,
+            params: Params::new(),
+            modal: Modal::default(),
+            last_cycle: None,
+            at,
+            shown: Shown::default(),
+            logs: Vec::new(),
+            inside: 0,
+            probing: false,
+        }
+    }
+
+    fn tell(&mut self, kind: EventKind) {
+        (self.emit)(Event { at: self.at.clone(), kind });
+    }
+
+    /// The plan of a cycle, compiled when it is needed first.
+    fn plan(&mut self, cycle: &crate::spec::Cycle) -> Done<Arc<Plan>> {
+        if let Some(plan) = self.plans.get(&cycle.key) {
+            return Ok(Arc::clone(plan));
+        }
+        let (plan, mistakes) = plan::compile(cycle, self.engine.on);
+        if let Some(mistake) = mistakes.first() {
+            let fault = Fault::new(Class::Internal, "plan-mistake").arg("reason", mistake.code);
+            return Err(fault.arg("cycle", cycle.key.to_string()).into());
+        }
+        let plan = Arc::new(plan);
+        self.plans.insert(cycle.key, Arc::clone(&plan));
+        Ok(plan)
+    }
+
+    fn finish(mut self, end: Done) -> Outcome {
+        let (status, fault) = match end {
+            Ok(()) => (Status::Done, None),
+            Err(Leave::Stopped) => (Status::Stopped, None),
+            Err(Leave::Fault(fault)) => {
+                self.tell(EventKind::Error(fault.clone()));
+                (fault.class.status(), Some(fault))
+            }
+        };
+        let diagnostic = fault.as_ref().map(|fault| {
+            let mut diagnostic = fault.diagnostic(self.place());
+            let calls = self.flow.calls().filter_map(|(program, block)| self.place_of(program, block));
+            diagnostic.related.extend(calls.map(|place| ("called-here", place)));
+            diagnostic
+        });
+        self.at.cycle = None;
+        self.tell(EventKind::End(status));
+        Outcome {
+            status,
+            fault,
+            diagnostic,
+            tables: self.world.written(),
+            logs: self.logs,
+            params: self.params,
+            position: self.world.here,
+            shown: self.shown,
+        }
+    }
+
+    fn place(&self) -> Option<Place> {
+        self.place_of(self.flow.program, self.flow.block)
+    }
+
+    fn place_of(&self, program: usize, block: usize) -> Option<Place> {
+        let prepared = self.programs.get(program)?;
+        let block = prepared.block(block)?;
+        let text = prepared.program.slice(block.span);
+        // Line ends and blanks are no part of what is shown.
+        let start = block.span.start + (text.len() - text.trim_start().len());
+        Some(Place::new(prepared.program.source(), start..(block.span.start + text.trim_end().len()).max(start)))
+    }
+}

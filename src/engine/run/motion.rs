@@ -1,0 +1,313 @@
+//! Motion blocks without radius compensation: lines, circles, polar forms, helices.
+//!
+//! Invariant: a position is known both in program and machine coordinates after every move; a motion that
+//! cannot be executed exactly is a fault.
+use glam::{DVec2, DVec3};
+
+use super::block::linear;
+use super::event::MoveKind;
+use super::fault::Fault;
+use super::{Done, EventKind, Run};
+use crate::engine::geometry::{Axis as LinearAxis, atan2_deg, cos_deg, sin_deg};
+use crate::engine::solid::Path as BallPath;
+use crate::syntax::{Axis, Compensation, Coord, Feed, FeedKind, Motion, Path};
+
+/// How far the end of a circle may lie off it, mm: what the controls' input step of 0.0001 mm can cause, with room.
+const OFF_CIRCLE: f64 = 0.001;
+/// From this feed on a move is one at rapid traverse: the value that the word FMAX has as a parameter.
+pub(super) const RAPID_FEED: f64 = 99_999.999;
+
+/// The speed of a move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Speed {
+    /// Rapid traverse.
+    Rapid,
+    /// mm/min along the path.
+    Feed(f64),
+}
+
+impl Speed {
+    /// A feed as a cycle has it: that of FMAX and more is rapid traverse.
+    pub(super) fn of_feed(feed: f64) -> Result<Self, Fault> {
+        if feed >= RAPID_FEED {
+            return Ok(Self::Rapid);
+        }
+        if feed > 0.0 { Ok(Self::Feed(feed)) } else { Err(Fault::program("feed-missing").arg("feed", feed)) }
+    }
+}
+
+impl Run<'_, '_> {
+    /// Executes a motion block. Whether it positions the tool.
+    pub(super) fn motion(&mut self, motion: &Motion, in_machine: bool) -> Done<bool> {
+        if let Some(Compensation::Rl | Compensation::Rr) = motion.compensation {
+            return Err(Fault::unsupported("unsupported-compensation").into());
+        }
+        if motion.path == Path::Cc {
+            self.set_pole(motion)?;
+            return Ok(false);
+        }
+        let speed = self.speed(motion.feed.as_ref());
+        let unsupported = |word: &'static str| Err(Fault::unsupported("unsupported-path").arg("word", word).into());
+        match motion.path {
+            Path::L if in_machine => {
+                let to = self.machine_target(motion)?;
+                let program = self.world.system.back().point(to);
+                self.straight_to(program, Some(to), speed)?;
+            }
+            _ if in_machine => return unsupported("M91"),
+            Path::L => {
+                let to = self.target(&motion.coords, self.world.here)?;
+                self.straight_to(to, None, speed)?;
+            }
+            Path::Lp => {
+                let to = self.polar_target(motion)?;
+                self.straight_to(to, None, speed)?;
+            }
+            Path::C => {
+                let to = self.target(&motion.coords, self.world.here)?;
+                self.circle_block(motion, to, speed)?;
+            }
+            Path::Cp => self.polar_circle(motion, speed)?,
+            Path::Cr => self.radius_circle(motion, speed)?,
+            Path::Ct => return unsupported("CT"),
+            Path::Ctp => return unsupported("CTP"),
+            Path::Rnd => return unsupported("RND"),
+            Path::Chf => return unsupported("CHF"),
+            Path::Cc => {}
+        }
+        Ok(true)
+    }
+
+    /// The speed of a block; a feed word stays in force. What is missing shows only if the tool moves.
+    fn speed(&mut self, feed: Option<&Feed>) -> Result<Speed, Fault> {
+        match feed.map(|feed| feed.kind) {
+            Some(FeedKind::Max) => return Ok(Speed::Rapid),
+            Some(FeedKind::Value(value)) => self.modal.feed = Some(self.operand(&value)?),
+            Some(FeedKind::Auto) => self.modal.feed = self.modal.tool_feed,
+            Some(FeedKind::PerRevolution(value)) => {
+                self.modal.feed = Some(self.operand(&value)? * self.modal.spindle.speed);
+            }
+            Some(FeedKind::PerTooth(value)) => {
+                let teeth = self.world.tool.map_or(0.0, |tool| tool.teeth);
+                self.modal.feed = Some(self.operand(&value)? * self.modal.spindle.speed * teeth);
+            }
+            None => {}
+        }
+        Speed::of_feed(self.modal.feed.unwrap_or(0.0))
+    }
+
+    fn coordinate(&self, coord: &Coord, now: f64) -> Result<f64, Fault> {
+        let value = self.operand(&coord.value)?;
+        Ok(if coord.incremental { now + value } else { value })
+    }
+
+    /// The position with the coordinates of the block, others as they are.
+    fn target(&self, coords: &[Coord], from: DVec3) -> Result<DVec3, Fault> {
+        let mut to = from;
+        for coord in coords {
+            if matches!(coord.axis, Axis::Pr | Axis::Pa) {
+                continue;
+            }
+            let axis = linear(coord.axis)?;
+            to = axis.with(to, self.coordinate(coord, axis.of(from))?);
+        }
+        Ok(to)
+    }
+
+    fn machine_target(&self, motion: &Motion) -> Result<DVec3, Fault> {
+        self.target(&motion.coords, self.world.machine)
+    }
+
+    fn set_pole(&mut self, motion: &Motion) -> Done {
+        if motion.coords.is_empty() {
+            self.modal.pole = Some(self.world.here);
+            return Ok(());
+        }
+        let from = self.modal.pole.unwrap_or(self.world.here);
+        let mut pole = from;
+        for coord in &motion.coords {
+            let axis = linear(coord.axis)?;
+            pole = axis.with(pole, self.coordinate(coord, axis.of(self.world.here))?);
+        }
+        self.modal.pole = Some(pole);
+        Ok(())
+    }
+
+    /// The pole, lifted to the height of the tool.
+    fn pole(&self) -> Result<DVec3, Fault> {
+        let pole = self.modal.pole.ok_or_else(|| Fault::program("pole-missing"))?;
+        let tool = self.world.system.plane.tool;
+        Ok(tool.with(pole, tool.of(self.world.here)))
+    }
+
+    /// Angle and radius of the present position about the pole.
+    fn polar_now(&self, pole: DVec3) -> (f64, f64) {
+        let arm = self.world.system.plane.flat(self.world.here - pole);
+        (libm::hypot(arm.x, arm.y), atan2_deg(arm.y, arm.x))
+    }
+
+    fn polar_target(&self, motion: &Motion) -> Result<DVec3, Fault> {
+        let pole = self.pole()?;
+        let (radius, angle) = self.polar_now(pole);
+        let radius = motion.coord(Axis::Pr).map_or(Ok(radius), |coord| self.coordinate(coord, radius))?;
+        let angle = motion.coord(Axis::Pa).map_or(Ok(angle), |coord| self.coordinate(coord, angle))?;
+        let plane = self.world.system.plane;
+        let flat = plane.flat(pole) + DVec2::new(radius * cos_deg(angle), radius * sin_deg(angle));
+        let height = plane.tool.of(self.world.here);
+        self.target(&motion.coords, plane.lift(flat, height))
+    }
+
+    fn direction(motion: &Motion) -> Result<f64, Fault> {
+        match motion.counter_clockwise {
+            Some(true) => Ok(1.0),
+            Some(false) => Ok(-1.0),
+            None => Err(Fault::program("direction-missing")),
+        }
+    }
+
+    fn circle_block(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
+        let direction = Self::direction(motion)?;
+        let centre = self.pole()?;
+        self.arc_to(centre, to, direction, None, speed)
+    }
+
+    fn polar_circle(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
+        let direction = Self::direction(motion)?;
+        let pole = self.pole()?;
+        let (radius, now) = self.polar_now(pole);
+        let Some(angle) = motion.coord(Axis::Pa) else { return Err(Fault::program("angle-missing").into()) };
+        let plane = self.world.system.plane;
+        let sweep = if angle.incremental { Some(self.operand(&angle.value)?) } else { None };
+        let end = self.coordinate(angle, now)?;
+        let flat = plane.flat(pole) + DVec2::new(radius * cos_deg(end), radius * sin_deg(end));
+        let to = self.target(&motion.coords, plane.lift(flat, plane.tool.of(self.world.here)))?;
+        if sweep.is_some_and(|sweep| sweep * direction < 0.0) {
+            return Err(Fault::program("direction-contradicts").into());
+        }
+        self.arc_to(pole, to, direction, sweep, speed)
+    }
+
+    fn radius_circle(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
+        let direction = Self::direction(motion)?;
+        let Some(radius) = &motion.radius else { return Err(Fault::program("radius-missing").into()) };
+        let radius = self.operand(radius)?;
+        let here = self.world.here;
+        let to = self.target(&motion.coords, here)?;
+        let plane = self.world.system.plane;
+        let chord = plane.flat(to - here);
+        let half = libm::hypot(chord.x, chord.y) / 2.0;
+        if half == 0.0 || half > radius.abs() + OFF_CIRCLE {
+            let fault = Fault::program("radius-too-small").arg("radius", radius.abs());
+            return Err(fault.arg("chord", 2.0 * half).into());
+        }
+        // A positive radius takes the arc below 180 degrees: its centre lies to the left of a counter-clockwise chord.
+        let height = libm::sqrt((radius * radius - half * half).max(0.0));
+        let side = direction * if radius > 0.0 { 1.0 } else { -1.0 };
+        let left = DVec2::new(-chord.y, chord.x) / (2.0 * half);
+        let centre = plane.lift(plane.flat(here) + chord / 2.0 + left * (height * side), plane.tool.of(here));
+        self.arc_to(centre, to, direction, None, speed)
+    }
+
+    /// Moves straight; `machine` gives the target in machine coordinates where that is what is programmed.
+    pub(super) fn straight_to(&mut self, to: DVec3, machine: Option<DVec3>, speed: Result<Speed, Fault>) -> Done {
+        let machine = machine.unwrap_or_else(|| self.world.system.frame().point(to));
+        let from = self.world.here;
+        if to == from {
+            return Ok(());
+        }
+        let path = BallPath::line(self.world.machine, machine);
+        let (kind, feed) = match speed? {
+            Speed::Rapid => (MoveKind::Rapid, self.world.scene.machine.rapid_feed(machine - self.world.machine)),
+            Speed::Feed(feed) => (MoveKind::Feed, feed),
+        };
+        self.go(kind, feed, to, machine, &path)
+    }
+
+    /// Moves on an arc about the centre; `sweep` is the signed angle where it is programmed, else it follows from
+    /// the end (a whole circle if that is where the tool stands). Heights may differ: a helix.
+    pub(super) fn arc_to(
+        &mut self,
+        centre: DVec3,
+        to: DVec3,
+        direction: f64,
+        sweep: Option<f64>,
+        speed: Result<Speed, Fault>,
+    ) -> Done {
+        let (plane, from) = (self.world.system.plane, self.world.here);
+        let (a, b) = (plane.flat(from - centre), plane.flat(to - centre));
+        let (start, end) = (libm::hypot(a.x, a.y), libm::hypot(b.x, b.y));
+        if (start - end).abs() > OFF_CIRCLE || start == 0.0 {
+            let fault = Fault::program("end-off-circle").arg("start_radius", start).arg("end_radius", end);
+            return Err(fault.into());
+        }
+        let angle = sweep.unwrap_or_else(|| {
+            let turn = (atan2_deg(b.y, b.x) - atan2_deg(a.y, a.x)) * direction;
+            let turn = turn.rem_euclid(360.0);
+            direction * if a == b || turn == 0.0 { 360.0 } else { turn }
+        });
+        let rise = plane.tool.of(to) - plane.tool.of(from);
+        let frame = *self.world.system.frame();
+        let centre = plane.lift(plane.flat(centre), plane.tool.of(from));
+        let machine = frame.point(to);
+        let path = BallPath::Arc {
+            centre: frame.point(centre),
+            axis: frame.vector(plane.tool.unit()),
+            from: self.world.machine,
+            sweep: angle,
+            rise,
+        };
+        let speed = speed?;
+        let feed = match speed {
+            Speed::Rapid => self.slowest_rapid(),
+            Speed::Feed(feed) => feed,
+        };
+        let kind = MoveKind::Arc { centre, plane, angle, rise, rapid: speed == Speed::Rapid };
+        self.go(kind, feed, to, machine, &path)
+    }
+
+    /// The rapid rate that every axis can keep.
+    fn slowest_rapid(&self) -> f64 {
+        self.world.scene.machine.axes.iter().map(|axis| axis.rapid).fold(f64::INFINITY, f64::min)
+    }
+
+    fn go(&mut self, kind: MoveKind, feed: f64, to: DVec3, machine: DVec3, path: &BallPath) -> Done {
+        let from = self.world.here;
+        if let Some(axis) = LinearAxis::ALL
+            .into_iter()
+            .find(|axis| axis.of(machine) != axis.of(self.world.machine) && !self.world.has_axis(*axis))
+        {
+            return Err(Fault::unsupported("unsupported-axis").arg("axis", axis.letter().to_string()).into());
+        }
+        if let Some(fault) = self.world.beyond_limits(machine) {
+            return Err(fault.into());
+        }
+        self.collide(path)?;
+        self.world.here = to;
+        self.world.machine = machine;
+        self.tell(EventKind::Move { kind, from, to, machine, feed });
+        Ok(())
+    }
+
+    /// A probe that touches something while it is not probing is an error.
+    fn collide(&self, path: &BallPath) -> Done {
+        if !self.probing && !self.world.holds_probe() {
+            return Ok(());
+        }
+        let Ok(probe) = self.world.probe() else { return Ok(()) };
+        let lift = self.world.ball_centre(DVec3::ZERO, &probe, probe.offset);
+        let path = match *path {
+            BallPath::Line { from, to } => BallPath::line(from + lift, to + lift),
+            BallPath::Arc { centre, axis, from, sweep, rise } => {
+                BallPath::Arc { centre: centre + lift, axis, from: from + lift, sweep, rise }
+            }
+        };
+        match self.world.scene.body.first_contact_on(probe.ball_radius, &path)? {
+            None => Ok(()),
+            Some(contact) => {
+                let point = self.world.system.back().point(contact.point);
+                let fault = Fault::control("collision").arg("x", point.x).arg("y", point.y).arg("z", point.z);
+                Err(fault.into())
+            }
+        }
+    }
+}

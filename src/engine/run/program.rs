@@ -1,0 +1,132 @@
+//! The loop over blocks, and control flow: labels, calls, repeats, jumps, programs.
+//!
+//! Invariant: every block is either executed, without effect by its nature, or a fault.
+use std::sync::Arc;
+
+use super::fault::Fault;
+use super::flow::{Call, program_key};
+use super::{Done, Run};
+use crate::expr::QKind;
+use crate::syntax::{Block, CallLbl, FnJump, Label, LabelRef, Relation};
+
+/// How it goes on after a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum After {
+    /// With the next block.
+    GoOn,
+    /// The program ends here.
+    End,
+}
+
+impl<'e> Run<'_, 'e> {
+    /// Executes the program to its end.
+    pub(super) fn program(&mut self) -> Done {
+        loop {
+            self.flow.advance(&self.engine.limits)?;
+            let Some(block) = self.programs.get(self.flow.program).and_then(|p| p.block(self.flow.block)) else {
+                if self.flow.return_from_program() {
+                    continue;
+                }
+                return Ok(());
+            };
+            self.locate(block);
+            if block.skip && self.engine.skip_blocks {
+                continue;
+            }
+            if self.block(block)? == After::End && !self.flow.return_from_program() {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Sets the place that events belong to.
+    fn locate(&mut self, block: &Block) {
+        self.at.line = block.line;
+        self.at.block = block.number;
+        self.at.cycle = None;
+        let name = self.programs.get(self.flow.program).map_or("", |prepared| prepared.program.source().name());
+        if *self.at.program != *name {
+            self.at.program = self.flow.program_name(&self.programs);
+        }
+    }
+
+    /// The text at a place of the program being executed.
+    pub(super) fn slice(&self, span: crate::diag::Span) -> &'e str {
+        self.programs.get(self.flow.program).map_or("", |prepared| prepared.program.slice(span))
+    }
+
+    pub(super) fn label(&mut self, label: &LabelRef) -> Done {
+        if label.target == Label::Number(0) {
+            self.flow.return_from_subprogram();
+        }
+        Ok(())
+    }
+
+    fn label_block(&self, label: &LabelRef) -> Result<usize, Fault> {
+        let internal = || Fault::new(super::Class::Internal, "no-program");
+        let prepared = self.programs.get(self.flow.program).ok_or_else(internal)?;
+        match label.target {
+            Label::Q(q) if q.kind == QKind::Qs => {
+                let name = self.params.text(q)?;
+                prepared.label(label.target, Some(&name))
+            }
+            Label::Q(q) => {
+                let number = self.params.number(q)?;
+                let valid = number >= 1.0 && number.fract() == 0.0 && number <= f64::from(u16::MAX);
+                let missing = || Fault::program("label-missing").arg("label", number);
+                if valid { prepared.numbered_label(number as u16) } else { Err(missing()) }
+            }
+            _ => prepared.label(label.target, None),
+        }
+    }
+
+    pub(super) fn call_label(&mut self, call: &CallLbl) -> Done {
+        let target = self.label_block(&call.label)?;
+        match &call.repeat {
+            Some(times) => {
+                let times = self.operand(times)?;
+                if !(0.0..=65_535.0).contains(&times) || times.fract() != 0.0 {
+                    return Err(Fault::program("repeat-count").arg("found", times).into());
+                }
+                self.flow.repeat(target, times as u32, &self.engine.limits)
+            }
+            None => self.flow.call(self.flow.program, target, Call::Subprogram(target), &self.engine.limits),
+        }
+    }
+
+    pub(super) fn call_program(&mut self, name: &str) -> Done {
+        let Some(program) = self.names.get(&program_key(name)).copied() else {
+            return Err(Fault::program("program-missing").arg("name", name).into());
+        };
+        self.flow.call(program, 0, Call::Program, &self.engine.limits)
+    }
+
+    pub(super) fn jump(&mut self, jump: &FnJump) -> Done {
+        let (a, b) = (self.operand(&jump.a)?, self.operand(&jump.b)?);
+        let holds = match jump.relation {
+            Relation::Equal => a == b,
+            Relation::NotEqual => a != b,
+            Relation::Greater => a > b,
+            Relation::Less => a < b,
+        };
+        if holds {
+            let target = self.label_block(&jump.label)?;
+            self.flow.jump(target, &self.engine.limits)?;
+        }
+        Ok(())
+    }
+
+    /// The operator's answer to a question; nothing if he does not answer.
+    pub(super) fn ask(&mut self, question: &str) -> Option<bool> {
+        let said = self.world.answers.next(question)?;
+        Some(!matches!(said.to_ascii_lowercase().as_str(), "no" | "cancel" | "stop" | "false" | "0"))
+    }
+
+    /// Stops until the operator continues.
+    pub(super) fn stop(&mut self) -> Done {
+        let answer = self.ask("stop");
+        let id: Arc<str> = "stop".into();
+        self.tell(super::EventKind::Message { kind: super::MessageKind::Stop, id, answer });
+        if answer == Some(true) { Ok(()) } else { Err(super::Leave::Stopped) }
+    }
+}

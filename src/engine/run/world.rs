@@ -1,0 +1,255 @@
+//! The state of the virtual machine: where the tool is, which tool it is, the tables as they are now.
+//!
+//! Invariant: the scene is never changed; what a program writes is kept here and handed out as texts.
+use std::collections::BTreeMap;
+
+use glam::{DVec2, DVec3};
+
+use super::coordinates::System;
+use super::fault::Fault;
+use crate::engine::geometry::{Axis, WorkingPlane};
+use crate::engine::scene::{Answers, ParameterValue, Scene};
+use crate::engine::table::{Table, TableError, TableKind};
+
+/// The word of the probe table for pre-positioning at the machine's rapid rate (TNC 320 manual, line 545).
+const MACHINE_RAPID: &str = "FMAX_MACHINE";
+/// The word that locks a tool in the column TL.
+pub(super) const LOCKED: &str = "L";
+
+/// The tool in the spindle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Tool {
+    /// Its number.
+    pub number: f64,
+    /// Radius with all oversizes, mm.
+    pub radius: f64,
+    /// Length with all oversizes, mm.
+    pub length: f64,
+    /// Greatest plunging angle, degrees; 0 if none is known.
+    pub angle: f64,
+    /// Length of the cutting edges, mm; 0 if none is known.
+    pub lcuts: f64,
+    /// Number of teeth; 0 if none is known.
+    pub teeth: f64,
+    /// The row of the probe table that belongs to it, if it is a touch probe.
+    pub probe: Option<f64>,
+}
+
+/// The touch probe in use: what the control knows of it and what it really is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ProbeData {
+    /// Distance kept from the touch point, mm.
+    pub set_up: f64,
+    /// Probing feed, mm/min.
+    pub feed: f64,
+    /// Feed between touch points, mm/min.
+    pub fmax: f64,
+    /// The greatest probing path, mm.
+    pub dist: f64,
+    /// Whether pre-positioning is at the machine's rapid rate.
+    pub machine_rapid: bool,
+    /// The radius of the ball, mm.
+    pub ball_radius: f64,
+    /// The calibrated offset of the ball from the spindle axis, main and secondary axis, mm.
+    pub calibrated: DVec2,
+    /// The true offset.
+    pub offset: DVec2,
+}
+
+/// The virtual machine.
+pub(super) struct World<'s> {
+    /// The scene.
+    pub scene: &'s Scene,
+    /// The coordinate system.
+    pub system: System,
+    /// The tool tip in program coordinates, by axis.
+    pub here: DVec3,
+    /// The tool tip in machine coordinates.
+    pub machine: DVec3,
+    /// The tool, once one was called.
+    pub tool: Option<Tool>,
+    /// What the operator will say.
+    pub answers: Answers,
+    tables: BTreeMap<TableKind, Table>,
+    datums: Vec<Table>,
+    datum: usize,
+    written: Vec<String>,
+}
+
+impl<'s> World<'s> {
+    pub(super) fn new(scene: &'s Scene) -> Result<Self, TableError> {
+        let mut tables = BTreeMap::new();
+        tables.insert(TableKind::Tool, scene.tools.clone());
+        tables.insert(TableKind::Probe, scene.probes.clone());
+        tables.insert(TableKind::Preset, scene.presets.clone());
+        let system = System::new(WorkingPlane::of_tool_axis(scene.machine.spindle));
+        let mut world = Self {
+            scene,
+            system,
+            here: DVec3::ZERO,
+            machine: scene.start,
+            tool: None,
+            answers: scene.answers.clone(),
+            tables,
+            datums: scene.datums.clone(),
+            datum: 0,
+            written: Vec::new(),
+        };
+        let (origin, basic) = world.preset(scene.active_preset)?;
+        world.system.set_preset(scene.active_preset, origin, basic);
+        world.renew();
+        Ok(world)
+    }
+
+    /// Program coordinates follow a change of the system; the machine stays where it is.
+    pub(super) fn renew(&mut self) {
+        self.here = self.system.back().point(self.machine);
+    }
+
+    /// Position and spatial angles of a preset.
+    pub(super) fn preset(&self, row: f64) -> Result<(DVec3, DVec3), TableError> {
+        let presets = self.table(TableKind::Preset)?;
+        let number = |column| presets.number(row, column).map(Option::unwrap_or_default);
+        let origin = DVec3::new(number("X")?, number("Y")?, number("Z")?);
+        Ok((origin, DVec3::new(number("SPA")?, number("SPB")?, number("SPC")?)))
+    }
+
+    /// The table of a kind; of datum tables the active one.
+    pub(super) fn table(&self, kind: TableKind) -> Result<&Table, TableError> {
+        let table = match kind {
+            TableKind::Datum => self.datums.get(self.datum),
+            _ => self.tables.get(&kind),
+        };
+        table.ok_or_else(|| TableError::NoTable { file: kind.file_name().to_owned() })
+    }
+
+    /// The table of a kind, to be written; it counts as written from now on.
+    pub(super) fn table_to_write(&mut self, kind: TableKind) -> Result<&mut Table, TableError> {
+        let table = match kind {
+            TableKind::Datum => self.datums.get_mut(self.datum),
+            _ => self.tables.get_mut(&kind),
+        };
+        let table = table.ok_or_else(|| TableError::NoTable { file: kind.file_name().to_owned() })?;
+        if !self.written.iter().any(|file| file == table.file()) {
+            self.written.push(table.file().to_owned());
+        }
+        Ok(table)
+    }
+
+    /// A table that the program itself fills: it does not count as written.
+    pub(super) fn tools_of_program(&mut self) -> Option<&mut Table> {
+        self.tables.get_mut(&TableKind::Tool)
+    }
+
+    /// Makes a datum table the active one.
+    pub(super) fn select_datum_table(&mut self, name: &str) -> Result<(), TableError> {
+        let found = self.datums.iter().position(|table| table.is_named(name));
+        self.datum = found.ok_or_else(|| TableError::NoTable { file: name.to_owned() })?;
+        Ok(())
+    }
+
+    /// Names and texts of the tables that were written.
+    pub(super) fn written(&self) -> Vec<(String, String)> {
+        let all = self.tables.values().chain(&self.datums);
+        let text =
+            |file: &String| all.clone().find(|table| table.file() == file).map(|table| (file.clone(), table.to_text()));
+        self.written.iter().filter_map(text).collect()
+    }
+
+    /// The number of the tool of a name.
+    pub(super) fn tool_named(&self, name: &str) -> Result<Option<f64>, TableError> {
+        self.table(TableKind::Tool)?.find("NAME", name)
+    }
+
+    /// Whether tool calls are checked against the table.
+    pub(super) fn has_tools(&self) -> bool {
+        self.table(TableKind::Tool).is_ok_and(|table| table.rows().next().is_some())
+    }
+
+    /// The data of a tool with the oversizes of a tool call.
+    pub(super) fn tool_data(&self, number: f64, delta_radius: f64, delta_length: f64) -> Result<Tool, TableError> {
+        let table = self.table(TableKind::Tool)?;
+        if !self.has_tools() {
+            return Ok(Tool { number, radius: delta_radius, length: delta_length, ..Tool::default() });
+        }
+        let value = |column| table.number(number, column).map(Option::unwrap_or_default);
+        Ok(Tool {
+            number,
+            radius: value("R")? + value("DR")? + delta_radius,
+            length: value("L")? + value("DL")? + delta_length,
+            angle: value("ANGLE")?,
+            lcuts: value("LCUTS")?,
+            teeth: value("CUT")?,
+            probe: table.number(number, "TP_NO")?.filter(|row| *row > 0.0),
+        })
+    }
+
+    /// The touch probe that a probing cycle uses now. Where no tool has a row of the probe table, the tool in
+    /// the spindle is taken for the scene's probe.
+    pub(super) fn probe(&self) -> Result<ProbeData, Fault> {
+        let missing = || Fault::control("probe-missing");
+        let tool = self.tool.ok_or_else(missing)?;
+        let truth = self.scene.probe.ok_or_else(missing)?;
+        let row = match tool.probe {
+            Some(row) if row == truth.row => row,
+            Some(_) => return Err(missing()),
+            None if self.tools_name_probes() => return Err(missing()),
+            None => truth.row,
+        };
+        let table = self.table(TableKind::Probe)?;
+        let value = |column| table.number(row, column).map(Option::unwrap_or_default);
+        Ok(ProbeData {
+            set_up: value("SET_UP")?,
+            feed: value("F")?,
+            fmax: value("FMAX")?,
+            dist: value("DIST")?,
+            machine_rapid: table.text(row, "F_PREPOS")? == MACHINE_RAPID,
+            ball_radius: truth.ball_radius,
+            calibrated: DVec2::new(value("CAL_OF1")?, value("CAL_OF2")?),
+            offset: truth.offset,
+        })
+    }
+
+    fn tools_name_probes(&self) -> bool {
+        let Ok(table) = self.table(TableKind::Tool) else { return false };
+        table.rows().any(|row| matches!(table.number(row, "TP_NO"), Ok(Some(number)) if number > 0.0))
+    }
+
+    /// Whether the tool in the spindle is known to be a touch probe.
+    pub(super) fn holds_probe(&self) -> bool {
+        self.tool.is_some_and(|tool| tool.probe.is_some())
+    }
+
+    /// The centre of the ball, in machine coordinates, when the tool tip is there; `offset` is the one of the
+    /// ball from the spindle axis.
+    pub(super) fn ball_centre(&self, tip: DVec3, probe: &ProbeData, offset: DVec2) -> DVec3 {
+        let plane = self.system.plane;
+        tip + self.system.frame().vector(plane.tool.unit()) * probe.ball_radius + plane.lift(offset, 0.0)
+    }
+
+    /// The number that a machine parameter has in the scene, by the name that the control prints.
+    pub(super) fn machine_parameter(&self, printed: &str) -> Option<f64> {
+        match self.scene.machine_parameter(printed)? {
+            ParameterValue::Number(number) => Some(*number),
+            ParameterValue::Text(word) => match word.to_ascii_lowercase().as_str() {
+                "on" | "true" | "yes" => Some(1.0),
+                "off" | "false" | "no" => Some(0.0),
+                _ => None,
+            },
+            ParameterValue::List(_) => None,
+        }
+    }
+
+    /// The first axis that a position in machine coordinates takes beyond its limits.
+    pub(super) fn beyond_limits(&self, machine: DVec3) -> Option<Fault> {
+        let axis = self.scene.machine.beyond_limits(machine)?;
+        let letter = axis.axis.letter().to_string();
+        let fault = Fault::control("axis-limit").arg("axis", letter).arg("found", axis.axis.of(machine));
+        Some(fault.arg("min", axis.min).arg("max", axis.max))
+    }
+
+    /// The axes of the machine that a program can move.
+    pub(super) fn has_axis(&self, axis: Axis) -> bool {
+        self.scene.machine.axis(axis).is_some()
+    }
+}
