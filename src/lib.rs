@@ -4,6 +4,8 @@
 //! See `ARCHITECTURE.md` for the map of the modules and what each of them must not know.
 pub mod check;
 pub mod cli;
+pub mod conform;
+
 pub mod coverage;
 pub mod data;
 pub mod diag;
