@@ -1,6 +1,127 @@
 //! Conformance: the examples of the specifications executed by the engine.
 //!
-//! Invariant: what an example expects is compared, never adapted.
+//! Each example is one case for each control that has the cycle; what it expects is compared with what the
+//! engine tells. Invariant: an expectation is never adapted to a result; what no example shows is reported.
+mod case;
+mod expect;
+mod report;
 mod texts;
 
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+pub use report::{CaseReport, Clause, CycleReport, FORMAT, Mismatch, Report, Verdict, junit};
 pub use texts::LogTexts;
+
+use crate::diag::Diagnostic;
+use crate::engine::plan;
+use crate::engine::run::Shown;
+use crate::locale::Locales;
+use crate::spec::{Catalogue, Cycle, CycleKey, Example, OnControl};
+
+/// What conformance works on.
+#[derive(Clone, Copy, Debug)]
+pub struct World<'w> {
+    /// The specifications.
+    pub catalogue: &'w Catalogue,
+    /// The languages, for labels and logs.
+    pub locales: &'w Locales,
+    /// All data files: machines and templates of logs are among them.
+    pub files: &'w [(String, String)],
+}
+
+/// An example on a control.
+struct Job<'w> {
+    on: &'w OnControl,
+    cycle: &'w Cycle,
+    example: &'w Example,
+}
+
+/// Runs every example on the controls (all of them, if the list is empty). Mistakes in the examples themselves come
+/// back as diagnostics.
+pub fn run(world: &World<'_>, controls: &[&str]) -> (Report, Vec<Diagnostic>) {
+    let chosen = |on: &&OnControl| controls.is_empty() || controls.contains(&on.id());
+    let mut jobs = Vec::new();
+    for on in world.catalogue.controls.values().filter(chosen) {
+        for cycle in on.cycles.values() {
+            jobs.extend(cycle.file.examples.iter().map(|example| Job { on, cycle, example }));
+        }
+    }
+    let results = execute(world, &jobs);
+    let mut shown: BTreeMap<(String, CycleKey), Shown> = BTreeMap::new();
+    let (mut cases, mut found) = (Vec::new(), Vec::new());
+    for (job, (report, seen, mistakes)) in jobs.iter().zip(results) {
+        cases.push(report);
+        found.extend(mistakes);
+        for (key, sentence) in seen.sentences {
+            shown.entry((job.on.id().to_owned(), key)).or_default().sentences.insert((key, sentence));
+        }
+        for (key, code) in seen.guards {
+            shown.entry((job.on.id().to_owned(), key)).or_default().guards.insert((key, code));
+        }
+    }
+    let mut cycles = Vec::new();
+    for on in world.catalogue.controls.values().filter(chosen) {
+        for cycle in on.cycles.values() {
+            let seen = shown.remove(&(on.id().to_owned(), cycle.key)).unwrap_or_default();
+            cycles.push(cycle_report(on, cycle, &seen));
+        }
+    }
+    let mut seen = BTreeSet::new();
+    found.retain(|diagnostic| {
+        let place = diagnostic.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));
+        seen.insert((diagnostic.code, place, format!("{:?}", diagnostic.args)))
+    });
+    (Report { format: FORMAT, cases, cycles }, found)
+}
+
+type Result = (CaseReport, Shown, Vec<Diagnostic>);
+
+/// Executes the cases on all cores; the results come in the order of the jobs.
+fn execute(world: &World<'_>, jobs: &[Job<'_>]) -> Vec<Result> {
+    let next = AtomicUsize::new(0);
+    let results: Mutex<Vec<Option<Result>>> = Mutex::new(jobs.iter().map(|_| None).collect());
+    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(jobs.len().max(1));
+    std::thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(|| {
+                while let Some((index, job)) = take(&next, jobs) {
+                    let result = case::execute(world, job.on, job.cycle, job.example);
+                    let mut all = results.lock().unwrap_or_else(PoisonError::into_inner);
+                    if let Some(cell) = all.get_mut(index) {
+                        *cell = Some(result);
+                    }
+                }
+            });
+        }
+    });
+    results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect()
+}
+
+fn take<'j, 'w>(next: &AtomicUsize, jobs: &'j [Job<'w>]) -> Option<(usize, &'j Job<'w>)> {
+    let index = next.fetch_add(1, Ordering::Relaxed);
+    jobs.get(index).map(|job| (index, job))
+}
+
+/// What the examples showed of a cycle, and what they did not.
+fn cycle_report(on: &OnControl, cycle: &Cycle, seen: &Shown) -> CycleReport {
+    let (plan, _) = plan::compile(cycle, on);
+    let id = |sentence: &plan::Sentence| match sentence.kind {
+        plan::SentenceKind::Step => format!("step-{}", sentence.id),
+        plan::SentenceKind::Say => format!("say-{}", sentence.id),
+    };
+    let executed = |sentence: &&plan::Sentence| seen.sentences.contains(&(cycle.key, (**sentence).clone()));
+    let provoked = |code: &&std::sync::Arc<str>| seen.guards.contains(&(cycle.key, std::sync::Arc::clone(code)));
+    CycleReport {
+        control: on.id().to_owned(),
+        keyword: cycle.key.keyword.as_str(),
+        number: cycle.key.number,
+        name: cycle.name().to_owned(),
+        pending: plan.pending().map(str::to_owned).collect(),
+        executed: plan.sentences.iter().filter(executed).map(id).collect(),
+        unexecuted: plan.sentences.iter().filter(|sentence| !executed(sentence)).map(id).collect(),
+        provoked: plan.codes.iter().filter(provoked).map(|code| code.to_string()).collect(),
+        unprovoked: plan.codes.iter().filter(|code| !provoked(code)).map(|code| code.to_string()).collect(),
+    }
+}

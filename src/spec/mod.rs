@@ -16,7 +16,7 @@ pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Param};
 pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use form::*;
 pub use lint::{is_offered, lint, takes};
-pub use profile::{Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName};
+pub use profile::{Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Transformation};
 pub use schema::schema;
 pub use texts::{Text, texts};
 pub use vocabulary::*;

@@ -1,5 +1,5 @@
 //! Profiles of the controls, and the errata of their manuals.
-use super::decode::{Entries, Name, record};
+use super::decode::{Entries, Name, record, words};
 use super::vocabulary::Keyword;
 
 record! {
@@ -32,6 +32,20 @@ record! {
     }
 }
 
+words! {
+    /// A transformation that the engine knows to be in effect but does not execute.
+    pub enum Transformation {
+        /// A mirror image.
+        Mirroring = "mirroring",
+        /// Scaling.
+        Scaling = "scaling",
+        /// Scaling by axes.
+        AxisScaling = "axis-scaling",
+        /// A tilted working plane.
+        Tilting = "tilting",
+    }
+}
+
 record! {
     /// A cycle that a manual names.
     pub struct Named {
@@ -43,6 +57,8 @@ record! {
         name: String,
         /// Where.
         source: NamedIn,
+        /// What its definition brings into effect: enough for cycles that refuse it.
+        activates: Option<Transformation>,
     }
 }
 

@@ -85,6 +85,7 @@ impl<'c> Compiler<'c> {
             self.found.push(diagnostic.arg("name", datum.as_str()).arg("control", self.on.id()));
         }
         let when = self.typed(guard.when.as_ref()?, Type::Bool, scope)?;
+        self.code(&guard.code.as_ref()?.text);
         Some(Guard {
             code: Arc::clone(&guard.code.as_ref()?.text),
             when,

@@ -82,6 +82,8 @@ pub struct Plan {
     pub items: Vec<Item>,
     /// Every sentence of the run in order, those of fragments included.
     pub sentences: Vec<Sentence>,
+    /// The codes of its guards and errors, those of fragments included, in order.
+    pub codes: Vec<Arc<str>>,
     /// Whether the run probes or reads data of the touch probe.
     pub probes: bool,
     pending: BTreeSet<Arc<str>>,
@@ -117,6 +119,7 @@ pub fn compile(cycle: &Cycle, on: &OnControl) -> (Plan, Vec<Diagnostic>) {
         guards,
         items,
         sentences: compiler.sentences,
+        codes: compiler.codes,
         probes,
         pending: compiler.pending,
     };
@@ -147,6 +150,7 @@ struct Compiler<'c> {
     inside: Vec<Arc<str>>,
     used_conditions: BTreeSet<Arc<str>>,
     sentences: Vec<Sentence>,
+    codes: Vec<Arc<str>>,
     probes: bool,
     pending: BTreeSet<Arc<str>>,
 }
@@ -164,8 +168,15 @@ impl<'c> Compiler<'c> {
             inside: Vec::new(),
             used_conditions: BTreeSet::new(),
             sentences: Vec::new(),
+            codes: Vec::new(),
             probes: false,
             pending: BTreeSet::new(),
+        }
+    }
+
+    fn code(&mut self, code: &Arc<str>) {
+        if !self.codes.contains(code) {
+            self.codes.push(Arc::clone(code));
         }
     }
 

@@ -87,7 +87,11 @@ impl Compiler<'_> {
                 "stop" => Act::Coolant(Cooling::Off),
                 _ => return self.wrong_act(place, "coolant-word"),
             },
-            Verb::Fail => Act::Fail(self.one(argument, "id", place)?.text),
+            Verb::Fail => {
+                let code = self.one(argument, "id", place)?.text;
+                self.code(&code);
+                Act::Fail(code)
+            }
             Verb::Message => Act::Message(self.one(argument, "id", place)?.text),
             Verb::Ask => {
                 let id = self.one(argument, "id", place)?.text;

@@ -16,7 +16,7 @@ use crate::engine::geometry::{FitError, fit_circle};
 use crate::engine::plan::{Act, Calc, Cancel, Cooling, Inlined, Slot, SpindleTurn, Target, Transform};
 use crate::engine::table::{Cell, TableKind};
 use crate::expr::{QKind, Value};
-use crate::spec::Moment;
+use crate::spec::{Moment, Transformation};
 
 impl<'e> Run<'_, 'e> {
     pub(super) fn act(&mut self, act: &Act, exec: &mut Exec<'_, 'e>) -> Done {
@@ -233,14 +233,21 @@ impl<'e> Run<'_, 'e> {
                     match cancel {
                         Cancel::DatumShift => self.world.system.set_datum(DVec3::ZERO),
                         Cancel::Rotation => self.world.system.set_rotation(0.0),
-                        // The engine refuses to bring these into effect.
-                        Cancel::RadiusCompensation | Cancel::Mirroring | Cancel::Scaling | Cancel::AxisScaling => {}
+                        // Programs with radius compensation are refused.
+                        Cancel::RadiusCompensation => {}
+                        Cancel::Mirroring => self.ends(Transformation::Mirroring),
+                        Cancel::Scaling => self.ends(Transformation::Scaling),
+                        Cancel::AxisScaling => self.ends(Transformation::AxisScaling),
                     }
                 }
             }
         }
         self.transformed(before);
         Ok(())
+    }
+
+    fn ends(&mut self, transformation: Transformation) {
+        self.world.system.unexecuted.remove(&transformation);
     }
 
     /// After a change of the system: program coordinates follow, and the change is told.

@@ -2,10 +2,13 @@
 //!
 //! Invariant: the system is rigid; program and machine coordinates convert into each other without loss of
 //! more than rounding.
+use std::collections::BTreeSet;
+
 use glam::DVec3;
 
 use super::event::Coordinates;
 use crate::engine::geometry::{Axis, Frame, WorkingPlane};
+use crate::spec::Transformation;
 
 /// A change on top of the preset.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +28,8 @@ pub struct System {
     pub basic: DVec3,
     /// The working plane.
     pub plane: WorkingPlane,
+    /// Transformations in effect that the engine cannot execute: nothing moves until they end.
+    pub unexecuted: BTreeSet<Transformation>,
     changes: Vec<Change>,
     frame: Frame,
     back: Frame,
@@ -37,6 +42,7 @@ impl System {
             origin: DVec3::ZERO,
             basic: DVec3::ZERO,
             plane,
+            unexecuted: BTreeSet::new(),
             changes: Vec::new(),
             frame: Frame::IDENTITY,
             back: Frame::IDENTITY,

@@ -12,7 +12,7 @@ use super::world::ProbeData;
 use super::{Content, Done, EventKind, Leave, Params, Run};
 use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Sentence, SentenceKind, Slot, Step};
 use crate::expr::{Env, EvalError, QRef, Value};
-use crate::spec::{Moment, Outcome};
+use crate::spec::{Moment, Outcome, Transformation};
 
 /// Cycles that call cycles go no deeper than this.
 const MAX_NESTED: usize = 8;
@@ -244,21 +244,21 @@ impl<'e> Run<'_, 'e> {
             Builtin::ActiveDatumShift => Value::Bool(system.datum() != DVec3::ZERO),
             Builtin::ActiveRotation => Value::Bool(system.rotation() != 0.0),
             Builtin::ActiveBasicRotation => Value::Bool(system.basic != DVec3::ZERO),
-            // Nothing that the engine executes brings these into effect.
-            Builtin::ActiveMirror
-            | Builtin::ActiveScaling
-            | Builtin::ActiveAxisScaling
-            | Builtin::ActiveTilting
-            | Builtin::ActiveTurning => Value::Bool(false),
-            Builtin::Machine(name) => Value::Number(self.machine_datum(name).unwrap_or(0.0)),
+            Builtin::ActiveMirror => Value::Bool(system.unexecuted.contains(&Transformation::Mirroring)),
+            Builtin::ActiveScaling => Value::Bool(system.unexecuted.contains(&Transformation::Scaling)),
+            Builtin::ActiveAxisScaling => Value::Bool(system.unexecuted.contains(&Transformation::AxisScaling)),
+            Builtin::ActiveTilting => Value::Bool(system.unexecuted.contains(&Transformation::Tilting)),
+            // A program that switches to turning does not get so far.
+            Builtin::ActiveTurning => Value::Bool(false),
+            Builtin::Machine(name) => Value::Number(self.machine_datum(name, exec).unwrap_or(0.0)),
             Builtin::Form(form) => Value::Bool(exec.definition.form == Some(*form)),
             Builtin::Given(id) => Value::Bool(exec.definition.field(id).is_some()),
         }
     }
 
     /// The value of a machine datum in the scene, by its neutral name.
-    fn machine_datum(&self, neutral: &str) -> Option<f64> {
-        let printed = self.engine.on.datum(neutral)?;
+    fn machine_datum(&self, neutral: &str, exec: &Exec<'_, 'e>) -> Option<f64> {
+        let printed = exec.definition.on.datum(neutral)?;
         self.world.machine_parameter(printed)
     }
 
@@ -314,7 +314,7 @@ impl<'e> Run<'_, 'e> {
 
     pub(super) fn guards(&mut self, guards: &[Guard], at: Moment, exec: &mut Exec<'_, 'e>) -> Done<Verdict> {
         for guard in guards.iter().filter(|guard| guard.at == at) {
-            let off = |name: &Arc<str>| self.machine_datum(name) == Some(0.0);
+            let off = |name: &Arc<str>| self.machine_datum(name, exec) == Some(0.0);
             if guard.switched_off_by.as_ref().is_some_and(off) || !self.truth(&guard.when, exec)? {
                 continue;
             }

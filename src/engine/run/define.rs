@@ -13,7 +13,9 @@ use super::{Content, Done, Run};
 use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::plan::Plan;
 use crate::expr::{QKind, QRef};
-use crate::spec::{self, Cycle, CycleKey, Keyword, Known, Param, ParameterKind, Shape, TakesEffect};
+use crate::spec::{
+    self, Cycle, CycleKey, Keyword, Known, Named, OnControl, Param, ParameterKind, Shape, TakesEffect, Transformation,
+};
 use crate::syntax::{
     Axis, CycleDef, CycleForm, CycleKeyword, CycleView, OldCycleLine, OldWord, Parameter, Value, ValueKind,
 };
@@ -43,11 +45,19 @@ pub(super) enum FieldValue {
 #[derive(Clone, Debug)]
 pub(super) struct Definition<'e> {
     pub(super) cycle: &'e Cycle,
+    /// The control whose manual describes it.
+    pub(super) on: &'e OnControl,
     pub(super) plan: Arc<Plan>,
     /// The form, if the cycle has several.
     pub(super) form: Option<usize>,
     /// Values of old-style fields by their ids.
     pub(super) fields: Vec<(Arc<str>, FieldValue)>,
+}
+
+/// The values of a definition that are not Q parameters.
+struct Values {
+    form: Option<usize>,
+    fields: Vec<(Arc<str>, FieldValue)>,
 }
 
 impl Definition<'_> {
@@ -78,13 +88,16 @@ impl<'e> Run<'_, 'e> {
             return Ok(());
         };
         self.flow.next = view.last + 1;
-        let cycle = self.known(&view)?;
-        self.at.cycle = Some((cycle.key, None));
-        let plan = self.plan(cycle)?;
+        let key = CycleKey::new(keyword(view.keyword), view.number);
+        self.at.cycle = Some((key, None));
+        let Some((cycle, on)) = self.known(key)? else { return self.activate(key, &view) };
+        let plan = self.plan(cycle, on)?;
         let definition = match view.form {
-            CycleForm::Parameters(parameters) => self.parameters(cycle, plan, parameters)?,
-            CycleForm::Lines(lines) => self.lines(cycle, plan, &lines)?,
+            CycleForm::Parameters(parameters) => self.parameters(parameters, cycle)?,
+            CycleForm::Lines(lines) => self.lines(cycle, &lines)?,
         };
+        let Values { form, fields } = definition;
+        let definition = Definition { cycle, on, plan, form, fields };
         self.at_definition(&definition)?;
         if cycle.file.takes_effect == TakesEffect::OnDefinition {
             return self.execute(&definition);
@@ -94,21 +107,65 @@ impl<'e> Run<'_, 'e> {
         Ok(())
     }
 
-    fn known(&self, view: &CycleView<'_>) -> Result<&'e Cycle, Fault> {
+    /// The description of a cycle, and the control that it is for. A cycle that this control's manual only names is
+    /// taken from another control; nothing comes back if none describes it but its effect is known.
+    fn known(&self, key: CycleKey) -> Result<Option<(&'e Cycle, &'e OnControl)>, Fault> {
         let on = self.engine.on;
-        let key = CycleKey::new(keyword(view.keyword), view.number);
-        let named = |fault: Fault| fault.arg("cycle", key.to_string()).arg("control", on.id());
+        let about = |fault: Fault| fault.arg("cycle", key.to_string()).arg("control", on.id());
         match on.known(key) {
-            Known::Described(cycle) => Ok(cycle),
-            Known::Named(_) | Known::Builders => Err(named(Fault::unsupported("unsupported-cycle"))),
-            Known::Unknown => Err(named(Fault::program("cycle-unknown"))),
+            Known::Described(cycle) => Ok(Some((cycle, on))),
+            Known::Named(named) => {
+                let others = self.engine.others_on.iter();
+                let described = |other: &&'e OnControl| other.cycles.get(&key).map(|cycle| (cycle, *other));
+                match others.clone().find_map(described) {
+                    Some(found) => Ok(Some(found)),
+                    None if named.activates.is_some() => Ok(None),
+                    None => Err(about(Fault::unsupported("unsupported-cycle"))),
+                }
+            }
+            Known::Builders => Err(about(Fault::unsupported("unsupported-cycle"))),
+            Known::Unknown => Err(about(Fault::program("cycle-unknown"))),
         }
     }
 
-    fn parameters(&mut self, cycle: &'e Cycle, plan: Arc<Plan>, written: &CycleDef) -> Done<Definition<'e>> {
+    /// A transformation that the engine only knows to be in effect: no values behind the first line, or neutral
+    /// ones, end it.
+    fn activate(&mut self, key: CycleKey, view: &CycleView<'_>) -> Done {
+        let Known::Named(Named { activates: Some(transformation), .. }) = self.engine.on.known(key) else {
+            return Ok(());
+        };
+        let neutral = match transformation {
+            Transformation::Scaling | Transformation::AxisScaling => 1.0,
+            Transformation::Mirroring => f64::NAN,
+            Transformation::Tilting => 0.0,
+        };
+        let mut acts = false;
+        if let CycleForm::Lines(lines) = &view.form {
+            for word in lines.iter().flat_map(|line| &line.words) {
+                acts |= match word.value.kind {
+                    ValueKind::Number(_) | ValueKind::Q { .. } => self.number_of(&word.value)? != neutral,
+                    _ => true,
+                };
+            }
+        }
+        let active = &mut self.world.system.unexecuted;
+        if acts {
+            active.insert(*transformation)
+        } else {
+            active.remove(transformation)
+        };
+        Ok(())
+    }
+
+    fn parameters(&mut self, written: &CycleDef, cycle: &Cycle) -> Done<Values> {
         if let Some(error) = written.errors.first() {
             let found = self.slice(error.span).trim().to_owned();
             return Err(Fault::program("block-unreadable").arg("found", found).into());
+        }
+        if cycle.is_old_style() {
+            let fault =
+                Fault::program("field-missing").arg("field", cycle.params.first().map_or("", |p| p.is.as_str()));
+            return Err(fault.arg("cycle", cycle.key.to_string()).into());
         }
         let of_cycle = |fault: Fault, q: QRef| fault.arg("q", q.to_string()).arg("cycle", cycle.key.to_string());
         for parameter in &written.parameters {
@@ -128,7 +185,7 @@ impl<'e> Run<'_, 'e> {
             };
             self.give(param, q, content)?;
         }
-        Ok(Definition { cycle, plan, form: None, fields: Vec::new() })
+        Ok(Values { form: None, fields: Vec::new() })
     }
 
     /// Writes a transfer parameter. The name of a tool goes into the text parameter of the same number, and its
@@ -197,7 +254,7 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    fn lines(&mut self, cycle: &'e Cycle, plan: Arc<Plan>, lines: &[&OldCycleLine]) -> Done<Definition<'e>> {
+    fn lines(&self, cycle: &Cycle, lines: &[&OldCycleLine]) -> Done<Values> {
         let unreadable = |found: &str| {
             let fault = Fault::program("field-unknown").arg("found", found.trim());
             fault.arg("cycle", cycle.key.to_string())
@@ -215,7 +272,7 @@ impl<'e> Run<'_, 'e> {
                         let fault = Fault::program("field-missing").arg("field", field.id.as_str());
                         return Err(fault.arg("cycle", cycle.key.to_string()).into());
                     }
-                    return Ok(Definition { cycle, plan, form: Some(form), fields });
+                    return Ok(Values { form: Some(form), fields });
                 }
                 Err(misfit) => first_misfit = first_misfit.or(Some(misfit)),
             }

@@ -68,8 +68,8 @@ impl<'e> Run<'_, 'e> {
             })?;
             words.insert(id.to_owned(), text.into());
         }
-        context.insert("text".to_owned(), words.into_iter().collect());
-        Ok(context.into_iter().collect())
+        context.insert("text".to_owned(), minijinja::Value::from(words));
+        Ok(minijinja::Value::from(context))
     }
 }
 
@@ -78,7 +78,9 @@ fn plain(value: &Value) -> minijinja::Value {
         Value::Number(number) => (*number).into(),
         Value::Bool(truth) => (*truth).into(),
         Value::Text(text) => (**text).into(),
-        Value::Point(point) => [("main", point.x), ("minor", point.y), ("tool", point.z)].into_iter().collect(),
+        Value::Point(point) => {
+            minijinja::Value::from(BTreeMap::from([("main", point.x), ("minor", point.y), ("tool", point.z)]))
+        }
     }
 }
 

@@ -35,7 +35,7 @@ pub use world::Tool;
 use super::plan::{self, Plan, Sentence};
 use super::scene::Scene;
 use crate::diag::{Arg, Diagnostic, Place};
-use crate::spec::{CycleKey, OnControl};
+use crate::spec::{Catalogue, Cycle, CycleKey, OnControl};
 use crate::syntax::Program;
 use code::Prepared;
 use define::Definition;
@@ -125,13 +125,15 @@ pub struct Engine<'e> {
     texts: &'e dyn Texts,
     limits: Limits,
     skip_blocks: bool,
+    /// Other controls, for cycles that the manual of this one only names.
+    others_on: Vec<&'e OnControl>,
 }
 
 impl<'e> Engine<'e> {
     /// A run of the program on the control in the world of the scene.
     pub fn new(program: &'e Program, on: &'e OnControl, scene: &'e Scene, texts: &'e dyn Texts) -> Self {
         let limits = Limits::default();
-        Self { program, others: BTreeMap::new(), on, scene, texts, limits, skip_blocks: false }
+        Self { program, others: BTreeMap::new(), on, scene, texts, limits, skip_blocks: false, others_on: Vec::new() }
     }
 
     /// The same with other limits.
@@ -145,6 +147,14 @@ impl<'e> Engine<'e> {
     #[must_use]
     pub fn with_program(mut self, name: &str, program: &'e Program) -> Self {
         self.others.insert(flow::program_key(name), program);
+        self
+    }
+
+    /// The same with the descriptions of the other controls for cycles that the manual of this one only names, such
+    /// as a datum shift before probing. Later generations first: their names sort last.
+    #[must_use]
+    pub fn with_catalogue(mut self, catalogue: &'e Catalogue) -> Self {
+        self.others_on = catalogue.controls.values().filter(|other| other.id() != self.on.id()).rev().collect();
         self
     }
 
@@ -285,11 +295,11 @@ impl<'r, 'e> Run<'r, 'e> {
     }
 
     /// The plan of a cycle, compiled when it is needed first.
-    fn plan(&mut self, cycle: &crate::spec::Cycle) -> Done<Arc<Plan>> {
+    fn plan(&mut self, cycle: &Cycle, on: &OnControl) -> Done<Arc<Plan>> {
         if let Some(plan) = self.plans.get(&cycle.key) {
             return Ok(Arc::clone(plan));
         }
-        let (plan, mistakes) = plan::compile(cycle, self.engine.on);
+        let (plan, mistakes) = plan::compile(cycle, on);
         if let Some(mistake) = mistakes.first() {
             let fault = Fault::new(Class::Internal, "plan-mistake").arg("reason", mistake.code);
             return Err(fault.arg("cycle", cycle.key.to_string()).into());

@@ -272,6 +272,9 @@ impl Run<'_, '_> {
 
     fn go(&mut self, kind: MoveKind, feed: f64, to: DVec3, machine: DVec3, path: &BallPath) -> Done {
         let from = self.world.here;
+        if let Some(active) = self.world.system.unexecuted.first() {
+            return Err(Fault::unsupported("unsupported-transformation").arg("name", active.as_str()).into());
+        }
         if let Some(axis) = LinearAxis::ALL
             .into_iter()
             .find(|axis| axis.of(machine) != axis.of(self.world.machine) && !self.world.has_axis(*axis))
