@@ -11,7 +11,7 @@ use crate::engine::plan::{self, Plan};
 use crate::engine::run::{Engine, Event, Outcome, Shown, Status};
 use crate::engine::scene::Scene;
 use crate::label::{Request, block};
-use crate::locale::Language;
+use crate::locale::{Language, SOURCE_LANGUAGE};
 use crate::spec::{Cycle, Example, Kind, Node, OnControl, TakesEffect};
 use crate::syntax;
 
@@ -73,7 +73,8 @@ fn prepare<'w>(
     let scene = Scene::from_node(scene, source, world.files);
     let expect = example.expect.as_ref().map_or(&nothing, |tree| &tree.0);
     let expectation = Expectation::read(expect, source);
-    let language = world.locales.language(&on.control.language).map_err(|error| vec![error.into()]);
+    // What a case proves does not depend on the language; the source language is the one that is complete.
+    let language = world.locales.language(SOURCE_LANGUAGE).map_err(|error| vec![error.into()]);
     let (scene, expectation, language) = match (scene, expectation, language) {
         (Ok(scene), Ok(expectation), Ok(language)) => (scene, expectation, language),
         (scene, expectation, language) => {

@@ -124,16 +124,25 @@ impl<'e> Run<'_, 'e> {
                 }
             }
             Known::Builders => Err(about(Fault::unsupported("unsupported-cycle"))),
+            Known::Unknown if self.transformation(key).is_some() => Ok(None),
             Known::Unknown => Err(about(Fault::program("cycle-unknown"))),
         }
+    }
+
+    /// What the definition of a cycle without description brings into effect, on any control: a manual that does not
+    /// name a transformation has no other one of that number.
+    fn transformation(&self, key: CycleKey) -> Option<Transformation> {
+        let all = std::iter::once(&self.engine.on).chain(&self.engine.others_on);
+        all.into_iter().find_map(|on| match on.known(key) {
+            Known::Named(Named { activates, .. }) => *activates,
+            _ => None,
+        })
     }
 
     /// A transformation that the engine only knows to be in effect: no values behind the first line, or neutral
     /// ones, end it.
     fn activate(&mut self, key: CycleKey, view: &CycleView<'_>) -> Done {
-        let Known::Named(Named { activates: Some(transformation), .. }) = self.engine.on.known(key) else {
-            return Ok(());
-        };
+        let Some(transformation) = self.transformation(key) else { return Ok(()) };
         let neutral = match transformation {
             Transformation::Scaling | Transformation::AxisScaling => 1.0,
             Transformation::Mirroring => f64::NAN,
@@ -150,9 +159,9 @@ impl<'e> Run<'_, 'e> {
         }
         let active = &mut self.world.system.unexecuted;
         if acts {
-            active.insert(*transformation)
+            active.insert(transformation)
         } else {
-            active.remove(transformation)
+            active.remove(&transformation)
         };
         Ok(())
     }
