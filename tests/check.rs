@@ -13,6 +13,7 @@ use ciklo::diag::{Diagnostic, Severity, Source};
 use ciklo::locale::{Locales, Ui};
 use ciklo::spec::{Catalogue, OnControl};
 use ciklo::syntax::{Program, parse};
+use proptest::prelude::*;
 
 struct Data {
     catalogue: Catalogue,
@@ -173,4 +174,47 @@ fn the_language_of_a_program_is_that_of_its_labels() {
             assert_eq!(found.as_deref(), Some(language.as_str()), "{}", stem(&path));
         }
     }
+}
+
+thread_local! {
+    /// Loaded once for all cases.
+    static DATA: Data = Data::new();
+}
+
+proptest! {
+    /// Whatever a program says, it is checked, and every finding has a place in it.
+    #[test]
+    fn any_program_is_checked(pieces in proptest::collection::vec((0..1000_usize, 0..8_usize), 0..30)) {
+        let printed = files("tests/printed", "nc");
+        let mut text = String::new();
+        for (which, part) in pieces {
+            let block = fs::read_to_string(&printed[which % printed.len()]).expect("a block");
+            let lines: Vec<&str> = block.lines().collect();
+            text.push_str(match part {
+                0 => &block,
+                1 => "L X+5 M99\n",
+                2 => "CYCL CALL M3 ~\n",
+                3 => "TOOL CALL 5 Z\n",
+                4 => "CALL LBL 1\n",
+                _ => lines[which % lines.len()],
+            });
+            text.push_str(if part % 2 == 0 { "" } else { "\n" });
+        }
+        let program = parse(&Source::new("any.h", text.clone()));
+        for control in ["tnc640", "tnc320", "itnc530", "tnc426-430"] {
+            for diagnostic in DATA.with(|data| data.check(control, &program)) {
+                let span = diagnostic.place.expect("a place").span;
+                prop_assert!(text.get(span.start..span.end).is_some());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_definition_of_many_lines_is_checked_in_linear_time() {
+    let data = Data::new();
+    let text = "1 CYCL DEF 200 VRTANJE\n".to_owned() + &"Q201=-5 ;GLOBINA\n".repeat(50_000);
+    let found = data.check("tnc640", &parse(&Source::new("long.h", text)));
+    // All but the first one stand there again.
+    assert_eq!(found.iter().filter(|diagnostic| diagnostic.code == "duplicate-parameter").count(), 49_999);
 }

@@ -5,6 +5,7 @@
 use std::borrow::Cow;
 
 use super::fields;
+use super::labels::fold;
 use super::{Against, CycleLabels};
 use crate::diag::Span;
 use crate::expr::{QKind, QRef};
@@ -61,6 +62,10 @@ pub struct Item<'a> {
     pub value: Option<Value>,
     /// The printed label, or the printed word of an old-style field.
     pub label: Option<Span>,
+    /// The place of its specification among the cycle's parameters.
+    pub index: Option<usize>,
+    /// The label made ready for comparison.
+    pub(super) folded: Option<String>,
 }
 
 /// Something that happens in a program.
@@ -232,8 +237,11 @@ impl<'a> Definition<'a> {
         for parameter in &written.parameters {
             let printed = program.slice(parameter.value.span);
             let quoted = printed.starts_with('"');
+            let param = cycle.and_then(|cycle| param_of(cycle, parameter.q));
             self.items.push(Item {
-                param: cycle.and_then(|cycle| param_of(cycle, parameter.q)),
+                index: index_of(cycle, param),
+                folded: parameter.label.map(|label| fold(program.slice(label))),
+                param,
                 name: Cow::Owned(parameter.q.to_string()),
                 span: parameter.span,
                 value_span: parameter.value.span,
@@ -264,6 +272,16 @@ impl<'a> Definition<'a> {
             _ => None,
         }
     }
+}
+
+/// The place of a parameter in its cycle.
+pub(super) fn index_of(cycle: Option<&Cycle>, param: Option<&Param>) -> Option<usize> {
+    cycle?
+        .params
+        .iter()
+        .zip(0..)
+        .find(|(own, _)| param.is_some_and(|param| std::ptr::eq(*own, param)))
+        .map(|(_, at)| at)
 }
 
 /// The parameter of a Q number. One that takes a number or a name has the same number in both families.

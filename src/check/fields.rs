@@ -4,7 +4,8 @@
 //! another one in each language. Invariant: every written word is an item of the result.
 use std::borrow::Cow;
 
-use super::facts::Item;
+use super::facts::{Item, index_of};
+use super::labels::fold;
 use crate::diag::Span;
 use crate::spec::{Cycle, Field, Param, Shape};
 use crate::syntax::{Axis, OldCycleLine, OldWord, Program, ValueKind};
@@ -54,7 +55,7 @@ fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a
                 }
             };
             let (own, rest) = words.split_at(count.min(words.len()));
-            matched.items.push(item(program, line, own, word, param));
+            matched.items.push(item(program, cycle, line, own, word, param));
             words = rest;
         }
     }
@@ -100,6 +101,7 @@ fn is_coordinate(program: &Program, word: &OldWord, incremental: bool) -> bool {
 
 fn item<'a>(
     program: &'a Program,
+    cycle: &Cycle,
     line: &OldCycleLine,
     words: &'a [OldWord],
     first: &OldWord,
@@ -119,7 +121,10 @@ fn item<'a>(
         Some(Shape::Word) if name.starts_with(['I', 'i']) => format!("I{value}"),
         _ => value.to_owned(),
     };
+    let label = (shape == Some(Shape::Labelled)).then_some(first.name);
     Item {
+        index: index_of(Some(cycle), param.map(|(param, _)| param)),
+        folded: label.map(|label| fold(program.slice(label))),
         param: param.map(|(param, _)| param),
         name: Cow::Owned(format!("{}.{} {name}", line.number, line.line).trim_end().to_owned()),
         span,
@@ -130,6 +135,6 @@ fn item<'a>(
         },
         printed: printed.to_uppercase(),
         value: (words.len() == 1).then_some(first.value),
-        label: (shape == Some(Shape::Labelled)).then_some(first.name),
+        label,
     }
 }

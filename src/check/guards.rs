@@ -18,6 +18,15 @@ pub(super) struct Ready<'c> {
     pub(super) guard: &'c Guard,
     /// Its condition.
     pub(super) condition: Expr,
+    /// The condition compiled; nothing if it needs more than parameters.
+    code: Option<Code>,
+}
+
+impl<'c> Ready<'c> {
+    fn new(guard: &'c Guard, condition: Expr) -> Self {
+        let code = compile(&condition, &OnlyParameters).ok();
+        Self { guard, condition, code }
+    }
 }
 
 /// The guards of a cycle, those of fragments included.
@@ -40,7 +49,7 @@ fn collect<'c>(
 ) {
     for guard in guards {
         if let Some(when) = &guard.when {
-            found.push(Ready { guard, condition: replaced(&when.expr, names, 0) });
+            found.push(Ready::new(guard, replaced(&when.expr, names, 0)));
         }
         let fragment = guard.r#use.as_ref().and_then(|name| on.fragments.get(name.as_str()));
         if let Some(fragment) = fragment.filter(|_| depth < MAX_DEPTH) {
@@ -86,10 +95,9 @@ pub(super) struct Written {
 }
 
 impl Written {
-    /// Whether the condition holds; nothing if that cannot be said.
-    pub(super) fn holds(&self, condition: &Expr) -> Option<bool> {
-        let code: Code = compile(condition, &OnlyParameters).ok()?;
-        code.truth(self).ok()
+    /// Whether a guard's condition holds; nothing if that cannot be said.
+    pub(super) fn holds(&self, ready: &Ready<'_>) -> Option<bool> {
+        ready.code.as_ref()?.truth(self).ok()
     }
 }
 

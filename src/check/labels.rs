@@ -53,13 +53,17 @@ impl ParamLabels {
 
     /// Whether a printed label is this one.
     pub fn matches(&self, printed: &str) -> bool {
-        let printed = fold(printed);
-        self.folded.contains(&printed)
+        self.matches_folded(&fold(printed))
+    }
+
+    /// Whether a label made ready by [`fold`] is this one.
+    pub(super) fn matches_folded(&self, printed: &str) -> bool {
+        self.folded.iter().any(|own| own == printed)
     }
 }
 
 /// A label for comparison: capitals, single blanks, no colon at the end.
-fn fold(label: &str) -> String {
+pub(super) fn fold(label: &str) -> String {
     let words: Vec<&str> = label.split_whitespace().collect();
     words.join(" ").trim_end_matches(':').to_uppercase()
 }
@@ -103,14 +107,13 @@ impl CycleLabels {
 /// the control's manual.
 pub(super) fn language_of(facts: &Facts<'_>) -> Option<String> {
     let mut votes: BTreeMap<&str, usize> = BTreeMap::new();
-    for (definition, cycle) in facts.described() {
+    for (definition, _) in facts.described() {
         let Some(labels) = facts.labels(definition) else { continue };
         for language in &labels.languages {
             let named = definition.view.name.is_some_and(|name| language.name.matches(facts.text(name)));
             let labelled = definition.items.iter().filter(|item| {
-                let index = item.param.and_then(|param| cycle.params.iter().position(|own| std::ptr::eq(own, param)));
-                let own = index.and_then(|index| language.params.get(index));
-                item.label.zip(own).is_some_and(|(label, own)| own.matches(facts.text(label)))
+                let own = item.index.and_then(|index| language.params.get(index));
+                item.folded.as_ref().zip(own).is_some_and(|(label, own)| own.matches_folded(label))
             });
             *votes.entry(&language.tag).or_default() += labelled.count() + usize::from(named);
         }

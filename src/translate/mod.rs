@@ -36,7 +36,7 @@ pub struct Change {
 pub fn translate(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding) -> Translation {
     let facts = Facts::of(program, against);
     let mut writer = Writer { facts: &facts, to, encoding, changes: Vec::new(), diagnostics: Vec::new() };
-    for (definition, cycle) in facts.described() {
+    for (definition, _) in facts.described() {
         let Some(labels) = facts.labels(definition) else { continue };
         let own = |pick: &dyn Fn(&crate::check::LanguageLabels) -> Option<usize>| {
             labels.languages.iter().any(|language| pick(language).is_some())
@@ -48,8 +48,7 @@ pub fn translate(program: &Program, against: &Against<'_>, to: &str, encoding: E
             writer.replace(name, known, target.map(|target| &target.name), &key, &key);
         }
         for item in &definition.items {
-            let (Some(param), Some(span)) = (item.param, item.label) else { continue };
-            let Some(index) = cycle.params.iter().position(|other| std::ptr::eq(other, param)) else { continue };
+            let (Some(index), Some(span)) = (item.index, item.label) else { continue };
             let known = own(&|language| language.params.get(index)?.matches(facts.text(span)).then_some(index));
             writer.replace(span, known, target.and_then(|target| target.params.get(index)), &item.name, &key);
         }

@@ -2,25 +2,27 @@
 //!
 //! Each finding has the code of the guard. Only numbers and texts that the definition writes are
 //! known; guards that a machine datum switches off count as active.
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use crate::check::guards::{self, Ready, Written};
 use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::expr::QRef;
-use crate::spec::{Cycle, Outcome};
+use crate::spec::{Cycle, CycleKey, Outcome};
 use crate::syntax::ValueKind;
 use crate::text::{CycleText, Vocabulary};
 
 pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run };
 
 fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut known: BTreeMap<CycleKey, Vec<Ready<'_>>> = BTreeMap::new();
     for (definition, cycle) in facts.described() {
         let written = written(facts, definition, cycle);
-        for ready in guards::of(facts.against.on, cycle) {
-            if written.holds(&ready.condition) == Some(true) {
-                found.extend(finding(facts, definition, cycle, &ready));
+        let guards = known.entry(definition.key).or_insert_with(|| guards::of(facts.against.on, cycle));
+        for ready in guards.iter() {
+            if written.holds(ready) == Some(true) {
+                found.extend(finding(facts, definition, cycle, ready));
             }
         }
     }

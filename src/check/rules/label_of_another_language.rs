@@ -6,16 +6,15 @@ pub(super) const RULE: Rule = Rule { code: "label-of-another-language", severity
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(language) = &facts.language else { return };
-    for (definition, cycle) in facts.described() {
+    for (definition, _) in facts.described() {
         let Some(labels) = facts.labels(definition) else { continue };
         for item in &definition.items {
-            let (Some(param), Some(span)) = (item.param, item.label) else { continue };
+            let (Some(own), Some(span), Some(folded)) = (item.index, item.label, &item.folded) else { continue };
             let printed = facts.text(span);
-            let Some(own) = cycle.params.iter().position(|other| std::ptr::eq(other, param)) else { continue };
             let speaking: Vec<&str> = labels
                 .languages
                 .iter()
-                .filter(|language| language.params.get(own).is_some_and(|labels| labels.matches(printed)))
+                .filter(|language| language.params.get(own).is_some_and(|labels| labels.matches_folded(folded)))
                 .map(|language| language.tag.as_str())
                 .collect();
             if speaking.is_empty() || speaking.contains(&language.as_str()) {

@@ -12,16 +12,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(labels) = facts.labels(definition) else { continue };
         let Some(spoken) = labels.language(language) else { continue };
         for item in &definition.items {
-            let (Some(param), Some(span)) = (item.param, item.label) else { continue };
+            let (Some(own), Some(span), Some(folded)) = (item.index, item.label, &item.folded) else { continue };
             let printed = facts.text(span);
-            let Some(own) = cycle.params.iter().position(|other| std::ptr::eq(other, param)) else { continue };
             let is_own = |language: &crate::check::LanguageLabels| {
-                language.params.get(own).is_some_and(|labels| labels.matches(printed))
+                language.params.get(own).is_some_and(|labels| labels.matches_folded(folded))
             };
             if labels.languages.iter().any(is_own) {
                 continue;
             }
-            let other = spoken.params.iter().position(|labels| labels.matches(printed));
+            let other = spoken.params.iter().position(|labels| labels.matches_folded(folded));
             if let Some(other) = other.and_then(|index| cycle.params.get(index)) {
                 let finding = rule.at(facts, span).arg("label", printed).arg("parameter", item.name.as_ref());
                 found.push(finding.arg("other", other.label_in(definition.key.number)));

@@ -8,14 +8,10 @@ use crate::diag::{Diagnostic, Severity};
 pub(super) const RULE: Rule = Rule { code: "misordered-parameter", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    for (definition, cycle) in facts.described().filter(|(_, cycle)| !cycle.is_old_style()) {
-        let place = |item: &crate::check::Item<'_>| {
-            let param = item.param?;
-            cycle.params.iter().position(|own| std::ptr::eq(own, param))
-        };
+    for (definition, _) in facts.described().filter(|(_, cycle)| !cycle.is_old_style()) {
         let mut last: Option<(usize, &str)> = None;
         for item in &definition.items {
-            let Some(own) = place(item) else { continue };
+            let Some(own) = item.index else { continue };
             match last {
                 Some((before, name)) if own < before => {
                     let finding = rule.at(facts, item.span).arg("parameter", item.name.as_ref());
