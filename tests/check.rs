@@ -124,6 +124,14 @@ fn every_code_has_a_text_and_an_explanation_in_every_language() {
 }
 
 #[test]
+fn every_code_is_documented() {
+    let page = include_str!("../docs/check.md");
+    for rule in RULES {
+        assert!(page.contains(&format!("`{}`", rule.code)), "{}", rule.code);
+    }
+}
+
+#[test]
 fn every_finding_can_be_said() {
     let data = Data::new();
     for tag in data.locales.tags() {
