@@ -184,7 +184,7 @@ impl<'e> Run<'_, 'e> {
     fn tool_number(&self, tool: &ToolRef) -> Result<f64, Fault> {
         let named = |name: &str| match self.world.tool_named(name)? {
             Some(number) => Ok(number),
-            None => Err(Fault::program("tool-missing").arg("tool", name)),
+            None => Err(Fault::program("tool-not-in-table").arg("tool", name)),
         };
         match tool {
             ToolRef::Number(Operand { amount: Amount::Q { q, .. }, .. }) if q.kind == QKind::Qs => {
@@ -206,7 +206,7 @@ impl<'e> Run<'_, 'e> {
             let (delta_radius, delta_length) = (delta(&call.dr)?, delta(&call.dl)?);
             let table = self.world.table(TableKind::Tool)?;
             if self.world.has_tools() && !table.has_row(number) {
-                return Err(Fault::program("tool-missing").arg("tool", number).into());
+                return Err(Fault::program("tool-not-in-table").arg("tool", number).into());
             }
             if self.world.has_tools() && table.text(number, "TL")? == LOCKED {
                 return Err(Fault::control("tool-locked").arg("tool", number).into());

@@ -94,8 +94,8 @@ impl<'p> Prepared<'p> {
         };
         match key.and_then(|key| self.labels.get(&key)) {
             Some(Some(block)) => Ok(*block),
-            Some(None) => Err(Fault::program("label-twice").arg("label", shown)),
-            None => Err(Fault::program("label-missing").arg("label", shown)),
+            Some(None) => Err(Fault::program("jump-target-twice").arg("label", shown)),
+            None => Err(Fault::program("jump-target-missing").arg("label", shown)),
         }
     }
 }

@@ -73,7 +73,7 @@ impl<'e> Run<'_, 'e> {
             Label::Q(q) => {
                 let number = self.params.number(q)?;
                 let valid = number >= 1.0 && number.fract() == 0.0 && number <= f64::from(u16::MAX);
-                let missing = || Fault::program("label-missing").arg("label", number);
+                let missing = || Fault::program("jump-target-missing").arg("label", number);
                 if valid { prepared.numbered_label(number as u16) } else { Err(missing()) }
             }
             _ => prepared.label(label.target, None),
