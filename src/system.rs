@@ -126,6 +126,34 @@ fn collect(directory: &Path, name: &str, depth: usize, files: &mut Vec<(String, 
     Ok(())
 }
 
+/// The other files in the directory of a file that have an extension, in any case, by name.
+///
+/// # Errors
+/// `io-read` if the directory cannot be read.
+pub fn beside(path: &Path, extension: &str) -> Result<Vec<PathBuf>, Trouble> {
+    let directory = parent(path);
+    let entries = fs::read_dir(directory).map_err(|error| Trouble::new("io-read", directory, &error))?;
+    let paths = entries.filter_map(|entry| entry.ok().map(|entry| entry.path()));
+    let has = |other: &PathBuf| other.extension().is_some_and(|own| own.eq_ignore_ascii_case(extension));
+    let mut paths: Vec<PathBuf> = paths.filter(|other| other.is_file() && other != path && has(other)).collect();
+    paths.sort();
+    Ok(paths)
+}
+
+/// Makes a directory, unless it is there.
+///
+/// # Errors
+/// `io-write` if it cannot be made.
+pub fn create_directory(path: &Path) -> Result<(), Trouble> {
+    fs::create_dir_all(path).map_err(|error| Trouble::new("io-write", path, &error))
+}
+
+/// A file of that name in a directory; whatever in the name leads elsewhere is left out.
+pub fn inside(directory: &Path, name: &str) -> PathBuf {
+    let parts = name.split(['/', '\\']).filter(|part| !matches!(*part, "" | "." | ".."));
+    directory.join(parts.collect::<PathBuf>())
+}
+
 /// Writes a file so that it is either the old one or whole.
 ///
 /// # Errors
@@ -202,13 +230,12 @@ impl Staged {
     /// # Errors
     /// `io-write` if it cannot be written.
     pub fn write(&self, path: &str, bytes: &[u8]) -> Result<(), Trouble> {
-        let inside: PathBuf = path.split('/').filter(|part| !matches!(*part, "" | "." | "..")).collect();
-        let file = self.whole.join(&inside);
+        let file = inside(&self.whole, path);
         let written = fs::write(&file, bytes).or_else(|error| match error.kind() {
             io::ErrorKind::NotFound => fs::create_dir_all(parent(&file)).and_then(|()| fs::write(&file, bytes)),
             _ => Err(error),
         });
-        written.map_err(|error| Trouble::new("io-write", &self.target.join(&inside), &error))
+        written.map_err(|error| Trouble::new("io-write", &inside(&self.target, path), &error))
     }
 
     /// Puts the directory in its place, in exchange for what was built there before.

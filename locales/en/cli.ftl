@@ -120,6 +120,20 @@ cli-translated = { $count ->
         [one] { $count } change: { $path }
        *[other] { $count } changes: { $path }
     }
+cli-run-status = The program { $status ->
+        [done] came to its end
+        [stopped] stopped, and nobody continued it
+        [limit] reached a limit of the engine
+        [unsupported] needs something that the engine cannot do
+       *[error] ended with an error
+    }.
+cli-conform-pass = pass
+cli-conform-fail = FAIL
+cli-conform-out = out of subset
+cli-conform-skipped = skipped
+cli-conform-mismatch = { $what }: expected { $expected }, found { $found }
+cli-conform-summary = { $pass } passed, { $fail } failed, { $out } out of subset, { $skipped } skipped.
+
 cli-usage-hint = Perhaps { $suggestion }?
 cli-usage-help = See --help.
 

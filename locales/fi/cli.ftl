@@ -120,6 +120,20 @@ cli-translated = { $count ->
         [one] { $count } muutos: { $path }
        *[other] { $count } muutosta: { $path }
     }
+cli-run-status = Ohjelma { $status ->
+        [done] suoritettiin loppuun
+        [stopped] pysähtyi eikä sitä jatkettu
+        [limit] ylitti suorituksen rajan
+        [unsupported] tarvitsee jotakin, mitä suoritus ei tue
+       *[error] päättyi virheeseen
+    }.
+cli-conform-pass = läpi
+cli-conform-fail = VIRHE
+cli-conform-out = ei tuettu
+cli-conform-skipped = ohitettu
+cli-conform-mismatch = { $what }: odotettiin { $expected }, saatiin { $found }
+cli-conform-summary = Läpi { $pass }, virheellisiä { $fail }, ei tuettuja { $out }, ohitettuja { $skipped }.
+
 cli-usage-hint = Tarkoititko: { $suggestion }?
 cli-usage-help = Katso --help.
 

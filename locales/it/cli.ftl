@@ -120,6 +120,20 @@ cli-translated = { $count ->
         [one] { $count } modifica: { $path }
        *[other] { $count } modifiche: { $path }
     }
+cli-run-status = Il programma { $status ->
+        [done] è arrivato alla fine
+        [stopped] si è arrestato e nessuno lo ha ripreso
+        [limit] ha raggiunto un limite dell'esecuzione
+        [unsupported] richiede qualcosa che l'esecuzione non supporta
+       *[error] è terminato con un errore
+    }.
+cli-conform-pass = riuscito
+cli-conform-fail = ERRORE
+cli-conform-out = non supportato
+cli-conform-skipped = tralasciato
+cli-conform-mismatch = { $what }: atteso { $expected }, trovato { $found }
+cli-conform-summary = Riusciti: { $pass }, errori: { $fail }, non supportati: { $out }, tralasciati: { $skipped }.
+
 cli-usage-hint = Forse { $suggestion }?
 cli-usage-help = Vedere --help.
 

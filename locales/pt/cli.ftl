@@ -120,6 +120,20 @@ cli-translated = { $count ->
         [one] { $count } alteração: { $path }
        *[other] { $count } alterações: { $path }
     }
+cli-run-status = O programa { $status ->
+        [done] chegou ao fim
+        [stopped] parou e ninguém o retomou
+        [limit] atingiu um limite da execução
+        [unsupported] precisa de algo que a execução não suporta
+       *[error] terminou com um erro
+    }.
+cli-conform-pass = passou
+cli-conform-fail = FALHOU
+cli-conform-out = não suportado
+cli-conform-skipped = omitido
+cli-conform-mismatch = { $what }: esperado { $expected }, obtido { $found }
+cli-conform-summary = Passaram: { $pass }, falharam: { $fail }, não suportados: { $out }, omitidos: { $skipped }.
+
 cli-usage-hint = Talvez { $suggestion }?
 cli-usage-help = Ver --help.
 

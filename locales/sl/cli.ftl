@@ -140,6 +140,20 @@ cli-translated = { $count ->
         [few] { $count } spremembe: { $path }
        *[other] { $count } sprememb: { $path }
     }
+cli-run-status = Program { $status ->
+        [done] se je izvedel do konca
+        [stopped] se je ustavil in ga nihče ni nadaljeval
+        [limit] je dosegel mejo izvajanja
+        [unsupported] potrebuje nekaj, česar izvajanje ne podpira
+       *[error] se je končal z napako
+    }.
+cli-conform-pass = uspešno
+cli-conform-fail = NAPAKA
+cli-conform-out = ni podprto
+cli-conform-skipped = izpuščeno
+cli-conform-mismatch = { $what }: pričakovano { $expected }, dobljeno { $found }
+cli-conform-summary = Uspešno: { $pass }, napake: { $fail }, ni podprto: { $out }, izpuščeno: { $skipped }.
+
 cli-usage-hint = Morda { $suggestion }?
 cli-usage-help = Glejte --help.
 

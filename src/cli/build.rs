@@ -30,6 +30,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
+    let files = session.files()?;
     let (controls, languages) = (arguments::all(matches, "control"), arguments::all(matches, "lang"));
     for id in &controls {
         cycle::control(&catalogue, id)?;
@@ -39,13 +40,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     let out = matches.get_one::<String>("out").map_or(OUT, String::as_str);
     let staged = Staged::new(Path::new(out))?;
-    let request = Request {
-        catalogue: &catalogue,
-        locales: &locales,
-        files: session.files()?,
-        controls: &controls,
-        languages: &languages,
-    };
+    let request =
+        Request { catalogue: &catalogue, locales: &locales, files: &files, controls: &controls, languages: &languages };
     let site = Site::new(&request).map_err(Failure::Data)?;
     let progress = Progress::new(session.ui.text("cli-building", &Args::new()), site.pages());
     // A disk that is full is told once, not for each file that did not fit.

@@ -3,8 +3,10 @@ use clap::{ArgAction, ArgMatches};
 
 use super::session::{self, Session};
 use super::{Command, Failure, Outcome, arguments, cycle};
-use crate::coverage::{self, CycleCoverage, Executed};
-use crate::locale::{Args, Ui};
+use crate::conform::{self, World};
+use crate::coverage::{self, CycleCoverage, Executed, LeftOut};
+use crate::locale::{Args, Locales, Ui};
+use crate::spec::{Catalogue, CycleKey};
 
 pub(super) const COMMAND: Command =
     Command {
@@ -33,7 +35,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     for tag in &languages {
         cycle::language(&locales, tag)?;
     }
-    let mut report = coverage::coverage(&catalogue, &locales, &Executed::new())?;
+    let executed = executed(&catalogue, &locales, &session.files()?);
+    let mut report = coverage::coverage(&catalogue, &locales, &executed)?;
     report.controls.retain(|control| controls.is_empty() || controls.contains(&control.control));
     for cycle in report.controls.iter_mut().flat_map(|control| &mut control.cycles) {
         cycle.texts.retain(|text| languages.is_empty() || languages.contains(&text.language));
@@ -57,6 +60,24 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         session.output.print("\n")?;
     }
     Ok(Outcome::Clean)
+}
+
+/// Runs the examples to see what they leave out.
+fn executed(catalogue: &Catalogue, locales: &Locales, files: &[(String, String)]) -> Executed {
+    let (report, _) = conform::run(&World { catalogue, locales, files }, &[]);
+    let mut executed = Executed::new();
+    for cycle in report.cycles {
+        let keys = catalogue.on(&cycle.control).into_iter().flat_map(|on| on.cycles.keys());
+        let own = |key: &&CycleKey| key.number == cycle.number && key.keyword.as_str() == cycle.keyword;
+        if let Some(key) = keys.copied().find(|key| own(&key)) {
+            let left_out = LeftOut {
+                unexecuted: cycle.unexecuted.into_iter().collect(),
+                unprovoked: cycle.unprovoked.into_iter().collect(),
+            };
+            executed.insert((cycle.control, key), left_out);
+        }
+    }
+    executed
 }
 
 fn lines(cycle: &CycleCoverage, ui: &Ui) -> Vec<String> {

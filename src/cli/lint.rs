@@ -27,7 +27,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     let files = session.files()?;
     let (locales, mut found) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-    let (catalogue, mistakes) = Catalogue::load(files);
+    let (catalogue, mistakes) = Catalogue::load(&files);
     found.extend(mistakes);
     found.extend(spec::lint(&catalogue));
     found.extend(plan::check(&catalogue));

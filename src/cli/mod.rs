@@ -8,6 +8,7 @@ mod arguments;
 mod block;
 mod build;
 mod check;
+mod conform;
 mod coverage;
 mod cycle;
 mod dialog;
@@ -17,6 +18,7 @@ mod lint;
 mod parse;
 mod program;
 mod progress;
+mod run;
 mod schema;
 mod session;
 mod translate;
@@ -87,6 +89,8 @@ static COMMANDS: &[Command] = &[
     parse::COMMAND,
     check::COMMAND,
     translate::COMMAND,
+    run::COMMAND,
+    conform::COMMAND,
     coverage::COMMAND,
     lint::COMMAND,
     schema::COMMAND,
@@ -114,7 +118,7 @@ pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let result = match usage::command_line(&ui).try_get_matches_from(words) {
-        Ok(matches) => run(&ui, &mut output, &matches),
+        Ok(matches) => carry_out(&ui, &mut output, &matches),
         Err(error) => usage::explain(&error, &ui, &mut output),
     };
     let result = result.and_then(|outcome| output.finish().map(|()| outcome));
@@ -132,7 +136,7 @@ pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-fn run(ui: &Ui, output: &mut Output, matches: &ArgMatches) -> Result<Outcome, Failure> {
+fn carry_out(ui: &Ui, output: &mut Output, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let Some((name, own)) = matches.subcommand() else { return Ok(Outcome::Clean) };
     let Some(command) = COMMANDS.iter().find(|command| command.name == name) else { return Ok(Outcome::Clean) };
     let data = matches.get_one::<std::path::PathBuf>(arguments::DATA);

@@ -5,6 +5,7 @@
 use std::cell::OnceCell;
 use std::io::{self, BufWriter, StdoutLock, Write as _};
 use std::path::Path;
+use std::rc::Rc;
 
 use super::Failure;
 use crate::data::{self, Files};
@@ -80,7 +81,7 @@ pub(super) struct Session<'s> {
     pub(super) ui: Ui<'s>,
     pub(super) output: &'s mut Output,
     data: Option<&'s Path>,
-    files: OnceCell<Files>,
+    files: OnceCell<Rc<Files>>,
 }
 
 impl<'s> Session<'s> {
@@ -94,20 +95,20 @@ impl<'s> Session<'s> {
     }
 
     /// The files that everything is made from.
-    pub(super) fn files(&self) -> Result<&Files, Failure> {
+    pub(super) fn files(&self) -> Result<Rc<Files>, Failure> {
         if let Some(files) = self.files.get() {
-            return Ok(files);
+            return Ok(Rc::clone(files));
         }
         let files = match self.data {
             None => data::embedded(),
             Some(root) => working_copy(root)?,
         };
-        Ok(self.files.get_or_init(|| files))
+        Ok(Rc::clone(self.files.get_or_init(|| Rc::new(files))))
     }
 
     /// The catalogue, which must be without mistakes.
     pub(super) fn catalogue(&self) -> Result<Catalogue, Failure> {
-        let (catalogue, found) = Catalogue::load(self.files()?);
+        let (catalogue, found) = Catalogue::load(&*self.files()?);
         sound(found).map(|()| catalogue)
     }
 

@@ -7,6 +7,7 @@ use std::fmt::Write as _;
 use super::args::Args;
 use super::error::LocaleError;
 use super::language::{Language, Scope};
+use super::number::Numbers;
 use super::{Locales, SOURCE_LANGUAGE};
 use crate::diag::{Arg, Diagnostic, Severity};
 
@@ -45,6 +46,11 @@ impl<'l> Ui<'l> {
     /// The tag of the language.
     pub fn tag(&self) -> &'l str {
         self.own.map_or(SOURCE_LANGUAGE, Language::tag)
+    }
+
+    /// The way of writing numbers.
+    pub fn numbers(&self) -> Numbers {
+        self.own.map_or_else(Numbers::plain, |language| language.numbers().clone())
     }
 
     /// A text of the program; its key if no language has it.

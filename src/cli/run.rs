@@ -1,0 +1,141 @@
+//! `ciklo run`: a program executed in a scene.
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use clap::ArgMatches;
+
+use super::session::Session;
+use super::{Command, Failure, Outcome, arguments, cycle, program};
+use crate::conform::LogTexts;
+use crate::diag::{Diagnostic, Source};
+use crate::engine::run::{Content, Engine, Event, EventKind, Status};
+use crate::engine::scene::Scene;
+use crate::locale::{Args, Digits, Ui};
+use crate::system;
+
+pub(super) const COMMAND: Command = Command {
+    name: "run",
+    usage: "FILE --control CONTROL --scene FILE [--out DIR] [--events] [--lang LANG]",
+    arguments: own,
+    run,
+};
+
+/// How a program calls another one; only then are its neighbours read.
+const CALLS: [&str; 2] = ["CALL PGM", "PGM CALL"];
+
+/// Digits of a result in the summary, a nanometre; events have them all.
+const SHOWN: Digits = Digits { minimum: 0, maximum: Some(6) };
+
+fn own(ui: &Ui) -> Vec<clap::Arg> {
+    let option = |name, value, help| arguments::argument(ui, name, help).long(name).value_name(value);
+    vec![
+        arguments::file(ui),
+        arguments::control(ui),
+        option("scene", "FILE", "cli-arg-scene").required(true),
+        option("out", "DIR", "cli-run-out"),
+        arguments::switch(ui, "events", "cli-run-events"),
+        option("lang", "LANG", "cli-run-lang"),
+    ]
+}
+
+fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
+    let (catalogue, locales) = (session.catalogue()?, session.locales()?);
+    let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
+    let language = cycle::language_for(&locales, on, matches)?;
+    let path = arguments::text(matches, "file");
+    let file = program::read(Path::new(&path))?;
+    let neighbours = neighbours(Path::new(&path), file.program.source().text())?;
+    let files = session.files()?;
+    let scene = scene(&arguments::text(matches, "scene"), &files)?;
+    let texts = LogTexts::new(language, on.id(), &files);
+    let mut engine = Engine::new(&file.program, on, &scene, &texts).with_catalogue(&catalogue);
+    for (name, other) in &neighbours {
+        engine = engine.with_program(name, &other.program);
+    }
+    let mut teller = Teller { events: matches.get_flag("events"), set: BTreeMap::new(), written: Ok(()) };
+    let output = &mut *session.output;
+    let result = engine.run(&mut |event| teller.tell(&event, output));
+    teller.written?;
+    if !teller.events {
+        summary(session, &teller.set, result.status)?;
+    }
+    if let Some(out) = matches.get_one::<String>("out") {
+        save(session, Path::new(out), result.tables.iter().chain(&result.logs))?;
+    }
+    if let Some(diagnostic) = &result.diagnostic {
+        session.output.complain(diagnostic, &session.ui);
+    }
+    Ok(match result.status {
+        Status::Done | Status::Stopped => Outcome::Clean,
+        Status::Error | Status::Limit | Status::Unsupported => Outcome::Errors,
+    })
+}
+
+fn scene(path: &str, files: &[(String, String)]) -> Result<Scene, Failure> {
+    let bytes = system::read(Path::new(path))?;
+    let text = String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", path))?;
+    Scene::parse(&Source::new(path, text), files).map_err(Failure::Data)
+}
+
+/// The programs beside this one, by name, if it calls any.
+fn neighbours(path: &Path, text: &str) -> Result<Vec<(String, program::File)>, Failure> {
+    if !CALLS.iter().any(|call| text.to_uppercase().contains(call)) {
+        return Ok(Vec::new());
+    }
+    let mut programs = Vec::new();
+    for other in system::beside(path, "h")? {
+        let name = other.file_name().map(|name| name.to_string_lossy().into_owned());
+        programs.push((name.unwrap_or_default(), program::read(&other)?));
+    }
+    Ok(programs)
+}
+
+/// Tells events as they come, or remembers what the summary needs.
+struct Teller {
+    events: bool,
+    set: BTreeMap<String, Content>,
+    written: Result<(), Failure>,
+}
+
+impl Teller {
+    fn tell(&mut self, event: &Event, output: &mut super::Output) {
+        if !self.events {
+            // What a definition hands over is known from the program; what a step sets is a result.
+            let handed_over = matches!(&event.at.cycle, Some((_, None)));
+            if let (EventKind::Set { q, value }, false) = (&event.kind, handed_over) {
+                self.set.insert(q.to_string(), value.clone());
+            }
+        } else if self.written.is_ok() {
+            self.written = output.print(&format!("{}\n", event.to_json()));
+        }
+    }
+}
+
+fn summary(session: &mut Session, set: &BTreeMap<String, Content>, status: Status) -> Result<(), Failure> {
+    let numbers = session.ui.numbers();
+    for (q, value) in set {
+        let value = match value {
+            Content::Number(number) => numbers.nc(*number, SHOWN).unwrap_or_default(),
+            Content::Text(text) => format!("\"{text}\""),
+        };
+        session.output.print(&format!("{q} = {value}\n"))?;
+    }
+    let line = session.ui.text("cli-run-status", &Args::new().text("status", status.as_str()));
+    session.output.print(&format!("{line}\n"))
+}
+
+fn save<'f>(
+    session: &mut Session,
+    out: &Path,
+    files: impl Iterator<Item = &'f (String, String)>,
+) -> Result<(), Failure> {
+    system::create_directory(out)?;
+    for (name, text) in files {
+        let path = system::inside(out, name);
+        system::write(&path, text.as_bytes())?;
+        let args = Args::new().text("path", path.display().to_string());
+        let line = session.ui.text("cli-written", &args);
+        session.output.remark(&line);
+    }
+    Ok(())
+}
