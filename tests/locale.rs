@@ -46,6 +46,39 @@ fn stored(wanted: fn(&str) -> bool) -> Locales {
     locales
 }
 
+/// The words in double quotes that follow one of the openings in a source text.
+fn quoted_after<'t>(text: &'t str, openings: &[&str]) -> Vec<&'t str> {
+    let starts = openings.iter().flat_map(|opening| text.match_indices(opening).map(|(at, it)| at + it.len()));
+    let words = starts.filter_map(|at| text.get(at..)?.trim_start().strip_prefix('"')?.split('"').next());
+    words.filter(|word| !word.is_empty() && word.bytes().all(|b| b.is_ascii_lowercase() || b == b'-')).collect()
+}
+
+#[test]
+fn every_code_in_the_sources_has_a_text() {
+    let locales = stored(|_| true);
+    let source = locales.source().unwrap();
+    let mut waiting = vec![std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src")];
+    let mut silent = Vec::new();
+    while let Some(path) = waiting.pop() {
+        if path.is_dir() {
+            waiting.extend(std::fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()));
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).unwrap();
+        for code in quoted_after(&text, &["Diagnostic::error(", "Diagnostic::warning(", "Diagnostic::global("]) {
+            if !source.has(&format!("diag-{code}"), &Scope::NONE) {
+                silent.push(format!("{}: diag-{code}", path.display()));
+            }
+        }
+        for caption in quoted_after(&text, &[".related("]) {
+            if !source.has(&format!("related-{caption}"), &Scope::NONE) {
+                silent.push(format!("{}: related-{caption}", path.display()));
+            }
+        }
+    }
+    assert!(silent.is_empty(), "{}", silent.join("\n"));
+}
+
 /// The files that belong to this module.
 fn own() -> Locales {
     stored(|name| ["units.ftl", "interface.ftl", "diag-locale.ftl", "cli.ftl"].iter().any(|own| name.ends_with(own)))
