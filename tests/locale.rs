@@ -288,6 +288,8 @@ fn mistakes_of_all_files_come_together_with_their_places() {
     assert_eq!(findings(&diagnostics), expected);
     let (_, diagnostics) = Locales::load([("locales/fi/a.ftl", &[0xff_u8, 0xfe][..])]);
     assert_eq!(findings(&diagnostics), ["locale-encoding 1:1"]);
+    let long = "a = { 1.00000000000000000000 ->\n   *[one] x\n }\n";
+    assert_eq!(findings(&load(&[("locales/fi/a.ftl", long)]).1), ["locale-long-number 1:9"]);
     let deep = format!("a = {}", "{".repeat(100_000));
     assert_eq!(findings(&load(&[("locales/fi/a.ftl", &deep)]).1), ["locale-nesting 1:1"]);
 }

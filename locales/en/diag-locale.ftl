@@ -3,6 +3,7 @@
 diag-locale-encoding = This file is not UTF-8.
 diag-locale-tag = The directory name “{ $tag }” is not a language tag.
 diag-locale-nesting = Braces nest deeper than { $most } levels; the file is passed over.
+diag-locale-long-number = A number has more than { $most } digits in a row; the file is passed over.
 diag-locale-syntax =
     This is not Fluent: { $kind ->
         [expected-token] “{ $detail }” is expected here

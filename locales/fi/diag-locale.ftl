@@ -3,6 +3,7 @@
 diag-locale-encoding = Tiedosto ei ole UTF-8-muodossa.
 diag-locale-tag = Hakemiston nimi ”{ $tag }” ei ole kielitunnus.
 diag-locale-nesting = Aaltosulkeita on sisäkkäin yli { $most } tasoa; tiedosto ohitetaan.
+diag-locale-long-number = Luvussa on peräkkäin yli { $most } numeroa; tiedosto ohitetaan.
 diag-locale-syntax =
     Tämä ei ole Fluentia: { $kind ->
         [expected-token] tässä pitäisi olla ”{ $detail }”

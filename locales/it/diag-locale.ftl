@@ -3,6 +3,7 @@
 diag-locale-encoding = Questo file non è in UTF-8.
 diag-locale-tag = Il nome della cartella «{ $tag }» non è un codice di lingua.
 diag-locale-nesting = Le parentesi graffe superano { $most } livelli; il file viene ignorato.
+diag-locale-long-number = Un numero ha più di { $most } cifre di seguito; il file viene ignorato.
 diag-locale-syntax =
     Questo non è Fluent: { $kind ->
         [expected-token] qui è atteso «{ $detail }»

@@ -3,6 +3,7 @@
 diag-locale-encoding = Este ficheiro não está em UTF-8.
 diag-locale-tag = O nome da pasta «{ $tag }» não é um código de idioma.
 diag-locale-nesting = As chavetas ultrapassam { $most } níveis; o ficheiro é ignorado.
+diag-locale-long-number = Um número tem mais de { $most } algarismos seguidos; o ficheiro é ignorado.
 diag-locale-syntax =
     Isto não é Fluent: { $kind ->
         [expected-token] espera-se aqui «{ $detail }»

@@ -3,6 +3,7 @@
 diag-locale-encoding = Datoteka ni v kodiranju UTF-8.
 diag-locale-tag = Ime mape »{ $tag }« ni oznaka jezika.
 diag-locale-nesting = Zaviti oklepaji so gnezdeni globlje od { $most } ravni; datoteka je izpuščena.
+diag-locale-long-number = Število ima več kot { $most } števk zapored; datoteka je izpuščena.
 diag-locale-syntax =
     To ni Fluent: { $kind ->
         [expected-token] tukaj je pričakovan »{ $detail }«

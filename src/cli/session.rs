@@ -108,7 +108,7 @@ impl<'s> Session<'s> {
 
     /// The catalogue, which must be without mistakes.
     pub(super) fn catalogue(&self) -> Result<Catalogue, Failure> {
-        let (catalogue, found) = Catalogue::load(&*self.files()?);
+        let (catalogue, found) = Catalogue::load(&self.files()?);
         sound(found).map(|()| catalogue)
     }
 

@@ -24,6 +24,9 @@ const LOCK: &str = "source.lock";
 /// Fluent's parser recurses with each brace; no real message nests this deep.
 const DEEPEST_NESTING: usize = 64;
 
+/// Fluent's plural rules overflow with the digits of a longer number.
+const MOST_DIGITS_TOGETHER: usize = 18;
+
 /// All languages among the files, with all mistakes in them.
 pub(super) fn languages<P, T>(files: impl IntoIterator<Item = (P, T)>) -> (BTreeMap<String, Language>, Vec<Diagnostic>)
 where
@@ -104,7 +107,7 @@ impl<'d> Reader<'d> {
         for (name, source) in sources {
             if name == LOCK {
                 lock = Some(Lock::read(&source, self.diagnostics));
-            } else if self.shallow(&source) {
+            } else if self.shallow(&source) && self.short_numbers(&source) {
                 let resource = self.parse(&source);
                 self.collect(&source, &resource);
                 if name == UNITS {
@@ -137,6 +140,19 @@ impl<'d> Reader<'d> {
                 return false;
             }
             at += line.len();
+        }
+        true
+    }
+
+    fn short_numbers(&mut self, source: &Arc<Source>) -> bool {
+        let mut run = 0;
+        for (at, byte) in source.text().bytes().enumerate() {
+            run = if byte.is_ascii_digit() { run + 1 } else { 0 };
+            if run > MOST_DIGITS_TOGETHER {
+                let place = Place::new(source, at + 1 - run..at + 1);
+                self.diagnostics.push(Diagnostic::error("locale-long-number", place).arg("most", MOST_DIGITS_TOGETHER));
+                return false;
+            }
         }
         true
     }
