@@ -1,13 +1,13 @@
 # A linha de comandos: ajuda, mensagens e observações sobre ficheiros e palavras.
 
-cli-about = Especificações de ciclos CNC como diálogos, blocos NC, manuais, verificação e execução de programas
+cli-about = Especificações de ciclos CNC como diálogos, frases NC, manuais, verificação e execução de programas
 cli-heading-usage = Utilização:
 cli-heading-commands = Comandos
 cli-heading-arguments = Argumentos
 cli-heading-options = Opções
 cli-heading-examples = Exemplos:
 
-cli-build = Escreve os manuais, os diálogos e as tabelas de textos dos parâmetros
+cli-build = Escreve os manuais, os diálogos e as tabelas de designações
 cli-build-out = Pasta a escrever; é substituída quando tudo estiver completo (predefinição: out)
 cli-build-control = Só este comando numérico; pode repetir-se
 cli-build-lang = Só este idioma; pode repetir-se
@@ -16,25 +16,25 @@ cli-lint = Indica tudo o que está errado nas especificações e nos idiomas
 cli-lint-accept = Regista todas as traduções como correspondentes aos textos ingleses
 cli-coverage = Mostra o que está completo, em falta, desatualizado, pendente ou por executar
 cli-dialog = Mostra o diálogo de um ciclo
-cli-block = Escreve o bloco NC de um ciclo
+cli-block = Escreve a frase NC de um ciclo
 cli-block-values = Número do ciclo e valores dos parâmetros, por exemplo Q321=50; os outros têm os do exemplo do manual
-cli-block-number = Número do primeiro bloco (predefinição: o do exemplo do manual)
+cli-block-number = Número da primeira frase (predefinição: o do exemplo do manual)
 cli-block-form = Forma de um ciclo antigo que tenha várias
 cli-block-without = Campo opcional a omitir; pode repetir-se
-cli-parse = Decompõe um programa em blocos, como JSON
+cli-parse = Decompõe um programa em frases, como JSON
 cli-parse-print = Volta a mostrar o programa, igual byte a byte
 cli-check = Verifica programas para um comando numérico
 cli-check-lang = Idioma dos textos dos programas (predefinição: deduzido deles)
 cli-explain = Diz o que significa o código de uma observação
 cli-explain-code = O código; sem ele, são indicados todos
-cli-translate = Escreve um programa com os nomes e textos de outro idioma; nada mais muda
-cli-translate-to = Idioma dos nomes e textos
+cli-translate = Escreve um programa com os nomes e designações de outro idioma; nada mais muda
+cli-translate-to = Idioma dos nomes e designações
 cli-translate-control = Comando numérico do programa (predefinição: aquele cujos ciclos contém)
 cli-translate-out = Ficheiro a escrever (predefinição: saída padrão)
 cli-run = Executa um programa num cenário
-cli-run-out = Pasta para as tabelas e os protocolos que o programa escreve
+cli-run-out = Pasta para as tabelas e os registos que o programa escreve
 cli-run-events = Mostra cada evento como uma linha JSON
-cli-run-lang = Idioma dos protocolos (predefinição: o do manual do comando numérico)
+cli-run-lang = Idioma dos registos (predefinição: o do manual do comando numérico)
 cli-conform = Executa os exemplos das especificações
 cli-export = Mostra todos os ciclos de um comando numérico num idioma, como JSON
 
@@ -113,7 +113,7 @@ cli-coverage-complete = completo
 cli-coverage-missing = { $language }: textos em falta { $count } de { $of }: { $ids }
 cli-coverage-stale = { $language }: textos desatualizados { $count } de { $of }: { $ids }
 cli-coverage-pending = Pendente na execução: { $ids }
-cli-coverage-unexecuted = Frases não executadas por um exemplo: { $count } de { $of }: { $ids }
+cli-coverage-unexecuted = Textos da execução por executar num exemplo: { $count } de { $of }: { $ids }
 cli-coverage-unprovoked = Não provocado por um exemplo: { $ids }
 
 cli-translated = { $count ->

@@ -1,6 +1,6 @@
 # Mensagens da verificação e da tradução de programas; ver o ficheiro inglês.
 
-diag-call-of-def-active-cycle = { $cycle } actua logo que é definido; não deve ser chamado.
+diag-call-of-def-active-cycle = { $cycle } atua logo que é definido; não deve ser chamado.
 diag-called-but-not-defined = Aqui é chamado um ciclo, mas antes não está definido nenhum.
 diag-choice-not-offered = { $parameter }={ $value } não está entre as opções: { $offered }.
 diag-cycle-not-described = { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
@@ -8,10 +8,10 @@ diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; exis
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
 diag-guard = O comando não aceita estes valores.
-diag-label-missing = A língua «{ $language }» não tem texto para { $parameter } de { $cycle }.
+diag-label-missing = O idioma «{ $language }» não tem designação para { $parameter } de { $cycle }.
 diag-label-not-encodable = «{ $label }» tem o carácter «{ $character }», que a codificação do ficheiro não pode escrever.
-diag-label-of-another-language = «{ $label }» é um texto noutra língua ({ $language }); na língua do programa o texto de { $parameter } é «{ $right }».
-diag-label-of-another-parameter = «{ $label }» é o texto de { $other }, não de { $parameter }.
+diag-label-of-another-language = «{ $label }» é uma designação noutro idioma ({ $language }); a maior parte do programa designa { $parameter } por «{ $right }».
+diag-label-of-another-parameter = «{ $label }» é a designação de { $other }, não de { $parameter }.
 diag-misordered-parameter = Em { $cycle }, o comando visualiza { $parameter } antes de { $before }.
 diag-missing-parameter = Em { $cycle } falta { $parameter }.
 diag-out-of-range =
@@ -20,7 +20,7 @@ diag-out-of-range =
         [long] O texto de { $parameter } é demasiado longo: são permitidos { $limit } caracteres.
        *[above] { $parameter }={ $value } é demasiado grande: o valor máximo é { $limit }.
     }
-diag-spindle-off = Aqui é chamado um ciclo de maquinação com a ferramenta parada.
+diag-spindle-off = Aqui é chamado um ciclo de maquinação com o cabeçote parado.
 diag-tool-missing = Aqui um ciclo desloca-se, mas antes nenhuma chamada da ferramenta indicou o eixo da ferramenta.
 diag-unknown-cycle = { $cycle } não é um ciclo de nenhum comando aqui conhecido.
 diag-unknown-parameter = Neste comando, { $cycle } não tem o parâmetro { $parameter }.

@@ -2,8 +2,8 @@
 
 syntax-expected =
     { $expected ->
-        [block] o início de um bloco
-        [end] o fim do bloco
+        [block] o início de uma frase
+        [end] o fim da frase
         [sign] um sinal
         [word] uma coordenada, R0, RL, RR, um avanço ou uma função M
         [number] um número
@@ -36,10 +36,10 @@ syntax-expected =
        *[other] { $expected }
     }
 
-diag-syntax-unknown-block = Nenhum bloco começa com «{ $found }».
+diag-syntax-unknown-block = Nenhuma frase começa com «{ $found }».
 diag-syntax-unexpected = «{ $found }» não pode estar aqui; esperado: { syntax-expected }.
-diag-syntax-incomplete = O bloco está incompleto; esperado: { syntax-expected }.
+diag-syntax-incomplete = A frase está incompleta; esperado: { syntax-expected }.
 diag-syntax-unclosed-text = Faltam ao texto as aspas finais: { $found }
 diag-syntax-formula = «{ $found }» não pode estar neste ponto da fórmula; esperado: { syntax-expected }.
-diag-syntax-remark = «{ $found }» está atrás de uma tabulação e não pertence a nenhum bloco; o comando recusá-lo-ia. Os comentários começam com ponto e vírgula.
-diag-syntax-dangling-continuation = O carácter ~ anuncia mais uma linha, mas não se segue nenhuma que pertença a este bloco.
+diag-syntax-remark = «{ $found }» está atrás de uma tabulação e não pertence a nenhuma frase; o comando recusá-lo-ia. Os comentários começam com ponto e vírgula.
+diag-syntax-dangling-continuation = O carácter ~ anuncia mais uma linha, mas não se segue nenhuma que pertença a esta frase.

@@ -1,0 +1,59 @@
+## Erros nas especificações. $expected e $found vêm do ficheiro ou designam um tipo de valor.
+
+diag-spec-both-forms = O ciclo tem parâmetros e linhas do formato antigo; só pode ser escrito num dos formatos.
+diag-spec-case-incomplete = O caso { $name } precisa de um cenário e de um resultado esperado, ou de um motivo para ser omitido.
+diag-spec-case-never-reached = Este caso nunca é alcançado: um anterior abrange tudo o que ele abrangeria.
+diag-spec-case-proves-nothing = O caso { $name } não diz o que prova.
+diag-spec-duplicate-choice = A opção { $value } é oferecida duas vezes.
+diag-spec-duplicate-cycle = { $cycle } ({ $name }) está descrito duas vezes para um mesmo comando.
+diag-spec-duplicate-key = A chave { $key } aparece duas vezes.
+diag-spec-duplicate-name = O nome { $name } aparece duas vezes.
+diag-spec-duplicate-parameter = { $q } aparece duas vezes no ciclo.
+diag-spec-empty-range = O campo de introdução está vazio: { $min } é maior do que { $max }.
+diag-spec-example-out-of-range = O valor de exemplo { $value } de { $name } não é admitido pelo parâmetro.
+diag-spec-expected = Esperado: { $expected }, encontrado: { $found }.
+diag-spec-expression = Isto não é uma expressão: esperado: { $expected }, encontrado: «{ $found }».
+diag-spec-foreign-manual = O manual { $manual } não é um manual de { $control }.
+diag-spec-guard-keys = Uma verificação precisa de code, when e then, ou indica um fragmento com use.
+diag-spec-id-form = O identificador { $name } não está em minúsculas separadas por hífenes.
+diag-spec-lines-form = As linhas «{ $lines }» não são números ou intervalos por ordem crescente.
+diag-spec-missing-key = Falta a chave { $key }.
+diag-spec-no-example = { $name } não tem valor de exemplo.
+diag-spec-no-parameters = O ciclo não tem parâmetros nem linhas do formato antigo.
+diag-spec-no-source = Não estão indicadas linhas de um manual para este comando.
+diag-spec-no-steps = A execução não tem passos.
+diag-spec-only-and-except = Um elemento só pode ter only ou except, não ambos.
+diag-spec-otherwise-last = Um caso sem condições tem de ser o último.
+diag-spec-range-of-text = { $name } não é um número e não pode ter campo de introdução.
+diag-spec-result-target = O resultado { $name } precisa de um parâmetro Q ou de um campo deste ciclo.
+diag-spec-run-item = O elemento da execução não está bem formado: { $reason ->
+    [one-head] tem de ser exatamente um de step, group e each.
+    [series-keys] in, until, between e collect pertencem a each.
+    [series-body] each precisa de uma série em in e de elementos da execução em do.
+    [step-body] um passo tem ações, não elementos da execução.
+    [group-body] um grupo tem elementos e nada mais.
+   *[step-keys] choose, then e by pertencem a um passo.
+}
+diag-spec-text-parameter = { $name }: um parâmetro QS aceita um texto, e só um parâmetro QS o aceita.
+diag-spec-unknown-condition = Não existe a condição { $name }.
+diag-spec-unknown-control = Não existe o comando { $control }; existem: { $known }.
+diag-spec-unknown-cycle = { $control } não conhece { $cycle }.
+diag-spec-unknown-cycle-name = Nenhum ciclo deste comando tem o nome { $name }.
+diag-spec-unknown-datum = { $control } não tem nenhum dado de máquina com o nome { $name }.
+diag-spec-unknown-form = O ciclo não tem a forma { $name }.
+diag-spec-unknown-fragment = Não existe o fragmento { $name }.
+diag-spec-unknown-key = A chave { $key } não tem significado aqui; chaves conhecidas: { $known }.
+diag-spec-unknown-meaning = O dicionário não tem nenhum parâmetro com o nome { $name }.
+diag-spec-unknown-option = { $control } não tem a opção de software { $option }.
+diag-spec-unknown-parameter = { $cycle } não tem o parâmetro { $name }.
+diag-spec-unused = { $name } não é utilizado.
+diag-spec-word-shape = { $name }: a forma word precisa da chave word, que nenhuma outra forma aceita.
+diag-spec-yaml-feature = { $feature ->
+    [anchor] As âncoras e as etiquetas não são utilizadas nas especificações.
+    [alias] Os aliases não são utilizados nas especificações.
+    [depth] O ficheiro tem demasiados níveis encadeados.
+    [second-document] Um ficheiro contém um só documento.
+   *[structured-key] Uma chave tem de ser uma palavra simples.
+}
+diag-spec-yaml-syntax = Isto não é YAML: { $reason }.
+related-first-place = o primeiro está aqui

@@ -1,0 +1,70 @@
+# Cycles that measure the tool on a tool touch probe.
+
+# --- parameters ---
+parameter-tool-check = Medir a ferramenta=0 / verificar=1
+    .label = VERIFICAR
+    .word = VERIFICAR:
+    .prompt = Medir a ferramenta=0 / verificar=1
+    .help = Se a ferramenta é medida pela primeira vez ou se é verificada uma ferramenta já medida. A primeira medição substitui a longitude da ferramenta { $mp-tool-length } no armazém central de ferramentas TOOL.T e põe a 0 o valor delta { $mp-delta-length }. A verificação compara a longitude medida com a longitude da ferramenta { $mp-tool-length }; o desvio, com o seu sinal, é introduzido como valor delta { $mp-delta-length } e está também disponível em Q115. Se o valor delta for maior do que a tolerância de desgaste ou de rotura admissível para a longitude da ferramenta, o comando bloqueia a ferramenta (estado L em TOOL.T).
+choice-tool-first-measurement = medir a ferramenta pela primeira vez
+choice-tool-check = verificar uma ferramenta já medida
+parameter-tool-status-parameter = Nº do Parâmetro para Resultado?
+    .prompt = Nº do Parâmetro para Resultado?
+    .help = Número do parâmetro em que o comando guarda o estado da medição: 0,0: ferramenta dentro da tolerância; 1,0: ferramenta desgastada ({ $mp-wear-tolerance-length } excedido); 2,0: ferramenta quebrada ({ $mp-break-tolerance-length } excedido). Se o resultado não for utilizado no programa, responda à pergunta com a tecla NO ENT.
+parameter-tool-clearance-height = Altura de segurança
+    .label = ALTURA SEGURA
+    .label-aliases = ALTURA SEGURANÇA
+    .word = ALTURA:
+    .prompt = Altura de segurança
+    .help = Posição no eixo da ferramenta à qual a ferramenta não pode colidir com peças nem com dispositivos de fixação. Refere-se ao ponto de referência ativo da peça. Se o valor for tão pequeno que a ponta da ferramenta ficasse abaixo da aresta superior do prato, o comando posiciona automaticamente a ferramenta acima do prato (zona de segurança de { $mp-setter-safety-distance }).
+parameter-tooth-measurement = Medição de navalhas 0=Não / 1=Sim
+    .label = MEDIÇÃO DE NAVALHAS
+    .label-aliases = MEDIÇÃO NAVALHAS
+    .word = MEDIÇÃO DE NAVALHAS:
+    .prompt = Medição de navalhas 0=Não / 1=Sim
+    .help = Se as navalhas são medidas individualmente. Podem medir-se no máximo 20 navalhas.
+parameter-tooth-measurement__itnc530 =
+    .help = Se as navalhas são medidas individualmente. Podem medir-se no máximo 99 navalhas.
+parameter-tooth-measurement__tnc426-430 =
+    .help = Se as navalhas são medidas individualmente.
+choice-no-tooth-measurement = não medir as navalhas individualmente
+choice-tooth-measurement = medir as navalhas individualmente
+
+# --- 31 and 481 ---
+cycle-tool-length = Medir a longitude da ferramenta
+    .nc = LONGITUDE DA FERRAMENTA
+    .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado no armazém central de ferramentas TOOL.T e utiliza-o na chamada seguinte da ferramenta.
+cycle-tool-length-old = Medir a longitude da ferramenta (formato antigo)
+    .nc = LONGITUDE DA FERRAMENTA
+    .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado no armazém central de ferramentas TOOL.T e utiliza-o na chamada seguinte da ferramenta. Formato antigo do ciclo 481.
+step-position-tool-over-setter = O comando posiciona a ferramenta à altura de segurança { $q-tool-clearance-height }, mas não abaixo da zona de segurança acima do prato.
+step-touch-tool-setter = O comando mede a longitude:
+say-measure-tooth-by-tooth = navalha a navalha com { $q-tooth-measurement }=1: a ferramenta é posicionada ao lado da cabeça do apalpador, com a face abaixo da aresta superior desta, como determinado em { $mp-setter-axis-offset }, e com o desvio adicional da longitude { $mp-setter-offset-length }, se estiver introduzido na tabela de ferramentas. O comando apalpa radialmente a ferramenta a rodar para encontrar o ângulo inicial e mede depois a longitude de todas as navalhas, modificando a orientação da ferramenta
+say-measure-rotating-or-stationary = com a ferramenta a rodar, se o diâmetro dela for maior do que a superfície de medição: a ferramenta é desviada do centro do apalpador o valor { $mp-setter-offset-radius } da tabela de ferramentas e desloca-se, a rodar, sobre a superfície de medição, para que seja encontrada a navalha mais comprida. Caso contrário, e também com brocas e fresas esféricas, com a ferramenta parada: desloca-se para o centro acima da superfície de medição e depois, com o cabeçote parado, até à superfície; para isso, { $mp-setter-offset-radius } na tabela de ferramentas é 0
+step-store-tool-length = O comando guarda o resultado:
+say-overwrite-tool-length = com { $q-tool-check }=0, substitui a longitude da ferramenta { $mp-tool-length } em TOOL.T e põe a 0 o valor delta { $mp-delta-length }
+say-enter-delta-length = com { $q-tool-check }=1, compara a longitude medida com a longitude da ferramenta { $mp-tool-length }, introduz o desvio, com o seu sinal, como valor delta { $mp-delta-length } e em Q115 e bloqueia a ferramenta (estado L) se for excedida a tolerância de desgaste ou de rotura
+result-tool-length-deviation = Desvio da longitude da ferramenta
+result-tool-status = Estado da medição: 0,0 = dentro da tolerância, 1,0 = desgastada, 2,0 = quebrada
+guard-tool-call-missing = Não está chamada nenhuma ferramenta. Chame com TOOL CALL a ferramenta que pretende medir.
+note-enter-tool-data-first = Antes de medir uma ferramenta pela primeira vez, introduza na tabela de ferramentas TOOL.T o raio e a longitude aproximados, o número de navalhas e a direção de corte.
+note-most-teeth-measurable = As navalhas podem ser medidas individualmente em ferramentas com até 20 navalhas.
+note-most-teeth-measurable__itnc530 = As navalhas podem ser medidas individualmente em ferramentas com até 99 navalhas. A visualização de estados mostra os valores de até 24 navalhas.
+note-tool-table-must-be-active = Os ciclos de medição só funcionam se estiver ativo o armazém central de ferramentas TOOL.T.
+note-tool-call-before-tool-measurement = Antes de utilizar os ciclos de medição, introduza no armazém central de ferramentas todos os dados necessários para a medição e chame com TOOL CALL a ferramenta que pretende medir.
+note-three-ways-to-measure-length = A longitude pode ser medida de três formas: com a ferramenta a rodar, se o diâmetro dela for maior do que a superfície de medição do apalpador; com a ferramenta parada, se o diâmetro for menor ou se se tratar de brocas ou fresas esféricas; navalha a navalha com a ferramenta parada, se o diâmetro for maior do que a superfície de medição.
+note-tool-measurement-feed-and-speed = Com a ferramenta parada, o comando utiliza o avanço de apalpação de { $mp-stationary-probing-feed }. Com a ferramenta a rodar, calcula as rotações da ferramenta n = { $mp-max-peripheral-speed } / (r · 0,0063) em rpm, a partir da máxima velocidade de percurso admissível em m/min e do raio da ferramenta ativo r em mm, e o avanço de apalpação v = tolerância de medição · n em mm/min.
+note-tool-measurement-tolerance = { $mp-probing-feed-calculation } determina a tolerância de medição. ConstantTolerance: permanece constante, pelo que o avanço de ferramentas muito grandes desce para zero, tanto mais cedo quanto menores forem { $mp-max-peripheral-speed } e { $mp-measuring-tolerance }. VariableTolerance: é { $mp-measuring-tolerance } para raios da ferramenta até 30 mm, o dobro até 60 mm, o triplo até 90 mm, o quádruplo até 120 mm. ConstantFeed: o avanço permanece constante e o erro de medição aumenta com o raio: (r · { $mp-measuring-tolerance }) / 5 mm.
+note-tool-measurement-tolerance__itnc530 = { $mp-probing-feed-calculation } determina a tolerância de medição. 0: permanece constante, pelo que o avanço de ferramentas muito grandes desce para zero, tanto mais cedo quanto menores forem { $mp-max-peripheral-speed } e { $mp-measuring-tolerance }. 1: é { $mp-measuring-tolerance } para raios da ferramenta até 30 mm, o dobro até 60 mm, o triplo até 90 mm, o quádruplo até 120 mm. 2: o avanço permanece constante e o erro de medição aumenta com o raio: (r · { $mp-measuring-tolerance }) / 5 mm.
+note-tool-measurement-tolerance__tnc426-430 = { $mp-probing-feed-calculation } determina a tolerância de medição. 0: permanece constante, pelo que o avanço de ferramentas muito grandes desce para zero, tanto mais cedo quanto menores forem { $mp-max-peripheral-speed } e { $mp-measuring-tolerance }. 1: é { $mp-measuring-tolerance } para raios da ferramenta até 30 mm, o dobro até 60 mm, o triplo até 90 mm, o quádruplo até 120 mm. 2: o avanço permanece constante e o erro de medição aumenta com o raio: (r · { $mp-measuring-tolerance }) / 5 mm.
+note-old-and-new-form = Os ciclos 31 a 33 e 481 a 483 funcionam de forma idêntica. As únicas diferenças: 481 a 483 estão disponíveis também em DIN/ISO como G481 a G483 e, em vez de um parâmetro de livre escolha, utilizam o parâmetro fixo Q199 para o estado da medição.
+note-status-parameter-optional = Sem um parâmetro de resultado, o estado da medição não é guardado.
+note-tool-measurement-in-tilted-plane = As ferramentas podem ser medidas também com o plano de maquinação inclinado.
+note-tool-status-display = A visualização adicional de estados pode mostrar os resultados (nos modos de funcionamento da máquina): à esquerda o programa, à direita os resultados. Os valores que excedem a tolerância de desgaste são assinalados com *, os que excedem a tolerância de rotura com B.
+note-from-software-280476 = Disponível a partir do software NC 280 476-xx.
+note-not-in-iso = O formato antigo não está disponível em DIN/ISO.
+note-prepare-for-tool-probe = O fabricante da máquina tem de preparar a máquina e o comando para o apalpador de ferramentas. É possível que nem todos os ciclos e funções estejam disponíveis. Consulte o manual da máquina.
+title-first-measurement-rotating-old = Primeira medição com a ferramenta a rodar; formato antigo
+title-first-measurement-rotating-status = Primeira medição com a ferramenta a rodar, estado guardado em Q1
+title-check-teeth-status-old = Verificação com medição individual de navalhas, estado guardado em Q5; formato antigo
+title-check-teeth-without-status = Verificação com medição individual de navalhas, estado não guardado
