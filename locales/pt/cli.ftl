@@ -24,7 +24,7 @@ cli-block-without = Campo opcional a omitir; pode repetir-se
 cli-parse = Decompõe um programa em frases, como JSON
 cli-parse-print = Volta a mostrar o programa, igual byte a byte
 cli-check = Verifica programas para um comando numérico
-cli-check-lang = Idioma dos textos dos programas (predefinição: deduzido deles)
+cli-check-lang = Idioma das designações dos programas (predefinição: deduzido delas)
 cli-explain = Diz o que significa o código de uma observação
 cli-explain-code = O código; sem ele, são indicados todos
 cli-translate = Escreve um programa com os nomes e designações de outro idioma; nada mais muda
@@ -113,7 +113,7 @@ cli-coverage-complete = completo
 cli-coverage-missing = { $language }: textos em falta { $count } de { $of }: { $ids }
 cli-coverage-stale = { $language }: textos desatualizados { $count } de { $of }: { $ids }
 cli-coverage-pending = Pendente na execução: { $ids }
-cli-coverage-unexecuted = Textos da execução por executar num exemplo: { $count } de { $of }: { $ids }
+cli-coverage-unexecuted = Passos que nenhum exemplo executa: { $count } de { $of }: { $ids }
 cli-coverage-unprovoked = Não provocado por um exemplo: { $ids }
 
 cli-translated = { $count ->

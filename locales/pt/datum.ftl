@@ -1,7 +1,7 @@
 # Cycles that set a datum.
 
 # --- 412 ---
-cycle-datum-inside-circle = Ponto de referência círculo interior
+cycle-datum-inside-circle = Ponto ref círculo interior
     .nc = PONTO REF CÍRCULO INTERIOR
     .purpose = Mede o centro de uma caixa circular ou de um furo e memoriza-o como ponto de referência. Se se desejar, o comando escreve também o centro numa tabela de pontos zero ou na tabela de presets.
 cycle-datum-inside-circle__tnc426-430 =

@@ -16,7 +16,7 @@ say-log-on-screen = com { $q-measuring-log }=2, interrompe a execução do progr
 say-no-log = caso contrário, não cria nenhum registo
 message-measuring-log-on-screen = O registo de medição está no ecrã. Continue com o arranque NC.
 step-monitor-tool = O comando supervisiona a ferramenta { $q-monitored-tool }:
-say-correct-tool-radius = com { $q-monitored-tool } diferente de 0, soma o desvio do raio ao raio delta da coluna DR da tabela de ferramentas; se o desvio for maior do que a tolerância de rotura RBREAK, emite uma mensagem de erro, para a execução do programa e bloqueia a ferramenta (coluna TL = L)
+say-correct-tool-radius = com { $q-monitored-tool } diferente de 0, soma o desvio do raio ao raio delta da coluna DR da tabela de ferramentas; se o desvio for maior do que a tolerância de rotura RBREAK, emite uma mensagem de erro, detém a execução do programa e bloqueia a ferramenta (coluna TL = L)
 say-no-tool-monitoring = com { $q-monitored-tool }=0, não é supervisionada nenhuma ferramenta
 step-stop-on-tolerance-error = O comando reage a uma tolerância excedida conforme { $q-stop-on-tolerance-error }:
 say-stop-with-tolerance-error = com { $q-stop-on-tolerance-error }=1, interrompe a execução do programa e emite uma mensagem de erro
@@ -69,7 +69,7 @@ cycle-probing-3d = Apalpação 3D
     .purpose = Verifica um ponto da superfície de uma peça, por exemplo de uma superfície de forma livre. Mostra se o ponto fica acima ou abaixo das suas coordenadas nominais ao longo do vetor normal; a seguir podem fazer-se trabalhos de acabamento ou outros passos. Estão disponíveis a supervisão da tolerância, um registo e parâmetros de resultado.
 step-position-on-normal = O apalpador desloca-se da posição atual para um ponto do vetor normal. A distância desse ponto às coordenadas nominais é o raio da esfera do apalpador mais { $mp-set-up } mais { $q-probing-clearance }. O posicionamento prévio tem em conta a altura segura { $q-clearance-height }.
 step-probe-nominal-point = O apalpador desloca-se para as coordenadas nominais. O percurso de apalpação é definido por { $mp-probing-distance } e não pelo vetor normal, que só serve para calcular corretamente as coordenadas.
-step-return-and-store-position = Depois de o comando ter medido a posição, o apalpador recua e para. O comando guarda as coordenadas medidas e os desvios nos parâmetros de resultado.
+step-return-and-store-position = Depois de o comando ter medido a posição, o apalpador recua e fica parado. O comando guarda as coordenadas medidas e os desvios nos parâmetros de resultado.
 step-retract-against-probing-direction = O comando faz recuar o apalpador, contra a direção de apalpação, o valor definido no parâmetro MB.
 step-set-workpiece-status = O comando memoriza o estado da peça Q183:
 say-surface-status-undefined = −1 (não definido) se { $q-tolerance-specification } não definir nenhuma tolerância

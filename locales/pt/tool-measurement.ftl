@@ -8,7 +8,7 @@ parameter-tool-check = Medir a ferramenta=0 / verificar=1
     .help = Se a ferramenta é medida pela primeira vez ou se é verificada uma ferramenta já medida. A primeira medição substitui a longitude da ferramenta { $mp-tool-length } no armazém central de ferramentas TOOL.T e põe a 0 o valor delta { $mp-delta-length }. A verificação compara a longitude medida com a longitude da ferramenta { $mp-tool-length }; o desvio, com o seu sinal, é introduzido como valor delta { $mp-delta-length } e está também disponível em Q115. Se o valor delta for maior do que a tolerância de desgaste ou de rotura admissível para a longitude da ferramenta, o comando bloqueia a ferramenta (estado L em TOOL.T).
 choice-tool-first-measurement = medir a ferramenta pela primeira vez
 choice-tool-check = verificar uma ferramenta já medida
-parameter-tool-status-parameter = Nº do Parâmetro para Resultado?
+parameter-tool-status-parameter = Nº do Parâmetro para Resultado
     .prompt = Nº do Parâmetro para Resultado?
     .help = Número do parâmetro em que o comando guarda o estado da medição: 0,0: ferramenta dentro da tolerância; 1,0: ferramenta desgastada ({ $mp-wear-tolerance-length } excedido); 2,0: ferramenta quebrada ({ $mp-break-tolerance-length } excedido). Se o resultado não for utilizado no programa, responda à pergunta com a tecla NO ENT.
 parameter-tool-clearance-height = Altura de segurança
