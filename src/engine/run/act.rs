@@ -187,11 +187,12 @@ impl<'e> Run<'_, 'e> {
             exec.lists.get(list).map_or(&[][..], Vec::as_slice).iter().filter_map(as_point).collect();
         let flat: Vec<DVec2> = points.iter().map(|point| point.truncate()).collect();
         let circle = fit_circle(&flat).map_err(|error| {
-            let fault = Fault::control(match error {
-                FitError::TooFew => "fit-too-few",
-                FitError::Collinear => "fit-collinear",
-                FitError::NotFinite | FitError::NoConvergence => "fit-failed",
-            });
+            let fault = match error {
+                // Cycles offer enough points; a specification that does not is wrong.
+                FitError::TooFew => Fault::new(Class::Internal, "fit-too-few"),
+                FitError::Collinear => Fault::control("fit-collinear"),
+                FitError::NotFinite | FitError::NoConvergence => Fault::new(Class::Internal, "fit-failed"),
+            };
             fault.arg("points", flat.len())
         })?;
         let height = points.iter().map(|point| point.z).sum::<f64>() / points.len() as f64;

@@ -150,7 +150,7 @@ impl<'e> Run<'_, 'e> {
     /// Executes a cycle.
     pub(super) fn execute(&mut self, definition: &Definition<'e>) -> Done {
         if self.inside >= MAX_NESTED {
-            return Err(Fault::new(Class::Limit, "cycle-depth-limit").arg("limit", MAX_NESTED as f64).into());
+            return Err(Fault::new(Class::Internal, "cycle-depth-limit").arg("limit", MAX_NESTED as f64).into());
         }
         let plan = Arc::clone(&definition.plan);
         let (outer_at, outer_probing) = (self.at.cycle.clone(), self.probing);

@@ -244,21 +244,13 @@ impl<'e> Run<'_, 'e> {
 
     /// The number that a word stands for at the moment of the definition.
     fn word_value(&self, param: &Param, value: &Value) -> Result<f64, Fault> {
-        let text = self.slice(value.span).trim().to_ascii_uppercase();
-        let split = text.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len());
-        let (word, rest) = text.split_at(split);
-        if !param.words.iter().any(|known| known == word) {
+        let word = self.slice(value.span).trim().to_ascii_uppercase();
+        if !param.words.contains(&word) {
             return Err(Fault::program("word-not-offered").arg("word", word));
         }
-        let factor = || {
-            let number = rest.trim().replace(',', ".").parse::<f64>();
-            number.map_err(|_| Fault::program("text-or-number"))
-        };
-        match word {
+        match word.as_str() {
             "FAUTO" => self.modal.tool_feed.ok_or_else(|| Fault::program("feed-missing")),
             "FMAX" => Ok(RAPID_FEED),
-            "FU" => Ok(factor()? * self.modal.spindle.speed),
-            "FZ" => Ok(factor()? * self.modal.spindle.speed * self.world.tool.map_or(0.0, |tool| tool.teeth)),
             _ => Err(Fault::unsupported("unsupported-word").arg("word", word)),
         }
     }

@@ -245,6 +245,11 @@ fn number(value: f64) -> Value {
     json!(value + 0.0)
 }
 
+/// A number of a row or tool: whole numbers without a point.
+fn key(value: f64) -> Value {
+    if value.fract() == 0.0 && value.abs() < 1e9 { json!(value as i64) } else { number(value) }
+}
+
 fn point(point: DVec3) -> Value {
     json!({"X": number(point.x), "Y": number(point.y), "Z": number(point.z)})
 }
@@ -306,7 +311,7 @@ impl EventKind {
         match self {
             Self::Move { kind, from, to, machine, feed } => moved(*kind, *from, *to, *machine, *feed),
             Self::Dwell(seconds) => json!({"seconds": number(*seconds)}),
-            Self::Tool { number: tool, axis } => json!({"tool": number(*tool), "axis": axis.letter().to_string()}),
+            Self::Tool { number: tool, axis } => json!({"tool": key(*tool), "axis": axis.letter().to_string()}),
             Self::Spindle { direction, speed, orient } => {
                 let word = match direction {
                     1 => "clockwise",
@@ -325,14 +330,14 @@ impl EventKind {
             }),
             Self::Set { q, value } => json!({"q": q.to_string(), "value": content(value)}),
             Self::Transform(system) => json!({
-                "preset": number(system.preset),
+                "preset": key(system.preset),
                 "origin": point(system.origin),
                 "basic_rotation": point(system.basic_rotation),
                 "datum_shift": point(system.datum),
                 "rotation": number(system.rotation),
             }),
             Self::Table { file, row, column, value } => {
-                json!({"file": file, "row": number(*row), "column": column, "value": content(value)})
+                json!({"file": file, "row": key(*row), "column": column, "value": content(value)})
             }
             Self::Log { file } => json!({"file": file}),
             Self::Message { kind, id, answer } => json!({"kind": kind.as_str(), "id": &**id, "answer": answer}),

@@ -35,6 +35,83 @@ impl Class {
     }
 }
 
+/// Every code of the engine with its class; a mistake of the engine cannot be provoked by a program.
+pub const CODES: &[(&str, Class)] = &[
+    ("angle-missing", Class::Program),
+    ("axis-limit", Class::Control),
+    ("block-limit", Class::Limit),
+    ("block-unreadable", Class::Program),
+    ("call-depth-limit", Class::Limit),
+    ("collision", Class::Control),
+    ("cycle-depth-limit", Class::Internal),
+    ("cycle-unknown", Class::Program),
+    ("direction-contradicts", Class::Program),
+    ("direction-missing", Class::Program),
+    ("division-by-zero", Class::Program),
+    ("end-off-circle", Class::Program),
+    ("feed-missing", Class::Program),
+    ("field-missing", Class::Program),
+    ("field-unknown", Class::Program),
+    ("fit-collinear", Class::Control),
+    ("fit-failed", Class::Internal),
+    ("fit-too-few", Class::Internal),
+    ("infeeds-never-arrive", Class::Control),
+    ("jump-limit", Class::Limit),
+    ("jump-target-missing", Class::Program),
+    ("jump-target-twice", Class::Program),
+    ("log-failed", Class::Internal),
+    ("log-template", Class::Internal),
+    ("log-text", Class::Internal),
+    ("no-cycle-to-call", Class::Program),
+    ("no-such-parameter", Class::Program),
+    ("number-too-large", Class::Program),
+    ("outside-domain", Class::Program),
+    ("parameter-missing", Class::Program),
+    ("parameter-out-of-range", Class::Program),
+    ("parameter-undefined", Class::Program),
+    ("parameter-unknown", Class::Program),
+    ("plan-mistake", Class::Internal),
+    ("pole-missing", Class::Program),
+    ("probe-deflected", Class::Control),
+    ("probe-missing", Class::Control),
+    ("probe-no-contact", Class::Control),
+    ("probe-no-direction", Class::Internal),
+    ("program-missing", Class::Program),
+    ("radius-missing", Class::Program),
+    ("radius-too-small", Class::Program),
+    ("recursive-call", Class::Program),
+    ("repeat-count", Class::Program),
+    ("series-count", Class::Program),
+    ("series-limit", Class::Limit),
+    ("solid-cusp", Class::Unsupported),
+    ("solid-edge-unsupported", Class::Unsupported),
+    ("solid-helix-unsupported", Class::Unsupported),
+    ("solid-not-finite", Class::Internal),
+    ("strategy-argument", Class::Internal),
+    ("strategy-pending", Class::Unsupported),
+    ("table-bad-number", Class::Internal),
+    ("table-missing", Class::Control),
+    ("table-no-column", Class::Internal),
+    ("table-no-row", Class::Control),
+    ("table-too-wide", Class::Internal),
+    ("text-or-number", Class::Program),
+    ("tool-locked", Class::Control),
+    ("tool-not-in-table", Class::Program),
+    ("unsupported-axis", Class::Unsupported),
+    ("unsupported-block", Class::Unsupported),
+    ("unsupported-compensation", Class::Unsupported),
+    ("unsupported-cycle", Class::Unsupported),
+    ("unsupported-feed", Class::Unsupported),
+    ("unsupported-inch", Class::Unsupported),
+    ("unsupported-m", Class::Unsupported),
+    ("unsupported-path", Class::Unsupported),
+    ("unsupported-transformation", Class::Unsupported),
+    ("unsupported-word", Class::Unsupported),
+    ("value-missing", Class::Program),
+    ("value-not-bound", Class::Internal),
+    ("word-not-offered", Class::Program),
+];
+
 /// A fault.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
@@ -107,13 +184,19 @@ impl From<EvalError> for Fault {
 
 impl From<TableError> for Fault {
     fn from(error: TableError) -> Self {
+        // Scenes are checked when they are read: only what a program asks for can be missing.
+        let class = match error {
+            TableError::NoTable { .. } | TableError::NoRow { .. } => Class::Control,
+            _ => Class::Internal,
+        };
         let diagnostic = error.diagnostic();
-        Self { args: diagnostic.args, ..Self::control(diagnostic.code) }
+        Self { args: diagnostic.args, ..Self::new(class, diagnostic.code) }
     }
 }
 
 impl From<SolidError> for Fault {
     fn from(error: SolidError) -> Self {
-        Self::unsupported(error.code())
+        let class = if error == SolidError::NotFinite { Class::Internal } else { Class::Unsupported };
+        Self::new(class, error.code())
     }
 }

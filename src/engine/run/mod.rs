@@ -28,7 +28,7 @@ use glam::DVec3;
 
 pub use coordinates::System;
 pub use event::{At, Content, Coordinates, Event, EventKind, FORMAT, MessageKind, MoveKind, Probing, Status};
-pub use fault::{Class, Fault};
+pub use fault::{CODES, Class, Fault};
 pub use params::Params;
 pub use world::Tool;
 

@@ -5,7 +5,7 @@
 use glam::{DVec2, DVec3};
 
 use super::event::{MoveKind, Probing};
-use super::fault::Fault;
+use super::fault::{Class, Fault};
 use super::{Done, EventKind, Run};
 
 impl Run<'_, '_> {
@@ -19,7 +19,7 @@ impl Run<'_, '_> {
         let way = towards - from;
         let length = way.length();
         if length == 0.0 {
-            return Err(Fault::program("probe-no-direction").into());
+            return Err(Fault::new(Class::Internal, "probe-no-direction").into());
         }
         let target = from + way * (probe.dist / length);
         let true_ball = |tip: DVec3, offset: DVec2| self.world.ball_centre(tip, &probe, offset);

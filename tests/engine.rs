@@ -1,0 +1,153 @@
+//! Programs run in scenes, compared with the events that they must tell.
+//!
+//! - `tests/engine/run/*.h` beside `*.scene.yaml` and `*.events`; the first line of a program names its control.
+//!   `UPDATE=1 cargo test --test engine` rewrites the events; a file that no program uses is a failure.
+//! - `tests/engine/faults.txt`: sections `=== CODE`, each a program (and `--- scene` with a scene) that must end with
+//!   that code; every code of the engine has a section.
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use ciklo::conform::LogTexts;
+use ciklo::diag::Source;
+use ciklo::engine::run::{CODES, Class, Engine, Event, Limits, Outcome, Status};
+use ciklo::engine::scene::Scene;
+use ciklo::locale::Locales;
+use ciklo::spec::Catalogue;
+use ciklo::syntax;
+
+struct World {
+    files: ciklo::data::Files,
+    catalogue: Catalogue,
+    locales: Locales,
+}
+
+impl World {
+    fn new() -> Self {
+        let files = ciklo::data::embedded();
+        let (catalogue, _) = Catalogue::load(&files);
+        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+        Self { files, catalogue, locales }
+    }
+
+    fn run(&self, name: &str, program: &str, scene: &str, limits: Limits) -> (Outcome, Vec<Event>) {
+        let control = program.lines().next().and_then(|line| line.strip_prefix("; control: ")).unwrap_or("tnc640");
+        let on = self.catalogue.on(control).unwrap_or_else(|| panic!("{name}: no control {control}"));
+        let parsed = Scene::parse(&Source::new("scene.yaml", scene), &self.files);
+        let scene = parsed.unwrap_or_else(|found| panic!("{name}: the scene says {found:?}"));
+        let language = self.locales.language("en").expect("the source language");
+        let texts = LogTexts::new(language, on.id(), &self.files);
+        let tree = syntax::parse(&Source::new(name, program));
+        let sub = syntax::parse(&Source::new("SUB.H", "BEGIN PGM SUB MM\nCALL PGM SUB2\nEND PGM SUB MM\n"));
+        let sub2 = syntax::parse(&Source::new("SUB2.H", "BEGIN PGM SUB2 MM\nCALL PGM SUB\nEND PGM SUB2 MM\n"));
+        let engine = Engine::new(&tree, on, &scene, &texts).with_catalogue(&self.catalogue).with_limits(limits);
+        let engine = engine.with_program("SUB.H", &sub).with_program("TNC:\\SUB2", &sub2);
+        let mut events = Vec::new();
+        let outcome = engine.run(&mut |event| events.push(event));
+        (outcome, events)
+    }
+}
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/engine")
+}
+
+fn lines(events: &[Event], outcome: &Outcome) -> String {
+    let mut text: String = events.iter().map(|event| format!("{}\n", event.to_json())).collect();
+    for (file, content) in outcome.tables.iter().chain(&outcome.logs) {
+        text.push_str(&format!("= {file}\n{content}"));
+    }
+    text
+}
+
+#[test]
+fn programs_tell_the_events_that_they_must() {
+    let world = World::new();
+    let root = folder().join("run");
+    let mut used = BTreeSet::new();
+    let mut failures = Vec::new();
+    for entry in fs::read_dir(&root).expect("the folder of programs") {
+        let path = entry.expect("an entry").path();
+        if path.extension().is_none_or(|extension| extension != "h") {
+            continue;
+        }
+        let program = fs::read_to_string(&path).expect("a program");
+        let scene_file = path.with_extension("scene.yaml");
+        let scene = fs::read_to_string(&scene_file).unwrap_or_else(|_| "scene: 1\n".to_owned());
+        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+        let (outcome, events) = world.run(&name, &program, &scene, Limits::default());
+        let found = lines(&events, &outcome);
+        let events_file = path.with_extension("events");
+        used.extend([path.clone(), scene_file, events_file.clone()]);
+        if env::var_os("UPDATE").is_some() {
+            fs::write(&events_file, &found).expect("a writable file");
+        } else if fs::read_to_string(&events_file).unwrap_or_default() != found {
+            failures.push(format!("{name} tells\n{found}"));
+        }
+    }
+    for entry in fs::read_dir(&root).expect("the folder of programs") {
+        let path = entry.expect("an entry").path();
+        assert!(used.contains(&path), "{} belongs to no program", path.display());
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn the_same_run_tells_the_same_bytes() {
+    let world = World::new();
+    let root = folder().join("run");
+    let program = fs::read_to_string(root.join("probing.h")).expect("a program");
+    let scene = fs::read_to_string(root.join("probing.scene.yaml")).expect("a scene");
+    let run = || {
+        let (outcome, events) = world.run("probing.h", &program, &scene, Limits::default());
+        lines(&events, &outcome)
+    };
+    assert_eq!(run(), run());
+}
+
+/// Small limits, so that the programs that reach them are quick.
+const LIMITS: Limits = Limits { blocks: 20_000, jumps: 1_000, depth: 5, members: 100 };
+
+#[test]
+fn every_fault_has_a_program_that_provokes_it() {
+    let world = World::new();
+    let text = fs::read_to_string(folder().join("faults.txt")).expect("the faults");
+    let mut seen = BTreeSet::new();
+    let mut failures = Vec::new();
+    for section in text.split("=== ").skip(1) {
+        let (head, body) = section.split_once('\n').expect("a head");
+        let (program, scene) = body.split_once("--- scene\n").unwrap_or((body, "scene: 1\n"));
+        let code = head.trim();
+        let (outcome, events) = world.run(code, program, scene, LIMITS);
+        let found = outcome.fault.as_ref().map_or("", |fault| &fault.code);
+        if found != code {
+            failures.push(format!("{code}: ended with {found:?} {:?}, {:?}", outcome.status, outcome.fault));
+        }
+        let last = events.last().map(|event| event.to_json().to_string()).unwrap_or_default();
+        assert!(last.contains("\"event\":\"end\""), "{code}: no end is told");
+        assert_ne!(outcome.status, Status::Done, "{code}");
+        seen.insert(code.to_owned());
+    }
+    for (code, class) in CODES {
+        if *class != Class::Internal && !seen.contains(*code) {
+            failures.push(format!("{code}: no program provokes it"));
+        }
+    }
+    for code in &seen {
+        if !CODES.iter().any(|(known, _)| known == code) {
+            failures.push(format!("{code}: not in the list of codes"));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn every_code_has_a_text_in_every_language() {
+    let world = World::new();
+    for language in world.locales.iter() {
+        for (code, _) in CODES {
+            let id = format!("diag-{code}");
+            assert!(language.ids().any(|known| known == id), "{}: {id} is missing", language.tag());
+        }
+    }
+}
