@@ -3,9 +3,9 @@
 # --- 412 ---
 cycle-datum-inside-circle = Ponto ref círculo interior
     .nc = PONTO REF CÍRCULO INTERIOR
-    .purpose = Mede o centro de uma caixa circular ou de um furo e memoriza-o como ponto de referência. Se se desejar, o comando escreve também o centro numa tabela de pontos zero ou na tabela de presets.
+    .purpose = Mede o centro de uma caixa circular ou de um furo e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero ou na tabela de presets.
 cycle-datum-inside-circle__tnc426-430 =
-    .purpose = Mede o centro de uma caixa circular ou de um furo e memoriza-o como ponto de referência. Se se desejar, o comando escreve também o centro numa tabela de pontos zero.
+    .purpose = Mede o centro de uma caixa circular ou de um furo e memoriza-o como ponto de referência. Se pretendido, o comando escreve também o centro numa tabela de pontos zero.
 step-retract-and-store-datum = O comando faz regressar o apalpador à altura segura { $q-clearance-height }, guarda os valores reais nos parâmetros de resultado e trata o ponto de referência medido conforme { $q-measured-value-transfer } e { $q-datum-row-number }:
 step-retract-and-store-datum__tnc426-430 = O comando faz regressar o apalpador à altura segura { $q-clearance-height }, guarda os valores reais nos parâmetros de resultado e trata o ponto de referência medido conforme { $q-datum-row-number }:
 say-datum-into-display-and-row-zero = com { $q-datum-row-number }=0, memoriza na visualização o ponto de referência medido; este fica logo ativo e é também guardado na linha 0 da tabela de presets
@@ -13,7 +13,7 @@ say-datum-into-display = com { $q-datum-row-number }=0, memoriza na visualizaç�
 say-datum-into-datum-table = com { $q-datum-row-number } diferente de 0 e { $q-measured-value-transfer }=0, escreve o ponto de referência medido nessa linha da tabela de pontos zero ativa; o sistema de referência é o sistema de coordenadas da peça ativo
 say-datum-into-datum-table__tnc426-430 = com { $q-datum-row-number } diferente de 0, escreve o ponto de referência medido nessa linha da tabela de pontos zero ativa
 say-datum-into-preset-table = com { $q-datum-row-number } diferente de 0 e { $q-measured-value-transfer }=1, escreve o ponto de referência medido nessa linha da tabela de presets; o sistema de referência é o sistema de coordenadas da máquina (coordenadas REF)
-step-probe-in-probe-axis = Se se desejar, o comando mede a seguir, numa apalpação à parte, o ponto de referência no eixo do apalpador:
+step-probe-in-probe-axis = Se pretendido, o comando mede a seguir, numa apalpação à parte, o ponto de referência no eixo do apalpador:
 say-datum-in-probe-axis = apalpa no eixo do apalpador o ponto { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool }, recua e trata o ponto de referência { $q-new-datum-probe-axis } como o do plano de maquinação
 guard-datum-transfer-undefined = { $q-datum-row-number } é diferente de 0 e { $q-measured-value-transfer } é −1: é preciso definir para onde vai o ponto de referência medido.
 guard-transformation-with-probe-axis-datum = Está ativa uma deslocação do ponto zero ou uma rotação, mas { $q-measured-value-transfer }=0 e { $q-probing-in-probe-axis }=1 não admitem nenhuma conversão de coordenadas.

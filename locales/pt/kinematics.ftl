@@ -77,7 +77,7 @@ parameter-backlash-angle = Folga, campo angular
 # --- 451 ---
 cycle-measure-kinematics = Medir cinemática
     .nc = MEDIR CINEMÁTICA
-    .purpose = Verifica a cinemática da máquina e, se se desejar, otimiza-a. Um apalpador 3D mede uma esfera de calibração HEIDENHAIN fixada na mesa da máquina. O comando avalia a exatidão estática da inclinação; o software reduz ao mínimo o erro espacial causado pela inclinação e guarda a geometria da máquina nas constantes da máquina da descrição da cinemática.
+    .purpose = Verifica a cinemática da máquina e, se pretendido, otimiza-a. Um apalpador 3D mede uma esfera de calibração HEIDENHAIN fixada na mesa da máquina. O comando avalia a exatidão estática da inclinação; o software reduz ao mínimo o erro espacial causado pela inclinação e guarda a geometria da máquina nas constantes da máquina da descrição da cinemática.
 step-clamp-sphere = Fixe a esfera de calibração de modo que não possa ocorrer nenhuma colisão.
 step-set-datum-in-sphere = No modo de funcionamento Manual, memorize o ponto de referência no centro da esfera. Com { $q-sphere-preset }=1 ou { $q-sphere-preset }=3, posicione em vez disso o apalpador à mão, no eixo do apalpador por cima da esfera de calibração e no plano de maquinação no centro da esfera.
 step-start-calibration-program = Selecione um modo de funcionamento de execução do programa e inicie o programa de calibração.
