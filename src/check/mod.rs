@@ -52,6 +52,11 @@ pub struct Against<'a> {
     pub readers: &'a [&'a Language],
 }
 
+/// The language of a program's names and labels; nothing if none of them is known.
+pub fn language(program: &Program, against: &Against<'_>) -> Option<String> {
+    Facts::of(program, against).language
+}
+
 /// Everything that can be said against a program, syntax included, in the order of its text.
 pub fn check(program: &Program, against: &Against<'_>) -> Vec<Diagnostic> {
     let facts = Facts::of(program, against);

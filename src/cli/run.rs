@@ -6,11 +6,13 @@ use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, program};
+use crate::check::{self, Against, LabelBook};
 use crate::conform::LogTexts;
 use crate::diag::{Diagnostic, Source};
 use crate::engine::run::{Content, Engine, Event, EventKind, Status};
 use crate::engine::scene::Scene;
-use crate::locale::{Args, Digits, Ui};
+use crate::locale::{Args, Digits, Language, Locales, Ui};
+use crate::spec::{Catalogue, OnControl};
 use crate::system;
 
 pub(super) const COMMAND: Command = Command {
@@ -41,9 +43,9 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
-    let language = cycle::language_for(&locales, on, matches)?;
     let path = arguments::text(matches, "file");
     let file = program::read(Path::new(&path))?;
+    let language = language(&file, &catalogue, &locales, on, matches)?;
     let neighbours = neighbours(Path::new(&path), file.program.source().text())?;
     let files = session.files()?;
     let scene = scene(&arguments::text(matches, "scene"), &files)?;
@@ -69,6 +71,25 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         Status::Done | Status::Stopped => Outcome::Clean,
         Status::Error | Status::Limit | Status::Unsupported => Outcome::Errors,
     })
+}
+
+/// The language of the logs: that of `--lang`, or of the program's labels, or of the control's manual.
+fn language<'l>(
+    file: &program::File,
+    catalogue: &Catalogue,
+    locales: &'l Locales,
+    on: &OnControl,
+    matches: &ArgMatches,
+) -> Result<&'l Language, Failure> {
+    if matches.contains_id("lang") {
+        return cycle::language_for(locales, on, matches);
+    }
+    let labels = LabelBook::new(on, locales);
+    let against = Against { catalogue, on, labels: &labels, language: None, readers: &[] };
+    match check::language(&file.program, &against) {
+        Some(tag) => cycle::language(locales, &tag),
+        None => cycle::language_for(locales, on, matches),
+    }
 }
 
 fn scene(path: &str, files: &[(String, String)]) -> Result<Scene, Failure> {
