@@ -34,6 +34,13 @@ fn every_example_comes_out_as_it_says() {
         }
     }
     for cycle in &report.cycles {
+        let name = format!("{} {} {}", cycle.control, cycle.keyword, cycle.number);
+        if cycle.pending.is_empty() && !cycle.unexecuted.is_empty() {
+            failures.push(format!("{name}: no example executes {}", cycle.unexecuted.join(", ")));
+        }
+        if !cycle.unprovoked.is_empty() {
+            failures.push(format!("{name}: no example provokes {}", cycle.unprovoked.join(", ")));
+        }
         println!(
             "{} {} {}: unexecuted {:?}, unprovoked {:?}",
             cycle.control, cycle.keyword, cycle.number, cycle.unexecuted, cycle.unprovoked

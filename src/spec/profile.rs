@@ -43,6 +43,8 @@ words! {
         AxisScaling = "axis-scaling",
         /// A tilted working plane.
         Tilting = "tilting",
+        /// Turning mode; a block of the program brings it into effect.
+        Turning = "turning",
     }
 }
 

@@ -8,6 +8,7 @@ use super::{Content, Done, EventKind, Run, Spindle};
 use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::table::{Cell, TableKind};
 use crate::expr::{Env, EvalError, QKind, QRef, Value, atan2d, cosd, sind};
+use crate::spec::Transformation;
 use crate::syntax::{
     Amount, Axis, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Operand, ToolCall,
     ToolDef, ToolRef,
@@ -105,6 +106,7 @@ impl<'e> Run<'_, 'e> {
                 self.stop()?;
                 return self.after(functions, false);
             }
+            BlockKind::Other(_) if self.switches_mode(block) => {}
             BlockKind::Other(word) => {
                 return Err(Fault::unsupported("unsupported-block").arg("word", self.slice(*word)).into());
             }
@@ -172,6 +174,24 @@ impl<'e> Run<'_, 'e> {
             _ => return Err(EvalError::Kind.into()),
         };
         Ok(self.set(target, value)?)
+    }
+
+    /// `FUNCTION MODE TURN` and `FUNCTION MODE MILL`: cycles may refuse turning, and nothing moves in it.
+    fn switches_mode(&mut self, block: &Block) -> bool {
+        let words: Vec<String> = self
+            .slice(block.span)
+            .split_ascii_whitespace()
+            .skip_while(|word| word.bytes().all(|b| b.is_ascii_digit()))
+            .take(3)
+            .map(str::to_ascii_uppercase)
+            .collect();
+        let active = &mut self.world.system.unexecuted;
+        match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
+            ["FUNCTION", "MODE", "TURN"] => active.insert(Transformation::Turning),
+            ["FUNCTION", "MODE", "MILL"] => active.remove(&Transformation::Turning),
+            _ => return false,
+        };
+        true
     }
 
     fn select(&mut self, what: &str, name: &str) -> Done {

@@ -248,8 +248,7 @@ impl<'e> Run<'_, 'e> {
             Builtin::ActiveScaling => Value::Bool(system.unexecuted.contains(&Transformation::Scaling)),
             Builtin::ActiveAxisScaling => Value::Bool(system.unexecuted.contains(&Transformation::AxisScaling)),
             Builtin::ActiveTilting => Value::Bool(system.unexecuted.contains(&Transformation::Tilting)),
-            // A program that switches to turning does not get so far.
-            Builtin::ActiveTurning => Value::Bool(false),
+            Builtin::ActiveTurning => Value::Bool(system.unexecuted.contains(&Transformation::Turning)),
             Builtin::Machine(name) => Value::Number(self.machine_datum(name, exec).unwrap_or(0.0)),
             Builtin::Form(form) => Value::Bool(exec.definition.form == Some(*form)),
             Builtin::Given(id) => Value::Bool(exec.definition.field(id).is_some()),

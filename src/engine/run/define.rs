@@ -145,7 +145,7 @@ impl<'e> Run<'_, 'e> {
         let Some(transformation) = self.transformation(key) else { return Ok(()) };
         let neutral = match transformation {
             Transformation::Scaling | Transformation::AxisScaling => 1.0,
-            Transformation::Mirroring => f64::NAN,
+            Transformation::Mirroring | Transformation::Turning => f64::NAN,
             Transformation::Tilting => 0.0,
         };
         let mut acts = false;
