@@ -55,7 +55,8 @@ fn a_cycle_has_all_keys_in_the_documented_form() {
         json!({
             "q": "Q201", "kind": "number", "name": "Depth", "prompt": "Depth?", "label": "DEPTH", "label_aliases": ["DPTH"],
             "help": "Distance to the bottom, in Q203 steps.", "quantity": "length", "unit": "mm", "reference": "incremental",
-            "min": -99999.9999, "max": 0, "choices": [], "words": [], "effective": null, "neutral": 0, "example": "-20"
+            "min": -99999.9999, "max": 0, "max_length": null, "choices": [], "words": [], "effective": null, "neutral": 0,
+            "example": "-20"
         })
     );
     let mode = &pecking["parameters"][1];

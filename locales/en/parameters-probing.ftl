@@ -6,7 +6,9 @@ parameter-result-parameter = Parameter number for result
 parameter-probing-direction = Probing axis / probing direction
     .help = Probing axis, entered with the axis key or the alphabetic keyboard, and the sign of the probing direction. Confirm with ENT.
 parameter-probing-position = Position value
-    .help = All coordinates for pre-positioning the touch probe, entered with the axis keys or the alphabetic keyboard.
+    .help = All coordinates for pre-positioning the touch probe, entered with the axis keys or the alphabetic keyboard. Finish the entry with the key ENT.
+parameter-probing-position__tnc640 =
+    .help = All coordinates for pre-positioning the touch probe, entered with the axis keys or the alphabetic keyboard. Finish the entry with the key END.
 
 # --- the feature ---
 parameter-probing-centre-main = Centre in 1st axis

@@ -6,7 +6,9 @@ parameter-result-parameter = Parametri no. tulokselle
 parameter-probing-direction = Kosketusakseli/kosketussuunta
     .help = Kosketusakseli, joka annetaan akselinvalintapainikkeella tai ASCII-näppäimistöllä, ja kosketussuunnan etumerkki. Vahvista näppäimellä ENT.
 parameter-probing-position = Paikoituksen ohjearvo
-    .help = Kaikki kosketusjärjestelmän esipaikoituksen koordinaatit, jotka annetaan akselinvalintapainikkeilla tai ASCII-näppäimistöllä.
+    .help = Kaikki kosketusjärjestelmän esipaikoituksen koordinaatit, jotka annetaan akselinvalintapainikkeilla tai ASCII-näppäimistöllä. Päätä sisäänsyöttö näppäimellä ENT.
+parameter-probing-position__tnc640 =
+    .help = Kaikki kosketusjärjestelmän esipaikoituksen koordinaatit, jotka annetaan akselinvalintapainikkeilla tai ASCII-näppäimistöllä. Päätä sisäänsyöttö näppäimellä END.
 
 # --- mitattava kohde ---
 parameter-probing-centre-main = 1. akselin keskipiste

@@ -6,7 +6,9 @@ parameter-result-parameter = Nr. parametro per risultato
 parameter-probing-direction = Asse di tastatura / direzione di tastatura
     .help = Asse di tastatura, inserito con il tasto asse o con la tastiera alfabetica, e segno della direzione di tastatura. Confermare con ENT.
 parameter-probing-position = Valore di posizione
-    .help = Tutte le coordinate per il preposizionamento del sistema di tastatura, inserite con i tasti asse o con la tastiera alfabetica.
+    .help = Tutte le coordinate per il preposizionamento del sistema di tastatura, inserite con i tasti asse o con la tastiera alfabetica. Terminare l'inserimento con il tasto ENT.
+parameter-probing-position__tnc640 =
+    .help = Tutte le coordinate per il preposizionamento del sistema di tastatura, inserite con i tasti asse o con la tastiera alfabetica. Terminare l'inserimento con il tasto END.
 
 # --- the feature ---
 parameter-probing-centre-main = Centro 1° asse

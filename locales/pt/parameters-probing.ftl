@@ -6,7 +6,9 @@ parameter-result-parameter = Nº do Parâmetro para o resultado
 parameter-probing-direction = Eixo e Direcção de Apalpação
     .help = Eixo de apalpação, introduzido com a tecla de seleção de eixos ou com o teclado alfanumérico, e sinal da direção de apalpação. Confirme com a tecla ENT.
 parameter-probing-position = Valor nominal da posição
-    .help = Todas as coordenadas para o posicionamento prévio do apalpador, introduzidas com as teclas de seleção de eixos ou com o teclado alfanumérico.
+    .help = Todas as coordenadas para o posicionamento prévio do apalpador, introduzidas com as teclas de seleção de eixos ou com o teclado alfanumérico. Termine a introdução com a tecla ENT.
+parameter-probing-position__tnc640 =
+    .help = Todas as coordenadas para o posicionamento prévio do apalpador, introduzidas com as teclas de seleção de eixos ou com o teclado alfanumérico. Termine a introdução com a tecla END.
 
 # --- the feature ---
 parameter-probing-centre-main = Centro 1.º eixo

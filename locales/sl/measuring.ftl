@@ -104,3 +104,5 @@ note-normal-from-cad = Normalni vektor ({ $q-surface-normal-main }, { $q-surface
 note-normal-does-not-set-path = Normalni vektor ne določa poti tipanja.
 note-tolerance-grammar = "0.4-0.1": območje sega od želene koordinate −0,1 do želene koordinate +0,4. "0.4": od želene koordinate do +0,4. "-0.1": od −0,1 do želene koordinate. " ", "0" in "0.1+0.1": toleranca se ne upošteva.
 note-tilting-angles-compared = Glede na strojni parameter chkTiltingAxes (št. 204600) krmiljenje med tipanjem preveri, ali se položaji rotacijskih osi ujemajo s koti vrtenja (3D ROT). Če se ne ujemajo, prikaže sporočilo o napaki.
+note-adapt-nc-programs = NC-programi v primerih so predlogi. Pred uporabo stroju prilagodite orodja, rezalne vrednosti, pomike, varno višino ali varne položaje, položaje stroja (na primer z M91) in poti v priklicih programov. Programe, ki so odvisni od kinematike, prilagodite kinematiki stroja pred prvim preskusom.
+note-simulate-nc-programs = NC-program pred izvedbo preskusite v simulaciji. Programski test pokaže, ali ga je mogoče uporabiti z razpoložljivimi programskimi možnostmi, aktivno kinematiko stroja in trenutno konfiguracijo stroja.

@@ -6,7 +6,9 @@ parameter-result-parameter = Št. parametra za rezultat
 parameter-probing-direction = Tipalna os/smer tipanja
     .help = Tipalna os, vnesena s tipko za izbiro osi ali s tipkovnico ASCII, in predznak smeri tipanja. Potrdite s tipko ENT.
 parameter-probing-position = Želena vrednost položaja
-    .help = Vse koordinate za predpozicioniranje { -probe(case: "genitive") }, vnesene s tipkami za izbiro osi ali s tipkovnico ASCII.
+    .help = Vse koordinate za predpozicioniranje { -probe(case: "genitive") }, vnesene s tipkami za izbiro osi ali s tipkovnico ASCII. Vnos zaključite s tipko ENT.
+parameter-probing-position__tnc640 =
+    .help = Vse koordinate za predpozicioniranje { -probe(case: "genitive") }, vnesene s tipkami za izbiro osi ali s tipkovnico ASCII. Vnos zaključite s tipko END.
 
 # --- the feature ---
 parameter-probing-centre-main = Središče 1. osi

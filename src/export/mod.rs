@@ -98,6 +98,8 @@ pub struct ExportedParameter {
     pub min: Option<Value>,
     /// The greatest value, inclusive.
     pub max: Option<Value>,
+    /// The greatest number of characters of a text or a name.
+    pub max_length: Option<u32>,
     /// The values offered.
     pub choices: Vec<ExportedChoice>,
     /// Words instead of a number.
@@ -224,6 +226,7 @@ fn parameter(text: &CycleText, param: &Param) -> ExportedParameter {
         reference: param.reference.map(crate::spec::Reference::as_str),
         min: param.min.map(json_number),
         max: param.max.map(json_number),
+        max_length: param.max_length,
         choices: texts.choices.into_iter().map(choice).collect(),
         words: param.words.clone(),
         effective: texts.effective.map(std::borrow::Cow::into_owned),
