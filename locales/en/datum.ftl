@@ -7,12 +7,12 @@ cycle-datum-inside-circle = Datum at centre of hole (inside of circle)
 cycle-datum-inside-circle__tnc426-430 =
     .purpose = Measures the centre of a circular pocket or a hole and sets it as datum. On request the control also writes the centre to a datum table.
 step-retract-and-store-datum = The control returns the touch probe to the clearance height { $q-clearance-height }, stores the actual values in the result parameters and treats the measured datum according to { $q-measured-value-transfer } and { $q-datum-row-number }:
-step-retract-and-store-datum__tnc426-430 = The control returns the touch probe to the clearance height { $q-clearance-height }, stores the actual values in the result parameters and treats the measured datum according to { $q-datum-row-number }:
+step-retract-and-store-datum__tnc426-430 = The control returns the touch probe to the clearance height { $q-clearance-height } and treats the measured datum according to { $q-datum-row-number }:
 say-datum-into-display-and-row-zero = with { $q-datum-row-number }=0 it sets the measured datum in the display; the datum is active at once and is also stored in row 0 of the preset table
 say-datum-into-display = with { $q-datum-row-number }=0 it sets the measured datum in the display; the datum is active at once
-say-datum-into-datum-table = with { $q-datum-row-number } not 0 and { $q-measured-value-transfer }=0 it writes the measured datum to this row of the active datum table; the reference system is the active workpiece coordinate system
-say-datum-into-datum-table__tnc426-430 = with { $q-datum-row-number } not 0 it writes the measured datum to this row of the active datum table
-say-datum-into-preset-table = with { $q-datum-row-number } not 0 and { $q-measured-value-transfer }=1 it writes the measured datum to this row of the preset table; the reference system is the machine coordinate system (REF coordinates)
+say-datum-into-datum-table = with { $q-datum-row-number } not 0 and { $q-measured-value-transfer }=0 it writes the measured datum to row { $q-datum-row-number } of the active datum table; the reference system is the active workpiece coordinate system
+say-datum-into-datum-table__tnc426-430 = with { $q-datum-row-number } not 0 it writes the measured datum to row { $q-datum-row-number } of the active datum table
+say-datum-into-preset-table = with { $q-datum-row-number } not 0 and { $q-measured-value-transfer }=1 it writes the measured datum to row { $q-datum-row-number } of the preset table; the reference system is the machine coordinate system (REF coordinates)
 step-probe-in-probe-axis = On request the control then measures the datum in the touch probe axis with a separate probing:
 say-datum-in-probe-axis = it probes the point { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool } in the touch probe axis, retracts, and treats the datum { $q-new-datum-probe-axis } like that of the working plane
 guard-datum-transfer-undefined = { $q-datum-row-number } is not 0 and { $q-measured-value-transfer } is −1: where the measured datum goes must be defined.

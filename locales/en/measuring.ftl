@@ -33,7 +33,7 @@ note-measuring-log-in-tnc-directory = The control stores the measuring log as an
 note-measuring-log-in-program-directory = The control stores the measuring log as an ASCII file, as standard in the directory from which the measuring program is run. Alternatively the log can be sent through the data interface to a printer or a PC: set the function Print in the interface menu to RS232:\.
 note-measuring-log-transfer = Use the data transfer software TNCremo from HEIDENHAIN to transfer the measuring log through the data interface.
 note-measuring-log-datum = All measured values in the log file refer to the datum that was active when the cycle was executed.
-note-measuring-log-manual-datum = All measured values in the log file refer to the datum that was set in the mode Manual Operation.
+note-measuring-log-manual-datum = Without an active datum shift, all measured values in the log file refer to the datum that was set in the mode Manual Operation.
 note-status-also-without-limits = The control also sets the measuring status if no tolerances or limits are entered.
 note-which-value-is-out = The control marks rework or scrap as soon as one measured value is out of tolerance. To find which one, see the measuring log, or compare the results with their limits.
 note-limit-zero-not-monitored = With 0 (the preset value) in a limit or tolerance the control does not monitor it.
@@ -58,6 +58,7 @@ result-trigger-position-axis-3 = Position at the switching signal, 3rd axis
 result-trigger-position-axis-4 = Position at the switching signal, 4th axis
 result-trigger-position-axis-5 = Position at the switching signal, 5th axis
 note-pre-position-without-collision = Danger of collision! Position the touch probe so that it cannot collide when it moves to the programmed pre-position.
+note-pre-position-without-collision__tnc426-430 = Danger of collision! Pre-position the touch probe by hand so that it cannot collide when it moves to the programmed pre-position.
 note-trigger-position-uncompensated = The values in Q115 to Q119 do not consider the length and the radius of the stylus.
 note-no-log-for-reference-plane = The control makes no measuring log for this cycle.
 

@@ -44,7 +44,13 @@ note-step-below-90-for-arcs = To measure an arc instead of a full circle, progra
 note-smallest-stepping-angle = The smaller the stepping angle { $q-probing-stepping-angle }, the less exactly the control calculates the datum. Smallest input value: 5°.
 note-smallest-stepping-angle__measure-hole = The smaller the stepping angle { $q-probing-stepping-angle }, the less exactly the control calculates the dimensions of the hole. Smallest input value: 5°.
 note-small-stepping-angle-less-exact = The smaller the stepping angle { $q-probing-stepping-angle }, the less exactly the control calculates the centre.
+note-small-stepping-angle-less-exact__datum-inside-circle = The smaller the stepping angle { $q-probing-stepping-angle }, the less exactly the control calculates the datum.
 note-results-in-active-system = The control gives all results, in the result parameters and in the log file, in the active coordinate system, which may be shifted, rotated or tilted.
+note-results-in-active-system__tnc320 = The control gives all results, in the result parameters and in the log file, in the active coordinate system, which may be shifted or rotated, or both.
+note-results-in-active-system__tnc426-430 = The control gives all results, in the result parameters and in the log file, in the active coordinate system, which may be shifted.
+note-results-in-q-parameters = The control stores the measured results in the globally effective Q parameters Q150 to Q160; they can be used further in the program.
+note-deviations-in-q-parameters = The control stores the measured results in the globally effective Q parameters Q150 to Q160, the deviations from the nominal values in Q161 to Q166. During the cycle definition the help graphic also shows the result parameters; the one highlighted belongs to the selected input parameter.
+note-deviations-in-q-parameters__tnc426-430 = The control stores the measured results in the globally effective Q parameters Q150 to Q160, the deviations from the nominal values in Q161 to Q166. During the cycle definition the help graphic also shows the result parameters.
 
 # --- results ---
 result-centre-main-actual = Actual value of centre in main axis

@@ -8,12 +8,12 @@ cycle-datum-inside-circle = Peruspisteen asetus ympyrän sisään (reikä)
 cycle-datum-inside-circle__tnc426-430 =
     .purpose = Mittaa ympyrätaskun tai reiän keskipisteen ja asettaa sen peruspisteeksi. Haluttaessa ohjaus kirjoittaa keskipisteen myös nollapistetaulukkoon.
 step-retract-and-store-datum = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height }, tallentaa todellisarvot tulosparametreihin ja käsittelee mitatun peruspisteen parametrien { $q-measured-value-transfer } ja { $q-datum-row-number } mukaan:
-step-retract-and-store-datum__tnc426-430 = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height }, tallentaa todellisarvot tulosparametreihin ja käsittelee mitatun peruspisteen parametrin { $q-datum-row-number } mukaan:
+step-retract-and-store-datum__tnc426-430 = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja käsittelee mitatun peruspisteen parametrin { $q-datum-row-number } mukaan:
 say-datum-into-display-and-row-zero = jos { $q-datum-row-number }=0, se asettaa mitatun peruspisteen näyttöön; peruspiste on heti aktiivinen ja tallentuu myös esiasetustaulukon riville 0
 say-datum-into-display = jos { $q-datum-row-number }=0, se asettaa mitatun peruspisteen näyttöön; peruspiste on heti aktiivinen
-say-datum-into-datum-table = jos { $q-datum-row-number } ei ole 0 ja { $q-measured-value-transfer }=0, se kirjoittaa mitatun peruspisteen aktiivisen nollapistetaulukon tälle riville; perusjärjestelmänä on aktiivinen työkappaleen koordinaatisto
-say-datum-into-datum-table__tnc426-430 = jos { $q-datum-row-number } ei ole 0, se kirjoittaa mitatun peruspisteen aktiivisen nollapistetaulukon tälle riville
-say-datum-into-preset-table = jos { $q-datum-row-number } ei ole 0 ja { $q-measured-value-transfer }=1, se kirjoittaa mitatun peruspisteen esiasetustaulukon tälle riville; perusjärjestelmänä on koneen koordinaatisto (REF-koordinaatit)
+say-datum-into-datum-table = jos { $q-datum-row-number } ei ole 0 ja { $q-measured-value-transfer }=0, se kirjoittaa mitatun peruspisteen aktiivisen nollapistetaulukon riville { $q-datum-row-number }; perusjärjestelmänä on aktiivinen työkappaleen koordinaatisto
+say-datum-into-datum-table__tnc426-430 = jos { $q-datum-row-number } ei ole 0, se kirjoittaa mitatun peruspisteen aktiivisen nollapistetaulukon riville { $q-datum-row-number }
+say-datum-into-preset-table = jos { $q-datum-row-number } ei ole 0 ja { $q-measured-value-transfer }=1, se kirjoittaa mitatun peruspisteen esiasetustaulukon riville { $q-datum-row-number }; perusjärjestelmänä on koneen koordinaatisto (REF-koordinaatit)
 step-probe-in-probe-axis = Haluttaessa ohjaus mittaa sen jälkeen kosketusakselin peruspisteen erillisellä kosketuksella:
 say-datum-in-probe-axis = se koskettaa pistettä { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool } kosketusakselin suunnassa, vetäytyy ja käsittelee peruspisteen { $q-new-datum-probe-axis } samoin kuin koneistustason peruspisteen
 guard-datum-transfer-undefined = { $q-datum-row-number } ei ole 0 ja { $q-measured-value-transfer } on −1: on määriteltävä, mihin mitattu peruspiste tallennetaan.

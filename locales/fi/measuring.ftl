@@ -33,7 +33,7 @@ note-measuring-log-in-tnc-directory = Ohjaus tallentaa mittauspöytäkirjan ASCI
 note-measuring-log-in-program-directory = Ohjaus tallentaa mittauspöytäkirjan ASCII-tiedostona, yleensä hakemistoon, josta mittausohjelma suoritetaan. Vaihtoehtoisesti pöytäkirja voidaan lähettää tiedonsiirtoliitännän kautta kirjoittimelle tai PC:lle: aseta liitäntävalikon toiminto Print arvoon RS232:\.
 note-measuring-log-transfer = Lähetä mittauspöytäkirja tiedonsiirtoliitännän kautta HEIDENHAINin tiedonsiirto-ohjelmistolla TNCremo.
 note-measuring-log-datum = Kaikki pöytäkirjatiedoston mittausarvot perustuvat peruspisteeseen, joka oli voimassa työkiertoa suoritettaessa.
-note-measuring-log-manual-datum = Kaikki pöytäkirjatiedoston mittausarvot perustuvat peruspisteeseen, joka on asetettu käsikäyttötavalla.
+note-measuring-log-manual-datum = Ellei nollapisteen siirto ole voimassa, kaikki pöytäkirjatiedoston mittausarvot perustuvat peruspisteeseen, joka on asetettu käsikäyttötavalla.
 note-status-also-without-limits = Ohjaus asettaa mittauksen tilan myös silloin, kun toleransseja tai rajoja ei ole annettu.
 note-which-value-is-out = Ohjaus merkitsee jälkityön tai hylyn heti, kun yksikin mittausarvo on toleranssin ulkopuolella. Näet kyseisen arvon mittauspöytäkirjasta, tai voit verrata tuloksia niiden raja-arvoihin.
 note-limit-zero-not-monitored = Jos raja-arvo tai toleranssi on 0 (alkuasetus), ohjaus ei valvo sitä.
@@ -59,6 +59,7 @@ result-trigger-position-axis-3 = Asema kytkentäsignaalin hetkellä, 3. akseli
 result-trigger-position-axis-4 = Asema kytkentäsignaalin hetkellä, 4. akseli
 result-trigger-position-axis-5 = Asema kytkentäsignaalin hetkellä, 5. akseli
 note-pre-position-without-collision = Törmäysvaara! Paikoita kosketusjärjestelmä niin, ettei se voi törmätä ajaessaan ohjelmoituun esiasemaan.
+note-pre-position-without-collision__tnc426-430 = Törmäysvaara! Esipaikoita kosketusjärjestelmä käsin niin, ettei se voi törmätä ajaessaan ohjelmoituun esiasemaan.
 note-trigger-position-uncompensated = Parametrien Q115 … Q119 arvoissa ei oteta huomioon kosketusvarren pituutta eikä sädettä.
 note-no-log-for-reference-plane = Ohjaus ei laadi mittauspöytäkirjaa tästä työkierrosta.
 

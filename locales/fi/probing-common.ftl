@@ -44,7 +44,13 @@ note-step-below-90-for-arcs = Jos haluat mitata täysympyrän sijasta ympyränka
 note-smallest-stepping-angle = Mitä pienempi kulma-askel { $q-probing-stepping-angle } on, sitä epätarkemmin ohjaus laskee peruspisteen. Pienin sisäänsyöttöarvo: 5°.
 note-smallest-stepping-angle__measure-hole = Mitä pienempi kulma-askel { $q-probing-stepping-angle } on, sitä epätarkemmin ohjaus laskee reiän mitat. Pienin sisäänsyöttöarvo: 5°.
 note-small-stepping-angle-less-exact = Mitä pienempi kulma-askel { $q-probing-stepping-angle } on, sitä epätarkemmin ohjaus laskee keskipisteen.
+note-small-stepping-angle-less-exact__datum-inside-circle = Mitä pienempi kulma-askel { $q-probing-stepping-angle } on, sitä epätarkemmin ohjaus laskee peruspisteen.
 note-results-in-active-system = Ohjaus antaa kaikki tulokset sekä tulosparametreissa että pöytäkirjatiedostossa aktiivisessa koordinaatistossa, joka voi olla siirretty, kierretty tai käännetty.
+note-results-in-active-system__tnc320 = Ohjaus antaa kaikki tulokset sekä tulosparametreissa että pöytäkirjatiedostossa aktiivisessa koordinaatistossa, joka voi olla siirretty ja/tai kierretty.
+note-results-in-active-system__tnc426-430 = Ohjaus antaa kaikki tulokset sekä tulosparametreissa että pöytäkirjatiedostossa aktiivisessa koordinaatistossa, joka voi olla siirretty.
+note-results-in-q-parameters = Ohjaus tallentaa mittaustulokset yleisesti voimassa oleviin Q-parametreihin Q150 … Q160, joita voi käyttää edelleen ohjelmassa.
+note-deviations-in-q-parameters = Ohjaus tallentaa mittaustulokset yleisesti voimassa oleviin Q-parametreihin Q150 … Q160 ja poikkeamat asetusarvoista parametreihin Q161 … Q166. Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit; kirkastaustainen tulosparametri kuuluu valittuun sisäänsyöttöparametriin.
+note-deviations-in-q-parameters__tnc426-430 = Ohjaus tallentaa mittaustulokset yleisesti voimassa oleviin Q-parametreihin Q150 … Q160 ja poikkeamat asetusarvoista parametreihin Q161 … Q166. Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit.
 
 # --- tulokset ---
 result-centre-main-actual = Keskipisteen todellisarvo pääakselilla

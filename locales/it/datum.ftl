@@ -7,12 +7,12 @@ cycle-datum-inside-circle = Impostazione origine cerchio interno (foro)
 cycle-datum-inside-circle__tnc426-430 =
     .purpose = Misura il centro di una tasca circolare o di un foro e lo imposta come origine. A scelta, il controllo scrive il centro anche in una tabella origini.
 step-retract-and-store-datum = Il controllo riporta il sistema di tastatura all'altezza di sicurezza { $q-clearance-height }, memorizza i valori reali nei parametri di risultato ed elabora l'origine rilevata in base a { $q-measured-value-transfer } e { $q-datum-row-number }:
-step-retract-and-store-datum__tnc426-430 = Il controllo riporta il sistema di tastatura all'altezza di sicurezza { $q-clearance-height }, memorizza i valori reali nei parametri di risultato ed elabora l'origine rilevata in base a { $q-datum-row-number }:
+step-retract-and-store-datum__tnc426-430 = Il controllo riporta il sistema di tastatura all'altezza di sicurezza { $q-clearance-height } ed elabora l'origine rilevata in base a { $q-datum-row-number }:
 say-datum-into-display-and-row-zero = con { $q-datum-row-number }=0 imposta l'origine rilevata nella visualizzazione; l'origine è subito attiva e viene memorizzata anche nella riga 0 della tabella Preset
 say-datum-into-display = con { $q-datum-row-number }=0 imposta l'origine rilevata nella visualizzazione; l'origine è subito attiva
-say-datum-into-datum-table = con { $q-datum-row-number } diverso da 0 e { $q-measured-value-transfer }=0 scrive l'origine rilevata in questa riga della tabella origini attiva; il sistema di riferimento è il sistema di coordinate del pezzo attivo
-say-datum-into-datum-table__tnc426-430 = con { $q-datum-row-number } diverso da 0 scrive l'origine rilevata in questa riga della tabella origini attiva
-say-datum-into-preset-table = con { $q-datum-row-number } diverso da 0 e { $q-measured-value-transfer }=1 scrive l'origine rilevata in questa riga della tabella Preset; il sistema di riferimento è il sistema di coordinate della macchina (coordinate REF)
+say-datum-into-datum-table = con { $q-datum-row-number } diverso da 0 e { $q-measured-value-transfer }=0 scrive l'origine rilevata nella riga { $q-datum-row-number } della tabella origini attiva; il sistema di riferimento è il sistema di coordinate del pezzo attivo
+say-datum-into-datum-table__tnc426-430 = con { $q-datum-row-number } diverso da 0 scrive l'origine rilevata nella riga { $q-datum-row-number } della tabella origini attiva
+say-datum-into-preset-table = con { $q-datum-row-number } diverso da 0 e { $q-measured-value-transfer }=1 scrive l'origine rilevata nella riga { $q-datum-row-number } della tabella Preset; il sistema di riferimento è il sistema di coordinate della macchina (coordinate REF)
 step-probe-in-probe-axis = A scelta, il controllo rileva poi con una tastatura separata l'origine nell'asse del tastatore:
 say-datum-in-probe-axis = tasta il punto { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool } nell'asse del tastatore, si ritrae ed elabora l'origine { $q-new-datum-probe-axis } come quella del piano di lavoro
 guard-datum-transfer-undefined = { $q-datum-row-number } è diverso da 0 e { $q-measured-value-transfer } è −1: occorre definire dove deve essere trasferita l'origine rilevata.

@@ -33,7 +33,7 @@ note-measuring-log-in-tnc-directory = Il controllo memorizza il protocollo di mi
 note-measuring-log-in-program-directory = Il controllo memorizza il protocollo di misura come file ASCII, per default nella directory da cui viene eseguito il programma di misura. In alternativa il protocollo può essere inviato tramite l'interfaccia dati a una stampante o a un PC: impostare la funzione Stampa nel menu di interfaccia su RS232:\.
 note-measuring-log-transfer = Per trasferire il protocollo di misura tramite l'interfaccia dati, utilizzare il software di trasmissione dati TNCremo di HEIDENHAIN.
 note-measuring-log-datum = Tutti i valori misurati nel file di protocollo si riferiscono all'origine attiva al momento dell'esecuzione del ciclo.
-note-measuring-log-manual-datum = Tutti i valori misurati nel file di protocollo si riferiscono all'origine impostata nel modo operativo Funzionamento manuale.
+note-measuring-log-manual-datum = Senza uno spostamento origine attivo, tutti i valori misurati nel file di protocollo si riferiscono all'origine impostata nel modo operativo Funzionamento manuale.
 note-status-also-without-limits = Il controllo imposta lo stato della misurazione anche se non sono inserite tolleranze o quote limite.
 note-which-value-is-out = Il controllo segnala ripresa o scarto non appena un valore misurato è fuori tolleranza. Per individuare il valore, consultare il protocollo di misura o confrontare i risultati con i relativi limiti.
 note-limit-zero-not-monitored = Con 0 (il valore predefinito) in una quota limite o in una tolleranza il controllo non ne esegue la verifica.
@@ -58,6 +58,7 @@ result-trigger-position-axis-3 = Posizione al segnale di commutazione, 3° asse
 result-trigger-position-axis-4 = Posizione al segnale di commutazione, 4° asse
 result-trigger-position-axis-5 = Posizione al segnale di commutazione, 5° asse
 note-pre-position-without-collision = Pericolo di collisione! Posizionare il sistema di tastatura in modo da escludere qualsiasi collisione durante l'avvicinamento alla preposizione programmata.
+note-pre-position-without-collision__tnc426-430 = Pericolo di collisione! Preposizionare manualmente il sistema di tastatura in modo da escludere qualsiasi collisione durante l'avvicinamento alla preposizione programmata.
 note-trigger-position-uncompensated = I valori dei parametri da Q115 a Q119 non tengono conto della lunghezza e del raggio dello stilo.
 note-no-log-for-reference-plane = Per questo ciclo il controllo non crea alcun protocollo di misura.
 

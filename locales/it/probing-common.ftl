@@ -44,7 +44,13 @@ note-step-below-90-for-arcs = Per misurare un arco di cerchio invece di un cerch
 note-smallest-stepping-angle = Quanto più piccolo è l'angolo incrementale { $q-probing-stepping-angle }, tanto meno precisa è l'origine calcolata dal controllo. Valore minimo di immissione: 5°.
 note-smallest-stepping-angle__measure-hole = Quanto più piccolo è l'angolo incrementale { $q-probing-stepping-angle }, tanto meno precise sono le dimensioni del foro calcolate dal controllo. Valore minimo di immissione: 5°.
 note-small-stepping-angle-less-exact = Quanto più piccolo è l'angolo incrementale { $q-probing-stepping-angle }, tanto meno preciso è il centro calcolato dal controllo.
+note-small-stepping-angle-less-exact__datum-inside-circle = Quanto più piccolo è l'angolo incrementale { $q-probing-stepping-angle }, tanto meno precisa è l'origine calcolata dal controllo.
 note-results-in-active-system = Il controllo fornisce tutti i risultati, nei parametri di risultato e nel file di protocollo, nel sistema di coordinate attivo, che può essere spostato, ruotato o inclinato.
+note-results-in-active-system__tnc320 = Il controllo fornisce tutti i risultati, nei parametri di risultato e nel file di protocollo, nel sistema di coordinate attivo, che può essere spostato e/o ruotato.
+note-results-in-active-system__tnc426-430 = Il controllo fornisce tutti i risultati, nei parametri di risultato e nel file di protocollo, nel sistema di coordinate attivo, che può essere spostato.
+note-results-in-q-parameters = Il controllo memorizza i risultati di misura nei parametri Q globali da Q150 a Q160, che possono essere utilizzati nel seguito del programma.
+note-deviations-in-q-parameters = Il controllo memorizza i risultati di misura nei parametri Q globali da Q150 a Q160 e gli scostamenti dai valori nominali nei parametri da Q161 a Q166. Durante la definizione del ciclo la grafica di supporto visualizza anche i parametri di risultato; quello evidenziato appartiene al parametro di immissione selezionato.
+note-deviations-in-q-parameters__tnc426-430 = Il controllo memorizza i risultati di misura nei parametri Q globali da Q150 a Q160 e gli scostamenti dai valori nominali nei parametri da Q161 a Q166. Durante la definizione del ciclo la grafica di supporto visualizza anche i parametri di risultato.
 
 # --- results ---
 result-centre-main-actual = Valore reale centro asse principale

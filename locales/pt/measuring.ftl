@@ -16,25 +16,25 @@ say-log-on-screen = com { $q-measuring-log }=2, interrompe a execução do progr
 say-no-log = caso contrário, não cria nenhum registo
 message-measuring-log-on-screen = O registo de medição está no ecrã. Continue com o arranque NC.
 step-monitor-tool = O comando supervisiona a ferramenta { $q-monitored-tool }:
-say-correct-tool-radius = com { $q-monitored-tool } diferente de 0, soma o desvio do raio ao raio delta da coluna DR da tabela de ferramentas; se o desvio for maior do que a tolerância de rotura RBREAK, emite uma mensagem de erro, detém a execução do programa e bloqueia a ferramenta (coluna TL = L)
+say-correct-tool-radius = com { $q-monitored-tool } diferente de 0, soma o desvio do raio ao raio delta da coluna DR da tabela de ferramentas; se o desvio for maior do que a tolerância de rotura RBREAK, emite um aviso de erro, detém a execução do programa e bloqueia a ferramenta (coluna TL = L)
 say-no-tool-monitoring = com { $q-monitored-tool }=0, não é supervisionada nenhuma ferramenta
 step-stop-on-tolerance-error = O comando reage a uma tolerância excedida conforme { $q-stop-on-tolerance-error }:
-say-stop-with-tolerance-error = com { $q-stop-on-tolerance-error }=1, interrompe a execução do programa e emite uma mensagem de erro
-say-stop-with-tolerance-error__probing-3d = com { $q-tolerance-error-reaction }=1, interrompe a execução do programa e emite uma mensagem de erro
+say-stop-with-tolerance-error = com { $q-stop-on-tolerance-error }=1, interrompe a execução do programa e emite um aviso de erro
+say-stop-with-tolerance-error__probing-3d = com { $q-tolerance-error-reaction }=1, interrompe a execução do programa e emite um aviso de erro
 say-continue-program = caso contrário, o programa continua
 result-centre-main-deviation = Desvio centro eixo principal
 result-centre-minor-deviation = Desvio centro eixo secundário
 result-diameter-deviation = Desvio diâmetro
-result-status-good = 1: os valores medidos estão dentro da tolerância
-result-status-rework = 1: é necessário trabalho de acabamento
-result-status-scrap = 1: desperdício
+result-status-good = 1: os valores de medição situam-se dentro da tolerância
+result-status-rework = 1: necessário trabalho de acabamento
+result-status-scrap = 1: desperdícios
 note-measuring-log-contents = O registo de medição contém a data, a hora e o programa de medição, os valores nominais, os valores limite, os valores reais, os desvios e outros resultados (altura de medição).
 note-measuring-log-contents__tnc426-430 = O registo de medição contém a data, a hora e o programa de medição, os valores nominais, os valores limite, os valores reais e os desvios.
 note-measuring-log-in-tnc-directory = O comando guarda o registo de medição como ficheiro ASCII, de forma standard no diretório TNC:\.
 note-measuring-log-in-program-directory = O comando guarda o registo de medição como ficheiro ASCII, de forma standard no diretório a partir do qual é executado o programa de medição. Em alternativa, o registo pode ser enviado pela conexão de dados para uma impressora ou um PC: para isso, ponha a função Print do menu de configuração de interfaces em RS232:\.
 note-measuring-log-transfer = Para transmitir o registo de medição pela conexão de dados, utilize o software de transmissão de dados TNCremo da HEIDENHAIN.
 note-measuring-log-datum = Todos os valores medidos do ficheiro do registo referem-se ao ponto de referência que estava ativo quando o ciclo foi executado.
-note-measuring-log-manual-datum = Todos os valores medidos do ficheiro do registo referem-se ao ponto de referência memorizado no modo de funcionamento Manual.
+note-measuring-log-manual-datum = Sem uma deslocação do ponto zero ativa, todos os valores medidos do ficheiro do registo referem-se ao ponto de referência memorizado no modo de funcionamento Manual.
 note-status-also-without-limits = O comando memoriza o estado da medição mesmo que não estejam introduzidas tolerâncias nem valores limite.
 note-which-value-is-out = O comando assinala trabalho de acabamento ou desperdício assim que um dos valores medidos fique fora da tolerância. Para saber qual, consulte o registo de medição ou compare os resultados com os seus valores limite.
 note-limit-zero-not-monitored = Com 0 (o valor pré-ajustado) num valor limite ou numa tolerância, o comando não o supervisiona.
@@ -60,6 +60,7 @@ result-trigger-position-axis-3 = Posição no momento do sinal de comutação, 3
 result-trigger-position-axis-4 = Posição no momento do sinal de comutação, 4.º eixo
 result-trigger-position-axis-5 = Posição no momento do sinal de comutação, 5.º eixo
 note-pre-position-without-collision = Perigo de colisão! Posicione o apalpador de modo que não possa colidir ao deslocar-se para a posição prévia programada.
+note-pre-position-without-collision__tnc426-430 = Perigo de colisão! Posicione previamente o apalpador à mão, de modo que não possa colidir ao deslocar-se para a posição prévia programada.
 note-trigger-position-uncompensated = Os valores em Q115 a Q119 não têm em conta a longitude nem o raio da haste de apalpação.
 note-no-log-for-reference-plane = Para este ciclo, o comando não cria nenhum registo de medição.
 
@@ -95,7 +96,7 @@ note-mill-mode-only = O ciclo só pode ser executado no modo FUNCTION MODE MILL.
 note-calibrate-in-3d = Para obter resultados exatos, calibre o apalpador em 3D antes deste ciclo. A calibração 3D precisa da opção 92, 3D-ToolComp.
 note-surface-log-contents = Para o eixo principal, o eixo secundário e o eixo da ferramenta, o registo contém: a direção de apalpação real (como vetor no sistema de coordenadas de introdução, cuja longitude é o percurso de apalpação configurado), a coordenada nominal, a coordenada real e, se { $q-tolerance-specification } definir uma tolerância, o desvio superior e inferior e o desvio ao longo do vetor normal. Os valores têm cores: verde para bom, laranja para trabalho de acabamento, vermelho para desperdício. Também é registado o desvio 3D.
 note-surface-log-directory = O comando guarda o registo como ficheiro HTML no diretório do programa NC, a não ser que esteja configurado um caminho para FN 16.
-note-mirror-or-scaling-is-an-error = O comando emite uma mensagem de erro se, na ativação do ciclo, estiver ativo o espelhamento (ciclo 8), o fator de escala (ciclo 11) ou o fator de escala específico do eixo (ciclo 26).
+note-mirror-or-scaling-is-an-error = O comando emite um aviso de erro se, na ativação do ciclo, estiver ativo o espelhamento (ciclo 8), o fator de escala (ciclo 11) ou o fator de escala específico do eixo (ciclo 26).
 note-tcpm-considered = A apalpação tem em conta um TCPM ativo. Com TCPM, também se podem apalpar posições quando o plano de maquinação inclinado se encontra num estado inconsistente.
 note-track-with-controlled-spindle = Se a máquina tiver um cabeçote regulado, ative o seguimento do ângulo na tabela de apalpadores (coluna { $mp-track }). Em geral, isso melhora a exatidão das medições com um apalpador 3D.
 note-coordinates-in-input-system = Todas as coordenadas do ciclo se referem ao sistema de coordenadas de introdução.
@@ -104,6 +105,6 @@ note-status-independent-of-reaction = O estado da peça em Q183 (bom, trabalho d
 note-normal-from-cad = O vetor normal ({ $q-surface-normal-main }, { $q-surface-normal-minor }, { $q-surface-normal-tool }) é perpendicular ao plano imaginário em que se situam as coordenadas nominais e aponta para fora da superfície. É preferível obtê-lo de um sistema CAD ou CAM.
 note-normal-does-not-set-path = O vetor normal não determina o percurso de apalpação.
 note-tolerance-grammar = "0.4-0.1": a margem vai da coordenada nominal −0,1 à coordenada nominal +0,4. "0.4": da coordenada nominal a +0,4. "-0.1": de −0,1 à coordenada nominal. " ", "0" e "0.1+0.1": não é tida em conta nenhuma tolerância.
-note-tilting-angles-compared = Conforme o parâmetro de máquina chkTiltingAxes (n.º 204600), o comando verifica durante a apalpação se as posições dos eixos rotativos correspondem aos ângulos de inclinação (3D ROT). Se não corresponderem, emite uma mensagem de erro.
+note-tilting-angles-compared = Conforme o parâmetro de máquina chkTiltingAxes (n.º 204600), o comando verifica durante a apalpação se as posições dos eixos rotativos correspondem aos ângulos de inclinação (3D ROT). Se não corresponderem, emite um aviso de erro.
 note-adapt-nc-programs = Os programas NC apresentados como exemplos são propostas. Antes de os utilizar, adapte à máquina as ferramentas, os dados de corte, os avanços, a altura segura ou as posições seguras, as posições específicas da máquina (por exemplo, com M91) e os caminhos das chamadas de programa. Adapte os programas que dependem da cinemática à cinemática da máquina antes da primeira execução de teste.
 note-simulate-nc-programs = Teste o programa NC na simulação antes de o executar. O teste de programa mostra se pode ser utilizado com as opções de software disponíveis, a cinemática ativa e a configuração atual da máquina.

@@ -171,8 +171,8 @@ choice-tool-at-upper-left-corner = Posição da ferramenta = esquina superior es
 choice-climb-milling = Fresagem em sentido sincronizado
 choice-up-cut-milling = Fresagem em sentido contrário
 choice-vertical-plunging = Penetração vertical, qualquer que seja o ângulo de penetração { $mp-plunging-angle } na tabela de ferramentas
-choice-helical-plunging = Penetração em hélice. O ângulo de penetração { $mp-plunging-angle } da ferramenta ativa tem de ser diferente de 0 na tabela de ferramentas; caso contrário, o comando emite uma mensagem de erro
-choice-reciprocating-plunging = Penetração pendular. O ângulo de penetração { $mp-plunging-angle } da ferramenta ativa tem de ser diferente de 0 na tabela de ferramentas; caso contrário, o comando emite uma mensagem de erro. A longitude do movimento pendular depende do ângulo de penetração; é, no mínimo, o dobro do diâmetro da ferramenta
+choice-helical-plunging = Penetração em hélice. O ângulo de penetração { $mp-plunging-angle } da ferramenta ativa tem de ser diferente de 0 na tabela de ferramentas; caso contrário, o comando emite um aviso de erro
+choice-reciprocating-plunging = Penetração pendular. O ângulo de penetração { $mp-plunging-angle } da ferramenta ativa tem de ser diferente de 0 na tabela de ferramentas; caso contrário, o comando emite um aviso de erro. A longitude do movimento pendular depende do ângulo de penetração; é, no mínimo, o dobro do diâmetro da ferramenta
 choice-at-set-up-clearance = Deslocar-se entre as maquinações à distância de segurança
 choice-at-second-set-up-clearance = Deslocar-se entre as maquinações à 2ª distância de segurança
 choice-straight-between-operations = Deslocar-se entre as maquinações em linha reta

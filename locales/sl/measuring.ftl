@@ -34,7 +34,7 @@ note-measuring-log-in-tnc-directory = Krmiljenje shrani merilni protokol kot dat
 note-measuring-log-in-program-directory = Krmiljenje shrani merilni protokol kot datoteko ASCII, privzeto v imenik, iz katerega se izvaja merilni program. Protokol lahko po podatkovnem vmesniku pošljete tudi na tiskalnik ali v računalnik: funkcijo Print v meniju vmesnika nastavite na RS232:\.
 note-measuring-log-transfer = Za prenos merilnega protokola po podatkovnem vmesniku uporabite programsko opremo za prenos podatkov TNCremo družbe HEIDENHAIN.
 note-measuring-log-datum = Vse izmerjene vrednosti v datoteki s protokolom se nanašajo na referenčno točko, ki je bila aktivna ob izvajanju cikla.
-note-measuring-log-manual-datum = Vse izmerjene vrednosti v datoteki s protokolom se nanašajo na referenčno točko, določeno v ročnem načinu.
+note-measuring-log-manual-datum = Če ni aktiven zamik ničelne točke, se vse izmerjene vrednosti v datoteki s protokolom nanašajo na referenčno točko, določeno v ročnem načinu.
 note-status-also-without-limits = Krmiljenje določi stanje meritve tudi, če tolerance ali mejne vrednosti niso vnesene.
 note-which-value-is-out = Krmiljenje označi dodatno obdelavo ali izvržek, kakor hitro ena od izmerjenih vrednosti ni v mejah tolerance. Katera je ta vrednost, ugotovite iz merilnega protokola ali tako, da rezultate primerjate z njihovimi mejnimi vrednostmi.
 note-limit-zero-not-monitored = Mejne vrednosti ali tolerance, za katero je vneseno 0 (prednastavljena vrednost), krmiljenje ne nadzoruje.
@@ -59,6 +59,7 @@ result-trigger-position-axis-3 = Položaj ob stikalnem signalu, 3. os
 result-trigger-position-axis-4 = Položaj ob stikalnem signalu, 4. os
 result-trigger-position-axis-5 = Položaj ob stikalnem signalu, 5. os
 note-pre-position-without-collision = Nevarnost kolizije! Tipalni sistem pozicionirajte tako, da pri premiku na programirani predpoložaj ne more trčiti.
+note-pre-position-without-collision__tnc426-430 = Nevarnost kolizije! Tipalni sistem ročno predpozicionirajte tako, da pri premiku na programirani predpoložaj ne more trčiti.
 note-trigger-position-uncompensated = Vrednosti v parametrih od Q115 do Q119 ne upoštevajo dolžine in polmera tipalne glave.
 note-no-log-for-reference-plane = Za ta cikel krmiljenje ne ustvari merilnega protokola.
 

@@ -44,7 +44,13 @@ note-step-below-90-for-arcs = Če želite namesto polnega kroga izmeriti krožni
 note-smallest-stepping-angle = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna referenčno točko. Najmanjši vnos: 5°.
 note-smallest-stepping-angle__measure-hole = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna dimenzije vrtine. Najmanjši vnos: 5°.
 note-small-stepping-angle-less-exact = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna središče.
+note-small-stepping-angle-less-exact__datum-inside-circle = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna referenčno točko.
 note-results-in-active-system = Vse rezultate v parametrih rezultatov in v datoteki s protokolom krmiljenje navaja v aktivnem koordinatnem sistemu, ki je lahko zamaknjen, zasukan ali nagnjen.
+note-results-in-active-system__tnc320 = Vse rezultate v parametrih rezultatov in v datoteki s protokolom krmiljenje navaja v aktivnem koordinatnem sistemu, ki je lahko zamaknjen in/ali zasukan.
+note-results-in-active-system__tnc426-430 = Vse rezultate v parametrih rezultatov in v datoteki s protokolom krmiljenje navaja v aktivnem koordinatnem sistemu, ki je lahko zamaknjen.
+note-results-in-q-parameters = Krmiljenje rezultate meritev shrani v globalno aktivne Q-parametre od Q150 do Q160, ki jih je mogoče uporabiti v nadaljevanju programa.
+note-deviations-in-q-parameters = Krmiljenje rezultate meritev shrani v globalno aktivne Q-parametre od Q150 do Q160, odstopanja od želenih vrednosti pa v Q161 do Q166. Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov; osvetljeni parameter rezultata pripada izbranemu parametru za vnos.
+note-deviations-in-q-parameters__tnc426-430 = Krmiljenje rezultate meritev shrani v globalno aktivne Q-parametre od Q150 do Q160, odstopanja od želenih vrednosti pa v Q161 do Q166. Med definiranjem cikla pomožna slika kaže tudi parametre rezultatov.
 
 # --- results ---
 result-centre-main-actual = Dejanska vrednost središča glavne osi
