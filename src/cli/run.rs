@@ -12,8 +12,9 @@ use crate::diag::{Diagnostic, Source};
 use crate::engine::run::{Content, Engine, Event, EventKind, Status};
 use crate::engine::scene::Scene;
 use crate::locale::{Args, Digits, Language, Locales, Ui};
-use crate::spec::{Catalogue, OnControl};
+use crate::spec::{Catalogue, CycleKey, OnControl};
 use crate::system;
+use crate::text;
 
 pub(super) const COMMAND: Command = Command {
     name: "run",
@@ -54,7 +55,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     for (name, other) in &neighbours {
         engine = engine.with_program(name, &other.program);
     }
-    let mut teller = Teller { events: matches.get_flag("events"), set: BTreeMap::new(), written: Ok(()) };
+    let mut teller = Teller { events: matches.get_flag("events"), set: BTreeMap::new(), failed: None, written: Ok(()) };
     let output = &mut *session.output;
     let result = engine.run(&mut |event| teller.tell(&event, output));
     teller.written?;
@@ -65,7 +66,15 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         save(session, Path::new(out), result.tables.iter().chain(&result.logs))?;
     }
     if let Some(diagnostic) = &result.diagnostic {
-        session.output.complain(diagnostic, &session.ui);
+        let sentence = result.fault.as_ref().filter(|fault| fault.of_cycle).and_then(|fault| {
+            let cycle = on.cycles.get(&teller.failed?)?;
+            let readers = [locales.language(session.ui.tag()).ok()?];
+            text::guard_sentence(on, cycle, &fault.code, &readers)
+        });
+        match sentence {
+            Some(sentence) => session.output.complain(&diagnostic.clone().arg("message", sentence), &session.ui),
+            None => session.output.complain(diagnostic, &session.ui),
+        }
     }
     Ok(match result.status {
         Status::Done | Status::Stopped => Outcome::Clean,
@@ -115,11 +124,16 @@ fn neighbours(path: &Path, text: &str) -> Result<Vec<(String, program::File)>, F
 struct Teller {
     events: bool,
     set: BTreeMap<String, Content>,
+    /// The cycle that ended with an error.
+    failed: Option<CycleKey>,
     written: Result<(), Failure>,
 }
 
 impl Teller {
     fn tell(&mut self, event: &Event, output: &mut super::Output) {
+        if let EventKind::Error { .. } = &event.kind {
+            self.failed = event.at.cycle.as_ref().map(|(key, _)| *key);
+        }
         if !self.events {
             // What a definition hands over is known from the program; what a step sets is a result.
             let handed_over = matches!(&event.at.cycle, Some((_, None)));

@@ -73,6 +73,17 @@ pub struct GuardText<'a> {
     pub switched_off_by: Option<&'a str>,
 }
 
+/// The sentence of a guard or error of a cycle in the first of the languages that has it.
+pub fn guard_sentence(on: &OnControl, cycle: &Cycle, code: &str, languages: &[&Language]) -> Option<String> {
+    let key = format!("guard-{code}");
+    languages.iter().find_map(|language| {
+        let vocabulary = Vocabulary::of(on, cycle, language);
+        let text = CycleText::new(on, cycle, language, &vocabulary);
+        let sentence = text.find(&key)?.into_owned();
+        text.faults().is_empty().then_some(sentence)
+    })
+}
+
 /// The texts of one cycle on one control in one language.
 pub struct CycleText<'a> {
     /// The control.

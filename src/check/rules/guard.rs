@@ -11,7 +11,7 @@ use crate::diag::{Diagnostic, Severity, Span};
 use crate::expr::QRef;
 use crate::spec::{Cycle, CycleKey, Outcome};
 use crate::syntax::ValueKind;
-use crate::text::{CycleText, Vocabulary};
+use crate::text;
 
 pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run };
 
@@ -55,7 +55,8 @@ fn finding(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle, ready:
     };
     let place = place(definition, ready).unwrap_or(definition.view.head);
     let rule = Rule { code: lasting(code.as_str()), severity, run };
-    Some(rule.at(facts, place).arg("message", sentence(facts, cycle, code)))
+    let sentence = text::guard_sentence(facts.against.on, cycle, code.as_str(), facts.against.readers);
+    Some(rule.at(facts, place).arg("message", sentence.unwrap_or_else(|| code.as_str().to_owned())))
 }
 
 /// The first parameter written that the guard reads.
@@ -63,19 +64,6 @@ fn place(definition: &Definition<'_>, ready: &Ready<'_>) -> Option<Span> {
     let read = ready.condition.q_refs();
     let mut items = definition.items.iter();
     items.find(|item| item.param.and_then(read_as).is_some_and(|q| read.contains(&q))).map(|item| item.span)
-}
-
-/// The guard's sentence in the first of the reader's languages that has it; its code without one.
-fn sentence(facts: &Facts<'_>, cycle: &Cycle, code: &crate::spec::Name) -> String {
-    let on = facts.against.on;
-    let key = format!("guard-{}", code.as_str());
-    let mut sentences = facts.against.readers.iter().filter_map(|language| {
-        let vocabulary = Vocabulary::of(on, cycle, language);
-        let text = CycleText::new(on, cycle, language, &vocabulary);
-        let sentence = text.find(&key)?.into_owned();
-        text.faults().is_empty().then_some(sentence)
-    });
-    sentences.next().unwrap_or_else(|| code.as_str().to_owned())
 }
 
 /// The code for as long as the program runs. There are as many as the specifications have guards.
