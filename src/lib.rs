@@ -5,7 +5,6 @@
 pub mod check;
 pub mod cli;
 pub mod conform;
-
 pub mod coverage;
 pub mod data;
 pub mod diag;

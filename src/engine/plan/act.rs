@@ -64,10 +64,10 @@ pub enum Item {
 pub struct Step {
     /// Its id.
     pub id: Arc<str>,
+    /// The index of its sentence in [`super::Plan::sentences`].
+    pub sentence: usize,
     /// Only executed if this holds.
     pub when: Option<Calc>,
-    /// Whether the operator does it.
-    pub by_operator: bool,
     /// What is done.
     pub block: Block,
 }
@@ -88,8 +88,8 @@ pub struct Block {
 pub struct Case {
     /// Conditions that must all hold, each with whether it is negated.
     pub when: Vec<(Calc, bool)>,
-    /// The id of its sentence.
-    pub say: Option<Arc<str>>,
+    /// The index of its sentence in [`super::Plan::sentences`], if it has one.
+    pub say: Option<usize>,
     /// What is done.
     pub acts: Vec<Do>,
     /// Values that every case has under the same name: from the slot here to the slot behind the choice.

@@ -8,7 +8,7 @@ use super::names::{Binding, Scope};
 use super::{Calc, Compiler, Do, SentenceKind};
 use crate::diag::{Diagnostic, Place};
 use crate::expr::Type;
-use crate::spec::{self, Action, Actor, Entries, Formula, Name};
+use crate::spec::{self, Action, Entries, Formula, Name};
 
 impl SeriesKind {
     /// The fields of a member in the order of their slots.
@@ -68,14 +68,13 @@ impl Compiler<'_> {
     }
 
     fn step(&mut self, item: &spec::Item, id: &Name, scope: &mut Scope) -> Option<Step> {
-        self.sentence(SentenceKind::Step, &id.text);
+        let sentence = self.sentence(SentenceKind::Step, &id.text);
         let when = self.when(item.when.as_ref(), scope);
         let conditions = &self.cycle.file.conditions;
         let first = self.acts(&item.body.actions, scope);
         let choose = self.cases(&item.choose, conditions, scope);
         let then = self.acts(&item.then, scope);
-        let by_operator = item.by == Some(Actor::Operator);
-        Some(Step { id: Arc::clone(&id.text), when: when?, by_operator, block: Block { first, choose, then } })
+        Some(Step { id: Arc::clone(&id.text), sentence, when: when?, block: Block { first, choose, then } })
     }
 
     pub(super) fn acts(&mut self, actions: &[Action], scope: &mut Scope) -> Vec<Do> {
@@ -101,14 +100,11 @@ impl Compiler<'_> {
                 }
                 when.extend(self.typed(formula, Type::Bool, scope).map(|calc| (calc, used.negated)));
             }
-            if let Some(say) = &case.say {
-                self.sentence(SentenceKind::Say, &say.text);
-            }
+            let say = case.say.as_ref().map(|say| self.sentence(SentenceKind::Say, &say.text));
             let mark = scope.mark();
             let acts = self.acts(&case.actions, scope);
             bound.push(scope.since(mark).to_vec());
             scope.leave(mark);
-            let say = case.say.as_ref().map(|say| Arc::clone(&say.text));
             compiled.push(Case { when, say, acts, exports: Vec::new() });
         }
         if cases.last().is_some_and(|case| case.case.is_empty()) {

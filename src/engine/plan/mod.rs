@@ -180,10 +180,12 @@ impl<'c> Compiler<'c> {
         }
     }
 
-    fn sentence(&mut self, kind: SentenceKind, id: &Arc<str>) {
+    /// The index of a sentence, which several places of a run may share.
+    fn sentence(&mut self, kind: SentenceKind, id: &Arc<str>) -> usize {
         let sentence = Sentence { kind, id: Arc::clone(id) };
-        if !self.sentences.contains(&sentence) {
+        self.sentences.iter().position(|known| *known == sentence).unwrap_or_else(|| {
             self.sentences.push(sentence);
-        }
+            self.sentences.len() - 1
+        })
     }
 }

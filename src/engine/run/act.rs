@@ -108,7 +108,7 @@ impl<'e> Run<'_, 'e> {
                 Ok(())
             }
             Act::Fail(code) => {
-                self.shown.guards.insert((exec.definition.cycle.key, Arc::clone(code)));
+                self.guards.insert((exec.definition.cycle.key, Arc::clone(code)));
                 Err(Fault::of_cycle(code).into())
             }
             Act::Message(id) => {

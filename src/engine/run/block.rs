@@ -231,7 +231,8 @@ impl<'e> Run<'_, 'e> {
             if self.world.has_tools() && table.text(number, "TL")? == LOCKED {
                 return Err(Fault::control("tool-locked").arg("tool", number).into());
             }
-            self.world.tool = Some(self.world.tool_data(number, delta_radius, delta_length)?);
+            let tool = self.world.tool_data(number, delta_radius, delta_length)?;
+            self.world.take_tool(tool);
             let axis = self.world.system.plane.tool;
             self.tell(EventKind::Tool { number, axis });
         }

@@ -10,7 +10,7 @@ use super::event::MessageKind;
 use super::fault::{Class, Fault};
 use super::world::ProbeData;
 use super::{Content, Done, EventKind, Leave, Params, Run};
-use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Sentence, SentenceKind, Slot, Step};
+use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Slot, Step};
 use crate::expr::{Env, EvalError, QRef, Value};
 use crate::spec::{Moment, Outcome, Transformation};
 
@@ -23,13 +23,12 @@ enum Filled {
     Yes,
     No,
     /// Its value could not be calculated.
-    Failed(Fault),
+    Failed(Box<Fault>),
 }
 
 /// One execution of a plan.
 pub(super) struct Exec<'d, 'e> {
     pub(super) definition: &'d Definition<'e>,
-    pub(super) plan: Arc<Plan>,
     values: Vec<Value>,
     filled: Vec<Filled>,
     pub(super) lists: Vec<Vec<Value>>,
@@ -39,6 +38,8 @@ pub(super) struct Exec<'d, 'e> {
     shadows: Vec<(QRef, f64)>,
     /// The probe as it was when the cycle began.
     probe: Option<ProbeData>,
+    /// Which sentences of the plan were executed.
+    sentences: Vec<bool>,
 }
 
 /// What an expression of a plan sees.
@@ -54,11 +55,11 @@ impl Env for View<'_, '_, '_> {
     }
 
     fn number(&self, q: QRef) -> Result<f64, EvalError> {
-        let exec = self.exec;
-        if let Some((_, value)) = exec.plan.constants.iter().find(|(known, _)| *known == q) {
+        let (exec, plan) = (self.exec, self.exec.plan());
+        if let Some((_, value)) = plan.constants.iter().find(|(known, _)| *known == q) {
             return Ok(*value);
         }
-        if let Some(stands) = exec.plan.stands_for.iter().find(|stands| stands.q == q) {
+        if let Some(stands) = plan.stands_for.iter().find(|stands| stands.q == q) {
             let Value::Number(value) = self.slot(stands.slot) else { return Err(EvalError::Undefined(q)) };
             if !stands.names_it {
                 return Ok(*value);
@@ -77,7 +78,7 @@ impl Env for View<'_, '_, '_> {
 
 impl<'d, 'e> Exec<'d, 'e> {
     fn new(definition: &'d Definition<'e>, start: DVec3, probe: Option<ProbeData>) -> Self {
-        let plan = Arc::clone(&definition.plan);
+        let plan = &definition.plan;
         Self {
             definition,
             values: vec![Value::Bool(false); plan.slots],
@@ -86,7 +87,18 @@ impl<'d, 'e> Exec<'d, 'e> {
             start,
             shadows: Vec::new(),
             probe,
-            plan,
+            sentences: vec![false; plan.sentences.len()],
+        }
+    }
+
+    /// The plan that is executed.
+    fn plan(&self) -> &'d Plan {
+        &self.definition.plan
+    }
+
+    fn show(&mut self, sentence: usize) {
+        if let Some(shown) = self.sentences.get_mut(sentence) {
+            *shown = true;
         }
     }
 
@@ -99,7 +111,7 @@ impl<'d, 'e> Exec<'d, 'e> {
 
     fn fail(&mut self, slot: Slot, fault: Fault) {
         if let Some(filled) = self.filled.get_mut(slot) {
-            *filled = Filled::Failed(fault);
+            *filled = Filled::Failed(Box::new(fault));
         }
     }
 
@@ -113,11 +125,12 @@ impl<'d, 'e> Exec<'d, 'e> {
 
     /// A parameter that an old-style field names, written: the Q parameter of the program, if there is one.
     pub(super) fn redirected(&mut self, q: QRef, value: f64) -> Option<QRef> {
-        let stands = *self.plan.stands_for.iter().find(|stands| stands.q == q && stands.names_it)?;
-        let id = self.plan.fields.iter().find(|(slot, _)| *slot == stands.slot).map(|(_, id)| Arc::clone(id))?;
+        let plan = self.plan();
+        let stands = plan.stands_for.iter().find(|stands| stands.q == q && stands.names_it)?;
+        let (_, id) = plan.fields.iter().find(|(slot, _)| *slot == stands.slot)?;
         self.shadows.retain(|(known, _)| *known != q);
         self.shadows.push((q, value));
-        match self.definition.field(&id) {
+        match self.definition.field(id) {
             Some(FieldValue::Q(target)) => Some(*target),
             _ => None,
         }
@@ -125,7 +138,7 @@ impl<'d, 'e> Exec<'d, 'e> {
 
     /// Whether a parameter is written to where a field says.
     pub(super) fn is_redirected(&self, q: QRef) -> bool {
-        self.plan.stands_for.iter().any(|stands| stands.q == q && stands.names_it)
+        self.plan().stands_for.iter().any(|stands| stands.q == q && stands.names_it)
     }
 }
 
@@ -138,7 +151,7 @@ impl<'e> Run<'_, 'e> {
 
     /// The guards that look when the cycle is defined.
     pub(super) fn at_definition(&mut self, definition: &Definition<'e>) -> Done {
-        let plan = Arc::clone(&definition.plan);
+        let plan = &definition.plan;
         if !plan.guards.iter().any(|guard| guard.at == Moment::Definition) {
             return Ok(());
         }
@@ -152,7 +165,7 @@ impl<'e> Run<'_, 'e> {
         if self.inside >= MAX_NESTED {
             return Err(Fault::new(Class::Internal, "cycle-depth-limit").arg("limit", MAX_NESTED as f64).into());
         }
-        let plan = Arc::clone(&definition.plan);
+        let plan = &definition.plan;
         let (outer_at, outer_probing) = (self.at.cycle.clone(), self.probing);
         self.at.cycle = Some((definition.cycle.key, None));
         let mut exec = self.exec(definition);
@@ -170,11 +183,19 @@ impl<'e> Run<'_, 'e> {
         }
         self.probing |= plan.probes;
         self.inside += 1;
-        self.items(&plan.items, &mut exec)?;
+        let ended = self.items(&plan.items, &mut exec);
+        self.executed(definition, &exec.sentences);
+        ended?;
         self.inside -= 1;
         self.probing = outer_probing;
         self.at.cycle = outer_at;
         Ok(())
+    }
+
+    /// Adds the sentences that an execution has shown to those of the run.
+    fn executed(&mut self, definition: &Definition<'e>, sentences: &[bool]) {
+        let all = self.executed.entry(definition.cycle.key).or_insert_with(|| vec![false; sentences.len()]);
+        all.iter_mut().zip(sentences).for_each(|(known, shown)| *known |= shown);
     }
 
     fn exec<'d>(&self, definition: &'d Definition<'e>) -> Exec<'d, 'e> {
@@ -187,7 +208,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn prepare(&mut self, exec: &mut Exec<'_, 'e>) {
-        let plan = Arc::clone(&exec.plan);
+        let plan = exec.plan();
         for (slot, id) in &plan.fields {
             let value = match exec.definition.field(id) {
                 None => continue,
@@ -214,8 +235,7 @@ impl<'e> Run<'_, 'e> {
 
     /// Gives the known names that change while a cycle runs their present values.
     fn refresh(&self, exec: &mut Exec<'_, 'e>) {
-        let plan = Arc::clone(&exec.plan);
-        for (slot, builtin) in plan.builtins.iter().filter(|(_, builtin)| builtin.changes()) {
+        for (slot, builtin) in exec.plan().builtins.iter().filter(|(_, builtin)| builtin.changes()) {
             let value = self.builtin(builtin, exec);
             exec.put(*slot, value);
         }
@@ -224,7 +244,7 @@ impl<'e> Run<'_, 'e> {
     fn builtin(&self, builtin: &Builtin, exec: &Exec<'_, 'e>) -> Value {
         let world = &self.world;
         let system = &world.system;
-        let tool = world.tool.unwrap_or_default();
+        let tool = world.tool().unwrap_or_default();
         let probe = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of));
         match builtin {
             Builtin::Here => Value::Point(self.in_plane(world.here)),
@@ -234,7 +254,7 @@ impl<'e> Run<'_, 'e> {
             Builtin::ToolAngle => Value::Number(tool.angle),
             Builtin::ToolLcuts => Value::Number(tool.lcuts),
             Builtin::ToolNumber => Value::Number(tool.number),
-            Builtin::ToolCalled => Value::Bool(world.tool.is_some()),
+            Builtin::ToolCalled => Value::Bool(world.tool().is_some()),
             Builtin::ProbeSetUp => probe(|probe| probe.set_up),
             Builtin::ProbeFeed => probe(|probe| probe.feed),
             Builtin::ProbeFmax => probe(|probe| probe.fmax),
@@ -275,7 +295,7 @@ impl<'e> Run<'_, 'e> {
         for slot in &calc.needs {
             match exec.filled.get(*slot) {
                 Some(Filled::Yes) => {}
-                Some(Filled::Failed(fault)) => return Err(fault.clone()),
+                Some(Filled::Failed(fault)) => return Err(Fault::clone(fault)),
                 _ => {
                     let start = calc.place.start();
                     let place = format!("{}:{}", calc.place.source.name(), start.line);
@@ -317,7 +337,7 @@ impl<'e> Run<'_, 'e> {
             if guard.switched_off_by.as_ref().is_some_and(off) || !self.truth(&guard.when, exec)? {
                 continue;
             }
-            self.shown.guards.insert((exec.definition.cycle.key, Arc::clone(&guard.code)));
+            self.guards.insert((exec.definition.cycle.key, Arc::clone(&guard.code)));
             let message = |run: &mut Self, kind, answer| {
                 run.tell(EventKind::Message { kind, id: Arc::clone(&guard.code), answer });
             };
@@ -362,12 +382,8 @@ impl<'e> Run<'_, 'e> {
         }
         let key = exec.definition.cycle.key;
         self.at.cycle = Some((key, Some(Arc::clone(&step.id))));
-        self.show(key, SentenceKind::Step, &step.id);
+        exec.show(step.sentence);
         self.acts(&step.block, exec)
-    }
-
-    fn show(&mut self, key: crate::spec::CycleKey, kind: SentenceKind, id: &Arc<str>) {
-        self.shown.sentences.insert((key, Sentence { kind, id: Arc::clone(id) }));
     }
 
     pub(super) fn acts(&mut self, block: &Block, exec: &mut Exec<'_, 'e>) -> Done {
@@ -389,8 +405,8 @@ impl<'e> Run<'_, 'e> {
             if !all {
                 continue;
             }
-            if let Some(say) = &case.say {
-                self.show(exec.definition.cycle.key, SentenceKind::Say, say);
+            if let Some(say) = case.say {
+                exec.show(say);
             }
             self.each_act(&case.acts, exec)?;
             case.exports.iter().for_each(|(from, to)| exec.copy(*from, *to));

@@ -254,7 +254,10 @@ struct Run<'r, 'e> {
     last_cycle: Option<Arc<Definition<'e>>>,
     flow: flow::Flow,
     at: At,
-    shown: Shown,
+    /// Guards that applied.
+    guards: BTreeSet<(CycleKey, Arc<str>)>,
+    /// By cycle: which sentences of its plan were executed.
+    executed: BTreeMap<CycleKey, Vec<bool>>,
     logs: Vec<(String, String)>,
     /// Nested executions of cycles.
     inside: usize,
@@ -283,7 +286,8 @@ impl<'r, 'e> Run<'r, 'e> {
             modal: Modal::default(),
             last_cycle: None,
             at,
-            shown: Shown::default(),
+            guards: BTreeSet::new(),
+            executed: BTreeMap::new(),
             logs: Vec::new(),
             inside: 0,
             probing: false,
@@ -309,6 +313,17 @@ impl<'r, 'e> Run<'r, 'e> {
         Ok(plan)
     }
 
+    /// What was executed of the cycles.
+    fn shown(&mut self) -> Shown {
+        let of_plan = |(key, plan): (&CycleKey, &Arc<Plan>)| {
+            let executed = self.executed.get(key).map_or(&[][..], Vec::as_slice);
+            let shown = plan.sentences.iter().zip(executed).filter(|(_, shown)| **shown);
+            shown.map(|(sentence, _)| (*key, sentence.clone())).collect::<Vec<_>>()
+        };
+        let sentences = self.plans.iter().flat_map(of_plan).collect();
+        Shown { sentences, guards: std::mem::take(&mut self.guards) }
+    }
+
     fn finish(mut self, end: Done) -> Outcome {
         let (status, fault) = match end {
             Ok(()) => (Status::Done, None),
@@ -326,6 +341,7 @@ impl<'r, 'e> Run<'r, 'e> {
         });
         self.at.cycle = None;
         self.tell(EventKind::End(status));
+        let shown = self.shown();
         Outcome {
             status,
             fault,
@@ -334,7 +350,7 @@ impl<'r, 'e> Run<'r, 'e> {
             logs: self.logs,
             params: self.params,
             position: self.world.here,
-            shown: self.shown,
+            shown,
         }
     }
 

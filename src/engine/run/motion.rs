@@ -88,7 +88,7 @@ impl Run<'_, '_> {
                 self.modal.feed = Some(self.operand(&value)? * self.modal.spindle.speed);
             }
             Some(FeedKind::PerTooth(value)) => {
-                let teeth = self.world.tool.map_or(0.0, |tool| tool.teeth);
+                let teeth = self.world.tool().map_or(0.0, |tool| tool.teeth);
                 self.modal.feed = Some(self.operand(&value)? * self.modal.spindle.speed * teeth);
             }
             None => {}

@@ -1,6 +1,7 @@
 //! The state of the virtual machine: where the tool is, which tool it is, the tables as they are now.
 //!
 //! Invariant: the scene is never changed; what a program writes is kept here and handed out as texts.
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
@@ -66,10 +67,11 @@ pub(super) struct World<'s> {
     pub here: DVec3,
     /// The tool tip in machine coordinates.
     pub machine: DVec3,
-    /// The tool, once one was called.
-    pub tool: Option<Tool>,
     /// What the operator will say.
     pub answers: Answers,
+    tool: Option<Tool>,
+    /// The touch probe as the tables describe it, read when it is asked for first; see [`World::probe`].
+    probe: OnceCell<Result<ProbeData, Fault>>,
     tables: BTreeMap<TableKind, Table>,
     datums: Vec<Table>,
     datum: usize,
@@ -88,8 +90,9 @@ impl<'s> World<'s> {
             system,
             here: DVec3::ZERO,
             machine: scene.start,
-            tool: None,
             answers: scene.answers.clone(),
+            tool: None,
+            probe: OnceCell::new(),
             tables,
             datums: scene.datums.clone(),
             datum: 0,
@@ -130,6 +133,7 @@ impl<'s> World<'s> {
             _ => self.tables.get_mut(&kind),
         };
         let table = table.ok_or_else(|| TableError::NoTable { file: kind.file_name().to_owned() })?;
+        self.probe.take();
         if !self.written.iter().any(|file| file == table.file()) {
             self.written.push(table.file().to_owned());
         }
@@ -138,6 +142,7 @@ impl<'s> World<'s> {
 
     /// A table that the program itself fills: it does not count as written.
     pub(super) fn tools_of_program(&mut self) -> Option<&mut Table> {
+        self.probe.take();
         self.tables.get_mut(&TableKind::Tool)
     }
 
@@ -184,9 +189,24 @@ impl<'s> World<'s> {
         })
     }
 
+    /// The tool, once one was called.
+    pub(super) const fn tool(&self) -> Option<Tool> {
+        self.tool
+    }
+
+    /// Puts a tool into the spindle.
+    pub(super) fn take_tool(&mut self, tool: Tool) {
+        self.tool = Some(tool);
+        self.probe.take();
+    }
+
     /// The touch probe that a probing cycle uses now. Where no tool has a row of the probe table, the tool in
     /// the spindle is taken for the scene's probe.
     pub(super) fn probe(&self) -> Result<ProbeData, Fault> {
+        self.probe.get_or_init(|| self.read_probe()).clone()
+    }
+
+    fn read_probe(&self) -> Result<ProbeData, Fault> {
         let missing = || Fault::control("probe-missing");
         let tool = self.tool.ok_or_else(missing)?;
         let truth = self.scene.probe.ok_or_else(missing)?;

@@ -204,6 +204,7 @@ impl TableKind {
 
 /// Whether two printed names mean the same column (R-OFFS, R_OFFS, TT:R_OFFS).
 pub(super) fn same_name(a: &str, b: &str) -> bool {
-    let bare = |name: &str| name.strip_prefix("TT:").unwrap_or(name).replace('-', "_").to_ascii_uppercase();
-    bare(a) == bare(b)
+    let bare = |name| str::strip_prefix(name, "TT:").unwrap_or(name).bytes();
+    let folded = |byte: u8| if byte == b'-' { b'_' } else { byte.to_ascii_uppercase() };
+    bare(a).map(folded).eq(bare(b).map(folded))
 }
