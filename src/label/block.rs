@@ -4,10 +4,9 @@
 //! was not given is that of the printed example.
 use std::borrow::Cow;
 
-use super::value::{self, Refusal};
 use crate::diag::{Arg, Diagnostic};
 use crate::locale::Language;
-use crate::spec::{Cycle, Field, NcExample, OnControl, Param, ParameterKind, Shape};
+use crate::spec::{Cycle, Field, NcExample, OnControl, Param, ParameterKind, Refusal, Shape, refusal};
 use crate::text::{CycleText, with_texts};
 
 /// What is asked of a block.
@@ -135,7 +134,7 @@ impl<'v> Values<'v> {
             return;
         }
         let value = value.trim();
-        match value::refusal(param, value) {
+        match refusal(param, value) {
             Some(refusal) => faults.push(refused(&name, value, param, &refusal, text)),
             None => self.given.push((name, Cow::Owned(as_printed(param, value)))),
         }

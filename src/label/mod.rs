@@ -5,9 +5,7 @@
 mod block;
 mod lint;
 mod table;
-mod value;
 
 pub use block::{Request, block, block_of, example, example_of};
 pub use lint::check;
 pub use table::{LabelRow, csv, table};
-pub use value::{Refusal, refusal};

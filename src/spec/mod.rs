@@ -9,15 +9,17 @@ mod lint;
 mod profile;
 mod schema;
 mod texts;
+mod value;
 mod vocabulary;
 mod yaml;
 
 pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Param};
 pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use form::*;
-pub use lint::{is_offered, lint, takes};
+pub use lint::lint;
 pub use profile::{Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Transformation};
 pub use schema::schema;
 pub use texts::{Text, texts};
+pub use value::{Refusal, number_refusal, refusal};
 pub use vocabulary::*;
 pub use yaml::{Key, Kind, Node, read as read_yaml};

@@ -2,7 +2,7 @@
 use super::values::each_refused;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::label::Refusal;
+use crate::spec::Refusal;
 
 pub(super) const RULE: Rule = Rule { code: "choice-not-offered", severity: Severity::Error, run };
 

@@ -4,7 +4,7 @@
 use super::values::each_refused;
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
-use crate::label::Refusal;
+use crate::spec::Refusal;
 
 pub(super) const RULE: Rule = Rule { code: "out-of-range", severity: Severity::Error, run };
 

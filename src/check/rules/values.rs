@@ -2,8 +2,7 @@
 //!
 //! Parameters whose value is another parameter are never refused: it is known when the program runs.
 use crate::check::{Facts, Item};
-use crate::label::{Refusal, refusal};
-use crate::spec::{Param, ParameterKind, Quantity};
+use crate::spec::{Param, ParameterKind, Quantity, Refusal, refusal};
 use crate::syntax::ValueKind;
 
 /// Why a value is refused.

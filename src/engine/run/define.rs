@@ -223,7 +223,9 @@ impl<'e> Run<'_, 'e> {
         };
         match &content {
             Content::Number(_) if param.kind == ParameterKind::Text => Err(Fault::program("text-or-number")),
-            Content::Number(number) if !matches!(value.kind, ValueKind::Word) && !spec::takes(param, *number) => {
+            Content::Number(number)
+                if !matches!(value.kind, ValueKind::Word) && spec::number_refusal(param, *number).is_some() =>
+            {
                 Err(Fault::program("parameter-out-of-range").arg("value", *number))
             }
             _ => Ok(content),
@@ -334,7 +336,7 @@ impl<'e> Run<'_, 'e> {
     fn field_value(&self, word: &OldWord, param: &Param, field: &spec::Field) -> Result<FieldValue, Fault> {
         let name = self.slice(word.name).trim().to_ascii_uppercase();
         let in_range = |value: f64| {
-            if spec::takes(param, value) {
+            if spec::number_refusal(param, value).is_none() {
                 return Ok(value);
             }
             let fault = Fault::program("parameter-out-of-range").arg("q", field.id.as_str()).arg("value", value);

@@ -81,7 +81,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("radius-too-small", Class::Program),
     ("recursive-call", Class::Program),
     ("repeat-count", Class::Program),
-    ("series-count", Class::Program),
+    ("series-count", Class::Internal),
     ("series-limit", Class::Limit),
     ("solid-cusp", Class::Unsupported),
     ("solid-edge-unsupported", Class::Unsupported),

@@ -87,7 +87,8 @@ impl<'e> Run<'_, 'e> {
             if number >= 0.0 && number.fract() == 0.0 {
                 return Ok(number as u32);
             }
-            Err(Fault::program("series-count").arg("found", number))
+            // Parameters that count are whole numbers; a specification that calculates something else is wrong.
+            Err(Fault::new(Class::Internal, "series-count").arg("found", number))
         };
         Ok(match kind {
             SeriesKind::Infeeds { from, to, by, less, least } => {

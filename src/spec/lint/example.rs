@@ -1,7 +1,7 @@
 //! NC examples and conformance cases name what exists.
 use super::super::catalogue::Cycle;
 use super::super::decode::Name;
-use super::parameter::is_offered;
+use super::super::value::refusal;
 use crate::diag::Diagnostic;
 use crate::expr::QRef;
 
@@ -69,7 +69,7 @@ fn find<'c>(cycle: &'c Cycle, name: &str) -> Option<&'c super::super::catalogue:
 fn value_fits(cycle: &Cycle, name: &Name, value: &str, found: &mut Vec<Diagnostic>) {
     named(cycle, name, found);
     if let Some(param) = find(cycle, name.as_str())
-        && !is_offered(param, value)
+        && refusal(param, value).is_some()
     {
         found.push(
             Diagnostic::error("spec-example-out-of-range", name.place.clone())

@@ -8,8 +8,6 @@ mod reference;
 mod run;
 pub(super) use run::walk;
 
-pub use parameter::{is_offered, takes};
-
 use std::collections::BTreeSet;
 
 use super::catalogue::{Catalogue, Cycle, OnControl};

@@ -1,8 +1,9 @@
 //! Parameters and old-style lines: numbers, ranges, choices and examples agree with each other.
 use super::super::catalogue::{Cycle, OnControl, Param};
+use super::super::value::refusal;
 use super::super::vocabulary::{ParameterKind, Shape};
 use crate::diag::Diagnostic;
-use crate::expr::{QKind, QRef};
+use crate::expr::QKind;
 
 pub(super) fn parameters(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
     for (index, param) in cycle.params.iter().enumerate() {
@@ -70,11 +71,6 @@ fn choices(param: &Param, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The printed number of an example, with comma or point and sign.
-pub(super) fn number(text: &str) -> Option<f64> {
-    text.trim().replace(',', ".").parse::<f64>().ok().filter(|n| n.is_finite())
-}
-
 fn example(cycle: &Cycle, param: &Param, found: &mut Vec<Diagnostic>) {
     let Some(text) = &param.example else {
         // A cycle that is known from its use alone, or an optional field, may come without a value.
@@ -84,47 +80,12 @@ fn example(cycle: &Cycle, param: &Param, found: &mut Vec<Diagnostic>) {
         }
         return;
     };
-    if !is_offered(param, text) {
+    if refusal(param, text).is_some() {
         found.push(
             Diagnostic::error("spec-example-out-of-range", param.place.clone())
                 .arg("name", param.is.as_str())
                 .arg("value", text.as_str()),
         );
-    }
-}
-
-/// Whether a parameter takes a printed value: by kind, range, choices and words.
-pub fn is_offered(param: &Param, text: &str) -> bool {
-    if param.words.iter().any(|word| word == text) {
-        return true;
-    }
-    match param.kind {
-        ParameterKind::Text => {
-            let inside = text.trim_matches('"');
-            param.max_length.is_none_or(|most| inside.chars().count() <= most as usize)
-        }
-        ParameterKind::AxisDirection | ParameterKind::Axis | ParameterKind::Position => true,
-        ParameterKind::QNumber => QRef::parse(text).is_some() || number(text).is_some(),
-        ParameterKind::NumberOrName if text.starts_with('"') => true,
-        _ => number(text.trim_start_matches('#')).is_some_and(|value| takes(param, value)),
-    }
-}
-
-/// Whether a parameter takes a number: within its range, among its choices.
-pub fn takes(param: &Param, value: f64) -> bool {
-    let above = param.min.is_none_or(|min| value >= min);
-    let below = param.max.is_none_or(|max| value <= max);
-    // A value may be offered by name although it lies outside the printed range (0 = switched off).
-    let offered = param.choices.iter().any(|choice| match choice.value.as_str().split_at_checked(1) {
-        Some((">", limit)) => number(limit).is_some_and(|limit| value > limit),
-        Some(("<", limit)) => number(limit).is_some_and(|limit| value < limit),
-        _ => number(choice.value.as_str()) == Some(value),
-    });
-    let ranged = param.min.is_some() || param.max.is_some();
-    match (ranged, param.choices.is_empty()) {
-        (_, true) => above && below,
-        (true, false) => offered || (above && below),
-        (false, false) => offered,
     }
 }
 

@@ -1,8 +1,9 @@
 //! Whether a control would take a value for a parameter.
 //!
 //! Invariant: only what a manual prints is refused; a value that is known only when the program runs
-//! (a Q parameter) is taken.
-use crate::spec::{Param, ParameterKind, Shape};
+//! (a Q parameter) is taken. Linter, blocks, checker and engine all ask here.
+use super::catalogue::Param;
+use super::vocabulary::{ParameterKind, Shape};
 
 /// Why a value is refused.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,7 +20,30 @@ pub enum Refusal {
     TooLong(u32),
 }
 
-/// Why the parameter refuses the value; nothing if it takes it.
+/// Why the parameter refuses a number; nothing if it takes it.
+pub fn number_refusal(param: &Param, value: f64) -> Option<Refusal> {
+    let whole = matches!(param.kind, ParameterKind::Integer | ParameterKind::QNumber | ParameterKind::Row)
+        || param.field.as_ref().is_some_and(|field| field.shape == Shape::Row);
+    if whole && value.fract() != 0.0 {
+        return Some(Refusal::Kind);
+    }
+    let mut among = false;
+    for choice in &param.choices {
+        match offers(choice.value.as_str(), value) {
+            // A value may be offered by name although it lies outside the printed range (0 = switched off).
+            Offer::Exactly => return None,
+            Offer::Within => among = true,
+            Offer::Not => {}
+        }
+    }
+    if !param.choices.is_empty() && !among {
+        return Some(Refusal::NotOffered);
+    }
+    let below = param.min.filter(|min| value < *min).map(Refusal::Below);
+    below.or(param.max.filter(|max| value > *max).map(Refusal::Above))
+}
+
+/// Why the parameter refuses a value as it is printed; nothing if it takes it.
 pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
     let text = text.trim();
     if param.words.iter().any(|word| word == text) {
@@ -33,17 +57,17 @@ pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
         }
         (Some(Shape::AxisCoordinate), _) => coordinate(param, text),
         (Some(Shape::Row), _) | (_, ParameterKind::Row) => match text.strip_prefix('#') {
-            Some(row) => number(param, row, true),
+            Some(row) => number(param, row),
             None => Some(Refusal::Kind),
         },
         (Some(Shape::Q), _) => kind(is_q(text)),
         (_, ParameterKind::QNumber) if is_q(text) => None,
-        (_, ParameterKind::QNumber | ParameterKind::Integer) => number(param, text, true),
+        (_, ParameterKind::QNumber | ParameterKind::Integer) => number(param, text),
         (_, ParameterKind::Text) => quoted(param, text),
         (_, ParameterKind::NumberOrName) if text.starts_with('"') => quoted(param, text),
         (_, ParameterKind::Axis) => kind(text.len() == 1 && text.starts_with(is_axis)),
-        (Some(Shape::Word), _) => number(param, text.strip_prefix('I').unwrap_or(text), false),
-        _ => number(param, text, false),
+        (Some(Shape::Word), _) => number(param, text.strip_prefix('I').unwrap_or(text)),
+        _ => number(param, text),
     }
 }
 
@@ -51,26 +75,14 @@ fn kind(right: bool) -> Option<Refusal> {
     (!right).then_some(Refusal::Kind)
 }
 
-fn number(param: &Param, text: &str, whole: bool) -> Option<Refusal> {
+fn number(param: &Param, text: &str) -> Option<Refusal> {
     if is_q(text) {
         return None;
     }
-    let Some(value) = parse(text).filter(|value| !whole || value.fract() == 0.0) else {
-        return Some(Refusal::Kind);
-    };
-    let mut among = false;
-    for choice in &param.choices {
-        match offers(choice.value.as_str(), value) {
-            Offer::Exactly => return None,
-            Offer::Within => among = true,
-            Offer::Not => {}
-        }
+    match parse(text) {
+        Some(value) => number_refusal(param, value),
+        None => Some(Refusal::Kind),
     }
-    if !param.choices.is_empty() && !among {
-        return Some(Refusal::NotOffered);
-    }
-    let below = param.min.filter(|min| value < *min).map(Refusal::Below);
-    below.or(param.max.filter(|max| value > *max).map(Refusal::Above))
 }
 
 /// Whether a choice offers a value.
@@ -97,7 +109,7 @@ fn offers(choice: &str, value: f64) -> Offer {
 }
 
 /// Reads a number as programs have it: signed, with a decimal point or comma.
-pub(super) fn parse(text: &str) -> Option<f64> {
+fn parse(text: &str) -> Option<f64> {
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
     let plain = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
     let marks = digits.chars().filter(|c| !c.is_ascii_digit()).count();
@@ -125,7 +137,7 @@ fn coordinate(param: &Param, text: &str) -> Option<Refusal> {
     let incremental = param.field.as_ref().is_some_and(|field| field.incremental);
     let text = if incremental { text.strip_prefix('I').unwrap_or(text) } else { text };
     match text.strip_prefix(is_axis) {
-        Some(value) => number(param, value, false),
+        Some(value) => number(param, value),
         None => Some(Refusal::Kind),
     }
 }
