@@ -199,6 +199,23 @@ fn printed_blocks_are_reproduced_byte_for_byte() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
+/// What a head says to be corrected stands in the errata, under the id in brackets.
+#[test]
+fn corrections_of_printed_blocks_are_recorded() {
+    let data = Data::embedded();
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/printed");
+    let mut files = Vec::new();
+    collect(&directory, &directory, &mut files);
+    for (name, text) in &files {
+        let Some((_, correction)) = text.lines().next().and_then(|head| head.split_once("corrected: ")) else {
+            continue;
+        };
+        let id = correction.rsplit_once('(').map_or("", |(_, id)| id.trim_end_matches(')'));
+        let recorded = data.catalogue.errata.iter().any(|erratum| erratum.id.as_str() == id);
+        assert!(recorded, "{name}: cycle-specs/errata.yaml has no {id:?} for {correction:?}");
+    }
+}
+
 enum Reproduced {
     Exactly,
     Untranslated,

@@ -89,6 +89,9 @@ fn programs_have_the_expected_findings() {
 
 #[test]
 fn every_expectation_has_its_program() {
+    if env::var_os("UPDATE").is_some() {
+        return;
+    }
     let stems = |extension| files("tests/check", extension).iter().map(|path| stem(path)).collect::<BTreeSet<_>>();
     assert_eq!(stems("expect"), stems("h"));
 }
@@ -98,6 +101,11 @@ fn every_rule_fires_once_and_stays_silent_once() {
     let data = Data::new();
     let fires = |name: &str, code: &str| {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/check/{name}.h"));
+        assert!(
+            path.exists(),
+            "{} is missing: one program that the rule objects to, one that it leaves alone",
+            path.display()
+        );
         let found = found_in(&data, &path);
         found.iter().filter(|diagnostic| diagnostic.code == code).count()
     };
@@ -117,7 +125,7 @@ fn every_code_has_a_text_and_an_explanation_in_every_language() {
         for tag in data.locales.tags() {
             let language = data.locales.language(tag).expect("it is listed");
             for key in [format!("diag-{code}"), format!("explain-{code}")] {
-                assert!(language.has(key.as_str(), &ciklo::locale::Scope::NONE), "{key} in {tag}");
+                assert!(language.has(key.as_str(), &ciklo::locale::Scope::NONE), "locales/{tag} has no {key}");
             }
         }
     }
@@ -127,7 +135,7 @@ fn every_code_has_a_text_and_an_explanation_in_every_language() {
 fn every_code_is_documented() {
     let page = include_str!("../docs/check.md");
     for rule in RULES {
-        assert!(page.contains(&format!("`{}`", rule.code)), "{}", rule.code);
+        assert!(page.contains(&format!("`{}`", rule.code)), "docs/check.md has no line for {}", rule.code);
     }
 }
 

@@ -36,7 +36,15 @@ fn stored(path: &Path, actual: &str) {
         return;
     }
     let expected = std::fs::read_to_string(path).unwrap_or_default();
-    assert_eq!(actual, expected, "{} is stale; UPDATE=1 cargo test --test cli rewrites it", path.display());
+    let (mut now, mut before) = (actual.lines(), expected.lines());
+    for line in 1.. {
+        let (now, before) = (now.next(), before.next());
+        let stale = format!("{}:{line} is stale; UPDATE=1 cargo test --test cli rewrites it", path.display());
+        assert_eq!(now, before, "{stale}");
+        if now.is_none() {
+            return;
+        }
+    }
 }
 
 /// A case file has lines `$ arguments`, each followed by what the command gave: `exit N`, lines of

@@ -145,6 +145,40 @@ fn every_file_has_a_head_and_a_size_to_read() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// A file that no `mod` names is neither compiled nor tested, and nothing else would say so.
+#[test]
+fn every_file_is_a_module_of_its_directory() {
+    let files = all();
+    let mut wrong = Vec::new();
+    for (file, _) in &files {
+        let path = file.trim_end_matches(".rs").trim_end_matches("/mod");
+        let (directory, name) = path.rsplit_once('/').unwrap_or(("", path));
+        if directory.is_empty() && matches!(name, "lib" | "main") {
+            continue;
+        }
+        let parents = match directory {
+            "" => vec!["lib.rs".to_owned()],
+            _ => vec![format!("{directory}/mod.rs"), format!("{directory}.rs")],
+        };
+        let declared = |text: &str| text.lines().any(|line| line.trim().ends_with(&format!("mod {name};")));
+        if !files.iter().any(|(parent, text)| parents.contains(parent) && declared(text)) {
+            wrong.push(format!("{file}: no `mod {name};` in {}", parents[0]));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The map shows the modules in the order in which they may use each other.
+#[test]
+fn the_map_names_the_modules_in_the_order_of_the_layers() {
+    let map = include_str!("../ARCHITECTURE.md");
+    let rows = map.lines().skip_while(|line| !line.starts_with("| module |")).take_while(|line| line.starts_with('|'));
+    let first = |row: &str| row.split('|').nth(1).unwrap_or_default().to_owned();
+    let cells: String = rows.map(|row| first(row)).collect();
+    let named: Vec<&str> = cells.split('`').skip(1).step_by(2).collect();
+    assert_eq!(named, LAYERS.iter().map(|(module, _)| *module).collect::<Vec<_>>());
+}
+
 /// Only the command line and the system below it speak to the world.
 #[test]
 fn the_library_does_not_touch_files_environment_or_terminal() {

@@ -57,3 +57,4 @@ diag-spec-yaml-feature = { $feature ->
 }
 diag-spec-yaml-syntax = Not YAML: { $reason }.
 related-first-place = the first one is here
+related-for-this-control = it is written for this control

@@ -57,3 +57,4 @@ diag-spec-yaml-feature = { $feature ->
 }
 diag-spec-yaml-syntax = Tämä ei ole YAML-muotoa: { $reason }.
 related-first-place = ensimmäinen on tässä
+related-for-this-control = se kirjoitetaan tälle ohjaukselle

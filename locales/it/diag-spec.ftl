@@ -57,3 +57,4 @@ diag-spec-yaml-feature = { $feature ->
 }
 diag-spec-yaml-syntax = Non è YAML: { $reason }.
 related-first-place = la prima occorrenza è qui
+related-for-this-control = viene scritto per questo controllo

@@ -57,3 +57,4 @@ diag-spec-yaml-feature = { $feature ->
 }
 diag-spec-yaml-syntax = Isto não é YAML: { $reason }.
 related-first-place = o primeiro está aqui
+related-for-this-control = é escrito para este comando

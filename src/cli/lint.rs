@@ -1,4 +1,5 @@
 //! `ciklo lint`: everything that can be wrong with specifications and languages.
+use std::collections::HashSet;
 use std::path::Path;
 
 use clap::ArgMatches;
@@ -9,6 +10,7 @@ use crate::diag::Diagnostic;
 use crate::engine::plan;
 use crate::label;
 use crate::locale::{Args, Language, LocaleError, Locales, SOURCE_LANGUAGE, Scope, Ui};
+use crate::manual;
 use crate::spec::{self, Catalogue};
 use crate::system;
 
@@ -33,7 +35,10 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     found.extend(plan::check(&catalogue));
     found.extend(languages(&locales)?);
     found.extend(texts(&catalogue, &locales));
+    found.extend(languages_of_controls(&catalogue, &locales));
     found.extend(label::check(&catalogue, &locales));
+    let site = pages(&catalogue, &locales, &files, &found);
+    found.extend(site);
     let errors = session.report(found, arguments::chosen_format(matches))?;
     Ok(if errors { Outcome::Errors } else { Outcome::Clean })
 }
@@ -90,6 +95,34 @@ fn texts(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     locales.iter().for_each(|language| variants(catalogue, language, &mut found));
     crate::diag::dedupe(&mut found);
     found
+}
+
+/// What only shows when everything is written: texts that use what the control does not give them,
+/// mistakes of the templates. Texts known to be missing are not told again.
+fn pages(catalogue: &Catalogue, locales: &Locales, files: &[(String, String)], told: &[Diagnostic]) -> Vec<Diagnostic> {
+    let text = |diagnostic: &Diagnostic| {
+        let arg = |wanted| diagnostic.args.iter().find(|(name, _)| *name == wanted).map(|(_, arg)| format!("{arg:?}"));
+        (arg("language"), arg("key"))
+    };
+    let missing: HashSet<_> = told.iter().filter(|one| one.code.starts_with("locale-missing-")).map(text).collect();
+    if catalogue.controls.is_empty() {
+        return Vec::new();
+    }
+    let request = manual::Request { catalogue, locales, files, controls: &[], languages: &[] };
+    let mut found = manual::build(&request, &|_, _| Ok(())).err().unwrap_or_default();
+    found.retain(|diagnostic| diagnostic.code != "locale-missing-text" || !missing.contains(&text(diagnostic)));
+    found
+}
+
+/// The language of a control's manual, which a dialog or block has if none is asked for.
+fn languages_of_controls(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
+    let known = locales.tags().collect::<Vec<_>>().join(", ");
+    let languages = catalogue.controls.values().map(|on| &on.control.language);
+    let unknown = languages.filter(|language| locales.language(language.as_str()).is_err()).map(|language| {
+        let diagnostic = Diagnostic::error("unknown-language", language.place.clone());
+        diagnostic.arg("language", language.as_str()).arg("known", known.as_str())
+    });
+    unknown.collect()
 }
 
 fn variants(catalogue: &Catalogue, language: &Language, found: &mut Vec<Diagnostic>) {

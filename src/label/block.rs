@@ -227,13 +227,10 @@ fn print_block(text: &CycleText, number: Option<u32>, values: &Values) -> Result
 /// What stands at the end of every line that the block goes on behind, in cycles of the manuals whose
 /// controls print it.
 fn continuation(text: &CycleText) -> String {
-    let layout = &text.on.control.block;
+    let Some(layout) = &text.on.control.block else { return String::new() };
     let sources = &text.cycle.described.sources;
-    let (Some(mark), Some(manuals)) = (layout.get("continuation"), layout.get("continuation-in")) else {
-        return String::new();
-    };
-    let applies = sources.iter().all(|source| manuals.as_str().split_whitespace().any(|one| one == source.manual));
-    if applies { format!(" {}", mark.as_str()) } else { String::new() }
+    let applies = sources.iter().all(|source| layout.manuals.contains(&source.manual));
+    if applies { format!(" {}", layout.continuation) } else { String::new() }
 }
 
 fn print_lines(text: &CycleText, form: usize, number: Option<u32>, values: &Values) -> Result<String, Vec<Diagnostic>> {

@@ -1,7 +1,7 @@
 //! Whether labels can be printed by the control that they are for.
 use crate::diag::Diagnostic;
 use crate::locale::{Language, Locales};
-use crate::spec::{Catalogue, OnControl};
+use crate::spec::{Catalogue, Name, OnControl};
 use crate::text::{CycleText, Vocabulary};
 
 /// Signs that labels may contain besides letters, digits and blanks.
@@ -23,19 +23,20 @@ fn check_control(on: &OnControl, language: &Language, found: &mut Vec<Diagnostic
     for cycle in on.cycles.values() {
         let vocabulary = Vocabulary::of(on, cycle, language);
         let text = CycleText::new(on, cycle, language, &vocabulary);
-        check_label(&text, &text.nc_name(), None, found);
+        check_label(&text, &text.nc_name(), &cycle.file.name, None, found);
         for param in &cycle.params {
             if let Some(label) = text.label_of(param) {
                 let most = param.field.is_none().then_some(on.control.label.max_length);
-                check_label(&text, &label, most, found);
+                check_label(&text, &label, &param.is, most, found);
             }
         }
     }
 }
 
-fn check_label(text: &CycleText, label: &str, most: Option<u32>, found: &mut Vec<Diagnostic>) {
+fn check_label(text: &CycleText, label: &str, of: &Name, most: Option<u32>, found: &mut Vec<Diagnostic>) {
     let report = |code| {
-        let diagnostic = Diagnostic::global(code).arg("label", label).arg("language", text.language.tag());
+        let diagnostic =
+            Diagnostic::error(code, of.place.clone()).arg("label", label).arg("language", text.language.tag());
         diagnostic.arg("cycle", text.cycle.key.to_string()).arg("control", text.on.id())
     };
     // Latin letters with the marks of Western and Central European languages.

@@ -286,7 +286,8 @@ impl Maker<'_, '_> {
             key: key.to_string(),
             number: key.number,
             name: named.name.clone(),
-            name_lang: (control.language != self.section.language.tag()).then(|| control.language.clone()),
+            name_lang: (control.language.as_str() != self.section.language.tag())
+                .then(|| control.language.text.to_string()),
         })
     }
 }

@@ -43,8 +43,8 @@ fn groups(section: &Section) -> Result<Vec<GroupView>, Vec<Diagnostic>> {
 
 /// Cycles without a page, with the names that the manual prints.
 fn named(section: &Section) -> Vec<LinkView> {
-    let manual = &section.on.control.language;
-    let name_lang = (manual != section.language.tag()).then(|| manual.clone());
+    let manual = section.on.control.language.as_str();
+    let name_lang = (manual != section.language.tag()).then(|| manual.to_owned());
     let entry = |cycle: export::NamedCycle| LinkView {
         href: None,
         key: format!("{} {}", cycle.keyword, cycle.number),

@@ -13,6 +13,16 @@ record! {
 }
 
 record! {
+    /// How a control joins the lines of a printed block.
+    pub struct BlockLayout {
+        /// What stands at the end of every line that the block goes on behind.
+        continuation: String,
+        /// The manuals that print it.
+        manuals: Vec<String>,
+    }
+}
+
+record! {
     /// A software option.
     pub struct OptionName {
         /// Its number.
@@ -74,17 +84,17 @@ record! {
         /// The heads of the file names of its manuals.
         manuals: Vec<String>,
         /// The language of its manual.
-        language: String,
+        language: Name,
         /// The rules of NC labels.
         label: LabelRules,
-        /// The layout of printed blocks by key.
-        block: Entries<Name>,
+        /// The layout of printed blocks.
+        block: Option<BlockLayout>,
         /// Printed names of machine data by their neutral names.
         data: Entries<Name>,
+        /// Names of its table files, by the tables that cycles name.
+        files: Entries<Name>,
         /// Software options.
         options: Vec<OptionName>,
-        /// Names of its table and log files.
-        files: Entries<Name>,
         /// Every cycle that its manuals name.
         named: Vec<Named>,
     }

@@ -137,6 +137,10 @@ impl<'a> CycleText<'a> {
         if diagnostic.place.is_none() {
             diagnostic.place = place.cloned();
         }
+        // The text is good for other controls; what it asks for stands in the profile of this one.
+        if diagnostic.code == "locale-missing-argument" {
+            diagnostic = diagnostic.related("for-this-control", self.on.control.control.place.clone());
+        }
         let diagnostic = diagnostic.arg("cycle", self.cycle.key.to_string()).arg("control", self.on.id());
         self.faults.borrow_mut().push(diagnostic);
         Cow::Borrowed("")

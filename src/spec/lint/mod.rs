@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 
 use super::catalogue::{Catalogue, Cycle, OnControl};
 use super::decode::Name;
-use crate::diag::{Diagnostic, Severity, dedupe};
+use crate::diag::{Diagnostic, Place, Severity, dedupe};
 
 /// All findings about the catalogue; what several controls share shows once.
 pub fn lint(catalogue: &Catalogue) -> Vec<Diagnostic> {
@@ -64,6 +64,10 @@ fn duplicates<'n>(names: impl IntoIterator<Item = &'n Name>, found: &mut Vec<Dia
     }
 }
 
+fn unused_name(name: &str, place: Place) -> Diagnostic {
+    Diagnostic { severity: Severity::Warning, ..Diagnostic::error("spec-unused", place) }.arg("name", name)
+}
+
 /// Dictionary entries and fragments that nothing uses on any control.
 fn unused(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
     let mut meanings = BTreeSet::new();
@@ -77,18 +81,15 @@ fn unused(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
             run::fragments_of_fragment(fragment, &mut fragments);
         }
     }
-    let warn = |name: &str, place: crate::diag::Place| {
-        Diagnostic { severity: Severity::Warning, ..Diagnostic::error("spec-unused", place) }.arg("name", name)
-    };
     for on in catalogue.controls.values() {
         for (name, meaning) in &on.meanings {
             if !meanings.contains(name.as_str()) {
-                found.push(warn(name, meaning.place.clone()));
+                found.push(unused_name(name, meaning.place.clone()));
             }
         }
         for (name, fragment) in &on.fragments {
             if !fragments.contains(name.as_str()) {
-                found.push(warn(name, fragment.fragment.place.clone()));
+                found.push(unused_name(name, fragment.fragment.place.clone()));
             }
         }
     }

@@ -107,6 +107,11 @@ pub(super) fn control(on: &OnControl, found: &mut Vec<Diagnostic>) {
             );
         }
     }
+    for (table, _) in &on.control.files.0 {
+        if !on.cycles.values().flat_map(|cycle| &cycle.file.tables).any(|used| used.table == *table) {
+            found.push(super::unused_name(table.as_str(), table.place.clone()));
+        }
+    }
     super::duplicates(on.control.data.0.iter().map(|(name, _)| name), found);
 }
 
