@@ -110,11 +110,11 @@ cli-building = Pagine
 cli-built = Pagine: { $pages }, file: { $files }: { $path }
 cli-coverage-control = { $control } ({ $title }): cicli descritti { $described }, solo nominati { $named }
 cli-coverage-complete = completo
-cli-coverage-missing = { $language }: testi mancanti { $count } di { $of }: { $ids }
-cli-coverage-stale = { $language }: testi superati { $count } di { $of }: { $ids }
+cli-coverage-missing = { $language }: testi mancanti: { $count } su { $of }: { $ids }
+cli-coverage-stale = { $language }: testi superati: { $count } su { $of }: { $ids }
 cli-coverage-pending = In sospeso nell'esecuzione: { $ids }
-cli-coverage-unexecuted = Frasi non eseguite da un esempio: { $count } di { $of }: { $ids }
-cli-coverage-unprovoked = Non provocati da un esempio: { $ids }
+cli-coverage-unexecuted = Frasi non eseguite da alcun esempio: { $count } su { $of }: { $ids }
+cli-coverage-unprovoked = Non provocati da alcun esempio: { $ids }
 
 cli-translated = { $count ->
         [one] { $count } modifica: { $path }
@@ -128,13 +128,13 @@ cli-run-status = Il programma { $status ->
        *[error] è terminato con un errore
     }.
 cli-conform-pass = riuscito
-cli-conform-fail = ERRORE
+cli-conform-fail = FALLITO
 cli-conform-out = non supportato
 cli-conform-skipped = tralasciato
 cli-conform-mismatch = { $what }: atteso { $expected }, trovato { $found }
-cli-conform-summary = Riusciti: { $pass }, errori: { $fail }, non supportati: { $out }, tralasciati: { $skipped }.
+cli-conform-summary = Riusciti: { $pass }, falliti: { $fail }, non supportati: { $out }, tralasciati: { $skipped }.
 
-cli-usage-hint = Forse { $suggestion }?
+cli-usage-hint = Si intendeva { $suggestion }?
 cli-usage-help = Vedere --help.
 
 diag-usage = { $reason ->
@@ -170,12 +170,12 @@ diag-no-data = { $path } non contiene nessuna delle cartelle cycle-specs, locale
 diag-data-encoding = { $path } non è in UTF-8.
 diag-unknown-code = Il codice «{ $code }» non esiste; «ciklo explain» li elenca tutti.
 diag-needs-data = { $option } richiede una copia di lavoro: --data DIR.
-diag-unknown-control = Il controllo numerico «{ $control }» non esiste; ci sono { $known }.
-diag-unknown-language = La lingua «{ $language }» non esiste; ci sono { $known }.
+diag-unknown-control = Il controllo numerico «{ $control }» non esiste; disponibili: { $known }.
+diag-unknown-language = La lingua «{ $language }» non esiste; disponibili: { $known }.
 diag-cycle-name = «{ $cycle }» non è il numero di un ciclo: 412 o "TCH PROBE 412".
-diag-cycle-not-here = { $control } non ha il ciclo { $cycle }.
-diag-cycle-ambiguous = { $control } ha due cicli { $cycle }: { $keys }.
-diag-cycle-only-named = Il manuale di { $control } nomina soltanto { $cycle } ({ $name }) e non lo descrive.
-diag-internal = Un errore di ciklo stesso: { $detail }.
+diag-cycle-not-here = Il controllo { $control } non ha il ciclo { $cycle }.
+diag-cycle-ambiguous = Il controllo { $control } ha due cicli { $cycle }: { $keys }.
+diag-cycle-only-named = Il manuale del controllo { $control } nomina soltanto { $cycle } ({ $name }) e non lo descrive.
+diag-internal = Errore interno di ciklo: { $detail }.
 diag-locale-unknown-suffix = «{ $name }» non è né un ciclo né un controllo numerico.
 diag-not-encodable = Il carattere «{ $sign }» non può essere scritto nella codifica di questo file (Windows-1252).

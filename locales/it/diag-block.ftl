@@ -4,7 +4,7 @@ diag-block-unknown-form = { $cycle } non ha la forma «{ $form }». Forme dispon
 diag-block-unknown-parameter = { $cycle } non ha il parametro «{ $name }». Parametri disponibili: { $known }.
 diag-block-duplicate-parameter = { $name } è indicato due volte.
 diag-block-wrong-kind =
-    { $name } ({ $parameter }) non può essere «{ $value }»: è previsto { $kind ->
+    { $name } ({ $parameter }) non può essere «{ $value }»; valore previsto: { $kind ->
         [integer] un numero intero
         [number-or-name] un numero o un nome tra virgolette
         [text] un testo tra virgolette

@@ -21,7 +21,7 @@ diag-out-of-range =
        *[above] { $parameter }={ $value } è troppo grande: il valore massimo è { $limit }.
     }
 diag-spindle-off = Qui viene chiamato un ciclo di lavorazione a mandrino fermo.
-diag-tool-missing = Qui un ciclo si muove, ma prima nessuna chiamata utensile ha indicato l'asse utensile.
+diag-tool-missing = Qui un ciclo esegue movimenti, ma prima nessuna chiamata utensile ha indicato l'asse utensile.
 diag-unknown-cycle = { $cycle } non è un ciclo di alcun controllo qui noto.
 diag-unknown-parameter = Su questo controllo { $cycle } non ha il parametro { $parameter }.
 diag-wrong-value-kind =

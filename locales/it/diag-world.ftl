@@ -2,16 +2,16 @@
 
 diag-scene-expected =
     { $expected ->
-        [mapping] Qui sono previste chiavi con valori, non "{ $found }".
-        [list] Qui è previsto un elenco, non "{ $found }".
-        [number] Qui è previsto un numero, non "{ $found }".
-        [text] Qui è previsto un testo, non "{ $found }".
-        [axis] Qui è prevista la lettera di un asse (X, Y o Z), non "{ $found }".
-        [two-numbers] Qui sono previsti due numeri, non "{ $found }".
-        [three-numbers] Qui sono previsti tre numeri, non "{ $found }".
-        [row-number] Qui è previsto il numero di una riga della tabella, non "{ $found }".
-        [unit] L'unità di misura è mm o inch, non "{ $found }".
-        [clock] Qui sono previste data e ora, ad esempio 2015-07-03T14:05:00, non "{ $found }".
+        [mapping] Qui sono previste chiavi con valori, non «{ $found }».
+        [list] Qui è previsto un elenco, non «{ $found }».
+        [number] Qui è previsto un numero, non «{ $found }».
+        [text] Qui è previsto un testo, non «{ $found }».
+        [axis] Qui è prevista la lettera di un asse (X, Y o Z), non «{ $found }».
+        [two-numbers] Qui sono previsti due numeri, non «{ $found }».
+        [three-numbers] Qui sono previsti tre numeri, non «{ $found }».
+        [row-number] Qui è previsto il numero di una riga della tabella, non «{ $found }».
+        [unit] L'unità di misura è mm o inch, non «{ $found }».
+        [clock] Qui sono previste data e ora, ad esempio 2015-07-03T14:05:00, non «{ $found }».
         [datum-file] Il nome di una tabella origini termina con .D.
        *[solids] Qui è previsto almeno un solido.
     }
@@ -34,9 +34,9 @@ diag-solid-helix-unsupported = La sfera del tastatore può toccare il pezzo dura
 diag-table-no-header = La tabella deve iniziare con una riga contenente "BEGIN", il nome di un file { $extension } e l'unità di misura.
 diag-table-no-heading = La seconda riga deve contenere i nomi delle colonne, tra cui { $column }.
 diag-table-no-end = Manca la riga [END].
-diag-table-no-row-number = La riga non ha numero: "{ $found }".
+diag-table-no-row-number = La riga non ha numero: «{ $found }».
 diag-table-duplicate-row = La riga { $row } è presente due volte.
-diag-table-bad-number = { $file }, riga { $row }, colonna { $column }: "{ $found }" non è un numero.
+diag-table-bad-number = { $file }, riga { $row }, colonna { $column }: «{ $found }» non è un numero.
 diag-table-missing = La tabella { $file } non esiste.
 diag-table-no-row = La tabella { $file } non contiene la riga { $row }.
 diag-table-no-column = La tabella { $file } non contiene la colonna { $column }.

@@ -66,6 +66,6 @@ site-export = Tutti i dati in un solo file (JSON)
 site-choose = Selezionare il controllo e la lingua
 
 page-title = { $name } · { $key } · { $control }
-page-overview-title = Cicli del { $control }
+page-overview-title = Cicli del controllo { $control }
 page-form = Forma { $number }
 page-switched-off-by = Disattivabile con { $datum }.

@@ -29,7 +29,7 @@ note-datum-row-in-status-display = L'indicazione di stato supplementare visualiz
 # --- 10 ---
 cycle-rotation = Rotazione
     .nc = ROTAZIONE
-    .purpose = Ruota il sistema di coordinate nel piano di lavoro intorno all'origine attiva, all'interno di un programma.
+    .purpose = Ruota, all'interno di un programma, il sistema di coordinate nel piano di lavoro intorno all'origine attiva.
 step-rotate-coordinate-system = Il controllo ruota il sistema di coordinate intorno all'origine attiva dell'angolo programmato. Un angolo incrementale viene sommato a quello attivo.
 step-cancel-radius-compensation = Il controllo annulla una correzione del raggio attiva.
 step-move-both-axes = Spostare entrambi gli assi del piano di lavoro per attivare la rotazione.

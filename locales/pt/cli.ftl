@@ -25,7 +25,7 @@ cli-parse = Decompõe um programa em frases, como JSON
 cli-parse-print = Volta a mostrar o programa, igual byte a byte
 cli-check = Verifica programas para um comando numérico
 cli-check-lang = Idioma das designações dos programas (predefinição: deduzido delas)
-cli-explain = Diz o que significa o código de uma observação
+cli-explain = Explica o código de uma observação
 cli-explain-code = O código; sem ele, são indicados todos
 cli-translate = Escreve um programa com os nomes e designações de outro idioma; nada mais muda
 cli-translate-to = Idioma dos nomes e designações
@@ -97,10 +97,12 @@ cli-summary = { $errors ->
            *[other] Sem erros, { $warnings } avisos.
         }
         [one] { $errors } erro, { $warnings ->
+            [0] nenhum aviso.
             [one] { $warnings } aviso.
            *[other] { $warnings } avisos.
         }
        *[other] { $errors } erros, { $warnings ->
+            [0] nenhum aviso.
             [one] { $warnings } aviso.
            *[other] { $warnings } avisos.
         }
@@ -117,6 +119,7 @@ cli-coverage-unexecuted = Passos que nenhum exemplo executa: { $count } de { $of
 cli-coverage-unprovoked = Não provocado por um exemplo: { $ids }
 
 cli-translated = { $count ->
+        [0] Nenhuma alteração: { $path }
         [one] { $count } alteração: { $path }
        *[other] { $count } alterações: { $path }
     }
@@ -134,7 +137,7 @@ cli-conform-skipped = omitido
 cli-conform-mismatch = { $what }: esperado { $expected }, obtido { $found }
 cli-conform-summary = Passaram: { $pass }, falharam: { $fail }, não suportados: { $out }, omitidos: { $skipped }.
 
-cli-usage-hint = Talvez { $suggestion }?
+cli-usage-hint = Queria dizer { $suggestion }?
 cli-usage-help = Ver --help.
 
 diag-usage = { $reason ->
@@ -170,12 +173,12 @@ diag-no-data = { $path } não tem nenhuma das pastas cycle-specs, locales e temp
 diag-data-encoding = { $path } não está em UTF-8.
 diag-unknown-code = O código «{ $code }» não existe; «ciklo explain» indica todos.
 diag-needs-data = { $option } precisa de uma cópia de trabalho: --data DIR.
-diag-unknown-control = O comando numérico «{ $control }» não existe; existem { $known }.
-diag-unknown-language = O idioma «{ $language }» não existe; existem { $known }.
+diag-unknown-control = O comando numérico «{ $control }» não existe; disponíveis: { $known }.
+diag-unknown-language = O idioma «{ $language }» não existe; disponíveis: { $known }.
 diag-cycle-name = «{ $cycle }» não é o número de um ciclo: 412 ou "TCH PROBE 412".
-diag-cycle-not-here = { $control } não tem o ciclo { $cycle }.
-diag-cycle-ambiguous = { $control } tem dois ciclos { $cycle }: { $keys }.
-diag-cycle-only-named = O manual de { $control } apenas menciona { $cycle } ({ $name }), sem o descrever.
-diag-internal = Um erro do próprio ciklo: { $detail }.
+diag-cycle-not-here = O comando { $control } não tem o ciclo { $cycle }.
+diag-cycle-ambiguous = O comando { $control } tem dois ciclos { $cycle }: { $keys }.
+diag-cycle-only-named = O manual do comando { $control } apenas menciona { $cycle } ({ $name }), sem o descrever.
+diag-internal = Erro interno do ciklo: { $detail }.
 diag-locale-unknown-suffix = «{ $name }» não é um ciclo nem um comando numérico.
 diag-not-encodable = O carácter «{ $sign }» não pode ser escrito na codificação deste ficheiro (Windows-1252).

@@ -4,7 +4,7 @@ diag-block-unknown-form = { $cycle } não tem a forma «{ $form }». Formas disp
 diag-block-unknown-parameter = { $cycle } não tem o parâmetro «{ $name }». Parâmetros disponíveis: { $known }.
 diag-block-duplicate-parameter = { $name } está indicado duas vezes.
 diag-block-wrong-kind =
-    { $name } ({ $parameter }) não pode ser «{ $value }»: espera-se { $kind ->
+    { $name } ({ $parameter }) não pode ser «{ $value }»; valor esperado: { $kind ->
         [integer] um número inteiro
         [number-or-name] um número ou um nome entre aspas
         [text] um texto entre aspas

@@ -21,7 +21,7 @@ diag-out-of-range =
        *[above] { $parameter }={ $value } é demasiado grande: o valor máximo é { $limit }.
     }
 diag-spindle-off = Aqui é chamado um ciclo de maquinação com o cabeçote parado.
-diag-tool-missing = Aqui um ciclo desloca-se, mas antes nenhuma chamada da ferramenta indicou o eixo da ferramenta.
+diag-tool-missing = Aqui um ciclo executa movimentos, mas antes nenhuma chamada da ferramenta indicou o eixo da ferramenta.
 diag-unknown-cycle = { $cycle } não é um ciclo de nenhum comando aqui conhecido.
 diag-unknown-parameter = Neste comando, { $cycle } não tem o parâmetro { $parameter }.
 diag-wrong-value-kind =

@@ -41,5 +41,5 @@ diag-syntax-unexpected = «{ $found }» não pode estar aqui; esperado: { syntax
 diag-syntax-incomplete = A frase está incompleta; esperado: { syntax-expected }.
 diag-syntax-unclosed-text = Faltam ao texto as aspas finais: { $found }
 diag-syntax-formula = «{ $found }» não pode estar neste ponto da fórmula; esperado: { syntax-expected }.
-diag-syntax-remark = «{ $found }» está atrás de uma tabulação e não pertence a nenhuma frase; o comando recusá-lo-ia. Os comentários começam com ponto e vírgula.
+diag-syntax-remark = «{ $found }» está depois de uma tabulação e não pertence a nenhuma frase; o comando recusá-lo-ia. Os comentários começam com ponto e vírgula.
 diag-syntax-dangling-continuation = O carácter ~ anuncia mais uma linha, mas não se segue nenhuma que pertença a esta frase.

@@ -2,16 +2,16 @@
 
 diag-scene-expected =
     { $expected ->
-        [mapping] Aqui devem estar chaves com valores e não "{ $found }".
-        [list] Aqui deve estar uma lista e não "{ $found }".
-        [number] Aqui deve estar um número e não "{ $found }".
-        [text] Aqui deve estar um texto e não "{ $found }".
-        [axis] Aqui deve estar a letra de um eixo (X, Y ou Z) e não "{ $found }".
-        [two-numbers] Aqui devem estar dois números e não "{ $found }".
-        [three-numbers] Aqui devem estar três números e não "{ $found }".
-        [row-number] Aqui deve estar o número de uma linha da tabela e não "{ $found }".
-        [unit] A unidade de medida é mm ou inch e não "{ $found }".
-        [clock] Aqui devem estar a data e a hora, por exemplo 2015-07-03T14:05:00, e não "{ $found }".
+        [mapping] Aqui devem estar chaves com valores e não «{ $found }».
+        [list] Aqui deve estar uma lista e não «{ $found }».
+        [number] Aqui deve estar um número e não «{ $found }».
+        [text] Aqui deve estar um texto e não «{ $found }».
+        [axis] Aqui deve estar a letra de um eixo (X, Y ou Z) e não «{ $found }».
+        [two-numbers] Aqui devem estar dois números e não «{ $found }».
+        [three-numbers] Aqui devem estar três números e não «{ $found }».
+        [row-number] Aqui deve estar o número de uma linha da tabela e não «{ $found }».
+        [unit] A unidade de medida é mm ou inch e não «{ $found }».
+        [clock] Aqui devem estar a data e a hora, por exemplo 2015-07-03T14:05:00, e não «{ $found }».
         [datum-file] O nome de uma tabela de pontos zero termina em .D.
        *[solids] Aqui deve estar pelo menos um sólido.
     }
@@ -34,9 +34,9 @@ diag-solid-helix-unsupported = A esfera de apalpação pode tocar na peça duran
 diag-table-no-header = A tabela deve começar por uma linha com "BEGIN", o nome de um ficheiro { $extension } e a unidade de medida.
 diag-table-no-heading = A segunda linha deve conter os nomes das colunas, entre eles { $column }.
 diag-table-no-end = Falta a linha [END].
-diag-table-no-row-number = A linha não tem número: "{ $found }".
+diag-table-no-row-number = A linha não tem número: «{ $found }».
 diag-table-duplicate-row = A linha { $row } aparece duas vezes.
-diag-table-bad-number = { $file }, linha { $row }, coluna { $column }: "{ $found }" não é um número.
+diag-table-bad-number = { $file }, linha { $row }, coluna { $column }: «{ $found }» não é um número.
 diag-table-missing = A tabela { $file } não existe.
 diag-table-no-row = A tabela { $file } não tem a linha { $row }.
 diag-table-no-column = A tabela { $file } não tem a coluna { $column }.

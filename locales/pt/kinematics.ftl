@@ -3,7 +3,7 @@
 # --- parameters ---
 parameter-kinematics-mode = Modo (0=verificar/1=medir)
     .label = MODO
-    .help = Se o comando verifica ou otimiza a cinemática ativa.
+    .help = Determina se o comando verifica ou otimiza a cinemática ativa.
 parameter-kinematics-mode__itnc530 = Modo (0/1/2)
 choice-kinematics-check = verificar a cinemática da máquina ativa: o comando mede os eixos rotativos definidos, mas não altera nada; mostra os resultados num registo de medição
 choice-kinematics-optimize-position = otimizar a cinemática da máquina ativa: o comando mede os eixos rotativos definidos e otimiza a sua posição
@@ -13,7 +13,7 @@ parameter-sphere-radius = Raio exato da esfera de calibração
     .help = Raio exato da esfera de calibração utilizada.
 parameter-retraction-height = Altura de recuo
     .label = ALTURA DE RECUO
-    .help = Se e para onde o apalpador recua antes de ser posicionado um eixo rotativo.
+    .help = Determina se e para onde o apalpador recua antes de ser posicionado um eixo rotativo.
 choice-no-retraction = não ir à altura de recuo: o comando desloca-se para a posição de medição seguinte no eixo a medir, e para a primeira pela ordem A, B, C; não permitido com eixos Hirth
 choice-retraction = altura de recuo, no sistema de coordenadas da peça não inclinado, à qual o comando leva o eixo da ferramenta antes de posicionar um eixo rotativo; no plano de maquinação desloca o apalpador para o ponto zero; a supervisão do apalpador não está ativa neste modo, por isso defina a velocidade de posicionamento em { $q-kinematics-positioning-feed }
 parameter-kinematics-positioning-feed = Avanço de posicionamento prévio
@@ -65,7 +65,7 @@ parameter-sphere-touch-points__itnc530 = Número de pontos de medição
     .help = Número de apalpações com que o comando mede a esfera de calibração no plano.
 parameter-sphere-preset = Memorizar preset (0/1/2/3)
     .label = MEMORIZAR PRESET
-    .help = Se o comando memoriza automaticamente o preset ativo (ponto de referência) no centro da esfera.
+    .help = Determina se o comando memoriza automaticamente o preset ativo (ponto de referência) no centro da esfera.
 choice-sphere-preset-none = não memorizar automaticamente o preset no centro da esfera: memorizá-lo manualmente antes do início do ciclo
 choice-sphere-preset-before = memorizar automaticamente o preset no centro da esfera antes da medição: posicionar previamente o apalpador à mão por cima da esfera de calibração antes do início do ciclo
 choice-sphere-preset-after = memorizar automaticamente o preset no centro da esfera depois da medição: memorizar o preset manualmente antes do início do ciclo
@@ -163,7 +163,7 @@ note-inactive-axes-ignored = As introduções da definição do ciclo para eixos
 note-status-window = Uma janela mostra o estado da medição. O comando oculta-a assim que é percorrido um caminho maior do que o raio da esfera.
 note-kinematics-log-contents = O registo contém a data e a hora, o caminho do programa NC, o modo, o número da cinemática ativa e o raio da esfera introduzido; para cada eixo rotativo medido: ângulo inicial, ângulo final, ângulo de incidência, número de pontos de medição, dispersão (desvio padrão), erro máximo, erro angular, folga média, erro de posicionamento médio, raio do círculo de medição, valores de correção em todos os eixos (deslocação do preset) e incerteza de medição dos eixos rotativos.
 note-kinematics-log-contents__itnc530 = O registo contém a data e a hora, o caminho do programa NC, o modo, o número da cinemática ativa e o raio da esfera introduzido; para cada eixo rotativo medido: ângulo inicial, ângulo final, ângulo de incidência, número de pontos de medição, dispersão (desvio padrão), erro máximo, erro angular, folga média, erro de posicionamento médio, raio do círculo de medição, valores de correção em todos os eixos (deslocação do preset), avaliação dos pontos de medição e incerteza de medição dos eixos rotativos.
-note-kinematics-log-explained = No modo verificar, o registo indica a exatidão que uma otimização poderia alcançar; nos outros modos, a exatidão alcançada. Se não for possível calcular a posição angular de um eixo rotativo, os dados medidos são registados na mesma. Dispersão medida: 68,3 % dos erros espaciais medidos ficam dentro de ± este valor; otimizada: 68,3 % dos erros esperados depois da correção. A avaliação dos pontos de medição é uma medida da qualidade das posições de medição relativamente às conversões do modelo que podem ser alteradas: quanto mais alta, melhor é a otimização. Não deve ser inferior a 2 para nenhum eixo rotativo, sendo preferível 4 ou mais; se for pequena, aumente o campo de medição do eixo ou o número de pontos. Se isso não ajudar, a descrição da cinemática pode estar errada; se necessário, contacte o serviço de assistência.
+note-kinematics-log-explained = No modo verificar, o registo indica a exatidão que uma otimização poderia alcançar; nos outros modos, a exatidão alcançada. Se não for possível calcular a posição angular de um eixo rotativo, os dados medidos são ainda assim registados. Dispersão medida: 68,3% dos erros espaciais medidos ficam dentro de ± este valor; otimizada: 68,3% dos erros esperados depois da correção. A avaliação dos pontos de medição é uma medida da qualidade das posições de medição relativamente às conversões do modelo que podem ser alteradas: quanto mais alta, melhor é a otimização. Não deve ser inferior a 2 para nenhum eixo rotativo, sendo preferível 4 ou mais; se for pequena, aumente o campo de medição do eixo ou o número de pontos. Se isso não ajudar, a descrição da cinemática pode estar errada; se necessário, contacte o serviço de assistência.
 note-measuring-uncertainty = A incerteza de medição é indicada em graus por 1 µm de incerteza do sistema e serve para avaliar os erros de posicionamento medidos ou a folga de um eixo rotativo. O comando não conhece a exatidão do sistema completo, pelo que é preciso estimá-la: incerteza do sistema = SQRT(3 · u² + p²), com a incerteza de posicionamento (ou, para a folga, a repetibilidade) u de cada eixo linear e a incerteza p do apalpador. Exemplos: u = 10 µm, p = 2 µm: 17,4 µm, com 0,0002°/µm 0,0034°; u = 5 µm, p = 2 µm: 8,9 µm, com 0,0002°/µm 0,0018°.
 note-reference-head = Para ajustar cabeças intercambiáveis, monte uma delas como cabeça de referência, fixe a esfera de calibração, coloque o apalpador, meça a cinemática completa com este ciclo e memorize o preset depois da medição ({ $q-sphere-preset }=2 ou 3). As outras cabeças são depois ajustadas com o ciclo 452.
 note-drift-reference = Para compensar a deriva, fixe a esfera de calibração, meça a cinemática completa com este ciclo antes de iniciar a maquinação, memorize o preset depois da medição ({ $q-sphere-preset }=2 ou 3), memorize então os presets das peças e inicie a maquinação. O ciclo 452 compensa a deriva a intervalos regulares.

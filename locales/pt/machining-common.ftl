@@ -17,6 +17,6 @@ note-graphic-test-first = Perigo de colisão! Os ciclos podem executar maquinaç
 note-sign-of-depth = O sinal da profundidade { $q-depth } determina a direção da maquinação. Com a profundidade 0, o comando não executa o ciclo.
 note-positive-depth-error = Perigo de colisão! O parâmetro de máquina { $mp-display-depth-err } determina se o comando emite um aviso de erro quando se introduz uma profundidade positiva (on) ou não (off).
 note-positive-depth-reverses = Perigo de colisão! Com uma profundidade { $q-depth } positiva, o comando inverte o cálculo da posição prévia: a ferramenta desloca-se no eixo da ferramenta, em avanço rápido, para a distância de segurança abaixo da superfície da peça.
-note-retraction-between-pattern-points = Com CYCL CALL PAT, a ferramenta recua entre os pontos para uma altura segura: a coordenada do eixo da ferramenta na chamada do ciclo ou a 2ª distância de segurança { $q-second-set-up-clearance }, consoante a que for mais alta.
+note-retraction-between-pattern-points = Com CYCL CALL PAT, a ferramenta recua entre os pontos para uma altura segura: a coordenada do eixo da ferramenta na chamada do ciclo ou a 2ª distância de segurança { $q-second-set-up-clearance }, a que for mais alta das duas.
 note-assigned-parameters-are-fixed = Se a um parâmetro do ciclo estiver atribuído outro parâmetro, uma modificação deste depois da definição do ciclo não tem efeito.
 note-fauto-is-fixed = FAUTO assume o avanço da frase TOOL CALL no momento em que é executada a definição do ciclo; uma modificação posterior do avanço não tem efeito.

@@ -9,7 +9,7 @@ cycle-datum-shift = Deslocação do ponto zero
     .nc = PONTO ZERO
     .purpose = Repete maquinações em qualquer posição da peça. Depois da definição, todas as coordenadas se referem ao novo ponto zero. A deslocação é indicada no programa ou retirada de uma tabela de pontos zero, por exemplo para maquinações que se repetem em várias posições ou para uma deslocação que é necessária com frequência.
 step-shift-datum = O comando desloca o ponto zero:
-say-shift-by-table-row = com um número de linha: pelos valores dessa linha da tabela de pontos zero ativa
+say-shift-by-table-row = com um número de linha: segundo os valores dessa linha da tabela de pontos zero ativa
 say-shift-by-coordinates = com coordenadas: em cada eixo programado, para a coordenada indicada; os valores absolutos referem-se ao ponto zero da peça, os incrementais ao último ponto zero válido
 condition-shift-from-table = o ponto zero for retirado da tabela de pontos zero
 note-reset-datum-shift = Para anular a deslocação do ponto zero, programe numa nova definição do ciclo uma deslocação para as coordenadas X=0, Y=0 etc. ou chame da tabela de pontos zero uma deslocação para as coordenadas X=0, Y=0 etc.
@@ -49,4 +49,4 @@ note-coordinates-refer-to-new-preset = Depois da definição, todas as coordenad
 note-preset-cancels-transforms = Ao ativar um ponto de referência da tabela de presets, o comando anula a deslocação do ponto zero, o espelhamento, a rotação, o fator de escala e o fator de escala específico do eixo.
 note-preset-zero = O preset número 0 (linha 0) ativa o ponto de referência memorizado manualmente em último lugar no modo de funcionamento Manual.
 note-preset-not-in-test-run = O ciclo não atua no modo de funcionamento Teste do programa.
-note-preset-in-status-display = A visualização de estados mostra o número do preset ativo atrás do símbolo do ponto de referência; a visualização adicional de estados (visualização de posições) mostra-o atrás do ponto de referência.
+note-preset-in-status-display = A visualização de estados mostra o número do preset ativo a seguir ao símbolo do ponto de referência; a visualização adicional de estados (visualização de posições) mostra-o a seguir ao ponto de referência.
