@@ -9,7 +9,7 @@ use html5ever::{Attribute, ExpandedName, ParseOpts, QualName, parse_document};
 
 /// What a page says of itself.
 #[derive(Debug, Default)]
-pub struct Page {
+pub(crate) struct Page {
     /// What the parser complained about.
     pub errors: Vec<String>,
     /// Values of `id`, in order.
@@ -25,7 +25,7 @@ pub struct Page {
 }
 
 /// Reads a page.
-pub fn read(text: &str) -> Page {
+pub(crate) fn read(text: &str) -> Page {
     let mut options = ParseOpts::default();
     options.tokenizer.exact_errors = true;
     options.tree_builder.exact_errors = true;
