@@ -141,7 +141,7 @@ impl Teller {
                 self.set.insert(q.to_string(), value.clone());
             }
         } else if self.written.is_ok() {
-            self.written = output.print(&format!("{}\n", event.to_json()));
+            self.written = output.print(&event.to_line());
         }
     }
 }

@@ -100,8 +100,13 @@ impl Machine {
     /// The feed in mm/min along the path when every axis that moves keeps within its rapid traverse.
     pub fn rapid_feed(&self, way: DVec3) -> f64 {
         let length = way.length();
-        let time = self.axes.iter().map(|axis| axis.axis.of(way).abs() / axis.rapid).fold(0.0, f64::max);
-        if time > 0.0 { length / time } else { self.axes.iter().map(|axis| axis.rapid).fold(f64::INFINITY, f64::min) }
+        // Along one axis the quotient is exactly 1, so its rapid rate comes out unchanged.
+        let share = |axis: &MachineAxis| match axis.axis.of(way).abs() {
+            0.0 if length > 0.0 => f64::INFINITY,
+            0.0 => axis.rapid,
+            part => axis.rapid * (length / part),
+        };
+        self.axes.iter().map(share).fold(f64::INFINITY, f64::min)
     }
 }
 

@@ -5,7 +5,9 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use serde_json::{Map, Value, json};
+use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+use serde_json::Value;
 
 use super::fault::{Class, Fault};
 use crate::diag::Arg;
@@ -240,50 +242,92 @@ pub enum EventKind {
     End(Status),
 }
 
-/// A number as JSON has it: no negative zero, and null for what is no number.
-fn number(value: f64) -> Value {
-    json!(value + 0.0)
+/// A number as JSON has it: no negative zero.
+fn number(value: f64) -> f64 {
+    value + 0.0
 }
 
 /// A number of a row or tool: whole numbers without a point.
-fn key(value: f64) -> Value {
-    if value.fract() == 0.0 && value.abs() < 1e9 { json!(value as i64) } else { number(value) }
+#[derive(Serialize)]
+#[serde(untagged)]
+enum RowNumber {
+    Whole(i64),
+    Broken(f64),
 }
 
-fn point(point: DVec3) -> Value {
-    json!({"X": number(point.x), "Y": number(point.y), "Z": number(point.z)})
+fn key(value: f64) -> RowNumber {
+    let whole = value.fract() == 0.0 && value.abs() < 1e9;
+    if whole { RowNumber::Whole(value as i64) } else { RowNumber::Broken(value) }
 }
 
-fn content(content: &Content) -> Value {
-    match content {
-        Content::Number(value) => number(*value),
-        Content::Text(text) => json!(&**text),
+/// Coordinates by axis letter.
+#[derive(Serialize)]
+struct Point {
+    #[serde(rename = "X")]
+    x: f64,
+    #[serde(rename = "Y")]
+    y: f64,
+    #[serde(rename = "Z")]
+    z: f64,
+}
+
+fn point(point: DVec3) -> Point {
+    Point { x: number(point.x), y: number(point.y), z: number(point.z) }
+}
+
+impl Serialize for Content {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Number(value) => serializer.serialize_f64(number(*value)),
+            Self::Text(text) => serializer.serialize_str(text),
+        }
     }
 }
 
-fn arg(arg: &Arg) -> Value {
-    match arg {
-        Arg::Number(value) => number(*value),
-        Arg::Text(text) => json!(text),
+/// What decided about a fault, by name.
+struct Args<'a>(&'a [(&'static str, Arg)]);
+
+impl Serialize for Args<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (name, arg) in self.0 {
+            match arg {
+                Arg::Number(value) => map.serialize_entry(name, &number(*value))?,
+                Arg::Text(text) => map.serialize_entry(name, text)?,
+            }
+        }
+        map.end()
+    }
+}
+
+impl Serialize for Event {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("event", self.kind.name())?;
+        map.serialize_entry("line", &self.at.line)?;
+        map.serialize_entry("block", &self.at.block)?;
+        if let Some((key, step)) = &self.at.cycle {
+            map.serialize_entry("cycle", &key.number)?;
+            map.serialize_entry("keyword", key.keyword.as_str())?;
+            map.serialize_entry("step", &step.as_deref())?;
+        }
+        self.kind.fields(&mut map)?;
+        map.end()
     }
 }
 
 impl Event {
     /// The event as a JSON object.
     pub fn to_json(&self) -> Value {
-        let mut object = Map::new();
-        object.insert("event".to_owned(), self.kind.name().into());
-        object.insert("line".to_owned(), self.at.line.into());
-        object.insert("block".to_owned(), json!(self.at.block));
-        if let Some((key, step)) = &self.at.cycle {
-            object.insert("cycle".to_owned(), key.number.into());
-            object.insert("keyword".to_owned(), key.keyword.as_str().into());
-            object.insert("step".to_owned(), json!(step.as_deref()));
-        }
-        if let Value::Object(fields) = self.kind.fields() {
-            object.extend(fields);
-        }
-        Value::Object(object)
+        serde_json::to_value(self).unwrap_or(Value::Null)
+    }
+
+    /// The event as a line of JSON with its line end.
+    pub fn to_line(&self) -> String {
+        // Only a key that is no text could fail, and every key here is one.
+        let mut line = serde_json::to_string(self).unwrap_or_default();
+        line.push('\n');
+        line
     }
 }
 
@@ -306,68 +350,88 @@ impl EventKind {
             Self::End(_) => "end",
         }
     }
+}
 
-    fn fields(&self) -> Value {
+impl EventKind {
+    fn fields<M: SerializeMap>(&self, map: &mut M) -> Result<(), M::Error> {
         match self {
-            Self::Move { kind, from, to, machine, feed } => moved(*kind, *from, *to, *machine, *feed),
-            Self::Dwell(seconds) => json!({"seconds": number(*seconds)}),
-            Self::Tool { number: tool, axis } => json!({"tool": key(*tool), "axis": axis.letter().to_string()}),
+            Self::Move { kind, from, to, machine, feed } => moved(map, *kind, [*from, *to, *machine], *feed),
+            Self::Dwell(seconds) => map.serialize_entry("seconds", &number(*seconds)),
+            Self::Tool { number, axis } => {
+                map.serialize_entry("tool", &key(*number))?;
+                map.serialize_entry("axis", &axis.letter())
+            }
             Self::Spindle { direction, speed, orient } => {
                 let word = match direction {
                     1 => "clockwise",
                     -1 => "counter-clockwise",
                     _ => "stop",
                 };
-                json!({"direction": word, "speed": number(*speed), "orient": orient.map(number)})
+                map.serialize_entry("direction", word)?;
+                map.serialize_entry("speed", &number(*speed))?;
+                map.serialize_entry("orient", &orient.map(number))
             }
-            Self::Coolant(on) => json!({"on": on}),
-            Self::Probe(probing) => json!({
-                "from": point(probing.from),
-                "target": point(probing.target),
-                "contact": probing.contact.map(|(touched, _)| point(touched)),
-                "ball_centre": probing.contact.map(|(_, centre)| point(centre)),
-                "feed": number(probing.feed),
-            }),
-            Self::Set { q, value } => json!({"q": q.to_string(), "value": content(value)}),
-            Self::Transform(system) => json!({
-                "preset": key(system.preset),
-                "origin": point(system.origin),
-                "basic_rotation": point(system.basic_rotation),
-                "datum_shift": point(system.datum),
-                "rotation": number(system.rotation),
-            }),
+            Self::Coolant(on) => map.serialize_entry("on", on),
+            Self::Probe(probing) => {
+                map.serialize_entry("from", &point(probing.from))?;
+                map.serialize_entry("target", &point(probing.target))?;
+                map.serialize_entry("contact", &probing.contact.map(|(touched, _)| point(touched)))?;
+                map.serialize_entry("ball_centre", &probing.contact.map(|(_, centre)| point(centre)))?;
+                map.serialize_entry("feed", &number(probing.feed))
+            }
+            Self::Set { q, value } => {
+                map.serialize_entry("q", &q.to_string())?;
+                map.serialize_entry("value", value)
+            }
+            Self::Transform(system) => {
+                map.serialize_entry("preset", &key(system.preset))?;
+                map.serialize_entry("origin", &point(system.origin))?;
+                map.serialize_entry("basic_rotation", &point(system.basic_rotation))?;
+                map.serialize_entry("datum_shift", &point(system.datum))?;
+                map.serialize_entry("rotation", &number(system.rotation))
+            }
             Self::Table { file, row, column, value } => {
-                json!({"file": file, "row": key(*row), "column": column, "value": content(value)})
+                map.serialize_entry("file", file)?;
+                map.serialize_entry("row", &key(*row))?;
+                map.serialize_entry("column", column)?;
+                map.serialize_entry("value", value)
             }
-            Self::Log { file } => json!({"file": file}),
-            Self::Message { kind, id, answer } => json!({"kind": kind.as_str(), "id": &**id, "answer": answer}),
+            Self::Log { file } => map.serialize_entry("file", file),
+            Self::Message { kind, id, answer } => {
+                map.serialize_entry("kind", kind.as_str())?;
+                map.serialize_entry("id", &**id)?;
+                map.serialize_entry("answer", answer)
+            }
             Self::Error(fault) => {
-                let args: Map<String, Value> =
-                    fault.args.iter().map(|(name, value)| ((*name).to_owned(), arg(value))).collect();
-                json!({"code": &*fault.code, "class": fault.class.as_str(), "args": args})
+                map.serialize_entry("code", &*fault.code)?;
+                map.serialize_entry("class", fault.class.as_str())?;
+                map.serialize_entry("args", &Args(&fault.args))
             }
-            Self::End(status) => json!({"status": status.as_str()}),
+            Self::End(status) => map.serialize_entry("status", status.as_str()),
         }
     }
 }
 
-fn moved(kind: MoveKind, from: DVec3, to: DVec3, machine: DVec3, feed: f64) -> Value {
+fn moved<M: SerializeMap>(map: &mut M, kind: MoveKind, points: [DVec3; 3], feed: f64) -> Result<(), M::Error> {
     let word = match kind {
         MoveKind::Rapid => "rapid",
         MoveKind::Feed => "feed",
         MoveKind::Arc { .. } => "arc",
     };
-    let mut value = json!({"kind": word, "from": point(from), "to": point(to), "machine": point(machine),
-        "feed": number(feed)});
-    if let (MoveKind::Arc { centre, plane, angle, rise, rapid }, Some(object)) = (kind, value.as_object_mut()) {
-        let letters = [plane.main.letter(), plane.secondary.letter()].iter().collect::<String>();
-        object.insert("centre".to_owned(), point(centre));
-        object.insert("plane".to_owned(), letters.into());
-        object.insert("angle".to_owned(), number(angle));
-        object.insert("rise".to_owned(), number(rise));
-        object.insert("rapid".to_owned(), rapid.into());
+    map.serialize_entry("kind", word)?;
+    for (name, value) in ["from", "to", "machine"].iter().zip(points) {
+        map.serialize_entry(name, &point(value))?;
     }
-    value
+    map.serialize_entry("feed", &number(feed))?;
+    if let MoveKind::Arc { centre, plane, angle, rise, rapid } = kind {
+        let letters = [plane.main.letter(), plane.secondary.letter()].iter().collect::<String>();
+        map.serialize_entry("centre", &point(centre))?;
+        map.serialize_entry("plane", &letters)?;
+        map.serialize_entry("angle", &number(angle))?;
+        map.serialize_entry("rise", &number(rise))?;
+        map.serialize_entry("rapid", &rapid)?;
+    }
+    Ok(())
 }
 
 impl Class {
