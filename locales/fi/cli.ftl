@@ -8,7 +8,7 @@ cli-heading-options = Valitsimet
 cli-heading-examples = Esimerkkejä:
 
 cli-build = Kirjoita käsikirjat, dialogit ja NC-tekstien taulukot
-cli-build-out = Kirjoitettava hakemisto; se vaihdetaan, kun kaikki on valmista (oletus: out)
+cli-build-out = Hakemisto, johon kirjoitetaan; se korvataan vasta, kun kaikki on valmista (oletus: out)
 cli-build-control = Vain tämä ohjaus; voidaan toistaa
 cli-build-lang = Vain tämä kieli; voidaan toistaa
 cli-schema = Tulosta kuvausten JSON-skeema
@@ -39,14 +39,14 @@ cli-conform = Suorita kuvausten esimerkit
 cli-export = Tulosta ohjauksen kaikki työkierrot yhdellä kielellä JSON-muodossa
 
 cli-arg-cycle = Työkierron numero, esimerkiksi 412 tai TCH PROBE 412
-cli-arg-file = NC-ohjelma; ”-” lukee vakiosyötteen
-cli-arg-files = NC-ohjelmat; ”-” lukee vakiosyötteen
+cli-arg-file = NC-ohjelma; ”-” tarkoittaa vakiosyötettä
+cli-arg-files = NC-ohjelmat; ”-” tarkoittaa vakiosyötettä
 cli-arg-control = Ohjaus, esimerkiksi tnc640
 cli-arg-lang = Kieli, esimerkiksi fi
 cli-arg-scene = Asetelmatiedosto: kone, työkalut, työkappale
 cli-arg-format = Tulosteen muoto: text (oletus), json
 cli-arg-report = Tulosteen muoto: text (oletus), json, junit
-cli-arg-data = Hakemisto, jonka cycle-specs-, locales- ja templates-tietoja käytetään sisäisten sijasta
+cli-arg-data = Hakemisto, jonka cycle-specs-, locales- ja templates-tietoja käytetään ohjelmaan sisältyvien sijasta
 cli-arg-ui-lang = Ohjelman omien tekstien kieli (oletus: ympäristön kieli)
 cli-arg-help = Näytä tämä ohje
 cli-arg-version = Näytä versio
@@ -112,9 +112,9 @@ cli-coverage-control = { $control } ({ $title }): työkiertoja kuvattu { $descri
 cli-coverage-complete = valmis
 cli-coverage-missing = { $language }: tekstejä puuttuu { $count }/{ $of }: { $ids }
 cli-coverage-stale = { $language }: vanhentuneita tekstejä { $count }/{ $of }: { $ids }
-cli-coverage-pending = Suorituksesta puuttuu: { $ids }
-cli-coverage-unexecuted = Esimerkit eivät suorita: lauseita { $count }/{ $of }: { $ids }
-cli-coverage-unprovoked = Esimerkit eivät aiheuta: { $ids }
+cli-coverage-pending = Suorittimesta puuttuu vielä: { $ids }
+cli-coverage-unexecuted = Virkkeitä, joita esimerkit eivät suorita: { $count }/{ $of }: { $ids }
+cli-coverage-unprovoked = Tarkastuksia, joita esimerkit eivät laukaise: { $ids }
 
 cli-translated = { $count ->
         [one] { $count } muutos: { $path }
@@ -122,9 +122,9 @@ cli-translated = { $count ->
     }
 cli-run-status = Ohjelma { $status ->
         [done] suoritettiin loppuun
-        [stopped] pysähtyi eikä sitä jatkettu
-        [limit] ylitti suorituksen rajan
-        [unsupported] tarvitsee jotakin, mitä suoritus ei tue
+        [stopped] pysähtyi, eikä sitä jatkettu
+        [limit] saavutti suorittimen rajan
+        [unsupported] tarvitsee jotakin, mitä suoritin ei tue
        *[error] päättyi virheeseen
     }.
 cli-conform-pass = läpi
@@ -172,10 +172,10 @@ diag-unknown-code = Koodia ”{ $code }” ei ole; ”ciklo explain” luettelee
 diag-needs-data = { $option } tarvitsee työkopion: --data DIR.
 diag-unknown-control = Ohjausta ”{ $control }” ei ole; ohjaukset ovat { $known }.
 diag-unknown-language = Kieltä ”{ $language }” ei ole; kielet ovat { $known }.
-diag-cycle-name = ”{ $cycle }” ei ole työkierron numero: 412 tai "TCH PROBE 412".
+diag-cycle-name = ”{ $cycle }” ei ole työkierron numero, esimerkiksi 412 tai "TCH PROBE 412".
 diag-cycle-not-here = Ohjauksessa { $control } ei ole työkiertoa { $cycle }.
 diag-cycle-ambiguous = Ohjauksessa { $control } on kaksi työkiertoa { $cycle }: { $keys }.
 diag-cycle-only-named = Ohjauksen { $control } käsikirja vain mainitsee työkierron { $cycle } ({ $name }) eikä kuvaa sitä.
-diag-internal = Ciklon oma virhe: { $detail }.
+diag-internal = Virhe itse ciklo-ohjelmassa: { $detail }.
 diag-locale-unknown-suffix = ”{ $name }” ei ole työkierto eikä ohjaus.
 diag-not-encodable = Merkkiä ”{ $sign }” ei voi kirjoittaa tämän tiedoston merkistöllä (Windows-1252).

@@ -4,7 +4,7 @@ diag-block-unknown-form = Työkierrolla { $cycle } ei ole muotoa ”{ $form }”
 diag-block-unknown-parameter = Työkierrolla { $cycle } ei ole parametria ”{ $name }”. Parametrit ovat: { $known }.
 diag-block-duplicate-parameter = { $name } on annettu kahdesti.
 diag-block-wrong-kind =
-    { $name } ({ $parameter }) ei voi olla ”{ $value }”: odotettu arvo on { $kind ->
+    { $name } ({ $parameter }) ei voi olla ”{ $value }”; sallittu arvo: { $kind ->
         [integer] kokonaisluku
         [number-or-name] luku tai nimi lainausmerkeissä
         [text] teksti lainausmerkeissä
@@ -20,6 +20,6 @@ diag-block-above-maximum = { $name } ({ $parameter }) ei voi olla { $value }: su
 diag-block-too-long = { $name } ({ $parameter }) ei voi olla { $value }: merkkejä saa olla enintään { $most }.
 diag-block-not-offered = { $name } ({ $parameter }) ei voi olla { $value }: vaihtoehdot ovat { $offered }.
 diag-block-no-value = Työkierto { $cycle } tarvitsee arvon parametrille { $name }; käsikirjassa ei ole esimerkkiä.
-diag-label-character = Työkierron { $cycle } tekstissä ”{ $label }” ({ $control }, { $language }) on merkki ”{ $character }”, jota ohjaus ei voi näyttää.
-diag-label-lower-case = Työkierron { $cycle } tekstissä ”{ $label }” ({ $control }, { $language }) on pieniä kirjaimia.
-diag-label-too-long = Työkierron { $cycle } tekstissä ”{ $label }” ({ $control }, { $language }) on { $length } merkkiä; ohjaus näyttää { $most }.
+diag-label-character = Työkierron { $cycle } NC-tekstissä ”{ $label }” ({ $control }, { $language }) on merkki ”{ $character }”, jota ohjaus ei voi näyttää.
+diag-label-lower-case = Työkierron { $cycle } NC-tekstissä ”{ $label }” ({ $control }, { $language }) on pieniä kirjaimia.
+diag-label-too-long = Työkierron { $cycle } NC-tekstissä ”{ $label }” ({ $control }, { $language }) on { $length } merkkiä; ohjaus näyttää { $most }.

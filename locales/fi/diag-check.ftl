@@ -8,33 +8,33 @@ diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
-diag-label-missing = Kielellä ”{ $language }” ei ole tekstiä työkierron { $cycle } parametrille { $parameter }.
-diag-label-not-encodable = Tekstissä ”{ $label }” on merkki ”{ $character }”, jota tiedoston merkistössä ei ole.
-diag-label-of-another-language = ”{ $label }” on toisen kielen teksti ({ $language }); ohjelman kielellä parametrin { $parameter } teksti on ”{ $right }”.
-diag-label-of-another-parameter = ”{ $label }” on parametrin { $other } teksti, ei parametrin { $parameter }.
+diag-label-missing = Kielellä ”{ $language }” ei ole NC-tekstiä työkierron { $cycle } parametrille { $parameter }.
+diag-label-not-encodable = NC-tekstissä ”{ $label }” on merkki ”{ $character }”, jota tiedoston merkistössä ei ole.
+diag-label-of-another-language = ”{ $label }” on toisen kielen NC-teksti ({ $language }); ohjelman kielellä parametrin { $parameter } teksti on ”{ $right }”.
+diag-label-of-another-parameter = ”{ $label }” on parametrin { $other } NC-teksti, ei parametrin { $parameter }.
 diag-misordered-parameter = Työkierrossa { $cycle } ohjaus näyttää parametrin { $parameter } ennen parametria { $before }.
 diag-missing-parameter = Työkierrosta { $cycle } puuttuu { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } on liian pieni: pienin arvo on { $limit }.
-        [long] Parametrin { $parameter } teksti on liian pitkä: siinä saa olla { $limit } merkkiä.
+        [long] Parametrin { $parameter } teksti on liian pitkä: siinä saa olla enintään { $limit } merkkiä.
        *[above] { $parameter }={ $value } on liian suuri: suurin arvo on { $limit }.
     }
 diag-spindle-off = Tässä kutsutaan koneistustyökiertoa, kun kara on pysähdyksissä.
-diag-tool-missing = Työkierto liikkuu tässä, mutta sitä ennen ei mikään työkalukutsu ole antanut työkaluakselia.
+diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään aiempi työkalukutsu ei ole määritellyt työkaluakselia.
 diag-unknown-cycle = { $cycle } ei ole minkään tässä tunnetun ohjauksen työkierto.
 diag-unknown-parameter = Työkierrossa { $cycle } ei ole tässä ohjauksessa parametria { $parameter }.
 diag-wrong-value-kind =
-    Työkierron { $cycle } parametri { $parameter } ottaa { $kind ->
-        [integer] kokonaisluvun
-        [number-or-name] luvun tai nimen lainausmerkeissä
-        [text] tekstin lainausmerkeissä
-        [q-number] Q-parametrin
-        [axis-direction] akselin etumerkkeineen, esimerkiksi X-
-        [position] koordinaatit akseleittain, esimerkiksi X+5 Y+0
-        [row] taulukon rivin, esimerkiksi #5
-        [axis] akselin
-       *[number] luvun
+    Työkierron { $cycle } parametrin { $parameter } arvoksi kelpaa { $kind ->
+        [integer] kokonaisluku
+        [number-or-name] luku tai nimi lainausmerkeissä
+        [text] teksti lainausmerkeissä
+        [q-number] Q-parametri
+        [axis-direction] akseli etumerkkeineen, esimerkiksi X-
+        [position] yksi tai useampi koordinaatti, esimerkiksi X+5 Y+0
+        [row] taulukon rivi, esimerkiksi #5
+        [axis] akseli
+       *[number] luku
     }{ $words-count ->
         [0] {""}
        *[other] {" "}tai { $words }

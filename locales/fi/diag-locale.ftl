@@ -10,21 +10,21 @@ diag-locale-syntax =
         [expected-character] tässä pitäisi olla jokin merkeistä { $detail }
         [empty-message] viestillä ”{ $detail }” ei ole arvoa eikä attribuuttia
         [empty-term] termillä ”-{ $detail }” ei ole arvoa
-        [bad-function-name] funktion nimessä on isoja kirjaimia, numeroita sekä merkkejä ”-” ja ”_”
+        [bad-function-name] funktion nimessä saa olla vain isoja kirjaimia, numeroita sekä merkkejä ”-” ja ”_”
         [no-default] valinta tarvitsee oletuksen, jonka merkki on ”*”
-        [two-defaults] valinnalla on vain yksi oletus
+        [two-defaults] valinnalla saa olla vain yksi oletus
         [no-value] tässä pitäisi olla arvo
         [bad-selector] valinta tehdään argumentin, funktion tai termin attribuutin mukaan
         [term-attribute] termin attribuuttia ei voi näyttää
         [open-string] merkkijonoa ei ole päätetty
-        [argument-order] nimettömät argumentit tulevat ensin
+        [argument-order] nimettömien argumenttien on oltava ensin
         [argument-twice] argumentti ”{ $detail }” on annettu kahdesti
         [bad-escape] ”{ $detail }” ei ole ohjausmerkintä
         [closing-brace] sulkeva aaltosulje ilman avaavaa
        *[no-expression] tässä pitäisi olla lauseke
     }.
 diag-locale-isolation-mark = Tässä on kirjoitussuunnan eristysmerkki; se ei saa päätyä NC-ohjelmaan.
-diag-locale-duplicate = ”{ $key }” on määritelty kahdesti; samanniminen viesti ja termi lasketaan samaksi.
+diag-locale-duplicate = ”{ $key }” on määritelty kahdesti; myös samanniminen viesti ja termi lasketaan.
 related-first-definition = ensimmäinen määrittely
 diag-locale-variant = ”{ $key }” ei ole nimi, jossa on enintään kaksi loppuosaa (työkierto ja ohjaus).
 diag-locale-unit-form = ”{ $key }” ei ole malli: yksikössä on tekstiä ja yksi { "{ $value }" }, luettelossa { "{ $first }" } ja { "{ $last }" } sekä arvossa että attribuutissa ”more”.
@@ -50,7 +50,7 @@ diag-locale-function-failed =
        *[unknown-type] luettelon laji on tuntematon
     }.
 diag-locale-too-long = Tekstissä ”{ $key }” ({ $language }) on liian monta täytettävää kohtaa.
-diag-locale-lock-line = Tämän tiedoston rivillä on tunnus ja kahdeksan heksadesimaalinumeroa.
+diag-locale-lock-line = Tämän tiedoston jokaisella rivillä on oltava tunnus ja kahdeksan heksadesimaalinumeroa.
 diag-locale-missing-translation = Tekstiä ”{ $key }” ei ole käännetty kielelle ”{ $language }”.
 diag-locale-orphan = ”{ $key }” ({ $language }) ei käännä mitään: englanninkielinen teksti on poistunut.
 diag-locale-stale = Englanninkielinen teksti ”{ $key }” on muuttunut sen jälkeen, kun se käännettiin kielelle ”{ $language }”.

@@ -14,7 +14,7 @@ syntax-expected =
         [value] luku tai Q-parametri
         [quotation-mark] sulkeva lainausmerkki
         [unit] MM tai INCH
-        [label] labelin numero tai labelin nimi lainausmerkeissä
+        [label] LBL-tunnuksen numero tai nimi lainausmerkeissä
         [call] LBL tai PGM
         [name] nimi
         [selection] TABLE, PATTERN, CONTOUR, PGM tai CYCLE
@@ -31,7 +31,7 @@ syntax-expected =
         [closing-bracket] sulkeva kaarisulku
         [known-function] kaavakielen funktio
         [character] kaavakielen merkki
-        [arguments] toinen määrä argumentteja
+        [arguments] eri määrä argumentteja
         [in-spec-only] vain laskutoimituksia, koska ohjelmissa ei tässä voi vertailla
        *[other] { $expected }
     }
@@ -41,5 +41,5 @@ diag-syntax-unexpected = ”{ $found }” ei voi olla tässä; odotettiin: { syn
 diag-syntax-incomplete = Lause on vajaa; odotettiin: { syntax-expected }.
 diag-syntax-unclosed-text = Tekstistä puuttuu sulkeva lainausmerkki: { $found }
 diag-syntax-formula = ”{ $found }” ei voi olla tässä kaavassa; odotettiin: { syntax-expected }.
-diag-syntax-remark = ”{ $found }” on sarkainmerkin takana eikä kuulu mihinkään lauseeseen; ohjaus hylkäisi sen. Kommentti alkaa puolipisteellä.
+diag-syntax-remark = ”{ $found }” on sarkainmerkin jäljessä eikä kuulu mihinkään lauseeseen; ohjaus hylkäisi sen. Kommentti alkaa puolipisteellä.
 diag-syntax-dangling-continuation = Merkki ~ ilmoittaa jatkorivin, mutta tähän lauseeseen kuuluvaa riviä ei seuraa.

@@ -10,26 +10,26 @@ diag-scene-expected =
         [two-numbers] Tässä pitäisi olla kaksi lukua eikä ”{ $found }”.
         [three-numbers] Tässä pitäisi olla kolme lukua eikä ”{ $found }”.
         [row-number] Tässä pitäisi olla taulukon rivin numero eikä ”{ $found }”.
-        [unit] Mittayksikkö on mm tai inch eikä ”{ $found }”.
+        [unit] Mittayksikön on oltava mm tai inch eikä ”{ $found }”.
         [clock] Tässä pitäisi olla päivämäärä ja kellonaika, esimerkiksi 2015-07-03T14:05:00, eikä ”{ $found }”.
-        [datum-file] Nollapistetaulukon nimen lopussa on .D.
+        [datum-file] Nollapistetaulukon nimen lopussa on oltava .D.
        *[solids] Tässä pitäisi olla vähintään yksi kappale.
     }
 diag-scene-unknown-key = Avaimella { $key } ei ole tässä merkitystä; tunnetut avaimet: { $known }.
 diag-scene-missing-key = Avain { $key } puuttuu.
-diag-scene-not-positive = Arvon on oltava suurempi kuin nolla, ei { $found }.
+diag-scene-not-positive = Arvon on oltava suurempi kuin nolla; annettu arvo on { $found }.
 diag-scene-version = Tätä tiedostomuodon versiota ei tunneta; tunnettu versio on { $known }.
 diag-scene-repeated = { $found } on annettu kahdesti.
 diag-scene-min-max = Jokaisen alarajan on oltava pienempi kuin ylärajan.
 diag-scene-no-length = Pituus on nolla.
 diag-scene-one-solid = Tähän kuuluu täsmälleen yksi kappale: { $known }.
 diag-scene-unknown-machine = Konetta { $name } ei ole; tunnetut koneet: { $known }.
-diag-scene-start-outside = Lähtöpiste on akselin { $axis } liikealueen ulkopuolella: { $found } mm ei ole välillä { $min } … { $max } mm.
+diag-scene-start-outside = Lähtöpiste on akselin { $axis } liikealueen ulkopuolella: { $found }{"\u00A0"}mm ei ole välillä { $min } … { $max }{"\u00A0"}mm.
 
 diag-solid-not-finite = Jokin mitta ei ole äärellinen positiivinen luku.
 diag-solid-edge-unsupported = Kosketuskuula saattaa koskettaa reunaa, joka ei ole suora eikä ympyrä; tätä kosketusta ei voi laskea tarkasti.
 diag-solid-cusp = Kosketuskuula saattaa koskettaa kohtaa, jossa pinnat sivuavat toisiaan eikä ainetta jää väliin; tätä kosketusta ei voi laskea tarkasti.
-diag-solid-helix-unsupported = Kosketuskuula saattaa koskettaa työkappaletta ruuvikierreliikkeellä; tätä kosketusta ei voi laskea tarkasti.
+diag-solid-helix-unsupported = Kosketuskuula saattaa koskettaa työkappaletta kierukkaradalla; tätä kosketusta ei voi laskea tarkasti.
 
 diag-table-no-header = Taulukon ensimmäisellä rivillä on oltava ”BEGIN”, { $extension }-tiedoston nimi ja mittayksikkö.
 diag-table-no-heading = Toisella rivillä on oltava sarakkeiden nimet, muun muassa { $column }.

@@ -1,22 +1,22 @@
 # Ohjelmien tarkastuksen koodien selitykset komentoa `ciklo explain` varten.
 
-explain-call-of-def-active-cycle = Pistekuviot, koordinaattimuunnokset ja kosketustyökierrot vaikuttavat, kun ne määritellään. Kutsu niiden perässä on virhe, jos sitä ennen ei ole määritelty koneistustyökiertoa, tai jos se on heti pistekuvion perässä, joka on jo kutsunut koneistustyökierron.
+explain-call-of-def-active-cycle = Pistekuviot, koordinaattimuunnokset ja kosketustyökierrot vaikuttavat, kun ne määritellään. Kutsu niiden perässä on virhe, jos sitä ennen ei ole määritelty koneistustyökiertoa tai jos se seuraa heti pistekuviota, joka on jo kutsunut koneistustyökierron.
 explain-called-but-not-defined = CYCL CALL, M99 ja M89 suorittavat viimeksi määritellyn koneistustyökierron. Ilman määrittelyä ei ole mitään suoritettavaa. Ohjelmissa, joissa on hyppyjä, aliohjelmia tai ohitettavia lauseita, tämä ilmoitetaan vain, jos työkiertoa ei määritellä lainkaan, eikä koskaan, jos kutsutaan muita ohjelmia.
-explain-choice-not-offered = Parametri tarjoaa arvoja, joilla kullakin on oma merkityksensä, eikä tämä ole mikään niistä. Esimerkki: Q215=3 työkierrossa CYCL DEF 251.
-explain-cycle-not-described = Ohjauksessa on työkierto, mutta sille ei ole tässä kuvausta. Sen parametrit, tekstit ja vaikutus ohitetaan.
-explain-cycle-not-on-control = Tämän ohjauksen käsikirjat eivät tunne työkiertoa, jonkin toisen ohjauksen käsikirja tuntee. Ohjelma on tehty toiselle ohjaukselle, tai valinta --control on väärä.
+explain-choice-not-offered = Parametrille on valittavana arvoja, joilla kullakin on oma merkityksensä, eikä tämä ole mikään niistä. Esimerkki: Q215=3 työkierrossa CYCL DEF 251.
+explain-cycle-not-described = Ohjauksessa on työkierto, mutta sille ei ole tässä kuvausta. Sen parametreja, NC-tekstejä ja vaikutusta ei käsitellä.
+explain-cycle-not-on-control = Tämän ohjauksen käsikirjat eivät tunne työkiertoa, mutta jonkin toisen ohjauksen käsikirja tuntee sen. Ohjelma on tehty sille ohjaukselle, tai valitsin --control on väärä.
 explain-defined-but-never-called = Työkierto vaikuttaa, kun sitä kutsutaan toiminnolla CYCL CALL, M99 tai M89 tai pistekuviolla, eikä mitään näistä seuraa ennen seuraavaa tällaista työkiertoa tai ohjelman loppua. Määrittely ei tee mitään, tai kutsu on unohtunut.
 explain-duplicate-parameter = Määrittely antaa samalle parametrille tai kentälle kaksi arvoa; ei voi sanoa, kumpaa tarkoitetaan.
 explain-guard = Kuvauksissa sanotaan, milloin ohjaus hylkää työkierron, ohittaa sen, varoittaa tai kysyy. Jokaisella tällaisella ehdolla on oma koodinsa; se tarkastetaan vain arvoilla, jotka ohjelmassa on kirjoitettu lukuina tai teksteinä.
-explain-label-missing = Ohjelmaa ei voi kirjoittaa kokonaan tällä kielellä: jokin teksti on vielä kääntämättä. Vanha teksti jää paikalleen. Komento ciklo coverage luettelee, mitä puuttuu.
-explain-label-not-encodable = Ohjelma ei ole UTF-8-tiedosto, ja sen merkistöstä (Windows-1252) puuttuu uuden tekstin merkki. Muunna tiedosto ensin UTF-8-muotoon, jos ohjaus lukee sitä.
-explain-label-of-another-language = Useimmat ohjelman tekstit ovat yhtä kieltä, tämä on toista. Komento ciklo translate kirjoittaa ne kaikki yhdellä kielellä.
-explain-label-of-another-parameter = Arvon perässä oleva kommentti on saman työkierron toisen parametrin teksti. Ohjaus lukee vain numeron, mutta arvo saattaa olla tarkoitettu toiselle parametrille. Teksteihin, joita ei ole millään kielellä, ei puututa.
-explain-misordered-parameter = Ohjaus tunnistaa parametrit numerosta ja hyväksyy muunkin järjestyksen, mutta ohjauksessa määrittelyä tuskin on tehty. Ensimmäinen väärässä kohdassa oleva parametri ilmoitetaan.
+explain-label-missing = Ohjelmaa ei voi kirjoittaa kokonaan tällä kielellä: jokin teksti on vielä kääntämättä. Vanha NC-teksti jää paikalleen. Komento ciklo coverage luettelee, mitä puuttuu.
+explain-label-not-encodable = Ohjelma ei ole UTF-8-tiedosto, ja sen merkistöstä (Windows-1252) puuttuu jokin uuden NC-tekstin merkki. Muunna tiedosto ensin UTF-8-muotoon, jos ohjaus lukee sitä.
+explain-label-of-another-language = Useimmat ohjelman NC-tekstit ovat samaa kieltä, tämä on toista. Komento ciklo translate kirjoittaa ne kaikki yhdellä kielellä.
+explain-label-of-another-parameter = Arvon perässä oleva kommentti on saman työkierron toisen parametrin NC-teksti. Ohjaus lukee vain numeron, mutta arvo saattaa olla tarkoitettu toiselle parametrille. Teksteihin, joita ei ole millään kielellä, ei puututa.
+explain-misordered-parameter = Ohjaus tunnistaa parametrit numerosta ja hyväksyy muunkin järjestyksen, mutta tätä määrittelyä tuskin on kirjoitettu ohjauksessa. Ensimmäinen väärässä kohdassa oleva parametri ilmoitetaan.
 explain-missing-parameter = Ohjauksen käsikirja luettelee työkierrolle parametrin tai kentän, jota määrittelyssä ei ole. Määrittelyt, joissa on lukukelvoton rivi, ohitetaan. Esimerkki: CYCL DEF 247 ilman parametria Q339.
 explain-out-of-range = Ohjauksen käsikirja antaa parametrille rajat, joiden ulkopuolella arvo on. Rajat koskevat vain tätä ohjausta; missä käsikirja ei niitä anna, mitään ei tarkasteta. Tuumaohjelmissa pituuksia ja syöttöarvoja ei tarkasteta. Esimerkki: Q202=-5.
-explain-spindle-off = Karaa ei ole käynnistetty (M3, M4, M13, M14), tai se on sen jälkeen pysäytetty (M0, M5, M6). Työkalukutsun ja koneen valmistajan M-toimintojen jälkeen ei ilmoiteta mitään. Ilmoitetaan kerran ohjelmassa.
-explain-tool-missing = Työkierrot tarvitsevat työkaluakselin, jonka TOOL CALL antaa: TOOL CALL 5 Z S2000. Ilmoitetaan kerran ohjelmassa.
+explain-spindle-off = Karaa ei ole käynnistetty (M3, M4, M13, M14), tai se on sen jälkeen pysäytetty (M0, M5, M6). Työkalukutsun ja koneen valmistajan M-toimintojen jälkeen ei ilmoiteta mitään. Ilmoitetaan kerran ohjelmaa kohti.
+explain-tool-missing = Työkierrot tarvitsevat työkaluakselin, jonka TOOL CALL antaa: TOOL CALL 5 Z S2000. Ilmoitetaan kerran ohjelmaa kohti.
 explain-unknown-cycle = Numero ei tarkoita työkiertoa missään käsikirjassa, johon kuvaukset perustuvat, eikä koneen valmistajan työkiertoa (300–399, 500–599). Tarkista avainsana ja numero: CYCL DEF 32 ja TCH PROBE 32 ovat eri työkiertoja. Esimerkki: CYCL DEF 299.
 explain-unknown-parameter = Parametri tai kenttä ei kuulu niihin, jotka ohjauksen käsikirja luettelee työkierrolle. Se kuuluu toiseen työkiertoon tai toiseen ohjaukseen, tai numero on kirjoitettu väärin. Esimerkki: Q999 työkierrossa CYCL DEF 247.
-explain-wrong-value-kind = Arvo on laatua, jota parametri ei ota: teksti luvun asemesta, murtoluku kokonaisluvun asemesta, sana, jota käsikirja ei sille luettele, tai ei mitään. Q-parametri on aina kelvollinen arvo. Esimerkki: Q201=FAUTO.
+explain-wrong-value-kind = Arvo on lajia, jota parametri ei hyväksy: teksti luvun asemesta, desimaaliluku kokonaisluvun asemesta, sana, jota käsikirja ei sille luettele, tai arvo puuttuu. Q-parametri on aina kelvollinen arvo. Esimerkki: Q201=FAUTO.

@@ -15,7 +15,7 @@ parameter-retraction-height = Vetäytymiskorkeus
     .label = VETÄYTYMISKORKEUS
     .help = Vetäytyykö kosketusjärjestelmä ennen kiertoakselin paikoitusta ja mihin.
 choice-no-retraction = Ei ajoa vetäytymiskorkeudelle: ohjaus ajaa seuraavaan mittausasemaan mitattavalla akselilla ja ensimmäiseen asemaan järjestyksessä A, B, C; ei sallittu Hirth-akseleilla
-choice-retraction = Vetäytymiskorkeus kääntämättömässä työkappaleen koordinaatistossa: ohjaus ajaa karan akselin tähän korkeuteen ennen kiertoakselin paikoitusta; koneistustasossa se siirtää kosketusjärjestelmän nollapisteeseen; kosketusjärjestelmän valvonta ei ole silloin voimassa, joten määrittele paikoitusnopeus parametrissa { $q-kinematics-positioning-feed }
+choice-retraction = Vetäytymiskorkeus kääntämättömässä työkappaleen koordinaatistossa: ohjaus ajaa karan akselin tälle korkeudelle ennen kiertoakselin paikoitusta; koneistustasossa se siirtää kosketusjärjestelmän nollapisteeseen; kosketusjärjestelmän valvonta ei ole silloin voimassa, joten määrittele paikoitusnopeus parametrissa { $q-kinematics-positioning-feed }
 parameter-kinematics-positioning-feed = Esipaikoituksen syöttöarvo
     .label = ESIPAIK. SYÖTTÖARVO
     .help = Työkalun liikenopeus paikoituksessa.
@@ -79,25 +79,25 @@ cycle-measure-kinematics = Kinematiikan mittaus
     .nc = KINEMATIIKAN MITTAUS
     .purpose = Tarkastaa koneen kinematiikan ja haluttaessa optimoi sen. 3D-kosketusjärjestelmä mittaa koneen pöydälle kiinnitetyn HEIDENHAIN-kalibrointikuulan. Ohjaus arvioi staattisen kääntötarkkuuden; ohjelmisto minimoi kääntöliikkeistä syntyvän tilavirheen ja tallentaa koneen geometrian kinematiikkakuvauksen konevakioihin.
 step-clamp-sphere = Kiinnitä kalibrointikuula niin, ettei törmäystä voi tapahtua.
-step-set-datum-in-sphere = Aseta peruspiste käsikäyttötavalla kuulan keskipisteeseen. Jos { $q-sphere-preset }=1 tai { $q-sphere-preset }=3, paikoita sen sijaan kosketusjärjestelmä käsin kosketusakselilla kalibrointikuulan yläpuolelle ja koneistustasossa kuulan keskelle.
+step-set-datum-in-sphere = Aseta peruspiste käsikäyttötavalla kuulan keskipisteeseen. Jos { $q-sphere-preset } = 1 tai { $q-sphere-preset } = 3, paikoita sen sijaan kosketusjärjestelmä käsin kosketusakselilla kalibrointikuulan yläpuolelle ja koneistustasossa kuulan keskelle.
 step-start-calibration-program = Valitse ohjelmanajon käyttötapa ja käynnistä kalibrointiohjelma.
 step-set-preset-before-measuring = Ohjaus asettaa esiasetuksen:
-say-preset-into-sphere-before = jos { $q-sphere-preset }=1 tai 3, kuulan keskipisteeseen ennen mittausta
+say-preset-into-sphere-before = jos { $q-sphere-preset } = 1 tai 3, kuulan keskipisteeseen ennen mittausta
 say-preset-set-by-hand = muussa tapauksessa se käyttää käsin asetettua peruspistettä
 step-move-to-measuring-positions = Kosketusjärjestelmä siirtyy mittausasemiin:
-say-move-without-retraction = jos { $q-retraction-height }=0, vetäytymättä mitattavalla akselilla; ensimmäiseen mittausasemaan järjestyksessä A, B, C
+say-move-without-retraction = jos { $q-retraction-height } = 0, vetäytymättä mitattavalla akselilla; ensimmäiseen mittausasemaan järjestyksessä A, B, C
 say-move-over-retraction-height = muussa tapauksessa karan akseli siirtyy ensin vetäytymiskorkeudelle { $q-retraction-height } ja kosketusjärjestelmä koneistustasossa nollapisteeseen
 step-measure-rotary-axes = Ohjaus mittaa automaattisesti kaikki kiertoakselit peräkkäin määritellyllä tarkkuudella. Referenssimittaus tehdään kulmassa 0°.
 step-measure-backlash = Ohjaus mittaa välyksen:
-say-backlash-from-two-measurements = kulmalla { $q-backlash-angle }, jokaisella kiertoakselilla kahdella mittauksella
-say-no-backlash-measurement = jos { $q-backlash-angle }=0, välystä ei mitata
+say-backlash-from-two-measurements = kulman { $q-backlash-angle } avulla, kullakin kiertoakselilla kahdella mittauksella
+say-no-backlash-measurement = jos { $q-backlash-angle } = 0, välystä ei mitata
 step-adapt-kinematics = Ohjaus arvioi mittauksen tilan { $q-kinematics-mode } mukaan:
 say-report-possible-optimization = tarkastus: ohjaus määrittää mitatuista asemista kääntömuunnoksen staattisen tarkkuuden, kirjaa pöytäkirjaan, mitä asemien optimoinnilla voitaisiin saavuttaa, eikä muuta mitään
 say-optimize-axis-positions = aseman optimointi: ohjaus määrittää kääntömuunnoksen staattisen tarkkuuden, pyrkii muuttamaan kiertoakselien asemaa kinematiikkamallissa niin, että tarkkuus paranee, ja mukauttaa konetiedot automaattisesti
 say-optimize-angles-then-positions = aseman ja kulman optimointi: ohjaus määrittää kääntömuunnoksen staattisen tarkkuuden, pyrkii ensin optimoimaan kiertoakselien kulma-aseman kompensoinnilla (optio 52, KinematicsComp) ja, jos se onnistuu, optimoi aseman toisella mittaussarjalla
 step-store-scatter-and-offsets = Ohjaus tallentaa mitatut arvot tulosparametreihin.
 step-set-preset-after-measuring = Mittauksen jälkeen ohjaus asettaa esiasetuksen:
-say-preset-into-sphere-after = jos { $q-sphere-preset }=2 tai 3, kuulan keskipisteeseen
+say-preset-into-sphere-after = jos { $q-sphere-preset } = 2 tai 3, kuulan keskipisteeseen
 say-no-preset-after = muussa tapauksessa sitä ei aseteta
 step-write-kinematics-log = Ohjaus laatii pöytäkirjan (TCHPR{ $cycle }.TXT).
 result-scatter-measured-a = A-akselin mitattu keskihajonta (-1, jos akselia ei mitattu)
@@ -118,10 +118,10 @@ note-kinematics-comp-option = Kulma-asemien kompensointi (tila 2) edellyttää o
 note-probe-must-be-calibrated = Mittauksessa käytettävän 3D-kosketusjärjestelmän on oltava kalibroitu.
 note-tool-axis-z-only = Työkierto voidaan suorittaa vain työkaluakselilla Z.
 note-recommended-spheres = Koneen pöydälle on kiinnitettävä haluttuun paikkaan riittävän jäykkä kalibrointikuula, jonka säde tunnetaan tarkasti. HEIDENHAIN suosittelee kalibrointikuulia KKH 250 (tilausnumero 655475-01) ja KKH 100 (tilausnumero 655475-02), jotka ovat erityisen jäykkiä ja tehty koneen kalibrointiin. Ota tarvittaessa yhteys HEIDENHAINiin.
-note-kinematics-description-complete = Koneen kinematiikkakuvauksen on oltava täydellinen ja oikea, muunnosmittojen on pidettävä paikkansa noin 1 mm:n tarkkuudella, ja koneen geometrian on oltava kokonaan mitattu (koneen valmistaja mittaa sen käyttöönotossa).
+note-kinematics-description-complete = Koneen kinematiikkakuvauksen on oltava täydellinen ja oikea, muunnosmittojen on pidettävä paikkansa noin 1{"\u00A0"}mm:n tarkkuudella, ja koneen geometrian on oltava kokonaan mitattu (koneen valmistaja mittaa sen käyttöönotossa).
 note-model-differs-from-machine = Jos ohjaukseen tallennettu kinematiikkamalli poikkeaa koneesta, kiertoakselien paikoitus aiheuttaa virheitä työkappaleeseen. Työkierto mittaa sekä pöydän että pään kiertoakselit täysin automaattisesti ja valittavalla tarkkuudella; työkierron määrittelyssä annetaan kullekin kiertoakselille vain mitattava alue.
 note-kinematics-machine-data = { $mp-max-modification } on kinematiikkatietojen muutosten raja, jonka ylityksestä ohjaus antaa ilmoituksen. { $mp-max-ball-deviation } on mitatun kuulan säteen sallittu poikkeama annetusta säteestä. { $mp-rotary-axis-m-function } on kiertoakselit paikoittava M-toiminto tai −1, jos ohjaus paikoittaa ne itse.
-note-kinematics-config-stored = Koneen valmistajan on täytynyt tallentaa koneparametrit { $mp-kinematics-config } konfiguraatiotietoihin.
+note-kinematics-config-stored = Edellytyksenä on, että koneen valmistaja on tallentanut koneparametrit { $mp-kinematics-config } konfiguraatiotietoihin.
 note-string-parameters-used = KinematicsOpt-työkierrot käyttävät yleisesti voimassa olevia merkkijonoparametreja QS0–QS99. Niiden arvot voivat olla muuttuneet, kun työkierrot on suoritettu.
 note-rotary-axes-at-zero = Jos { $mp-rotary-axis-m-function } määrittelee M-toiminnon (ei −1), käynnistä mittaus vasta, kun kaikki kiertoakselit ovat asemassa 0° (oloarvojärjestelmä).
 note-restart-after-change = Jos työkierto on muuttanut koneparametria, käynnistä ohjaus uudelleen. Muuten muutos voi kadota.
@@ -145,13 +145,13 @@ note-calibration-check = Koneen tarkkuuden tarkastus: 4–8 mittauspistettä; al
 note-calibration-backlash = Kiertoakselien välyksen määritys: 8–12 mittauspistettä; aloitus- ja lopetuskulman pitäisi kattaa mahdollisimman suuri alue.
 note-backlash-measured-twice = Välys on pieni liikevara kulma-anturin ja pöydän välillä; se syntyy suunnan vaihtuessa. Säätöpiirin ulkopuolella (esimerkiksi moottorin anturia käytettäessä) se voi aiheuttaa huomattavia virheitä. Parametri { $q-backlash-angle } aktivoi sen mittauksen; työkierto mittaa silloin jokaisen kiertoakselin kahdesti.
 note-backlash-not-compensated = Ohjaus ei kompensoi välystä automaattisesti.
-note-backlash-not-determined = Välystä ei määritetä, jos mittausympyrän säde on pienempi kuin 1 mm, jos { $mp-rotary-axis-m-function } määrittelee M-toiminnon tai jos akseli on Hirth-akseli. Mitä suurempi mittausympyrän säde on, sitä tarkemmin välys määritetään.
-note-reset-tilting = Varmista, että kaikki koneistustason kääntötoiminnot on palautettu.
+note-backlash-not-determined = Välystä ei määritetä, jos mittausympyrän säde on pienempi kuin 1{"\u00A0"}mm, jos { $mp-rotary-axis-m-function } määrittelee M-toiminnon tai jos akseli on Hirth-akseli. Mitä suurempi mittausympyrän säde on, sitä tarkemmin välys määritetään.
+note-reset-tilting = Varmista, että kaikki koneistustason kääntötoiminnot on peruutettu.
 note-tcpm-switched-off = M128 ja FUNCTION TCPM kytkeytyvät pois päältä.
 note-tcpm-must-be-off = M128 ja FUNCTION TCPM eivät saa olla voimassa.
-note-datum-in-sphere-first = Aseta ja aktivoi peruspiste kalibrointikuulan keskipisteeseen ennen työkierron määrittelyä tai anna { $q-sphere-preset }=1 tai 3.
-note-preposition-for-preset = Jos esiasetus asetetaan ennen mittausta ({ $q-sphere-preset }=1 tai 3), paikoita kosketusjärjestelmä ennen työkierron käynnistystä suunnilleen kalibrointikuulan keskikohdan yläpuolelle varmuusetäisyyden ({ $q-probing-clearance } + { $mp-set-up }) päähän.
-note-preposition-for-preset__itnc530 = Jos esiasetus asetetaan ennen mittausta ({ $q-sphere-preset }=1 tai 3), paikoita kosketusjärjestelmä ennen työkierron käynnistystä suunnilleen kalibrointikuulan keskikohdan yläpuolelle.
+note-datum-in-sphere-first = Aseta ja aktivoi peruspiste kalibrointikuulan keskipisteeseen ennen työkierron määrittelyä tai anna { $q-sphere-preset } = 1 tai 3.
+note-preposition-for-preset = Jos esiasetus asetetaan ennen mittausta ({ $q-sphere-preset } = 1 tai 3), paikoita kosketusjärjestelmä ennen työkierron käynnistystä suunnilleen kalibrointikuulan keskikohdan yläpuolelle varmuusetäisyyden ({ $q-probing-clearance } + { $mp-set-up }) päähän.
+note-preposition-for-preset__itnc530 = Jos esiasetus asetetaan ennen mittausta ({ $q-sphere-preset } = 1 tai 3), paikoita kosketusjärjestelmä ennen työkierron käynnistystä suunnilleen kalibrointikuulan keskikohdan yläpuolelle.
 note-kinematics-feeds = Kosketuskorkeudelle ajettaessa ohjaus käyttää kosketusakselilla pienempää arvoista { $q-kinematics-positioning-feed } ja { $mp-positioning-feed }. Kiertoakselit liikkuvat syöttöarvolla { $q-kinematics-positioning-feed }, eikä kosketusjärjestelmän valvonta ole silloin voimassa.
 note-kinematics-limit-exceeded = Jos kinematiikkatiedot ylittävät optimoinnissa sallitun raja-arvon ({ $mp-max-modification }), ohjaus antaa varoituksen. Vahvista arvojen vastaanotto NC-käynnistyksellä.
 note-preset-changes-with-kinematics = Kinematiikan muutos muuttaa aina myös esiasetusta. Aseta esiasetus uudelleen optimoinnin jälkeen.
@@ -163,12 +163,12 @@ note-inactive-axes-ignored = Työkierron määrittelyn tiedot akseleille, jotka 
 note-status-window = Ikkuna esittää mittauksen tilan. Ohjaus piilottaa sen heti, kun ajettava matka on kuulan sädettä pitempi.
 note-kinematics-log-contents = Pöytäkirja sisältää päiväyksen ja kellonajan, NC-ohjelman polun, tilan, aktiivisen kinematiikan numeron ja annetun kuulan säteen; jokaisesta mitatusta kiertoakselista: aloituskulman, lopetuskulman, asetuskulman, mittauspisteiden lukumäärän, hajonnan (keskihajonnan), suurimman virheen, kulmavirheen, keskimääräisen välyksen, keskimääräisen paikoitusvirheen, mittausympyrän säteen, kaikkien akselien korjausarvot (esiasetuksen siirtymän) ja kiertoakselien mittausepävarmuuden.
 note-kinematics-log-contents__itnc530 = Pöytäkirja sisältää päiväyksen ja kellonajan, NC-ohjelman polun, tilan, aktiivisen kinematiikan numeron ja annetun kuulan säteen; jokaisesta mitatusta kiertoakselista: aloituskulman, lopetuskulman, asetuskulman, mittauspisteiden lukumäärän, hajonnan (keskihajonnan), suurimman virheen, kulmavirheen, keskimääräisen välyksen, keskimääräisen paikoitusvirheen, mittausympyrän säteen, kaikkien akselien korjausarvot (esiasetuksen siirtymän), mittauspisteiden arvioinnin ja kiertoakselien mittausepävarmuuden.
-note-kinematics-log-explained = Tilassa tarkastus pöytäkirja ilmoittaa tarkkuuden, joka optimoinnilla voitaisiin saavuttaa, muissa tiloissa saavutetun tarkkuuden. Jos kiertoakselin kulma-asemaa ei voitu laskea, mittaustiedot kirjataan kuitenkin. Mitattu hajonta: 68,3 % mitatuista tilavirheistä on tämän arvon sisällä (±); optimoitu hajonta: 68,3 % korjauksen jälkeen odotettavista virheistä. Mittauspisteiden arviointi osoittaa, kuinka hyvät mittausasemat ovat mallin muutettavissa olevien muunnosten kannalta: mitä suurempi se on, sitä parempi on optimointi. Sen ei pitäisi olla millään kiertoakselilla alle 2, mieluummin 4 tai enemmän; jos se on pieni, suurenna akselin mittausaluetta tai pisteiden lukumäärää. Jos se ei auta, kinematiikkakuvaus voi olla väärä; ota tarvittaessa yhteys asiakaspalveluun.
-note-measuring-uncertainty = Mittausepävarmuus ilmoitetaan asteina järjestelmäepävarmuuden 1 µm kohti; sen avulla arvioidaan kiertoakselin mitattuja paikoitusvirheitä tai välystä. Ohjaus ei tunne koko järjestelmän tarkkuutta, joten se on arvioitava itse: järjestelmäepävarmuus = SQRT(3 · u² + p²), jossa u on kunkin lineaariakselin paikoitusepävarmuus (välyksessä toistotarkkuus) ja p kosketusjärjestelmän epävarmuus. Esimerkkejä: u = 10 µm, p = 2 µm: 17,4 µm, arvolla 0,0002°/µm 0,0034°; u = 5 µm, p = 2 µm: 8,9 µm, arvolla 0,0002°/µm 0,0018°.
-note-reference-head = Kun vaihtopäät sovitetaan toisiinsa, aseta yksi niistä koneeseen referenssipääksi, kiinnitä kalibrointikuula, vaihda kosketusjärjestelmä karaan, mittaa koko kinematiikka tällä työkierrolla ja aseta esiasetus mittauksen jälkeen ({ $q-sphere-preset }=2 tai 3). Muut päät sovitetaan sen jälkeen työkierrolla 452.
-note-drift-reference = Kun haluat kompensoida ryöminnän, kiinnitä kalibrointikuula, mittaa koko kinematiikka tällä työkierrolla ennen koneistuksen alkua, aseta esiasetus mittauksen jälkeen ({ $q-sphere-preset }=2 tai 3), aseta sitten työkappaleiden esiasetukset ja aloita koneistus. Työkierto 452 kompensoi ryöminnän aika ajoin.
+note-kinematics-log-explained = Tilassa tarkastus pöytäkirja ilmoittaa tarkkuuden, joka optimoinnilla voitaisiin saavuttaa, muissa tiloissa saavutetun tarkkuuden. Jos kiertoakselin kulma-asemaa ei voitu laskea, mittaustiedot kirjataan kuitenkin. Mitattu hajonta: 68,3{"\u00A0"}% mitatuista tilavirheistä on tämän arvon sisällä (±); optimoitu hajonta: 68,3{"\u00A0"}% korjauksen jälkeen odotettavista virheistä. Mittauspisteiden arviointi osoittaa, kuinka hyvät mittausasemat ovat mallin muutettavissa olevien muunnosten kannalta: mitä suurempi se on, sitä parempi on optimointi. Sen ei pitäisi olla millään kiertoakselilla alle 2, mieluummin 4 tai enemmän; jos se on pieni, suurenna akselin mittausaluetta tai pisteiden lukumäärää. Jos se ei auta, kinematiikkakuvaus voi olla väärä; ota tarvittaessa yhteys asiakaspalveluun.
+note-measuring-uncertainty = Mittausepävarmuus ilmoitetaan asteina järjestelmäepävarmuuden 1{"\u00A0"}µm kohti; sen avulla arvioidaan kiertoakselin mitattuja paikoitusvirheitä tai välystä. Ohjaus ei tunne koko järjestelmän tarkkuutta, joten se on arvioitava itse: järjestelmäepävarmuus = SQRT(3 · u² + p²), jossa u on kunkin lineaariakselin paikoitusepävarmuus (välyksessä toistotarkkuus) ja p kosketusjärjestelmän epävarmuus. Esimerkkejä: u = 10{"\u00A0"}µm, p = 2{"\u00A0"}µm: 17,4{"\u00A0"}µm, arvolla 0,0002°/µm 0,0034°; u = 5{"\u00A0"}µm, p = 2{"\u00A0"}µm: 8,9{"\u00A0"}µm, arvolla 0,0002°/µm 0,0018°.
+note-reference-head = Kun vaihtopäät sovitetaan toisiinsa, aseta yksi niistä koneeseen referenssipääksi, kiinnitä kalibrointikuula, vaihda kosketusjärjestelmä karaan, mittaa koko kinematiikka tällä työkierrolla ja aseta esiasetus mittauksen jälkeen ({ $q-sphere-preset } = 2 tai 3). Muut päät sovitetaan sen jälkeen työkierrolla 452.
+note-drift-reference = Kun haluat kompensoida ryöminnän, kiinnitä kalibrointikuula, mittaa koko kinematiikka tällä työkierrolla ennen koneistuksen alkua, aseta esiasetus mittauksen jälkeen ({ $q-sphere-preset } = 2 tai 3), aseta sitten työkappaleiden esiasetukset ja aloita koneistus. Työkierto 452 kompensoi ryöminnän aika ajoin.
 note-rotary-m-function = Koneen konfiguraatiosta riippuen ohjaus ei ehkä voi paikoittaa kiertoakseleita automaattisesti. Silloin tarvitaan koneen valmistajan erityinen M-toiminto, ja sen numero on annettava parametrissa { $mp-rotary-axis-m-function }.
-note-angle-optimization-prepared = Kulmien optimointi edellyttää, että koneen valmistaja on mukauttanut konfiguraation. Se voi parantaa erityisesti pieniä, kompakteja koneita. Kysy koneen valmistajalta, onko näin ja onko optimointi tarkoituksenmukaista.
+note-angle-optimization-prepared = Kulmien optimointi edellyttää, että koneen valmistaja on mukauttanut konfiguraation. Optimoinnista voi olla hyötyä erityisesti pienissä, kompakteissa koneissa. Kysy koneen valmistajalta, onko konfiguraatio mukautettu ja onko optimointi tarkoituksenmukaista.
 title-save-and-check-kinematics = Kinematiikan tallennus ja tarkastus
 title-calibration-program = Kalibrointiohjelma
 title-optimize-position-with-backlash = Kiertoakselien aseman optimointi automaattisen peruspisteen asetuksen jälkeen ja välyksen mittaus

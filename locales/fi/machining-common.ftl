@@ -18,5 +18,5 @@ note-sign-of-depth = Syvyyden { $q-depth } etumerkki määrää työskentelysuun
 note-positive-depth-error = Törmäysvaara! Koneparametri { $mp-display-depth-err } määrää, antaako ohjaus positiivisesta syvyydestä virheilmoituksen (on) vai ei (off).
 note-positive-depth-reverses = Törmäysvaara! Jos syvyys { $q-depth } on positiivinen, ohjaus laskee esipaikoituksen käänteisesti: työkalu siirtyy työkaluakselin suunnassa pikaliikkeellä varmuusetäisyydelle työkappaleen yläpinnan alapuolelle.
 note-retraction-between-pattern-points = Käskyllä CYCL CALL PAT työkalu vetäytyy pisteiden välillä turvalliselle korkeudelle: joko työkierron kutsuhetken karan akselin koordinaattiin tai 2. varmuusetäisyydelle { $q-second-set-up-clearance }, sen mukaan kumpi on ylempänä.
-note-assigned-parameters-are-fixed = Jos työkierron parametrin arvoksi on annettu toinen parametri, tämän toisen parametrin muuttaminen työkierron määrittelyn jälkeen ei vaikuta.
-note-fauto-is-fixed = FAUTO ottaa syöttöarvon TOOL CALL -lauseesta, kun työkierron määrittely suoritetaan; syöttöarvon myöhempi muutos ei vaikuta.
+note-assigned-parameters-are-fixed = Jos työkierron parametrin arvoksi on annettu toinen parametri, tämän toisen parametrin muuttaminen työkierron määrittelyn jälkeen ei enää vaikuta.
+note-fauto-is-fixed = FAUTO ottaa syöttöarvon TOOL CALL -lauseesta, kun työkierron määrittely suoritetaan; syöttöarvon myöhempi muutos ei enää vaikuta.

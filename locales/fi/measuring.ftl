@@ -6,20 +6,20 @@ cycle-measure-hole = Reiän mittaus
     .purpose = Mittaa reiän (ympyrätaskun) keskipisteen ja halkaisijan. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeamat parametreihin.
 step-retract-and-store-results = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja tallentaa todellisarvot sekä poikkeamat asetusarvoista tulosparametreihin.
 step-set-measuring-status = Ohjaus asettaa mittauksen tilan:
-say-hole-is-scrap = hylky (Q182=1), jos reikä on suurempi kuin { $q-hole-greatest-diameter } tai sen keskipiste poikkeaa enemmän kuin { $q-centre-tolerance-main } tai { $q-centre-tolerance-minor } sallii
-say-hole-needs-rework = jälkityö (Q181=1), jos reikä on pienempi kuin { $q-hole-least-diameter }
-say-hole-is-good = muussa tapauksessa toleranssin sisäpuolella (Q180=1), myös silloin, kun toleransseja tai rajoja ei ole annettu
+say-hole-is-scrap = hylky (Q182 = 1), jos reikä on suurempi kuin { $q-hole-greatest-diameter } tai sen keskipiste poikkeaa enemmän kuin { $q-centre-tolerance-main } tai { $q-centre-tolerance-minor } sallii
+say-hole-needs-rework = jälkityö (Q181 = 1), jos reikä on pienempi kuin { $q-hole-least-diameter }
+say-hole-is-good = muussa tapauksessa toleranssin sisäpuolella (Q180 = 1), myös silloin, kun toleransseja tai rajoja ei ole annettu
 step-write-measuring-log = Ohjaus laatii mittauspöytäkirjan parametrin { $q-measuring-log } mukaan:
-say-log-to-file = jos { $q-measuring-log }=1, se tallentaa pöytäkirjan tiedostoon TCHPR{ $cycle }.TXT
-say-log-on-screen = jos { $q-measuring-log }=2, se keskeyttää ohjelmanajon ja tulostaa pöytäkirjan näytölle; NC-käynnistys jatkaa ohjelmaa
+say-log-to-file = jos { $q-measuring-log } = 1, se tallentaa pöytäkirjan tiedostoon TCHPR{ $cycle }.TXT
+say-log-on-screen = jos { $q-measuring-log } = 2, se keskeyttää ohjelmanajon ja tulostaa pöytäkirjan näytölle; NC-käynnistys jatkaa ohjelmaa
 say-no-log = muussa tapauksessa se ei laadi pöytäkirjaa
 message-measuring-log-on-screen = Mittauspöytäkirja on näytöllä. Jatka NC-käynnistyksellä.
 step-monitor-tool = Ohjaus valvoo työkalua { $q-monitored-tool }:
 say-correct-tool-radius = jos { $q-monitored-tool } ei ole 0, se lisää säteen poikkeaman työkalutaulukon sarakkeen DR delta-säteeseen; jos poikkeama on suurempi kuin rikkotoleranssi RBREAK, se antaa virheilmoituksen, pysäyttää ohjelmanajon ja asettaa työkalulle eston (sarake TL = L)
-say-no-tool-monitoring = jos { $q-monitored-tool }=0, mitään työkalua ei valvota
+say-no-tool-monitoring = jos { $q-monitored-tool } = 0, mitään työkalua ei valvota
 step-stop-on-tolerance-error = Ohjaus reagoi toleranssin ylitykseen parametrin { $q-stop-on-tolerance-error } mukaan:
-say-stop-with-tolerance-error = jos { $q-stop-on-tolerance-error }=1, se keskeyttää ohjelmanajon ja antaa virheilmoituksen
-say-stop-with-tolerance-error__probing-3d = jos { $q-tolerance-error-reaction }=1, se keskeyttää ohjelmanajon ja antaa virheilmoituksen
+say-stop-with-tolerance-error = jos { $q-stop-on-tolerance-error } = 1, se keskeyttää ohjelmanajon ja antaa virheilmoituksen
+say-stop-with-tolerance-error__probing-3d = jos { $q-tolerance-error-reaction } = 1, se keskeyttää ohjelmanajon ja antaa virheilmoituksen
 say-continue-program = muussa tapauksessa ohjelma jatkuu
 result-centre-main-deviation = Poikkeama pääakselin keskipisteestä
 result-centre-minor-deviation = Poikkeama sivuakselin keskipisteestä
@@ -38,7 +38,7 @@ note-status-also-without-limits = Ohjaus asettaa mittauksen tilan myös silloin,
 note-which-value-is-out = Ohjaus merkitsee jälkityön tai hylyn heti, kun yksikin mittausarvo on toleranssin ulkopuolella. Näet kyseisen arvon mittauspöytäkirjasta, tai voit verrata tuloksia niiden raja-arvoihin.
 note-limit-zero-not-monitored = Jos raja-arvo tai toleranssi on 0 (alkuasetus), ohjaus ei valvo sitä.
 note-tool-monitoring-needs = Työkalun valvonta ja korjaus toimivat vain, jos työkalutaulukko on aktiivinen ja { $q-monitored-tool } ei ole 0. Jos tehdään useita korjausmittauksia, ohjaus lisää jokaisen poikkeaman työkalutaulukkoon tallennettuun arvoon.
-note-tool-radius-always-corrected = Ohjaus korjaa työkalun sädettä työkalutaulukon sarakkeessa DR aina, myös silloin, kun poikkeama on toleranssin sisäpuolella. Jälkityön tarve voidaan kysyä ohjelmassa parametrilla Q181 (Q181=1: jälkityö tarpeellinen).
+note-tool-radius-always-corrected = Ohjaus korjaa työkalun sädettä työkalutaulukon sarakkeessa DR aina, myös silloin, kun poikkeama on toleranssin sisäpuolella. Jälkityön tarve voidaan kysyä ohjelmassa parametrilla Q181 (Q181 = 1: jälkityö tarpeellinen).
 note-tool-breakage-needs = Työkalurikon valvonta toimii vain, jos lisäksi työkalun rikkotoleranssi RBREAK on työkalutaulukossa suurempi kuin 0.
 note-tool-by-name = Työkalu voidaan antaa myös nimellä, joka valitaan ohjelmanäppäimellä. Ohjaus ei näytä loppulainausmerkkiä.
 
@@ -78,7 +78,7 @@ say-surface-is-scrap = 2 (hylätty), jos piste on toleranssialueen alapuolella
 say-surface-is-good = 0 (hyväksytty) muussa tapauksessa
 step-write-surface-log = Ohjaus laatii protokollan ja tallentaa sen HTML-muodossa.
 step-react-to-tolerance-error = Ohjaus reagoi toleranssin ulkopuolella olevaan pisteeseen parametrin { $q-tolerance-error-reaction } mukaan:
-say-stop-below-nominal = jos { $q-tolerance-error-reaction }=2 ja piste on asetuskoordinaatin alapuolella, se näyttää ilmoituksen ja keskeyttää ohjelman
+say-stop-below-nominal = jos { $q-tolerance-error-reaction } = 2 ja piste on asetuskoordinaatin alapuolella, se näyttää ilmoituksen ja keskeyttää ohjelman
 result-position-main-actual = Mitattu asema pääakseli
 result-position-minor-actual = Sivuakselin mitattu asema
 result-position-tool-actual = Työkaluakselin mitattu asema

@@ -67,16 +67,16 @@ choice-three-touch-points = Käytetään 3 mittauspistettä
 parameter-probing-traverse-type = Liiketapa
     .prompt = Liiketapa? Suora=0/ympyrä=1
     .label = LIIKETAPA
-    .help = Rata, jota pitkin kosketusjärjestelmä siirtyy mittauspisteiden välillä, jos siirrytään varmuuskorkeudella ({ $q-traverse-to-clearance-height }=1).
+    .help = Rata, jota pitkin kosketusjärjestelmä siirtyy mittauspisteiden välillä, jos siirrytään varmuuskorkeudella ({ $q-traverse-to-clearance-height } = 1).
 choice-traverse-straight = Ajo suoraa pitkin
-choice-traverse-on-circle = Ajo jakoympyrän halkaisijan kaarta pitkin
+choice-traverse-on-circle = Ajo jakoympyrän kaarta pitkin
 
 # --- peruspiste ---
 parameter-datum-row-number = Nollapistenumero taulukossa
     .label = NO. TAULUKOSSA
-    .help = Nollapiste- tai esiasetustaulukon numero, johon taskun keskipisteen koordinaatit tallennetaan. Arvolla 0 ohjaus asettaa näytön niin, että uusi peruspiste on taskun keskellä.
+    .help = Nollapiste- tai esiasetustaulukon rivin numero, jolle taskun keskipisteen koordinaatit tallennetaan. Arvolla 0 ohjaus asettaa näytön niin, että uusi peruspiste on taskun keskellä.
 parameter-datum-row-number__tnc426-430 =
-    .help = Nollapistetaulukon numero, johon taskun keskipisteen koordinaatit tallennetaan. Arvolla 0 ohjaus asettaa näytön niin, että uusi peruspiste on taskun keskellä.
+    .help = Nollapistetaulukon rivin numero, jolle taskun keskipisteen koordinaatit tallennetaan. Arvolla 0 ohjaus asettaa näytön niin, että uusi peruspiste on taskun keskellä.
 parameter-new-datum-main = Pääakselin uusi peruspiste
     .label = PERUSPISTE
     .help = Pääakselin koordinaatti, johon mitattu taskun keskipiste asetetaan. Perusasetus: 0.
@@ -87,8 +87,8 @@ parameter-measured-value-transfer = Mittausarvojen lähetys (0,1)
     .label = MITTAUSARVON LUOVUTUS
     .help = Tallennetaanko mitattu peruspiste nollapistetaulukkoon vai esiasetustaulukkoon.
 choice-transfer-from-old-program = Älä käytä; ohjaus syöttää tämän arvon, kun vanhoja ohjelmia luetaan sisään
-choice-transfer-to-datum-table = Mitatun peruspisteen kirjoitus aktiiviseen nollapistetaulukkoon; perusjärjestelmänä on aktiivinen työkappaleen koordinaatisto
-choice-transfer-to-preset-table = Mitatun peruspisteen kirjoitus esiasetustaulukkoon; perusjärjestelmänä on koneen koordinaatisto (REF-järjestelmä)
+choice-transfer-to-datum-table = Mitatun peruspisteen kirjoitus aktiiviseen nollapistetaulukkoon; arvot perustuvat työkappaleen aktiiviseen koordinaatistoon
+choice-transfer-to-preset-table = Mitatun peruspisteen kirjoitus esiasetustaulukkoon; arvot perustuvat koneen koordinaatistoon (REF-järjestelmä)
 parameter-probing-in-probe-axis = Kosketus kosk.akselilla
     .label = KOSK.AKSELIN KOSKETUS
     .help = Asetetaanko peruspiste myös kosketusakselilla.
@@ -130,8 +130,8 @@ choice-measuring-log-on-screen = Ohjelmanajon keskeytys ja mittauspöytäkirjan 
 parameter-stop-on-tolerance-error = Ohjelman pysäytys toleranssivirheellä
     .label = OHJELMA SEIS VIRHEELLÄ
     .help = Keskeyttääkö ohjaus ohjelmanajon ja antaako se virheilmoituksen, kun toleranssi ylittyy.
-choice-no-stop-on-tolerance-error = Ei ohjelmanajon keskeytystä, ei virheilmoituksen lähetystä
-choice-stop-on-tolerance-error = Ohjelmanajon keskeytys, virheilmoituksen lähetys
+choice-no-stop-on-tolerance-error = Ohjelmanajoa ei keskeytetä eikä virheilmoitusta anneta
+choice-stop-on-tolerance-error = Ohjelmanajo keskeytetään ja annetaan virheilmoitus
 parameter-monitored-tool = Työkalu valvonnalle
     .label = TYÖKALU
     .help = Valvooko ohjaus työkalua. Työkalun numero tai nimi.
@@ -141,7 +141,7 @@ parameter-monitored-tool__tnc320 = Työkalun numero valvonnalle
 parameter-monitored-tool__tnc426-430 = Työkalun numero valvonnalle
     .label = TYÖKALUN NUMERO
     .help = Valvooko ohjaus työkalua. Työkalun numero.
-choice-no-tool-monitoring = Valvonta ei aktiivinen
+choice-no-tool-monitoring = Valvonta ei ole aktiivinen
 choice-monitored-tool-number = Työkalun numero työkalutaulukossa TOOL.T
 
 # --- pinnan piste ---

@@ -8,15 +8,15 @@ step-probe-outward = Kosketusjärjestelmä tekee kosketuksen kosketussyöttöarv
 step-probe-outward__tnc426-430 = Kosketusjärjestelmä tekee kosketuksen kosketussyöttöarvolla ({ $mp-probing-feed } tai { $mp-analog-probing-feed }). Ohjaus päättelee kosketussuunnan aloituskulmasta { $q-probing-starting-angle } ja kulma-askeleesta { $q-probing-stepping-angle }.
 step-travel-to-next-touch-point = Kosketusjärjestelmä siirtyy seuraavaan kosketuspisteeseen:
 say-start-again-from-centre = jos tasku ja varmuusetäisyys eivät jätä tilaa esipaikoitukselle kosketuspisteiden lähellä, se pysyy keskipisteessä eikä aja varmuuskorkeudelle
-say-travel-straight-at-clearance-height = jos { $q-traverse-to-clearance-height }=1 ja { $q-probing-traverse-type }=0, suoraa pitkin varmuuskorkeudella { $q-clearance-height }
-say-travel-on-circle-at-clearance-height = jos { $q-traverse-to-clearance-height }=1, ympyränkaarta pitkin varmuuskorkeudella { $q-clearance-height }
-say-travel-on-circle-at-clearance-height__tnc640 = jos { $q-traverse-to-clearance-height }=1 ja { $q-probing-traverse-type }=1, ympyränkaarta pitkin varmuuskorkeudella { $q-clearance-height }
-say-travel-on-circle-at-measuring-height = jos { $q-traverse-to-clearance-height }=0, ympyränkaarta pitkin mittauskorkeudella { $q-measuring-height }
+say-travel-straight-at-clearance-height = jos { $q-traverse-to-clearance-height } = 1 ja { $q-probing-traverse-type } = 0, suoraa pitkin varmuuskorkeudella { $q-clearance-height }
+say-travel-on-circle-at-clearance-height = jos { $q-traverse-to-clearance-height } = 1, ympyränkaarta pitkin varmuuskorkeudella { $q-clearance-height }
+say-travel-on-circle-at-clearance-height__tnc640 = jos { $q-traverse-to-clearance-height } = 1 ja { $q-probing-traverse-type } = 1, ympyränkaarta pitkin varmuuskorkeudella { $q-clearance-height }
+say-travel-on-circle-at-measuring-height = jos { $q-traverse-to-clearance-height } = 0, ympyränkaarta pitkin mittauskorkeudella { $q-measuring-height }
 until-all-touch-points-probed = kaikkia kosketuspisteitä on kosketettu
 
 # --- ehdot ---
-condition-travel-at-clearance-height = kosketusjärjestelmä siirtyy varmuuskorkeudella ({ $q-traverse-to-clearance-height }=1)
-condition-probe-axis-wanted = { $q-probing-in-probe-axis }=1
+condition-travel-at-clearance-height = kosketusjärjestelmä siirtyy varmuuskorkeudella ({ $q-traverse-to-clearance-height } = 1)
+condition-probe-axis-wanted = { $q-probing-in-probe-axis } = 1
 
 # --- tarkastukset ---
 guard-probe-axis-undefined = Työkierron määrittelyä ei edellä työkalukutsu, joten kosketusakselia ei ole määritelty.
@@ -28,7 +28,7 @@ guard-tool-broken = Poikkeama on suurempi kuin työkalun rikkotoleranssi. Työka
 
 # --- ohjeet: kosketus yleensä ---
 note-positioning-logic = Paikoituslogiikka: jos kosketusvarren etelänapa on varmuuskorkeuden { $q-clearance-height } alapuolella, ohjaus vetää kosketusjärjestelmän ensin kosketusakselin suunnassa varmuuskorkeudelle ja paikoittaa sen sitten koneistustasossa ensimmäiseen kosketuspisteeseen. Jos se on varmuuskorkeuden yläpuolella, ohjaus paikoittaa kosketusjärjestelmän ensin koneistustasossa ensimmäiseen kosketuspisteeseen ja ajaa sen sitten kosketusakselin suunnassa suoraan mittauskorkeudelle { $q-measuring-height }.
-note-tool-call-before-definition = Ohjelmoi ennen työkierron määrittelyä työkalukutsu, joka määrittelee kosketusjärjestelmän akselin.
+note-tool-call-before-definition = Ohjelmoi ennen työkierron määrittelyä työkalukutsu, joka määrittelee kosketusakselin.
 note-no-mirror-or-scaling-while-probing = Kosketustyökiertojen suorituksen aikana peilaus (työkierto 8), mittakerroin (työkierto 11) ja akselikohtainen mittakerroin (työkierto 26) eivät saa olla voimassa.
 note-transformations-while-probing = Kosketustyökiertojen suorituksen aikana mikään koordinaattimuunnoksen työkierto ei saa olla voimassa: nollapiste (7), peilaus (8), kierto (10), mittakerroin (11 ja 26), koneistustaso (19).
 note-heidenhain-probes-only = Kosketustyökiertojen toiminta taataan vain HEIDENHAIN-kosketusjärjestelmillä.
@@ -48,7 +48,7 @@ note-small-stepping-angle-less-exact__datum-inside-circle = Mitä pienempi kulma
 note-results-in-active-system = Ohjaus antaa kaikki tulokset sekä tulosparametreissa että pöytäkirjatiedostossa aktiivisessa koordinaatistossa, joka voi olla siirretty, kierretty tai käännetty.
 note-results-in-active-system__tnc320 = Ohjaus antaa kaikki tulokset sekä tulosparametreissa että pöytäkirjatiedostossa aktiivisessa koordinaatistossa, joka voi olla siirretty ja/tai kierretty.
 note-results-in-active-system__tnc426-430 = Ohjaus antaa kaikki tulokset sekä tulosparametreissa että pöytäkirjatiedostossa aktiivisessa koordinaatistossa, joka voi olla siirretty.
-note-results-in-q-parameters = Ohjaus tallentaa mittaustulokset yleisesti voimassa oleviin Q-parametreihin Q150 … Q160, joita voi käyttää edelleen ohjelmassa.
+note-results-in-q-parameters = Ohjaus tallentaa mittaustulokset yleisesti voimassa oleviin Q-parametreihin Q150 … Q160, joita ohjelma voi käyttää jatkossa.
 note-deviations-in-q-parameters = Ohjaus tallentaa mittaustulokset yleisesti voimassa oleviin Q-parametreihin Q150 … Q160 ja poikkeamat asetusarvoista parametreihin Q161 … Q166. Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit; kirkastaustainen tulosparametri kuuluu valittuun sisäänsyöttöparametriin.
 note-deviations-in-q-parameters__tnc426-430 = Ohjaus tallentaa mittaustulokset yleisesti voimassa oleviin Q-parametreihin Q150 … Q160 ja poikkeamat asetusarvoista parametreihin Q161 … Q166. Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit.
 

@@ -1,8 +1,8 @@
 # Koordinaattimuunnokset.
 
 # --- yhteiset ---
-note-transform-acts-until-reset = Koordinaattimuunnos vaikuttaa määrittelystään lähtien; sitä ei kutsuta. Se on voimassa, kunnes se palautetaan tai määritellään uudelleen.
-note-transform-reset-ways = Koordinaattimuunnos palautetaan määrittelemällä työkierto uudelleen perustilan arvoilla (esimerkiksi mittakerroin 1,0), lisätoiminnoilla M2 ja M30 tai lauseella END PGM (riippuu koneparametrista { $mp-clear-mode }) sekä valitsemalla toinen ohjelma.
+note-transform-acts-until-reset = Koordinaattimuunnos vaikuttaa määrittelystään lähtien; sitä ei kutsuta. Se on voimassa, kunnes se peruutetaan tai määritellään uudelleen.
+note-transform-reset-ways = Koordinaattimuunnos peruutetaan määrittelemällä työkierto uudelleen perustilan arvoilla (esimerkiksi mittakerroin 1,0), lisätoiminnoilla M2 ja M30 tai lauseella END PGM (riippuu koneparametrista { $mp-clear-mode }) sekä valitsemalla toinen ohjelma.
 
 # --- 7 ---
 cycle-datum-shift = Nollapisteen siirto
@@ -12,7 +12,7 @@ step-shift-datum = Ohjaus siirtää nollapistettä:
 say-shift-by-table-row = jos on annettu rivin numero: aktiivisen nollapistetaulukon kyseisen rivin arvojen verran
 say-shift-by-coordinates = jos on annettu koordinaatit: jokaisella ohjelmoidulla akselilla annettuun koordinaattiin; absoluuttiset arvot perustuvat työkappaleen nollapisteeseen, inkrementaaliset viimeksi voimassa olleeseen nollapisteeseen
 condition-shift-from-table = nollapiste otetaan nollapistetaulukosta
-note-reset-datum-shift = Palauta nollapisteen siirto ohjelmoimalla uudella työkierron määrittelyllä siirto koordinaatteihin X=0, Y=0 jne. tai kutsumalla nollapistetaulukosta siirto koordinaatteihin X=0, Y=0 jne.
+note-reset-datum-shift = Peruuta nollapisteen siirto ohjelmoimalla uudella työkierron määrittelyllä siirto koordinaatteihin X=0, Y=0 jne. tai kutsumalla nollapistetaulukosta siirto koordinaatteihin X=0, Y=0 jne.
 note-rotary-axes-may-be-shifted = Myös kiertoakseleita voidaan antaa.
 note-datum-shift-in-status-display = Lisätilanäyttö esittää nollapisteen siirron jokaisella akselilla.
 note-datum-table-refers-to-preset = Törmäysvaara! Nollapistetaulukon nollapisteet perustuvat aina ja yksinomaan voimassa olevaan peruspisteeseen (esiasetukseen).
@@ -33,7 +33,7 @@ cycle-rotation = Kierto
 step-rotate-coordinate-system = Ohjaus kiertää koordinaatistoa voimassa olevan nollapisteen ympäri ohjelmoidun kulman verran. Inkrementaalinen kulma lisätään voimassa olevaan.
 step-cancel-radius-compensation = Ohjaus kumoaa aktiivisen sädekorjauksen.
 step-move-both-axes = Siirrä koneistustason molempia akseleita, jotta kierto aktivoituu.
-note-reset-rotation = Palauta kierto ohjelmoimalla työkierto uudelleen kulmalla 0°.
+note-reset-rotation = Peruuta kierto ohjelmoimalla työkierto uudelleen kulmalla 0°.
 note-reference-axis-of-rotation = Kulman perusakseli: X/Y-tasossa X-akseli, Y/Z-tasossa Y-akseli, Z/X-tasossa Z-akseli.
 note-acts-in-manual-data-input = Työkierto vaikuttaa myös käsin sisäänsyöttäen tapahtuvan paikoituksen käyttötavalla.
 note-rotation-in-status-display = Lisätilanäyttö esittää aktiivisen kiertokulman.
@@ -44,9 +44,9 @@ cycle-activate-preset = Peruspisteen asetus
     .nc = PERUSPISTEEN ASETUS
     .purpose = Aktivoi esiasetustaulukon esiasetuksen uudeksi peruspisteeksi.
 step-activate-preset = Ohjaus aktivoi esiasetustaulukon esiasetuksen { $q-preset-number } peruspisteeksi.
-step-cancel-transforms-of-preset = Se palauttaa nollapisteen siirron, peilauksen, kierron, mittakertoimen ja akselikohtaisen mittakertoimen.
+step-cancel-transforms-of-preset = Se peruuttaa nollapisteen siirron, peilauksen, kierron, mittakertoimen ja akselikohtaisen mittakertoimen.
 note-coordinates-refer-to-new-preset = Määrittelyn jälkeen kaikki koordinaatit ja nollapisteen siirrot (absoluuttiset ja inkrementaaliset) perustuvat uuteen esiasetukseen.
-note-preset-cancels-transforms = Kun esiasetustaulukon peruspiste aktivoidaan, ohjaus palauttaa nollapisteen siirron, peilauksen, kierron, mittakertoimen ja akselikohtaisen mittakertoimen.
+note-preset-cancels-transforms = Kun esiasetustaulukon peruspiste aktivoidaan, ohjaus peruuttaa nollapisteen siirron, peilauksen, kierron, mittakertoimen ja akselikohtaisen mittakertoimen.
 note-preset-zero = Esiasetuksen numero 0 (rivi 0) aktivoi peruspisteen, joka on viimeksi asetettu käsin käsikäyttötavalla.
 note-preset-not-in-test-run = Työkierto ei vaikuta ohjelman testauksen käyttötavalla.
 note-preset-in-status-display = Tilanäyttö esittää aktiivisen esiasetuksen numeron peruspisteen symbolin perässä; lisätilanäyttö (paikoitusnäyttö) esittää sen peruspisteen perässä.

@@ -8,10 +8,10 @@ cli-heading-options = Možnosti
 cli-heading-examples = Primeri:
 
 cli-build = Zapiše priročnike, pogovorna okna in preglednice oznak
-cli-build-out = Mapa za zapis; zamenja se, ko je vse dokončano (privzeto: out)
+cli-build-out = Ciljna mapa; zamenja se šele, ko je vse dokončano (privzeto: out)
 cli-build-control = Samo to krmiljenje; lahko se ponovi
 cli-build-lang = Samo ta jezik; lahko se ponovi
-cli-schema = Izpiše shemo JSON specifikacij
+cli-schema = Izpiše shemo JSON za specifikacije
 cli-lint = Javi vse napake v specifikacijah in jezikih
 cli-lint-accept = Zabeleži, da vsi prevodi ustrezajo angleškim besedilom
 cli-coverage = Prikaže, kaj je popolno, kaj manjka, je zastarelo, čaka ali ni izvedeno
@@ -21,7 +21,7 @@ cli-block-values = Številka cikla in vrednosti parametrov, na primer Q321=50; d
 cli-block-number = Številka prvega stavka (privzeto: iz primera v priročniku)
 cli-block-form = Oblika cikla stare oblike, če jih je več
 cli-block-without = Neobvezno polje, ki se izpusti; lahko se ponovi
-cli-parse = Razčleni program v stavke, kot JSON
+cli-parse = Razčleni program na stavke in jih izpiše kot JSON
 cli-parse-print = Program ponovno izpiše, bajt za bajtom enako
 cli-check = Preveri programe za eno krmiljenje
 cli-check-lang = Jezik oznak v programih (privzeto: ugotovi se iz njih)
@@ -36,11 +36,11 @@ cli-run-out = Mapa za preglednice in protokole, ki jih zapiše program
 cli-run-events = Vsak dogodek izpiše kot vrstico JSON
 cli-run-lang = Jezik protokolov (privzeto: jezik oznak v programu ali jezik priročnika krmiljenja)
 cli-conform = Izvede primere iz specifikacij
-cli-export = Izpiše vse cikle krmiljenja v enem jeziku, kot JSON
+cli-export = Izpiše vse cikle krmiljenja v enem jeziku kot JSON
 
 cli-arg-cycle = Številka cikla, na primer 412 ali TCH PROBE 412
-cli-arg-file = NC-program; »-« bere standardni vhod
-cli-arg-files = NC-programi; »-« bere standardni vhod
+cli-arg-file = NC-program; »-« pomeni standardni vhod
+cli-arg-files = NC-programi; »-« pomeni standardni vhod
 cli-arg-control = Krmiljenje, na primer tnc640
 cli-arg-lang = Jezik, na primer fi
 cli-arg-scene = Datoteka prizorišča: stroj, orodja, obdelovanec
@@ -130,9 +130,9 @@ cli-coverage-control = { $control } ({ $title }): opisani cikli: { $described },
 cli-coverage-complete = popolno
 cli-coverage-missing = { $language }: manjkajoča besedila: { $count } od { $of }: { $ids }
 cli-coverage-stale = { $language }: zastarela besedila: { $count } od { $of }: { $ids }
-cli-coverage-pending = V izvajanju še ni na voljo: { $ids }
+cli-coverage-pending = V izvajalniku še ni na voljo: { $ids }
 cli-coverage-unexecuted = Povedi, ki jih primeri ne izvedejo: { $count } od { $of }: { $ids }
-cli-coverage-unprovoked = Primeri ne sprožijo: { $ids }
+cli-coverage-unprovoked = Preverjanja, ki jih primeri ne sprožijo: { $ids }
 
 cli-translated = { $count ->
         [one] { $count } sprememba: { $path }
@@ -143,8 +143,8 @@ cli-translated = { $count ->
 cli-run-status = Program { $status ->
         [done] se je izvedel do konca
         [stopped] se je ustavil in ga nihče ni nadaljeval
-        [limit] je dosegel mejo izvajanja
-        [unsupported] potrebuje nekaj, česar izvajanje ne podpira
+        [limit] je dosegel mejo izvajalnika
+        [unsupported] potrebuje nekaj, česar izvajalnik ne podpira
        *[error] se je končal z napako
     }.
 cli-conform-pass = uspešno
@@ -164,7 +164,7 @@ diag-usage = { $reason ->
         [unknown-command] Ukaz { $subject } ne obstaja.
         [no-command] Manjka ukaz.
         [missing-argument] Manjka: { $subject }.
-        [conflict] { $subject } ni združljivo z drugimi argumenti ali je navedeno dvakrat.
+        [conflict] Argument { $subject } ni združljiv z drugimi argumenti ali je naveden dvakrat.
         [too-many-values] { $subject } ima preveč vrednosti.
         [not-text] Argument ni veljavno besedilo.
        *[other] Ukazna vrstica je napačna.
@@ -192,7 +192,7 @@ diag-unknown-code = Koda »{ $code }« ne obstaja; »ciklo explain« izpiše vse
 diag-needs-data = { $option } potrebuje delovno kopijo: --data DIR.
 diag-unknown-control = Krmiljenje »{ $control }« ne obstaja; na voljo so { $known }.
 diag-unknown-language = Jezik »{ $language }« ne obstaja; na voljo so { $known }.
-diag-cycle-name = »{ $cycle }« ni številka cikla: 412 ali "TCH PROBE 412".
+diag-cycle-name = »{ $cycle }« ni številka cikla, na primer 412 ali "TCH PROBE 412".
 diag-cycle-not-here = Krmiljenje { $control } nima cikla { $cycle }.
 diag-cycle-ambiguous = Krmiljenje { $control } ima dva cikla { $cycle }: { $keys }.
 diag-cycle-only-named = Priročnik za { $control } cikel { $cycle } ({ $name }) samo omenja in ga ne opisuje.

@@ -3,9 +3,9 @@
 # --- 412 ---
 cycle-datum-inside-circle = Referenčna točka znotraj kroga
     .nc = REF. TOČ. ZNOTR. KROGA
-    .purpose = Izmeri središče krožnega žepa ali vrtine in ga določi kot referenčno točko. Na zahtevo krmiljenje središče zapiše tudi v { -datum-table(case: "accusative") } ali v { -preset-table(case: "accusative") }.
+    .purpose = Izmeri središče krožnega žepa ali vrtine in ga določi kot referenčno točko. Na zahtevo ga krmiljenje zapiše še v { -preset-table(case: "accusative") } ali { -datum-table(case: "accusative") }.
 cycle-datum-inside-circle__tnc426-430 =
-    .purpose = Izmeri središče krožnega žepa ali vrtine in ga določi kot referenčno točko. Na zahtevo krmiljenje središče zapiše tudi v { -datum-table(case: "accusative") }.
+    .purpose = Izmeri središče krožnega žepa ali vrtine in ga določi kot referenčno točko. Na zahtevo ga krmiljenje zapiše še v { -datum-table(case: "accusative") }.
 step-retract-and-store-datum = Krmiljenje premakne { -probe(case: "accusative") } nazaj na { -clearance-height(case: "accusative") } { $q-clearance-height }, shrani dejanske vrednosti v parametre rezultatov in izmerjeno referenčno točko obdela glede na { $q-measured-value-transfer } in { $q-datum-row-number }:
 step-retract-and-store-datum__tnc426-430 = Krmiljenje premakne { -probe(case: "accusative") } nazaj na { -clearance-height(case: "accusative") } { $q-clearance-height } in izmerjeno referenčno točko obdela glede na { $q-datum-row-number }:
 say-datum-into-display-and-row-zero = pri { $q-datum-row-number } = 0 določi izmerjeno referenčno točko v prikazu; ta je takoj aktivna in se shrani tudi v vrstico 0 { -preset-table(case: "genitive") }
@@ -18,11 +18,11 @@ say-datum-in-probe-axis = otipa točko { $q-probe-axis-point-main }, { $q-probe-
 guard-datum-transfer-undefined = { $q-datum-row-number } ni 0, { $q-measured-value-transfer } pa je −1: določiti je treba, kam se shrani izmerjena referenčna točka.
 guard-transformation-with-probe-axis-datum = Aktiven je zamik ničelne točke ali rotacija, { $q-measured-value-transfer } = 0 in { $q-probing-in-probe-axis } = 1 pa preračunavanja koordinat ne dovoljujeta.
 note-nominal-diameter-rather-small = Nevarnost kolizije! Da { -probe(case: "nominative") } ne trči v obdelovanec, za želeni premer žepa (vrtine) vnesite raje premajhno kot preveliko vrednost.
-note-probing-from-centre-if-narrow = Če dimenzije žepa in varnostna razdalja ne dovoljujejo predpozicioniranja v bližini tipalnih točk, krmiljenje tipanje vedno začne v središču žepa. Tipalni sistem se med merilnimi točkami tedaj ne premakne na { -clearance-height(case: "accusative") }.
+note-probing-from-centre-if-narrow = Če je žep ob upoštevanju varnostne razdalje premajhen za predpozicioniranje blizu tipalnih točk, krmiljenje tipanje vedno začne v središču žepa. Tipalni sistem se med merilnimi točkami tedaj ne premakne na { -clearance-height(case: "accusative") }.
 note-no-transformation-with-probe-axis-datum = Če cikel tipalnega sistema določa referenčno točko ({ $q-measured-value-transfer } = 0) in hkrati uporablja tipanje po { -probe-axis(case: "locative") } ({ $q-probing-in-probe-axis } = 1), ne sme biti aktivno nobeno preračunavanje koordinat.
 note-no-tilting-with-datum-cycles = Vrtenje { -working-plane(case: "genitive") } skupaj s cikli za določanje referenčne točke od 408 do 419 ni dovoljeno.
-note-datum-cycles-with-basic-rotation = Cikle za določanje referenčne točke od 408 do 419 je mogoče izvajati tudi pri aktivni osnovni rotaciji.
-note-datum-cycles-with-basic-rotation__tnc640 = Cikle za določanje referenčne točke od 408 do 419 je mogoče izvajati tudi pri aktivni rotaciji (osnovna rotacija ali cikel 10).
+note-datum-cycles-with-basic-rotation = Aktivna osnovna rotacija izvajanja ciklov za določanje referenčne točke od 408 do 419 ne preprečuje.
+note-datum-cycles-with-basic-rotation__tnc640 = Aktivna rotacija (cikel 10 ali osnovna rotacija) izvajanja ciklov za določanje referenčne točke od 408 do 419 ne preprečuje.
 note-basic-rotation-must-stay = Kota osnovne rotacije ne spreminjajte, če po merilnem ciklu uporabite zamik ničelne točke (cikel 7) iz { -datum-table(case: "genitive") }.
 note-no-datum-cycles-with-basic-rotation = Ciklov za določanje referenčne točke od 410 do 418 pri aktivni osnovni rotaciji ni dovoljeno izvajati. Sicer krmiljenje prikaže sporočilo o napaki.
 note-datum-axes-by-probe-axis = Os tipalnega sistema, definirana v merilnem programu, določa, na katerih oseh se določi referenčna točka: Z: X in Y; Y: Z in X; X: Y in Z.

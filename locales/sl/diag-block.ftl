@@ -4,7 +4,7 @@ diag-block-unknown-form = Cikel { $cycle } nima oblike »{ $form }«. Oblike so:
 diag-block-unknown-parameter = Cikel { $cycle } nima parametra »{ $name }«. Parametri so: { $known }.
 diag-block-duplicate-parameter = Vrednost { $name } je navedena dvakrat.
 diag-block-wrong-kind =
-    { $name } ({ $parameter }) ne more biti »{ $value }«: pričakovana vrednost je { $kind ->
+    { $name } ({ $parameter }) ne more biti »{ $value }«; dovoljena vrednost: { $kind ->
         [integer] celo število
         [number-or-name] število ali ime v narekovajih
         [text] besedilo v narekovajih

@@ -1,12 +1,12 @@
 # Ugotovitve preverjanja in prevajanja programov; glejte angleško datoteko.
 
 diag-call-of-def-active-cycle = Cikel { $cycle } deluje takoj, ko je definiran; ni ga dovoljeno priklicati.
-diag-called-but-not-defined = Tu se prikliče cikel, pred tem pa ni definiran nobeden.
-diag-choice-not-offered = { $parameter }={ $value } ni nobena od možnosti: { $offered }.
+diag-called-but-not-defined = Tu se prikliče cikel, pred tem pa ni definiran noben.
+diag-choice-not-offered = { $parameter }={ $value } ni med možnostmi: { $offered }.
 diag-cycle-not-described = Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.
-diag-duplicate-parameter = { $parameter } je v ciklu { $cycle } navedeno dvakrat.
+diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
 diag-label-missing = Jezik »{ $language }« nima oznake za { $parameter } cikla { $cycle }.
 diag-label-not-encodable = V oznaki »{ $label }« je znak »{ $character }«, ki ga kodiranje datoteke ne pozna.
@@ -17,12 +17,12 @@ diag-missing-parameter = V ciklu { $cycle } manjka { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } je premajhno: najmanjša vrednost je { $limit }.
-        [long] Besedilo parametra { $parameter } je predolgo: dovoljenih je { $limit } znakov.
+        [long] Besedilo parametra { $parameter } je predolgo: največje število znakov je { $limit }.
        *[above] { $parameter }={ $value } je preveliko: največja vrednost je { $limit }.
     }
 diag-spindle-off = Tu se prikliče obdelovalni cikel, ko vreteno miruje.
-diag-tool-missing = Tu se cikel premika, pred tem pa noben priklic orodja ni določil orodne osi.
-diag-unknown-cycle = { $cycle } ni cikel nobenega tu znanega krmiljenja.
+diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
+diag-unknown-cycle = { $cycle } ni cikel nobenega od znanih krmiljenj.
 diag-unknown-parameter = Cikel { $cycle } na tem krmiljenju nima parametra { $parameter }.
 diag-wrong-value-kind =
     Parameter { $parameter } cikla { $cycle } sprejme { $kind ->

@@ -2,7 +2,7 @@
 
 diag-locale-encoding = Datoteka ni v kodiranju UTF-8.
 diag-locale-tag = Ime mape »{ $tag }« ni oznaka jezika.
-diag-locale-nesting = Zaviti oklepaji so gnezdeni globlje od { $most } ravni; datoteka je izpuščena.
+diag-locale-nesting = Zaviti oklepaji so ugnezdeni globlje od { $most } ravni; datoteka je izpuščena.
 diag-locale-long-number = Število ima več kot { $most } števk zapored; datoteka je izpuščena.
 diag-locale-syntax =
     To ni Fluent: { $kind ->
@@ -10,21 +10,21 @@ diag-locale-syntax =
         [expected-character] tukaj je pričakovan eden od znakov { $detail }
         [empty-message] sporočilo »{ $detail }« nima ne vrednosti ne atributa
         [empty-term] izraz »-{ $detail }« nima vrednosti
-        [bad-function-name] ime funkcije sestavljajo velike črke, številke, »-« in »_«
+        [bad-function-name] ime funkcije lahko sestavljajo samo velike črke, števke, »-« in »_«
         [no-default] izbira potrebuje privzeto možnost z oznako »*«
-        [two-defaults] izbira ima samo eno privzeto možnost
+        [two-defaults] izbira ima lahko samo eno privzeto možnost
         [no-value] tukaj je pričakovana vrednost
         [bad-selector] izbira poteka po argumentu, funkciji ali atributu izraza
         [term-attribute] atributa izraza ni mogoče prikazati
         [open-string] niz ni zaključen
-        [argument-order] argumenti brez imena so na začetku
+        [argument-order] argumenti brez imena morajo biti na začetku
         [argument-twice] argument »{ $detail }« je naveden dvakrat
         [bad-escape] »{ $detail }« ni ubežno zaporedje
         [closing-brace] zaklepaj brez oklepaja
        *[no-expression] tukaj je pričakovan izraz
     }.
 diag-locale-isolation-mark = Tukaj je znak za ločitev smeri pisanja; v NC-program ne sme priti.
-diag-locale-duplicate = »{ $key }« je določeno dvakrat; šteje tudi enako ime sporočila in izraza.
+diag-locale-duplicate = »{ $key }« je določeno dvakrat; to velja tudi, če imata sporočilo in izraz enako ime.
 related-first-definition = prva določitev
 diag-locale-variant = »{ $key }« ni ime z največ dvema priponama, za cikel in krmiljenje.
 diag-locale-unit-form = »{ $key }« ni predloga: enota ima besedilo in en { "{ $value }" }, seznam ima { "{ $first }" } in { "{ $last }" } v vrednosti in v atributu »more«.
@@ -49,8 +49,8 @@ diag-locale-function-failed =
         [not-a-list] vrednost ni seznam
        *[unknown-type] vrsta seznama ni znana
     }.
-diag-locale-too-long = Besedilo »{ $key }« ({ $language }) ima preveč vstavljenih mest.
-diag-locale-lock-line = Vrstica te datoteke je sestavljena iz oznake in osmih šestnajstiških števk.
+diag-locale-too-long = Besedilo »{ $key }« ({ $language }) ima preveč mest za vstavljanje.
+diag-locale-lock-line = Vsako vrstico te datoteke sestavljata oznaka in osem šestnajstiških števk.
 diag-locale-missing-translation = »{ $key }« ni prevedeno v jezik »{ $language }«.
 diag-locale-orphan = »{ $key }« ({ $language }) ne prevaja ničesar: angleškega besedila ni več.
 diag-locale-stale = Angleško besedilo »{ $key }« se je po prevodu v jezik »{ $language }« spremenilo.

@@ -4,27 +4,27 @@ diag-spec-both-forms = Cikel ima parametre in vrstice stare oblike; zapisati ga 
 diag-spec-case-incomplete = Primer { $name } potrebuje prizorišče in pričakovanje ali razlog za izpustitev.
 diag-spec-case-never-reached = Do te možnosti nikoli ne pride: prejšnja zajame vse, kar bi zajela ta.
 diag-spec-case-proves-nothing = Primer { $name } ne pove, kaj dokazuje.
-diag-spec-duplicate-choice = Izbira { $value } je ponujena dvakrat.
+diag-spec-duplicate-choice = Možnost { $value } je ponujena dvakrat.
 diag-spec-duplicate-cycle = { $cycle } ({ $name }) je za eno krmiljenje opisan dvakrat.
 diag-spec-duplicate-key = Ključ { $key } je naveden dvakrat.
 diag-spec-duplicate-name = Ime { $name } je navedeno dvakrat.
-diag-spec-duplicate-parameter = { $q } je v ciklu dvakrat.
+diag-spec-duplicate-parameter = Parameter { $q } je v ciklu naveden dvakrat.
 diag-spec-empty-range = Razpon je prazen: { $min } je večje od { $max }.
 diag-spec-example-out-of-range = Vrednosti { $value } iz primera parameter { $name } ne sprejme.
 diag-spec-expected = Pričakovano: { $expected }, najdeno: { $found }.
 diag-spec-expression = To ni izraz: pričakovano je { $expected }, najdeno »{ $found }«.
 diag-spec-foreign-manual = Priročnik { $manual } ni priročnik za krmiljenje { $control }.
-diag-spec-guard-keys = Varovalo potrebuje ključe code, when in then ali pa s ključem use navede fragment.
+diag-spec-guard-keys = Preverjanje potrebuje ključe code, when in then ali pa s ključem use navede fragment.
 diag-spec-id-form = Oznaka { $name } ni zapisana z malimi črkami in vezaji.
 diag-spec-lines-form = Vrstice »{ $lines }« niso številke ali razponi po vrstnem redu.
 diag-spec-missing-key = Manjka ključ { $key }.
-diag-spec-no-example = { $name } nima vzorčne vrednosti.
+diag-spec-no-example = Parameter { $name } nima vrednosti za primer.
 diag-spec-no-parameters = Cikel nima ne parametrov ne vrstic stare oblike.
 diag-spec-no-source = Za to krmiljenje ni navedenih vrstic priročnika.
 diag-spec-no-steps = Potek nima korakov.
 diag-spec-only-and-except = Element ima lahko samo only ali samo except, ne obojega.
 diag-spec-otherwise-last = Možnost brez pogojev mora biti zadnja.
-diag-spec-range-of-text = { $name } ni število in ne more imeti razpona.
+diag-spec-range-of-text = Parameter { $name } ni število in ne more imeti razpona.
 diag-spec-result-target = Rezultat { $name } potrebuje Q-parameter ali polje tega cikla.
 diag-spec-run-item = Element poteka ni pravilno sestavljen: { $reason ->
     [one-head] imeti mora natanko en ključ izmed step, group in each.
@@ -37,22 +37,22 @@ diag-spec-run-item = Element poteka ni pravilno sestavljen: { $reason ->
 diag-spec-text-parameter = { $name }: QS-parameter sprejme besedilo, in samo QS-parameter ga sprejme.
 diag-spec-unknown-condition = Pogoj { $name } ne obstaja.
 diag-spec-unknown-control = Krmiljenje { $control } ne obstaja; na voljo so { $known }.
-diag-spec-unknown-cycle = { $control } ne pozna cikla { $cycle }.
+diag-spec-unknown-cycle = Krmiljenje { $control } ne pozna cikla { $cycle }.
 diag-spec-unknown-cycle-name = Noben cikel tega krmiljenja nima imena { $name }.
-diag-spec-unknown-datum = { $control } nima strojnega podatka { $name }.
+diag-spec-unknown-datum = Krmiljenje { $control } nima strojnega podatka { $name }.
 diag-spec-unknown-form = Cikel nima oblike { $name }.
 diag-spec-unknown-fragment = Fragment { $name } ne obstaja.
 diag-spec-unknown-key = Ključ { $key } tukaj nima pomena; znani so { $known }.
 diag-spec-unknown-meaning = Slovar nima parametra { $name }.
-diag-spec-unknown-option = { $control } nima programske možnosti { $option }.
-diag-spec-unknown-parameter = { $cycle } nima parametra { $name }.
+diag-spec-unknown-option = Krmiljenje { $control } nima programske možnosti { $option }.
+diag-spec-unknown-parameter = Cikel { $cycle } nima parametra { $name }.
 diag-spec-unused = { $name } se ne uporablja.
 diag-spec-word-shape = { $name }: oblika word potrebuje ključ word, nobena druga oblika ga ne sprejme.
 diag-spec-yaml-feature = { $feature ->
     [anchor] Sidra in oznake se v specifikacijah ne uporabljajo.
     [alias] Sklici se v specifikacijah ne uporabljajo.
-    [depth] Datoteka je pregloboko gnezdena.
-    [second-document] Datoteka vsebuje en dokument.
+    [depth] Datoteka ima preveč ugnezdenih ravni.
+    [second-document] Datoteka lahko vsebuje samo en dokument.
    *[structured-key] Ključ mora biti navadna beseda.
 }
 diag-spec-yaml-syntax = To ni YAML: { $reason }.

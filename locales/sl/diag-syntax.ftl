@@ -24,7 +24,7 @@ syntax-expected =
         [parameter] Q-parameter
         [relation] EQU, NE, GT ali LT
         [relation-of-number] primerjava, ki pripada tej številki FN
-        [less-nesting] krajša ali manj gnezdena formula
+        [less-nesting] krajša ali manj ugnezdena formula
         [field] polje cikla
         [operand] število, Q-parameter ali funkcija
         [operator] računski operator

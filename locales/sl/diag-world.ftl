@@ -24,7 +24,7 @@ diag-scene-min-max = Vsaka najmanjša vrednost mora biti manjša od največje.
 diag-scene-no-length = Dolžina je nič.
 diag-scene-one-solid = Sem spada natanko eno telo: { $known }.
 diag-scene-unknown-machine = Stroja z imenom { $name } ni; znani so { $known }.
-diag-scene-start-outside = Začetni položaj je zunaj območja premika osi { $axis }: { $found } mm ni med { $min } in { $max } mm.
+diag-scene-start-outside = Začetni položaj je zunaj območja premika osi { $axis }: { $found }{"\u00A0"}mm ni med { $min } in { $max }{"\u00A0"}mm.
 
 diag-solid-not-finite = Ena od mer ni končno pozitivno število.
 diag-solid-edge-unsupported = Tipalna krogla se lahko dotakne roba, ki ni ne premica ne krog; tega dotika ni mogoče natančno izračunati.

@@ -39,7 +39,7 @@ note-status-also-without-limits = Krmiljenje določi stanje meritve tudi, če to
 note-which-value-is-out = Krmiljenje označi dodatno obdelavo ali izvržek, kakor hitro ena od izmerjenih vrednosti ni v mejah tolerance. Katera je ta vrednost, ugotovite iz merilnega protokola ali tako, da rezultate primerjate z njihovimi mejnimi vrednostmi.
 note-limit-zero-not-monitored = Mejne vrednosti ali tolerance, za katero je vneseno 0 (prednastavljena vrednost), krmiljenje ne nadzoruje.
 note-tool-monitoring-needs = Nadzor in popravek orodja delujeta samo, če je { -tool-table(case: "nominative") } aktivna in { $q-monitored-tool } ni 0. Pri več meritvah za popravek krmiljenje vsako odstopanje prišteje vrednosti, shranjeni v { -tool-table(case: "locative") }.
-note-tool-radius-always-corrected = Krmiljenje vedno popravi polmer orodja v stolpcu DR { -tool-table(case: "genitive") }, tudi če je odstopanje v mejah tolerance. Ali je potrebna dodatna obdelava, lahko v programu preverite s Q181 (Q181 = 1: potrebna je dodatna obdelava).
+note-tool-radius-always-corrected = Polmer orodja v stolpcu DR { -tool-table(case: "genitive") } krmiljenje popravi vedno, torej tudi pri odstopanju v mejah tolerance. Ali je potrebna dodatna obdelava, lahko v programu preverite s Q181 (Q181 = 1: potrebna je dodatna obdelava).
 note-tool-breakage-needs = Nadzor loma orodja deluje samo, če je poleg tega toleranca loma RBREAK orodja v { -tool-table(case: "locative") } večja od 0.
 note-tool-by-name = Orodje lahko vnesete tudi z imenom, ki ga izberete z gumbom. Krmiljenje končnega narekovaja ne prikaže.
 
@@ -47,7 +47,7 @@ note-tool-by-name = Orodje lahko vnesete tudi z imenom, ki ga izberete z gumbom.
 cycle-reference-plane = Referenčna ravnina
     .nc = REFERENČNA RAVNINA
     .purpose = Izmeri koordinato na izbirni osi in jo priredi Q-parametru.
-step-position-in-space = Tipalni sistem se s 3D-premikom v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) premakne na predpoložaj, programiran v ciklu.
+step-position-in-space = Tipalni sistem se v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) s 3D-premikom pomakne na predpoložaj, programiran v ciklu.
 step-position-in-space__tnc426-430 = Tipalni sistem se v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) premakne na predpoložaj, programiran v ciklu.
 step-probe-in-chosen-direction = Tipalni sistem izvede tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }) v smeri, programirani v ciklu.
 step-probe-in-chosen-direction__tnc426-430 = Tipalni sistem izvede tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }) v smeri, programirani v ciklu.

@@ -3,13 +3,13 @@
 # --- heights and depths ---
 parameter-set-up-clearance = Varnostna razdalja
     .label = VARNOSTNA RAZDALJA
-    .help = Razdalja med konico orodja in { -surface(case: "instrumental") }. Vnesite pozitivno vrednost.
+    .help = Razdalja konice orodja od { -surface(case: "genitive") }. Vnesite pozitivno vrednost.
 parameter-set-up-clearance__universal-pecking =
-    .help = Razdalja med konico orodja in { -surface(case: "instrumental") }.
+    .help = Razdalja konice orodja od { -surface(case: "genitive") }.
 parameter-set-up-clearance__circular-pattern =
-    .help = Razdalja med konico orodja in { -surface(case: "instrumental") }. Velja tudi za obdelovalni cikel, ki ga vzorec prikliče.
+    .help = Razdalja konice orodja od { -surface(case: "genitive") }. Velja tudi za obdelovalni cikel, ki ga vzorec prikliče.
 parameter-set-up-clearance__rectangular-pocket =
-    .help = Razdalja med konico orodja in { -surface(case: "instrumental") }. PREDEF prevzame vrednost iz stavka GLOBAL DEF.
+    .help = Razdalja konice orodja od { -surface(case: "genitive") }. PREDEF prevzame vrednost iz stavka GLOBAL DEF.
 parameter-second-set-up-clearance = 2. varnostna razdalja
     .label = 2. VARNOSTNA RAZDALJA
     .label-aliases = 2. VARNOST. RAZD. | 2. VARNOSTNI RAZMAK
@@ -51,10 +51,10 @@ parameter-depth-for-chip-breaking = Globina vrtanja do loma ostružkov
     .help = Primik, po katerem se ostružek odlomi. Pri vrednosti 0 loma ostružkov ni.
 parameter-chip-breaking-retraction = Odmik pri lomu ostružkov
     .label = ODMIK PRI LOMU OSTRUŽKOV
-    .help = Razdalja, za katero se orodje umakne, da odlomi ostružek. Orodje se umakne s hitrostjo 3000 mm/min.
+    .help = Razdalja, za katero se orodje umakne, da odlomi ostružek. Orodje se umakne s hitrostjo 3000{"\u00A0"}mm/min.
 parameter-deepened-starting-point = Globlja začetna točka
     .label = ZAČETNA TOČKA
-    .help = Začetna točka dejanskega vrtanja, merjena od { -surface(case: "genitive") }, kadar je luknja s krajšim orodjem že izvrtana do določene globine. Orodje se do nje premakne z varnostne razdalje s predpozicionirnim pomikom { $q-pre-positioning-feed }.
+    .help = Začetna točka dejanskega vrtanja, merjena od { -surface(case: "genitive") }, kadar je vrtina s krajšim orodjem že izdelana do določene globine. Orodje se do nje premakne z varnostne razdalje s predpozicionirnim pomikom { $q-pre-positioning-feed }.
 
 # --- feeds and times ---
 parameter-plunging-feed = Pomik pri globinskem primiku
@@ -75,7 +75,7 @@ parameter-milling-feed = Pomik pri rezkanju
 parameter-finishing-feed = Pomik pri finem rezkanju
     .label = POMIK PRI FINEM REZKANJU
     .label-aliases = POMIK PRI FINEM REZK.
-    .help = Hitrost premikanja orodja pri stranskem in globinskem finem rezkanju.
+    .help = Hitrost premikanja orodja pri finem rezkanju stene in dna.
 parameter-dwell-at-top = Čas zadrževanja zgoraj
     .label = ČAS ZADRŽ. ZGORAJ
     .label-aliases = ČAS ZADRŽ. ZG.
@@ -136,10 +136,10 @@ parameter-pitch-circle-diameter = Premer delnega kroga
     .help = Premer delnega kroga.
 parameter-pattern-starting-angle = Začetni kot
     .label = ZAČETNI KOT
-    .help = Kot med glavno osjo { -working-plane(case: "genitive") } in začetno točko prve obdelave na delnem krogu.
+    .help = Kot, pod katerim glede na glavno os { -working-plane(case: "genitive") } na delnem krogu leži začetna točka prve obdelave.
 parameter-pattern-stopping-angle = Končni kot
     .label = KONČNI KOT
-    .help = Kot med glavno osjo { -working-plane(case: "genitive") } in začetno točko zadnje obdelave na delnem krogu; za polne kroge ne velja. Razlikovati se mora od začetnega kota { $q-pattern-starting-angle }. Če je večji od začetnega kota, poteka obdelava v nasprotni smeri urnega kazalca, sicer v smeri urnega kazalca.
+    .help = Kot, pod katerim glede na glavno os { -working-plane(case: "genitive") } na delnem krogu leži začetna točka zadnje obdelave; za polne kroge ne velja. Razlikovati se mora od začetnega kota { $q-pattern-starting-angle }. Če je večji od začetnega kota, poteka obdelava v nasprotni smeri urnega kazalca, sicer v smeri urnega kazalca.
 parameter-pattern-stepping-angle = Kotni korak
     .label = KOTNI KORAK
     .help = Kot med dvema obdelavama na delnem krogu. Pri vrednosti 0 ga krmiljenje izračuna iz začetnega kota, končnega kota in števila obdelav. Če je vnesen, se končni kot { $q-pattern-stopping-angle } ne upošteva. Predznak določa smer (− = v smeri urnega kazalca).
@@ -157,7 +157,7 @@ parameter-pattern-traverse-type = Način premika? Premočrtno=0/krožno=1
 
 # --- coordinate transforms ---
 parameter-datum-shift = Zamik
-    .help = Koordinate nove ničelne točke. Absolutne vrednosti se nanašajo na ničelno točko obdelovanca, določeno kot referenčna točka; inkrementalne vrednosti se vedno nanašajo na nazadnje veljavno ničelno točko, ki je lahko tudi sama zamaknjena. Mogočih je do 6 osi NC.
+    .help = Koordinate, na katerih je nova ničelna točka. Absolutne vrednosti se nanašajo na ničelno točko obdelovanca, določeno kot referenčna točka; inkrementalne vrednosti se vedno nanašajo na nazadnje veljavno ničelno točko, ki je lahko tudi sama zamaknjena. Mogočih je do 6 osi NC.
 parameter-datum-row = Zamik
     .help = Številka ničelne točke v { -datum-table(case: "locative") } ali Q-parameter. Pri Q-parametru krmiljenje aktivira ničelno točko, katere številka je v parametru.
 parameter-rotation-angle = Rotacija
@@ -181,7 +181,7 @@ choice-up-cut-milling = rezkanje v protiteku
 choice-vertical-plunging = navpično spuščanje, ne glede na kot spuščanja { $mp-plunging-angle } v { -tool-table(case: "locative") }
 choice-helical-plunging = vijačno spuščanje. Kot spuščanja { $mp-plunging-angle } aktivnega orodja v { -tool-table(case: "locative") } ne sme biti 0, sicer krmiljenje javi napako
 choice-reciprocating-plunging = nihajoče spuščanje. Kot spuščanja { $mp-plunging-angle } aktivnega orodja v { -tool-table(case: "locative") } ne sme biti 0, sicer krmiljenje javi napako. Dolžina nihanja je odvisna od kota spuščanja in znaša najmanj dvakratni premer orodja
-choice-at-set-up-clearance = med obdelavami premik na varnostno razdaljo
-choice-at-second-set-up-clearance = med obdelavami premik na 2. varnostno razdaljo
+choice-at-set-up-clearance = premik med obdelavami na varnostni razdalji
+choice-at-second-set-up-clearance = premik med obdelavami na 2. varnostni razdalji
 choice-straight-between-operations = premočrtno premikanje med obdelavami
 choice-on-the-pitch-circle = krožni premik po delnem krogu med obdelavami

@@ -29,10 +29,10 @@ parameter-probing-nominal-diameter__datum-inside-circle =
     .help = Približni premer krožnega žepa (vrtine). Vnesite raje premajhno kot preveliko vrednost.
 parameter-probing-starting-angle = Začetni kot
     .label = ZAČETNI KOT
-    .help = Kot med glavno osjo { -working-plane(case: "genitive") } in prvo { -touch-point(case: "instrumental") }.
+    .help = Kot prve tipalne točke glede na glavno os { -working-plane(case: "genitive") }.
 parameter-probing-stepping-angle = Kotni korak
     .label = KOTNI KORAK
-    .help = Kot med dvema merilnima točkama. Predznak kotnega koraka določa smer, v kateri se { -probe(case: "nominative") } premakne na naslednjo merilno točko (negativno: v smeri urnega kazalca). Če želite namesto polnega kroga otipati krožni lok, programirajte kotni korak, manjši od 90°.
+    .help = Kot med sosednjima merilnima točkama. Predznak določa smer, v kateri se { -probe(case: "nominative") } premakne na naslednjo merilno točko (negativno: v smeri urnega kazalca). Če želite namesto polnega kroga otipati krožni lok, programirajte kotni korak, manjši od 90°.
 
 # --- probing ---
 parameter-measuring-height = Merilna višina na osi tipalnega sistema
@@ -64,14 +64,14 @@ parameter-probing-traverse-type = Način premika? Premočrtno=0/krožno=1
     .prompt = Način premika? Premočrtno=0/krožno=1
     .help = Pot, po kateri se { -probe(case: "nominative") } premika med merilnimi točkami, če se premika na { -clearance-height(case: "locative") } ({ $q-traverse-to-clearance-height } = 1).
 choice-traverse-straight = premočrtno premikanje med merilnimi točkami
-choice-traverse-on-circle = krožni premik po premeru delnega kroga med merilnimi točkami
+choice-traverse-on-circle = krožno premikanje po delnem krogu med merilnimi točkami
 
 # --- the datum ---
 parameter-datum-row-number = Številka ničelne točke v preglednici
     .label = ŠT. V PREGLEDNICI
-    .help = Številka v { -datum-table(case: "locative") } ali { -preset-table(case: "locative") }, pod katero se shranijo koordinate središča žepa. Pri vrednosti 0 krmiljenje nastavi prikaz tako, da je nova referenčna točka v središču žepa.
+    .help = Številka v { -datum-table(case: "locative") } ali { -preset-table(case: "locative") }, pod katero se shranijo koordinate središča žepa. Pri vrednosti 0 krmiljenje prikaz nastavi na novo referenčno točko v središču žepa.
 parameter-datum-row-number__tnc426-430 =
-    .help = Številka v { -datum-table(case: "locative") }, pod katero se shranijo koordinate središča žepa. Pri vrednosti 0 krmiljenje nastavi prikaz tako, da je nova referenčna točka v središču žepa.
+    .help = Številka v { -datum-table(case: "locative") }, pod katero se shranijo koordinate središča žepa. Pri vrednosti 0 krmiljenje prikaz nastavi na novo referenčno točko v središču žepa.
 parameter-new-datum-main = Nova referenčna točka glavne osi
     .label = REFERENČNA TOČKA
     .help = Koordinata na glavni osi, na katero se postavi izmerjeno središče žepa. Osnovna nastavitev: 0.
@@ -82,8 +82,8 @@ parameter-measured-value-transfer = Prenos izmerjene vrednosti (0,1)
     .label = PRENOS IZMERJENE VRED.
     .help = Ali se izmerjena referenčna točka shrani v { -datum-table(case: "accusative") } ali v { -preset-table(case: "accusative") }.
 choice-transfer-from-old-program = ne uporabljajte; to vrednost vnese krmiljenje, ko se naložijo stari programi
-choice-transfer-to-datum-table = zapis izmerjene referenčne točke v aktivno { -datum-table(case: "accusative") }; referenčni sistem je aktivni koordinatni sistem obdelovanca
-choice-transfer-to-preset-table = zapis izmerjene referenčne točke v { -preset-table(case: "accusative") }; referenčni sistem je koordinatni sistem stroja (REF-sistem)
+choice-transfer-to-datum-table = zapis v aktivno { -datum-table(case: "accusative") }; izmerjena referenčna točka se nanaša na aktivni koordinatni sistem obdelovanca
+choice-transfer-to-preset-table = zapis v { -preset-table(case: "accusative") }; izmerjena referenčna točka se nanaša na koordinatni sistem stroja (REF-sistem)
 parameter-probing-in-probe-axis = Tipanje po osi tipalnega sistema
     .label = TIPANJE OSI TIPAL. SIST.
     .help = Ali se referenčna točka določi tudi na { -probe-axis(case: "locative") }.
