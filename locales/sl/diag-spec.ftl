@@ -57,4 +57,4 @@ diag-spec-yaml-feature = { $feature ->
 }
 diag-spec-yaml-syntax = To ni YAML: { $reason }.
 related-first-place = prvi je tukaj
-related-for-this-control = piše se za to krmiljenje
+related-for-this-control = zapiše se za to krmiljenje
