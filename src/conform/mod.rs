@@ -7,14 +7,14 @@ mod expect;
 mod report;
 mod texts;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 pub use report::{CaseReport, Clause, CycleReport, FORMAT, Mismatch, Report, Verdict, junit};
 pub use texts::LogTexts;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, dedupe};
 use crate::engine::plan;
 use crate::engine::run::Shown;
 use crate::locale::Locales;
@@ -68,11 +68,7 @@ pub fn run(world: &World<'_>, controls: &[&str]) -> (Report, Vec<Diagnostic>) {
             cycles.push(cycle_report(on, cycle, &seen));
         }
     }
-    let mut seen = BTreeSet::new();
-    found.retain(|diagnostic| {
-        let place = diagnostic.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));
-        seen.insert((diagnostic.code, place, format!("{:?}", diagnostic.args)))
-    });
+    dedupe(&mut found);
     (Report { format: FORMAT, cases, cycles }, found)
 }
 

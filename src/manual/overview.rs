@@ -8,7 +8,7 @@ use super::section::Section;
 use super::view::{GroupView, LinkView, OverviewView};
 use crate::diag::Diagnostic;
 use crate::export;
-use crate::locale::{Args, Scope};
+use crate::locale::Args;
 use crate::spec::Group;
 
 pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnostic>> {
@@ -34,7 +34,7 @@ fn groups(section: &Section) -> Result<Vec<GroupView>, Vec<Diagnostic>> {
         let members = section.entries.iter().filter(|entry| entry.cycle.file.group == *group);
         let cycles: Vec<LinkView> = members.map(link).collect();
         if !cycles.is_empty() {
-            let title = section.text(&format!("cycle-group-{}", group.as_str()), &Args::new())?.into_owned();
+            let title = group_title(section, *group)?;
             groups.push(GroupView { id: group.as_str(), title, cycles });
         }
     }
@@ -55,8 +55,7 @@ fn named(section: &Section) -> Vec<LinkView> {
     export::named(section.on).into_iter().map(entry).collect()
 }
 
-/// The title of a group, where a cycle page names it.
+/// The title of a group.
 pub(super) fn group_title(section: &Section, group: Group) -> Result<String, Vec<Diagnostic>> {
-    let key = format!("cycle-group-{}", group.as_str());
-    section.language.plain(&key, &Scope::NONE).map(std::borrow::Cow::into_owned).map_err(|error| vec![error.into()])
+    Ok(section.text(&format!("cycle-group-{}", group.as_str()), &Args::new())?.into_owned())
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::{Slot, Strategy};
 use crate::diag::Place;
+use crate::engine::table::TableKind;
 use crate::expr::{Code, QRef};
 use crate::spec::{Moment, Outcome};
 
@@ -310,7 +311,7 @@ pub enum Act {
     /// Read a table.
     ReadTable {
         /// The table.
-        table: Arc<str>,
+        table: TableKind,
         /// The row.
         row: Calc,
         /// The column.
@@ -321,7 +322,7 @@ pub enum Act {
     /// Write a table.
     WriteTable {
         /// The table.
-        table: Arc<str>,
+        table: TableKind,
         /// The row.
         row: Calc,
         /// The column.

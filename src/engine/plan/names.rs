@@ -1,7 +1,7 @@
 //! Names and slots: what a name in an expression stands for, and what the known names are.
 //!
 //! Invariant: a name is bound once in its scope; slots are never shared by two names.
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -78,9 +78,7 @@ impl Builtin {
                 | Self::ProbeMachineRapid
         )
     }
-}
 
-impl Builtin {
     /// Whether its value may change while a cycle is executed.
     pub const fn changes(&self) -> bool {
         matches!(
@@ -128,15 +126,15 @@ struct Known {
     name: String,
     builtin: Builtin,
     ty: Type,
-    slot: Slot,
+    /// Its slot, once an expression reads it.
+    slot: Cell<Option<Slot>>,
 }
 
 /// The known names of a cycle on a control, the Q parameters that it may read, and the slots so far.
 pub(super) struct Names {
     known: Vec<Known>,
-    used: RefCell<BTreeSet<Slot>>,
     readable: BTreeSet<QRef>,
-    slots: usize,
+    slots: Cell<usize>,
 }
 
 /// A hyphen cannot stand in a name of an expression.
@@ -146,7 +144,7 @@ pub(super) fn as_name(id: &str) -> String {
 
 impl Names {
     pub(super) fn new(cycle: &Cycle, on: &OnControl) -> Self {
-        let mut names = Self { known: Vec::new(), used: RefCell::default(), readable: BTreeSet::new(), slots: 0 };
+        let mut names = Self { known: Vec::new(), readable: BTreeSet::new(), slots: Cell::new(0) };
         for (name, builtin, ty) in FIXED {
             names.know((*name).to_owned(), builtin.clone(), *ty);
         }
@@ -170,19 +168,19 @@ impl Names {
     }
 
     fn know(&mut self, name: String, builtin: Builtin, ty: Type) {
-        let slot = self.slot();
-        self.known.push(Known { name, builtin, ty, slot });
+        self.known.push(Known { name, builtin, ty, slot: Cell::new(None) });
     }
 
     /// A new slot.
-    pub(super) const fn slot(&mut self) -> Slot {
-        self.slots += 1;
-        self.slots - 1
+    pub(super) fn slot(&self) -> Slot {
+        let slot = self.slots.get();
+        self.slots.set(slot + 1);
+        slot
     }
 
     /// How many slots there are.
-    pub(super) const fn slots(&self) -> usize {
-        self.slots
+    pub(super) fn slots(&self) -> usize {
+        self.slots.get()
     }
 
     /// From now on the parameter may be read.
@@ -192,8 +190,7 @@ impl Names {
 
     /// The known names that some expression reads.
     pub(super) fn used_builtins(&self) -> Vec<(Slot, Builtin)> {
-        let used = self.used.borrow();
-        let of = |known: &Known| used.contains(&known.slot).then(|| (known.slot, known.builtin.clone()));
+        let of = |known: &Known| known.slot.get().map(|slot| (slot, known.builtin.clone()));
         self.known.iter().filter_map(of).collect()
     }
 }
@@ -300,8 +297,9 @@ impl Resolve for Resolver<'_> {
             Some(Binding::List(..)) | None => {}
         }
         let known = self.names.known.iter().find(|known| known.name == joined)?;
-        self.names.used.borrow_mut().insert(known.slot);
-        Some((known.slot, known.ty))
+        let slot = known.slot.get().unwrap_or_else(|| self.names.slot());
+        known.slot.set(Some(slot));
+        Some((slot, known.ty))
     }
 
     fn q(&self, q: QRef) -> bool {

@@ -7,11 +7,10 @@ use super::act::{Act, Cancel, Cooling, Do, SpindleTurn, StrategyCall, Target, Tr
 use super::names::{Binding, Scope};
 use super::{Calc, Compiler, Let, Strategy};
 use crate::diag::{Diagnostic, Place};
+use crate::engine::table::TableKind;
 use crate::expr::{QKind, QRef, Type};
 use crate::spec::{Action, Argument, Entries, Formula, Name, ParameterKind, Verb};
 
-/// The tables that actions may read and write.
-const TABLES: &[&str] = &["tool", "preset", "datum", "probe"];
 /// The axes of the working plane as keys of a target.
 const AXES: [&str; 3] = ["main", "minor", "tool"];
 
@@ -325,12 +324,12 @@ impl Compiler<'_> {
         let row = self.required(entries, "row", Type::Number, place, scope);
         let column = self.required_word(entries, "column", place);
         let (table, column) = (table?, column?.text);
-        if !TABLES.contains(&table.as_str()) {
+        let Some(table) = TableKind::by_word(table.as_str()) else {
+            let known = TableKind::ALL.map(TableKind::as_str).join(", ");
             let diagnostic = Diagnostic::error("plan-unknown-table", table.place.clone());
-            self.found.push(diagnostic.arg("name", table.as_str()).arg("known", TABLES.join(", ")));
+            self.found.push(diagnostic.arg("name", table.as_str()).arg("known", known));
             return None;
-        }
-        let table = table.text;
+        };
         let written = match (entries.get("add"), entries.get("value")) {
             (None, None) => None,
             (Some(argument), None) => Some((argument, true)),

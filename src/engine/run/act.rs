@@ -73,10 +73,10 @@ impl<'e> Run<'_, 'e> {
                 Ok(())
             }
             Act::Transform(transform) => self.transform(transform, exec),
-            Act::ReadTable { table, row, column, into } => self.read_table(table, row, column, *into, exec),
+            Act::ReadTable { table, row, column, into } => self.read_table(*table, row, column, *into, exec),
             Act::WriteTable { table, row, column, value, add } => {
                 let (row, value) = (self.number(row, exec)?, self.number(value, exec)?);
-                self.write_table(table_kind(table)?, row, column, value, *add)
+                self.write_table(*table, row, column, value, *add)
             }
             Act::Log { name, with } => {
                 let mut values = Vec::with_capacity(with.len());
@@ -265,9 +265,9 @@ impl<'e> Run<'_, 'e> {
         self.world.system.axis_of_word(word).map_or_else(|| word.to_owned(), |axis| axis.letter().to_string())
     }
 
-    fn read_table(&self, table: &str, row: &Calc, column: &str, into: Slot, exec: &mut Exec<'_, 'e>) -> Done {
+    fn read_table(&self, table: TableKind, row: &Calc, column: &str, into: Slot, exec: &mut Exec<'_, 'e>) -> Done {
         let row = self.number(row, exec)?;
-        let value = self.world.table(table_kind(table)?)?.number(row, &self.column(column))?;
+        let value = self.world.table(table)?.number(row, &self.column(column))?;
         exec.put(into, Value::Number(value.unwrap_or_default()));
         Ok(())
     }
@@ -301,10 +301,6 @@ const fn as_point(value: &Value) -> Option<DVec3> {
         Value::Point(point) => Some(*point),
         _ => None,
     }
-}
-
-fn table_kind(word: &str) -> Result<TableKind, Fault> {
-    TableKind::by_word(word).ok_or_else(|| Fault::new(Class::Internal, "table-missing").arg("file", word))
 }
 
 /// A datum shift with new coordinates: axes not named keep theirs.

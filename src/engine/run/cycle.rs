@@ -17,11 +17,11 @@ use crate::spec::{Moment, Outcome, Transformation};
 /// Cycles that call cycles go no deeper than this.
 const MAX_NESTED: usize = 8;
 
-/// The state of a slot.
+/// What a slot holds.
 #[derive(Clone, Debug)]
-enum Filled {
-    Yes,
-    No,
+enum Cell {
+    Empty,
+    Value(Value),
     /// Its value could not be calculated.
     Failed(Box<Fault>),
 }
@@ -29,8 +29,7 @@ enum Filled {
 /// One execution of a plan.
 pub(super) struct Exec<'d, 'e> {
     pub(super) definition: &'d Definition<'e>,
-    values: Vec<Value>,
-    filled: Vec<Filled>,
+    cells: Vec<Cell>,
     pub(super) lists: Vec<Vec<Value>>,
     /// The position when the cycle began: main, minor, tool axis.
     start: DVec3,
@@ -51,7 +50,10 @@ struct View<'v, 'd, 'e> {
 impl Env for View<'_, '_, '_> {
     fn slot(&self, slot: usize) -> &Value {
         static NOTHING: Value = Value::Bool(false);
-        self.exec.values.get(slot).unwrap_or(&NOTHING)
+        match self.exec.cells.get(slot) {
+            Some(Cell::Value(value)) => value,
+            _ => &NOTHING,
+        }
     }
 
     fn number(&self, q: QRef) -> Result<f64, EvalError> {
@@ -81,8 +83,7 @@ impl<'d, 'e> Exec<'d, 'e> {
         let plan = &definition.plan;
         Self {
             definition,
-            values: vec![Value::Bool(false); plan.slots],
-            filled: vec![Filled::No; plan.slots],
+            cells: vec![Cell::Empty; plan.slots],
             lists: vec![Vec::new(); plan.lists],
             start,
             shadows: Vec::new(),
@@ -103,22 +104,20 @@ impl<'d, 'e> Exec<'d, 'e> {
     }
 
     pub(super) fn put(&mut self, slot: Slot, value: Value) {
-        if let (Some(cell), Some(filled)) = (self.values.get_mut(slot), self.filled.get_mut(slot)) {
-            *cell = value;
-            *filled = Filled::Yes;
+        if let Some(cell) = self.cells.get_mut(slot) {
+            *cell = Cell::Value(value);
         }
     }
 
     fn fail(&mut self, slot: Slot, fault: Fault) {
-        if let Some(filled) = self.filled.get_mut(slot) {
-            *filled = Filled::Failed(Box::new(fault));
+        if let Some(cell) = self.cells.get_mut(slot) {
+            *cell = Cell::Failed(Box::new(fault));
         }
     }
 
     fn copy(&mut self, from: Slot, to: Slot) {
-        if let Some(Filled::Yes) = self.filled.get(from)
-            && let Some(value) = self.values.get(from).cloned()
-        {
+        if let Some(Cell::Value(value)) = self.cells.get(from) {
+            let value = value.clone();
             self.put(to, value);
         }
     }
@@ -293,9 +292,9 @@ impl<'e> Run<'_, 'e> {
 
     fn needed(calc: &Calc, exec: &Exec<'_, 'e>) -> Result<(), Fault> {
         for slot in &calc.needs {
-            match exec.filled.get(*slot) {
-                Some(Filled::Yes) => {}
-                Some(Filled::Failed(fault)) => return Err(Fault::clone(fault)),
+            match exec.cells.get(*slot) {
+                Some(Cell::Value(_)) => {}
+                Some(Cell::Failed(fault)) => return Err(Fault::clone(fault)),
                 _ => {
                     let start = calc.place.start();
                     let place = format!("{}:{}", calc.place.source.name(), start.line);
