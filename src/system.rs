@@ -53,6 +53,7 @@ pub fn arguments() -> impl Iterator<Item = OsString> {
 }
 
 /// A variable of the environment; nothing if it is not set or not text.
+#[expect(clippy::disallowed_methods, reason = "this is the place to ask")]
 pub fn variable(name: &str) -> Option<String> {
     env::var(name).ok()
 }

@@ -84,7 +84,9 @@ fn a_block_of_the_old_form_has_a_number_for_each_line() {
 
 #[test]
 fn values_that_the_control_would_not_take_are_refused_together() {
-    let cases: &[(&[(&str, &str)], &[&str])] = &[
+    /// Values given, and the codes of their refusal.
+    type Case = (&'static [(&'static str, &'static str)], &'static [&'static str]);
+    let cases: &[Case] = &[
         (&[("Q201", "1")], &["block-above-maximum"]),
         (&[("Q201", "-100000")], &["block-below-minimum"]),
         (&[("Q201", "deep"), ("Q999", "1")], &["block-wrong-kind", "block-unknown-parameter"]),

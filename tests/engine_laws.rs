@@ -2,6 +2,7 @@
 //! part lies and however the coordinates are shifted and turned; drilling always ends.
 //!
 //! Truths are calculated here from the scene's numbers, with plain trigonometry and nothing of the engine.
+#![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::sync::OnceLock;
 
 use ciklo::conform::LogTexts;

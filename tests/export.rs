@@ -1,31 +1,15 @@
 //! The interchange form: its keys and values over a small catalogue, and its promises over all data.
-use ciklo::data;
+#[path = "support/small.rs"]
+mod catalogue;
+
+use ciklo::data::{self, Files};
 use ciklo::export::{self, Export};
 use ciklo::locale::Locales;
 use ciklo::spec::Catalogue;
 use serde_json::{Value, json};
 
-/// A catalogue of two cycles on one control: every kind of run item, the old and the new form.
-fn files() -> Vec<(String, String)> {
-    let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small");
-    let mut files = Vec::new();
-    for name in [
-        "cycle-specs/controls/small.yaml",
-        "cycle-specs/parameters/small.yaml",
-        "cycle-specs/fragments/move-clear.yaml",
-        "cycle-specs/drilling/901-pecking.yaml",
-        "cycle-specs/transforms/9-turning-round.yaml",
-        "locales/en/small.ftl",
-    ] {
-        let text = std::fs::read_to_string(format!("{directory}/{name}")).expect(name);
-        files.push((name.to_owned(), text));
-    }
-    files.extend(
-        data::embedded()
-            .into_iter()
-            .filter(|(path, _)| ["locales/en/text.ftl", "locales/en/units.ftl"].contains(&path.as_str())),
-    );
-    files
+fn files() -> Files {
+    catalogue::files(|path| ["locales/en/text.ftl", "locales/en/units.ftl"].contains(&path))
 }
 
 fn small() -> Result<Export, Vec<String>> {

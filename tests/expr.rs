@@ -115,7 +115,7 @@ proptest! {
     }
 
     #[test]
-    fn a_printed_number_reads_as_itself(number in -99_999.9999_f64..99_999.9999) {
+    fn a_printed_number_reads_as_itself(number in -99_999.999_9_f64..99_999.999_9) {
         let text = format!("{number:.4}");
         prop_assert_eq!(show(&text, Dialect::Program).parse::<f64>().ok(), text.parse::<f64>().ok());
     }

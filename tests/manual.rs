@@ -1,6 +1,8 @@
 //! The manual site: every page of the built data is valid HTML without a dead link, a few pages of a
 //! small catalogue are compared whole, and what is missing stops the build.
 //! `UPDATE=1 cargo test --test manual` rewrites the compared pages in `tests/small/site/`.
+#[path = "support/small.rs"]
+mod catalogue;
 #[path = "support/html.rs"]
 mod html;
 
@@ -52,25 +54,8 @@ fn whole_site() -> Produced {
 
 /// The small catalogue with the general texts and the templates.
 fn small() -> Files {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/small");
-    let mut files = Vec::new();
-    for name in [
-        "cycle-specs/controls/small.yaml",
-        "cycle-specs/parameters/small.yaml",
-        "cycle-specs/fragments/move-clear.yaml",
-        "cycle-specs/drilling/901-pecking.yaml",
-        "cycle-specs/transforms/9-turning-round.yaml",
-        "locales/en/small.ftl",
-    ] {
-        files.push((name.to_owned(), std::fs::read_to_string(root.join(name)).expect(name)));
-    }
-    let general = ["locales/en/text.ftl", "locales/en/units.ftl", "locales/en/site.ftl"];
-    files.extend(
-        data::embedded()
-            .into_iter()
-            .filter(|(path, _)| general.contains(&path.as_str()) || path.starts_with("templates/")),
-    );
-    files
+    const GENERAL: [&str; 3] = ["locales/en/text.ftl", "locales/en/units.ftl", "locales/en/site.ftl"];
+    catalogue::files(|path| GENERAL.contains(&path) || path.starts_with("templates/"))
 }
 
 fn pages(site: &Produced) -> impl Iterator<Item = (&str, &str)> {

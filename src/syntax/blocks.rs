@@ -274,7 +274,7 @@ fn without_joints(written: &str) -> Option<String> {
         cursor.blanks();
         text.extend(std::iter::repeat_n(' ', cursor.at - from));
         let rest = written.get(cursor.at..).unwrap_or_default();
-        let next = rest.find(|c: char| matches!(c, ' ' | '\t' | '~' | ';' | '\r' | '\n')).unwrap_or(rest.len());
+        let next = rest.find([' ', '\t', '~', ';', '\r', '\n']).unwrap_or(rest.len());
         let next = if cursor.at == from { next.max(rest.chars().next().map_or(0, char::len_utf8)) } else { next };
         text.push_str(rest.get(..next).unwrap_or_default());
         cursor.at += next;
