@@ -6,7 +6,7 @@ diag-plan-argument = L'argomento non è ben formato: { $expected ->
     [point-or-axes] è atteso un punto oppure almeno uno tra main, minor e tool.
     [add-or-value] è atteso add oppure value, non entrambi.
     [read-or-write] è atteso add o value (scrittura) oppure as (lettura).
-    [list-of-points] è attesa una lista di punti.
+    [list-of-points] è atteso un elenco di punti.
     [q-parameter] è atteso un parametro Q.
     [q-number-field] è atteso un campo che indica un parametro Q.
     [no-result] la strategia non ha un risultato a cui dare un nome.
