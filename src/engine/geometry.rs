@@ -1,8 +1,13 @@
-//! Axes, angles in degrees, frames, and circles through points.
+//! Axes, frames, and circles through points.
 //!
-//! Invariant: lengths are mm, angles are degrees, and all trigonometry goes through `libm`, so the same
+//! Invariant: lengths are mm, angles are degrees, and all trigonometry goes through `expr`, so the same
 //! input gives the same bits on every machine. Frames are rigid: they shift and rotate, they never scale.
 use glam::{DAffine3, DMat3, DVec2, DVec3};
+
+use crate::expr::{cosd, sind};
+
+/// mm in an inch.
+pub(super) const INCH: f64 = 25.4;
 
 /// A linear axis of the machine or of the workpiece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -97,50 +102,6 @@ impl WorkingPlane {
     pub fn lift(self, flat: DVec2, height: f64) -> DVec3 {
         self.main.unit() * flat.x + self.secondary.unit() * flat.y + self.tool.unit() * height
     }
-
-    /// The column of the preset table that holds the basic rotation of this plane: SPA, SPB or SPC by
-    /// tool axis (TNC 320 manual, lines 794-795).
-    pub const fn basic_rotation_column(self) -> &'static str {
-        match self.tool {
-            Axis::X => "SPA",
-            Axis::Y => "SPB",
-            Axis::Z => "SPC",
-        }
-    }
-}
-
-/// Sine of an angle in degrees, exact at multiples of 90.
-pub fn sin_deg(degrees: f64) -> f64 {
-    quarter(degrees).0
-}
-
-/// Cosine of an angle in degrees, exact at multiples of 90.
-pub fn cos_deg(degrees: f64) -> f64 {
-    quarter(degrees).1
-}
-
-/// Sine and cosine, reduced to the first eighth so that right angles come out as whole numbers.
-fn quarter(degrees: f64) -> (f64, f64) {
-    let turns = libm::round(degrees / 90.0);
-    let rest = (degrees - turns * 90.0).to_radians();
-    let (s, c) = (libm::sin(rest), libm::cos(rest));
-    match turns.rem_euclid(4.0) as u8 {
-        0 => (s, c),
-        1 => (c, -s),
-        2 => (-s, -c),
-        _ => (-c, s),
-    }
-}
-
-/// The angle of the vector (x, y) in degrees, in (-180, 180].
-pub fn atan2_deg(y: f64, x: f64) -> f64 {
-    libm::atan2(y, x).to_degrees()
-}
-
-/// The same direction in [0, 360).
-pub fn turn_deg(degrees: f64) -> f64 {
-    let turned = degrees.rem_euclid(360.0);
-    if turned >= 360.0 { 0.0 } else { turned }
 }
 
 /// A rigid transform: first rotate, then shift. It maps coordinates of the inner system to the outer one.
@@ -158,7 +119,7 @@ impl Frame {
 
     /// The inner system is turned about an axis through the datum, counter-clockwise seen against the axis.
     pub fn rotate(axis: Axis, degrees: f64) -> Self {
-        let (s, c) = quarter(degrees);
+        let (s, c) = (sind(degrees), cosd(degrees));
         let columns = match axis {
             Axis::X => [DVec3::X, DVec3::new(0.0, c, s), DVec3::new(0.0, -s, c)],
             Axis::Y => [DVec3::new(c, 0.0, -s), DVec3::Y, DVec3::new(s, 0.0, c)],
@@ -198,50 +159,6 @@ impl Frame {
     }
 }
 
-/// What lies between the program's coordinates and the machine's: preset with basic rotation, datum shift
-/// (cycle form "shift") and rotation in the working plane, applied from the outside in that order.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ProgramFrame {
-    /// The preset in machine coordinates.
-    pub preset: DVec3,
-    /// The preset's spatial angles SPA, SPB, SPC: a basic rotation about X, Y, Z through the preset.
-    pub basic: DVec3,
-    /// The datum shift, in the coordinates of the preset.
-    pub datum: DVec3,
-    /// The rotation about the tool axis through the shifted datum.
-    pub rotation: f64,
-    /// The working plane in which `rotation` turns.
-    pub plane: WorkingPlane,
-}
-
-impl ProgramFrame {
-    /// At the machine's datum, nothing shifted or turned.
-    pub const fn new(tool: Axis) -> Self {
-        Self {
-            preset: DVec3::ZERO,
-            basic: DVec3::ZERO,
-            datum: DVec3::ZERO,
-            rotation: 0.0,
-            plane: WorkingPlane::of_tool_axis(tool),
-        }
-    }
-
-    /// From the workpiece system of the preset (the system of scene files) to the machine.
-    pub fn preset_to_machine(&self) -> Frame {
-        Frame::placed(self.preset, self.basic)
-    }
-
-    /// From program coordinates to the workpiece system of the preset.
-    pub fn program_to_preset(&self) -> Frame {
-        Frame::shift(self.datum).of(Frame::rotate(self.plane.tool, self.rotation))
-    }
-
-    /// From program coordinates to the machine.
-    pub fn program_to_machine(&self) -> Frame {
-        self.preset_to_machine().of(self.program_to_preset())
-    }
-}
-
 /// A circle in the working plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle {
@@ -273,26 +190,6 @@ const NEAR_MINIMUM: f64 = 1e-5;
 const MAX_STEPS: usize = 512;
 /// Newton doubles the digits with each step; more steps only repeat the rounding.
 const NEWTON_STEPS: usize = 8;
-
-/// The circle through three points.
-///
-/// # Errors
-/// [`FitError::Collinear`] for points on a line, [`FitError::NotFinite`] for coordinates that are no numbers.
-pub fn circle_through_3(points: [DVec2; 3]) -> Result<Circle, FitError> {
-    let [a, b, c] = points;
-    if !points.iter().all(|p| p.is_finite()) {
-        return Err(FitError::NotFinite);
-    }
-    let (u, v) = (b - a, c - a);
-    let cross = u.perp_dot(v);
-    let extent = u.length_squared().max(v.length_squared()).max((b - c).length_squared());
-    if cross.abs() <= COLLINEAR * extent || extent == 0.0 {
-        return Err(FitError::Collinear);
-    }
-    let (uu, vv) = (u.length_squared(), v.length_squared());
-    let offset = DVec2::new(v.y * uu - u.y * vv, u.x * vv - v.x * uu) / (2.0 * cross);
-    Ok(Circle { centre: a + offset, radius: offset.length() })
-}
 
 /// The circle with the least sum of squared distances from the points (geometric fit): Levenberg's damped
 /// Gauss-Newton iteration, started from the algebraic fit of Kåsa and finished by Newton's method.

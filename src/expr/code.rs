@@ -344,17 +344,6 @@ fn lower_call(func: Func, args: &[Expr], names: &dyn Resolve) -> Result<(Ins, Ty
 }
 
 impl Code {
-    /// Code that is always the same value.
-    pub fn constant(value: Value) -> Self {
-        let ty = match value {
-            Value::Number(_) => Type::Number,
-            Value::Bool(_) => Type::Bool,
-            Value::Point(_) => Type::Point,
-            Value::Text(_) => Type::Text,
-        };
-        Self { ty, ins: Ins::Const(value) }
-    }
-
     /// The type of the value.
     pub const fn ty(&self) -> Type {
         self.ty

@@ -13,8 +13,6 @@ pub use code::{Code, Env, EvalError, Func, Op, Resolve, Type, TypeError, compile
 pub use parser::{Dialect, Expr, ExprError, Node, parse};
 pub use value::{Value, atan2d, atand, cosd, sind, tand};
 
-use crate::diag::Span;
-
 /// Reads a formula as an NC program may contain it (the part behind `Q1 =`).
 pub fn parse_formula(text: &str) -> Result<Expr, ExprError> {
     parse(text, Dialect::Program)
@@ -73,12 +71,5 @@ impl std::fmt::Display for QRef {
             QKind::Qs => "QS",
         };
         write!(f, "{family}{}", self.number)
-    }
-}
-
-impl ExprError {
-    /// Where in the expression's text.
-    pub fn span(&self) -> Span {
-        self.span
     }
 }

@@ -1,7 +1,7 @@
 //! Expressions as trees with places.
+use super::QRef;
 use super::code::{Func, Op};
 use super::lexer::{Token, lex};
-use super::{QKind, QRef};
 use crate::diag::Span;
 
 /// Nesting deeper than this is refused; no formula of a control comes near it.
@@ -314,10 +314,5 @@ impl Expr {
             }
         });
         found
-    }
-
-    /// Whether it reads a text parameter.
-    pub fn is_text(&self) -> bool {
-        matches!(&self.node, Node::Text(_) | Node::Q(QRef { kind: QKind::Qs, .. }) | Node::Binary(Op::Join, ..))
     }
 }

@@ -22,31 +22,29 @@ impl Default for Value {
     }
 }
 
-/// Reduces an angle in degrees to -180..180 without loss.
-fn reduce(degrees: f64) -> f64 {
-    libm::remainder(degrees, 360.0)
+/// Sine and cosine, reduced to the first eighth of a turn so that right angles come out as whole numbers.
+fn sincos(degrees: f64) -> (f64, f64) {
+    let turns = libm::round(degrees / 90.0);
+    let rest = (degrees - turns * 90.0).to_radians();
+    let (s, c) = (libm::sin(rest), libm::cos(rest));
+    let (sine, cosine) = match turns.rem_euclid(4.0) as u8 {
+        0 => (s, c),
+        1 => (c, -s),
+        2 => (-s, -c),
+        _ => (-c, s),
+    };
+    // No negative zeros.
+    (sine + 0.0, cosine + 0.0)
 }
 
 /// The sine of an angle in degrees; exact at multiples of 90°.
 pub fn sind(degrees: f64) -> f64 {
-    let angle = reduce(degrees);
-    match angle {
-        0.0 | 180.0 | -180.0 => 0.0,
-        90.0 => 1.0,
-        -90.0 => -1.0,
-        _ => libm::sin(angle.to_radians()),
-    }
+    sincos(degrees).0
 }
 
 /// The cosine of an angle in degrees; exact at multiples of 90°.
 pub fn cosd(degrees: f64) -> f64 {
-    let angle = reduce(degrees);
-    match angle {
-        0.0 => 1.0,
-        180.0 | -180.0 => -1.0,
-        90.0 | -90.0 => 0.0,
-        _ => libm::cos(angle.to_radians()),
-    }
+    sincos(degrees).1
 }
 
 /// The tangent of an angle in degrees; not finite at odd multiples of 90°.

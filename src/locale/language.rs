@@ -223,11 +223,6 @@ impl Language {
         Some(self.forms.units.get(unit)?.fill(&[&number]))
     }
 
-    /// In capitals. The languages here need nothing beyond Unicode's own table.
-    pub fn uppercase(&self, text: &str) -> String {
-        text.to_uppercase()
-    }
-
     /// The identifiers of all messages (without suffixes, without terms), in no order.
     pub fn ids(&self) -> impl Iterator<Item = &str> {
         self.entries.keys().map(String::as_str).filter(|id| !id.starts_with('-'))

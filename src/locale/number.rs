@@ -65,11 +65,6 @@ impl Numbers {
         Some(Self { digits, decimal })
     }
 
-    /// The decimal sign.
-    pub fn decimal_sign(&self) -> &str {
-        &self.decimal
-    }
-
     /// The number for prose, with a real minus sign; nothing unless it is finite.
     pub fn prose(&self, value: f64, digits: Digits) -> Option<String> {
         self.signed(value, digits, '\u{2212}')

@@ -67,12 +67,6 @@ impl Program {
         self.blocks.iter().map(|block| block.lines).sum()
     }
 
-    /// The block that holds a byte.
-    pub fn block_at(&self, byte: usize) -> Option<&Block> {
-        let at = self.blocks.partition_point(|block| block.span.end <= byte);
-        self.blocks.get(at).filter(|block| block.span.start <= byte)
-    }
-
     /// Text behind a tab that is no part of the block, as printed listings have it.
     pub fn remark(&self, block: &Block) -> Option<Span> {
         let at = self.warnings.partition_point(|warning| warning.span.start < block.span.start);

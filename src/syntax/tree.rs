@@ -205,11 +205,6 @@ impl Axis {
             Self::Pa => "PA",
         }
     }
-
-    /// Whether it is one of `X`, `Y`, `Z`.
-    pub const fn is_linear_main(self) -> bool {
-        matches!(self, Self::X | Self::Y | Self::Z)
-    }
 }
 
 /// A coordinate: `X+10`, `IX-5`, `PA+Q3`.

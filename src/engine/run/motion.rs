@@ -8,8 +8,9 @@ use super::block::linear;
 use super::event::MoveKind;
 use super::fault::Fault;
 use super::{Done, EventKind, Run};
-use crate::engine::geometry::{Axis as LinearAxis, atan2_deg, cos_deg, sin_deg};
+use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::solid::Path as BallPath;
+use crate::expr::{atan2d, cosd, sind};
 use crate::syntax::{Axis, Compensation, Coord, Feed, FeedKind, Motion, Path};
 
 /// How far the end of a circle may lie off it, mm: what the controls' input step of 0.0001 mm can cause, with room.
@@ -143,7 +144,7 @@ impl Run<'_, '_> {
     /// Angle and radius of the present position about the pole.
     fn polar_now(&self, pole: DVec3) -> (f64, f64) {
         let arm = self.world.system.plane.flat(self.world.here - pole);
-        (libm::hypot(arm.x, arm.y), atan2_deg(arm.y, arm.x))
+        (libm::hypot(arm.x, arm.y), atan2d(arm.y, arm.x))
     }
 
     fn polar_target(&self, motion: &Motion) -> Result<DVec3, Fault> {
@@ -152,7 +153,7 @@ impl Run<'_, '_> {
         let radius = motion.coord(Axis::Pr).map_or(Ok(radius), |coord| self.coordinate(coord, radius))?;
         let angle = motion.coord(Axis::Pa).map_or(Ok(angle), |coord| self.coordinate(coord, angle))?;
         let plane = self.world.system.plane;
-        let flat = plane.flat(pole) + DVec2::new(radius * cos_deg(angle), radius * sin_deg(angle));
+        let flat = plane.flat(pole) + DVec2::new(radius * cosd(angle), radius * sind(angle));
         let height = plane.tool.of(self.world.here);
         self.target(&motion.coords, plane.lift(flat, height))
     }
@@ -179,7 +180,7 @@ impl Run<'_, '_> {
         let plane = self.world.system.plane;
         let sweep = if angle.incremental { Some(self.operand(&angle.value)?) } else { None };
         let end = self.coordinate(angle, now)?;
-        let flat = plane.flat(pole) + DVec2::new(radius * cos_deg(end), radius * sin_deg(end));
+        let flat = plane.flat(pole) + DVec2::new(radius * cosd(end), radius * sind(end));
         let to = self.target(&motion.coords, plane.lift(flat, plane.tool.of(self.world.here)))?;
         if sweep.is_some_and(|sweep| sweep * direction < 0.0) {
             return Err(Fault::program("direction-contradicts").into());
@@ -241,7 +242,7 @@ impl Run<'_, '_> {
             return Err(fault.into());
         }
         let angle = sweep.unwrap_or_else(|| {
-            let turn = (atan2_deg(b.y, b.x) - atan2_deg(a.y, a.x)) * direction;
+            let turn = (atan2d(b.y, b.x) - atan2d(a.y, a.x)) * direction;
             let turn = turn.rem_euclid(360.0);
             direction * if a == b || turn == 0.0 { 360.0 } else { turn }
         });

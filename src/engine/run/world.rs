@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 use super::coordinates::System;
 use super::fault::Fault;
 use crate::engine::geometry::{Axis, WorkingPlane};
-use crate::engine::scene::{Answers, ParameterValue, Scene};
+use crate::engine::scene::{self, Answers, ParameterValue, Scene};
 use crate::engine::table::{Table, TableError, TableKind};
 
 /// The word of the probe table for pre-positioning at the machine's rapid rate (TNC 320 manual, line 545).
@@ -111,10 +111,7 @@ impl<'s> World<'s> {
 
     /// Position and spatial angles of a preset.
     pub(super) fn preset(&self, row: f64) -> Result<(DVec3, DVec3), TableError> {
-        let presets = self.table(TableKind::Preset)?;
-        let number = |column| presets.number(row, column).map(Option::unwrap_or_default);
-        let origin = DVec3::new(number("X")?, number("Y")?, number("Z")?);
-        Ok((origin, DVec3::new(number("SPA")?, number("SPB")?, number("SPC")?)))
+        scene::preset(self.table(TableKind::Preset)?, row)
     }
 
     /// The table of a kind; of datum tables the active one.

@@ -10,7 +10,7 @@ mod solid;
 pub use answers::Answers;
 pub use clock::Clock;
 
-use super::geometry::Frame;
+use super::geometry::{Frame, INCH};
 use super::machine::Machine;
 use super::read::Reader;
 use super::solid::{Body, Shape};
@@ -22,8 +22,6 @@ use std::sync::Arc;
 
 /// The version of scene files that is understood.
 const VERSION: &str = "1";
-/// mm in an inch.
-const INCH: f64 = 25.4;
 /// The machine of a scene that names none.
 const DEFAULT_MACHINE: &str = "mill-3-axis";
 /// Where the tool stands at the start of a scene that does not say it, in the coordinates of the active preset.
@@ -102,14 +100,14 @@ pub struct Scene {
     pub answers: Answers,
 }
 
-/// From the coordinates of a preset to the machine: X, Y, Z shifted, SPA, SPB, SPC turned. Empty cells are 0.
+/// A preset in machine coordinates (X, Y, Z) and its spatial angles (SPA, SPB, SPC). Empty cells are 0.
 ///
 /// # Errors
 /// There is no such row.
-pub fn preset_frame(presets: &Table, row: f64) -> Result<Frame, TableError> {
+pub fn preset(presets: &Table, row: f64) -> Result<(DVec3, DVec3), TableError> {
     let number = |column| presets.number(row, column).map(Option::unwrap_or_default);
-    let shift = DVec3::new(number("X")?, number("Y")?, number("Z")?);
-    Ok(Frame::placed(shift, DVec3::new(number("SPA")?, number("SPB")?, number("SPC")?)))
+    let origin = DVec3::new(number("X")?, number("Y")?, number("Z")?);
+    Ok((origin, DVec3::new(number("SPA")?, number("SPB")?, number("SPC")?)))
 }
 
 impl Scene {
@@ -155,7 +153,8 @@ impl Scene {
         let probe = node.get("probe").and_then(|node| probe(node, &mut probes, r));
         let (presets, active_preset) = presets(node, r);
         let datums = datums(node, r);
-        let frame = preset_frame(&presets, active_preset).unwrap_or(Frame::IDENTITY);
+        let placed = preset(&presets, active_preset).map(|(origin, angles)| Frame::placed(origin, angles));
+        let frame = placed.unwrap_or(Frame::IDENTITY);
         let start = start(node, machine.as_ref(), &frame, r);
         let placed = |shape| Shape::Placed { frame, shape: Box::new(shape) };
         let stock = node.get("stock").and_then(|node| solid::stock(node, r)).map(placed);

@@ -3,7 +3,7 @@
 //! Invariant: lines and arcs are made of rational pieces `N(u) / w(u)` with quadratic polynomials, exact and
 //! not approximated; neighbouring pieces overlap by a hair, so a root on the seam belongs to one of them.
 use super::poly::Poly;
-use crate::engine::geometry::{cos_deg, sin_deg};
+use crate::expr::{cosd, sind};
 use glam::DVec3;
 
 /// A path; its parameter t runs from 0 (start) to 1 (end) in proportion to the way.
@@ -49,7 +49,7 @@ impl Path {
             Self::Arc { centre, axis, from, sweep, rise } => {
                 let Arm { axis, x, y } = Arm::new(centre, axis, from);
                 let foot = from - x;
-                foot + x * cos_deg(sweep * t) + y * sin_deg(sweep * t) + axis * (rise * t)
+                foot + x * cosd(sweep * t) + y * sind(sweep * t) + axis * (rise * t)
             }
         }
     }
@@ -116,7 +116,7 @@ pub(super) fn arc_pieces(centre: DVec3, x: DVec3, y: DVec3, sweep: f64) -> Vec<P
     (0..count as usize)
         .map(|k| {
             let middle = (k as f64 + 0.5) * step;
-            let (c, s) = (cos_deg(middle), sin_deg(middle));
+            let (c, s) = (cosd(middle), sind(middle));
             let (x, y) = (x * c + y * s, y * c - x * s);
             let end = libm::tan((step / 4.0).to_radians());
             let time = Time::Arc { middle: middle / sweep, per_degree: 1.0 / sweep };

@@ -17,11 +17,9 @@ pub use column::{Column, Quantity, TableKind};
 pub use error::TableError;
 
 use crate::diag::{Diagnostic, Source};
+use crate::engine::geometry::INCH;
 use std::sync::Arc;
 use text::{Heading, Line};
-
-/// mm in an inch.
-const INCH: f64 = 25.4;
 
 /// The unit of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
