@@ -1,6 +1,5 @@
 //! The coverage report: its documented keys over all data, and what it counts over a small catalogue.
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
 
 use ciklo::coverage::{Coverage, Executed, LeftOut, coverage};
 use ciklo::data;
@@ -8,24 +7,13 @@ use ciklo::locale::Locales;
 use ciklo::spec::{Catalogue, CycleKey, Keyword};
 use serde_json::Value;
 
+#[path = "support/small.rs"]
+mod small;
+
 fn report(files: &[(String, String)], executed: &Executed) -> Coverage {
     let (catalogue, _) = Catalogue::load(files);
     let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
     coverage(&catalogue, &locales, executed).expect("all languages can be compared")
-}
-
-fn small() -> Vec<(String, String)> {
-    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/small");
-    let names = [
-        "cycle-specs/controls/small.yaml",
-        "cycle-specs/parameters/small.yaml",
-        "cycle-specs/fragments/move-clear.yaml",
-        "cycle-specs/drilling/901-pecking.yaml",
-        "cycle-specs/transforms/9-turning-round.yaml",
-        "locales/en/small.ftl",
-    ];
-    let read = |name: &str| std::fs::read_to_string(directory.join(name)).expect("a file of the small catalogue");
-    names.iter().map(|name| ((*name).to_owned(), read(name))).collect()
 }
 
 /// The keys in the first column of each table of the page, by the heading before it.
@@ -70,7 +58,7 @@ fn every_object_has_the_documented_keys() {
 
 #[test]
 fn what_nobody_executed_or_translated_is_listed() {
-    let mut files = small();
+    let mut files = small::files(|_| false);
     let report = report(&files, &Executed::new());
     let cycle = &report.controls[0].cycles[1];
     assert_eq!(cycle.number, 901);
