@@ -6,10 +6,10 @@ use std::borrow::Cow;
 
 use super::fields;
 use super::labels::fold;
-use super::{Against, CycleLabels};
+use super::{Against, CycleLabels, values};
 use crate::diag::Span;
 use crate::expr::{QKind, QRef};
-use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, ParameterKind, TakesEffect};
+use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
 use crate::syntax::{BlockKind, CycleForm, CycleKeyword, CycleView, MFunction, OldCycleLine, Program, Value};
 
 /// A program with its cycle definitions resolved for a control.
@@ -66,6 +66,8 @@ pub struct Item<'a> {
     pub index: Option<usize>,
     /// The label made ready for comparison.
     pub(super) folded: Option<String>,
+    /// Why its parameter refuses the value.
+    pub(super) refusal: Option<Refusal>,
 }
 
 /// Something that happens in a program.
@@ -122,6 +124,9 @@ impl<'a> Facts<'a> {
             language: None,
         };
         facts.follow();
+        for item in facts.definitions.iter_mut().flat_map(|definition| &mut definition.items) {
+            item.refusal = values::refused(item, facts.inch);
+        }
         facts.language = against.language.map(str::to_owned).or_else(|| super::labels::language_of(&facts));
         facts
     }
@@ -248,6 +253,7 @@ impl<'a> Definition<'a> {
                 printed: if quoted { printed.to_owned() } else { printed.to_uppercase() },
                 value: Some(parameter.value),
                 label: parameter.label,
+                refusal: None,
             });
         }
         let Some(cycle) = cycle else { return };

@@ -136,5 +136,6 @@ fn item<'a>(
         printed: printed.to_uppercase(),
         value: (words.len() == 1).then_some(first.value),
         label,
+        refusal: None,
     }
 }

@@ -64,8 +64,19 @@ impl ParamLabels {
 
 /// A label for comparison: capitals, single blanks, no colon at the end.
 pub(super) fn fold(label: &str) -> String {
-    let words: Vec<&str> = label.split_whitespace().collect();
-    words.join(" ").trim_end_matches(':').to_uppercase()
+    let mut folded = String::with_capacity(label.len());
+    for word in label.split_whitespace() {
+        if !folded.is_empty() {
+            folded.push(' ');
+        }
+        folded.push_str(word);
+    }
+    folded.truncate(folded.trim_end_matches(':').len());
+    if folded.is_ascii() {
+        folded.make_ascii_uppercase();
+        return folded;
+    }
+    folded.to_uppercase()
 }
 
 impl<'a> LabelBook<'a> {

@@ -8,6 +8,7 @@ mod fields;
 mod guards;
 mod labels;
 mod rules;
+mod values;
 
 pub use facts::{Definition, Event, Facts, Flow, Item};
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels};

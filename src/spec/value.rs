@@ -116,7 +116,7 @@ fn parse(text: &str) -> Option<f64> {
     if marks > 1 || !digits.chars().all(plain) || !digits.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
         return None;
     }
-    text.replace(',', ".").parse().ok()
+    if text.contains(',') { text.replace(',', ".").parse().ok() } else { text.parse().ok() }
 }
 
 fn is_q(text: &str) -> bool {

@@ -1,5 +1,5 @@
 //! A number that is none of the choices which the parameter offers.
-use super::values::each_refused;
+use crate::check::values::each_refused;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::Refusal;
@@ -8,7 +8,7 @@ pub(super) const RULE: Rule = Rule { code: "choice-not-offered", severity: Sever
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     each_refused(facts, |item, param, refusal, cycle| {
-        if refusal == Refusal::NotOffered {
+        if *refusal == Refusal::NotOffered {
             let offered: Vec<&str> = param.choices.iter().map(|choice| choice.value.as_str()).collect();
             let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref()).arg("cycle", cycle);
             found.push(finding.arg("offered", offered.join(", ")).arg("value", item.printed.as_str()));

@@ -16,7 +16,6 @@ mod spindle_off;
 mod tool_missing;
 mod unknown_cycle;
 mod unknown_parameter;
-mod values;
 mod wrong_value_kind;
 
 use super::Rule;

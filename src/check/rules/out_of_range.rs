@@ -1,7 +1,7 @@
 //! A number outside of the range that the control's manual prints, or a text longer than it may be.
 //!
 //! Silent where the manual prints no range, and for lengths and feeds of programs in inches.
-use super::values::each_refused;
+use crate::check::values::each_refused;
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
 use crate::spec::Refusal;
@@ -10,7 +10,7 @@ pub(super) const RULE: Rule = Rule { code: "out-of-range", severity: Severity::E
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     each_refused(facts, |item, _, refusal, cycle| {
-        let (side, limit) = match refusal {
+        let (side, limit) = match *refusal {
             Refusal::Below(limit) => ("below", limit),
             Refusal::Above(limit) => ("above", limit),
             Refusal::TooLong(limit) => ("long", f64::from(limit)),

@@ -1,12 +1,15 @@
-//! What the rules about values share: why a parameter refuses what is written.
+//! Why a parameter refuses what is written: found once, told by several rules.
 //!
 //! Parameters whose value is another parameter are never refused: it is known when the program runs.
-use crate::check::{Facts, Item};
+use std::borrow::Cow;
+
+use super::{Facts, Item};
 use crate::spec::{Param, ParameterKind, Quantity, Refusal, refusal};
 use crate::syntax::ValueKind;
 
-/// Why a value is refused.
-pub(super) fn refused(facts: &Facts<'_>, param: &Param, item: &Item<'_>) -> Option<Refusal> {
+/// Why the value is refused; `inch` tells whether lengths of the program are inches.
+pub(super) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
+    let param = item.param?;
     let takes_text = matches!(param.kind, ParameterKind::Text | ParameterKind::NumberOrName);
     match item.value.map(|value| value.kind) {
         Some(ValueKind::Missing) => return Some(Refusal::Kind),
@@ -18,27 +21,32 @@ pub(super) fn refused(facts: &Facts<'_>, param: &Param, item: &Item<'_>) -> Opti
     }
     let refusal = refusal(param, &single_signed(&item.printed))?;
     // The manuals print ranges in mm.
-    let length = facts.inch && matches!(param.quantity, Quantity::Length | Quantity::Feed);
+    let length = inch && matches!(param.quantity, Quantity::Length | Quantity::Feed);
     let ranged = matches!(refusal, Refusal::Below(_) | Refusal::Above(_));
     (!(length && ranged)).then_some(refusal)
 }
 
 /// Two signs stand for their product, as the control reads them.
-fn single_signed(printed: &str) -> String {
+fn single_signed(printed: &str) -> Cow<'_, str> {
+    let sign = |byte: u8| matches!(byte, b'+' | b'-');
+    let doubled = printed.bytes().zip(printed.bytes().skip(1)).any(|(one, next)| sign(one) && sign(next));
+    if !doubled {
+        return Cow::Borrowed(printed);
+    }
     [("+-", "-"), ("-+", "-"), ("--", "+"), ("++", "+")]
         .iter()
         .fold(printed.to_owned(), |text, (two, one)| text.replace(two, one))
+        .into()
 }
 
 /// Runs through all values and the reasons to refuse them.
 pub(super) fn each_refused<'f, 'a>(
     facts: &'f Facts<'a>,
-    mut tell: impl FnMut(&'f Item<'a>, &'a Param, Refusal, String),
+    mut tell: impl FnMut(&'f Item<'a>, &'a Param, &'f Refusal, String),
 ) {
     for (definition, _) in facts.described() {
         for item in &definition.items {
-            let Some(param) = item.param else { continue };
-            if let Some(refusal) = refused(facts, param, item) {
+            if let (Some(param), Some(refusal)) = (item.param, &item.refusal) {
                 tell(item, param, refusal, definition.key.to_string());
             }
         }
