@@ -118,7 +118,10 @@ impl<'e> Run<'_, 'e> {
             Act::Ask { id, into } => self.ask_act(id, *into, exec),
             Act::Use(inlined) => self.inlined(inlined, exec),
             Act::Strategy(call) => self.strategy(call, exec),
-            Act::Pending(name) => Err(Fault::unsupported("strategy-pending").arg("name", &**name).into()),
+            Act::Pending(name) => {
+                let fault = Fault::unsupported("strategy-pending").arg("name", &**name);
+                Err(fault.arg("cycle", exec.definition.cycle.key.to_string()).into())
+            }
         }
     }
 

@@ -173,10 +173,6 @@ impl<'e> Run<'_, 'e> {
             self.at.cycle = outer_at;
             return Ok(());
         }
-        if let Some(name) = plan.pending().next() {
-            let fault = Fault::unsupported("strategy-pending").arg("name", name);
-            return Err(fault.arg("cycle", definition.cycle.key.to_string()).into());
-        }
         if plan.probes {
             self.world.probe()?;
         }
