@@ -106,7 +106,7 @@ fn the_same_run_tells_the_same_bytes() {
 }
 
 /// Small limits, so that the programs that reach them are quick.
-const LIMITS: Limits = Limits { blocks: 20_000, jumps: 1_000, depth: 5, members: 100 };
+const LIMITS: Limits = Limits { blocks: 20_000, jumps: 1_000, depth: 5, members: 100, moves: 5_000 };
 
 #[test]
 fn every_fault_has_a_program_that_provokes_it() {

@@ -177,6 +177,10 @@ pub enum TypeError {
     },
 }
 
+/// The longest text that joining gives, bytes: far beyond what a parameter holds, and little enough that a program
+/// which doubles a text in a loop ends with an error instead of all memory.
+pub const LONGEST_TEXT: usize = 1 << 16;
+
 /// Why an expression has no value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EvalError {
@@ -186,6 +190,8 @@ pub enum EvalError {
     Domain(Func, f64),
     /// The result is too large to be a number.
     Overflow,
+    /// A text grows longer than [`LONGEST_TEXT`].
+    TextTooLong,
     /// The Q parameter has no value.
     Undefined(QRef),
     /// A text where a number is needed, or the other way round.
@@ -436,6 +442,7 @@ fn binary(op: Op, left: Value, right: Value) -> Result<Value, EvalError> {
             _ => return Err(EvalError::Kind),
         },
         (Value::Text(a), Value::Text(b)) => match op {
+            Op::Join if a.len() + b.len() > LONGEST_TEXT => return Err(EvalError::TextTooLong),
             Op::Join => Value::Text(format!("{a}{b}").into()),
             Op::Eq => Value::Bool(a == b),
             Op::Ne => Value::Bool(a != b),

@@ -9,7 +9,7 @@ mod lexer;
 mod parser;
 mod value;
 
-pub use code::{Code, Env, EvalError, Func, Op, Resolve, Type, TypeError, compile};
+pub use code::{Code, Env, EvalError, Func, LONGEST_TEXT, Op, Resolve, Type, TypeError, compile};
 pub use parser::{Dialect, Expr, ExprError, Node, parse};
 pub use value::{Value, atan2d, atand, cosd, sind, tand};
 

@@ -1,6 +1,6 @@
 //! Bytes of program files to text and back, for any bytes at all.
 //!
-//! Files are UTF-8 or Windows-1252, with or without a byte order mark. Invariant:
+//! Files are UTF-8 or Windows-1252, with or without a byte order mark, or UTF-16 with one. Invariant:
 //! `decode(bytes).encode(&decode(bytes).text) == bytes`; Windows-1252 as WHATWG defines it gives
 //! each of the 256 bytes a character of its own, so it can stand in for any unknown encoding.
 use std::borrow::Cow;
@@ -14,6 +14,10 @@ pub enum Charset {
     Utf8,
     /// Windows-1252, the encoding of the controls' older files.
     Windows1252,
+    /// UTF-16, the lower byte of a unit first: what editors on a PC write as "Unicode".
+    Utf16Le,
+    /// UTF-16, the higher byte first.
+    Utf16Be,
 }
 
 /// A file's encoding, remembered so that it can be written back byte by byte.
@@ -21,7 +25,7 @@ pub enum Charset {
 pub struct Encoding {
     /// The character set.
     pub charset: Charset,
-    /// Whether a UTF-8 byte order mark begins the file; it is no part of the text.
+    /// Whether a byte order mark begins the file; it is no part of the text.
     pub bom: bool,
 }
 
@@ -36,6 +40,11 @@ pub struct Decoded {
 
 /// Reads a file's bytes; never fails.
 pub fn decode(bytes: &[u8]) -> Decoded {
+    for (charset, mark) in [(Charset::Utf16Le, [0xFF, 0xFE]), (Charset::Utf16Be, [0xFE, 0xFF])] {
+        if let Some(text) = bytes.strip_prefix(&mark).and_then(|rest| decode_16(charset, rest)) {
+            return Decoded { text, encoding: Encoding { charset, bom: true } };
+        }
+    }
     let (bom, rest) = bytes.strip_prefix(BOM).map_or((false, bytes), |rest| (true, rest));
     if let Ok(text) = std::str::from_utf8(rest) {
         return Decoded { text: text.to_owned(), encoding: Encoding { charset: Charset::Utf8, bom } };
@@ -52,8 +61,27 @@ impl Encoding {
             Charset::Utf8 if self.bom => Ok(Cow::Owned([BOM, text.as_bytes()].concat())),
             Charset::Utf8 => Ok(Cow::Borrowed(text.as_bytes())),
             Charset::Windows1252 => encode_1252(text),
+            Charset::Utf16Le | Charset::Utf16Be => Ok(Cow::Owned(encode_16(self.charset, text))),
         }
     }
+}
+
+/// The text, unless a unit is cut in two or half of a pair is missing.
+fn decode_16(charset: Charset, bytes: &[u8]) -> Option<String> {
+    let (units, []) = bytes.as_chunks::<2>() else { return None };
+    let unit = |pair: &[u8; 2]| match charset {
+        Charset::Utf16Be => u16::from_be_bytes(*pair),
+        _ => u16::from_le_bytes(*pair),
+    };
+    char::decode_utf16(units.iter().map(unit)).collect::<Result<_, _>>().ok()
+}
+
+fn encode_16(charset: Charset, text: &str) -> Vec<u8> {
+    let bytes = |unit: u16| match charset {
+        Charset::Utf16Be => unit.to_be_bytes(),
+        _ => unit.to_le_bytes(),
+    };
+    std::iter::once(0xFEFF).chain(text.encode_utf16()).flat_map(bytes).collect()
 }
 
 fn encode_1252(text: &str) -> Result<Cow<'_, [u8]>, char> {

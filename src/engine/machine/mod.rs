@@ -8,6 +8,9 @@ use crate::spec::{Node, read_yaml};
 use glam::DVec3;
 use std::sync::Arc;
 
+/// How far rounding may take a position beyond a limit, mm: what turned coordinates lose, and no more.
+const ROUNDING: f64 = 1e-9;
+
 /// The version of machine files that is understood.
 const VERSION: &str = "1";
 /// Where machines with a name are kept.
@@ -94,7 +97,8 @@ impl Machine {
 
     /// The first axis that a position in machine coordinates would take beyond its limits.
     pub fn beyond_limits(&self, position: DVec3) -> Option<&MachineAxis> {
-        self.axes.iter().find(|axis| !(axis.min..=axis.max).contains(&axis.axis.of(position)))
+        let within = |axis: &MachineAxis| axis.min - ROUNDING..=axis.max + ROUNDING;
+        self.axes.iter().find(|axis| !within(axis).contains(&axis.axis.of(position)))
     }
 
     /// The feed in mm/min along the path when every axis that moves keeps within its rapid traverse.

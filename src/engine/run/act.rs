@@ -100,7 +100,7 @@ impl<'e> Run<'_, 'e> {
             }
             Act::Orient(angle) => {
                 let angle = self.number(angle, exec)?;
-                self.tell(EventKind::Spindle { direction: 0, speed: 0.0, orient: Some(angle) });
+                self.tell(EventKind::Spindle { tool: None, direction: 0, speed: 0.0, orient: Some(angle) });
                 Ok(())
             }
             Act::Coolant(cooling) => {

@@ -216,6 +216,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn tool_call(&mut self, call: &ToolCall) -> Done {
+        let before = self.modal.spindle;
         if let Some(axis) = call.axis {
             self.world.system.set_plane(linear(axis)?);
             self.world.renew();
@@ -233,8 +234,6 @@ impl<'e> Run<'_, 'e> {
             }
             let tool = self.world.tool_data(number, delta_radius, delta_length)?;
             self.world.take_tool(tool);
-            let axis = self.world.system.plane.tool;
-            self.tell(EventKind::Tool { number, axis });
         }
         if let Some(speed) = &call.speed {
             self.modal.spindle.speed = self.operand(speed)?;
@@ -247,6 +246,11 @@ impl<'e> Run<'_, 'e> {
                 }
                 _ => return Err(Fault::unsupported("unsupported-feed").arg("word", self.slice(feed.span)).into()),
             }
+        }
+        let called = call.tool.as_ref().and(self.world.tool);
+        let turns_otherwise = self.modal.spindle != before && before.direction != 0;
+        if called.is_some() || turns_otherwise {
+            self.tell_spindle(called.map(|tool| (tool.number, self.world.system.plane.tool)));
         }
         Ok(())
     }
@@ -328,8 +332,14 @@ impl<'e> Run<'_, 'e> {
 
     pub(super) fn spindle(&mut self, direction: i8) {
         self.modal.spindle = Spindle { direction, ..self.modal.spindle };
-        let speed = if direction == 0 { 0.0 } else { self.modal.spindle.speed };
-        self.tell(EventKind::Spindle { direction, speed, orient: None });
+        self.tell_spindle(None);
+    }
+
+    /// Tells how the spindle turns now, with the tool that it just got.
+    fn tell_spindle(&mut self, tool: Option<(f64, LinearAxis)>) {
+        let Spindle { speed, direction } = self.modal.spindle;
+        let speed = if direction == 0 { 0.0 } else { speed };
+        self.tell(EventKind::Spindle { tool, direction, speed, orient: None });
     }
 
     pub(super) fn coolant(&mut self, on: bool) {

@@ -182,18 +182,13 @@ pub enum EventKind {
     },
     /// The program waits.
     Dwell(f64),
-    /// A tool is called.
-    Tool {
-        /// Its number.
-        number: f64,
-        /// The tool axis.
-        axis: Axis,
-    },
-    /// The spindle turns (+1 clockwise, -1 counter-clockwise), stops, or is oriented.
+    /// The spindle gets a tool, turns (+1 clockwise, -1 counter-clockwise), stops, or is oriented.
     Spindle {
+        /// The number of the tool that was called and the tool axis; nothing if the tool stays.
+        tool: Option<(f64, Axis)>,
         /// +1 clockwise (M3), -1 counter-clockwise (M4), 0 stop.
         direction: i8,
-        /// The speed, rev/min.
+        /// The speed, rev/min; 0 while the spindle stands.
         speed: f64,
         /// The angle of an orientation.
         orient: Option<f64>,
@@ -337,7 +332,6 @@ impl EventKind {
         match self {
             Self::Move { .. } => "move",
             Self::Dwell(_) => "dwell",
-            Self::Tool { .. } => "tool",
             Self::Spindle { .. } => "spindle",
             Self::Coolant(_) => "coolant",
             Self::Probe(_) => "probe",
@@ -357,11 +351,11 @@ impl EventKind {
         match self {
             Self::Move { kind, from, to, machine, feed } => moved(map, *kind, [*from, *to, *machine], *feed),
             Self::Dwell(seconds) => map.serialize_entry("seconds", &number(*seconds)),
-            Self::Tool { number, axis } => {
-                map.serialize_entry("tool", &key(*number))?;
-                map.serialize_entry("axis", &axis.letter())
-            }
-            Self::Spindle { direction, speed, orient } => {
+            Self::Spindle { tool, direction, speed, orient } => {
+                if let Some((tool, axis)) = tool {
+                    map.serialize_entry("tool", &key(*tool))?;
+                    map.serialize_entry("axis", &axis.letter())?;
+                }
                 let word = match direction {
                     1 => "clockwise",
                     -1 => "counter-clockwise",

@@ -7,7 +7,7 @@ use super::event::Status;
 use crate::diag::{Arg, Diagnostic, Place};
 use crate::engine::solid::SolidError;
 use crate::engine::table::TableError;
-use crate::expr::EvalError;
+use crate::expr::{EvalError, LONGEST_TEXT};
 
 /// The classes of faults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -62,6 +62,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("log-failed", Class::Internal),
     ("log-template", Class::Internal),
     ("log-text", Class::Internal),
+    ("move-limit", Class::Limit),
     ("no-cycle-to-call", Class::Program),
     ("no-such-parameter", Class::Program),
     ("number-too-large", Class::Program),
@@ -95,6 +96,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("table-no-row", Class::Control),
     ("table-too-wide", Class::Internal),
     ("text-or-number", Class::Program),
+    ("text-too-long", Class::Limit),
     ("tool-locked", Class::Control),
     ("tool-not-in-table", Class::Program),
     ("unsupported-axis", Class::Unsupported),
@@ -175,6 +177,7 @@ impl From<EvalError> for Fault {
             EvalError::Domain(func, value) => {
                 Self::program("outside-domain").arg("function", func.name()).arg("value", value)
             }
+            EvalError::TextTooLong => Self::new(Class::Limit, "text-too-long").arg("limit", LONGEST_TEXT as f64),
             EvalError::Overflow => Self::program("number-too-large"),
             EvalError::Undefined(q) => Self::program("parameter-undefined").arg("q", q.to_string()),
             EvalError::Kind => Self::program("text-or-number"),

@@ -78,11 +78,13 @@ pub struct Limits {
     pub depth: usize,
     /// Members of one series.
     pub members: u32,
+    /// Moves of the tool, also those of cycles.
+    pub moves: u64,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { blocks: 10_000_000, jumps: 1_000_000, depth: 19, members: 100_000 }
+        Self { blocks: 10_000_000, jumps: 1_000_000, depth: 19, members: 100_000, moves: 10_000_000 }
     }
 }
 
@@ -261,6 +263,8 @@ struct Run<'r, 'e> {
     logs: Vec<(String, String)>,
     /// Nested executions of cycles.
     inside: usize,
+    /// Moves of the tool so far.
+    moves: u64,
     /// Whether a cycle is executed that probes.
     probing: bool,
 }
@@ -290,6 +294,7 @@ impl<'r, 'e> Run<'r, 'e> {
             executed: BTreeMap::new(),
             logs: Vec::new(),
             inside: 0,
+            moves: 0,
             probing: false,
         }
     }

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::block::linear;
 use super::event::MoveKind;
-use super::fault::Fault;
+use super::fault::{Class, Fault};
 use super::{Done, EventKind, Run};
 use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::solid::Path as BallPath;
@@ -273,6 +273,7 @@ impl Run<'_, '_> {
 
     fn go(&mut self, kind: MoveKind, feed: f64, to: DVec3, machine: DVec3, path: &BallPath) -> Done {
         let from = self.world.here;
+        self.count_move()?;
         if let Some(active) = self.world.system.unexecuted.first() {
             return Err(Fault::unsupported("unsupported-transformation").arg("name", active.as_str()).into());
         }
@@ -282,13 +283,25 @@ impl Run<'_, '_> {
         {
             return Err(Fault::unsupported("unsupported-axis").arg("axis", axis.letter().to_string()).into());
         }
-        if let Some(fault) = self.world.beyond_limits(machine) {
-            return Err(fault.into());
+        for point in path.extremes().into_iter().chain([machine]) {
+            if let Some(fault) = self.world.beyond_limits(point) {
+                return Err(fault.into());
+            }
         }
         self.collide(path)?;
         self.world.here = to;
         self.world.machine = machine;
         self.tell(EventKind::Move { kind, from, to, machine, feed });
+        Ok(())
+    }
+
+    /// Few blocks can move the tool without end: a pattern of many points with a cycle of many infeeds.
+    fn count_move(&mut self) -> Done {
+        self.moves += 1;
+        let limit = self.engine.limits.moves;
+        if self.moves > limit {
+            return Err(Fault::new(Class::Limit, "move-limit").arg("limit", limit as f64).into());
+        }
         Ok(())
     }
 

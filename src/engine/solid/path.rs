@@ -65,6 +65,34 @@ impl Path {
         }
     }
 
+    /// The points of an arc at which a coordinate is greatest or least, apart from its ends.
+    pub fn extremes(&self) -> Vec<DVec3> {
+        let Self::Arc { centre, axis, from, sweep, rise } = *self else { return Vec::new() };
+        if sweep == 0.0 {
+            return Vec::new();
+        }
+        let arm = Arm::new(centre, axis, from);
+        let climb = arm.axis * (rise / sweep.to_radians());
+        let (low, high) = (sweep.min(0.0), sweep.max(0.0));
+        let mut points = Vec::new();
+        for ((x, y), climb) in arm.x.to_array().into_iter().zip(arm.y.to_array()).zip(climb.to_array()) {
+            let reach = libm::hypot(x, y);
+            if climb.abs() >= reach {
+                continue;
+            }
+            // d/da of reach * cos(a - peak) + climb * a is zero at these angles, once in every turn.
+            let (peak, lean) = (libm::atan2(y, x).to_degrees(), libm::asin(climb / reach).to_degrees());
+            for angle in [peak + lean, peak + 180.0 - lean] {
+                let first = angle + 360.0 * libm::ceil((low - angle) / 360.0);
+                let last = angle + 360.0 * libm::floor((high - angle) / 360.0);
+                if first <= last {
+                    points.extend([self.at(first / sweep), self.at(last / sweep)]);
+                }
+            }
+        }
+        points
+    }
+
     pub(super) fn is_finite(&self) -> bool {
         match *self {
             Self::Line { from, to } => from.is_finite() && to.is_finite(),
