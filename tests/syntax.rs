@@ -207,6 +207,22 @@ fn windows_1252_refuses_what_it_cannot_write() {
     assert_eq!(decoded.encoding.encode("KOT Č"), Err('Č'));
 }
 
+#[test]
+fn utf_16_is_read_and_written_back() {
+    let text = "0 BEGIN PGM T\u{ca}TE MM\r\n; \u{1F527}\r\n";
+    let little: Vec<u8> = [0xFF, 0xFE].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect();
+    let big: Vec<u8> = [0xFE, 0xFF].into_iter().chain(text.encode_utf16().flat_map(u16::to_be_bytes)).collect();
+    for (bytes, charset) in [(little, Charset::Utf16Le), (big, Charset::Utf16Be)] {
+        let decoded = decode(&bytes);
+        assert_eq!((decoded.text.as_str(), decoded.encoding.charset), (text, charset));
+        assert_eq!(decoded.encoding.encode(&decoded.text).as_deref(), Ok(bytes.as_slice()));
+        // A byte too many is no UTF-16: the bytes still come back.
+        let cut = &bytes[..bytes.len() - 1];
+        let decoded = decode(cut);
+        assert_eq!(decoded.encoding.encode(&decoded.text).as_deref(), Ok(cut));
+    }
+}
+
 /// Lines such as programs have, and pieces of them.
 fn pieces() -> impl Strategy<Value = String> {
     let lines = [
