@@ -118,8 +118,13 @@ fn collect(directory: &Path, name: &str, depth: usize, files: &mut Vec<(String, 
         if own.starts_with('.') {
             continue;
         }
-        if !path.is_dir() {
+        let known = fs::metadata(&path).map_err(|error| Trouble::new("io-read", &path, &error))?;
+        if known.is_file() {
             files.push((name, read(&path)?));
+        } else if !known.is_dir() {
+            // A pipe would wait for ever.
+            let error = io::Error::other("not a regular file");
+            return Err(Trouble::new("io-read", &path, &error));
         } else if depth < DEEPEST {
             collect(&path, &name, depth + 1, files)?;
         }

@@ -313,7 +313,7 @@ proptest! {
         let scene = Scene::parse(&Source::new("scene.yaml", "scene: 1\n"), &world.files).expect("a scene");
         let texts = ciklo::engine::run::NoTexts;
         let tree = syntax::parse(&Source::new("LAW.H", program));
-        let limits = Limits { blocks: 2_000, jumps: 200, depth: 8, members: 50 };
+        let limits = Limits { blocks: 2_000, jumps: 200, depth: 8, members: 50, moves: 5_000 };
         let mut ends = 0;
         let outcome = Engine::new(&tree, on, &scene, &texts).with_limits(limits).run(&mut |event| {
             ends += usize::from(matches!(event.kind, EventKind::End(_)));

@@ -166,6 +166,7 @@ diag-io-write = { $path } cannot be written: { $reason ->
        *[other] { $detail }
     }.
 diag-io-foreign-directory = { $path } has files that ciklo did not write, so it is not replaced. Choose an empty or a new directory.
+diag-data-lacks = { $path } lacks the directory { $name }.
 diag-no-data = { $path } has none of the directories cycle-specs, locales and templates.
 diag-data-encoding = { $path } is not UTF-8.
 diag-unknown-code = There is no code “{ $code }”; “ciklo explain” lists them all.

@@ -21,6 +21,7 @@ diag-plan-modifier = The verb { $verb } does not take { $modifier }.
 diag-plan-name-form = The name { $name } may consist of lower-case letters, digits and _ only.
 diag-plan-name-taken = The name { $name } is already taken here.
 diag-plan-recursive-fragment = The fragment { $name } uses itself.
+diag-plan-too-many-fragments = The cycle uses more than { NUMBER($limit) } fragments, those inside others counted.
 diag-plan-type = Expected { $expected }, found { $found }.
 diag-plan-unknown-argument = There is no argument { $name }; there are { $known }.
 diag-plan-unknown-field = The cycle has no field { $name }.

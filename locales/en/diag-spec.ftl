@@ -52,6 +52,7 @@ diag-spec-yaml-feature = { $feature ->
     [anchor] Anchors and tags are not used in specifications.
     [alias] Aliases are not used in specifications.
     [depth] The file is nested too deeply.
+    [no-document] The file is empty.
     [second-document] A file holds one document.
    *[structured-key] A key must be a plain word.
 }

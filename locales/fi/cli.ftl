@@ -166,6 +166,7 @@ diag-io-write = Kirjoittaminen ei onnistu: { $path }: { $reason ->
        *[other] { $detail }
     }.
 diag-io-foreign-directory = Hakemistossa { $path } on tiedostoja, joita ciklo ei ole kirjoittanut, joten sitä ei korvata. Valitse tyhjä tai uusi hakemisto.
+diag-data-lacks = Hakemistosta { $path } puuttuu hakemisto { $name }.
 diag-no-data = Hakemistossa { $path } ei ole hakemistoja cycle-specs, locales eikä templates.
 diag-data-encoding = { $path } ei ole UTF-8-muodossa.
 diag-unknown-code = Koodia ”{ $code }” ei ole; ”ciklo explain” luettelee kaikki.

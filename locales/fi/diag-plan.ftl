@@ -21,6 +21,7 @@ diag-plan-modifier = Verbillä { $verb } ei ole määrettä { $modifier }.
 diag-plan-name-form = Nimessä { $name } saa olla vain pieniä kirjaimia, numeroita ja merkki _.
 diag-plan-name-taken = Nimi { $name } on jo käytössä tässä.
 diag-plan-recursive-fragment = Osa { $name } käyttää itseään.
+diag-plan-too-many-fragments = Työkierto käyttää yli { NUMBER($limit) } osaa, sisäkkäiset mukaan lukien.
 diag-plan-type = Odotettiin { $expected }, löytyi { $found }.
 diag-plan-unknown-argument = Argumenttia { $name } ei ole; käytettävissä: { $known }.
 diag-plan-unknown-field = Työkierrossa ei ole kenttää { $name }.

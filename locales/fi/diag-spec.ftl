@@ -52,6 +52,7 @@ diag-spec-yaml-feature = { $feature ->
     [anchor] Ankkureita ja tunnisteita ei käytetä kuvauksissa.
     [alias] Viittauksia ankkureihin ei käytetä kuvauksissa.
     [depth] Tiedostossa on liian monta sisäkkäistä tasoa.
+    [no-document] Tiedosto on tyhjä.
     [second-document] Tiedostossa on vain yksi dokumentti.
    *[structured-key] Avaimen on oltava tavallinen sana.
 }

@@ -166,6 +166,7 @@ diag-io-write = Impossibile scrivere { $path }: { $reason ->
        *[other] { $detail }
     }.
 diag-io-foreign-directory = { $path } contiene file non scritti da ciklo, perciò non viene sostituita. Scegliere una cartella vuota o nuova.
+diag-data-lacks = In { $path } manca la cartella { $name }.
 diag-no-data = { $path } non contiene nessuna delle cartelle cycle-specs, locales e templates.
 diag-data-encoding = { $path } non è in UTF-8.
 diag-unknown-code = Il codice «{ $code }» non esiste; «ciklo explain» li elenca tutti.

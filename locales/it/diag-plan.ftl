@@ -21,6 +21,7 @@ diag-plan-modifier = Il verbo { $verb } non accetta { $modifier }.
 diag-plan-name-form = Il nome { $name } può contenere solo lettere minuscole, cifre e _.
 diag-plan-name-taken = Il nome { $name } è già occupato qui.
 diag-plan-recursive-fragment = Il frammento { $name } utilizza se stesso.
+diag-plan-too-many-fragments = Il ciclo utilizza più di { NUMBER($limit) } frammenti, compresi quelli annidati.
 diag-plan-type = Atteso: { $expected }, trovato: { $found }.
 diag-plan-unknown-argument = Non esiste l'argomento { $name }; esistono: { $known }.
 diag-plan-unknown-field = Il ciclo non ha il campo { $name }.

@@ -52,6 +52,7 @@ diag-spec-yaml-feature = { $feature ->
     [anchor] Nelle specifiche non si utilizzano ancore e tag.
     [alias] Nelle specifiche non si utilizzano alias.
     [depth] Il file ha troppi livelli di annidamento.
+    [no-document] Il file è vuoto.
     [second-document] Un file contiene un solo documento.
    *[structured-key] Una chiave deve essere una parola semplice.
 }

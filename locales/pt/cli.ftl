@@ -169,6 +169,7 @@ diag-io-write = Não é possível escrever { $path }: { $reason ->
        *[other] { $detail }
     }.
 diag-io-foreign-directory = { $path } tem ficheiros que o ciklo não escreveu, por isso não é substituída. Escolha uma pasta vazia ou nova.
+diag-data-lacks = Em { $path } falta a pasta { $name }.
 diag-no-data = { $path } não tem nenhuma das pastas cycle-specs, locales e templates.
 diag-data-encoding = { $path } não está em UTF-8.
 diag-unknown-code = O código «{ $code }» não existe; «ciklo explain» indica todos.

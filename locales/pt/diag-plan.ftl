@@ -21,6 +21,7 @@ diag-plan-modifier = O verbo { $verb } não aceita { $modifier }.
 diag-plan-name-form = O nome { $name } só pode conter letras minúsculas, algarismos e _.
 diag-plan-name-taken = O nome { $name } já está ocupado aqui.
 diag-plan-recursive-fragment = O fragmento { $name } utiliza-se a si próprio.
+diag-plan-too-many-fragments = O ciclo utiliza mais de { NUMBER($limit) } fragmentos, incluindo os encadeados.
 diag-plan-type = Esperado: { $expected }, encontrado: { $found }.
 diag-plan-unknown-argument = Não existe o argumento { $name }; existem: { $known }.
 diag-plan-unknown-field = O ciclo não tem o campo { $name }.

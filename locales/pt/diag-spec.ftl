@@ -52,6 +52,7 @@ diag-spec-yaml-feature = { $feature ->
     [anchor] As âncoras e as etiquetas não são utilizadas nas especificações.
     [alias] Os aliases não são utilizados nas especificações.
     [depth] O ficheiro tem demasiados níveis encadeados.
+    [no-document] O ficheiro está vazio.
     [second-document] Um ficheiro contém um só documento.
    *[structured-key] Uma chave tem de ser uma palavra simples.
 }

@@ -186,6 +186,7 @@ diag-io-write = { $path } ni mogoče zapisati: { $reason ->
        *[other] { $detail }
     }.
 diag-io-foreign-directory = V mapi { $path } so datoteke, ki jih ciklo ni zapisal, zato ni zamenjana. Izberite prazno ali novo mapo.
+diag-data-lacks = V mapi { $path } manjka mapa { $name }.
 diag-no-data = V mapi { $path } ni nobene od map cycle-specs, locales in templates.
 diag-data-encoding = { $path } ni v kodiranju UTF-8.
 diag-unknown-code = Koda »{ $code }« ne obstaja; »ciklo explain« izpiše vse.

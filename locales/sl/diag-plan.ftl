@@ -21,6 +21,7 @@ diag-plan-modifier = Glagol { $verb } ne pozna dodatka { $modifier }.
 diag-plan-name-form = Ime { $name } lahko vsebuje le male črke, števke in znak _.
 diag-plan-name-taken = Ime { $name } je tukaj že zasedeno.
 diag-plan-recursive-fragment = Fragment { $name } uporablja samega sebe.
+diag-plan-too-many-fragments = Cikel uporablja več kot { NUMBER($limit) } fragmentov, vključno z ugnezdenimi.
 diag-plan-type = Pričakovano: { $expected }, najdeno: { $found }.
 diag-plan-unknown-argument = Argumenta { $name } ni; na voljo so: { $known }.
 diag-plan-unknown-field = Cikel nima polja { $name }.

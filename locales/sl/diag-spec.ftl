@@ -52,6 +52,7 @@ diag-spec-yaml-feature = { $feature ->
     [anchor] Sidra in oznake se v specifikacijah ne uporabljajo.
     [alias] Sklici se v specifikacijah ne uporabljajo.
     [depth] Datoteka ima preveč ugnezdenih ravni.
+    [no-document] Datoteka je prazna.
     [second-document] Datoteka lahko vsebuje samo en dokument.
    *[structured-key] Ključ mora biti navadna beseda.
 }

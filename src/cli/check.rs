@@ -47,7 +47,9 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
             Err(failure) => return Err(failure),
         }
     }
-    let errors = session.report(found, arguments::chosen_format(matches))?;
+    // Nothing was found only where everything could be read.
+    let silent = found.is_empty() && unreadable.is_some();
+    let errors = !silent && session.report(found, arguments::chosen_format(matches))?;
     match unreadable {
         Some(trouble) => Err(Failure::Trouble(trouble)),
         None => Ok(if errors { Outcome::Errors } else { Outcome::Clean }),

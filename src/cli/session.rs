@@ -168,11 +168,16 @@ pub(super) fn working_copy(root: &Path) -> Result<Files, Failure> {
     if tree.is_empty() {
         return Err(Diagnostic::global("no-data").arg("path", root.display().to_string()).into());
     }
+    let lacking = TOPS.iter().filter(|top| !root.join(top).is_dir());
+    let mut found: Vec<Diagnostic> = lacking
+        .map(|top| Diagnostic::global("data-lacks").arg("path", root.display().to_string()).arg("name", *top))
+        .collect();
     let mut files = Files::new();
     for (path, bytes) in tree {
-        let text =
-            String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", path.as_str()))?;
-        files.push((path, text));
+        match String::from_utf8(bytes) {
+            Ok(text) => files.push((path, text)),
+            Err(_) => found.push(Diagnostic::global("data-encoding").arg("path", path.as_str())),
+        }
     }
-    Ok(files)
+    if found.is_empty() { Ok(files) } else { Err(Failure::Data(found)) }
 }

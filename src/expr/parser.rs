@@ -6,6 +6,8 @@ use crate::diag::Span;
 
 /// Nesting deeper than this is refused; no formula of a control comes near it.
 const MAX_DEPTH: usize = 64;
+/// A chain of operators is a tree as deep as it is long, so its length is limited too.
+const MAX_TOKENS: usize = 400;
 
 /// Which language is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,6 +65,9 @@ pub fn parse(text: &str, dialect: Dialect) -> Result<Expr, ExprError> {
         found: text.get(span.start..span.end).unwrap_or_default().to_owned(),
     })?;
     let mut parser = Parser { text, tokens, at: 0, depth: 0, dialect };
+    if parser.tokens.len() > MAX_TOKENS {
+        return Err(parser.expected("less-nesting"));
+    }
     let expr = parser.binary(0)?;
     if parser.at < parser.tokens.len() {
         return Err(parser.expected("operator"));

@@ -178,6 +178,9 @@ pub fn read(source: &Arc<Source>, found: &mut Vec<Diagnostic>) -> Option<Node> {
             }
         }
     }
+    if root.is_none() {
+        found.push(refuse(Span::new(0, 0), "no-document"));
+    }
     root
 }
 

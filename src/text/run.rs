@@ -124,10 +124,10 @@ impl<'a> CycleText<'a> {
         let name = item.step.as_ref()?;
         *last += 1;
         let mut bullets = Vec::new();
-        let mut open = Vec::new();
-        self.said_by(&item.body.actions, &mut open, &mut bullets);
-        self.said_in(&item.choose, &mut open, &mut bullets);
-        self.said_by(&item.then, &mut open, &mut bullets);
+        let mut seen = Vec::new();
+        self.said_by(&item.body.actions, &mut seen, &mut bullets);
+        self.said_in(&item.choose, &mut seen, &mut bullets);
+        self.said_by(&item.then, &mut seen, &mut bullets);
         Some(Step {
             number: *last,
             id: name.as_str(),
@@ -155,31 +155,30 @@ impl<'a> CycleText<'a> {
         parts.push(RunPart::Repeat(Repeat { number: *last, id: until.as_str(), text, first, last: repeated }));
     }
 
-    fn said_in(&self, cases: &'a [Case], open: &mut Vec<&'a str>, bullets: &mut Vec<Bullet<'a>>) {
+    fn said_in(&self, cases: &'a [Case], seen: &mut Vec<&'a str>, bullets: &mut Vec<Bullet<'a>>) {
         for case in cases {
             if let Some(say) = &case.say
                 && !bullets.iter().any(|bullet| bullet.id == say.as_str())
             {
                 bullets.push(Bullet { id: say.as_str(), text: self.named("say", say) });
             }
-            self.said_by(&case.actions, open, bullets);
+            self.said_by(&case.actions, seen, bullets);
         }
     }
 
     /// The sentences of the fragments that the actions use, and what the actions show or ask.
-    fn said_by(&self, actions: &'a [Action], open: &mut Vec<&'a str>, bullets: &mut Vec<Bullet<'a>>) {
+    fn said_by(&self, actions: &'a [Action], seen: &mut Vec<&'a str>, bullets: &mut Vec<Bullet<'a>>) {
         for action in actions {
             let (Verb::Use, Argument::One(name)) = (action.verb, &action.argument) else { continue };
             let Some(fragment) = self.on.fragments.get(name.as_str()) else { continue };
-            // A fragment that contains itself is reported by the checks of the specifications.
-            if open.contains(&name.as_str()) {
+            // A fragment says its sentences once, however often a step uses it, and even if it contains itself.
+            if seen.contains(&name.as_str()) {
                 continue;
             }
-            open.push(name.as_str());
-            self.said_by(&fragment.actions, open, bullets);
-            self.said_in(&fragment.choose, open, bullets);
-            self.said_by(&fragment.then, open, bullets);
-            open.pop();
+            seen.push(name.as_str());
+            self.said_by(&fragment.actions, seen, bullets);
+            self.said_in(&fragment.choose, seen, bullets);
+            self.said_by(&fragment.then, seen, bullets);
         }
     }
 }

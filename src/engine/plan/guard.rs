@@ -11,6 +11,10 @@ use crate::diag::{Diagnostic, Place};
 use crate::expr::Type;
 use crate::spec::{self, Entries, Formula, Fragment, Moment, Name, Outcome, Param, ParameterKind, Shape};
 
+/// How many fragments a cycle may use, those inside others counted each time: ten uses of ten uses of ten … would
+/// fill any memory.
+const MAX_INLINED: usize = 2000;
+
 /// The type of an old-style field in expressions.
 fn field_type(param: &Param) -> Type {
     match param.field.as_ref().map(|field| field.shape) {
@@ -113,6 +117,14 @@ impl<'c> Compiler<'c> {
         if self.inside.contains(&name.text) {
             let diagnostic = Diagnostic::error("plan-recursive-fragment", name.place.clone());
             self.found.push(diagnostic.arg("name", name.as_str()));
+            return None;
+        }
+        self.inlined += 1;
+        if self.inlined > MAX_INLINED {
+            if self.inlined == MAX_INLINED + 1 {
+                let diagnostic = Diagnostic::error("plan-too-many-fragments", name.place.clone());
+                self.found.push(diagnostic.arg("limit", MAX_INLINED as f64));
+            }
             return None;
         }
         let mut inner = Scope::default();

@@ -148,6 +148,8 @@ struct Compiler<'c> {
     stands_for: Vec<StandsFor>,
     /// The fragments that are being inlined, for refusing recursion.
     inside: Vec<Arc<str>>,
+    /// How many fragments were inlined so far.
+    inlined: usize,
     used_conditions: BTreeSet<Arc<str>>,
     sentences: Vec<Sentence>,
     codes: Vec<Arc<str>>,
@@ -166,6 +168,7 @@ impl<'c> Compiler<'c> {
             fields: Vec::new(),
             stands_for: Vec::new(),
             inside: Vec::new(),
+            inlined: 0,
             used_conditions: BTreeSet::new(),
             sentences: Vec::new(),
             codes: Vec::new(),

@@ -247,7 +247,7 @@ impl<'e> Run<'_, 'e> {
                 _ => return Err(Fault::unsupported("unsupported-feed").arg("word", self.slice(feed.span)).into()),
             }
         }
-        let called = call.tool.as_ref().and(self.world.tool);
+        let called = call.tool.as_ref().and(self.world.tool());
         let turns_otherwise = self.modal.spindle != before && before.direction != 0;
         if called.is_some() || turns_otherwise {
             self.tell_spindle(called.map(|tool| (tool.number, self.world.system.plane.tool)));
