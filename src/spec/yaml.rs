@@ -134,11 +134,17 @@ pub fn read(source: &Arc<Source>, found: &mut Vec<Diagnostic>) -> Option<Node> {
                 found.push(refuse(span, "depth"));
                 return None;
             }
-            Event::SequenceStart(..) => {
+            Event::SequenceStart(anchor, tag) => {
+                if anchor != 0 || tag.is_some() {
+                    found.push(refuse(span, "anchor"));
+                }
                 open.push(Open::List(span, Vec::new()));
                 continue;
             }
-            Event::MappingStart(..) => {
+            Event::MappingStart(anchor, tag) => {
+                if anchor != 0 || tag.is_some() {
+                    found.push(refuse(span, "anchor"));
+                }
                 open.push(Open::Map(span, Vec::new(), None));
                 continue;
             }
