@@ -159,6 +159,11 @@ fn a_working_copy_replaces_the_built_in_data() {
     assert_eq!(run(&["lint", "--data", data]).status.code(), Some(2), "an empty directory has no data");
     let english = copy.path().join("locales/en");
     std::fs::create_dir_all(&english).unwrap();
+    let lacks = run(&["lint", "--data", data]);
+    assert_eq!(lacks.status.code(), Some(2), "one directory of three is no working copy");
+    assert!(String::from_utf8_lossy(&lacks.stderr).contains("cycle-specs"));
+    std::fs::create_dir(copy.path().join("cycle-specs")).unwrap();
+    std::fs::create_dir(copy.path().join("templates")).unwrap();
     std::fs::create_dir_all(copy.path().join("locales/fi")).unwrap();
     std::fs::write(english.join("a.ftl"), "a = A\nb = { gone }\n").unwrap();
     std::fs::write(copy.path().join("locales/fi/a.ftl"), "a = B\n").unwrap();

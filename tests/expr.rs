@@ -66,6 +66,7 @@ fn show(text: &str, dialect: Dialect) -> String {
         Err(EvalError::Overflow) => "overflow".to_owned(),
         Err(EvalError::Undefined(_)) => "undefined".to_owned(),
         Err(EvalError::Kind) => "kind".to_owned(),
+        Err(EvalError::TextTooLong) => "too-long".to_owned(),
     }
 }
 

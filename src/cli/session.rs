@@ -168,10 +168,11 @@ pub(super) fn working_copy(root: &Path) -> Result<Files, Failure> {
     if tree.is_empty() {
         return Err(Diagnostic::global("no-data").arg("path", root.display().to_string()).into());
     }
-    let lacking = TOPS.iter().filter(|top| !root.join(top).is_dir());
-    let mut found: Vec<Diagnostic> = lacking
-        .map(|top| Diagnostic::global("data-lacks").arg("path", root.display().to_string()).arg("name", *top))
-        .collect();
+    if let Some(top) = TOPS.iter().find(|top| !root.join(top).is_dir()) {
+        let lacks = Diagnostic::global("data-lacks").arg("path", root.display().to_string()).arg("name", *top);
+        return Err(lacks.into());
+    }
+    let mut found = Vec::new();
     let mut files = Files::new();
     for (path, bytes) in tree {
         match String::from_utf8(bytes) {
