@@ -105,6 +105,16 @@ fn the_same_run_tells_the_same_bytes() {
     assert_eq!(run(), run());
 }
 
+#[test]
+fn the_parameter_without_a_value_is_named_and_not_the_one_that_should_get_it() {
+    let world = World::new();
+    let program = "; control: tnc640\nCYCL DEF 247 DATUM SETTING ~\n  Q339=Q60 ;DATUM NUMBER\n";
+    let (outcome, _) = world.run("named", program, "scene: 1\n", Limits::default());
+    let fault = outcome.fault.expect("a fault");
+    let named: Vec<_> = fault.args.iter().filter(|(name, _)| *name == "q").map(|(_, q)| q.clone()).collect();
+    assert_eq!((&*fault.code, named), ("parameter-undefined", vec!["Q60".into()]));
+}
+
 /// Small limits, so that the programs that reach them are quick.
 const LIMITS: Limits = Limits { blocks: 20_000, jumps: 1_000, depth: 5, members: 100, moves: 5_000 };
 

@@ -176,7 +176,12 @@ impl<'e> Run<'_, 'e> {
                 Fault::program("field-missing").arg("field", cycle.params.first().map_or("", |p| p.is.as_str()));
             return Err(fault.arg("cycle", cycle.key.to_string()).into());
         }
-        let of_cycle = |fault: Fault, q: QRef| fault.arg("q", q.to_string()).arg("cycle", cycle.key.to_string());
+        // A fault that names a parameter, such as one without a value, means that one.
+        let of_cycle = |fault: Fault, q: QRef| {
+            let named = fault.args.iter().any(|(name, _)| *name == "q");
+            let fault = if named { fault } else { fault.arg("q", q.to_string()) };
+            fault.arg("cycle", cycle.key.to_string())
+        };
         for parameter in &written.parameters {
             if cycle.param(parameter.q).is_none() {
                 return Err(of_cycle(Fault::program("parameter-unknown"), parameter.q).into());
