@@ -17,9 +17,19 @@ pub(super) fn argument(ui: &Ui, name: &'static str, help: &str) -> Arg {
     Arg::new(name).help(ui.text(help, &Args::new()))
 }
 
-/// An option with a value, `--name VALUE`.
+/// An option with a value, `--name VALUE`, with its help in a message of the command.
+pub(super) fn valued(ui: &Ui, name: &'static str, value: &'static str, help: &str) -> Arg {
+    argument(ui, name, help).long(name).value_name(value)
+}
+
+/// The same for an option that may be given several times.
+pub(super) fn several(ui: &Ui, name: &'static str, value: &'static str, help: &str) -> Arg {
+    valued(ui, name, value, help).action(ArgAction::Append)
+}
+
+/// An option with a value and the help that it has for every command.
 pub(super) fn option(ui: &Ui, name: &'static str, value: &'static str) -> Arg {
-    argument(ui, name, &format!("cli-arg-{name}")).long(name).value_name(value)
+    valued(ui, name, value, &format!("cli-arg-{name}"))
 }
 
 /// A switch, `--name`, with its help in a message of the command.

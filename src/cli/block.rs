@@ -1,5 +1,5 @@
 //! `ciklo block`: the NC block of a cycle.
-use clap::{ArgAction, ArgMatches, value_parser};
+use clap::{ArgMatches, value_parser};
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle};
@@ -18,15 +18,9 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::words(ui, "cycle", "CYCLE", "cli-block-values"),
         arguments::control(ui),
         arguments::language(ui),
-        arguments::argument(ui, "number", "cli-block-number")
-            .long("number")
-            .value_name("N")
-            .value_parser(value_parser!(u32)),
-        arguments::argument(ui, "form", "cli-block-form").long("form").value_name("FORM"),
-        arguments::argument(ui, "without", "cli-block-without")
-            .long("without")
-            .value_name("FIELD")
-            .action(ArgAction::Append),
+        arguments::valued(ui, "number", "N", "cli-block-number").value_parser(value_parser!(u32)),
+        arguments::valued(ui, "form", "FORM", "cli-block-form"),
+        arguments::several(ui, "without", "FIELD", "cli-block-without"),
     ]
 }
 

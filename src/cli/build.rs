@@ -2,7 +2,7 @@
 use std::path::Path;
 use std::sync::Mutex;
 
-use clap::{ArgAction, ArgMatches};
+use clap::ArgMatches;
 
 use super::progress::Progress;
 use super::session::Session;
@@ -19,12 +19,10 @@ pub(super) const COMMAND: Command =
 const OUT: &str = "out";
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
-    let several =
-        |name, value, help| arguments::argument(ui, name, help).long(name).value_name(value).action(ArgAction::Append);
     vec![
-        arguments::argument(ui, "out", "cli-build-out").long("out").value_name("DIR"),
-        several("control", "CONTROL", "cli-build-control"),
-        several("lang", "LANG", "cli-build-lang"),
+        arguments::valued(ui, "out", "DIR", "cli-build-out"),
+        arguments::several(ui, "control", "CONTROL", "cli-build-control"),
+        arguments::several(ui, "lang", "LANG", "cli-build-lang"),
     ]
 }
 

@@ -15,7 +15,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
         arguments::words(ui, "file", "FILE", "cli-arg-files"),
         arguments::control(ui),
-        arguments::argument(ui, "lang", "cli-check-lang").long("lang").value_name("LANG"),
+        arguments::valued(ui, "lang", "LANG", "cli-check-lang"),
         arguments::format(ui, &["text", "json"]),
     ]
 }

@@ -1,5 +1,5 @@
 //! `ciklo conform`: the examples of the specifications, executed.
-use clap::{ArgAction, ArgMatches};
+use clap::ArgMatches;
 
 use super::session::{self, Session};
 use super::{Command, Failure, Outcome, arguments, cycle};
@@ -12,10 +12,7 @@ pub(super) const COMMAND: Command =
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
-        arguments::argument(ui, "control", "cli-build-control")
-            .long("control")
-            .value_name("CONTROL")
-            .action(ArgAction::Append),
+        arguments::several(ui, "control", "CONTROL", "cli-build-control"),
         arguments::format(ui, &["text", "json", "junit"]).help(ui.text("cli-arg-report", &Args::new())),
     ]
 }

@@ -1,5 +1,5 @@
 //! `ciklo coverage`: what is complete and what is not.
-use clap::{ArgAction, ArgMatches};
+use clap::ArgMatches;
 
 use super::session::{self, Session};
 use super::{Command, Failure, Outcome, arguments, cycle};
@@ -17,11 +17,9 @@ pub(super) const COMMAND: Command =
 const SHOWN: usize = 6;
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
-    let several =
-        |name, value, help| arguments::argument(ui, name, help).long(name).value_name(value).action(ArgAction::Append);
     vec![
-        several("control", "CONTROL", "cli-build-control"),
-        several("lang", "LANG", "cli-build-lang"),
+        arguments::several(ui, "control", "CONTROL", "cli-build-control"),
+        arguments::several(ui, "lang", "LANG", "cli-build-lang"),
         arguments::format(ui, &["text", "json"]),
     ]
 }

@@ -79,12 +79,8 @@ fn texts(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
             for cycle in on.cycles.values() {
                 let scope = Scope::new(cycle.name(), on.id());
                 let place = &cycle.file.name.place;
-                let missing = spec::texts(cycle, on).into_iter().filter(|text| {
-                    let key = text.attribute.map_or(text.id.clone(), |attribute| format!("{}.{attribute}", text.id));
-                    !source.has(&key, &scope)
-                });
-                found.extend(missing.map(|text| {
-                    let key = text.attribute.map_or(text.id.clone(), |attribute| format!("{}.{attribute}", text.id));
+                let keys = spec::texts(cycle, on).into_iter().map(|text| text.key());
+                found.extend(keys.filter(|key| !source.has(key, &scope)).map(|key| {
                     Diagnostic::error("locale-missing-text", place.clone())
                         .arg("key", key)
                         .arg("language", source.tag())

@@ -30,14 +30,13 @@ const CALLS: [&str; 2] = ["CALL PGM", "PGM CALL"];
 const SHOWN: Digits = Digits { minimum: 0, maximum: Some(6) };
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
-    let option = |name, value, help| arguments::argument(ui, name, help).long(name).value_name(value);
     vec![
         arguments::file(ui),
         arguments::control(ui),
-        option("scene", "FILE", "cli-arg-scene").required(true),
-        option("out", "DIR", "cli-run-out"),
+        arguments::valued(ui, "scene", "FILE", "cli-arg-scene").required(true),
+        arguments::valued(ui, "out", "DIR", "cli-run-out"),
         arguments::switch(ui, "events", "cli-run-events"),
-        option("lang", "LANG", "cli-run-lang"),
+        arguments::valued(ui, "lang", "LANG", "cli-run-lang"),
     ]
 }
 

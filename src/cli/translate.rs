@@ -17,12 +17,11 @@ pub(super) const COMMAND: Command =
     Command { name: "translate", usage: "FILE --to LANG [--control CONTROL] [--out FILE]", arguments: own, run };
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
-    let option = |name, value, help| arguments::argument(ui, name, help).long(name).value_name(value);
     vec![
         arguments::file(ui),
-        option("to", "LANG", "cli-translate-to").required(true),
-        option("control", "CONTROL", "cli-translate-control"),
-        option("out", "FILE", "cli-translate-out"),
+        arguments::valued(ui, "to", "LANG", "cli-translate-to").required(true),
+        arguments::valued(ui, "control", "CONTROL", "cli-translate-control"),
+        arguments::valued(ui, "out", "FILE", "cli-translate-out"),
     ]
 }
 

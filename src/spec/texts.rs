@@ -13,6 +13,13 @@ pub struct Text {
     pub attribute: Option<&'static str>,
 }
 
+impl Text {
+    /// The key by which the locales know it: `id` or `id.attribute`.
+    pub fn key(&self) -> String {
+        self.attribute.map_or_else(|| self.id.clone(), |attribute| format!("{}.{attribute}", self.id))
+    }
+}
+
 struct Collector<'c> {
     on: &'c OnControl,
     found: Vec<Text>,
