@@ -95,6 +95,15 @@ fn the_table_of_expressions_holds() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
+/// Its tree would be as deep as the chain is long.
+#[test]
+fn a_long_chain_is_refused_and_not_followed() {
+    let chain = format!("1{}", "+1".repeat(1_000_000));
+    for dialect in [Dialect::Spec, Dialect::Program] {
+        assert_eq!(parse(&chain, dialect).expect_err("it is too long").expected, "less-nesting");
+    }
+}
+
 proptest! {
     #[test]
     fn no_text_makes_the_parser_panic(text in "\\PC{0,80}") {

@@ -6,6 +6,9 @@ use crate::diag::Span;
 
 /// Nesting deeper than this is refused; no formula of a control comes near it.
 const MAX_DEPTH: usize = 64;
+/// Longer texts are refused, in bytes: the tree of a chain such as `1+1+1` is as deep as the chain is long. Controls
+/// allow a few hundred characters.
+const MAX_LENGTH: usize = 4096;
 /// A chain of operators is a tree as deep as it is long, so its length is limited too.
 const MAX_TOKENS: usize = 400;
 
@@ -59,6 +62,9 @@ pub struct ExprError {
 
 /// Reads one expression; the whole text must belong to it.
 pub fn parse(text: &str, dialect: Dialect) -> Result<Expr, ExprError> {
+    if text.len() > MAX_LENGTH {
+        return Err(ExprError { span: Span::new(0, text.len()), expected: "less-nesting", found: String::new() });
+    }
     let tokens = lex(text, dialect == Dialect::Program).map_err(|span| ExprError {
         span,
         expected: "character",

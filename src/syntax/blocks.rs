@@ -7,9 +7,6 @@ use super::{cycle, motion};
 use crate::diag::Span;
 use crate::expr::{self, QKind, QRef};
 
-/// The longest formula that is read. Controls allow a few hundred characters; the limit bounds nesting.
-const MAX_FORMULA: usize = 4096;
-
 /// First words of blocks that exist but are not analysed.
 const OTHER: [&[u8]; 21] = [
     b"ADP",
@@ -247,9 +244,6 @@ fn assignment(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
     let (target, target_span) = target(cursor)?;
     let text = cursor.rest();
     let written = cursor.text.get(text.start..text.end).unwrap_or_default();
-    if written.len() > MAX_FORMULA {
-        return Err(SyntaxError { code: "syntax-formula", span: text, expected: "less-nesting" });
-    }
     let unjoined = without_joints(written);
     match expr::parse_formula(unjoined.as_deref().unwrap_or(written)) {
         Ok(expr) => Ok(BlockKind::Formula(Box::new(Formula { target, target_span, expr, text }))),
