@@ -21,6 +21,7 @@ step-return-to-starting-point = The control returns the tool to the starting poi
 condition-plunging-vertically = { $q-plunging-strategy } asks for vertical plunging
 condition-plunging-helically = { $q-plunging-strategy } asks for helical plunging
 guard-plunging-depth-zero = The plunging depth must be greater than 0.
+guard-tool-wider-than-pocket = The tool does not fit into the pocket: less the side allowances, the pocket is narrower than the tool.
 guard-plunging-angle-missing = Helical and reciprocating plunging need a plunging angle { $mp-plunging-angle } other than 0 in the tool table.
 guard-helix-too-small = The diameter of the helix for plunging is less than twice the tool diameter. The machine parameter { $mp-suppress-plunge-err } switches this check off for centre-cutting tools.
 note-without-tool-table-plunge-vertically = If no tool table is active, plunging must always be vertical ({ $q-plunging-strategy } = 0), because no plunging angle can be defined.

@@ -21,6 +21,7 @@ step-return-to-starting-point = Ohjaus palauttaa työkalun koneistustason alkupi
 condition-plunging-vertically = { $q-plunging-strategy } vaatii kohtisuoran sisäänpiston
 condition-plunging-helically = { $q-plunging-strategy } vaatii kierukkamaisen sisäänpiston
 guard-plunging-depth-zero = Asetussyvyyden on oltava suurempi kuin 0.
+guard-tool-wider-than-pocket = Työkalu ei mahdu taskuun: kun sivun työvarat vähennetään, tasku on kapeampi kuin työkalu.
 guard-plunging-angle-missing = Kierukkamainen ja heilurimainen sisäänpisto edellyttävät, että työkalutaulukon sisäänpistokulma { $mp-plunging-angle } ei ole 0.
 guard-helix-too-small = Sisäänpiston kierukan halkaisija on pienempi kuin kaksi kertaa työkalun halkaisija. Koneparametri { $mp-suppress-plunge-err } kytkee tämän tarkastuksen pois keskeltä lastuavilla työkaluilla.
 note-without-tool-table-plunge-vertically = Jos työkalutaulukko ei ole aktiivinen, sisäänpiston on aina oltava kohtisuora ({ $q-plunging-strategy } = 0), koska sisäänpistokulmaa ei voi määritellä.

@@ -21,6 +21,7 @@ step-return-to-starting-point = Krmiljenje vrne orodje na začetno točko v { -w
 condition-plunging-vertically = { $q-plunging-strategy } zahteva navpično spuščanje
 condition-plunging-helically = { $q-plunging-strategy } zahteva vijačno spuščanje
 guard-plunging-depth-zero = Globina primika mora biti večja od 0.
+guard-tool-wider-than-pocket = Orodje ne gre v žep: brez stranskih nadmer je žep ožji od orodja.
 guard-plunging-angle-missing = Vijačno in nihajoče spuščanje potrebujeta v { -tool-table(case: "locative") } kot spuščanja { $mp-plunging-angle }, ki ni enak 0.
 guard-helix-too-small = Premer vijačnice za spuščanje je manjši od dvakratnega premera orodja. Za orodja, ki režejo po sredini, to preverjanje izklopi strojni parameter { $mp-suppress-plunge-err }.
 note-without-tool-table-plunge-vertically = Če nobena { -tool-table(case: "nominative") } ni aktivna, mora biti spuščanje vedno navpično ({ $q-plunging-strategy } = 0), ker kota spuščanja ni mogoče definirati.

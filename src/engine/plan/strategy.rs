@@ -13,6 +13,10 @@ pub enum Strategy {
     WritePreset,
     /// A row of the active datum table is written so that a point will have given coordinates.
     WriteDatumRow,
+    /// Brings the tool to a level on a helix.
+    PlungeOnHelix,
+    /// Brings the tool to a level in strokes to and fro.
+    PlungeInStrokes,
     /// Reads a tolerance band that is written as a text (TNC 640 manual 004, lines 151-162).
     ToleranceBand,
 }
@@ -42,6 +46,21 @@ const MINOR: Parameter = optional("minor");
 const TOOL: Parameter = optional("tool");
 const TEXT: Parameter = required("text", Type::Text);
 const ROW: Parameter = required("row", Type::Number);
+const CENTRE: Parameter = required("centre", Type::Point);
+
+const fn number(name: &'static str) -> Parameter {
+    required(name, Type::Number)
+}
+
+const FROM: Parameter = number("from");
+const TO: Parameter = number("to");
+const ANGLE: Parameter = number("angle");
+const FEED: Parameter = number("feed");
+const RADIUS: Parameter = number("radius");
+const DIRECTION: Parameter = number("direction");
+const ROTATION: Parameter = number("rotation");
+const LEAST: Parameter = number("least");
+const ROOM: Parameter = number("room");
 
 impl Strategy {
     /// The strategy of that name.
@@ -50,6 +69,8 @@ impl Strategy {
             "set-datum" => Self::SetDatum,
             "write-preset" => Self::WritePreset,
             "write-datum-row" => Self::WriteDatumRow,
+            "plunge-on-helix" => Self::PlungeOnHelix,
+            "plunge-in-strokes" => Self::PlungeInStrokes,
             "tolerance-band" => Self::ToleranceBand,
             _ => return None,
         })
@@ -60,6 +81,8 @@ impl Strategy {
         match self {
             Self::SetDatum => &[POINT, MAIN, MINOR, TOOL],
             Self::WritePreset | Self::WriteDatumRow => &[POINT, MAIN, MINOR, TOOL, ROW],
+            Self::PlungeOnHelix => &[CENTRE, FROM, TO, ANGLE, FEED, RADIUS, DIRECTION],
+            Self::PlungeInStrokes => &[CENTRE, FROM, TO, ANGLE, FEED, ROTATION, LEAST, ROOM],
             Self::ToleranceBand => &[TEXT],
         }
     }
@@ -67,7 +90,9 @@ impl Strategy {
     /// Its results, all of them numbers.
     pub const fn results(self) -> &'static [&'static str] {
         match self {
-            Self::SetDatum | Self::WritePreset | Self::WriteDatumRow => &[],
+            Self::SetDatum | Self::WritePreset | Self::WriteDatumRow | Self::PlungeOnHelix | Self::PlungeInStrokes => {
+                &[]
+            }
             Self::ToleranceBand => &["upper", "lower", "monitored"],
         }
     }

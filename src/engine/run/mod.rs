@@ -15,6 +15,7 @@ mod flow;
 mod log;
 mod motion;
 mod params;
+mod plunge;
 mod probe;
 mod program;
 mod series;

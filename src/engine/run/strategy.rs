@@ -42,6 +42,8 @@ impl<'e> Run<'_, 'e> {
                 let (wanted, row) = (self.wanted(call, exec)?, self.row(call, exec)?);
                 self.write_datum_row(&wanted, row)
             }
+            Strategy::PlungeOnHelix => self.plunge_on_helix(call, exec),
+            Strategy::PlungeInStrokes => self.plunge_in_strokes(call, exec),
             Strategy::ToleranceBand => {
                 let Some(Some(text)) = call.with.first() else { return Ok(()) };
                 let Value::Text(text) = self.value(text, exec)? else { return Ok(()) };
