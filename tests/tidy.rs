@@ -174,7 +174,7 @@ fn the_map_names_the_modules_in_the_order_of_the_layers() {
     let map = include_str!("../ARCHITECTURE.md");
     let rows = map.lines().skip_while(|line| !line.starts_with("| module |")).take_while(|line| line.starts_with('|'));
     let first = |row: &str| row.split('|').nth(1).unwrap_or_default().to_owned();
-    let cells: String = rows.map(|row| first(row)).collect();
+    let cells: String = rows.map(first).collect();
     let named: Vec<&str> = cells.split('`').skip(1).step_by(2).collect();
     assert_eq!(named, LAYERS.iter().map(|(module, _)| *module).collect::<Vec<_>>());
 }
