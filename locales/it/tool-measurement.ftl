@@ -5,7 +5,7 @@ parameter-tool-check = Misura=0/verifica utensile=1
     .label = VERIFICA
     .word = VERIFICA:
     .prompt = Misura=0/verifica utensile=1
-    .help = Definire se l'utensile viene misurato per la prima volta oppure se viene verificato un utensile già misurato. La prima misurazione sovrascrive la lunghezza utensile { $mp-tool-length } nella memoria utensili centrale TOOL.T e imposta il valore delta { $mp-delta-length } a 0. La verifica confronta la lunghezza misurata con la lunghezza utensile { $mp-tool-length }; lo scostamento viene registrato con il suo segno come valore delta { $mp-delta-length } ed è disponibile anche in Q115. Se il valore delta è maggiore della tolleranza di usura o di rottura ammessa per la lunghezza utensile, il controllo blocca l'utensile (stato L in TOOL.T).
+    .help = Definire se si tratta della prima misurazione dell'utensile o della verifica di un utensile già misurato. Alla prima misurazione la lunghezza utensile { $mp-tool-length } in TOOL.T, la memoria utensili centrale, viene sovrascritta e il valore delta { $mp-delta-length } azzerato. La verifica confronta la lunghezza misurata con la lunghezza utensile { $mp-tool-length }; lo scostamento viene registrato con il suo segno come valore delta { $mp-delta-length } ed è disponibile anche in Q115. Oltre la tolleranza di usura o di rottura ammessa per la lunghezza il controllo blocca l'utensile (stato L in TOOL.T).
 parameter-tool-check__itnc530 = MISURA=0/VERIFICA UTENSILE=1
     .prompt = MISURA=0/VERIFICA UTENSILE=1
 choice-tool-first-measurement = misurare l'utensile per la prima volta
@@ -79,6 +79,6 @@ note-from-software-280476 = Disponibile a partire dal software NC 280 476-xx.
 note-not-in-iso = Il vecchio formato non è disponibile in DIN/ISO.
 note-prepare-for-tool-probe = La macchina e il controllo devono essere predisposti dal costruttore della macchina per il sistema di tastatura TT. Alcuni cicli e alcune funzioni potrebbero non essere disponibili. Consultare il manuale della macchina.
 title-first-measurement-rotating-old = Prima misurazione con utensile rotante; vecchio formato
-title-first-measurement-rotating-status = Prima misurazione con utensile rotante, memorizzazione dello stato in Q1
-title-check-teeth-status-old = Verifica con misurazione dei singoli taglienti, memorizzazione dello stato in Q5; vecchio formato
-title-check-teeth-without-status = Verifica con misurazione dei singoli taglienti, senza memorizzazione dello stato
+title-first-measurement-rotating-status = Prima misurazione con utensile rotante, stato memorizzato in Q1
+title-check-teeth-status-old = Verifica con misurazione dei singoli taglienti, stato memorizzato in Q5; vecchio formato
+title-check-teeth-without-status = Verifica con misurazione dei singoli taglienti, stato non memorizzato

@@ -6,9 +6,9 @@ parameter-result-parameter = Nº do Parâmetro para o resultado
 parameter-probing-direction = Eixo e Direcção de Apalpação
     .help = Eixo de apalpação, introduzido com a tecla de seleção de eixos ou com o teclado alfanumérico, e sinal da direção de apalpação. Confirme com a tecla ENT.
 parameter-probing-position = Valor nominal da posição
-    .help = Todas as coordenadas para o posicionamento prévio do apalpador, introduzidas com as teclas de seleção de eixos ou com o teclado alfanumérico. Termine a introdução com a tecla ENT.
+    .help = Coordenadas da posição prévia do apalpador em todos os eixos, introduzidas com as teclas de seleção de eixos ou o teclado alfanumérico. Termine a introdução com a tecla ENT.
 parameter-probing-position__tnc640 =
-    .help = Todas as coordenadas para o posicionamento prévio do apalpador, introduzidas com as teclas de seleção de eixos ou com o teclado alfanumérico. Termine a introdução com a tecla END.
+    .help = Coordenadas da posição prévia do apalpador em todos os eixos, introduzidas com as teclas de seleção de eixos ou o teclado alfanumérico. Termine a introdução com a tecla END.
 
 # --- the feature ---
 parameter-probing-centre-main = Centro 1.º eixo
@@ -53,9 +53,9 @@ parameter-traverse-to-clearance-height = Deslocação à altura de segurança
     .label-aliases = DESLOCAR À ALTURA SEG
     .help = Determina como o apalpador se desloca entre os pontos de medição.
 choice-travel-at-measuring-height = deslocar-se entre os pontos de medição à altura de medição
-choice-travel-at-measuring-height__tnc426-430 = deslocar-se entre os pontos de medição de forma circular na altura de medição
+choice-travel-at-measuring-height__tnc426-430 = deslocar-se entre os pontos de medição em arco de círculo, à altura de medição
 choice-travel-at-clearance-height = deslocar-se entre os pontos de medição à altura segura
-choice-travel-at-clearance-height__tnc426-430 = deslocar-se entre os pontos de medição de forma circular na altura segura
+choice-travel-at-clearance-height__tnc426-430 = deslocar-se entre os pontos de medição em arco de círculo, à altura segura
 parameter-number-of-touch-points = Número de pontos de medição (4/3)
     .label = N.º PONTOS DE MEDIÇÃO
     .help = Determina se o furo é medido com quatro ou com três apalpações.

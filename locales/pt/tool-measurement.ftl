@@ -5,7 +5,7 @@ parameter-tool-check = Medir a ferramenta=0 / verificar=1
     .label = VERIFICAR
     .word = VERIFICAR:
     .prompt = Medir a ferramenta=0 / verificar=1
-    .help = Determina se a ferramenta é medida pela primeira vez ou se é verificada uma ferramenta já medida. A primeira medição substitui a longitude da ferramenta { $mp-tool-length } no armazém central de ferramentas TOOL.T e põe a 0 o valor delta { $mp-delta-length }. A verificação compara a longitude medida com a longitude da ferramenta { $mp-tool-length }; o desvio, com o seu sinal, é introduzido como valor delta { $mp-delta-length } e está também disponível em Q115. Se o valor delta for maior do que a tolerância de desgaste ou de rotura admissível para a longitude da ferramenta, o comando bloqueia a ferramenta (estado L em TOOL.T).
+    .help = Determina se se trata da primeira medição da ferramenta ou da verificação de uma ferramenta já medida. Na primeira medição, o comando substitui a longitude da ferramenta { $mp-tool-length } em TOOL.T, o armazém central de ferramentas, e põe a 0 o valor delta { $mp-delta-length }. A verificação compara a longitude medida com a longitude da ferramenta { $mp-tool-length }; o desvio, com o seu sinal, é introduzido como valor delta { $mp-delta-length } e está também disponível em Q115. Acima da tolerância de desgaste ou de rotura admissível para a longitude, o comando bloqueia a ferramenta (estado L em TOOL.T).
 choice-tool-first-measurement = medir a ferramenta pela primeira vez
 choice-tool-check = verificar uma ferramenta já medida
 parameter-tool-status-parameter = Nº do Parâmetro para Resultado?
