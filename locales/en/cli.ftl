@@ -34,6 +34,7 @@ cli-translate-out = File to write (default: standard output)
 cli-run = Execute a program in a scene
 cli-run-out = Directory for the tables and logs that the program writes
 cli-run-events = Print each event as a line of JSON
+cli-run-skip-blocks = Leave out the blocks that begin with /
 cli-run-lang = Language of the logs (default: that of the labels in the program, or of the control's manual)
 cli-conform = Execute the examples of the specifications
 cli-export = Print all cycles of a control in a language, as JSON

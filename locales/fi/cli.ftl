@@ -34,6 +34,7 @@ cli-translate-out = Kirjoitettava tiedosto (oletus: vakiotuloste)
 cli-run = Suorita ohjelma asetelmassa
 cli-run-out = Hakemisto taulukoille ja pöytäkirjoille, jotka ohjelma kirjoittaa
 cli-run-events = Tulosta jokainen tapahtuma JSON-rivinä
+cli-run-skip-blocks = Ohita lauseet, jotka alkavat merkillä /
 cli-run-lang = Pöytäkirjojen kieli (oletus: ohjelman NC-tekstien kieli tai ohjauksen käsikirjan kieli)
 cli-conform = Suorita kuvausten esimerkit
 cli-export = Tulosta ohjauksen kaikki työkierrot yhdellä kielellä JSON-muodossa

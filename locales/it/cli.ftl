@@ -34,6 +34,7 @@ cli-translate-out = File da scrivere (predefinito: uscita standard)
 cli-run = Esegue un programma in una scena
 cli-run-out = Cartella per le tabelle e i protocolli scritti dal programma
 cli-run-events = Stampa ogni evento come riga JSON
+cli-run-skip-blocks = Salta i blocchi che iniziano con /
 cli-run-lang = Lingua dei protocolli (predefinita: quella delle etichette del programma o del manuale del controllo numerico)
 cli-conform = Esegue gli esempi delle specifiche
 cli-export = Stampa tutti i cicli di un controllo numerico in una lingua, come JSON

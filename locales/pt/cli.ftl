@@ -34,6 +34,7 @@ cli-translate-out = Ficheiro a escrever (predefinição: saída padrão)
 cli-run = Executa um programa num cenário
 cli-run-out = Pasta para as tabelas e os registos que o programa escreve
 cli-run-events = Mostra cada evento como uma linha JSON
+cli-run-skip-blocks = Omite as frases que começam por /
 cli-run-lang = Idioma dos registos (predefinição: o das designações do programa ou do manual do comando)
 cli-conform = Executa os exemplos das especificações
 cli-export = Mostra todos os ciclos de um comando numérico num idioma, como JSON

@@ -34,6 +34,7 @@ cli-translate-out = Datoteka za zapis (privzeto: standardni izhod)
 cli-run = Izvede program v prizorišču
 cli-run-out = Mapa za preglednice in protokole, ki jih zapiše program
 cli-run-events = Vsak dogodek izpiše kot vrstico JSON
+cli-run-skip-blocks = Izpusti stavke, ki se začnejo z /
 cli-run-lang = Jezik protokolov (privzeto: jezik oznak v programu ali jezik priročnika krmiljenja)
 cli-conform = Izvede primere iz specifikacij
 cli-export = Izpiše vse cikle krmiljenja v enem jeziku kot JSON

@@ -18,7 +18,7 @@ use crate::text;
 
 pub(super) const COMMAND: Command = Command {
     name: "run",
-    usage: "FILE --control CONTROL --scene FILE [--out DIR] [--events] [--lang LANG]",
+    usage: "FILE --control CONTROL --scene FILE [--out DIR] [--events] [--skip-blocks] [--lang LANG]",
     arguments: own,
     run,
 };
@@ -36,6 +36,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::valued(ui, "scene", "FILE", "cli-arg-scene").required(true),
         arguments::valued(ui, "out", "DIR", "cli-run-out"),
         arguments::switch(ui, "events", "cli-run-events"),
+        arguments::switch(ui, "skip-blocks", "cli-run-skip-blocks"),
         arguments::valued(ui, "lang", "LANG", "cli-run-lang"),
     ]
 }
@@ -53,6 +54,9 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let mut engine = Engine::new(&file.program, on, &scene, &texts).with_catalogue(&catalogue);
     for (name, other) in &neighbours {
         engine = engine.with_program(name, &other.program);
+    }
+    if matches.get_flag("skip-blocks") {
+        engine = engine.skipping_blocks();
     }
     let mut teller = Teller { events: matches.get_flag("events"), set: BTreeMap::new(), failed: None, written: Ok(()) };
     let output = &mut *session.output;
