@@ -190,7 +190,7 @@ answers: {stop: go}
         ("scene-expected", 16, 10),
     ];
     assert_eq!(read(text).expect_err("mistakes"), expected);
-    assert_eq!(read("").expect_err("mistakes")[0].0, "scene-expected");
+    assert_eq!(read("").expect_err("mistakes")[0].0, "spec-yaml-feature");
     assert_eq!(read("units: mm").expect_err("mistakes"), [("scene-missing-key", 1, 1)]);
     assert_eq!(read("scene: [1").expect_err("mistakes")[0].0, "spec-yaml-syntax");
     assert_eq!(read("scene: 1\nstart: {X: 5000}").expect_err("mistakes"), [("scene-start-outside", 2, 8)]);
