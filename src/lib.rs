@@ -12,6 +12,7 @@ pub mod dialog;
 pub mod engine;
 pub mod export;
 pub mod expr;
+pub mod fields;
 pub mod label;
 pub mod locale;
 pub mod manual;

@@ -9,8 +9,9 @@ use super::labels::fold;
 use super::{Against, CycleLabels, values};
 use crate::diag::Span;
 use crate::expr::{QKind, QRef};
+use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
-use crate::syntax::{BlockKind, CycleForm, CycleKeyword, CycleView, MFunction, OldCycleLine, Program, Value};
+use crate::syntax::{BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Program, Value};
 
 /// A program with its cycle definitions resolved for a control.
 pub struct Facts<'a> {
@@ -217,11 +218,7 @@ impl<'a> Facts<'a> {
 
 impl<'a> Definition<'a> {
     fn of(program: &'a Program, view: CycleView<'a>, against: &Against<'a>) -> Self {
-        let keyword = match view.keyword {
-            CycleKeyword::CyclDef => Keyword::CyclDef,
-            CycleKeyword::TchProbe => Keyword::TchProbe,
-        };
-        let key = CycleKey::new(keyword, view.number);
+        let key = key(view.keyword, view.number);
         let known = against.on.known(key);
         let cycle = match known {
             Known::Described(cycle) => Some(cycle),

@@ -7,8 +7,9 @@ use std::borrow::Cow;
 use super::facts::{Item, index_of};
 use super::labels::fold;
 use crate::diag::Span;
+use crate::fields::{first, stands_on};
 use crate::spec::{Cycle, Field, Param, Shape};
-use crate::syntax::{Axis, OldCycleLine, OldWord, Program, ValueKind};
+use crate::syntax::{OldCycleLine, OldWord, Program};
 
 /// A definition of the old form with its fields found.
 pub(super) struct Matched<'a> {
@@ -36,18 +37,15 @@ fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a
     let mut matched = Matched { items: Vec::new(), missing: Vec::new(), strange: 0 };
     let mut found: Vec<&Param> = Vec::new();
     for line in lines {
-        let belongs = |field: &Field| field.line == line.line || (field.repeat && line.line > field.line);
-        let mut open: Vec<(&Param, &Field)> = fields.iter().copied().filter(|(_, field)| belongs(field)).collect();
+        let mut open: Vec<(&Param, &Field)> =
+            fields.iter().copied().filter(|(_, field)| stands_on(field, line)).collect();
         let mut words = line.words.as_slice();
         while let Some(word) = words.first() {
-            let fitting = open.iter().position(|(_, field)| width(program, field, words) > 0);
-            let (param, count) = match fitting {
-                Some(at) => {
-                    let (param, field) = open[at];
-                    // Fields stand in their order: what was passed over is not written.
-                    open.drain(..=at);
-                    found.push(param);
-                    (Some((param, field)), width(program, field, words))
+            let (param, count) = match first(program, open.iter().map(|(_, field)| *field), words) {
+                Some((at, count)) => {
+                    let own = open.drain(..=at).next_back();
+                    found.extend(own.map(|(param, _)| param));
+                    (own, count)
                 }
                 None => {
                     matched.strange += 1;
@@ -64,39 +62,6 @@ fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a
     matched.missing =
         fields.iter().filter(|(param, field)| is_missing(param, field)).map(|(param, _)| *param).collect();
     matched
-}
-
-/// How many of the words make up the field: 0 if the first one does not.
-fn width(program: &Program, field: &Field, words: &[OldWord]) -> usize {
-    let Some(word) = words.first() else { return 0 };
-    let name = program.slice(word.name);
-    let fits = match field.shape {
-        Shape::Row => name == "#",
-        Shape::Q => name.is_empty() && matches!(word.value.kind, ValueKind::Q { negative: false, .. }),
-        Shape::AxisDirection => is_axis(name, false) && matches!(word.value.kind, ValueKind::Sign(_)),
-        Shape::AxisCoordinate => is_coordinate(program, word, field.incremental),
-        Shape::Position => {
-            return words.iter().take_while(|word| is_coordinate(program, word, field.incremental)).count();
-        }
-        Shape::Word => {
-            let own = field.word.as_deref().unwrap_or_default();
-            let plain = name.strip_prefix(['I', 'i']).filter(|_| field.incremental);
-            name.eq_ignore_ascii_case(own) || plain.is_some_and(|plain| plain.eq_ignore_ascii_case(own))
-        }
-        Shape::Labelled => name.ends_with(':'),
-    };
-    usize::from(fits)
-}
-
-fn is_axis(name: &str, incremental: bool) -> bool {
-    let upper = name.to_ascii_uppercase();
-    let name = if incremental { upper.strip_prefix('I').unwrap_or(&upper) } else { &upper };
-    name.len() == 1 && Axis::by_name(name.as_bytes()).is_some()
-}
-
-fn is_coordinate(program: &Program, word: &OldWord, incremental: bool) -> bool {
-    let valued = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
-    valued && is_axis(program.slice(word.name), incremental)
 }
 
 fn item<'a>(

@@ -13,12 +13,11 @@ use super::{Content, Done, Run};
 use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::plan::Plan;
 use crate::expr::{QKind, QRef};
+use crate::fields::{self, first, stands_on};
 use crate::spec::{
-    self, Cycle, CycleKey, Keyword, Known, Named, OnControl, Param, ParameterKind, Shape, TakesEffect, Transformation,
+    self, Cycle, CycleKey, Known, Named, OnControl, Param, ParameterKind, Shape, TakesEffect, Transformation,
 };
-use crate::syntax::{
-    Axis, CycleDef, CycleForm, CycleKeyword, CycleView, OldCycleLine, OldWord, Parameter, Value, ValueKind,
-};
+use crate::syntax::{Axis, CycleDef, CycleForm, CycleView, OldCycleLine, OldWord, Parameter, Value, ValueKind};
 
 /// A coordinate of an old-style field.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,13 +66,6 @@ impl Definition<'_> {
     }
 }
 
-fn keyword(keyword: CycleKeyword) -> Keyword {
-    match keyword {
-        CycleKeyword::CyclDef => Keyword::CyclDef,
-        CycleKeyword::TchProbe => Keyword::TchProbe,
-    }
-}
-
 impl<'e> Run<'_, 'e> {
     /// The definition that begins at the block being executed.
     pub(super) fn definition_here(&self) -> Option<usize> {
@@ -88,7 +80,7 @@ impl<'e> Run<'_, 'e> {
             return Ok(());
         };
         self.flow.next = view.last + 1;
-        let key = CycleKey::new(keyword(view.keyword), view.number);
+        let key = fields::key(view.keyword, view.number);
         self.at.cycle = Some((key, None));
         let Some((cycle, on)) = self.known(key)? else { return self.activate(key, &view) };
         let plan = self.plan(cycle, on)?;
@@ -297,45 +289,31 @@ impl<'e> Run<'_, 'e> {
         lines: &[&OldCycleLine],
     ) -> Result<Result<Vec<(Arc<str>, FieldValue)>, OldWord>, Fault> {
         let mut fields: Vec<(Arc<str>, FieldValue)> = Vec::new();
+        let Some(prepared) = self.programs.get(self.flow.program) else { return Ok(Ok(fields)) };
         for line in lines {
-            let mut expected: Vec<(&Param, &spec::Field)> = cycle
-                .fields(form)
-                .filter(|(_, field)| field.line == line.line || (field.repeat && line.line > field.line))
-                .collect();
-            for word in &line.words {
-                let fits = |(param, field): &(&Param, &spec::Field)| self.fits(word, param, field);
-                let Some(at) = expected.iter().position(fits) else { return Ok(Err(*word)) };
-                let Some((param, field)) = expected.get(at).copied() else { return Ok(Err(*word)) };
-                let value = self.field_value(word, param, field)?;
-                if !matches!(field.shape, Shape::Position) {
-                    expected.remove(at);
+            let mut expected: Vec<(&Param, &spec::Field)> =
+                cycle.fields(form).filter(|(_, field)| stands_on(field, line)).collect();
+            let mut words = line.words.as_slice();
+            while let Some(word) = words.first() {
+                let found = first(prepared.program, expected.iter().map(|(_, field)| *field), words);
+                let own = found.and_then(|(at, count)| expected.drain(..=at).next_back().zip(Some(count)));
+                let Some(((param, field), count)) = own else { return Ok(Err(*word)) };
+                let (own, rest) = words.split_at(count.min(words.len()));
+                for word in own {
+                    if !is_valued(word, param, field) {
+                        return Ok(Err(*word));
+                    }
+                    let value = self.field_value(word, param, field)?;
+                    match (fields.iter_mut().find(|(id, _)| *id == field.id.text), value) {
+                        (Some((_, FieldValue::Coords(all))), FieldValue::Coords(more)) => all.extend(more),
+                        (Some(_), _) => return Ok(Err(*word)),
+                        (None, value) => fields.push((Arc::clone(&field.id.text), value)),
+                    }
                 }
-                match (fields.iter_mut().find(|(id, _)| *id == field.id.text), value) {
-                    (Some((_, FieldValue::Coords(all))), FieldValue::Coords(more)) => all.extend(more),
-                    (Some(_), _) => return Ok(Err(*word)),
-                    (None, value) => fields.push((Arc::clone(&field.id.text), value)),
-                }
+                words = rest;
             }
         }
         Ok(Ok(fields))
-    }
-
-    /// Whether a word has the shape of a field. Printed names never decide.
-    fn fits(&self, word: &OldWord, param: &Param, field: &spec::Field) -> bool {
-        let name = self.slice(word.name).trim().to_ascii_uppercase();
-        let numeric = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
-        let axis = axis_of(&name).is_some();
-        match field.shape {
-            Shape::Labelled => name.ends_with(':') && (numeric || param.kind == ParameterKind::Text),
-            Shape::Word => {
-                let wanted = field.word.as_deref().unwrap_or_default();
-                numeric && (name == wanted || (name.strip_prefix('I') == Some(wanted)))
-            }
-            Shape::Q => name.is_empty() && matches!(word.value.kind, ValueKind::Q { .. }),
-            Shape::AxisDirection => axis && matches!(word.value.kind, ValueKind::Sign(_)),
-            Shape::Position | Shape::AxisCoordinate => axis && numeric,
-            Shape::Row => name == "#" && numeric,
-        }
     }
 
     fn field_value(&self, word: &OldWord, param: &Param, field: &spec::Field) -> Result<FieldValue, Fault> {
@@ -367,6 +345,16 @@ impl<'e> Run<'_, 'e> {
 }
 
 /// The axis of a word such as `X` or `IX`, and whether it is incremental.
+/// Whether the value of a word is one that the field can hold.
+fn is_valued(word: &OldWord, param: &Param, field: &spec::Field) -> bool {
+    let numeric = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
+    match field.shape {
+        Shape::Labelled => numeric || param.kind == ParameterKind::Text,
+        Shape::Word | Shape::Row => numeric,
+        Shape::Q | Shape::AxisDirection | Shape::Position | Shape::AxisCoordinate => true,
+    }
+}
+
 fn axis_of(name: &str) -> Option<(Axis, bool)> {
     let (letters, incremental) = match name.strip_prefix('I') {
         Some(rest) => (rest, true),

@@ -1,0 +1,68 @@
+//! Which word of an old-style line is which field of a specification, for everyone who reads such lines.
+//!
+//! Fields are known by their line, their shape and their order, never by the printed word, which is
+//! another one in each language. Invariant: nothing here judges a value.
+use crate::spec::{CycleKey, Field, Keyword, Shape};
+use crate::syntax::{Axis, CycleKeyword, OldCycleLine, OldWord, Program, ValueKind};
+
+/// The key of a cycle that a program writes.
+pub const fn key(keyword: CycleKeyword, number: u32) -> CycleKey {
+    let keyword = match keyword {
+        CycleKeyword::CyclDef => Keyword::CyclDef,
+        CycleKeyword::TchProbe => Keyword::TchProbe,
+    };
+    CycleKey::new(keyword, number)
+}
+
+/// Whether a field may stand on a line: on its own one, or on a later one if its line may be repeated.
+pub const fn stands_on(field: &Field, line: &OldCycleLine) -> bool {
+    field.line == line.line || (field.repeat && line.line > field.line)
+}
+
+/// The place of the first of the fields that the words begin with, and how many words make it up. Fields stand
+/// in their order: those before it are not written on this line.
+pub fn first<'f>(
+    program: &Program,
+    mut fields: impl Iterator<Item = &'f Field>,
+    words: &[OldWord],
+) -> Option<(usize, usize)> {
+    let mut count = 0;
+    let at = fields.position(|field| {
+        count = width(program, field, words);
+        count > 0
+    })?;
+    Some((at, count))
+}
+
+/// How many of the words make up the field: 0 if the first one does not.
+fn width(program: &Program, field: &Field, words: &[OldWord]) -> usize {
+    let Some(word) = words.first() else { return 0 };
+    let name = program.slice(word.name);
+    let fits = match field.shape {
+        Shape::Row => name == "#",
+        Shape::Q => name.is_empty() && matches!(word.value.kind, ValueKind::Q { negative: false, .. }),
+        Shape::AxisDirection => is_axis(name, false) && matches!(word.value.kind, ValueKind::Sign(_)),
+        Shape::AxisCoordinate => is_coordinate(program, word, field.incremental),
+        Shape::Position => {
+            return words.iter().take_while(|word| is_coordinate(program, word, field.incremental)).count();
+        }
+        Shape::Word => {
+            let own = field.word.as_deref().unwrap_or_default();
+            let plain = name.strip_prefix(['I', 'i']).filter(|_| field.incremental);
+            name.eq_ignore_ascii_case(own) || plain.is_some_and(|plain| plain.eq_ignore_ascii_case(own))
+        }
+        Shape::Labelled => name.ends_with(':'),
+    };
+    usize::from(fits)
+}
+
+fn is_axis(name: &str, incremental: bool) -> bool {
+    let upper = name.to_ascii_uppercase();
+    let name = if incremental { upper.strip_prefix('I').unwrap_or(&upper) } else { &upper };
+    name.len() == 1 && Axis::by_name(name.as_bytes()).is_some()
+}
+
+fn is_coordinate(program: &Program, word: &OldWord, incremental: bool) -> bool {
+    let valued = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
+    valued && is_axis(program.slice(word.name), incremental)
+}
