@@ -285,6 +285,18 @@ proptest! {
     }
 }
 
+/// The place of a dangling `~` is the mark itself, before a comment or behind it.
+#[test]
+fn a_dangling_mark_is_found_on_either_side_of_a_comment() {
+    for text in ["~~;\u{a0}", "L X+1 ~ ;comment", "L X+1 ;comment ~", "~"] {
+        let parsed = program(text);
+        let findings = parsed.diagnostics();
+        let dangling = findings.iter().find(|finding| finding.code == "syntax-dangling-continuation");
+        let span = dangling.expect("a finding").place.as_ref().expect("a place").span;
+        assert_eq!(text.get(span.start..span.end), Some("~"), "{text:?}");
+    }
+}
+
 /// A line torn in a good program is one unknown line, and nothing else becomes one.
 #[test]
 fn one_malformed_line_is_one_unknown() {

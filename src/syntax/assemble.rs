@@ -116,8 +116,10 @@ impl Assembler<'_> {
 
     fn dangling(&mut self, line: &Line) {
         let end = line.comment.map_or(line.content.end, |comment| comment.end);
-        let mark = self.text.get(end..line.next).and_then(|rest| rest.find('~')).map_or(end, |at| end + at);
-        let span = Span::new(mark, (mark + 1).min(line.next));
+        // The mark stands behind the comment or before it.
+        let behind = |from: usize, to: usize| self.text.get(from..to)?.find('~').map(|at| from + at);
+        let mark = behind(end, line.next).or_else(|| behind(line.content.end, end));
+        let span = mark.map_or(Span::new(end, end), |mark| Span::new(mark, mark + 1));
         self.warnings.push(SyntaxError { code: "syntax-dangling-continuation", span, expected: "parameter" });
     }
 
