@@ -1,0 +1,5 @@
+# Turning: longitudinal and face.
+
+# --- 811 ---
+cycle-turn-shoulder-longitudinal = Vzdolžno struženje segmenta
+    .nc = VZDOLŽNO STRUŽENJE SEGMENTA
