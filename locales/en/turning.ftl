@@ -12,6 +12,7 @@ step-rapid-to-start-of-cut = The control returns the tool at rapid traverse to t
 until-turning-contour-finished = the contour is finished
 step-smooth-after-last-cut = With { $q-contour-smoothing } = 1 the control smooths the entire contour after the last cut.
 step-rapid-to-starting-point-of-cycle = The control returns the tool at rapid traverse to the starting point of the cycle.
+step-rapid-back-after-finishing = { step-rapid-to-starting-point-of-cycle }
 step-rapid-in-z-by-clearance = The control moves the tool in Z by the set-up clearance { $q-turning-clearance } at rapid traverse.
 step-rapid-paraxial-infeed = The control advances the tool parallel to the axis at rapid traverse.
 step-finish-turned-contour = The control finishes the contour of the workpiece at the feed rate { $q-turning-finishing-feed }.
