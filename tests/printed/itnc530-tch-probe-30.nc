@@ -1,0 +1,3 @@
+; control: itnc530 lang: it source: 002:1797-1799
+7 TCH PROBE 30.0 CALIBRAZIONE TT
+8 TCH PROBE 30.1 ALT.: +90

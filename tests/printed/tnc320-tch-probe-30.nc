@@ -1,0 +1,3 @@
+; control: tnc320 lang: fi source: 000:7065-7067
+7 TCH PROBE 30.0 TT KALIBROINTI
+8 TCH PROBE 30.1 KORKEUS: +90

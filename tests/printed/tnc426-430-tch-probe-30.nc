@@ -1,0 +1,3 @@
+; control: tnc426-430 lang: pt source: 003:2834-2836
+7 TCH PROBE 30.0 CALIBRAR TT
+8 TCH PROBE 30.1 ALTURA: +90

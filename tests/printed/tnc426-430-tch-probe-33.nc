@@ -1,0 +1,5 @@
+; control: tnc426-430 lang: pt source: 003:3006-3009 corrected: 31.3 for 33.3 (line-number-of-33)
+7 TCH PROBE 33.0 MEDIR FERR.TA
+8 TCH PROBE 33.1 VERIFICAR: 0
+9 TCH PROBE 33.2 ALTURA: +120
+10 TCH PROBE 33.3 MEDIÇÃO DE NAVALHAS: 0

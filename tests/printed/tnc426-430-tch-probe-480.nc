@@ -1,0 +1,3 @@
+; control: tnc426-430 lang: pt source: 003:2842-2844
+7 TCH PROBE 480 CALIBRAR TT
+Q260=+100 ;ALTURA SEGURA

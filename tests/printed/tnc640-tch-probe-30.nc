@@ -1,0 +1,3 @@
+; control: tnc640 lang: sl source: 001:14953-14955
+7 TCH PROBE 30.0 UMERJANJE TIP. SIST.
+8 TCH PROBE 30.1 VIŠINA: +90

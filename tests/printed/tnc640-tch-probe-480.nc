@@ -1,0 +1,3 @@
+; control: tnc640 lang: sl source: 001:14961-14963
+7 TCH PROBE 480 UMERJANJE TIP. SIST.
+Q260=+100 ;VARNA VIŠINA
