@@ -29,7 +29,7 @@ say-centre-to-depth = { $q-depth-or-diameter } = 0: to the centring depth { $q-d
 step-dwell-at-centring-bottom = The tool dwells at the bottom of the centring for { $q-dwell-at-bottom }, if entered.
 condition-centring-to-depth = { $q-depth-or-diameter } = 0
 condition-centring-to-diameter = { $q-depth-or-diameter } = 1
-guard-point-angle-missing = To centre to a diameter, define the point angle { $mp-point-angle } of the tool in the tool table.
+guard-point-angle-missing = To centre to a diameter, define the point angle { $mp-drill-point-angle } of the tool in the tool table.
 guard-depth-zero__centring = The selected depth or diameter is 0: the control does not execute the cycle.
 guard-depth-positive__centring = The selected depth or diameter is positive. Enter a negative value, or let the machine parameter { $mp-display-depth-err } allow it.
 note-sign-of-depth-or-diameter = The sign of the diameter { $q-centring-diameter } or of the depth { $q-depth }, whichever is selected, determines the working direction. With diameter or depth 0 the control does not execute the cycle.

@@ -23,7 +23,7 @@ parameter-chip-breaks-before-retraction = Number of chip breaks before retractio
     .help = How often a chip is broken before the tool is retracted from the hole to cool. To break a chip the tool retracts by { $q-chip-breaking-retraction }.
 parameter-depth-or-diameter = Select depth or diameter
     .label = SELECT DEPTH/DIAMETER
-    .help = Whether the tool centres to the entered depth or to the entered diameter. For the diameter, the point angle of the tool must be defined in the column { $mp-point-angle } of the tool table.
+    .help = Whether the tool centres to the entered depth or to the entered diameter. For the diameter, the point angle of the tool must be defined in the column { $mp-drill-point-angle } of the tool table.
 parameter-centring-diameter = Diameter (sign)
     .label = DIAMETER
     .help = Centring diameter; its sign is the working direction. It acts only if { $q-depth-or-diameter } = 1.
