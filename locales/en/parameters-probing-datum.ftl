@@ -1,0 +1,41 @@
+# Parameters of the misalignment and datum cycles: name, label in the NC block, help.
+
+# --- datum cycles: what differs from the hole ---
+parameter-probing-centre-main__datum-inside-rectangle =
+    .help = Centre of the pocket in the main axis of the working plane.
+parameter-probing-centre-minor__datum-inside-rectangle =
+    .help = Centre of the pocket in the secondary axis of the working plane.
+parameter-probing-centre-main__datum-outside-rectangle =
+    .help = Centre of the stud in the main axis of the working plane.
+parameter-probing-centre-minor__datum-outside-rectangle =
+    .help = Centre of the stud in the secondary axis of the working plane.
+parameter-probing-centre-main__datum-outside-circle =
+    .help = Centre of the stud in the main axis of the working plane.
+parameter-probing-centre-minor__datum-outside-circle =
+    .help = Centre of the stud in the secondary axis of the working plane.
+parameter-probing-nominal-diameter__datum-outside-circle =
+    .help = Approximate diameter of the stud. Enter a value that is too large rather than too small.
+parameter-number-of-touch-points__datum-outside-circle =
+    .help = Whether the stud is measured with four or three probings.
+parameter-first-side-length__datum-outside-rectangle =
+    .help = Length of the stud parallel to the main axis of the working plane.
+parameter-second-side-length__datum-outside-rectangle =
+    .help = Length of the stud parallel to the secondary axis of the working plane.
+parameter-datum-row-number__datum-outside-rectangle =
+    .help = Number in the datum table or preset table under which the coordinates of the stud centre are stored. With 0 the control sets the display so that the new datum is at the stud centre.
+parameter-datum-row-number__datum-outside-rectangle__tnc426-430 =
+    .help = Number in the datum table under which the coordinates of the stud centre are stored. With 0 the control sets the display so that the new datum is at the stud centre.
+parameter-datum-row-number__datum-outside-circle =
+    .help = Number in the datum table or preset table under which the coordinates of the stud centre are stored. With 0 the control sets the display so that the new datum is at the stud centre.
+parameter-datum-row-number__datum-outside-circle__tnc426-430 =
+    .help = Number in the datum table under which the coordinates of the stud centre are stored. With 0 the control sets the display so that the new datum is at the stud centre.
+parameter-new-datum-main__datum-outside-rectangle =
+    .help = Coordinate in the main axis to which the measured stud centre is set. Basic setting: 0.
+parameter-new-datum-minor__datum-outside-rectangle =
+    .help = Coordinate in the secondary axis to which the measured stud centre is set. Basic setting: 0.
+parameter-new-datum-main__datum-outside-circle =
+    .help = Coordinate in the main axis to which the measured stud centre is set. Basic setting: 0.
+parameter-new-datum-minor__datum-outside-circle =
+    .help = Coordinate in the secondary axis to which the measured stud centre is set. Basic setting: 0.
+choice-travel-paraxially-at-measuring-height = move parallel to the axes at measuring height between the measuring points
+choice-travel-linearly-at-clearance-height = move on a straight line at clearance height between the measuring points
