@@ -73,7 +73,8 @@ fn every_page_is_valid_html_in_its_language_with_unique_ids() {
         assert_eq!(ids.len(), page.ids.len(), "{path}: {:?}", page.ids);
         let language = path.split('/').nth(1).unwrap_or("en");
         assert_eq!(page.lang, language, "{path}");
-        assert!(!page.elements.iter().any(|name| name == "script"), "{path}");
+        let scripts = page.elements.iter().filter(|name| *name == "script").count();
+        assert_eq!(scripts > 0, path.ends_with("/search.html"), "{path}: only searching needs a script");
         assert!(!page.text.contains(['\u{2068}', '\u{2069}', '\u{2060}']), "{path}: a mark that nobody sees");
         for name in ["main", "h1", "title"] {
             assert_eq!(page.elements.iter().filter(|own| *own == name).count(), 1, "{path}: {name}");
@@ -154,6 +155,11 @@ fn pages_of_the_small_catalogue_are_as_they_were() {
         "small/en/index.html",
         "small/en/cycl-def-901.html",
         "small/en/cycl-def-9.html",
+        "small/en/parameters.html",
+        "small/en/topic-pecking-basics.html",
+        "small/en/glossary.html",
+        "small/en/keywords.html",
+        "small/en/search-index.js",
         "small/en/dialogs.json",
     ];
     for path in compared {
@@ -179,6 +185,53 @@ fn a_missing_text_stops_the_build_and_all_of_them_are_told() {
     let keys: Vec<String> = faults.iter().map(|fault| format!("{} {:?}", fault.code, fault.get("key"))).collect();
     assert_eq!(keys.len(), 2, "{keys:?}");
     assert!(faults.iter().all(|fault| fault.code == "locale-missing-text" && fault.place.is_some()), "{keys:?}");
+}
+
+#[test]
+fn a_topic_without_a_page_or_a_title_stops_the_build() {
+    for (text, code) in [(None, "manual-topic-missing"), (Some("No title.\n"), "manual-topic-title")] {
+        let mut files = small();
+        match text {
+            None => files.retain(|(path, _)| !path.ends_with("pecking-basics.md")),
+            Some(text) => {
+                let page = files.iter_mut().find(|(path, _)| path.ends_with("pecking-basics.md")).expect("the page");
+                page.1 = text.to_owned();
+            }
+        }
+        let faults = build(&files, &[]).expect_err("the topic cannot be shown");
+        assert_eq!(faults.iter().map(|fault| fault.code).collect::<Vec<_>>(), [code]);
+        assert!(faults[0].place.is_some());
+    }
+}
+
+#[test]
+fn the_index_of_the_search_leads_from_one_form_of_a_word_to_all() {
+    let files = data::embedded();
+    let words = [
+        ("en", vec!["drill", "drills", "drilling"]),
+        ("fi", vec!["syvyys", "syvyyden", "syvyyteen"]),
+        ("it", vec!["foro", "fori"]),
+        ("pt", vec!["furo", "furos"]),
+        ("sl", vec!["vrtina", "vrtine", "vrtin"]),
+    ];
+    let languages: Vec<String> = words.iter().map(|(tag, _)| (*tag).to_owned()).collect();
+    let site = build(&files, &languages).expect("the site is whole");
+    for (tag, same) in words {
+        let script = std::str::from_utf8(&site[&format!("tnc640/{tag}/search-index.js")]).expect("it is UTF-8");
+        let json = script.strip_prefix("const cikloIndex = ").and_then(|rest| rest.strip_suffix(";\n"));
+        let index: serde_json::Value = serde_json::from_str(json.expect("one object")).expect("the object is JSON");
+        let list = |value: &serde_json::Value| value.as_array().expect("a list").clone();
+        let forms = list(&index["forms"]);
+        assert!(forms.windows(2).all(|pair| pair[0][0].as_str() < pair[1][0].as_str()), "{tag}: not in order");
+        let stem = |form: &str| forms.iter().find(|entry| entry[0] == form).map(|entry| entry[1].as_u64());
+        let stems: Vec<_> = same.iter().map(|form| stem(form).unwrap_or_else(|| panic!("{tag}: no {form}"))).collect();
+        assert!(stems.windows(2).all(|pair| pair[0] == pair[1]), "{tag}: {same:?} {stems:?}");
+        let drilling =
+            list(&index["pages"]).iter().position(|entry| entry[0] == "cycl-def-200.html").expect("its page");
+        let on = list(&index["stems"][stems[0].expect("a number") as usize]);
+        let pages: Vec<u64> = on.iter().step_by(2).filter_map(serde_json::Value::as_u64).collect();
+        assert!(pages.contains(&(drilling as u64)), "{tag}: {same:?} do not lead to the page of drilling");
+    }
 }
 
 #[test]

@@ -76,3 +76,25 @@ page-title = { $name } · { $key } · { $control }
 page-overview-title = Cycles of the { $control }
 page-form = Form { $number }
 page-switched-off-by = Can be switched off with { $datum }.
+
+# Lists, comparisons, topics, search.
+site-parameters-short = Parameters
+site-keywords = Index
+site-glossary = Glossary
+site-search = Search
+site-search-for = Search for
+site-search-none = Nothing found.
+site-search-found = Pages found:
+site-search-noscript = Searching needs JavaScript. The index lists all cycles and parameters:
+site-compare = Comparison
+site-compare-controls = On all controls
+site-differs-mark = ≠ marks what differs
+site-topics = Topics
+site-by-parameter = By parameter
+site-used-in = Used in
+page-parameters-title = Parameters of the { $control }
+page-keywords-title = Index: { $control }
+page-glossary-title = Glossary: { $control }
+page-search-title = Search: { $control }
+page-topic-title = { $title } · { $control }
+page-comparison-title = { $key } { $name }: comparison of the controls

@@ -69,3 +69,26 @@ page-title = { $name } · { $key } · { $control }
 page-overview-title = Työkierrot: { $control }
 page-form = Muoto { $number }
 page-switched-off-by = Voidaan kytkeä pois parametrilla { $datum }.
+
+# Lists, comparisons, topics, search.
+site-parameters-short = Parametrit
+site-keywords = Hakemisto
+site-glossary = Sanasto
+site-search = Haku
+    .endings = s d t k p ks kse de te nn mm
+site-search-for = Etsi
+site-search-none = Mitään ei löytynyt.
+site-search-found = Löydettyjä sivuja:
+site-search-noscript = Haku vaatii JavaScriptin. Hakemistossa ovat kaikki työkierrot ja parametrit:
+site-compare = Vertailu
+site-compare-controls = Kaikissa ohjauksissa
+site-differs-mark = ≠ merkitsee erot
+site-topics = Aiheet
+site-by-parameter = Parametrin mukaan
+site-used-in = Käytössä
+page-parameters-title = Parametrit: { $control }
+page-keywords-title = Hakemisto: { $control }
+page-glossary-title = Sanasto: { $control }
+page-search-title = Haku: { $control }
+page-topic-title = { $title } · { $control }
+page-comparison-title = { $key } { $name }: ohjausten vertailu

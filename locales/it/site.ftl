@@ -69,3 +69,25 @@ page-title = { $name } · { $key } · { $control }
 page-overview-title = Cicli del controllo { $control }
 page-form = Forma { $number }
 page-switched-off-by = Disattivabile con { $datum }.
+
+# Lists, comparisons, topics, search.
+site-parameters-short = Parametri
+site-keywords = Indice analitico
+site-glossary = Glossario
+site-search = Ricerca
+site-search-for = Cerca
+site-search-none = Nessun risultato.
+site-search-found = Pagine trovate:
+site-search-noscript = La ricerca richiede JavaScript. L’indice analitico elenca tutti i cicli e i parametri:
+site-compare = Confronto
+site-compare-controls = Su tutti i controlli numerici
+site-differs-mark = ≠ indica le differenze
+site-topics = Argomenti
+site-by-parameter = Per parametro
+site-used-in = Impiegato in
+page-parameters-title = Parametri: { $control }
+page-keywords-title = Indice analitico: { $control }
+page-glossary-title = Glossario: { $control }
+page-search-title = Ricerca: { $control }
+page-topic-title = { $title } · { $control }
+page-comparison-title = { $key } { $name }: confronto dei controlli numerici

@@ -69,3 +69,26 @@ page-title = { $name } · { $key } · { $control }
 page-overview-title = Ciclos do { $control }
 page-form = Forma { $number }
 page-switched-off-by = Pode ser desativado com { $datum }.
+
+# Lists, comparisons, topics, search.
+site-parameters-short = Parâmetros
+site-keywords = Índice remissivo
+site-glossary = Glossário
+site-search = Pesquisa
+    .endings = ã õ l i
+site-search-for = Pesquisar
+site-search-none = Nada foi encontrado.
+site-search-found = Páginas encontradas:
+site-search-noscript = A pesquisa requer JavaScript. O índice remissivo contém todos os ciclos e parâmetros:
+site-compare = Comparação
+site-compare-controls = Em todos os comandos
+site-differs-mark = ≠ assinala as diferenças
+site-topics = Temas
+site-by-parameter = Por parâmetro
+site-used-in = Utilizado em
+page-parameters-title = Parâmetros: { $control }
+page-keywords-title = Índice remissivo: { $control }
+page-glossary-title = Glossário: { $control }
+page-search-title = Pesquisa: { $control }
+page-topic-title = { $title } · { $control }
+page-comparison-title = { $key } { $name }: comparação dos comandos

@@ -69,3 +69,26 @@ page-title = { $name } · { $key } · { $control }
 page-overview-title = Cikli krmiljenja { $control }
 page-form = Oblika { $number }
 page-switched-off-by = Izklop je mogoč s parametrom { $datum }.
+
+# Lists, comparisons, topics, search.
+site-parameters-short = Parametri
+site-keywords = Kazalo
+site-glossary = Slovar
+site-search = Iskanje
+    .endings = ega emu ima imi ami ama ih im em om ev ov am ah oma ovi ove ova eva evi a e i o u anje anja anju anjem enje enja enju enjem ost osti ostjo ska sko ske ski
+site-search-for = Išči
+site-search-none = Ni zadetkov.
+site-search-found = Najdene strani:
+site-search-noscript = Za iskanje je potreben JavaScript. V kazalu so vsi cikli in parametri:
+site-compare = Primerjava
+site-compare-controls = Na vseh krmiljenjih
+site-differs-mark = ≠ označuje razlike
+site-topics = Teme
+site-by-parameter = Po parametrih
+site-used-in = Uporablja se v
+page-parameters-title = Parametri: { $control }
+page-keywords-title = Kazalo: { $control }
+page-glossary-title = Slovar: { $control }
+page-search-title = Iskanje: { $control }
+page-topic-title = { $title } · { $control }
+page-comparison-title = { $key } { $name }: primerjava krmiljenj

@@ -12,10 +12,11 @@ use fluent_syntax::ast::{self, Pattern};
 use super::language::{Form, Key, Language, Scope};
 use super::pattern::{Node, visit};
 use super::{LocaleError, Locales, SOURCE_LANGUAGE};
-use crate::diag::{Diagnostic, Place, Source};
+use crate::diag::{Diagnostic, Place, Source, Span};
 
-/// Attributes that a language may have alone: whether there is one depends on what its manual prints.
-const OWN: [&str; 3] = ["label-aliases", "nc-aliases", "prompt"];
+/// Attributes that a language may have alone: whether there is one depends on what its manual prints,
+/// or on its grammar.
+const OWN: [&str; 7] = ["endings", "forbidden", "forms", "label-aliases", "nc-aliases", "prompt", "source"];
 
 /// What a translation was made from.
 #[derive(Debug, Default)]
@@ -155,7 +156,11 @@ fn hash(pattern: &Pattern<&str>) -> u32 {
         comment: None,
     };
     let text = fluent_syntax::serializer::serialize(&ast::Resource { body: vec![ast::Entry::Message(message)] });
-    // FNV-1a: only equality matters, and the lock must not change with a library's hash.
+    sum(&text)
+}
+
+/// FNV-1a: only equality matters, and the lock must not change with a library's hash.
+fn sum(text: &str) -> u32 {
     text.bytes().fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
@@ -198,7 +203,7 @@ impl Locales {
         let (source, translation) = (self.language(SOURCE_LANGUAGE)?, self.language(tag)?);
         let mut audit = Audit { language: tag.to_owned(), ..Audit::default() };
         if tag == SOURCE_LANGUAGE {
-            audit.total = texts(source).len();
+            audit.total = texts(source).len() + source.topics.len();
             return Ok(audit);
         }
         for text in texts(source).iter().filter(|text| !text.id.starts_with('-')) {
@@ -215,6 +220,7 @@ impl Locales {
                 None => audit.orphans.push(finding(translation, &text.key, text.form, None)),
             }
         }
+        topics(&mut audit, source, translation);
         Ok(audit)
     }
 
@@ -230,7 +236,41 @@ impl Locales {
                 let _ = writeln!(lock, "{} {:08x}", text.key, hash(original));
             }
         }
+        for (name, _) in translation.topics() {
+            if let Some(original) = source.topic(name) {
+                let _ = writeln!(lock, "{} {:08x}", topic_key(name), sum(original.text()));
+            }
+        }
         Ok(lock)
+    }
+}
+
+/// The key of a page of prose in reports and lock files.
+fn topic_key(name: &str) -> String {
+    format!("topics/{name}")
+}
+
+/// Compares the pages of prose.
+fn topics(audit: &mut Audit, source: &Language, translation: &Language) {
+    let whole = |name: &str, page: &Arc<Source>| Finding {
+        key: topic_key(name),
+        place: Some(Place::new(page, Span::default())),
+        argument: None,
+    };
+    for (name, original) in source.topics() {
+        audit.total += 1;
+        let Some(page) = translation.topic(name) else {
+            audit.missing.push(whole(name, original));
+            continue;
+        };
+        match translation.lock.as_ref().and_then(|lock| lock.0.get(&topic_key(name))) {
+            None => audit.unrecorded.push(whole(name, page)),
+            Some(recorded) if *recorded != sum(original.text()) => audit.stale.push(whole(name, page)),
+            Some(_) => {}
+        }
+    }
+    for (name, page) in translation.topics().filter(|(name, _)| source.topic(name).is_none()) {
+        audit.orphans.push(whole(name, page));
     }
 }
 

@@ -6,7 +6,7 @@
 //! referenced message distinguishes, when it is first needed. Invariant: what comes out is either the
 //! whole text or an error.
 use std::borrow::Cow;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fmt;
 use std::sync::{Arc, PoisonError, RwLock};
 
@@ -165,6 +165,8 @@ pub(super) struct Parts {
     pub(super) distinguished: HashSet<Box<str>>,
     pub(super) forms: Forms,
     pub(super) lock: Option<Lock>,
+    /// Pages of prose by topic.
+    pub(super) topics: BTreeMap<String, Arc<Source>>,
 }
 
 type Overlay = (Option<String>, Option<String>);
@@ -175,6 +177,7 @@ pub struct Language {
     pub(super) files: Vec<File>,
     pub(super) entries: HashMap<String, Entry>,
     pub(super) lock: Option<Lock>,
+    pub(super) topics: BTreeMap<String, Arc<Source>>,
     id: LanguageIdentifier,
     distinguished: HashSet<Box<str>>,
     forms: Arc<Forms>,
@@ -193,6 +196,7 @@ impl Language {
             files: parts.files,
             entries: parts.entries,
             lock: parts.lock,
+            topics: parts.topics,
             id: parts.id,
             distinguished: parts.distinguished,
             forms,
@@ -221,6 +225,16 @@ impl Language {
     pub fn unit(&self, value: f64, unit: &str, digits: Digits) -> Option<String> {
         let number = self.forms.numbers.prose(value, digits)?;
         Some(self.forms.units.get(unit)?.fill(&[&number]))
+    }
+
+    /// The page of prose about a topic, in Markdown.
+    pub fn topic(&self, name: &str) -> Option<&Arc<Source>> {
+        self.topics.get(name)
+    }
+
+    /// The topics with a page of prose, in alphabetical order.
+    pub fn topics(&self) -> impl Iterator<Item = (&str, &Arc<Source>)> {
+        self.topics.iter().map(|(name, source)| (name.as_str(), source))
     }
 
     /// The identifiers of all messages (without suffixes, without terms), in no order.

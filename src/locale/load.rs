@@ -1,4 +1,4 @@
-//! Reading the files of all languages: parsing, variants, duplicates, units and lists.
+//! Reading the files of all languages: parsing, variants, duplicates, units and lists; pages of prose as they are.
 //!
 //! Invariant: a mistake costs the message it stands in, never the file, and each has its place.
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -21,6 +21,10 @@ use crate::diag::{Diagnostic, Place, Source, Span};
 const UNITS: &str = "units.ftl";
 /// The file of a language that records which source texts its translations were made from.
 const LOCK: &str = "source.lock";
+/// The folder of a language that holds its pages of prose.
+const TOPICS: &str = "topics/";
+/// What a page of prose ends in.
+const PROSE: &str = ".md";
 /// Fluent's parser recurses with each brace; no real message nests this deep.
 const DEEPEST_NESTING: usize = 64;
 
@@ -64,7 +68,12 @@ fn address(path: &str) -> Option<(&str, &str)> {
         None => path.strip_prefix("locales/")?,
     };
     let (tag, name) = inside.split_once('/')?;
-    (name.ends_with(".ftl") || name == LOCK).then_some((tag, name))
+    (name.ends_with(".ftl") || name == LOCK || topic(name).is_some()).then_some((tag, name))
+}
+
+/// The topic of a page of prose: `topics/threads.md` is `threads`.
+fn topic(name: &str) -> Option<&str> {
+    name.strip_prefix(TOPICS)?.strip_suffix(PROSE).filter(|topic| !topic.contains('/'))
 }
 
 fn start(source: &Arc<Source>) -> Place {
@@ -103,10 +112,13 @@ impl<'d> Reader<'d> {
             return None;
         };
         let mut lock = None;
+        let mut topics = BTreeMap::new();
         let mut forms = Forms { numbers: Numbers::of(tag), units: HashMap::new(), lists: HashMap::new() };
         for (name, source) in sources {
             if name == LOCK {
                 lock = Some(Lock::read(&source, self.diagnostics));
+            } else if let Some(topic) = topic(&name) {
+                topics.insert(topic.to_owned(), source);
             } else if self.shallow(&source) && self.short_numbers(&source) {
                 let resource = self.parse(&source);
                 self.collect(&source, &resource);
@@ -117,7 +129,16 @@ impl<'d> Reader<'d> {
             }
         }
         let distinguished = self.distinguished();
-        Some(Parts { tag: tag.to_owned(), id, files: self.files, entries: self.entries, distinguished, forms, lock })
+        Some(Parts {
+            tag: tag.to_owned(),
+            id,
+            files: self.files,
+            entries: self.entries,
+            distinguished,
+            forms,
+            lock,
+            topics,
+        })
     }
 
     fn shallow(&mut self, source: &Arc<Source>) -> bool {

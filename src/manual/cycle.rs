@@ -2,6 +2,7 @@
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
+use super::page::Here;
 use super::section::Section;
 use super::view::{
     CheckView, ChoiceView, CycleView, ExampleView, Html, LinkView, NotesView, ParameterTable, ParameterView,
@@ -23,11 +24,12 @@ pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, 
     let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
     let group = overview::group_title(section, entry.cycle.file.group)?;
     let maker = Maker { text: &text, section };
-    let (view, mut faults) = maker.cycle(&entry.name, group);
+    let (mut view, mut faults) = maker.cycle(&entry.name, group);
+    view.comparison = site.comparison(section, entry.cycle.key);
     let key = entry.cycle.key.to_string();
     let args = Args::new().text("name", entry.name.as_str()).text("key", key.as_str());
     let title = section.text("page-title", &args.text("control", section.on.control.title.as_str()))?.into_owned();
-    let frame = site.frame(section, title, Some(at));
+    let frame = site.frame(section, title, Here::Cycle(at));
     let context = context! {
         page => Value::from(Serde(&frame)),
         words => section.words.clone(),
@@ -42,9 +44,9 @@ pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, 
 }
 
 /// Makes the view of a cycle.
-struct Maker<'m, 'a> {
-    text: &'m CycleText<'a>,
-    section: &'m Section<'a>,
+pub(super) struct Maker<'m, 'a> {
+    pub(super) text: &'m CycleText<'a>,
+    pub(super) section: &'m Section<'a>,
 }
 
 impl Maker<'_, '_> {
@@ -74,12 +76,13 @@ impl Maker<'_, '_> {
             tables: self.tables(),
             examples,
             see: cycle.file.see.iter().filter_map(|see| self.see(see)).collect(),
+            comparison: None,
         };
         (view, faults)
     }
 
     /// `#48`, with the name of the option where the locales have it.
-    fn option(&self, number: u32) -> String {
+    pub(super) fn option(&self, number: u32) -> String {
         let options = &self.text.on.control.options;
         let known = options.iter().find(|option| option.number == number);
         let name = known.and_then(|option| self.text.find(&format!("option-{}", option.option.as_str())));
@@ -176,7 +179,7 @@ impl Maker<'_, '_> {
         if codes.is_empty() { name.into_owned() } else { format!("{name} ({})", codes.join(", ")) }
     }
 
-    fn parameter(&self, param: &Param) -> ParameterView {
+    pub(super) fn parameter(&self, param: &Param) -> ParameterView {
         let texts = self.text.param(param);
         let input = self.text.range(param).or_else(|| {
             let values: Vec<String> = param.choices.iter().map(|choice| shown(choice.value.as_str())).collect();

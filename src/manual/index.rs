@@ -36,6 +36,7 @@ pub(super) fn page(site: &Site) -> Result<String, Vec<Diagnostic>> {
         title,
         root: "",
         control: String::new(),
+        home: String::new(),
         languages: Vec::new(),
         controls: Vec::new(),
         previous: None,

@@ -1,14 +1,19 @@
 //! The manual as a static site: a page a cycle for every control and language, overviews, dialog
-//! bundles and label tables. No script and no network is needed to read it.
+//! bundles and label tables, indexes, topics, comparisons. No network is needed to read it, and a script only to search.
 //!
 //! Invariant: a pure function from specifications, locales and templates to paths and bytes; the
 //! same input gives the same bytes, whatever thread makes a page. Who writes files is not known here.
+mod compare;
 mod cycle;
 mod index;
 mod inline;
+mod lists;
 mod overview;
 mod page;
+mod search;
 mod section;
+mod stem;
+mod topic;
 mod view;
 
 use std::sync::Mutex;
@@ -23,6 +28,7 @@ use crate::locale::{Language, Locales};
 use crate::spec::{Catalogue, OnControl};
 use crate::{dialog, export, label};
 
+use compare::Comparison;
 use section::Section;
 
 /// What a site is made from.
@@ -58,6 +64,8 @@ pub struct Built {
 /// A site that is ready to be written.
 pub struct Site<'a> {
     sections: Vec<Section<'a>>,
+    comparisons: Vec<Comparison>,
+    source: Option<&'a Language>,
     templates: Environment<'a>,
     assets: Vec<(&'a str, &'a str)>,
 }
@@ -67,6 +75,12 @@ pub struct Site<'a> {
 enum Job {
     Index,
     Overview(usize),
+    Parameters(usize),
+    Keywords(usize),
+    Glossary(usize),
+    Search(usize),
+    Topic(usize, usize),
+    Comparison(usize),
     Cycle(usize, usize),
     Dialogs(usize),
     Labels(usize),
@@ -94,7 +108,7 @@ impl<'a> Site<'a> {
         let made = Mutex::new(Vec::new());
         let faults = in_parallel(pairs.len(), &|at| {
             let Some((on, language)) = pairs.get(at) else { return Ok(()) };
-            let section = Section::new(on, language, source)?;
+            let section = Section::new(&request.catalogue.topics, on, language, source)?;
             lock(&made).push((at, section));
             Ok(())
         });
@@ -106,22 +120,32 @@ impl<'a> Site<'a> {
         let assets = request.files.iter().filter_map(|(path, text)| {
             Some((path.strip_prefix("templates/").filter(|path| path.starts_with("assets/"))?, text.as_str()))
         });
-        let sections = sections.into_iter().map(|(_, section)| section).collect();
-        Ok(Self { sections, templates, assets: assets.collect() })
+        let sections: Vec<Section> = sections.into_iter().map(|(_, section)| section).collect();
+        let comparisons = compare::all(&sections);
+        Ok(Self { sections, comparisons, source, templates, assets: assets.collect() })
     }
 
     fn jobs(&self) -> Vec<Job> {
         let mut jobs = vec![Job::Index];
         for (at, section) in self.sections.iter().enumerate() {
-            jobs.extend([Job::Overview(at), Job::Dialogs(at), Job::Labels(at), Job::Export(at)]);
+            jobs.extend([
+                Job::Overview(at),
+                Job::Parameters(at),
+                Job::Keywords(at),
+                Job::Glossary(at),
+                Job::Search(at),
+            ]);
+            jobs.extend([Job::Dialogs(at), Job::Labels(at), Job::Export(at)]);
             jobs.extend((0..section.entries.len()).map(|entry| Job::Cycle(at, entry)));
+            jobs.extend((0..section.topics.len()).map(|topic| Job::Topic(at, topic)));
         }
+        jobs.extend((0..self.comparisons.len()).map(Job::Comparison));
         jobs
     }
 
     /// How many pages the site has.
     pub fn pages(&self) -> usize {
-        self.jobs().iter().filter(|job| matches!(job, Job::Index | Job::Overview(_) | Job::Cycle(..))).count()
+        self.jobs().iter().filter(|job| !matches!(job, Job::Dialogs(_) | Job::Labels(_) | Job::Export(_))).count()
     }
 
     /// Makes every file and hands it to the sink.
@@ -151,6 +175,31 @@ impl<'a> Site<'a> {
             Job::Overview(at) => {
                 let section = &self.sections[at];
                 put(&section.path("index.html"), overview::page(self, section)?.as_bytes())
+            }
+            Job::Parameters(at) => {
+                let section = &self.sections[at];
+                put(&section.path(lists::PARAMETERS), lists::parameters(self, section)?.as_bytes())
+            }
+            Job::Keywords(at) => {
+                let section = &self.sections[at];
+                put(&section.path(lists::KEYWORDS), lists::keywords(self, section)?.as_bytes())
+            }
+            Job::Glossary(at) => {
+                let section = &self.sections[at];
+                put(&section.path(lists::GLOSSARY), lists::glossary(self, section)?.as_bytes())
+            }
+            Job::Search(at) => {
+                let section = &self.sections[at];
+                put(&section.path(search::PAGE), search::page(self, section)?.as_bytes())?;
+                put(&section.path(search::INDEX), search::index(self, section)?.as_bytes())
+            }
+            Job::Topic(at, topic) => {
+                let section = &self.sections[at];
+                put(&section.path(&section.topics[topic].file), topic::page(self, section, topic)?.as_bytes())
+            }
+            Job::Comparison(at) => {
+                let comparison = &self.comparisons[at];
+                put(&comparison.path, compare::page(self, comparison)?.as_bytes())
             }
             Job::Cycle(at, entry) => {
                 let section = &self.sections[at];

@@ -3,9 +3,9 @@ use minijinja::value::Serde;
 use minijinja::{Value, context};
 
 use super::Site;
-use super::page::link;
+use super::page::{Here, link};
 use super::section::Section;
-use super::view::{GroupView, LinkView, OverviewView};
+use super::view::{GroupView, LinkView, OverviewView, TopicLink};
 use crate::diag::Diagnostic;
 use crate::export;
 use crate::locale::Args;
@@ -17,8 +17,10 @@ pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnos
     let by_number: Vec<LinkView> = section.entries.iter().map(link).collect();
     let mut by_name = by_number.clone();
     section.language.collation().sort_by_key(&mut by_name, |cycle| &cycle.name);
-    let view = OverviewView { groups: groups(section)?, by_number, by_name, named: named(section) };
-    let frame = site.frame(section, title, None);
+    let topics = section.topics.iter().map(|topic| TopicLink { href: topic.file.clone(), title: topic.title.clone() });
+    let topics = topics.collect();
+    let view = OverviewView { groups: groups(section)?, by_number, by_name, named: named(section), topics };
+    let frame = site.frame(section, title, Here::Every("index.html"));
     let context = context! {
         page => Value::from(Serde(&frame)),
         words => section.words.clone(),
@@ -31,7 +33,10 @@ pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnos
 fn groups(section: &Section) -> Result<Vec<GroupView>, Vec<Diagnostic>> {
     let mut groups = Vec::new();
     for group in Group::ALL {
-        let members = section.entries.iter().filter(|entry| entry.cycle.file.group == *group);
+        let members = section.entries.iter().filter(|entry| {
+            let file = &entry.cycle.file;
+            file.group == *group || file.also_in.contains(group)
+        });
         let cycles: Vec<LinkView> = members.map(link).collect();
         if !cycles.is_empty() {
             let title = group_title(section, *group)?;

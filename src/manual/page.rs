@@ -3,20 +3,36 @@ use super::Site;
 use super::section::{Entry, Section};
 use super::view::{LinkView, PageView, SwitchView};
 
+/// Which page of a section.
+#[derive(Clone, Copy)]
+pub(super) enum Here<'h> {
+    /// One that every section has, by its file name.
+    Every(&'h str),
+    /// That of a cycle, by its place among the entries.
+    Cycle(usize),
+    /// That of a topic.
+    Topic(&'h str),
+}
+
+impl Here<'_> {
+    /// The same page of another section; `from` is the section of this one.
+    fn file_in<'s>(&'s self, other: &'s Section, from: &Section) -> Option<&'s str> {
+        match self {
+            Here::Every(file) => Some(file),
+            Here::Cycle(at) => Some(&other.entry(from.entries.get(*at)?.cycle.key)?.file),
+            Here::Topic(name) => Some(&other.topics.iter().find(|topic| topic.id == *name)?.file),
+        }
+    }
+}
+
 impl Site<'_> {
-    /// The frame of a page below `control/language/`; `entry` is the number of the cycle in its section.
-    pub(super) fn frame(&self, section: &Section, title: String, entry: Option<usize>) -> PageView {
-        let key = entry.and_then(|at| section.entries.get(at)).map(|entry| entry.cycle.key);
+    /// The frame of a page below `control/language/`.
+    pub(super) fn frame(&self, section: &Section, title: String, here: Here) -> PageView {
+        let entry = if let Here::Cycle(at) = here { Some(at) } else { None };
         let mut languages = Vec::new();
         let mut controls = Vec::new();
         for other in &self.sections {
-            let file = match key {
-                None => "index.html",
-                Some(key) => match other.entry(key) {
-                    Some(entry) => entry.file.as_str(),
-                    None => continue,
-                },
-            };
+            let Some(file) = here.file_in(other, section) else { continue };
             let (same_control, same_language) =
                 (other.on.id() == section.on.id(), other.language.tag() == section.language.tag());
             let switch = |name: &str| SwitchView {
@@ -40,6 +56,7 @@ impl Site<'_> {
             control: section.on.control.title.clone(),
             languages,
             controls,
+            home: String::new(),
             previous: neighbour(entry.and_then(|at| at.checked_sub(1))),
             next: neighbour(entry.map(|at| at + 1)),
         }

@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, HashMap};
 use minijinja::Value;
 use minijinja::value::Serde;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Place};
 use crate::locale::{Args, Language, LocaleError, Scope};
-use crate::spec::{Cycle, CycleKey, Keyword, OnControl};
+use crate::spec::{Cycle, CycleKey, Keyword, OnControl, Topic};
 
 /// The prefixes of messages that are words without arguments.
 const WORDS: [&str; 4] = ["site-", "caption-", "reference-", "optional-"];
@@ -22,6 +22,10 @@ pub(super) struct Section<'a> {
     pub(super) words: Value,
     /// The cycles by key.
     pub(super) entries: Vec<Entry<'a>>,
+    /// The topics that its manual covers.
+    pub(super) topics: Vec<TopicPage<'a>>,
+    /// The terms of the glossary: ids without their prefix.
+    pub(super) terms: Vec<&'a str>,
     by_key: HashMap<CycleKey, usize>,
 }
 
@@ -33,11 +37,25 @@ pub(super) struct Entry<'a> {
     pub(super) file: String,
 }
 
+/// A page of prose.
+pub(super) struct TopicPage<'a> {
+    pub(super) id: &'a str,
+    pub(super) title: String,
+    /// The file name of its page.
+    pub(super) file: String,
+    /// What stands below the title, in Markdown.
+    pub(super) body: &'a str,
+}
+
+/// What the message of a term begins with.
+pub(super) const TERM: &str = "term-";
+
 impl<'a> Section<'a> {
     pub(super) fn new(
+        topics: &'a [Topic],
         on: &'a OnControl,
         language: &'a Language,
-        source: Option<&Language>,
+        source: Option<&'a Language>,
     ) -> Result<Self, Vec<Diagnostic>> {
         let mut faults = Vec::new();
         let words = words(language, source, &mut faults);
@@ -49,12 +67,23 @@ impl<'a> Section<'a> {
                 Err(error) => faults.push(of_cycle(error, cycle)),
             }
         }
+        let covers = |topic: &&Topic| topic.controls.iter().any(|own| own.control.as_str() == on.id());
+        let pages: Vec<_> = topics.iter().filter(covers).map(|topic| topic_page(topic, language)).collect();
+        let mut topics = Vec::new();
+        for page in pages {
+            match page {
+                Ok(page) => topics.push(page),
+                Err(fault) => faults.push(fault),
+            }
+        }
         if !faults.is_empty() {
             return Err(faults);
         }
+        let mut terms: Vec<&str> = source.unwrap_or(language).ids().filter_map(|id| id.strip_prefix(TERM)).collect();
+        terms.sort_unstable();
         let by_key = entries.iter().enumerate().map(|(at, entry)| (entry.cycle.key, at)).collect();
         let language_name = words.get("language_name").cloned().unwrap_or_default();
-        Ok(Self { on, language, language_name, words: Value::from(Serde(&words)), entries, by_key })
+        Ok(Self { on, language, language_name, words: Value::from(Serde(&words)), entries, topics, terms, by_key })
     }
 
     /// The path of a file of this section.
@@ -70,6 +99,20 @@ impl<'a> Section<'a> {
     pub(super) fn text(&self, key: &str, args: &Args) -> Result<Cow<'_, str>, Vec<Diagnostic>> {
         self.language.text(key, &Scope::control(self.on.id()), args).map_err(|error| vec![error.into()])
     }
+}
+
+/// The page of a topic: its first line is the title.
+fn topic_page<'a>(topic: &'a Topic, language: &'a Language) -> Result<TopicPage<'a>, Diagnostic> {
+    let id = topic.topic.as_str();
+    let lacking = |code, place| Diagnostic::error(code, place).arg("topic", id).arg("language", language.tag());
+    let Some(page) = language.topic(id) else {
+        return Err(lacking("manual-topic-missing", topic.topic.place.clone()));
+    };
+    let (first, body) = page.text().split_once('\n').unwrap_or((page.text(), ""));
+    let Some(title) = first.strip_prefix("# ").map(str::trim).filter(|title| !title.is_empty()) else {
+        return Err(lacking("manual-topic-title", Place::new(page, 0..first.len())));
+    };
+    Ok(TopicPage { id, title: title.to_owned(), file: format!("topic-{id}.html"), body })
 }
 
 fn of_cycle(error: LocaleError, cycle: &Cycle) -> Diagnostic {

@@ -18,6 +18,8 @@ pub(super) struct PageView {
     pub(super) root: &'static str,
     /// The control; empty on the first page of the site.
     pub(super) control: String,
+    /// The way to the overviews of the section; its own directory for most pages.
+    pub(super) home: String,
     /// The same page in every language.
     pub(super) languages: Vec<SwitchView>,
     /// The same page on every control that has it.
@@ -69,6 +71,8 @@ pub(super) struct CycleView<'a> {
     pub(super) tables: Vec<TableView>,
     pub(super) examples: Vec<ExampleView>,
     pub(super) see: Vec<LinkView>,
+    /// The page that compares the controls that have the cycle.
+    pub(super) comparison: Option<String>,
 }
 
 /// A stretch of the run below one heading, or below none.
@@ -109,7 +113,7 @@ pub(super) struct ParameterTable {
     pub(super) rows: Vec<ParameterView>,
 }
 
-#[derive(Serialize)]
+#[derive(PartialEq, Serialize)]
 pub(super) struct ParameterView {
     pub(super) id: String,
     pub(super) q: String,
@@ -125,7 +129,7 @@ pub(super) struct ParameterView {
     pub(super) example: Option<String>,
 }
 
-#[derive(Serialize)]
+#[derive(PartialEq, Serialize)]
 pub(super) struct ChoiceView {
     pub(super) value: String,
     pub(super) text: Html,
@@ -160,6 +164,81 @@ pub(super) struct OverviewView {
     pub(super) by_number: Vec<LinkView>,
     pub(super) by_name: Vec<LinkView>,
     pub(super) named: Vec<LinkView>,
+    pub(super) topics: Vec<TopicLink>,
+}
+
+/// A link to a topic.
+#[derive(Clone, Serialize)]
+pub(super) struct TopicLink {
+    pub(super) href: String,
+    pub(super) title: String,
+}
+
+/// A topic.
+#[derive(Serialize)]
+pub(super) struct TopicView {
+    pub(super) title: String,
+    pub(super) body: Html,
+}
+
+/// A Q parameter with the names that it has, and the cycles that use each.
+#[derive(Serialize)]
+pub(super) struct QView {
+    pub(super) q: String,
+    pub(super) uses: Vec<UseView>,
+}
+
+/// A name with the places where it is used.
+#[derive(Serialize)]
+pub(super) struct UseView {
+    pub(super) name: String,
+    pub(super) places: Vec<LinkView>,
+}
+
+/// The entries of the index below one letter.
+#[derive(Serialize)]
+pub(super) struct LetterView {
+    pub(super) letter: String,
+    /// The id of the heading.
+    pub(super) id: String,
+    pub(super) entries: Vec<UseView>,
+}
+
+/// A term of the glossary.
+#[derive(Serialize)]
+pub(super) struct TermView {
+    pub(super) id: String,
+    pub(super) term: String,
+    pub(super) definition: Html,
+    /// The word of the source language, for those who know the trade by it.
+    pub(super) source: Option<String>,
+}
+
+/// A cycle on several controls.
+#[derive(Serialize)]
+pub(super) struct ComparisonView {
+    pub(super) key: String,
+    pub(super) name: String,
+    pub(super) columns: Vec<ColumnView>,
+    pub(super) rows: Vec<ComparedView>,
+}
+
+/// The cycle on one of the controls.
+#[derive(Serialize)]
+pub(super) struct ColumnView {
+    pub(super) control: String,
+    pub(super) href: String,
+    pub(super) nc_name: String,
+    pub(super) iso: Vec<String>,
+    pub(super) options: Vec<String>,
+}
+
+/// A parameter on each of the controls; nothing where it is not there.
+#[derive(Serialize)]
+pub(super) struct ComparedView {
+    pub(super) q: String,
+    pub(super) differs: bool,
+    pub(super) cells: Vec<Option<ParameterView>>,
 }
 
 /// A group of cycles.

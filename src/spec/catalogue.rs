@@ -8,7 +8,7 @@ use std::sync::Arc;
 use super::decode::{Context, Decode, Name};
 use super::filter;
 use super::form::{Choice, CycleFile, Described, Dictionary, Fragment, Meaning, Parameter};
-use super::profile::{Control, Errata, Erratum, Named};
+use super::profile::{Control, Errata, Erratum, Named, Topic, Topics};
 use super::vocabulary::{Keyword, ParameterKind, Quantity, Reference, Shape};
 use super::yaml::{self, Node};
 use crate::diag::{Diagnostic, Place, Source, dedupe};
@@ -215,6 +215,8 @@ pub struct Catalogue {
     pub controls: BTreeMap<String, OnControl>,
     /// The errata.
     pub errata: Vec<Erratum>,
+    /// The topics, in the order of the overview.
+    pub topics: Vec<Topic>,
 }
 
 struct File {
@@ -230,6 +232,7 @@ struct Files {
     fragments: Vec<File>,
     cycles: Vec<File>,
     errata: Vec<File>,
+    topics: Vec<File>,
 }
 
 fn sort_files(files: &[(String, String)], found: &mut Vec<Diagnostic>) -> Files {
@@ -242,6 +245,7 @@ fn sort_files(files: &[(String, String)], found: &mut Vec<Diagnostic>) -> Files 
         let source = Source::new(path.clone(), text.clone());
         let Some(node) = yaml::read(&source, found) else { continue };
         let list = match rest.split_once('/') {
+            None if rest == "topics.yaml" => &mut sorted.topics,
             None => &mut sorted.errata,
             Some(("controls", _)) => &mut sorted.controls,
             Some(("parameters", _)) => &mut sorted.dictionary,
@@ -276,6 +280,10 @@ impl Catalogue {
                     .and_then(|errata| errata.errata)
                     .unwrap_or_default(),
             );
+        }
+        for file in &files.topics {
+            let topics = decode::<Topics>(&file.source, &file.node, &mut found).and_then(|topics| topics.topics);
+            catalogue.topics.extend(topics.unwrap_or_default());
         }
         for profile in &profiles {
             let on_control = load_control(profile, &files, &mut found);

@@ -556,6 +556,8 @@ record! {
         name: Name,
         /// Its group.
         group: Group,
+        /// Other groups in whose overview it stands, too.
+        also_in: Vec<Group>,
         /// Where it is described.
         controls: Vec<Described>,
         /// Its DIN/ISO codes.

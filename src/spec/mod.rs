@@ -17,7 +17,9 @@ pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Param};
 pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use form::*;
 pub use lint::lint;
-pub use profile::{Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Transformation};
+pub use profile::{
+    Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Topic, TopicOn, Topics, Transformation,
+};
 pub use schema::schema;
 pub use texts::{Text, texts};
 pub use value::{Refusal, number_refusal, refusal};

@@ -1,5 +1,6 @@
-//! Profiles of the controls, and the errata of their manuals.
+//! Profiles of the controls, the errata of their manuals, and the topics that they cover.
 use super::decode::{Entries, Name, record, words};
+use super::form::ManualLines;
 use super::vocabulary::Keyword;
 
 record! {
@@ -97,6 +98,34 @@ record! {
         options: Vec<OptionName>,
         /// Every cycle that its manuals name.
         named: Vec<Named>,
+    }
+}
+
+record! {
+    /// A control whose manual covers a topic.
+    pub struct TopicOn {
+        /// The control.
+        control: Name,
+        /// Where its manual speaks of it.
+        sources: Vec<ManualLines>,
+    }
+}
+
+record! {
+    /// A page of prose about what surrounds the cycles; the text is `topics/<topic>.md` of each language.
+    pub struct Topic {
+        /// Its id, which is also the name of its file.
+        topic: Name,
+        /// The controls whose manuals cover it.
+        controls: Vec<TopicOn>,
+    }
+}
+
+record! {
+    /// The file of topics.
+    pub struct Topics {
+        /// The topics, in the order of the overview.
+        topics: Option<Vec<Topic>>,
     }
 }
 

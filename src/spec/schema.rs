@@ -3,7 +3,7 @@ use serde_json::{Map, Value, json};
 
 use super::decode::Decode;
 use super::form::{CycleFile, Dictionary, Fragment};
-use super::profile::{Control, Errata};
+use super::profile::{Control, Errata, Topics};
 
 /// One schema for every kind of file below `cycle-specs/`.
 pub fn schema() -> Value {
@@ -14,11 +14,12 @@ pub fn schema() -> Value {
         Dictionary::schema(&mut defs),
         Control::schema(&mut defs),
         Errata::schema(&mut defs),
+        Topics::schema(&mut defs),
     ];
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "ciklo specification",
-        "description": "A cycle, a fragment, a dictionary of meanings, a control or the errata.",
+        "description": "A cycle, a fragment, a dictionary of meanings, a control, the errata or the topics.",
         "anyOf": kinds,
         "$defs": defs,
     })

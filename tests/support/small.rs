@@ -3,13 +3,15 @@ use std::path::Path;
 
 use ciklo::data::{self, Files};
 
-const OWN: [&str; 6] = [
+const OWN: [&str; 8] = [
     "cycle-specs/controls/small.yaml",
     "cycle-specs/parameters/small.yaml",
     "cycle-specs/fragments/move-clear.yaml",
     "cycle-specs/drilling/901-pecking.yaml",
     "cycle-specs/transforms/9-turning-round.yaml",
+    "cycle-specs/topics.yaml",
     "locales/en/small.ftl",
+    "locales/en/topics/pecking-basics.md",
 ];
 
 /// Its files, with those of the program that are `general`.

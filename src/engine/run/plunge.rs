@@ -88,7 +88,7 @@ impl<'e> Run<'_, 'e> {
             (self.given(call, 5, exec)?, self.given(call, 6, exec)?, self.given(call, 7, exec)?);
         let length = (descent.depth() / tand(descent.angle)).max(least).min(room);
         let strokes = descent.passes(length)?;
-        let end = |number: u32| if number % 2 == 0 { -length / 2.0 } else { length / 2.0 };
+        let end = |number: u32| if number.is_multiple_of(2) { -length / 2.0 } else { length / 2.0 };
         self.plunge_to(descent.beside(0.0, rotation, descent.from), descent.feed)?;
         self.plunge_to(descent.beside(end(0), rotation, descent.from), descent.feed)?;
         for stroke in 1..=strokes {

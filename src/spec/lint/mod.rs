@@ -24,6 +24,7 @@ pub fn lint(catalogue: &Catalogue) -> Vec<Diagnostic> {
         }
     }
     reference::errata(catalogue, &mut found);
+    reference::topics(catalogue, &mut found);
     unused(catalogue, &mut found);
     dedupe(&mut found);
     found

@@ -1,5 +1,6 @@
 //! References between files: controls, sources, cycles, options, machine data, errata.
 use super::super::catalogue::{Catalogue, Cycle, CycleKey, Known, OnControl};
+use super::super::decode::Name;
 use super::super::form::ManualLines;
 use super::super::vocabulary::Keyword;
 use crate::diag::{Diagnostic, Place};
@@ -124,12 +125,7 @@ pub(super) fn errata(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
             Some(control) => match catalogue.on(control.as_str()) {
                 Some(on) => Some(on),
                 None => {
-                    let known: Vec<&str> = catalogue.controls.keys().map(String::as_str).collect();
-                    found.push(
-                        Diagnostic::error("spec-unknown-control", control.place.clone())
-                            .arg("control", control.as_str())
-                            .arg("known", known.join(", ")),
-                    );
+                    found.push(unknown_control(control, catalogue));
                     continue;
                 }
             },
@@ -155,6 +151,30 @@ pub(super) fn errata(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
             found.push(Diagnostic::error("spec-lines-form", entry.place.clone()).arg("lines", lines.as_str()));
         }
     }
+}
+
+/// Topics name controls that exist and lines of their manuals, and no id twice.
+pub(super) fn topics(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
+    super::duplicates(catalogue.topics.iter().map(|topic| &topic.topic), found);
+    for topic in &catalogue.topics {
+        super::slug(&topic.topic, found);
+        for covered in &topic.controls {
+            match catalogue.on(covered.control.as_str()) {
+                Some(_) if covered.sources.is_empty() => {
+                    found.push(Diagnostic::error("spec-no-source", covered.place.clone()));
+                }
+                Some(on) => covered.sources.iter().for_each(|lines| source(lines, on, found)),
+                None => found.push(unknown_control(&covered.control, catalogue)),
+            }
+        }
+    }
+}
+
+fn unknown_control(control: &Name, catalogue: &Catalogue) -> Diagnostic {
+    let known: Vec<&str> = catalogue.controls.keys().map(String::as_str).collect();
+    Diagnostic::error("spec-unknown-control", control.place.clone())
+        .arg("control", control.as_str())
+        .arg("known", known.join(", "))
 }
 
 /// Reads `CYCL DEF 200` or `TCH PROBE 412`.

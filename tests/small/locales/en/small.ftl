@@ -49,3 +49,6 @@ until-depth-reached = the depth is reached
 step-tap = The tool taps once.
 until-all-tapped = all is tapped
 step-turn-round = The coordinates turn by { $q-turn }.
+
+term-peck = Peck
+    .definition = One stroke of the drill.
