@@ -138,3 +138,9 @@ note-paths-outside-contour = Both the starting path and the overrun path lie out
 note-override-while-thread-cutting = The feed-rate override has no effect while the control cuts the thread. The spindle-speed override is still active within limits that the machine builder defines. Refer to the machine manual.
 note-thread-with-separate-holder = On some types of machines the turning tool is not clamped in the milling spindle but in a separate holder next to it. There the turning tool cannot be rotated by 180°, for example to cut outside and inside threads with one tool. To use an outside tool for inside machining on such a machine, machine in the negative diameter range (−X) and reverse the direction of rotation of the workpiece. With pre-positioning in the negative diameter range, the control reverses the effect of the thread position { $q-thread-position }: then 1 is an outside and 0 an inside thread.
 note-thread-retracts-directly = Danger of collision! The tool retracts on the direct path to the starting position. Always pre-position it so that the control can approach the starting point at the end of the cycle without collision.
+
+# --- notes: contours from a subprogram ---
+note-contour-by-cycle-14 = The contour is described in a subprogram, with path functions or FK functions. Before the cycle call, program cycle 14 (contour) to define the number of the subprogram.
+note-local-parameters-in-contour = If local parameters QL are used in the contour subprogram, they must also be assigned or calculated in the contour subprogram.
+note-cutting-limit-limits-area = The cutting limit limits the area of the contour that is machined. Approach and departure paths may cross the cutting limit.
+note-cutting-limit-by-tool-position = The position of the tool before the cycle call affects how the cutting limit acts: the control removes the material on the side of the cutting limit on which the tool stands before the cycle call.
