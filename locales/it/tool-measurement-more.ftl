@@ -13,23 +13,17 @@ parameter-tooth-measurement__tool-complete-old__itnc530 = TASTATURA TAGLIENTI? 0
 # --- 32 and 482 ---
 cycle-tool-radius = Misurazione raggio utensile
     .nc = RAGGIO UTENSILE
-cycle-tool-radius__itnc530 = MISURAZIONE RAGGIO UTENSILE
 cycle-tool-radius-old = Misurazione raggio utensile
     .nc = RAGGIO UTENSILE
-cycle-tool-radius-old__itnc530 = MISURAZIONE RAGGIO UTENSILE
 
 # --- 33 and 483 ---
 cycle-tool-complete = Misurazione utensile completa
     .nc = MISURARE UTENSILE
-cycle-tool-complete__itnc530 = MISURAZIONE UTENSILE COMPLETA
 cycle-tool-complete-old = Misurazione utensile completa
     .nc = MISURARE UTENSILE
-cycle-tool-complete-old__itnc530 = MISURAZIONE UTENSILE COMPLETA
 
 # --- 30 and 480 ---
 cycle-calibrate-tool-probe = Calibrazione TT
     .nc = CALIBRAZIONE TT
-cycle-calibrate-tool-probe__itnc530 = CALIBRAZIONE TT
 cycle-calibrate-tool-probe-old = Calibrazione TT
     .nc = CALIBRAZIONE TT
-cycle-calibrate-tool-probe-old__itnc530 = CALIBRAZIONE TT
