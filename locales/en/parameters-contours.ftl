@@ -1,0 +1,134 @@
+# Parameters of the contour, cylinder surface and engraving cycles: name, label in the NC block, help.
+
+# --- contour and its data ---
+parameter-contour-labels = Label numbers for the contour
+    .word = CONTOUR LABEL
+    .help = Numbers of all subprograms whose contours are superimposed to one contour. Confirm each number with the key ENT and conclude the entry with the key END. Up to 12 subprogram numbers from 1 to 254 can be entered.
+parameter-milling-depth = Milling depth
+    .label = MILLING DEPTH
+    .help = Distance between the workpiece surface and the floor of the contour.
+parameter-milling-depth__contour-data =
+    .help = Distance between the workpiece surface and the floor of the pocket.
+parameter-path-overlap__contour-data =
+    .help = This factor times the tool radius is the stepover k.
+parameter-set-up-clearance__contour-data =
+    .help = Distance between the face of the tool and the workpiece surface.
+parameter-contour-clearance-height = Clearance height
+    .label = CLEARANCE HEIGHT
+    .help = Absolute height at which the tool cannot collide with the workpiece; for positioning in between and for the retraction at the end of the cycle.
+parameter-inside-corner-rounding-radius = Inside corner radius
+    .label = ROUNDING RADIUS
+    .help = Radius with which inside corners are rounded. The value refers to the path of the tool centre and makes the movement between contour elements smoother. It is not a radius that the control inserts as a contour element of its own between the programmed elements.
+parameter-contour-direction = Direction of rotation
+    .label = ROTATIONAL DIRECTION
+    .help = Working direction for pockets.
+    .prompt = Direction of rotation?
+
+# --- machining ---
+parameter-contour-plunging-depth = Plunging depth
+    .label = PLUNGING DEPTH
+    .help = Depth that the tool advances with each infeed.
+parameter-contour-plunging-depth__pilot-drilling =
+    .help = Depth that the tool advances with each infeed (with the sign "−" if the working direction is negative).
+parameter-contour-plunging-feed = Feed rate for plunging
+    .label = FEED RATE FOR PLNGNG
+    .help = Traversing speed of the tool while it moves to the depth in the spindle axis.
+parameter-roughing-feed = Feed rate for milling
+    .label = FEED RATE F. ROUGHNG
+    .help = Traversing speed of the tool in the working plane.
+parameter-contour-milling-feed = Feed rate for milling
+    .label = FEED RATE FOR MILLNG
+    .help = Traversing speed of the tool in the working plane.
+parameter-reciprocation-feed = Reciprocation feed rate
+    .label = RECIPROCATION FEED
+    .help = Traversing speed of the tool while it plunges in strokes to and fro.
+parameter-contour-retraction-feed = Feed rate for retraction
+    .label = RETRACTION FEED RATE
+    .help = Traversing speed of the tool while it retracts after machining. With 0 the control retracts the tool at the feed rate { $q-roughing-feed }.
+parameter-rough-out-tool = Number/name of rough-out tool
+    .label = ROUGH-OUT TOOL
+    .help = Number or name of the tool that will rough out the contour.
+parameter-coarse-roughing-tool = Coarse roughing tool
+    .label = COARSE ROUGHING TOOL
+    .help = Number or name of the tool with which the control has already rough-machined the contour. Enter 0 if there was no coarse roughing. If a number or a name is entered, the control machines only what the coarse roughing tool could not reach.
+parameter-side-finishing-direction = Direction of rotation
+    .label = ROTATIONAL DIRECTION
+    .help = Working direction.
+parameter-remaining-side-allowance = Finishing allowance for side
+    .label = ALLOWANCE FOR SIDE
+    .help = Allowance for finishing in several operations. With 0 the last of the finishing allowance is removed.
+parameter-contour-milling-type = Climb or up-cut milling
+    .label = CLIMB OR UP-CUT
+    .help = Type of milling along the contour.
+
+# --- cylinder surface ---
+parameter-cylinder-milling-depth = Milling depth
+    .label = MILLING DEPTH
+    .help = Distance between the cylinder surface and the floor of the contour.
+parameter-side-allowance__cylinder-surface =
+    .help = Finishing allowance in the plane of the development. It acts in the direction of the radius compensation.
+parameter-side-allowance__cylinder-surface-slot =
+    .help = Finishing allowance on the wall of the slot. It makes the slot narrower by twice the entered value.
+parameter-side-allowance__cylinder-surface-ridge =
+    .help = Finishing allowance on the wall of the ridge. It makes the ridge wider by twice the entered value.
+parameter-cylinder-set-up-clearance = Set-up clearance
+    .label = SET-UP CLEARANCE
+    .help = Distance between the face of the tool and the cylinder surface.
+parameter-cylinder-radius = Cylinder radius
+    .label = RADIUS
+    .help = Radius of the cylinder on which the contour is machined.
+parameter-development-dimension-type = Type of dimension
+    .label = TYPE OF DIMENSION
+    .help = Whether the coordinates of the rotary axis are programmed in the subprogram in degrees or in millimetres (inches).
+    .prompt = Type of dimension? Degrees = 0 MM/INCH = 1
+parameter-cylinder-slot-width = Slot width
+    .label = SLOT WIDTH
+    .help = Width of the finished slot.
+parameter-cylinder-slot-tolerance = Tolerance
+    .label = TOLERANCE
+    .help = Permitted deviation from the ideal slot, which is milled with a tool exactly as wide as the slot. If the tool is smaller than the programmed slot width { $q-cylinder-slot-width }, the walls of the slot are distorted at arcs and oblique lines; with a tolerance the control reworks the slot until it comes close to the ideal one. How many reworking steps this takes depends on the cylinder radius, the tool and the depth of the slot. The smaller the tolerance, the more exact the slot and the longer the reworking. Recommended value: 0.02 mm. Enter 0 to switch the function off (basic setting).
+parameter-cylinder-ridge-width = Ridge width
+    .label = RIDGE WIDTH
+    .help = Width of the finished ridge.
+
+# --- engraving ---
+parameter-engraving-text = Engraving text
+    .label = ENGRAVING TEXT
+    .help = Text to be engraved, in quotation marks. To assign a string variable, press the key Q of the numeric keypad; the key Q of the alphabetic keyboard is for normal text.
+parameter-character-height = Character height
+    .label = CHARACTER HEIGHT
+    .help = Height of the engraved characters in mm.
+parameter-character-spacing-factor = Spacing factor
+    .label = SPACE FACTOR
+    .help = Spacing of the characters. The font is proportional: each character has a width of its own, which the control uses with the value 0. With another value the control scales the distance between the characters.
+parameter-engraving-font = Font
+    .label = FONT
+    .help = Without function at present.
+parameter-text-arrangement = Text on a straight line or on an arc (0/1)
+    .label = TEXT ARRANGEMENT
+    .help = How the text is arranged.
+parameter-text-rotation = Angle of rotation
+    .label = ANGLE OF ROTATION
+    .help = Centre angle if the text is arranged on an arc.
+parameter-text-circle-radius = Radius of text on an arc
+    .label = CIRCLE RADIUS
+    .help = Radius in mm of the arc on which the control arranges the text.
+parameter-depth__engraving =
+    .help = Distance between the workpiece surface and the floor of the engraving.
+parameter-plunging-feed__engraving =
+    .help = Traversing speed of the tool while it moves to the depth.
+parameter-set-up-clearance__engraving =
+    .help = Distance between the tool tip and the workpiece surface. PREDEF takes the value from the GLOBAL DEF block.
+parameter-second-set-up-clearance__engraving =
+    .help = Height in the spindle axis at which the tool cannot collide with the workpiece or its clamping. PREDEF takes the value from the GLOBAL DEF block.
+
+# --- choices ---
+choice-up-cut-pocket-and-island = Up-cut milling for pocket and island
+choice-climb-pocket-and-island = Climb milling for pocket and island
+choice-finish-counter-clockwise = Counter-clockwise
+choice-finish-clockwise = Clockwise
+choice-climb-and-up-cut-alternately = Climb and up-cut milling alternately in several infeeds
+choice-dimensions-in-degrees = Degrees
+choice-dimensions-in-millimetres-or-inches = Millimetres or inches
+choice-text-on-straight-line = Engrave text along a straight line
+choice-text-on-arc = Engrave text along an arc
