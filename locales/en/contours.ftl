@@ -5,7 +5,6 @@ step-retract-to-contour-clearance-height = The tool retracts to the clearance he
 step-leave-to-contour-clearance-height = The tool moves to the clearance height.
 until-contour-depth-reached = the programmed depth is reached
 note-contour-element-limit = The memory for an SL cycle is limited. At most 16384 contour elements can be programmed in one SL cycle.
-note-local-parameters-in-contour = Local Q parameters (QL) that are used in a contour subprogram must also be assigned or calculated within that subprogram.
 note-sign-of-milling-depth = The sign of the milling depth determines the working direction. With depth 0 the control does not execute the cycle.
 note-both-axes-after-contour-cycle = Danger of collision! After an SL cycle, program the first movement in the working plane with both coordinates, for example L X+80 Y+0 R0 FMAX.
 note-contour-cycle-properties = The control positions the tool to the set-up clearance by itself before each cycle. Each level is milled without lifting the tool; the tool goes round islands sideways. The radius of inside corners can be programmed: the tool does not stop there and leaves no marks (this holds for the outermost path of roughing and for side finishing). For side finishing the control approaches the contour on a tangential arc, for floor finishing it approaches the workpiece on a tangential arc as well (with the spindle axis Z in the plane Z/X). The contour is machined throughout in climb or in up-cut milling.
