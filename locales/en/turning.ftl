@@ -38,8 +38,102 @@ note-feed-rates-with-m136 = If M136 is programmed before the cycle, the control 
 note-inclined-turning = If the cycle is executed during inclined machining (M144), the angles of the tool relative to the contour change. The control considers this change automatically and thus also monitors machining in the inclined position for damage to the contour.
 note-blank-form-update = With blank form update (FUNCTION TURNDATA BLANK) the control recognizes areas that are already machined and adapts all approach and departure paths to the individual operations. It is available only in a machining cycle in the turning mode; the blank must be a closed contour (starting position = end position) and is the cross-section of a rotationally symmetric body.
 note-finished-part-beyond-blank = With blank form update the control adapts approach and retraction to the updated blank. If areas of the finished part extend beyond the blank, workpiece and tool can be damaged.
+step-rapid-axial-infeed = The control advances the tool in axial direction, parallel to the axis, at rapid traverse. It computes the infeed from the maximum cutting depth { $q-max-axial-cutting-depth }.
+step-cut-across-axis = The control machines the area between the starting position and the end point in face direction at the feed rate { $q-turning-roughing-feed }.
+step-cut-contour-longitudinally = The control machines the area between the starting position and the end point in longitudinal direction. The longitudinal cut runs parallel to the axis at the feed rate { $q-turning-roughing-feed }.
+step-cut-contour-across-axis = The control machines the area between the starting position and the end point in face direction. The face cut runs parallel to the axis at the feed rate { $q-turning-roughing-feed }.
+step-cut-parallel-to-contour = The control machines the area between the starting position and the end point. The cut runs parallel to the contour at the feed rate { $q-turning-roughing-feed }.
+step-retract-to-starting-position-in-x = The control retracts the tool at the defined feed rate to the starting position in X.
+step-clear-area-in-x-then-z = If the starting point (the position of the tool at the cycle call) lies within the area to be machined, the control positions the tool in X and then in Z at the set-up clearance { $q-turning-clearance } and starts the cycle from there.
+step-clear-area-in-z-then-x = If the starting point (the position of the tool at the cycle call) lies within the area to be machined, the control positions the tool in Z and then in X at the set-up clearance { $q-turning-clearance } and starts the cycle from there.
+step-clear-area-in-z = If the starting point lies within the area to be machined, the control first positions the tool in Z at the set-up clearance { $q-turning-clearance }.
+step-clear-plunging-start-in-z = If the Z coordinate of the starting point (the position of the tool at the cycle call) is less than the contour start { $q-plunging-start-z }, the control positions the tool in Z at the set-up clearance { $q-turning-clearance } and starts the cycle from there.
+step-clear-contour-start-in-z = If the Z coordinate of the starting point (the position of the tool at the cycle call) is less than the starting point of the contour, the control positions the tool in Z at the set-up clearance { $q-turning-clearance } and starts the cycle from there.
+step-clear-contour-start-before-finishing = { step-clear-contour-start-in-z }
+step-position-at-contour-start-in-z = If the Z coordinate of the starting point (the position of the tool at the cycle call) is less than the starting point of the contour, the control positions the tool in Z at the starting point of the contour and starts the cycle from there.
+step-rapid-infeed = The control advances the tool at rapid traverse.
+step-finish-turned-contour-to-end = The control finishes the contour of the workpiece, from the starting point to the end point of the contour, at the feed rate { $q-turning-finishing-feed }.
+condition-start-element-added = { $q-start-element-type } adds an element at the start of the contour
+condition-end-element-added = { $q-end-element-type } adds an element at the end of the contour
+condition-undercuts-machined = { $q-undercut-machining } allows plunging elements to be machined
+condition-cutting-limit-on = { $q-cutting-limit } activates the cutting limit
+note-area-from-starting-point-to-end-point = In roughing, the cycle machines the area from the starting point of the cycle to the end point defined in the cycle.
+note-infeed-within-undercut = Within the undercut the control advances the tool at the feed rate { $q-turning-roughing-feed }. Each retraction there is by the set-up clearance { $q-turning-clearance }.
+note-contour-direction-decides = The programmed direction of the contour determines the direction of machining.
+note-turning-contour-in-subprogram = The contour is described in a subprogram, with plain-language path functions or FK functions. Program cycle 14 before the cycle call to define the number of the subprogram.
+note-local-parameters-in-contour = If local Q parameters (QL) are used in the contour subprogram, they must also be assigned or calculated in the contour subprogram.
+note-cutting-limit-and-paths = The cutting limit restricts the contour range to be machined. Approach and departure paths can pass the cutting limit.
+note-cutting-limit-side = The position of the tool before the cycle call determines how the cutting limit acts: the control machines the material on that side of the cutting limit on which the tool stands before the cycle call.
+title-shoulder-with-recess = Shoulder with recess
 
 # --- 811 ---
 cycle-turn-shoulder-longitudinal = Turn shoulder longitudinal
     .nc = SHOULDER, LONGITDNL.
     .purpose = Turns right-angled shoulders in longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+
+# --- 812 ---
+cycle-turn-shoulder-longitudinal-extended = Turn shoulder longitudinal, extended
+    .nc = SHOULDER, LONG. EXT.
+    .purpose = Turns shoulders in longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts run parallel to the axis.
+
+# --- 813 ---
+cycle-turn-plunge-longitudinal = Turn plunge longitudinal
+    .nc = TURN, LONG. PLUNGE
+    .purpose = Turns shoulders with plunging elements (undercuts) in longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+
+# --- 814 ---
+cycle-turn-plunge-longitudinal-extended = Turn plunge longitudinal, extended
+    .nc = TURN, LONG. PLUNGE EXT.
+    .purpose = Turns shoulders with plunging elements (undercuts) in longitudinal direction, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts run parallel to the axis.
+
+# --- 810 ---
+cycle-turn-contour-longitudinal = Turn contour longitudinal
+    .nc = TURN CONTOUR LONG.
+    .purpose = Turns workpieces with any turning contour, which a subprogram describes, in longitudinal direction, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+
+# --- 815 ---
+cycle-turn-contour-parallel = Turn contour-parallel
+    .nc = CONTOUR-PARALLEL
+    .purpose = Turns workpieces with any turning contour, which a subprogram describes, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the contour.
+
+# --- 821 ---
+cycle-turn-shoulder-face = Turn shoulder face
+    .nc = SHOULDER, FACE
+    .purpose = Face turns right-angled shoulders, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+
+# --- 822 ---
+cycle-turn-shoulder-face-extended = Turn shoulder face, extended
+    .nc = SHOULDER, FACE EXT.
+    .purpose = Face turns shoulders, outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, angles can be defined for the face and the circumferential surface, and the corner of the contour can have a radius. The roughing cuts run parallel to the axis.
+
+# --- 823 ---
+cycle-turn-plunge-face = Turn plunge face
+    .nc = TURN, FACE PLUNGE
+    .purpose = Face turns plunging elements (undercuts), outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+
+# --- 824 ---
+cycle-turn-plunge-face-extended = Turn plunge face, extended
+    .nc = TURN, FACE PLUNGE EXT.
+    .purpose = Face turns plunging elements (undercuts), outside or inside: roughing, finishing or both. A chamfer or a rounding can be added at the start and at the end of the contour, and an angle of the face and a radius of the contour corner can be defined. The roughing cuts run parallel to the axis.
+
+# --- 820 ---
+cycle-turn-contour-face = Turn contour face
+    .nc = TURN CONTOUR FACE
+    .purpose = Face turns workpieces with any turning contour, which a subprogram describes, outside or inside: roughing, finishing or both. The roughing cuts run parallel to the axis.
+
+# --- 800 ---
+cycle-adapt-turning-system = Adapt rotary coordinate system
+    .nc = ADAPT ROTARY COORDINATE SYSTEM
+    .purpose = Aligns the workpiece coordinate system for turning and orients the cutting edge of the tool; can mirror the tool, so that it serves for inside as well as outside machining.
+step-align-turning-system = The control aligns the workpiece coordinate system to the precession angle { $q-precession-angle } and orients the cutting edge of the tool accordingly: for outside machining to the centre of the rotary table, for inside machining in the opposite direction.
+step-reverse-turning-tool = With { $q-tool-reversal } the coordinate system of the tool can be mirrored: the control then turns the spindle by 180° and mirrors the tool orientation { $mp-tool-orientation }. In this way a tool can be used for inside as well as outside machining.
+note-before-turning = Before turning, bring the tool to the correct position and orient its cutting edge.
+note-position-over-turning-spindle = To bring the tool to a suitable position, program a positioning block to the centre of the turning spindle, for example L Y+0 R0 FMAX.
+note-purpose-of-precession-angle = The precession angle { $q-precession-angle } defines where on the circumference of the workpiece it is machined. This can be necessary if the tool has to be brought to a certain machining position for lack of space; the machining position can also be turned so that machining can be watched more easily.
+note-precession-in-inclined-turning = In inclined turning, use the precession angle { $q-precession-angle } to bring the cutting edge and the coordinate system to a suitable position.
+note-turning-system-until-tool-call = The cycle is effective from its definition until the next tool call.
+note-turning-tool-clamped-and-measured = The tool must be clamped in the correct position and measured.
+note-turning-tool-selected = The cycle can only be used if a turning tool is selected.
+note-check-tool-orientation = Check the orientation of the tool before machining.
+note-own-functions-for-tool-alignment = The machine manufacturer may provide functions of his own for aligning the tool. Refer to the machine manual.
+note-cycle-depends-on-machine = Cycle { $cycle } depends on the machine. Refer to the machine manual.

@@ -1,4 +1,4 @@
-; control: tnc640 lang: sl source: 001:7538-7548
+; control: tnc640 lang: sl source: 001:7537-7547
 11 CYCL DEF 811 VZDOLŽNO STRUŽENJE SEGMENTA
 Q215=+0 ;OBSEG OBDELAVE
 Q460=+2 ;VARNOSTNA RAZDALJA
