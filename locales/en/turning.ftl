@@ -56,14 +56,9 @@ step-finish-turned-contour-to-end = The control finishes the contour of the work
 condition-start-element-added = { $q-start-element-type } adds an element at the start of the contour
 condition-end-element-added = { $q-end-element-type } adds an element at the end of the contour
 condition-undercuts-machined = { $q-undercut-machining } allows plunging elements to be machined
-condition-cutting-limit-on = { $q-cutting-limit } activates the cutting limit
 note-area-from-starting-point-to-end-point = In roughing, the cycle machines the area from the starting point of the cycle to the end point defined in the cycle.
 note-infeed-within-undercut = Within the undercut the control advances the tool at the feed rate { $q-turning-roughing-feed }. Each retraction there is by the set-up clearance { $q-turning-clearance }.
 note-contour-direction-decides = The programmed direction of the contour determines the direction of machining.
-note-turning-contour-in-subprogram = The contour is described in a subprogram, with plain-language path functions or FK functions. Program cycle 14 before the cycle call to define the number of the subprogram.
-note-local-parameters-in-contour = If local Q parameters (QL) are used in the contour subprogram, they must also be assigned or calculated in the contour subprogram.
-note-cutting-limit-and-paths = The cutting limit restricts the contour range to be machined. Approach and departure paths can pass the cutting limit.
-note-cutting-limit-side = The position of the tool before the cycle call determines how the cutting limit acts: the control machines the material on that side of the cutting limit on which the tool stands before the cycle call.
 title-shoulder-with-recess = Shoulder with recess
 
 # --- 811 ---
