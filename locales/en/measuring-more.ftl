@@ -1,13 +1,6 @@
 # Cycles that measure angles, studs, rectangles, widths, coordinates, bolt-hole circles and planes.
 
 # --- what several of them share ---
-step-probe-first-point-at-measuring-height = The touch probe moves to the measuring height { $q-measuring-height } and carries out the first probing at the probing feed rate (column { $mp-probing-feed }).
-step-probe-first-point-at-measuring-height__tnc426-430 = The touch probe moves to the measuring height { $q-measuring-height } and carries out the first probing at the probing feed rate ({ $mp-probing-feed } or { $mp-analog-probing-feed }).
-step-travel-to-second-touch-point = The touch probe moves to the second touch point:
-say-travel-linearly-at-clearance-height = with { $q-traverse-to-clearance-height }=1 in a straight line at clearance height { $q-clearance-height }
-say-travel-paraxially-at-measuring-height = with { $q-traverse-to-clearance-height }=0 parallel to the axes at measuring height { $q-measuring-height }
-step-probe-second-point = At the second touch point the touch probe carries out the second probing.
-step-probe-third-and-fourth-point = In the same way the control positions the touch probe at the third and then at the fourth touch point, and carries out the third and the fourth probing there.
 say-part-is-scrap = scrap (Q182=1) if a measured value is out of tolerance and cannot be mended
 say-part-needs-rework = rework (Q181=1) if a measured value is out of tolerance and can be mended
 
@@ -30,9 +23,7 @@ say-part-is-scrap__measure-rectangular-pocket = scrap (Q182=1) if a side is long
 say-part-needs-rework__measure-rectangular-pocket = rework (Q181=1) if a side is shorter than { $q-first-side-least-length } or { $q-second-side-least-length }
 say-part-is-scrap__measure-rectangular-stud = scrap (Q182=1) if a side is shorter than { $q-first-side-least-length } or { $q-second-side-least-length }, or the centre deviates by more than { $q-centre-tolerance-main } or { $q-centre-tolerance-minor }
 say-part-needs-rework__measure-rectangular-stud = rework (Q181=1) if a side is longer than { $q-first-side-greatest-length } or { $q-second-side-greatest-length }
-result-first-side-length-actual = Actual value of side length in main axis
-result-second-side-length-actual = Actual value of side length in secondary axis
-result-first-side-length-deviation = Deviation of side length in main axis
-result-second-side-length-deviation = Deviation of side length in secondary axis
+result-side-main-deviation = Deviation of side length in main axis
+result-side-minor-deviation = Deviation of side length in secondary axis
 title-measure-and-rework-rectangular-stud = Measure a rectangular stud and finish it with the measured values
 title-measure-rectangular-pocket-with-log = Measure a rectangular pocket and record the results
