@@ -1,4 +1,4 @@
-; control: tnc640 lang: sl source: 001:10371-10393 corrected: name and label of Q463 as in the cycle's own example (turning-shoulder-name, turning-depth-label)
+; control: tnc640 lang: sl source: 001:10371-10393 corrected: name (turning-shoulder-name), label of Q463 (turning-depth-label)
 11 CYCL DEF 812 RAZŠIRJENO VZDOLŽNO STRUŽENJE SEGMENTA
 Q215=+0 ;OBSEG OBDELAVE
 Q460=+2 ;VARNOSTNA RAZDALJA
