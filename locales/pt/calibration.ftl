@@ -1,0 +1,5 @@
+# Cycles that calibrate touch probes.
+
+# --- 2 ---
+cycle-calibrate-touch-probe = Calibrar TS
+    .nc = CALIBRAR TS
