@@ -1,0 +1,24 @@
+# Vrtanje navojev in rezkanje navojev.
+cycle-tapping = Vrtanje navojev (NOVO) z izravnalno vpenjalno glavo
+    .nc = NOVO VRTANJE NAVOJEV
+    .nc-aliases = VRTANJE NAVOJEV – NOVO
+cycle-rigid-tapping = Vrtanje navojev GS brez izravnalne vpenjalne glave (NOVO)
+    .nc = VRTANJE NAVOJEV GS NOVO
+    .nc-aliases = VRTANJE NAVOJEV Z VIŠINO NAVOJA – NOVO | VRTANJE NAVOJEV BREZ IZRAVNALNE VPENJALNE GLAVE
+cycle-tapping-with-chip-breaking = Vrtanje navojev z drobljenjem ostružkov
+    .nc = VRTANJE NAVOJEV LOM OSTRUŽ.
+    .nc-aliases = VRTANJE NAVOJEV Z DROBLJENJEM OSTRUŽKOV | VRTANJE NAVOJEV Z LOMOM OSTRUŽKOV
+cycle-thread-milling = Rezkanje navojev
+    .nc = REZKANJE NAVOJEV
+cycle-thread-milling-countersinking = Rezkanje ugreznih navojev
+    .nc = REZKANJE UGREZ. NAVOJA
+    .nc-aliases = REZKANJE UGREZNIH NAVOJEV
+cycle-thread-drilling-milling = Rezkanje vrtalnih navojev
+    .nc = VRTALNO REZKANJE NAVOJEV
+    .nc-aliases = REZKANJE VRTALNIH NAVOJEV
+cycle-helical-thread-drilling-milling = Vijačno rezkanje vrtalnih navojev
+    .nc = VIJAČ. REZK. VRTAL. NAVOJEV
+    .nc-aliases = VIJAČNO REZKANJE VRTALNIH NAVOJEV
+cycle-outside-thread-milling = Rezkanje zunanjih navojev
+    .nc = REZK. ZUNAN. NAVOJEV
+    .nc-aliases = REZKANJE ZUNANJIH NAVOJEV | REZKANJE ZUNANJEGA NAVOJA

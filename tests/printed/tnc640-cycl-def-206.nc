@@ -1,0 +1,8 @@
+; control: tnc640 lang: sl source: 001:2527-2533 corrected: no blank behind the semicolon (drilling-label-blanks)
+25 CYCL DEF 206 NOVO VRTANJE NAVOJEV
+Q200=2 ;VARNOSTNA RAZDALJA
+Q201=-20 ;GLOBINA
+Q206=150 ;POM. PRI GLOB. PRIM.
+Q211=0.25 ;ČAS ZADRŽ. SPODAJ
+Q203=+25 ;KOOR. POVRŠINE
+Q204=50 ;2. VARNOSTNA RAZDALJA
