@@ -132,3 +132,11 @@ note-turning-tool-selected = The cycle can only be used if a turning tool is sel
 note-check-tool-orientation = Check the orientation of the tool before machining.
 note-own-functions-for-tool-alignment = The machine manufacturer may provide functions of his own for aligning the tool. Refer to the machine manual.
 note-cycle-depends-on-machine = Cycle { $cycle } depends on the machine. Refer to the machine manual.
+
+# --- 801 ---
+cycle-reset-turning-system = Reset rotary coordinate system
+    .nc = RESET ROTARY COORDINATE SYSTEM
+    .purpose = Resets the settings that were made with cycle 800.
+step-reset-turning-system = The control resets all settings programmed with cycle 800: the precession angle Q497 and the reversal of the tool Q498.
+note-tool-stays-oriented = The tool is not returned to its initial orientation. If cycle 800 has oriented it, it stays in this position after the reset.
+note-cycle-without-parameters = The cycle has no cycle parameters. Close its entry with the END key.

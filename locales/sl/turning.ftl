@@ -50,3 +50,7 @@ cycle-turn-contour-face = Čelno struženje konture
 cycle-adapt-turning-system = Prilagoditev sistema struženja
     .nc = PRILAGODITEV STRUŽNEGA SISTEMA
     .nc-aliases = DREHSYSTEM ANPASSEN | PRILAGODITEV SISTEMA STRUŽENJA
+
+# --- 801 ---
+cycle-reset-turning-system = Ponastavitev sistema struženja
+    .nc = PONASTAVITEV SISTEMA STRUŽENJA
