@@ -566,6 +566,8 @@ record! {
         takes_effect: TakesEffect,
         /// Its parameters, new form.
         parameters: Vec<Parameter>,
+        /// It is only its name: a definition without anything to enter.
+        no_parameters: bool,
         /// Its lines, old form.
         forms: Vec<Form>,
         /// The name of the cycle whose run it shares.

@@ -30,7 +30,7 @@ pub(super) fn parameters(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
             found.push(Diagnostic::error("spec-text-parameter", param.place.clone()).arg("name", param.is.as_str()));
         }
     }
-    if cycle.params.is_empty() {
+    if cycle.params.is_empty() != cycle.file.no_parameters {
         found.push(Diagnostic::error("spec-no-parameters", cycle.file.name.place.clone()));
     }
     if !cycle.file.parameters.is_empty() && !cycle.file.forms.is_empty() {
