@@ -222,3 +222,44 @@ choice-approach-at-upper-left-corner = Upper left corner
 choice-meander-stepover-outside = Meandering paths, stepover outside the surface to be machined
 choice-meander-stepover-inside = Meandering paths, stepover inside the surface to be machined
 choice-line-by-line-with-retraction = Line by line, with retraction and stepover at the feed rate for positioning
+
+# --- coordinate transforms ---
+parameter-mirrored-axes = Mirrored axes
+    .help = Axes to be mirrored. All axes may be mirrored, rotary axes included, except the spindle axis and its secondary axis. Up to three of the NC axes X, Y, Z, U, V, W, A, B, C.
+    .prompt = Mirrored axis?
+parameter-scaling-factor = Factor
+    .help = Scaling factor SCL. The control multiplies coordinates and radii by it.
+    .prompt = Factor?
+parameter-axis-scaling-factors = Axis and factor
+    .help = Coordinate axes and the factors by which each of them is stretched or compressed.
+parameter-axis-scaling-centre = Centre coordinates
+    .help = Centre from which the contour is stretched or towards which it is compressed.
+parameter-tilting-angles = Rotary axis and angle
+    .help = Rotary axes with their tilt angles; the rotary axes A, B and C are programmed with soft keys.
+    .prompt = Rotary axis and angle?
+parameter-tilting-feed = Feed rate
+    .help = Traversing speed of the rotary axis when the control positions it by itself.
+    .prompt = Feed rate? F=
+parameter-tilting-clearance = Set-up clearance
+    .help = The control positions the swivel head so that the position at the end of the tool, extended by the set-up clearance, does not change with respect to the workpiece. It is entered if the control positions the rotary axes by itself.
+    .prompt = Set-up clearance?
+
+# --- special functions ---
+parameter-programmed-dwell = Dwell time in seconds
+    .help = Time for which the program run stops, up to 1 hour in steps of 0.001 s.
+    .word = DWELL
+parameter-program-to-call = Program name
+    .help = Name of the program to be called, with its path if necessary.
+parameter-orientation-angle = Angle of orientation
+    .help = Angle with respect to the angle reference axis of the working plane.
+    .word = ANGLE
+parameter-contour-tolerance = Tolerance value T
+    .help = Permitted deviation from the programmed contour in millimetres (in inches in inch programs).
+parameter-hsc-mode = HSC mode, finishing=0, roughing=1
+    .help = Filter that the control activates.
+parameter-rotary-axis-tolerance = Tolerance for rotary axes TA
+    .help = Permitted deviation of rotary axes in degrees while M128 (FUNCTION TCPM) is active. The control always reduces the feed rate so that with movements in several axes the slowest one moves at its greatest feed rate. Rotary axes are usually much slower than linear axes. A greater tolerance (such as 10°) can considerably shorten the machining time of multi-axis programs, because the control need not always move the rotary axes to the given nominal position. The contour is not damaged; only the position of the rotary axis with respect to the workpiece surface changes.
+
+# --- choices of the special functions ---
+choice-milling-with-higher-accuracy = Milling with higher contour accuracy. The control uses internally set filter settings for finishing
+choice-milling-at-higher-feed = Milling at a higher feed rate. The control uses internally set filter settings for roughing

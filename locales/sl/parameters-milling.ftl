@@ -104,3 +104,27 @@ parameter-finishing-feed__face-milling =
 parameter-pre-positioning-feed__face-milling = Pomik pri predpozicioniranju
 parameter-side-clearance = Stranska varnostna razdalja
     .label = STRANSKA VARNOSTNA RAZDALJA
+
+# --- coordinate transforms ---
+parameter-mirrored-axes = Zrcaljena os
+    .prompt = Zrcaljena os?
+parameter-scaling-factor = Faktor
+    .prompt = Faktor?
+parameter-axis-scaling-factors = Os in faktor
+parameter-axis-scaling-centre = Koordinate središča
+parameter-tilting-angles = Rotacijska os in kot
+    .prompt = Rotacijska os in kot?
+parameter-tilting-feed = Pomik
+    .prompt = Pomik? F=
+parameter-tilting-clearance = Varnostna razdalja
+    .prompt = Varnostna razdalja?
+
+# --- special functions ---
+parameter-programmed-dwell = Čas zadrževanja v sekundah
+    .word = ČAS ZADRŽ.
+parameter-program-to-call = Ime programa
+parameter-orientation-angle = Kot usmeritve
+    .word = KOT
+parameter-contour-tolerance = Tolerančna vrednost T
+parameter-hsc-mode = NAČIN HSC, fino rezkanje=0, grobo rezkanje=1
+parameter-rotary-axis-tolerance = Toleranca za rotacijske osi TA

@@ -1,0 +1,4 @@
+; control: tnc640 lang: sl source: 001:7135-7139 form: tolerance
+95 CYCL DEF 32.0 TOLERANCA
+96 CYCL DEF 32.1 T0.05
+97 CYCL DEF 32.2 HSC-MODE:1 TA5
