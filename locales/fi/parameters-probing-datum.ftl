@@ -1,0 +1,41 @@
+# Vinon asennon ja peruspisteen asetuksen työkiertojen parametrit: nimi, teksti NC-lauseessa, ohje.
+
+# --- peruspisteen asetus: erot reikään ---
+parameter-probing-centre-main__datum-inside-rectangle =
+    .help = Taskun keskipiste koneistustason pääakselilla.
+parameter-probing-centre-minor__datum-inside-rectangle =
+    .help = Taskun keskipiste koneistustason sivuakselilla.
+parameter-probing-centre-main__datum-outside-rectangle =
+    .help = Kaulan keskipiste koneistustason pääakselilla.
+parameter-probing-centre-minor__datum-outside-rectangle =
+    .help = Kaulan keskipiste koneistustason sivuakselilla.
+parameter-probing-centre-main__datum-outside-circle =
+    .help = Kaulan keskipiste koneistustason pääakselilla.
+parameter-probing-centre-minor__datum-outside-circle =
+    .help = Kaulan keskipiste koneistustason sivuakselilla.
+parameter-probing-nominal-diameter__datum-outside-circle =
+    .help = Kaulan likimääräinen halkaisija. Anna mieluummin liian suuri kuin liian pieni arvo.
+parameter-number-of-touch-points__datum-outside-circle =
+    .help = Mitataanko kaula neljällä vai kolmella kosketuksella.
+parameter-first-side-length__datum-outside-rectangle =
+    .help = Kaulan pituus koneistustason pääakselin suunnassa.
+parameter-second-side-length__datum-outside-rectangle =
+    .help = Kaulan pituus koneistustason sivuakselin suunnassa.
+parameter-datum-row-number__datum-outside-rectangle =
+    .help = Nollapiste- tai esiasetustaulukon rivin numero, jolle kaulan keskipisteen koordinaatit tallennetaan. Arvolla 0 ohjaus asettaa näytön niin, että uusi peruspiste on kaulan keskellä.
+parameter-datum-row-number__datum-outside-rectangle__tnc426-430 =
+    .help = Nollapistetaulukon rivin numero, jolle kaulan keskipisteen koordinaatit tallennetaan. Arvolla 0 ohjaus asettaa näytön niin, että uusi peruspiste on kaulan keskellä.
+parameter-datum-row-number__datum-outside-circle =
+    .help = Nollapiste- tai esiasetustaulukon rivin numero, jolle kaulan keskipisteen koordinaatit tallennetaan. Arvolla 0 ohjaus asettaa näytön niin, että uusi peruspiste on kaulan keskellä.
+parameter-datum-row-number__datum-outside-circle__tnc426-430 =
+    .help = Nollapistetaulukon rivin numero, jolle kaulan keskipisteen koordinaatit tallennetaan. Arvolla 0 ohjaus asettaa näytön niin, että uusi peruspiste on kaulan keskellä.
+parameter-new-datum-main__datum-outside-rectangle =
+    .help = Pääakselin koordinaatti, johon mitattu kaulan keskipiste asetetaan. Perusasetus: 0.
+parameter-new-datum-minor__datum-outside-rectangle =
+    .help = Sivuakselin koordinaatti, johon mitattu kaulan keskipiste asetetaan. Perusasetus: 0.
+parameter-new-datum-main__datum-outside-circle =
+    .help = Pääakselin koordinaatti, johon mitattu kaulan keskipiste asetetaan. Perusasetus: 0.
+parameter-new-datum-minor__datum-outside-circle =
+    .help = Sivuakselin koordinaatti, johon mitattu kaulan keskipiste asetetaan. Perusasetus: 0.
+choice-travel-paraxially-at-measuring-height = Mittauspisteiden välinen ajo akselin suuntaisesti mittauskorkeudella
+choice-travel-linearly-at-clearance-height = Mittauspisteiden välinen ajo suoraa pitkin varmuuskorkeudella
