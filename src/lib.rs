@@ -2,6 +2,7 @@
 //! printer, a manual generator, a program checker and a reference engine.
 //!
 //! See `ARCHITECTURE.md` for the map of the modules and what each of them must not know.
+pub mod accord;
 pub mod check;
 pub mod cli;
 pub mod conform;

@@ -6,6 +6,7 @@ use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, session};
+use crate::accord;
 use crate::diag::Diagnostic;
 use crate::engine::plan;
 use crate::label;
@@ -37,6 +38,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     found.extend(texts(&catalogue, &locales));
     found.extend(languages_of_controls(&catalogue, &locales));
     found.extend(label::check(&catalogue, &locales));
+    found.extend(accord::check(&catalogue, &locales));
     let site = pages(&catalogue, &locales, &files, &found);
     found.extend(site);
     let errors = session.report(found, arguments::chosen_format(matches))?;

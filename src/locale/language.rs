@@ -292,7 +292,35 @@ impl Language {
     /// The text as it reads without arguments, for lists of texts: variables as `‹name›`, and the
     /// default of each selection.
     pub fn sketch<'k>(&self, key: impl Into<Key<'k>>) -> Option<String> {
-        Some(pattern::sketch(self.pattern(self.find(key.into(), Scope::NONE)?)?))
+        Some(pattern::sketch(self.pattern(self.find(key.into(), Scope::NONE)?)?, &|_| None))
+    }
+
+    /// The text as its file has it, with the place: arguments as `‹name›`, terms filled in by their first
+    /// form, and the default of each selection.
+    pub fn raw(&self, key: Key, scope: Scope) -> Option<(String, Place)> {
+        let form = self.find(key, scope)?;
+        let term = |id: &str| {
+            let key = format!("-{id}");
+            let form = self.entries.get(&key)?.best(None, scope)?;
+            Some(pattern::sketch(self.pattern(form)?, &|_| None))
+        };
+        Some((pattern::sketch(self.pattern(form)?, &term), self.place(form)?))
+    }
+
+    /// Whether the text for the scope was written for it, and not for a wider one.
+    pub fn is_exact(&self, key: Key, scope: Scope) -> bool {
+        let wanted = usize::from(scope.cycle.is_some()) + usize::from(scope.control.is_some());
+        let wanted = if scope.cycle == scope.control { wanted.min(1) } else { wanted };
+        self.find(key, scope).is_some_and(|form| form.suffixes.len() == wanted)
+    }
+
+    /// Every text of the language but terms: its key, and the suffixes of its variant.
+    pub fn keys(&self) -> impl Iterator<Item = (Key<'_>, &[Box<str>])> {
+        let messages = self.entries.iter().filter(|(id, _)| !id.starts_with('-'));
+        messages.flat_map(|(id, entry)| {
+            let forms = entry.all().flat_map(|(attribute, forms)| forms.iter().map(move |form| (attribute, form)));
+            forms.map(move |(attribute, form)| (Key { id, attribute }, form.suffixes.as_slice()))
+        })
     }
 
     pub(super) fn find(&self, key: Key, scope: Scope) -> Option<&Form> {

@@ -74,26 +74,27 @@ pub(super) fn plain<'a>(pattern: &Pattern<&'a str>) -> Option<&'a str> {
 }
 
 /// The pattern as a reader may see it without arguments: variables as `‹name›`, the default of each
-/// selection.
-pub(super) fn sketch(pattern: &Pattern<&str>) -> String {
-    pattern.elements.iter().map(sketch_element).collect()
+/// selection, terms as `term` gives them.
+pub(super) fn sketch(pattern: &Pattern<&str>, term: &dyn Fn(&str) -> Option<String>) -> String {
+    pattern.elements.iter().map(|element| sketch_element(element, term)).collect()
 }
 
-fn sketch_element(element: &PatternElement<&str>) -> String {
+fn sketch_element(element: &PatternElement<&str>, term: &dyn Fn(&str) -> Option<String>) -> String {
     let inline = match element {
         PatternElement::TextElement { value } => return (*value).to_owned(),
         PatternElement::Placeable { expression: Expression::Inline(inline) } => inline,
         PatternElement::Placeable { expression: Expression::Select { variants, .. } } => {
-            return variants.iter().find(|variant| variant.default).map_or_else(String::new, |it| sketch(&it.value));
+            return variants.iter().find(|variant| variant.default).map_or_else(String::new, |it| sketch(&it.value, term));
         }
     };
     match inline {
         InlineExpression::StringLiteral { value } | InlineExpression::NumberLiteral { value } => {
             fluent_syntax::unicode::unescape_unicode_to_string(value).into_owned()
         }
-        InlineExpression::VariableReference { id }
-        | InlineExpression::MessageReference { id, .. }
-        | InlineExpression::TermReference { id, .. } => format!("‹{}›", id.name),
+        InlineExpression::TermReference { id, .. } => term(id.name).unwrap_or_else(|| format!("‹{}›", id.name)),
+        InlineExpression::VariableReference { id } | InlineExpression::MessageReference { id, .. } => {
+            format!("‹{}›", id.name)
+        }
         InlineExpression::FunctionReference { arguments, .. } => match arguments.positional.first() {
             Some(InlineExpression::VariableReference { id }) => format!("‹{}›", id.name),
             _ => String::new(),

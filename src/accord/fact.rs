@@ -1,0 +1,144 @@
+//! The facts that a text states, whatever its language.
+use std::collections::BTreeMap;
+
+/// What a fact is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kind {
+    /// A number with its sign.
+    Number,
+    /// A unit behind a number.
+    Unit,
+    /// A word of the code: `Q201`, `M140`, `FMAX`, `TOOL CALL`.
+    Code,
+    /// An argument that is filled in.
+    Argument,
+}
+
+impl Kind {
+    pub(super) const ALL: [Kind; 4] = [Kind::Number, Kind::Unit, Kind::Code, Kind::Argument];
+
+    pub(super) const fn code(self) -> &'static str {
+        match self {
+            Kind::Number => "accord-number",
+            Kind::Unit => "accord-unit",
+            Kind::Code => "accord-code",
+            Kind::Argument => "accord-argument",
+        }
+    }
+}
+
+/// Units that may stand behind a number, longest first.
+const UNITS: [&str; 6] = ["mm/min", "mm/r", "m/min", "mm", "%", "°"];
+
+/// A degree sign is an ordinal behind such a small number in some languages.
+const LARGEST_ORDINAL: f64 = 9.0;
+
+/// The facts of a raw text (arguments as `‹name›`), each list sorted.
+pub(super) fn facts(raw: &str, language: &str) -> BTreeMap<Kind, Vec<String>> {
+    let mut facts: BTreeMap<Kind, Vec<String>> = BTreeMap::new();
+    let text = arguments(raw, &mut facts);
+    let chars: Vec<char> = text.chars().collect();
+    let mut at = 0;
+    while at < chars.len() {
+        let c = chars[at];
+        if c.is_alphabetic() || c == '_' {
+            at = word(&chars, at, &mut facts);
+        } else if c.is_ascii_digit() {
+            at = number(&chars, at, language, &mut facts);
+        } else {
+            at += 1;
+        }
+    }
+    facts.values_mut().for_each(|list| list.sort());
+    facts
+}
+
+/// Takes the arguments out of the text; one that stands twice is one fact.
+fn arguments(raw: &str, facts: &mut BTreeMap<Kind, Vec<String>>) -> String {
+    let mut text = String::with_capacity(raw.len());
+    let mut rest = raw;
+    while let Some((before, inside)) = rest.split_once('‹') {
+        let Some((name, after)) = inside.split_once('›') else { break };
+        let list = facts.entry(Kind::Argument).or_default();
+        if !list.iter().any(|known| known == name) {
+            list.push(name.to_owned());
+        }
+        text.push_str(before);
+        text.push('¤');
+        rest = after;
+    }
+    text.push_str(rest);
+    text
+}
+
+/// A run of letters, digits and `_`: a fact if it mixes capitals with digits. Gives its end.
+fn word(chars: &[char], from: usize, facts: &mut BTreeMap<Kind, Vec<String>>) -> usize {
+    let mut to = from;
+    while to < chars.len() && (chars[to].is_alphanumeric() || chars[to] == '_') {
+        to += 1;
+    }
+    let text: String = chars[from..to].iter().collect();
+    let capitals = text.chars().take_while(|c| c.is_ascii_uppercase() || *c == '_').count();
+    let rest = &text[capitals..];
+    let is_code = capitals > 0 && !rest.is_empty() && rest.starts_with(|c: char| c.is_ascii_digit());
+    // Letters behind the digits are an ending of the language: `Q201:n`, `G54ssä`.
+    if is_code {
+        let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
+        facts.entry(Kind::Code).or_default().push(format!("{}{digits}", &text[..capitals]));
+    } else if text.contains('_') && text.chars().all(|c| !c.is_lowercase()) {
+        facts.entry(Kind::Code).or_default().push(text);
+    }
+    to
+}
+
+/// A number with sign and unit. Gives the end of what was read.
+fn number(chars: &[char], from: usize, language: &str, facts: &mut BTreeMap<Kind, Vec<String>>) -> usize {
+    let is_digit = |at: usize| chars.get(at).is_some_and(char::is_ascii_digit);
+    let mut to = from;
+    while is_digit(to) {
+        to += 1;
+    }
+    let mut digits: String = chars[from..to].iter().collect();
+    // A decimal part in either way of writing.
+    if matches!(chars.get(to), Some('.' | ',')) && is_digit(to + 1) {
+        let start = to + 1;
+        to = start;
+        while is_digit(to) {
+            to += 1;
+        }
+        digits.push('.');
+        digits.extend(&chars[start..to]);
+    }
+    let next: String = chars[to..].iter().take(3).collect();
+    // Dimensions (`3-D`, `2½-D`) are words.
+    if next.starts_with("-D") || next.starts_with('D') || next.starts_with("-u") || next.starts_with("-d") {
+        return to + 1;
+    }
+    let before = from.checked_sub(1).map(|at| chars[at]);
+    let two_before = from.checked_sub(2).map(|at| chars[at]);
+    let begins = two_before.is_none_or(|c| !c.is_alphanumeric() && c != '¤');
+    let minus = matches!(before, Some('-' | '\u{2212}')) && begins;
+    let value: f64 = digits.parse().unwrap_or(0.0);
+    let number = if minus { format!("\u{2212}{value}") } else { format!("{value}") };
+    facts.entry(Kind::Number).or_default().push(number);
+    let mut unit_at = to;
+    while chars.get(unit_at).is_some_and(|c| matches!(c, ' ' | '\u{a0}' | '\u{202f}')) {
+        unit_at += 1;
+    }
+    let behind: String = chars[unit_at..].iter().take(7).collect();
+    if let Some(unit) = UNITS.iter().find(|unit| behind.starts_with(**unit)) {
+        let end = unit_at + unit.chars().count();
+        let ends = !chars.get(end).is_some_and(|c| c.is_alphanumeric());
+        let small = (1.0..=LARGEST_ORDINAL).contains(&value);
+        let ordinal = *unit == "°" && small && matches!(language, "it" | "pt");
+        if ends && !ordinal {
+            facts.entry(Kind::Unit).or_default().push((*unit).to_owned());
+            return end;
+        }
+    }
+    // The endings of ordinals are words of the language.
+    while to < chars.len() && (chars[to].is_alphabetic() || matches!(chars[to], 'ª' | 'º' | '°')) {
+        to += 1;
+    }
+    to
+}
