@@ -129,8 +129,10 @@ fn number(chars: &[char], from: usize, language: &str, facts: &mut BTreeMap<Kind
     if let Some(unit) = UNITS.iter().find(|unit| behind.starts_with(**unit)) {
         let end = unit_at + unit.chars().count();
         let ends = !chars.get(end).is_some_and(|c| c.is_alphanumeric());
-        let small = (1.0..=LARGEST_ORDINAL).contains(&value);
-        let ordinal = *unit == "°" && small && matches!(language, "it" | "pt");
+        // `2° asse`, but not `5°.`
+        let small = (1.0..=LARGEST_ORDINAL).contains(&value) && unit_at == to;
+        let word = chars.get(end).is_some_and(|c| *c == ' ') && chars.get(end + 1).is_some_and(|c| c.is_alphabetic());
+        let ordinal = *unit == "°" && small && word && matches!(language, "it" | "pt");
         if ends && !ordinal {
             facts.entry(Kind::Unit).or_default().push((*unit).to_owned());
             return end;

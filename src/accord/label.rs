@@ -27,7 +27,9 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
                         && !shared_elsewhere(&all, language, cycle, (&one.param.is.text, &other.param.is.text))
                     {
                         found.push(report("accord-label-twice", language, on, cycle, one, other));
-                    } else if let Some(other) = of_another(one, &names) {
+                    } else if let Some((other, is)) = of_another(one, &names)
+                        && !elsewhere_of(&all, language, cycle, (&one.param.is.text, is))
+                    {
                         found.push(report("accord-label-of-another", language, on, cycle, one, &other));
                     }
                 }
@@ -73,6 +75,20 @@ fn shared_elsewhere(
     })
 }
 
+/// Whether another language has the label of the one parameter for the other one, too.
+fn elsewhere_of(
+    all: &[(&Language, BTreeMap<&str, Vec<Named>>)],
+    own: &Language,
+    cycle: &str,
+    (one, other): (&str, &str),
+) -> bool {
+    all.iter().filter(|(language, _)| language.tag() != own.tag()).any(|(_, cycles)| {
+        let label = cycles.get(cycle).and_then(|params| params.iter().find(|named| *named.param.is.text == *one));
+        let Some(label) = label.map(|named| &named.label) else { return false };
+        cycles.values().flatten().any(|named| *named.param.is.text == *other && named.label == *label)
+    })
+}
+
 fn named<'c>(on: &'c OnControl, language: &Language) -> BTreeMap<&'c str, Vec<Named<'c>>> {
     let mut cycles = BTreeMap::new();
     for cycle in on.cycles.values() {
@@ -102,15 +118,18 @@ fn by_label<'n>(cycles: &'n BTreeMap<&str, Vec<Named>>) -> BTreeMap<&'n str, BTr
 
 /// Another parameter with the same label whose name the label fits, while it has nothing in common
 /// with the name of this one.
-fn of_another<'c>(one: &Named<'c>, names: &BTreeMap<&str, BTreeSet<(&str, &str)>>) -> Option<Named<'c>> {
+fn of_another<'c, 'n>(
+    one: &Named<'c>,
+    names: &BTreeMap<&'n str, BTreeSet<(&'n str, &'n str)>>,
+) -> Option<(Named<'c>, &'n str)> {
     let own = likeness(&one.label, &one.name);
     if own > 0.0 {
         return None;
     }
     let others = names.get(one.label.as_str())?;
     let fits = others.iter().filter(|(_, is)| *is != one.param.is.as_str());
-    let (name, _) = fits.map(|(name, _)| (*name, likeness(&one.label, name))).find(|(_, like)| *like >= 0.5)?;
-    Some(Named { param: one.param, name: name.to_owned(), label: one.label.clone() })
+    let (name, is) = fits.copied().find(|(name, _)| likeness(&one.label, name) >= 0.5)?;
+    Some((Named { param: one.param, name: name.to_owned(), label: one.label.clone() }, is))
 }
 
 /// The share of the words of a label that begin, abbreviated or not, like a word of the name.

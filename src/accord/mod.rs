@@ -17,7 +17,17 @@ use crate::spec::Catalogue;
 
 /// Attributes whose wording is each language's own: printed labels, lists, sources.
 const OWN: [&str; 11] = [
-    "label", "label-aliases", "nc", "nc-aliases", "word", "prompt", "forms", "forbidden", "source", "endings", "symbol",
+    "label",
+    "label-aliases",
+    "nc",
+    "nc-aliases",
+    "word",
+    "prompt",
+    "forms",
+    "forbidden",
+    "source",
+    "endings",
+    "symbol",
 ];
 
 /// Messages whose value is a printed name.

@@ -36,10 +36,8 @@ fn pairs(catalogue: &Catalogue) -> BTreeSet<(String, String)> {
 pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Diagnostic>) {
     let corpora: Vec<(&Language, HashMap<String, Words>)> =
         locales.iter().map(|language| (language, corpus(language))).collect();
-    let tables: Vec<Vec<Table>> = corpora
-        .iter()
-        .map(|(_, one)| corpora.iter().map(|(_, other)| Table::new(one, other)).collect())
-        .collect();
+    let tables: Vec<Vec<Table>> =
+        corpora.iter().map(|(_, one)| corpora.iter().map(|(_, other)| Table::new(one, other)).collect()).collect();
     for (one, other) in pairs(catalogue) {
         // The languages with which each finds the pair swapped.
         let mut against = vec![Vec::new(); corpora.len()];

@@ -84,7 +84,10 @@ fn sketch_element(element: &PatternElement<&str>, term: &dyn Fn(&str) -> Option<
         PatternElement::TextElement { value } => return (*value).to_owned(),
         PatternElement::Placeable { expression: Expression::Inline(inline) } => inline,
         PatternElement::Placeable { expression: Expression::Select { variants, .. } } => {
-            return variants.iter().find(|variant| variant.default).map_or_else(String::new, |it| sketch(&it.value, term));
+            return variants
+                .iter()
+                .find(|variant| variant.default)
+                .map_or_else(String::new, |it| sketch(&it.value, term));
         }
     };
     match inline {
