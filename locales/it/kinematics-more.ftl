@@ -8,3 +8,4 @@ cycle-save-kinematics = Salva cinematica
 cycle-preset-compensation = Compensazione Preset
     .nc = COMPENSAZ. PRESET
     .nc-aliases = COMPENSAZIONE PRESET
+title-compensate-preset = Programma di calibrazione

@@ -15,6 +15,7 @@ cycle-tool-radius = Misurazione raggio utensile
     .nc = RAGGIO UTENSILE
 cycle-tool-radius-old = Misurazione raggio utensile
     .nc = RAGGIO UTENSILE
+step-store-tool-radius = Il controllo memorizza il risultato:
 
 # --- 33 and 483 ---
 cycle-tool-complete = Misurazione utensile completa
