@@ -41,3 +41,24 @@ title-datum-at-arc-centre-and-top = Peruspisteen asetus ympyräsegmentin keskipi
 # --- tulokset ---
 result-side-main-actual = Sivun pituuden todellisarvo pääakselilla
 result-side-minor-actual = Sivun pituuden todellisarvo sivuakselilla
+result-slot-width-actual = Mitatun uran leveyden todellisarvo
+result-ridge-width-actual = Mitatun uuman leveyden todellisarvo
+result-centre-axis-actual = Keskiakselin sijainnin todellisarvo
+result-corner-main-actual = Nurkan todellisarvo pääakselilla
+result-corner-minor-actual = Nurkan todellisarvo sivuakselilla
+
+# --- 408 ja 409 ---
+cycle-datum-slot-centre = Peruspiste uran keskipiste
+    .nc = PERUSP. URAN KESKIP
+    .nc-aliases = PERUSP URAN KESK
+cycle-datum-ridge-centre = Peruspisteen asetus uuman keskelle
+    .nc = PERUSP. UUMAN KESKIP
+    .nc-aliases = PERUSP UUMAN KESK
+
+# --- 414 ja 415 ---
+cycle-datum-outside-corner = Peruspisteen asetus nurkan ulkopuolelle
+    .nc = PERUSP. NURKAN SISÄP.
+    .nc-aliases = PERUSP NURKKA ULKOP
+cycle-datum-inside-corner = Peruspisteen asetus nurkan sisään
+    .nc = PERUSP. NURKAN ULKOP.
+    .nc-aliases = PERUSP NURKKA SISÄP

@@ -11,3 +11,9 @@ cycle-datum-outside-rectangle = Ponto ref rectângulo exterior
 # --- 413 ---
 cycle-datum-outside-circle = Ponto referência círculo exterior
     .nc = PONTO REF CÍRCULO EXTERIOR
+
+# --- 414 e 415 ---
+cycle-datum-outside-corner = Ponto de referência esquina exterior
+    .nc = PONTO REF ESQUINA EXTERIOR
+cycle-datum-inside-corner = Ponto de referência esquina interior
+    .nc = PONTO REF ESQUINA INTERIOR

@@ -1,0 +1,3 @@
+; control: tnc320 lang: fi source: 000:1832-1834
+5 TCH PROBE 404 PERUSKÄÄNTÖ
+Q307=+0 ;PERUSK. ESIASETUS

@@ -1,0 +1,9 @@
+; control: tnc426-430 lang: pt source: 003:1020-1027 corrected: label of Q307 (two-holes-example-label)
+2 TCH PROBE 401 ROT 2 FUROS
+Q268=+25 ;1.º CENTRO 1.º EIXO
+Q269=+15 ;1.º CENTRO 2.º EIXO
+Q270=+80 ;2.º CENTRO 1.º EIXO
+Q271=+35 ;2.º CENTRO 2.º EIXO
+Q261=-5 ;ALTURA DE MEDIÇÃO
+Q260=+20 ;ALTURA SEGURA
+Q307=+0 ;AJUSTE PRÉVIO ROTAÇ. BÁSICA
