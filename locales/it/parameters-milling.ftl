@@ -222,3 +222,6 @@ choice-approach-at-upper-left-corner = Spigolo in alto a sinistra
 choice-meander-stepover-outside = Lavorazione a meandri, incremento laterale all'esterno della superficie da lavorare
 choice-meander-stepover-inside = Lavorazione a meandri, incremento laterale all'interno della superficie da lavorare
 choice-line-by-line-with-retraction = Lavorazione per righe, con ritrazione e incremento laterale con l'avanzamento di avvicinamento
+
+# --- coordinate transforms ---
+parameter-tilting-clearance = Distanza di sicurezza
