@@ -5,6 +5,9 @@
 use crate::spec::{CycleKey, Field, Keyword, Shape};
 use crate::syntax::{Axis, CycleKeyword, OldCycleLine, OldWord, Program, ValueKind};
 
+/// Letters of the shortest printed label without a colon, as in `KOT 180`.
+const SHORTEST_LABEL: usize = 3;
+
 /// The key of a cycle that a program writes.
 pub const fn key(keyword: CycleKeyword, number: u32) -> CycleKey {
     let keyword = match keyword {
@@ -51,7 +54,11 @@ fn width(program: &Program, field: &Field, words: &[OldWord]) -> usize {
             let plain = name.strip_prefix(['I', 'i']).filter(|_| field.incremental);
             name.eq_ignore_ascii_case(own) || plain.is_some_and(|plain| plain.eq_ignore_ascii_case(own))
         }
-        Shape::Labelled => name.ends_with(':'),
+        // Most are printed with a colon; of the others, short words are those of other fields.
+        Shape::Labelled => {
+            let letters = name.chars().filter(|c| c.is_alphabetic()).count();
+            name.ends_with(':') || (letters >= SHORTEST_LABEL && word.value.kind != ValueKind::Missing)
+        }
     };
     usize::from(fits)
 }

@@ -289,7 +289,9 @@ fn printed_values(cycle: &Cycle, field: &Field, body: &str) -> Vec<String> {
         let sign = |word: &&&str| word.starts_with(|c: char| "XYZABC".contains(c)) && word.ends_with(['+', '-']);
         let value = match field.shape {
             Shape::Labelled => {
-                words.iter().skip_while(|word| !word.ends_with(':')).nth(1).map(|word| (*word).to_owned())
+                let behind_colon = words.iter().skip_while(|word| !word.ends_with(':')).nth(1);
+                let last = words.last().filter(|_| words.len() > 1);
+                behind_colon.or(last).map(|word| (*word).to_owned())
             }
             Shape::Q => words.iter().find(|word| QRef::parse(word).is_some()).map(|word| (*word).to_owned()),
             Shape::AxisDirection => words.iter().find(sign).map(|word| (*word).to_owned()),
