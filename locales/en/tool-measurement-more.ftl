@@ -103,3 +103,17 @@ note-calibration-cycle-behaviour = How the calibration cycle works depends on th
 note-calibration-cycle-behaviour__tnc320 = The machine builder defines how the calibration cycle works. Refer to the machine manual.
 note-calibration-cycle-behaviour__itnc530 = How the calibration cycle works depends on the machine parameter { $mp-calibration-behaviour }. Refer to the machine manual.
 note-calibration-cycle-behaviour__tnc426-430 = How the calibration cycle works depends on the machine parameter { $mp-calibration-behaviour }. Refer to the machine manual.
+
+# --- 484 ---
+cycle-calibrate-wireless-tool-probe = Calibrate wireless tool touch probe TT 449
+    .nc = CALIBRATE IR TT
+    .purpose = Calibrates the wireless infrared tool touch probe TT 449. The calibration is semi-automatic, because the position of the touch probe on the machine table is not defined. The control also determines the centre misalignment of the calibration tool, stores the calibration values and considers them in later tool measurements.
+step-insert-calibration-tool = Insert the calibration tool.
+step-define-and-start-calibration = Define the calibration cycle and start it.
+step-position-calibration-tool-by-hand = Position the calibration tool manually above the centre of the touch probe and follow the instructions of the pop-up window. Make sure that the calibration tool is above the measuring surface of the probe contact.
+step-calibrate-wireless-tool-probe = The control calibrates the touch probe semi-automatically with the calibration tool.
+message-calibration-tool-over-setter = Position the calibration tool above the centre of the touch probe and continue.
+note-wireless-calibration-by-hand = The calibration is not fully automatic, because the position of the touch probe on the machine table is not defined.
+note-recalibrate-after-move = If the position of the touch probe on the table changes, calibrate again.
+note-calibration-tool-size__tnc640 = The diameter of the calibration tool must be larger than 15 mm, and it must protrude 50 mm from the chuck. It then bends by 0.1 µm for each 1 N of probing force.
+guard-tool-call-missing__calibrate-wireless-tool-probe = No tool is called. Call the calibration tool with TOOL CALL.

@@ -28,3 +28,7 @@ cycle-calibrate-tool-probe = Calibrazione TT
     .nc = CALIBRAZIONE TT
 cycle-calibrate-tool-probe-old = Calibrazione TT
     .nc = CALIBRAZIONE TT
+
+# --- 484 ---
+cycle-calibrate-wireless-tool-probe = Calibrazione TT 449 senza cavo
+    .nc = CALIBRAZIONE TT 449 SENZA CAVO

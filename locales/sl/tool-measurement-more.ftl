@@ -17,3 +17,7 @@ cycle-calibrate-tool-probe = Umerjanje tipalnega sistema
     .nc = UMERJANJE TIP. SIST.
 cycle-calibrate-tool-probe-old = Umerjanje tipalnega sistema
     .nc = UMERJANJE TIP. SIST.
+
+# --- 484 ---
+cycle-calibrate-wireless-tool-probe = Umerjanje brezžičnega namiznega tipalnega sistema TT 449
+    .nc = UMERJANJE BREZŽIČNEGA TT 449
