@@ -16,7 +16,7 @@ note-position-at-pocket-centre = Paikoita työkalu koneistustason alkupisteeseen
 cycle-slot = Uran jyrsintä
     .nc = URAN JYRSINTÄ
     .purpose = Koneistaa uran kokonaan: rouhinta, pohjan silitys ja sivun silitys. Myös pelkkä rouhinta, pelkkä pohjan ja sivun silitys, pelkkä pohjan silitys tai pelkkä sivun silitys on mahdollinen.
-step-move-over-left-slot-arc = Ohjaus paikoittaa työkalun pikaliikkeellä ensin työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (varmuusetäisyydelle, jos 2. varmuusetäisyyttä ei ole annettu), sitten uran vasemman kaaren keskipisteen yläpuolelle ja sen jälkeen varmuusetäisyydelle { $q-set-up-clearance }.
+step-move-over-left-slot-arc = Ohjaus paikoittaa työkalun pikaliikkeellä ensin työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (ellei sitä ole annettu, varmuusetäisyydelle), sitten uran vasemman kaaren keskipisteen yläpuolelle ja sen jälkeen varmuusetäisyydelle { $q-set-up-clearance }.
 step-plunge-at-left-slot-arc = Työkalu tunkeutuu uran vasemman kaaren keskipisteestä alkaen seuraavaan asetussyvyyteen { $q-plunging-depth }. Parametri { $q-plunging-strategy } määrää sisäänpistotavan:
 say-plunge-to-and-fro-along-slot = { $q-plunging-strategy } = 1 tai 2: edestakaisin uraa pitkin työkalutaulukon sisäänpistokulmalla { $mp-plunging-angle } ja syöttöarvolla { $q-plunging-feed }
 step-clear-slot-level = Ohjaus rouhii uran sisältä ulospäin ja ottaa huomioon silitystyövarat { $q-side-allowance } ja { $q-floor-allowance }.
@@ -25,7 +25,7 @@ step-finish-slot-side = Jos sivun silitystyövara { $q-side-allowance } on mää
 step-finish-slot-side__circular-slot = Jos sivun silitystyövara { $q-side-allowance } on määritelty, ohjaus silittää ensin uran seinämät; jos { $q-finishing-infeed } on annettu, useilla asetusliikkeillä. Se lähestyy seinämää tangentiaalisesti.
 until-slot-side-finished = seinämät on silitetty syvyyteen { $q-depth }
 step-finish-slot-floor = Jos pohjan silitystyövara { $q-floor-allowance } on määritelty, ohjaus silittää sen jälkeen uran pohjan sisältä ulospäin.
-step-leave-slot = Työkalu poistuu urasta pikaliikkeellä 2. varmuusetäisyydelle { $q-second-set-up-clearance } (varmuusetäisyydelle, jos 2. varmuusetäisyyttä ei ole annettu).
+step-leave-slot = Työkalu poistuu urasta pikaliikkeellä 2. varmuusetäisyydelle { $q-second-set-up-clearance } (ellei sitä ole annettu, varmuusetäisyydelle).
 step-end-of-slot = Työkalun asema työkierron lopussa riippuu uran sijainnista { $q-slot-position }:
 say-back-to-slot-centre = { $q-slot-position } = 0: ohjaus palauttaa työkalun koneistustasossa uran keskelle
 say-stays-in-working-plane = muussa tapauksessa ohjaus ei paikoita työkalua koneistustasossa
@@ -39,7 +39,7 @@ note-wide-slot-is-cleared = Jos ura on leveämpi kuin kaksi kertaa työkalun hal
 cycle-circular-slot = Pyöreä ura
     .nc = PYÖREÄ URA
     .purpose = Koneistaa pyöreän uran tai useita uria jakoympyrällä kokonaan: rouhinta, pohjan silitys ja sivun silitys. Myös pelkkä rouhinta, pelkkä pohjan ja sivun silitys, pelkkä pohjan silitys tai pelkkä sivun silitys on mahdollinen.
-step-move-over-circular-slot = Ohjaus paikoittaa työkalun pikaliikkeellä ensin työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (varmuusetäisyydelle, jos 2. varmuusetäisyyttä ei ole annettu), sitten uran alkupisteen yläpuolelle ja sen jälkeen varmuusetäisyydelle { $q-set-up-clearance }.
+step-move-over-circular-slot = Ohjaus paikoittaa työkalun pikaliikkeellä ensin työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (ellei sitä ole annettu, varmuusetäisyydelle), sitten uran alkupisteen yläpuolelle ja sen jälkeen varmuusetäisyydelle { $q-set-up-clearance }.
 step-plunge-in-circular-slot = Työkalu tunkeutuu uran leveyden keskellä seuraavaan asetussyvyyteen { $q-plunging-depth }. Parametri { $q-plunging-strategy } määrää sisäänpistotavan:
 until-all-slots-milled = kaikki urat ({ $q-number-of-operations }) on jyrsitty; jokainen niistä on kierretty kulman { $q-pattern-stepping-angle } verran jakoympyrän keskipisteen ympäri
 step-end-of-circular-slot = Työkalun asema työkierron lopussa riippuu uran sijainnin perustasta { $q-slot-position-reference }:
@@ -77,7 +77,7 @@ step-mill-spiral-around-stud = Sen jälkeen työkalu lähestyy kaulan muotoa tan
 step-keep-spiral-to-finished-diameter = Jos valmista halkaisijaa ei saavuteta yhdellä kierroksella, ohjaus jatkaa asetusta spiraalirataa pitkin, kunnes se on saavutettu, ja ottaa huomioon aihion halkaisijan, valmiin halkaisijan ja sallitun sivuttaisasetuksen.
 step-leave-stud-on-spiral = Ohjaus irrottaa työkalun muodosta spiraalirataa pitkin.
 step-next-infeed-near-departure = Jos tarvitaan useita asetusliikkeitä, seuraava tehdään irtautumiskohtaa lähinnä olevassa pisteessä.
-step-retract-and-return-to-stud-centre = Kun työkalu on työkierron lopussa irtautunut spiraalirataa pitkin, ohjaus paikoittaa sen työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (varmuusetäisyydelle, jos 2. varmuusetäisyyttä ei ole annettu) ja sen jälkeen kaulan keskipisteeseen.
+step-retract-and-return-to-stud-centre = Kun työkalu on työkierron lopussa irtautunut spiraalirataa pitkin, ohjaus paikoittaa sen työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (ellei sitä ole annettu, varmuusetäisyydelle) ja sen jälkeen kaulan keskipisteeseen.
 note-position-at-stud-centre = Paikoita työkalu koneistustason alkupisteeseen (kaulan keskipisteeseen) sädekorjauksella R0.
 note-circular-stud-end-height = Törmäysvaara! Lopussa ohjaus palauttaa työkalun varmuusetäisyydelle tai, jos se on annettu, 2. varmuusetäisyydelle. Työkalun loppuasema työkierron jälkeen voi siis poiketa sen aloitusasemasta.
 

@@ -2,7 +2,7 @@
 cycle-rectangular-pocket = Suorakulmatasku
     .nc = SUORAKULMATASKU
     .purpose = Koneistaa suorakulmataskun kokonaan: rouhinta, pohjan silitys ja sivun silitys. Myös pelkkä rouhinta, pelkkä pohjan ja sivun silitys, pelkkä pohjan silitys tai pelkkä sivun silitys on mahdollinen.
-step-move-over-pocket-centre = Ohjaus paikoittaa työkalun pikaliikkeellä ensin työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (varmuusetäisyydelle, jos 2. varmuusetäisyyttä ei ole annettu), sitten taskun keskipisteen yläpuolelle ja sen jälkeen varmuusetäisyydelle { $q-set-up-clearance }.
+step-move-over-pocket-centre = Ohjaus paikoittaa työkalun pikaliikkeellä ensin työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (ellei sitä ole annettu, varmuusetäisyydelle), sitten taskun keskipisteen yläpuolelle ja sen jälkeen varmuusetäisyydelle { $q-set-up-clearance }.
 group-roughing = Rouhinta
 step-plunge-at-centre = Työkalu tunkeutuu taskun keskipisteessä työkappaleeseen seuraavaan asetussyvyyteen { $q-plunging-depth }. Parametri { $q-plunging-strategy } määrää sisäänpistotavan:
 say-plunge-vertically = { $q-plunging-strategy } = 0: kohtisuoraan syöttöarvolla { $q-plunging-feed }
