@@ -1,4 +1,4 @@
-; control: tnc426-430 lang: pt source: 003:3446-3451 corrected: O for 0, colon of MIN.DIST. L. (digitizing-block-text)
+; control: tnc426-430 lang: pt source: 003:3446-3451 corrected: O for 0 (digitizing-block-text)
 60 TCH PROBE 18.0 LINHA
 61 TCH PROBE 18.1 DIRECÇÃO: X ÂNGULO: 0 ALTURA: 25
-62 TCH PROBE 18.2 F1000 MIN.DIST. L.: 0.2 DIST. L.: 0.5 DIST. P.: 0.5 TOL: 0.1 DIST: 2
+62 TCH PROBE 18.2 F1000 MIN.DIST. L. 0.2 DIST. L.: 0.5 DIST. P.: 0.5 TOL: 0.1 DIST: 2
