@@ -25,3 +25,14 @@ parameter-length-reference =
     .label = ORIGINE
 parameter-calibration-clearance-height = Altezza di sicurezza
     .word = ALT.:
+
+# --- digitizing: the range ---
+parameter-digitizing-clearance-height = Altezza di sicurezza
+    .word = ALT.:
+
+# --- digitizing: the lines ---
+parameter-feed-reduction-height =
+    .word = ALT.:
+
+# --- digitizing: feed rates, distances, tolerance ---
+parameter-digitizing-feed = Avanzamento F
