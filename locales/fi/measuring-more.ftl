@@ -30,3 +30,38 @@ result-side-main-deviation = Poikkeama pääakselin sivun pituudesta
 result-side-minor-deviation = Poikkeama sivuakselin sivun pituudesta
 title-measure-and-rework-rectangular-stud = Suorakulmakaulan mittaus ja silitys mitattujen arvojen mukaan
 title-measure-rectangular-pocket-with-log = Suorakulmataskun mittaus ja tulosten kirjaus pöytäkirjaan
+
+# --- 425, 426 ---
+cycle-measure-slot-width = Työkappaleen mittaus leveysmitan sisäpuolella (ura)
+    .nc = MITTAUS SISÄLEVEYS
+    .nc-aliases = URAN LEV MITTAUS SISÄP
+cycle-measure-ridge-width = Työkappaleen mittaus leveysmitan ulkopuolella (askel)
+    .nc = UUMAN MITTAUS ULKOP
+result-measured-length-actual = Mitattavan pituuden todellisarvo
+result-measured-length-deviation = Mitattavan pituuden poikkeama
+
+# --- 427 ---
+cycle-measure-coordinate = Koordinaatin mittaus
+    .nc = KOORDINAATIN MITTAUS
+result-measured-coordinate__measure-coordinate = Mitattava koordinaatti
+
+# --- 430 ---
+cycle-measure-bolt-hole-circle = Reikäympyrän mittaus
+    .nc = REIKÄYMPYRÄN MITTAUS
+result-bolt-circle-diameter-actual = Reikäympyrän halkaisijan todellisarvo
+result-bolt-circle-diameter-deviation = Reikäympyrän halkaisijan poikkeama
+
+# --- 420 ---
+cycle-measure-angle = Kulman mittaus
+    .nc = KULMAN MITTAUS
+result-measured-angle = Mitattava kulma koneistustason pääakselin suhteen
+
+# --- 431 ---
+cycle-measure-plane = Tason mittaus
+    .nc = TASON MITTAUS
+result-projection-angle-a = A-akselin projektiokulma
+result-projection-angle-b = B-akselin projektiokulma
+result-spatial-angle-a = Tilakulma A
+result-spatial-angle-b = Tilakulma B
+result-spatial-angle-c = Tilakulma C
+result-first-value-in-probe-axis__tnc320 = Mittausarvo kosketusjärjestelmän akselilla

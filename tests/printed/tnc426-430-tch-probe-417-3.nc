@@ -1,0 +1,9 @@
+; control: tnc426-430 lang: pt source: 003:1611-1619 corrected: signs in the label of Q264, O for 0 (pt-scanned-text-416)
+2 TCH PROBE 417 PONTO REF EIXO TS
+Q263=+7,5 ;1.º PONTO 1.º EIXO
+Q264=+7,5 ;1º PONTO 2.º EIXO
+Q294=+25 ;1º PONTO 3º EIXO
+Q320=0 ;DISTÂNCIA SEGURANÇA
+Q260=+50 ;ALTURA SEGURA
+Q305=1 ;N.º NA TABELA
+Q333=+0 ;PONTO DE REFª
