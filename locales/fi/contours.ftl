@@ -111,7 +111,7 @@ say-mill-to-and-fro = { $q-contour-milling-type } = 0: edestakaisin, asetusliikk
 say-mill-in-one-direction = { $q-contour-milling-type } = +1 tai −1: jokaisella asetusliikkeellä myötälastulla tai vastalastulla
 until-milling-depth-reached = jyrsintäsyvyys { $q-milling-depth } on saavutettu
 condition-milling-alternately = { $q-contour-milling-type } vaatii vuorotellen myötä- ja vastalastun
-note-contour-damage-monitored = Ohjaus valvoo koneistusta niin, ettei synny takalastuja eikä muotovaurioita. Tarkasta muoto graafisella testauksella.
+note-contour-damage-monitored = Ohjaus valvoo koneistusta niin, ettei synny takaleikkauksia eikä muotovaurioita. Tarkasta muoto graafisella testauksella.
 note-inside-corners-may-need-reworking = Jos työkalun säde on liian suuri, muodon sisänurkat on ehkä jälkikoneistettava.
 note-milling-type-kept-when-mirrored = Muoto voidaan koneistaa kauttaaltaan myötälastulla tai vastalastulla. Jyrsintämenetelmä säilyy myös muotoja peilattaessa.
 note-several-infeeds-to-and-fro = Useilla asetusliikkeillä ohjaus voi ajaa työkalua edestakaisin, mikä lyhentää koneistusaikaa.
