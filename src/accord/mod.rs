@@ -7,7 +7,9 @@
 //! Invariant: judges texts, never changes or formats one.
 mod fact;
 mod label;
+mod lexicon;
 mod pair;
+mod used;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -39,6 +41,8 @@ pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     facts(locales, &mut found);
     label::check(catalogue, locales, &mut found);
     pair::check(catalogue, locales, &mut found);
+    lexicon::check(catalogue, locales, &mut found);
+    used::check(catalogue, locales, &mut found);
     crate::diag::dedupe(&mut found);
     found
 }

@@ -3,6 +3,7 @@
 //! Invariant: knows no language and no engine; whether texts exist is checked where texts are, and
 //! whether a run compiles is checked where runs are compiled.
 mod example;
+mod habit;
 mod parameter;
 mod reference;
 mod run;
@@ -24,6 +25,7 @@ pub fn lint(catalogue: &Catalogue) -> Vec<Diagnostic> {
         }
     }
     reference::errata(catalogue, &mut found);
+    habit::habits(catalogue, &mut found);
     reference::topics(catalogue, &mut found);
     unused(catalogue, &mut found);
     dedupe(&mut found);

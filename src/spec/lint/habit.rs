@@ -1,0 +1,164 @@
+//! What the catalogue does everywhere else: the Q number of a meaning, the value of a choice, the limits
+//! of a quantity. Where one cycle does otherwise, it is more often a slip than a fact.
+//!
+//! Invariant: nothing is known here beforehand; the other cycles of the same control are the measure.
+use std::collections::BTreeMap;
+
+use super::super::catalogue::{Catalogue, Cycle, OnControl, Param};
+use super::super::vocabulary::Quantity;
+use crate::diag::Diagnostic;
+use crate::expr::{Node, Op, QRef};
+
+/// Uses that make a habit.
+const HABIT: usize = 3;
+
+pub(super) fn habits(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
+    for on in catalogue.controls.values() {
+        numbers(on, found);
+        choices(on, found);
+        limits(on, found);
+        on.cycles.values().for_each(|cycle| conditions(cycle, found));
+    }
+}
+
+fn params(on: &OnControl) -> impl Iterator<Item = (&Cycle, &Param)> {
+    on.cycles.values().flat_map(|cycle| cycle.params.iter().map(move |param| (cycle, param)))
+}
+
+/// The most frequent key, how often it stands, and how often another one does.
+fn usual<K: Ord + Clone>(uses: &BTreeMap<K, usize>) -> Option<(K, usize)> {
+    uses.iter().max_by_key(|(_, count)| **count).map(|(key, count)| (key.clone(), *count))
+}
+
+/// A meaning that has one Q number in most cycles does not take the number of another meaning.
+fn numbers(on: &OnControl, found: &mut Vec<Diagnostic>) {
+    let mut by_meaning: BTreeMap<&str, BTreeMap<QRef, usize>> = BTreeMap::new();
+    let mut by_q: BTreeMap<QRef, BTreeMap<&str, usize>> = BTreeMap::new();
+    for (_, param) in params(on) {
+        let Some(q) = param.q else { continue };
+        *by_meaning.entry(param.is.as_str()).or_default().entry(q).or_default() += 1;
+        *by_q.entry(q).or_default().entry(param.is.as_str()).or_default() += 1;
+    }
+    for (cycle, param) in params(on) {
+        let Some(q) = param.q else { continue };
+        let is = param.is.as_str();
+        let (Some((own, uses)), Some((other, others))) = (
+            by_meaning.get(is).and_then(usual),
+            by_q.get(&q).and_then(usual),
+        ) else {
+            continue;
+        };
+        if own != q && uses >= HABIT && other != is && others >= HABIT {
+            found.push(
+                Diagnostic::error("spec-odd-q", param.place.clone())
+                    .arg("cycle", cycle.key.to_string())
+                    .arg("q", q.to_string())
+                    .arg("name", is)
+                    .arg("usual", own.to_string())
+                    .arg("other", other),
+            );
+        }
+    }
+}
+
+/// A choice has the same value wherever it is offered.
+fn choices(on: &OnControl, found: &mut Vec<Diagnostic>) {
+    let mut values: BTreeMap<&str, BTreeMap<&str, usize>> = BTreeMap::new();
+    for choice in params(on).flat_map(|(_, param)| &param.choices) {
+        *values.entry(choice.choice.as_str()).or_default().entry(choice.value.as_str()).or_default() += 1;
+    }
+    for choice in params(on).flat_map(|(_, param)| &param.choices) {
+        let Some((value, uses)) = values.get(choice.choice.as_str()).and_then(usual) else { continue };
+        if value != choice.value.as_str() && uses >= HABIT {
+            found.push(
+                Diagnostic::error("spec-odd-choice", choice.value.place.clone())
+                    .arg("name", choice.choice.as_str())
+                    .arg("value", choice.value.as_str())
+                    .arg("usual", value),
+            );
+        }
+    }
+}
+
+/// A limit that differs by one digit from one that the quantity has everywhere else.
+fn limits(on: &OnControl, found: &mut Vec<Diagnostic>) {
+    let ends = |param: &Param| [param.min, param.max].into_iter().flatten().map(text).collect::<Vec<_>>();
+    let mut uses: BTreeMap<(Quantity, String), usize> = BTreeMap::new();
+    for (_, param) in params(on) {
+        for end in ends(param) {
+            *uses.entry((param.quantity, end)).or_default() += 1;
+        }
+    }
+    for (_, param) in params(on) {
+        for end in ends(param) {
+            let own = uses.get(&(param.quantity, end.clone())).copied().unwrap_or(0);
+            let near = uses.iter().find(|((quantity, other), count)| {
+                *quantity == param.quantity && **count >= HABIT * own.max(1) && one_digit_apart(&end, other)
+            });
+            if let Some(((_, usual), _)) = near
+                && own < HABIT
+            {
+                found.push(
+                    Diagnostic::error("spec-odd-limit", param.place.clone())
+                        .arg("value", end.as_str())
+                        .arg("name", param.is.as_str())
+                        .arg("usual", usual.as_str()),
+                );
+            }
+        }
+    }
+}
+
+fn text(value: f64) -> String {
+    format!("{value}")
+}
+
+/// Whether one text becomes the other by adding a character.
+fn one_digit_apart(a: &str, b: &str) -> bool {
+    let (short, long) = if a.len() < b.len() { (a, b) } else { (b, a) };
+    if long.len() != short.len() + 1 || short.len() < 3 {
+        return false;
+    }
+    (0..long.len()).any(|at| long.is_char_boundary(at) && long.is_char_boundary(at + 1) && {
+        long[..at] == short[..at.min(short.len())] && long[at + 1..] == short[at..]
+    })
+}
+
+/// A condition `Q301 = 1` with the name of a choice means the value of that choice.
+fn conditions(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
+    for (name, formula) in &cycle.file.conditions.0 {
+        let Some((q, value)) = equals(&formula.expr.node) else { continue };
+        let Some(choice) = cycle
+            .params
+            .iter()
+            .filter(|param| param.q == Some(q))
+            .flat_map(|param| &param.choices)
+            .find(|choice| choice.choice.as_str() == name.as_str())
+        else {
+            continue;
+        };
+        if choice.value.as_str().parse() != Ok(value) {
+            found.push(
+                Diagnostic::error("spec-odd-condition", formula.place.clone())
+                    .arg("name", name.as_str())
+                    .arg("q", q.to_string())
+                    .arg("found", value)
+                    .arg("value", choice.value.as_str())
+                    .related("said-here", choice.value.place.clone()),
+            );
+        }
+    }
+}
+
+/// The parameter and the number of `Q301 = 1`.
+fn equals(node: &Node) -> Option<(QRef, f64)> {
+    let Node::Binary(Op::Eq, left, right) = node else { return None };
+    match (&left.node, &right.node) {
+        (Node::Q(q), Node::Number(value)) => Some((*q, *value)),
+        (Node::Q(q), Node::Unary(_, inner)) => match inner.node {
+            Node::Number(value) => Some((*q, -value)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
