@@ -59,6 +59,12 @@ fn width(program: &Program, field: &Field, words: &[OldWord]) -> usize {
             let letters = name.chars().filter(|c| c.is_alphabetic()).count();
             name.ends_with(':') || (letters >= SHORTEST_LABEL && word.value.kind != ValueKind::Missing)
         }
+        Shape::Axes => {
+            let alone =
+                |word: &&OldWord| word.value.kind == ValueKind::Missing && is_axis(program.slice(word.name), false);
+            return words.iter().take_while(alone).count();
+        }
+        Shape::Centre => return words.iter().take_while(|word| is_of_centre(program, word)).count(),
     };
     usize::from(fits)
 }
@@ -67,6 +73,12 @@ fn is_axis(name: &str, incremental: bool) -> bool {
     let upper = name.to_ascii_uppercase();
     let name = if incremental { upper.strip_prefix('I').unwrap_or(&upper) } else { &upper };
     name.len() == 1 && Axis::by_name(name.as_bytes()).is_some()
+}
+
+fn is_of_centre(program: &Program, word: &OldWord) -> bool {
+    let valued = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
+    let upper = program.slice(word.name).to_ascii_uppercase();
+    valued && upper.strip_prefix("CC").is_some_and(|axis| is_axis(axis, false))
 }
 
 fn is_coordinate(program: &Program, word: &OldWord, incremental: bool) -> bool {

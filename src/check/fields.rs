@@ -79,7 +79,7 @@ fn item<'a>(
     let value = program.slice(first.value.span);
     let printed = match shape {
         Some(Shape::Row) => format!("#{value}"),
-        Some(Shape::Position | Shape::AxisDirection | Shape::AxisCoordinate) => {
+        Some(Shape::Position | Shape::AxisDirection | Shape::AxisCoordinate | Shape::Axes | Shape::Centre) => {
             let closed = |word: &OldWord| format!("{}{}", program.slice(word.name), program.slice(word.value.span));
             words.iter().map(closed).collect::<Vec<_>>().join(" ")
         }
@@ -99,7 +99,7 @@ fn item<'a>(
             span
         },
         printed: printed.to_uppercase(),
-        value: (words.len() == 1).then_some(first.value),
+        value: (words.len() == 1 && shape != Some(Shape::Axes)).then_some(first.value),
         label,
         refusal: None,
     }

@@ -189,12 +189,16 @@ impl OnControl {
         if let Some(cycle) = self.cycles.get(&key) {
             return Known::Described(cycle);
         }
-        let named = |named: &&Named| named.keyword == key.keyword && named.number == key.number;
-        match self.control.named.iter().find(named) {
+        match self.named(key) {
             Some(named) => Known::Named(named),
             None if key.is_builders() => Known::Builders,
             None => Known::Unknown,
         }
+    }
+
+    /// What the overviews of its manuals say of a cycle, described or not.
+    pub fn named(&self, key: CycleKey) -> Option<&Named> {
+        self.control.named.iter().find(|named| named.keyword == key.keyword && named.number == key.number)
     }
 
     /// The cycle of that name.

@@ -53,7 +53,18 @@ pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
         (Some(Shape::AxisDirection), _) | (_, ParameterKind::AxisDirection) => kind(is_axis_direction(text)),
         (Some(Shape::Position), _) | (_, ParameterKind::Position) => {
             let none = text.split_whitespace().next().is_none();
-            text.split_whitespace().find_map(|one| coordinate(param, one)).or(kind(!none))
+            coordinates(text).iter().find_map(|one| coordinate(param, one)).or(kind(!none))
+        }
+        (Some(Shape::Axes), _) => {
+            let is_letter = |word: &str| word.len() == 1 && word.starts_with(is_axis);
+            kind(!text.is_empty() && text.split_whitespace().all(is_letter))
+        }
+        (Some(Shape::Centre), _) => {
+            let of_centre = |one: &str| match one.strip_prefix("CC") {
+                Some(one) => coordinate(param, one),
+                None => Some(Refusal::Kind),
+            };
+            text.split_whitespace().find_map(of_centre).or(kind(!text.is_empty()))
         }
         (Some(Shape::AxisCoordinate), _) => coordinate(param, text),
         (Some(Shape::Row), _) | (_, ParameterKind::Row) => match text.strip_prefix('#') {
@@ -130,6 +141,18 @@ fn is_axis(c: char) -> bool {
 fn is_axis_direction(text: &str) -> bool {
     let mut chars = text.chars();
     matches!((chars.next(), chars.next(), chars.next()), (Some(axis), Some('+' | '-'), None) if is_axis(axis))
+}
+
+/// The coordinates of a position; a blank between axis and value does not separate them.
+fn coordinates(text: &str) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match all.last_mut() {
+            Some(axis) if axis.ends_with(is_axis) => axis.push_str(word),
+            _ => all.push(word.to_owned()),
+        }
+    }
+    all
 }
 
 /// `X+60` or `IX+5`.

@@ -190,6 +190,10 @@ words! {
         AxisCoordinate = "axis-coordinate",
         /// A row: `#5`.
         Row = "row",
+        /// Axes by their letters: `X Y`.
+        Axes = "axes",
+        /// Coordinates of a centre: `CCX+15 CCY+20`.
+        Centre = "centre",
     }
 }
 

@@ -206,9 +206,10 @@ impl<'e> Run<'_, 'e> {
         let plan = exec.plan();
         for (slot, id) in &plan.fields {
             let value = match exec.definition.field(id) {
-                None => continue,
+                None | Some(FieldValue::Unread) => continue,
                 Some(FieldValue::Number { value, .. }) => Value::Number(*value),
                 Some(FieldValue::Q(q)) => Value::Number(f64::from(q.number)),
+                Some(FieldValue::Text(text)) => Value::Text(Arc::clone(text)),
                 Some(FieldValue::Direction(direction)) => Value::Point(self.in_plane(*direction)),
                 Some(FieldValue::Coords(coords)) => {
                     let mut point = self.world.here;

@@ -14,9 +14,7 @@ use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::plan::Plan;
 use crate::expr::{QKind, QRef};
 use crate::fields::{self, first, stands_on};
-use crate::spec::{
-    self, Cycle, CycleKey, Known, Named, OnControl, Param, ParameterKind, Shape, TakesEffect, Transformation,
-};
+use crate::spec::{self, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Shape, TakesEffect, Transformation};
 use crate::syntax::{Axis, CycleDef, CycleForm, CycleView, OldCycleLine, OldWord, Parameter, Value, ValueKind};
 
 /// A coordinate of an old-style field.
@@ -38,6 +36,10 @@ pub(super) enum FieldValue {
     Direction(DVec3),
     /// A Q parameter.
     Q(QRef),
+    /// A text.
+    Text(Arc<str>),
+    /// What is printed and checked only.
+    Unread,
 }
 
 /// A cycle as it was defined.
@@ -82,7 +84,10 @@ impl<'e> Run<'_, 'e> {
         self.flow.next = view.last + 1;
         let key = fields::key(view.keyword, view.number);
         self.at.cycle = Some((key, None));
-        let Some((cycle, on)) = self.known(key)? else { return self.activate(key, &view) };
+        if self.transformation(key).is_some() {
+            return self.activate(key, &view);
+        }
+        let (cycle, on) = self.known(key)?;
         let plan = self.plan(cycle, on)?;
         let definition = match view.form {
             CycleForm::Parameters(parameters) => self.parameters(parameters, cycle)?,
@@ -100,35 +105,29 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The description of a cycle, and the control that it is for. A cycle that this control's manual only names is
-    /// taken from another control; nothing comes back if none describes it but its effect is known.
-    fn known(&self, key: CycleKey) -> Result<Option<(&'e Cycle, &'e OnControl)>, Fault> {
+    /// taken from another control.
+    fn known(&self, key: CycleKey) -> Result<(&'e Cycle, &'e OnControl), Fault> {
         let on = self.engine.on;
         let about = |fault: Fault| fault.arg("cycle", key.to_string()).arg("control", on.id());
         match on.known(key) {
-            Known::Described(cycle) => Ok(Some((cycle, on))),
-            Known::Named(named) => {
+            Known::Described(cycle) => Ok((cycle, on)),
+            Known::Named(_) => {
                 let others = self.engine.others_on.iter();
                 let described = |other: &&'e OnControl| other.cycles.get(&key).map(|cycle| (cycle, *other));
-                match others.clone().find_map(described) {
-                    Some(found) => Ok(Some(found)),
-                    None if named.activates.is_some() => Ok(None),
-                    None => Err(about(Fault::unsupported("unsupported-cycle"))),
-                }
+                let found = others.clone().find_map(described);
+                found.ok_or_else(|| about(Fault::unsupported("unsupported-cycle")))
             }
             Known::Builders => Err(about(Fault::unsupported("unsupported-cycle"))),
-            Known::Unknown if self.transformation(key).is_some() => Ok(None),
             Known::Unknown => Err(about(Fault::program("cycle-unknown"))),
         }
     }
 
-    /// What the definition of a cycle without description brings into effect, on any control: a manual that does not
-    /// name a transformation has no other one of that number.
+    /// What the definition of a cycle brings into effect that the engine does not execute, whether a specification
+    /// describes it or not, on any control: a manual that does not name a transformation has no other one of that
+    /// number.
     fn transformation(&self, key: CycleKey) -> Option<Transformation> {
         let all = std::iter::once(&self.engine.on).chain(&self.engine.others_on);
-        all.into_iter().find_map(|on| match on.known(key) {
-            Known::Named(Named { activates, .. }) => *activates,
-            _ => None,
-        })
+        all.into_iter().find_map(|on| on.named(key).and_then(|named| named.activates))
     }
 
     /// A transformation that the engine only knows to be in effect: no values behind the first line, or neutral
@@ -142,11 +141,16 @@ impl<'e> Run<'_, 'e> {
         };
         let mut acts = false;
         if let CycleForm::Lines(lines) = &view.form {
+            // A feed, a clearance or a centre beside the values of the axes does not make it act.
+            let by_axis = transformation != Transformation::Scaling;
             for word in lines.iter().flat_map(|line| &line.words) {
-                acts |= match word.value.kind {
-                    ValueKind::Number(_) | ValueKind::Q { .. } => self.number_of(&word.value)? != neutral,
-                    _ => true,
-                };
+                let name = self.slice(word.name).trim().to_ascii_uppercase();
+                if !by_axis || axis_of(&name).is_some() {
+                    acts |= match word.value.kind {
+                        ValueKind::Number(_) | ValueKind::Q { .. } => self.number_of(&word.value)? != neutral,
+                        _ => true,
+                    };
+                }
             }
         }
         let active = &mut self.world.system.unexecuted;
@@ -306,6 +310,7 @@ impl<'e> Run<'_, 'e> {
                     let value = self.field_value(word, param, field)?;
                     match (fields.iter_mut().find(|(id, _)| *id == field.id.text), value) {
                         (Some((_, FieldValue::Coords(all))), FieldValue::Coords(more)) => all.extend(more),
+                        (Some((_, FieldValue::Unread)), FieldValue::Unread) => {}
                         (Some(_), _) => return Ok(Err(*word)),
                         (None, value) => fields.push((Arc::clone(&field.id.text), value)),
                     }
@@ -326,6 +331,8 @@ impl<'e> Run<'_, 'e> {
             Err(fault)
         };
         match (field.shape, word.value.kind) {
+            (Shape::Axes | Shape::Centre, _) => Ok(FieldValue::Unread),
+            _ if param.kind == ParameterKind::Text => Ok(FieldValue::Text(self.slice(word.value.span).trim().into())),
             (Shape::Q, ValueKind::Q { q, .. }) => Ok(FieldValue::Q(q)),
             (Shape::AxisDirection, ValueKind::Sign(minus)) => {
                 let (axis, _) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
@@ -351,7 +358,7 @@ fn is_valued(word: &OldWord, param: &Param, field: &spec::Field) -> bool {
     match field.shape {
         Shape::Labelled => numeric || param.kind == ParameterKind::Text,
         Shape::Word | Shape::Row => numeric,
-        Shape::Q | Shape::AxisDirection | Shape::Position | Shape::AxisCoordinate => true,
+        Shape::Q | Shape::AxisDirection | Shape::Position | Shape::AxisCoordinate | Shape::Axes | Shape::Centre => true,
     }
 }
 
