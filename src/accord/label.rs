@@ -27,6 +27,8 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
                         && !shared_elsewhere(&all, language, cycle, (&one.param.is.text, &other.param.is.text))
                     {
                         found.push(report("accord-label-twice", language, on, cycle, one, other));
+                    } else if catalogue_explains(catalogue, on, cycle, one) {
+                        continue;
                     } else if let Some((other, is)) = of_another(one, &names)
                         && !elsewhere_of(&all, language, cycle, (&one.param.is.text, is))
                     {
@@ -36,6 +38,10 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
             }
         }
     }
+}
+
+fn catalogue_explains(catalogue: &Catalogue, on: &OnControl, cycle: &str, one: &Named) -> bool {
+    on.by_name(cycle).is_some_and(|cycle| catalogue.explains(on, cycle, one.param))
 }
 
 fn report(

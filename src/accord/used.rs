@@ -16,7 +16,10 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
             for param in &cycle.params {
                 let Some(q) = param.q else { continue };
                 let calculated = formulas.contains(&q.to_string());
-                if !calculated && !named.contains(&format!("q-{}", param.is.as_str())) {
+                if !calculated
+                    && !named.contains(&format!("q-{}", param.is.as_str()))
+                    && !catalogue.explains(on, cycle, param)
+                {
                     found.push(
                         Diagnostic::error("spec-unused-parameter", param.place.clone())
                             .arg("cycle", cycle.key.to_string())

@@ -303,6 +303,17 @@ impl Catalogue {
         (catalogue, found)
     }
 
+    /// Whether the errata explain what a parameter does otherwise than in other cycles.
+    pub fn explains(&self, on: &OnControl, cycle: &Cycle, param: &Param) -> bool {
+        let Some(q) = param.q.map(|q| q.to_string()) else { return false };
+        let key = cycle.key.to_string();
+        self.errata.iter().any(|entry| {
+            entry.q.as_ref().is_some_and(|own| own.as_str() == q)
+                && entry.cycle.as_ref().is_some_and(|own| own.as_str() == key)
+                && entry.control.as_ref().is_none_or(|own| own.as_str() == on.id())
+        })
+    }
+
     /// The cycles of a control.
     pub fn on(&self, control: &str) -> Option<&OnControl> {
         self.controls.get(control)

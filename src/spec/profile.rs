@@ -138,6 +138,8 @@ record! {
         control: Option<Name>,
         /// The cycle, keyword and number.
         cycle: Option<Name>,
+        /// The parameter: what it does otherwise than in other cycles is meant so.
+        q: Option<Name>,
         /// The manual.
         manual: Option<String>,
         /// The lines.

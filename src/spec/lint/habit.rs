@@ -14,9 +14,9 @@ const HABIT: usize = 3;
 
 pub(super) fn habits(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
     for on in catalogue.controls.values() {
-        numbers(on, found);
+        numbers(on, catalogue, found);
         choices(on, found);
-        limits(on, found);
+        limits(on, catalogue, found);
         on.cycles.values().for_each(|cycle| conditions(cycle, found));
     }
 }
@@ -31,7 +31,7 @@ fn usual<K: Ord + Clone>(uses: &BTreeMap<K, usize>) -> Option<(K, usize)> {
 }
 
 /// A meaning that has one Q number in most cycles does not take the number of another meaning.
-fn numbers(on: &OnControl, found: &mut Vec<Diagnostic>) {
+fn numbers(on: &OnControl, catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
     let mut by_meaning: BTreeMap<&str, BTreeMap<QRef, usize>> = BTreeMap::new();
     let mut by_q: BTreeMap<QRef, BTreeMap<&str, usize>> = BTreeMap::new();
     for (_, param) in params(on) {
@@ -42,13 +42,12 @@ fn numbers(on: &OnControl, found: &mut Vec<Diagnostic>) {
     for (cycle, param) in params(on) {
         let Some(q) = param.q else { continue };
         let is = param.is.as_str();
-        let (Some((own, uses)), Some((other, others))) = (
-            by_meaning.get(is).and_then(usual),
-            by_q.get(&q).and_then(usual),
-        ) else {
+        let (Some((own, uses)), Some((other, others))) =
+            (by_meaning.get(is).and_then(usual), by_q.get(&q).and_then(usual))
+        else {
             continue;
         };
-        if own != q && uses >= HABIT && other != is && others >= HABIT {
+        if own != q && uses >= HABIT && other != is && others >= HABIT && !catalogue.explains(on, cycle, param) {
             found.push(
                 Diagnostic::error("spec-odd-q", param.place.clone())
                     .arg("cycle", cycle.key.to_string())
@@ -81,7 +80,7 @@ fn choices(on: &OnControl, found: &mut Vec<Diagnostic>) {
 }
 
 /// A limit that differs by one digit from one that the quantity has everywhere else.
-fn limits(on: &OnControl, found: &mut Vec<Diagnostic>) {
+fn limits(on: &OnControl, catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
     let ends = |param: &Param| [param.min, param.max].into_iter().flatten().map(text).collect::<Vec<_>>();
     let mut uses: BTreeMap<(Quantity, String), usize> = BTreeMap::new();
     for (_, param) in params(on) {
@@ -89,7 +88,7 @@ fn limits(on: &OnControl, found: &mut Vec<Diagnostic>) {
             *uses.entry((param.quantity, end)).or_default() += 1;
         }
     }
-    for (_, param) in params(on) {
+    for (cycle, param) in params(on) {
         for end in ends(param) {
             let own = uses.get(&(param.quantity, end.clone())).copied().unwrap_or(0);
             let near = uses.iter().find(|((quantity, other), count)| {
@@ -97,6 +96,7 @@ fn limits(on: &OnControl, found: &mut Vec<Diagnostic>) {
             });
             if let Some(((_, usual), _)) = near
                 && own < HABIT
+                && !catalogue.explains(on, cycle, param)
             {
                 found.push(
                     Diagnostic::error("spec-odd-limit", param.place.clone())
@@ -119,8 +119,10 @@ fn one_digit_apart(a: &str, b: &str) -> bool {
     if long.len() != short.len() + 1 || short.len() < 3 {
         return false;
     }
-    (0..long.len()).any(|at| long.is_char_boundary(at) && long.is_char_boundary(at + 1) && {
-        long[..at] == short[..at.min(short.len())] && long[at + 1..] == short[at..]
+    (0..long.len()).any(|at| {
+        long.is_char_boundary(at) && long.is_char_boundary(at + 1) && {
+            long[..at] == short[..at.min(short.len())] && long[at + 1..] == short[at..]
+        }
     })
 }
 

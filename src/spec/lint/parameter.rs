@@ -75,7 +75,8 @@ fn example(cycle: &Cycle, param: &Param, found: &mut Vec<Diagnostic>) {
     let Some(text) = &param.example else {
         // A cycle that is known from its use alone, or an optional field, may come without a value.
         let optional = param.field.as_ref().is_some_and(|field| field.optional);
-        if !optional && cycle.file.nc_examples.iter().all(|example| example.values.0.is_empty()) {
+        let printed = &cycle.file.nc_examples;
+        if !optional && !printed.is_empty() && printed.iter().all(|example| example.values.0.is_empty()) {
             found.push(Diagnostic::warning("spec-no-example", param.place.clone()).arg("name", param.is.as_str()));
         }
         return;
