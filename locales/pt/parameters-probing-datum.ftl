@@ -1,66 +1,175 @@
 # Parâmetros dos ciclos de inclinação e de ponto de referência: nome, texto na frase NC, ajuda.
 
-# --- 414 e 415 ---
+# --- datum cycles: what differs from the hole ---
+parameter-probing-centre-main__datum-inside-rectangle =
+    .help = Centro da caixa no eixo principal do plano de maquinação.
+parameter-probing-centre-minor__datum-inside-rectangle =
+    .help = Centro da caixa no eixo secundário do plano de maquinação.
+parameter-probing-centre-main__datum-outside-rectangle =
+    .help = Centro da ilha no eixo principal do plano de maquinação.
+parameter-probing-centre-minor__datum-outside-rectangle =
+    .help = Centro da ilha no eixo secundário do plano de maquinação.
+parameter-probing-centre-main__datum-outside-circle =
+    .help = Centro da ilha no eixo principal do plano de maquinação.
+parameter-probing-centre-minor__datum-outside-circle =
+    .help = Centro da ilha no eixo secundário do plano de maquinação.
+parameter-probing-nominal-diameter__datum-outside-circle =
+    .help = Diâmetro aproximado da ilha. É preferível um valor demasiado grande a um demasiado pequeno.
+parameter-number-of-touch-points__datum-outside-circle =
+    .help = Determina se a ilha é medida com quatro ou com três apalpações.
+parameter-first-side-length__datum-outside-rectangle =
+    .help = Longitude da ilha paralela ao eixo principal do plano de maquinação.
+parameter-second-side-length__datum-outside-rectangle =
+    .help = Longitude da ilha paralela ao eixo secundário do plano de maquinação.
+parameter-datum-row-number__datum-outside-rectangle =
+    .help = Número na tabela de pontos zero ou na tabela de presets em que são guardadas as coordenadas do centro da ilha. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique no centro da ilha.
+parameter-datum-row-number__datum-outside-rectangle__tnc426-430 =
+    .help = Número na tabela de pontos zero em que são guardadas as coordenadas do centro da ilha. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique no centro da ilha.
+parameter-datum-row-number__datum-outside-circle =
+    .help = Número na tabela de pontos zero ou na tabela de presets em que são guardadas as coordenadas do centro da ilha. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique no centro da ilha.
+parameter-datum-row-number__datum-outside-circle__tnc426-430 =
+    .help = Número na tabela de pontos zero em que são guardadas as coordenadas do centro da ilha. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique no centro da ilha.
+parameter-new-datum-main__datum-outside-rectangle =
+    .help = Coordenada no eixo principal que é atribuída ao centro da ilha medido. Ajuste básico: 0.
+parameter-new-datum-minor__datum-outside-rectangle =
+    .help = Coordenada no eixo secundário que é atribuída ao centro da ilha medido. Ajuste básico: 0.
+parameter-new-datum-main__datum-outside-circle =
+    .help = Coordenada no eixo principal que é atribuída ao centro da ilha medido. Ajuste básico: 0.
+parameter-new-datum-minor__datum-outside-circle =
+    .help = Coordenada no eixo secundário que é atribuída ao centro da ilha medido. Ajuste básico: 0.
+choice-travel-paraxially-at-measuring-height = deslocar-se entre os pontos de medição paralelamente aos eixos, à altura de medição
+choice-travel-linearly-at-clearance-height = deslocar-se entre os pontos de medição em linha reta, à altura segura
+
+# --- 408 and 409 ---
+parameter-probing-centre-main__datum-slot-centre =
+    .help = Centro da ranhura no eixo principal do plano de maquinação.
+parameter-probing-centre-minor__datum-slot-centre =
+    .help = Centro da ranhura no eixo secundário do plano de maquinação.
+parameter-probing-centre-main__datum-ridge-centre =
+    .help = Centro da nervura no eixo principal do plano de maquinação.
+parameter-probing-centre-minor__datum-ridge-centre =
+    .help = Centro da nervura no eixo secundário do plano de maquinação.
+parameter-slot-width = Largura da ranhura
+    .label = LARGURA DA RANHURA
+    .help = Largura da ranhura, qualquer que seja a sua posição no plano de maquinação.
+parameter-ridge-width = Largura da nervura
+    .label = LARGURA DA NERVURA
+    .help = Largura da nervura, qualquer que seja a sua posição no plano de maquinação.
+parameter-datum-row-number__datum-slot-centre = Número na tabela
+    .help = Número na tabela de pontos zero ou na tabela de presets em que são guardadas as coordenadas do centro da ranhura. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique no centro da ranhura.
+parameter-datum-row-number__datum-ridge-centre = Número na tabela
+    .help = Número na tabela de pontos zero ou na tabela de presets em que são guardadas as coordenadas do centro da nervura. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique no centro da nervura.
+parameter-new-datum-measuring-axis = Novo ponto de referência
+    .label = PONTO DE REFª
+    .help = Coordenada no eixo de medição que é atribuída ao centro medido. Ajuste básico: 0.
+
+# --- 414 and 415 ---
 parameter-third-point-main = 3.º ponto de medição 1º eixo
     .label = 3º PONTO 1º EIXO
+    .help = Coordenada do terceiro ponto de apalpação no eixo principal do plano de maquinação.
 parameter-third-point-minor = 3.º ponto de medição 2º eixo
     .label = 3º PONTO 2.º EIXO
+    .help = Coordenada do terceiro ponto de apalpação no eixo secundário do plano de maquinação.
 parameter-point-distance-main = Distância 1.º eixo
     .label = DISTÂNCIA 1º EIXO
+    .help = Distância entre o primeiro e o segundo ponto de medição no eixo principal do plano de maquinação.
 parameter-point-distance-minor = Distância 2.º eixo
     .label = DISTÂNCIA 2º EIXO
+    .help = Distância entre o terceiro e o quarto ponto de medição no eixo secundário do plano de maquinação.
 parameter-corner-number = Esquina
     .label = ESQUINA
+    .help = Número da esquina em que é memorizado o ponto de referência.
 parameter-corner-basic-rotation = Executar rotação básica
     .label = ROTAÇÃO BÁSICA
-parameter-traverse-to-clearance-height__datum-inside-corner = Deslocação à Altura Segura
+    .help = Determina se o comando compensa a inclinação da peça por meio de uma rotação básica.
+choice-no-basic-rotation = não executar rotação básica
+choice-carry-out-basic-rotation = executar rotação básica
+parameter-datum-row-number__datum-outside-corner =
+    .help = Número na tabela de pontos zero ou na tabela de presets em que são guardadas as coordenadas da esquina. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique na esquina.
+parameter-datum-row-number__datum-outside-corner__tnc426-430 =
+    .help = Número na tabela de pontos zero em que são guardadas as coordenadas da esquina. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique na esquina.
+parameter-datum-row-number__datum-inside-corner =
+    .help = Número na tabela de pontos zero ou na tabela de presets em que são guardadas as coordenadas da esquina. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique na esquina.
+parameter-datum-row-number__datum-inside-corner__tnc426-430 =
+    .help = Número na tabela de pontos zero em que são guardadas as coordenadas da esquina. Com 0, o comando memoriza a visualização de modo que o novo ponto de referência fique na esquina.
+parameter-new-datum-main__datum-outside-corner =
+    .help = Coordenada no eixo principal que é atribuída à esquina medida. Ajuste básico: 0.
+parameter-new-datum-minor__datum-outside-corner =
+    .help = Coordenada no eixo secundário que é atribuída à esquina medida. Ajuste básico: 0.
+parameter-new-datum-main__datum-inside-corner =
+    .help = Coordenada no eixo principal que é atribuída à esquina medida. Ajuste básico: 0.
+parameter-new-datum-minor__datum-inside-corner =
+    .help = Coordenada no eixo secundário que é atribuída à esquina medida. Ajuste básico: 0.
 
-# --- dois pontos numa reta ---
+# --- two points on a line ---
 parameter-first-point-main = 1.º ponto de medição 1º eixo
     .label = 1.º PONTO 1.º EIXO
+    .help = Coordenada do primeiro ponto de apalpação no eixo principal do plano de maquinação.
 parameter-first-point-minor = 1.º ponto de medição 2.º eixo
     .label = 1º PONTO 2.º EIXO
     .label-aliases = 1° PONTO 2.° EIXO | 1.º PONTO 2.º EIXO
+    .help = Coordenada do primeiro ponto de apalpação no eixo secundário do plano de maquinação.
 parameter-second-point-main = 2.º ponto de medição 1.º eixo
     .label = 2.º PONTO 1.º EIXO
+    .help = Coordenada do segundo ponto de apalpação no eixo principal do plano de maquinação.
 parameter-second-point-minor = 2.º ponto de medição 2.º eixo
     .label = 2.º PONTO 2.º EIXO
+    .help = Coordenada do segundo ponto de apalpação no eixo secundário do plano de maquinação.
 parameter-measuring-axis = Eixo de medição
     .label = EIXO DE MEDIÇÃO
+    .help = Eixo do plano de maquinação em que se faz a medição.
 parameter-measuring-axis__rotation-by-rotary-axis = Eixo de medição
+    .help = Eixo em que se faz a medição.
+choice-measuring-axis-main = o eixo principal é o eixo de medição
+choice-measuring-axis-minor = o eixo secundário é o eixo de medição
+choice-measuring-axis-probe = o eixo do apalpador é o eixo de medição
 parameter-traverse-direction = Direcção de deslocação 1
     .label = DIRECÇÃO DE DESLOCAÇÃO
-parameter-clearance-height__basic-rotation = Altura de segurança
-parameter-clearance-height__rotation-by-rotary-axis =
-    .label = ALTURA SEGURANÇA
-    .label-aliases = ALTURA SEGURA
+    .help = Direção em que o apalpador se desloca para a peça.
+choice-traverse-direction-negative = direção de deslocação negativa
+choice-traverse-direction-positive = direção de deslocação positiva
+choice-travel-directly-at-measuring-height = deslocar-se entre os pontos de medição à altura de medição
+choice-travel-directly-at-clearance-height = deslocar-se entre os pontos de medição à altura segura
 
-# --- dois furos ou ilhas ---
+# --- two holes or studs ---
 parameter-first-centre-main = 1.º furo: centro do 1º eixo
     .label = 1.º CENTRO 1.º EIXO
+    .help = Centro do primeiro furo no eixo principal do plano de maquinação.
 parameter-first-centre-minor = 1.º furo: centro do 2º eixo
     .label = 1.º CENTRO 2.º EIXO
+    .help = Centro do primeiro furo no eixo secundário do plano de maquinação.
 parameter-second-centre-main = 2.º furo: centro do 1º eixo
     .label = 2.º CENTRO 1.º EIXO
+    .help = Centro do segundo furo no eixo principal do plano de maquinação.
 parameter-second-centre-minor = 2.º furo: centro do 2º eixo
     .label = 2.º CENTRO 2.º EIXO
+    .help = Centro do segundo furo no eixo secundário do plano de maquinação.
 parameter-first-centre-main__rotation-two-studs = 1.ª ilha: centro do 1º eixo
+    .help = Centro da primeira ilha no eixo principal do plano de maquinação.
 parameter-first-centre-minor__rotation-two-studs = 1.ª ilha: centro do 2º eixo
+    .help = Centro da primeira ilha no eixo secundário do plano de maquinação.
 parameter-second-centre-main__rotation-two-studs = 2.ª ilha: centro do 1º eixo
+    .help = Centro da segunda ilha no eixo principal do plano de maquinação.
 parameter-second-centre-minor__rotation-two-studs = 2.ª ilha: centro do 2º eixo
+    .help = Centro da segunda ilha no eixo secundário do plano de maquinação.
 parameter-first-stud-diameter = Diâmetro ilha 1
     .label = DIÂMETRO ILHA 1
+    .help = Diâmetro aproximado da primeira ilha. É preferível um valor demasiado grande a um demasiado pequeno.
 parameter-second-stud-diameter = Diâmetro ilha 2
     .label = DIÂMETRO ILHA 2
+    .help = Diâmetro aproximado da segunda ilha. É preferível um valor demasiado grande a um demasiado pequeno.
 parameter-measuring-height__rotation-two-studs = Altura de medição ilha 1 no eixo TS
     .label = ALTURA DE MEDIÇÃO 1
+    .help = Coordenada do centro da esfera (ponto de contacto) no eixo do apalpador à qual se faz a medição da ilha 1.
 parameter-second-measuring-height = Altura de medição ilha 2 no eixo TS
     .label = ALTURA DE MEDIÇÃO 2
+    .help = Coordenada do centro da esfera (ponto de contacto) no eixo do apalpador à qual se faz a medição da ilha 2.
 
-# --- o que se faz com o ângulo ---
+# --- what is done with the angle ---
 parameter-reference-line-angle = Ajuste prévio da rotação básica
     .label = AJUSTE PRÉVIO ROTAÇ. BÁSICA
     .label-aliases = AJUSTE PRÉVIO ROTAÇ.BÁSICA
+    .help = Ângulo da reta de referência, se a inclinação não tiver de ser medida em relação ao eixo principal mas sim a uma reta qualquer. Para a rotação básica, o comando toma a diferença entre o valor medido e este ângulo.
 parameter-reference-line-angle__tnc320 =
     .label = AJUSTE PRÉVIO ROT.BÁSICA
     .label-aliases = AJUSTE PRÉVIO ROTAÇ. BÁSICA | AJUSTE PRÉVIO ROTAÇ.BÁSICA
@@ -73,10 +182,59 @@ parameter-reference-line-angle__rotation-two-studs__tnc320 =
 parameter-basic-rotation-angle = Ajuste prévio rotação básica
     .label = AJUSTE PRÉVIO ROTAÇ.BÁSICA
     .label-aliases = AJUSTE PRÉVIO ROTAÇ. BÁSICA
+    .help = Ângulo com que é memorizada a rotação básica.
 parameter-basic-rotation-angle__tnc320 =
     .label = AJUSTE PRÉVIO ROT.BÁSICA
     .label-aliases = AJUSTE PRÉVIO ROTAÇ. BÁSICA | AJUSTE PRÉVIO ROTAÇ.BÁSICA
+parameter-basic-rotation-row = Número de preset na tabela
+    .label = N.º NA TABELA
+    .help = Número na tabela de presets em que é guardada a rotação básica determinada. Com 0, o comando guarda-a no menu ROT do modo de funcionamento Manual.
+parameter-basic-rotation-row__rotation-two-holes =
+    .help = Número na tabela de presets em que é guardada a rotação básica determinada. Com 0, o comando guarda-a no menu ROT do modo de funcionamento Manual. Se a inclinação for compensada por rotação da mesa rotativa ({ $q-misalignment-compensation }=1), o número não tem efeito e a inclinação não é guardada como ângulo.
+parameter-basic-rotation-row__rotation-two-studs =
+    .help = Número na tabela de presets em que é guardada a rotação básica determinada. Com 0, o comando guarda-a no menu ROT do modo de funcionamento Manual. Se a inclinação for compensada por rotação da mesa rotativa ({ $q-misalignment-compensation }=1), o número não tem efeito e a inclinação não é guardada como ângulo.
+parameter-misalignment-compensation = Compensação
+    .label = COMPENSAÇÃO
+    .help = Determina se o comando compensa a inclinação por meio de uma rotação básica ou por rotação da mesa rotativa.
+choice-compensate-by-basic-rotation = memorizar uma rotação básica
+choice-compensate-by-rotary-table = rodar a mesa rotativa; o comando não guarda então a inclinação, mesmo que esteja indicada uma linha da tabela em { $q-basic-rotation-row }
+parameter-zero-after-alignment = Memorizar zero depois de alinhar
+    .label = MEMORIZAR ZERO
+    .help = Determina se o comando põe a 0 a visualização do eixo rotativo alinhado.
+choice-keep-rotary-display = não pôr a 0 a visualização do eixo rotativo depois de alinhar
+choice-zero-rotary-display = pôr a 0 a visualização do eixo rotativo depois de alinhar
 parameter-zero-or-row-after-alignment = Memorizar zero depois de centrar
     .label = MEMORIZAR ZERO
+    .help = Determina se o comando põe a 0 a visualização do eixo C ou escreve o desvio angular na coluna C da tabela de pontos zero.
+choice-zero-c-axis-display = pôr a 0 a visualização do eixo C
+choice-offset-into-datum-row = escrever o desvio angular medido, com o seu sinal, na tabela de pontos zero; o valor é o número da linha. Se a tabela já tiver aí um desvio de C, o comando soma ou subtrai o desvio medido conforme o sinal
 parameter-compensation-axis = Eixo para deslocação de compensação
     .label = EIXO DE COMPENSAÇÃO
+    .help = Eixo rotativo com que o comando compensa a inclinação medida.
+choice-compensate-with-a-axis = compensar a inclinação com o eixo rotativo A
+choice-compensate-with-b-axis = compensar a inclinação com o eixo rotativo B
+choice-compensate-with-c-axis = compensar a inclinação com o eixo rotativo C
+parameter-rotary-axis-row = Número na tabela
+    .label = N.º NA TABELA
+    .help = Número na tabela de presets ou na tabela de pontos zero em que o comando põe o eixo rotativo a zero.
+parameter-measured-value-transfer__rotation-by-rotary-axis =
+    .help = Determina se a rotação básica determinada é guardada na tabela de pontos zero ou na tabela de presets.
+choice-rotation-into-datum-table = escrever a rotação básica determinada, como deslocação do ponto zero, na tabela de pontos zero ativa; o sistema de referência é o sistema de coordenadas da peça ativo
+choice-rotation-into-preset-table = escrever a rotação básica determinada na tabela de presets; o sistema de referência é o sistema de coordenadas da máquina (sistema REF)
+parameter-alignment-angle = Ângulo de referência? (0=eixo principal)
+    .label = ÂNGULO DE REFERÊNCIA
+    .help = Ângulo para o qual o comando alinha a reta apalpada.
+condition-basic-rotation-chosen = a inclinação for compensada por uma rotação básica ({ $q-misalignment-compensation }=0)
+condition-rotary-table-chosen = a inclinação for compensada por rotação da mesa rotativa ({ $q-misalignment-compensation }=1)
+condition-rotary-display-zeroed = { $q-zero-after-alignment }=1
+condition-c-axis-compensates = estiver escolhido o eixo rotativo C ({ $q-compensation-axis }=6)
+parameter-probing-centre-minor__rotation-by-c-axis =
+    .help = Centro do furo no eixo secundário do plano de maquinação. Com 0, o comando alinha o centro do furo com o eixo Y positivo; com qualquer outro valor, com a posição nominal (o ângulo que resulta do centro do furo).
+parameter-probing-nominal-diameter__rotation-by-c-axis =
+    .help = Diâmetro aproximado da caixa circular (furo). É preferível um valor demasiado pequeno a um demasiado grande.
+
+parameter-traverse-to-clearance-height__datum-inside-corner = Deslocação à Altura Segura
+parameter-clearance-height__basic-rotation = Altura de segurança
+parameter-clearance-height__rotation-by-rotary-axis =
+    .label = ALTURA SEGURANÇA
+    .label-aliases = ALTURA SEGURA
