@@ -1,11 +1,21 @@
 # Parameters of the cycles that save the kinematics, calibrate touch probes and digitize: name, label in the NC block, help.
 
 # --- saved kinematics ---
-parameter-kinematics-memory-mode =
+parameter-kinematics-memory-mode = Modo (0/1/2/3)
     .label = MODO
+    .help = Definire se una cinematica viene salvata o ripristinata.
 parameter-kinematics-memory-mode__itnc530 = MODO (0/1/2)
+choice-save-kinematics = salvare la cinematica
+choice-save-kinematics__itnc530 = salvare la cinematica attiva
+choice-restore-kinematics = ripristinare una cinematica salvata
+choice-show-saved-kinematics = visualizzare lo stato attuale della memoria
+choice-delete-saved-kinematics = cancellare un record di dati
+parameter-kinematics-memory-location = Denominazione memoria
+    .label = DENOMINAZIONE MEMORIA
+    .help = Numero o nome del record di dati, al massimo 16 caratteri. Sono disponibili 16 locazioni di memoria. Nel modo 2 non ha funzione. Nei modi 1 e 3 (ripristino e cancellazione) può contenere caratteri jolly. Se più record corrispondono ai caratteri jolly, vengono ripristinati i valori medi dei loro dati (modo 1) oppure, dopo conferma, vengono cancellati tutti (modo 3). Caratteri jolly: ? è un singolo carattere non definito, $ una singola lettera, # una singola cifra non definita, * una stringa di lunghezza qualsiasi.
 parameter-kinematics-memory-location__itnc530 = LOCAZIONE DI MEMORIA (0…9)
     .label = LOCAZIONE DI MEMORIA
+    .help = Numero della locazione di memoria in cui viene salvata l'intera cinematica o da cui viene ripristinata la cinematica salvata. Nel modo 2 non ha funzione.
 
 # --- preset compensation ---
 parameter-sphere-touch-points__preset-compensation = N. PUNTI MISURATI
@@ -13,26 +23,129 @@ parameter-sphere-touch-points__preset-compensation = N. PUNTI MISURATI
 parameter-sphere-touch-points__preset-compensation__itnc530 = N. PUNTI MISURATI
 
 # --- calibration of touch probes ---
-parameter-calibration-sphere-probings =
+parameter-calibration-sphere-probings = Numero di tastature nel piano (4/3)
     .label = N. PUNTI MISURATI
-parameter-calibration-ring-probings =
+    .help = Numero di punti di misura sul diametro.
+parameter-calibration-ring-probings = Numero di tastature
     .label = N. PUNTI MISURATI
+    .help = Numero di punti di misura sul diametro.
 parameter-kinematics-reference-angle__calibrate-in-ring =
     .help = Angolo tra l'asse principale del piano di lavoro e il primo punto di tastatura.
 parameter-kinematics-reference-angle__calibrate-on-stud =
     .help = Angolo tra l'asse principale del piano di lavoro e il primo punto di tastatura.
-parameter-length-reference =
+parameter-length-calibration = Calibrazione lunghezza (0/1)
+    .label = CALIBRAZIONE LUNGHEZZA
+    .help = Definire se dopo la calibrazione del raggio il controllo calibra anche la lunghezza del sistema di tastatura.
+choice-no-length-calibration = senza calibrazione della lunghezza del sistema di tastatura
+choice-length-calibration = con calibrazione della lunghezza del sistema di tastatura
+parameter-length-reference = Origine per lunghezza
     .label = ORIGINE
+    .help = Coordinata del centro della sfera calibrata. È necessaria solo se viene calibrata la lunghezza.
+parameter-length-reference__calibrate-probe-length = Origine
+    .help = Riferimento per la lunghezza, ad esempio l'altezza dell'anello di calibrazione.
+parameter-calibration-ring-radius = Raggio anello
+    .label = RAGGIO ANELLO
+    .help = Raggio dell'anello di calibrazione.
+parameter-calibration-stud-radius = Raggio isola
+    .label = RAGGIO ISOLA
+    .help = Raggio dell'isola.
 parameter-calibration-clearance-height = Altezza di sicurezza
     .word = ALT.:
+    .help = Coordinata nell'asse del tastatore che esclude qualsiasi collisione tra il sistema di tastatura e il pezzo di calibrazione o i dispositivi di bloccaggio.
+parameter-calibration-part-radius = Raggio anello di calibrazione
+    .help = Raggio del pezzo di calibrazione.
+parameter-calibration-inside-or-outside = Calibrazione interna=0/calibrazione esterna=1
+    .word = MODO DI MISURA:
+    .help = Definire se il controllo calibra all'interno di un anello o all'esterno su un'isola.
+choice-calibrate-inside = calibrazione interna
+choice-calibrate-outside = calibrazione esterna
 
 # --- digitizing: the range ---
+parameter-digitized-data-file = Nome PGM dati digitalizzati
+    .word = NOME PGM:
+    .help = Nome del file in cui vengono memorizzati i dati digitalizzati.
+parameter-digitized-data-file__digitize-range-from-points =
+    .word = PGM DIGIT.:
+parameter-digitizing-probe-axis = Asse TCH PROBE
+    .help = Asse del tastatore.
+parameter-digitizing-range-min = Punto MIN campo
+    .help = Punto minimo del campo da digitalizzare, nei tre assi.
+parameter-digitizing-range-max = Punto MAX campo
+    .help = Punto massimo del campo da digitalizzare, nei tre assi.
 parameter-digitizing-clearance-height = Altezza di sicurezza
     .word = ALT.:
+    .help = Posizione nell'asse del tastatore che esclude qualsiasi collisione tra lo stilo e il pezzo.
+parameter-digitizing-range-table = Nome PGM dati campo
+    .word = PGM CAMPO:
+    .help = Nome della tabella punti che definisce il campo.
+parameter-probe-axis-min = Punto MIN asse TCH PROBE
+    .word = MIN:
+    .help = Punto minimo del campo da digitalizzare nell'asse del tastatore.
+parameter-probe-axis-max = Punto MAX asse TCH PROBE
+    .word = MAX:
+    .help = Punto massimo del campo da digitalizzare nell'asse del tastatore.
 
 # --- digitizing: the lines ---
-parameter-feed-reduction-height =
+parameter-line-direction = Direzione di riga
+    .word = DIREZ.:
+    .help = Asse di coordinate del piano di lavoro nella cui direzione positiva il sistema di tastatura si sposta dal primo punto di profilo memorizzato.
+parameter-line-direction__digitize-lines =
+    .help = Asse di coordinate del piano di lavoro parallelamente al quale si sposta il sistema di tastatura. La direzione di digitalizzazione determina anche se la fresatura successiva sarà concorde o discorde.
+parameter-line-direction__digitize-lines-analog =
+    .help = Asse di coordinate del piano di lavoro parallelamente al quale si sposta il sistema di tastatura. La direzione di digitalizzazione determina anche se la fresatura successiva sarà concorde o discorde.
+parameter-probing-angle = Angolo di tastatura
+    .word = ANGOLO:
+    .help = Direzione di spostamento del sistema di tastatura rispetto alla direzione di riga.
+parameter-probing-angle__digitize-lines-analog =
+    .help = Direzione di spostamento del sistema di tastatura rispetto alla direzione di riga. Direzione di riga e angolo di tastatura insieme consentono qualsiasi direzione di digitalizzazione.
+parameter-feed-reduction-height = Altezza per riduzione avanzamento
     .word = ALT.:
+    .help = Coordinata nell'asse utensile alla quale, all'inizio di ogni riga, il controllo passa dal rapido all'avanzamento di tastatura.
+parameter-digitizing-time-limit = Limite di tempo
+    .word = TEMPO:
+    .help = Tempo entro il quale il sistema di tastatura, dopo un giro, deve raggiungere di nuovo il primo punto di tastatura di una linea di livello. { $mp-contour-line-accuracy } definisce con quale precisione deve essere raggiunto il primo punto di tastatura. Se il tempo viene superato, il controllo interrompe il ciclo di digitalizzazione. Con 0 non c'è alcun limite di tempo.
+parameter-contour-line-start = Punto di partenza
+    .help = Coordinate del punto di partenza nel piano di lavoro.
+parameter-contour-line-approach = Asse e direzione di avvicinamento
+    .word = SEQUENZA:
+    .help = Asse di coordinate e direzione in cui il sistema di tastatura si avvicina al pezzo.
+parameter-contour-line-direction = Asse e direzione iniziali di tastatura
+    .word = /
+    .help = Asse di coordinate e direzione in cui il sistema di tastatura si sposta lungo il pezzo durante la digitalizzazione. La direzione di digitalizzazione determina anche se la fresatura successiva sarà concorde o discorde.
 
 # --- digitizing: feed rates, distances, tolerance ---
 parameter-digitizing-feed = Avanzamento F
+    .help = Velocità di digitalizzazione. Quanto più è elevata, tanto meno precisi sono i dati digitalizzati.
+parameter-digitizing-first-line-feed = Avanzamento MIN.
+    .help = Avanzamento per la digitalizzazione della prima riga.
+parameter-digitizing-first-line-feed__digitize-contour-lines-analog =
+    .help = Avanzamento per la digitalizzazione della prima linea di livello.
+parameter-least-line-spacing = Distanza tra righe MIN.
+    .word = MIN.D.R.:
+    .help = Se è inserito un valore minore della distanza tra le righe, il controllo riduce la distanza tra le righe fino a questo minimo dove il profilo è ripido. In questo modo i punti hanno la stessa densità anche su superfici molto irregolari.
+parameter-least-line-spacing__digitize-contour-lines-analog =
+    .help = Se è inserito un valore minore della distanza tra le righe, il controllo riduce la distanza tra le righe fino a questo minimo dove il profilo è piano. In questo modo i punti hanno la stessa densità anche su superfici molto irregolari.
+parameter-line-spacing = Distanza tra righe
+    .word = D.RIGHE:
+    .help = Spostamento del sistema di tastatura alla fine di una riga, ossia distanza tra due righe.
+parameter-signed-line-spacing = Distanza tra righe e direzione
+    .word = D.RIGHE:
+    .help = Spostamento del sistema di tastatura quando raggiunge il punto di partenza di una linea di livello. Il segno determina la direzione dello spostamento.
+parameter-point-spacing = Distanza tra punti MAX.
+    .word = D.PUNTI:
+    .help = Massima distanza tra i punti memorizzati dal controllo. Il controllo tiene conto anche dei punti importanti e critici per la forma del pezzo, ad esempio negli spigoli interni.
+parameter-point-spacing__digitize-lines =
+    .help = Massima distanza tra i punti memorizzati dal controllo.
+parameter-point-spacing__digitize-lines-analog =
+    .help = Massima distanza tra i punti memorizzati dal controllo.
+parameter-normal-retraction = Corsa in direzione delle normali alla riga
+    .word = CORSA:
+    .help = Distanza di cui il sistema di tastatura si ritrae dopo aver tastato un punto del pezzo. Valore consigliato: tra 0,5 · distanza tra punti e la distanza tra punti. Quanto più piccola è la sfera di tastatura, tanto maggiore dovrebbe essere il valore.
+parameter-digitizing-tolerance = Valore di tolleranza
+    .word = TOL:
+    .help = Il controllo non memorizza i punti digitalizzati finché la distanza tra gli ultimi due punti di tastatura non supera il valore di tolleranza. In questo modo si ottengono molti punti su profili curvi e pochi su profili piani. Con 0 il controllo emette i punti alla distanza tra punti programmata.
+parameter-corner-feed-reduction = Riduzione avanzamento sugli spigoli
+    .word = DIST:
+    .help = Rispondere alla domanda con NO ENT. Il controllo inserisce automaticamente un valore.
+parameter-corner-feed-reduction__digitize-lines-analog =
+    .help = Distanza da pareti ripide alla quale il controllo inizia a ridurre l'avanzamento di digitalizzazione.

@@ -224,4 +224,39 @@ choice-meander-stepover-inside = Lavorazione a meandri, incremento laterale all'
 choice-line-by-line-with-retraction = Lavorazione per righe, con ritrazione e incremento laterale con l'avanzamento di avvicinamento
 
 # --- coordinate transforms ---
+parameter-mirrored-axes = Assi speculari
+    .help = Assi da rendere speculari. Si possono rendere speculari tutti gli assi, compresi gli assi rotativi, tranne l'asse del mandrino e il relativo asse secondario. Fino a tre degli assi NC X, Y, Z, U, V, W, A, B, C.
+parameter-scaling-factor = Fattore
+    .help = Fattore di scala SCL. Il controllo moltiplica per esso coordinate e raggi.
+    .word = SCL
+parameter-axis-scaling-factors = Asse e fattore
+    .help = Assi di coordinate e fattori con i quali ciascuno di essi viene allungato o compresso.
+parameter-axis-scaling-centre = Coordinate del centro
+    .help = Centro dal quale il profilo viene allungato o verso il quale viene compresso.
+parameter-tilting-angles = Asse e angolo di rotazione
+    .help = Assi rotativi con i relativi angoli di rotazione; gli assi rotativi A, B e C si programmano con softkey.
+parameter-tilting-feed = Avanzamento
+    .help = Velocità di spostamento dell'asse rotativo nel posizionamento automatico da parte del controllo.
 parameter-tilting-clearance = Distanza di sicurezza
+    .help = Il controllo posiziona la testa orientabile in modo che la posizione all'estremità dell'utensile, prolungato della distanza di sicurezza, non cambi rispetto al pezzo. Si inserisce se è il controllo a posizionare gli assi rotativi.
+
+# --- special functions ---
+parameter-programmed-dwell = Tempo di sosta in secondi
+    .help = Tempo per il quale l'esecuzione del programma si arresta, fino a 1 ora in passi di 0,001 s.
+    .word = T.SOSTA
+parameter-program-to-call = Nome programma
+    .help = Nome del programma da chiamare, se necessario con il percorso.
+    .word = PGM
+parameter-orientation-angle = Angolo di orientamento
+    .help = Angolo riferito all'asse di riferimento angolare del piano di lavoro.
+    .word = ANGOLO
+parameter-contour-tolerance = Valore di tolleranza T
+    .help = Scostamento ammesso dal profilo programmato in millimetri (in pollici nei programmi in pollici).
+parameter-hsc-mode = Modo HSC, finitura=0, sgrossatura=1
+    .help = Filtro attivato dal controllo.
+parameter-rotary-axis-tolerance = Tolleranza per assi rotativi TA
+    .help = Scostamento ammesso degli assi rotativi in gradi con M128 (FUNCTION TCPM) attiva. Il controllo riduce sempre l'avanzamento in modo che, nei movimenti in più assi, l'asse più lento si sposti con il suo avanzamento massimo. Gli assi rotativi sono di solito molto più lenti degli assi lineari. Una tolleranza maggiore (ad esempio 10°) può ridurre notevolmente il tempo di lavorazione di programmi a più assi, poiché il controllo non deve sempre portare gli assi rotativi alla posizione nominale indicata. Il profilo non viene danneggiato; cambia soltanto la posizione dell'asse rotativo rispetto alla superficie del pezzo.
+
+# --- choices of the special functions ---
+choice-milling-with-higher-accuracy = Fresatura con maggiore precisione del profilo. Il controllo utilizza impostazioni di filtro interne per la finitura
+choice-milling-at-higher-feed = Fresatura con avanzamento più elevato. Il controllo utilizza impostazioni di filtro interne per la sgrossatura
