@@ -62,8 +62,8 @@ choice-travel-at-clearance-height__tnc426-430 = Mittauspisteiden välinen ajo ym
 parameter-number-of-touch-points = Mittauspisteiden lukumäärä (4/3)
     .label = MITT.PIST. LUKUMÄÄRÄ
     .help = Mitataanko reikä neljällä vai kolmella kosketuksella.
-choice-four-touch-points = Käytetään 4 mittauspistettä (standardiasetus)
-choice-three-touch-points = Käytetään 3 mittauspistettä
+choice-four-touch-points = Käytetään neljää mittauspistettä (standardiasetus)
+choice-three-touch-points = Käytetään kolmea mittauspistettä
 parameter-probing-traverse-type = Liiketapa
     .prompt = Liiketapa? Suora=0/ympyrä=1
     .label = LIIKETAPA

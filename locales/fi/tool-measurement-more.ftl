@@ -103,3 +103,17 @@ note-calibration-cycle-behaviour = Kalibrointityökierron toiminta riippuu konep
 note-calibration-cycle-behaviour__tnc320 = Koneen valmistaja määrää kalibrointityökierron toiminnan. Katso koneen käyttöohjekirjaa.
 note-calibration-cycle-behaviour__itnc530 = Kalibrointityökierron toiminta riippuu koneparametrista { $mp-calibration-behaviour }. Katso koneen käyttöohjekirjaa.
 note-calibration-cycle-behaviour__tnc426-430 = Kalibrointityökierron toiminta riippuu koneparametrista { $mp-calibration-behaviour }. Katso koneen käyttöohjekirjaa.
+
+# --- 484 ---
+cycle-calibrate-wireless-tool-probe = Langattoman TT 449 -kosketusjärjestelmän kalibrointi
+    .nc = IR TT KALIBROINTI
+    .purpose = Kalibroi langattoman infrapunatoimisen pöytäkosketusjärjestelmän TT 449. Kalibrointi on puoliautomaattinen, koska kosketusjärjestelmän paikkaa koneen pöydällä ei ole määritelty. Ohjaus määrittää myös kalibrointityökalun keskipistesiirtymän, tallentaa kalibrointiarvot ja ottaa ne huomioon myöhemmissä työkalun mittauksissa.
+step-insert-calibration-tool = Vaihda kalibrointityökalu karaan.
+step-define-and-start-calibration = Määrittele ja käynnistä kalibrointityökierto.
+step-position-calibration-tool-by-hand = Paikoita kalibrointityökalu käsin kosketusjärjestelmän keskipisteen yläpuolelle ja noudata ponnahdusikkunan ohjeita. Varmista, että kalibrointityökalu on kosketuspään mittauspinnan yläpuolella.
+step-calibrate-wireless-tool-probe = Ohjaus kalibroi kosketusjärjestelmän puoliautomaattisesti kalibrointityökalulla.
+message-calibration-tool-over-setter = Paikoita kalibrointityökalu kosketusjärjestelmän keskipisteen yläpuolelle ja jatka.
+note-wireless-calibration-by-hand = Kalibrointi ei ole täysin automaattinen, koska kosketusjärjestelmän paikkaa koneen pöydällä ei ole määritelty.
+note-recalibrate-after-move = Jos kosketusjärjestelmän paikka pöydällä muuttuu, kalibroi uudelleen.
+note-calibration-tool-size__tnc640 = Kalibrointityökalun halkaisijan on oltava suurempi kuin 15{"\u00A0"}mm, ja sen on ulotuttava 50{"\u00A0"}mm istukan ulkopuolelle. Silloin se taipuu 0,1{"\u00A0"}µm kutakin 1{"\u00A0"}N:n kosketusvoimaa kohti.
+guard-tool-call-missing__calibrate-wireless-tool-probe = Työkalua ei ole kutsuttu. Kutsu kalibrointityökalu käskyllä TOOL CALL.

@@ -5,7 +5,7 @@ parameter-tool-check = Työkalun mittaus =0 / testaus=1
     .label = TESTAUS
     .word = TESTAUS:
     .prompt = Työkalun mittaus =0 / testaus=1
-    .help = Mitataanko työkalu ensimmäistä kertaa vai tarkastetaanko jo aiemmin mitattu työkalu. Ensimmäinen mittaus korvaa työkalun pituuden { $mp-tool-length } keskustyökalumuistissa TOOL.T ja asettaa delta-arvon { $mp-delta-length } nollaan. Tarkastuksessa mitattua pituutta verrataan työkalun pituuteen { $mp-tool-length }; poikkeama kirjataan etumerkkeineen delta-arvoon { $mp-delta-length }, ja se on käytettävissä myös parametrissa Q115. Jos delta-arvo ylittää pituudelle sallitun kulumis- tai rikkotoleranssin, ohjaus asettaa työkalulle eston (tila L työkalutaulukossa TOOL.T).
+    .help = Mitataanko työkalu ensimmäistä kertaa vai tarkastetaanko jo aiemmin mitattu työkalu. Ensimmäinen mittaus korvaa työkalun pituuden { $mp-tool-length } keskustyökalumuistissa TOOL.T ja asettaa delta-arvon { $mp-delta-length } arvoon 0. Tarkastuksessa mitattua pituutta verrataan työkalun pituuteen { $mp-tool-length }; poikkeama kirjataan etumerkkeineen delta-arvoon { $mp-delta-length }, ja se on käytettävissä myös parametrissa Q115. Jos delta-arvo ylittää pituudelle sallitun kulumis- tai rikkotoleranssin, ohjaus asettaa työkalulle eston (tila L työkalutaulukossa TOOL.T).
 choice-tool-first-measurement = Työkalun mittaus ensimmäistä kertaa
 choice-tool-check = Aiemmin mitatun työkalun tarkastus
 parameter-tool-status-parameter = Parametri no. tulokselle?
@@ -44,7 +44,7 @@ step-touch-tool-setter = Ohjaus mittaa pituuden:
 say-measure-tooth-by-tooth = terä kerrallaan, jos { $q-tooth-measurement } = 1: työkalu paikoitetaan kosketuspään sivulle niin, että sen otsapinta on kosketuspään yläreunan alapuolella arvon { $mp-setter-axis-offset } verran, ja jos työkalutaulukossa on pituuden lisäsiirtymä { $mp-setter-offset-length }, vielä sen verran. Ohjaus koskettaa pyörivää työkalua säteen suunnassa ja etsii näin aloituskulman, minkä jälkeen se mittaa jokaisen terän pituuden muuttamalla karan suuntausta
 say-measure-rotating-or-stationary = pyörivällä työkalulla, jos sen halkaisija on suurempi kuin mittauspinta: työkalua siirretään kosketusjärjestelmän keskipisteestä työkalutaulukon arvon { $mp-setter-offset-radius } verran ja ajetaan pyörivänä mittauspintaan, jolloin löytyy pisin terä. Muussa tapauksessa sekä porilla ja sädejyrsimillä mitataan paikallaan olevalla työkalulla: se siirtyy mittauspinnan keskikohdan yläpuolelle ja ajaa sitten karan ollessa pysähdyksissä mittauspintaan; tätä varten { $mp-setter-offset-radius } on työkalutaulukossa 0
 step-store-tool-length = Ohjaus tallentaa tuloksen:
-say-overwrite-tool-length = jos { $q-tool-check } = 0, se korvaa työkalun pituuden { $mp-tool-length } työkalutaulukossa TOOL.T ja asettaa delta-arvon { $mp-delta-length } nollaan
+say-overwrite-tool-length = jos { $q-tool-check } = 0, se korvaa työkalun pituuden { $mp-tool-length } työkalutaulukossa TOOL.T ja asettaa delta-arvon { $mp-delta-length } arvoon 0
 say-enter-delta-length = jos { $q-tool-check } = 1, se vertaa mitattua pituutta työkalun pituuteen { $mp-tool-length }, kirjaa poikkeaman etumerkkeineen delta-arvoon { $mp-delta-length } ja parametriin Q115 ja asettaa työkalulle eston (tila L), jos kulumis- tai rikkotoleranssi on ylitetty
 result-tool-length-deviation = Työkalun pituuden poikkeama
 result-tool-status = Mittauksen tila: 0,0 = toleranssin sisäpuolella, 1,0 = kulunut, 2,0 = rikkoutunut
