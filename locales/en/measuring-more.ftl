@@ -119,3 +119,33 @@ result-first-value-in-probe-axis = Measured value in the touch probe axis (first
 result-first-value-in-probe-axis__tnc320 = Measured value in the touch probe axis
 result-second-value-in-probe-axis = Measured value in the touch probe axis (second measurement)
 result-third-value-in-probe-axis = Measured value in the touch probe axis (third measurement)
+
+# --- 1 ---
+cycle-polar-reference-plane = Polar reference plane
+    .nc = POLAR REF. PLANE
+    .purpose = Measures any position of the workpiece in any probing direction, which is given by an angle.
+step-probe-at-polar-angle = The touch probe carries out the probing at the probing feed rate (column { $mp-probing-feed }). During the probing the control moves in two axes at the same time, depending on the probing angle. The probing direction is defined in the cycle by a polar angle.
+step-probe-at-polar-angle__tnc426-430 = The touch probe carries out the probing at the probing feed rate ({ $mp-probing-feed } or { $mp-analog-probing-feed }). During the probing the control moves in two axes at the same time, depending on the probing angle. The probing direction is defined in the cycle by a polar angle.
+step-return-and-store-trigger-position = After the position has been measured, the touch probe returns to the starting point of the probing. The control stores the coordinates of the position at which the touch probe was at the switching signal in the parameters Q115 to Q119.
+step-return-and-store-trigger-position__tnc426-430 = After the position has been measured, the touch probe returns to the starting point of the probing. The control stores the coordinates of the ball centre at the contact with the workpiece in the parameters Q115 to Q119.
+note-probing-plane-by-axis = The probing axis defined in the cycle determines the probing plane: probing axis X: X/Y plane; Y: Y/Z plane; Z: Z/X plane.
+note-trigger-position-of-ball-centre = Q115 to Q119 hold the coordinates of the centre of the ball tip at the contact with the workpiece.
+
+# --- 3 ---
+cycle-measuring = Measuring
+    .nc = MEASURING
+    .purpose = Measures any position of the workpiece in a selectable probing direction. Unlike in the other measuring cycles, the measuring path and the measuring feed rate are entered directly in this cycle, and the retraction after the measurement is entered, too. It serves to make cycles of the machine builder.
+cycle-measuring__tnc426-430 =
+    .purpose = Measures any position of the workpiece in a selectable probing direction. Unlike in the other measuring cycles, the measuring feed rate is entered directly in this cycle. It is a measuring cycle for special uses.
+step-move-in-polar-direction = The touch probe moves from its present position at the entered feed rate in the programmed probing direction. The probing direction is defined in the cycle by a polar angle.
+step-stop-and-store-ball-centre = When the control has measured the position, the touch probe stops. The control stores the coordinates X, Y and Z of the ball centre in three successive Q parameters, without correcting length and radius. The number of the first result parameter is defined in the cycle.
+step-stop-and-store-ball-centre__tnc426-430 = When the control has measured the position, the touch probe stops. The control stores the coordinates of the ball centre in three successive Q parameters. The number of the first parameter is defined in the cycle.
+result-ball-centre-and-status = Ball centre in X; the next two parameters hold Y and Z, the fourth −1 if there was no valid touch point
+result-ball-centre-and-status__tnc426-430 = First coordinate of the ball centre; the next two parameters hold the others
+note-probe-data-without-effect = The touch probe data { $mp-probing-distance } (greatest path to the touch point) and { $mp-probing-feed } (probing feed rate), which act in the other measuring cycles, have no effect in this cycle.
+note-four-parameters-overwritten = The control always writes four successive Q parameters.
+note-no-touch-point-no-error = If the control finds no valid touch point, the program continues without an error message. The control then assigns −1 to the fourth result parameter, so that the program can react to the error.
+note-retraction-not-beyond-start = The control retracts the touch probe by the retraction path MB at most, but not beyond the starting point of the measurement. There can therefore be no collision during the retraction.
+note-probe-input-by-function = The function FN17: SYSWRITE ID 990 NR 6 determines whether the cycle acts on the probe input X12 or X13.
+note-available-from-software-474 = This cycle is available from the NC software 280 474-xx.
+note-behaviour-defined-by-builder = The machine builder or the supplier of the software defines how this cycle works in detail; it is used within special touch-probe cycles.

@@ -180,3 +180,36 @@ parameter-datum-row-number__datum-one-axis =
 parameter-new-datum-one-axis = New datum
     .label = DATUM
     .help = Coordinate to which the datum is set. Basic setting: 0.
+
+# --- 1, 3 ---
+parameter-polar-probing-axis = Probing axis
+    .help = Probing axis, entered with the axis key or the alphabetic keyboard. Confirm with ENT.
+parameter-polar-probing-axis__measuring =
+    .help = Axis in whose direction the probing is carried out. Confirm with ENT.
+parameter-polar-probing-axis__measuring__tnc426-430 =
+    .help = Main axis of the working plane: X with tool axis Z, Z with tool axis Y, Y with tool axis X. Confirm with ENT.
+parameter-polar-probing-angle = Probing angle
+    .word = ANGLE:
+    .help = Angle referred to the probing axis in which the touch probe moves.
+parameter-result-parameter__measuring =
+    .help = Number of the Q parameter to which the control assigns the first measured coordinate (X). Y and Z are in the Q parameters that follow.
+parameter-greatest-measuring-path = Maximum measuring path
+    .word = DIST
+    .help = Path by which the touch probe moves from the starting point. Confirm with ENT.
+parameter-measuring-feed = Measuring feed rate
+    .help = Measuring feed rate in mm/min.
+parameter-greatest-retraction-path = Maximum retraction path
+    .help = Path against the probing direction after the stylus has been deflected. The control retracts the touch probe at most to the starting point, so that there can be no collision.
+parameter-probing-reference-system = Reference system (0=ACT/1=REF)
+    .word = REFERENCE SYSTEM:
+    .help = Whether the probing direction and the result refer to the actual coordinate system (ACT, which may be shifted or rotated) or to the machine coordinate system (REF).
+parameter-probing-reference-system__tnc320 =
+    .help = Whether the result refers to the actual coordinate system (ACT, which may be shifted or rotated) or to the machine coordinate system (REF).
+choice-probe-in-actual-system = probe in the actual system and store the result in the ACT system
+choice-probe-in-machine-system = probe in the machine system REF and store the result in the REF system
+parameter-probing-error-mode = Error mode (0=OFF/1=ON)
+    .help = Whether the control shows an error message if the stylus is deflected at the start of the cycle. With 1 the control stores −1 in the fourth result parameter and continues the cycle.
+parameter-probing-error-mode__tnc320 =
+    .help = Whether the control shows an error message if the stylus is deflected at the start of the cycle. With 1 the control stores 2.0 in the fourth result parameter and continues the cycle.
+choice-show-probing-error = show an error message
+choice-no-probing-error = show no error message

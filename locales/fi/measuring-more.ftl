@@ -65,3 +65,11 @@ result-spatial-angle-a = Tilakulma A
 result-spatial-angle-b = Tilakulma B
 result-spatial-angle-c = Tilakulma C
 result-first-value-in-probe-axis__tnc320 = Mittausarvo kosketusjärjestelmän akselilla
+
+# --- 1 ---
+cycle-polar-reference-plane = Perustaso polaarinen
+    .nc = PERUSTASO POLAARINEN
+
+# --- 3 ---
+cycle-measuring = Mittaus
+    .nc = MITTAUS

@@ -132,3 +132,17 @@ parameter-measuring-axis__datum-one-axis = Mittausakseli (1..3: 1=Pääakseli)
 parameter-traverse-direction__datum-one-axis = Liikesuunta
 parameter-new-datum-one-axis = Uusi peruspiste
     .label = PERUSPISTE
+
+# --- 1, 3 ---
+parameter-polar-probing-axis = Kosketusakseli
+parameter-polar-probing-angle = Kosketuskulma
+    .word = KULMA:
+parameter-result-parameter__measuring = Parametri no. tulokselle?
+parameter-greatest-measuring-path = Maksimi mittausliike
+    .word = ABST
+    .label-aliases = ETÄIS
+parameter-measuring-feed = Mittaussyöttöarvo
+parameter-greatest-retraction-path = Maksimi vetäytymisliike
+parameter-probing-reference-system = PERUSJÄRJESTELMÄ (0=HETK/1=REF)
+    .word = PERUSJÄRJESTELMÄ:
+parameter-probing-error-mode = Virhetapa (0=POIS/1=PÄÄLLÄ)

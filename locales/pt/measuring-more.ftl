@@ -52,3 +52,12 @@ cycle-measure-plane = Medir plano
     .nc-aliases = MEDIÇÃO DUM PLANO
 result-projection-angle-a__tnc426-430 = Ângulo do eixo A
 result-projection-angle-b__tnc426-430 = Ângulo do eixo B
+
+# --- 1 ---
+cycle-polar-reference-plane = Plano de referência polar
+    .nc = PONTO DE REFERÊNCIA POLAR
+    .nc-aliases = PLANO DE REFERÊNCIA POLAR
+
+# --- 3 ---
+cycle-measuring = Medir
+    .nc = MEDIR

@@ -69,3 +69,11 @@ parameter-fourth-centre-main = Centro 4 do 1.º eixo
     .label = 4.º CENTRO 1.º EIXO
 parameter-fourth-centre-minor = Centro 4 do 2.º eixo
     .label = 4.º CENTRO 2.º EIXO
+
+# --- 1, 3 ---
+parameter-polar-probing-axis = Eixo de apalpação
+parameter-polar-probing-angle = Ângulo de apalpação
+    .word = ÂNGULO:
+parameter-greatest-measuring-path = Máximo caminho de medição
+    .word = DIST
+parameter-measuring-feed = Avanço

@@ -53,3 +53,13 @@ result-spatial-angle-c = Prostorski kot C
 result-first-value-in-probe-axis = Merilna vrednost na osi tipalnega sistema (prva meritev)
 result-second-value-in-probe-axis = Merilna vrednost na osi tipalnega sistema (druga meritev)
 result-third-value-in-probe-axis = Merilna vrednost na osi tipalnega sistema (tretja meritev)
+
+# --- 1 ---
+cycle-polar-reference-plane = Referenčna ravnina - polarna
+    .nc = REF. POLARNA RAVNINA
+    .nc-aliases = REFERENČNA POLARNA RAVNINA
+
+# --- 3 ---
+cycle-measuring = Meritev
+    .nc = MERJENJE
+    .nc-aliases = MERITEV

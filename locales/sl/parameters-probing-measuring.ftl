@@ -103,3 +103,16 @@ parameter-traverse-direction__datum-one-axis =
     .label-aliases = SMER PREMIKANJA | SMER PREMICA
 parameter-new-datum-one-axis = Nova referenčna točka
     .label = REFERENČNA TOČKA
+
+# --- 1, 3 ---
+parameter-polar-probing-axis = Tipalna os
+parameter-polar-probing-angle = Kot tipanja
+    .word = KOT:
+parameter-polar-probing-angle__measuring = Tipalni kot
+parameter-greatest-measuring-path = Najdaljša pot meritve
+    .word = ABST
+parameter-measuring-feed = Merilni pomik
+parameter-greatest-retraction-path = Najdaljša pot odmika
+parameter-probing-reference-system = Referenčni sistem? (0=IST/1=REF)
+    .word = REFERENČNI SISTEM:
+parameter-probing-error-mode = Stanje sporočila o napaki (0 = IZKLOP/1 = VKLOP)
