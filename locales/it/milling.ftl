@@ -16,7 +16,7 @@ note-position-at-pocket-centre = Posizionare l'utensile sul punto di partenza (c
 cycle-slot = Fresatura di scanalature
     .nc = FRES. SCANALATURA
     .purpose = Esegue la lavorazione completa di una scanalatura: sgrossatura, finitura del fondo e finitura laterale. È possibile eseguire anche solo la sgrossatura, solo la finitura del fondo e laterale, solo la finitura del fondo o solo la finitura laterale.
-step-move-over-left-slot-arc = Il controllo posiziona l'utensile nell'asse utensile alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (alla distanza di sicurezza, se la 2ª non è inserita), poi sopra il centro dell'arco sinistro della scanalatura e infine alla distanza di sicurezza { $q-set-up-clearance }, sempre in rapido.
+step-move-over-left-slot-arc = Il controllo posiziona l'utensile nell'asse utensile alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (se non è inserita, alla distanza di sicurezza), poi sopra il centro dell'arco sinistro della scanalatura e infine alla distanza di sicurezza { $q-set-up-clearance }, sempre in rapido.
 step-plunge-at-left-slot-arc = Partendo dal centro dell'arco sinistro della scanalatura, l'utensile penetra fino alla profondità incremento { $q-plunging-depth } successiva. Il parametro { $q-plunging-strategy } determina in che modo:
 say-plunge-to-and-fro-along-slot = { $q-plunging-strategy } = 1 o 2: con pendolamento lungo la scanalatura con l'angolo di penetrazione { $mp-plunging-angle } della tabella utensili, con l'avanzamento { $q-plunging-feed }
 step-clear-slot-level = Il controllo svuota la scanalatura dall'interno verso l'esterno, tenendo conto dei sovrametalli di finitura { $q-side-allowance } e { $q-floor-allowance }.
@@ -25,7 +25,7 @@ step-finish-slot-side = Se è definito un sovrametallo { $q-side-allowance }, il
 step-finish-slot-side__circular-slot = Se è definito un sovrametallo { $q-side-allowance }, il controllo esegue dapprima la finitura delle pareti della scanalatura, in più incrementi se è inserito { $q-finishing-infeed }. L'accostamento alla parete è tangenziale.
 until-slot-side-finished = la finitura delle pareti non ha raggiunto la profondità { $q-depth }
 step-finish-slot-floor = Se è definito un sovrametallo { $q-floor-allowance }, il controllo esegue poi la finitura del fondo della scanalatura dall'interno verso l'esterno.
-step-leave-slot = L'utensile lascia la scanalatura in rapido fino alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (alla distanza di sicurezza, se la 2ª non è inserita).
+step-leave-slot = L'utensile lascia la scanalatura in rapido fino alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (se non è inserita, alla distanza di sicurezza).
 step-end-of-slot = La posizione dell'utensile al termine del ciclo dipende dalla posizione della scanalatura { $q-slot-position }:
 say-back-to-slot-centre = { $q-slot-position } = 0: il controllo riporta l'utensile nel piano di lavoro al centro della scanalatura
 say-stays-in-working-plane = altrimenti: il controllo non posiziona l'utensile nel piano di lavoro
@@ -39,7 +39,7 @@ note-wide-slot-is-cleared = Se la scanalatura è più larga del doppio del diame
 cycle-circular-slot = Scanalatura circolare
     .nc = SCANALATURA CIRCOLARE
     .purpose = Esegue la lavorazione completa di una scanalatura circolare o di più scanalature su un cerchio parziale: sgrossatura, finitura del fondo e finitura laterale. È possibile eseguire anche solo la sgrossatura, solo la finitura del fondo e laterale, solo la finitura del fondo o solo la finitura laterale.
-step-move-over-circular-slot = Il controllo posiziona l'utensile nell'asse utensile alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (alla distanza di sicurezza, se la 2ª non è inserita), poi sopra il punto di partenza della scanalatura e infine alla distanza di sicurezza { $q-set-up-clearance }, sempre in rapido.
+step-move-over-circular-slot = Il controllo posiziona l'utensile nell'asse utensile alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (se non è inserita, alla distanza di sicurezza), poi sopra il punto di partenza della scanalatura e infine alla distanza di sicurezza { $q-set-up-clearance }, sempre in rapido.
 step-plunge-in-circular-slot = L'utensile penetra al centro della larghezza della scanalatura fino alla profondità incremento { $q-plunging-depth } successiva. Il parametro { $q-plunging-strategy } determina in che modo:
 until-all-slots-milled = non sono state fresate tutte le { $q-number-of-operations } scanalature; ciascuna è ruotata di { $q-pattern-stepping-angle } intorno al centro del cerchio parziale
 step-end-of-circular-slot = La posizione dell'utensile al termine del ciclo dipende dal riferimento per la posizione della scanalatura { $q-slot-position-reference }:
@@ -77,7 +77,7 @@ step-mill-spiral-around-stud = L'utensile si accosta poi tangenzialmente al prof
 step-keep-spiral-to-finished-diameter = Se con un giro non si raggiunge il diametro della parte finita, il controllo continua ad avanzare sulla spirale fino a raggiungerlo, tenendo conto del diametro del grezzo, del diametro della parte finita e dell'incremento laterale ammesso.
 step-leave-stud-on-spiral = Il controllo si distacca dal profilo su una traiettoria a spirale.
 step-next-infeed-near-departure = Se sono necessari più incrementi, quello successivo avviene nel punto più vicino al distacco.
-step-retract-and-return-to-stud-centre = Al termine del ciclo, dopo il distacco a spirale, il controllo posiziona l'utensile nell'asse utensile alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (alla distanza di sicurezza, se la 2ª non è inserita) e poi al centro dell'isola.
+step-retract-and-return-to-stud-centre = Al termine del ciclo, dopo il distacco a spirale, il controllo posiziona l'utensile nell'asse utensile alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (se non è inserita, alla distanza di sicurezza) e poi al centro dell'isola.
 note-position-at-stud-centre = Posizionare l'utensile sul punto di partenza (centro dell'isola) nel piano di lavoro con correzione del raggio R0.
 note-circular-stud-end-height = Pericolo di collisione! Al termine il controllo riporta l'utensile alla distanza di sicurezza oppure, se inserita, alla 2ª distanza di sicurezza. La posizione finale dell'utensile dopo il ciclo può quindi essere diversa dalla sua posizione di partenza.
 

@@ -2,7 +2,7 @@
 cycle-rectangular-pocket = Tasca rettangolare
     .nc = TASCA RETTANGOLARE
     .purpose = Esegue la lavorazione completa di una tasca rettangolare: sgrossatura, finitura del fondo e finitura laterale. È possibile eseguire anche solo la sgrossatura, solo la finitura del fondo e laterale, solo la finitura del fondo o solo la finitura laterale.
-step-move-over-pocket-centre = Il controllo posiziona l'utensile nell'asse utensile alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (alla distanza di sicurezza, se la 2ª non è inserita), poi sopra il centro della tasca e infine alla distanza di sicurezza { $q-set-up-clearance }, sempre in rapido.
+step-move-over-pocket-centre = Il controllo posiziona l'utensile nell'asse utensile alla 2ª distanza di sicurezza { $q-second-set-up-clearance } (se non è inserita, alla distanza di sicurezza), poi sopra il centro della tasca e infine alla distanza di sicurezza { $q-set-up-clearance }, sempre in rapido.
 group-roughing = Sgrossatura
 step-plunge-at-centre = L'utensile penetra nel pezzo al centro della tasca fino alla profondità incremento { $q-plunging-depth } successiva. Il parametro { $q-plunging-strategy } determina in che modo:
 say-plunge-vertically = { $q-plunging-strategy } = 0: in verticale con l'avanzamento { $q-plunging-feed }
