@@ -236,26 +236,43 @@ choice-line-by-line-with-retraction = vrstica za vrstico, z umikom in stranskim 
 
 # --- coordinate transforms ---
 parameter-mirrored-axes = Zrcaljena os
+    .help = Osi, ki naj se zrcalijo. Zrcaliti je mogoče vse osi, tudi rotacijske, razen osi vretena in njene pomožne osi. Največ tri od NC-osi X, Y, Z, U, V, W, A, B, C.
     .prompt = Zrcaljena os?
 parameter-scaling-factor = Faktor
+    .help = Faktor merila SCL. Krmiljenje z njim pomnoži koordinate in polmere.
     .prompt = Faktor?
     .word = SCL
 parameter-axis-scaling-factors = Os in faktor
+    .help = Koordinatne osi in faktorji, s katerimi se vsaka od njih raztegne ali stisne.
 parameter-axis-scaling-centre = Koordinate središča
+    .help = Središče, od katerega se kontura raztegne ali proti kateremu se stisne.
 parameter-tilting-angles = Rotacijska os in kot
+    .help = Rotacijske osi z naklonskimi koti; rotacijske osi A, B in C se programirajo z gumbi.
     .prompt = Rotacijska os in kot?
 parameter-tilting-feed = Pomik
+    .help = Hitrost premikanja rotacijske osi, če jo krmiljenje pozicionira samo.
     .prompt = Pomik? F=
 parameter-tilting-clearance = Varnostna razdalja
+    .help = Krmiljenje vrtljivo glavo pozicionira tako, da se položaj konca orodja, podaljšanega za varnostno razdaljo, glede na obdelovanec ne spremeni. Vnese se, če krmiljenje rotacijske osi pozicionira samo.
     .prompt = Varnostna razdalja?
 
 # --- special functions ---
 parameter-programmed-dwell = Čas zadrževanja v sekundah
+    .help = Čas, za katerega se programski tek zaustavi, do 1 ure v korakih po 0,001{"\u00A0"}s.
     .word = ČAS ZADRŽ.
 parameter-program-to-call = Ime programa
+    .help = Ime programa, ki naj se prikliče, po potrebi s potjo.
     .word = PGM
 parameter-orientation-angle = Kot usmeritve
+    .help = Kot glede na referenčno os kota obdelovalne ravnine.
     .word = KOT
 parameter-contour-tolerance = Tolerančna vrednost T
+    .help = Dovoljeno odstopanje od programirane konture v milimetrih (v palčnih programih v palcih).
 parameter-hsc-mode = NAČIN HSC, fino rezkanje=0, grobo rezkanje=1
+    .help = Filter, ki ga krmiljenje aktivira.
 parameter-rotary-axis-tolerance = Toleranca za rotacijske osi TA
+    .help = Dovoljeno odstopanje rotacijskih osi v stopinjah pri aktivni funkciji M128 (FUNCTION TCPM). Krmiljenje pomik vedno zmanjša tako, da se pri premikih po več oseh najpočasnejša os premika s svojim največjim pomikom. Rotacijske osi so praviloma precej počasnejše od linearnih. Večja toleranca (na primer 10°) lahko precej skrajša čas obdelave večosnih programov, ker krmiljenju rotacijskih osi ni treba vedno premakniti na predpisani želeni položaj. Kontura se pri tem ne poškoduje; spremeni se samo položaj rotacijske osi glede na površino obdelovanca.
+
+# --- choices of the special functions ---
+choice-milling-with-higher-accuracy = rezkanje z večjo natančnostjo konture. Krmiljenje uporabi interno določene nastavitve filtra za fino rezkanje
+choice-milling-at-higher-feed = rezkanje z večjim pomikom. Krmiljenje uporabi interno določene nastavitve filtra za grobo rezkanje
