@@ -15,3 +15,6 @@ diag-spec-odd-limit = The limit { $value } of { $name } is used nowhere else for
 diag-spec-odd-condition = The condition "{ $name }" says that { $q } is { $found }, but the choice of that name has the value { $value }.
 diag-spec-example-guarded = The printed example is refused by the check "{ $code }".
 diag-spec-unused-parameter = Nothing in the run, the checks or the sentences of { $cycle } uses { $q }.
+diag-accord-reference-word = The text { $key } in the language { $language } does not say absolute or incremental as the languages { $others } do: { $found } instead of { $expected }.
+diag-locale-unused = No specification and no text uses the text { $key }.
+diag-spec-example-fails = The example "{ $name }" on { $control } does not come out as it says: { $what } should be { $expected } and is { $found }.

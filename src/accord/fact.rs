@@ -12,10 +12,12 @@ pub(super) enum Kind {
     Code,
     /// An argument that is filled in.
     Argument,
+    /// A word that says from where something counts: absolute or incremental.
+    Reference,
 }
 
 impl Kind {
-    pub(super) const ALL: [Kind; 4] = [Kind::Number, Kind::Unit, Kind::Code, Kind::Argument];
+    pub(super) const ALL: [Kind; 5] = [Kind::Number, Kind::Unit, Kind::Code, Kind::Argument, Kind::Reference];
 
     pub(super) const fn code(self) -> &'static str {
         match self {
@@ -23,6 +25,7 @@ impl Kind {
             Kind::Unit => "accord-unit",
             Kind::Code => "accord-code",
             Kind::Argument => "accord-argument",
+            Kind::Reference => "accord-reference-word",
         }
     }
 }
@@ -32,6 +35,13 @@ const UNITS: [&str; 6] = ["mm/min", "mm/r", "m/min", "mm", "%", "°"];
 
 /// A degree sign is an ordinal behind such a small number in some languages.
 const LARGEST_ORDINAL: f64 = 9.0;
+
+/// The roots of the words for absolute and incremental; they are the same in many languages.
+const REFERENCES: &[(&str, &[&str])] =
+    &[("absolute", &["absolut", "assolut", "absoluut"]), ("incremental", &["incrementa", "inkrementa"])];
+
+/// Where the same word is part of another term: the stepping angle in Italian.
+const OTHER_TERMS: [&str; 2] = ["angolo incrementale", "angolare incrementale"];
 
 /// The facts of a raw text (arguments as `‹name›`), each list sorted.
 pub(super) fn facts(raw: &str, language: &str) -> BTreeMap<Kind, Vec<String>> {
@@ -48,6 +58,11 @@ pub(super) fn facts(raw: &str, language: &str) -> BTreeMap<Kind, Vec<String>> {
         } else {
             at += 1;
         }
+    }
+    let lower = OTHER_TERMS.iter().fold(text.to_lowercase(), |text, term| text.replace(term, ""));
+    for (kind, roots) in REFERENCES {
+        let count = roots.iter().map(|root| lower.matches(root).count()).sum::<usize>();
+        facts.entry(Kind::Reference).or_default().extend(std::iter::repeat_n((*kind).to_owned(), count));
     }
     facts.values_mut().for_each(|list| list.sort());
     facts

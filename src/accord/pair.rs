@@ -48,7 +48,8 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
                 }
             }
         }
-        let Some(most) = against.iter().map(Vec::len).max().filter(|most| *most > 0) else { continue };
+        // One language alone may have its words for it nowhere else.
+        let Some(most) = against.iter().map(Vec::len).max().filter(|most| *most > 1) else { continue };
         for (at, with) in against.iter().enumerate().filter(|(_, with)| with.len() == most) {
             let Some((_, place)) = corpora[at].0.raw(Key::from(one.as_str()), Scope::NONE) else { continue };
             found.push(

@@ -7,13 +7,15 @@ use clap::ArgMatches;
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, session};
 use crate::accord;
-use crate::diag::Diagnostic;
+use crate::check::{self, Against, LabelBook};
+use crate::conform::{self, Verdict, World};
+use crate::diag::{Diagnostic, Severity, Source};
 use crate::engine::plan;
 use crate::label;
 use crate::locale::{Args, Language, LocaleError, Locales, SOURCE_LANGUAGE, Scope, Ui};
 use crate::manual;
 use crate::spec::{self, Catalogue};
-use crate::system;
+use crate::{syntax, system};
 
 pub(super) const COMMAND: Command =
     Command { name: "lint", usage: "[--data DIR] [--format FORMAT] [--accept-translations]", arguments: own, run };
@@ -39,6 +41,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     found.extend(languages_of_controls(&catalogue, &locales));
     found.extend(label::check(&catalogue, &locales));
     found.extend(accord::check(&catalogue, &locales));
+    found.extend(printed(&catalogue, &locales));
+    found.extend(examples(&catalogue, &locales, &files));
     let site = pages(&catalogue, &locales, &files, &found);
     found.extend(site);
     let errors = session.report(found, arguments::chosen_format(matches))?;
@@ -91,6 +95,98 @@ fn texts(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
         }
     }
     locales.iter().for_each(|language| variants(catalogue, language, &mut found));
+    unused(catalogue, locales, &mut found);
+    crate::diag::dedupe(&mut found);
+    found
+}
+
+/// What the messages of the specifications begin with.
+const OF_SPECS: [&str; 11] = [
+    "cycle-",
+    "parameter-",
+    "step-",
+    "say-",
+    "until-",
+    "condition-",
+    "choice-",
+    "result-",
+    "note-",
+    "title-",
+    "message-",
+];
+/// Messages that begin like those of the specifications and are not theirs.
+const NOT_OF_SPECS: [&str; 1] = ["cycle-group-"];
+
+/// Texts of the source language that no specification and no other text uses.
+fn unused(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Diagnostic>) {
+    let Some(source) = locales.source().filter(|_| !catalogue.controls.is_empty()) else { return };
+    let mut used: HashSet<String> = HashSet::new();
+    for on in catalogue.controls.values() {
+        used.extend(on.cycles.values().flat_map(|cycle| spec::texts(cycle, on)).map(|text| text.id));
+    }
+    let referred = source.referred();
+    for (key, suffixes) in source.keys() {
+        let ours = OF_SPECS.iter().any(|prefix| key.id.starts_with(prefix))
+            && !NOT_OF_SPECS.iter().any(|prefix| key.id.starts_with(prefix));
+        if !ours
+            || key.attribute.is_some()
+            || !suffixes.is_empty()
+            || used.contains(key.id)
+            || referred.contains(key.id)
+        {
+            continue;
+        }
+        if let Some((_, place)) = source.raw(key, Scope::NONE) {
+            found.push(Diagnostic::warning("locale-unused", place).arg("key", key.id));
+        }
+    }
+}
+
+/// Examples as the manual prints them that the checker would object to.
+fn printed(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    let Some(source) = locales.source() else { return found };
+    for on in catalogue.controls.values() {
+        let labels = LabelBook::new(on, locales);
+        let against = Against { catalogue, on, labels: &labels, language: None, readers: &[source] };
+        for cycle in on.cycles.values() {
+            for example in &cycle.file.nc_examples {
+                let Ok(block) = label::example(on, cycle, source, example) else { continue };
+                let program = format!("BEGIN PGM A MM\nTOOL CALL 1 Z S1000 F100\n{block}END PGM A MM\n");
+                let checked = check::check(&syntax::parse(&Source::new("example", program)), &against);
+                let errors = checked.into_iter().filter(|one| one.severity == Severity::Error);
+                found.extend(errors.map(|error| {
+                    Diagnostic::error("spec-example-guarded", example.place.clone())
+                        .arg("code", error.code)
+                        .arg("cycle", cycle.key.to_string())
+                }));
+            }
+        }
+    }
+    crate::diag::dedupe(&mut found);
+    found
+}
+
+/// Examples for the engine that do not come out as they say.
+fn examples(catalogue: &Catalogue, locales: &Locales, files: &[(String, String)]) -> Vec<Diagnostic> {
+    let (report, mut found) = conform::run(&World { catalogue, locales, files }, &[]);
+    for case in &report.cases {
+        let Verdict::Fail { mismatches } = &case.verdict else { continue };
+        let cycle = catalogue.on(&case.control).and_then(|on| on.by_name(&case.cycle));
+        let place =
+            cycle.and_then(|cycle| cycle.file.examples.iter().find(|example| example.name.as_str() == case.case));
+        let Some(place) = place.map(|example| example.place.clone()) else { continue };
+        for mismatch in mismatches {
+            found.push(
+                Diagnostic::error("spec-example-fails", place.clone())
+                    .arg("name", case.case.as_str())
+                    .arg("control", case.control.as_str())
+                    .arg("what", mismatch.what.as_str())
+                    .arg("expected", mismatch.expected.as_str())
+                    .arg("found", mismatch.found.as_str()),
+            );
+        }
+    }
     crate::diag::dedupe(&mut found);
     found
 }

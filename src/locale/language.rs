@@ -307,6 +307,20 @@ impl Language {
         Some((pattern::sketch(self.pattern(form)?, &term), self.place(form)?))
     }
 
+    /// The messages to which other texts refer.
+    pub fn referred(&self) -> HashSet<String> {
+        let mut ids = HashSet::new();
+        for form in self.entries.values().flat_map(Entry::all).flat_map(|(_, forms)| forms) {
+            let Some(found) = self.pattern(form) else { continue };
+            pattern::visit(found, &mut |node| {
+                if let pattern::Node::Message { id, .. } = node {
+                    ids.insert(id.split_once("__").map_or(id, |(base, _)| base).to_owned());
+                }
+            });
+        }
+        ids
+    }
+
     /// Whether the text for the scope was written for it, and not for a wider one.
     pub fn is_exact(&self, key: Key, scope: Scope) -> bool {
         let wanted = usize::from(scope.cycle.is_some()) + usize::from(scope.control.is_some());

@@ -40,7 +40,7 @@ pub(super) fn parameters(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
 
 fn range(param: &Param, found: &mut Vec<Diagnostic>) {
     if let (Some(min), Some(max)) = (param.min, param.max)
-        && min > max
+        && min >= max
     {
         found.push(Diagnostic::error("spec-empty-range", param.place.clone()).arg("min", min).arg("max", max));
     }
