@@ -1,4 +1,4 @@
-# Special functions.
+# Erikoistoiminnot.
 
 # --- 9 ---
 cycle-dwell = Odotusaika

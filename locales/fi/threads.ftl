@@ -1,6 +1,6 @@
-# Tapping and thread milling.
+# Kierreporaus ja kierteen jyrsintä.
 
-# --- tapping ---
+# --- kierreporaus ---
 cycle-tapping = Kierreporaus tasausistukalla (uusi)
     .nc = KIERREPORAUS UUSI
     .purpose = Tekee kierteen yhdellä liikkeellä tasausistukkaa käyttäen.
@@ -35,7 +35,7 @@ note-spindle-stands-after-tapping = Työkierron lopussa kara on pysähdyksissä.
 note-retract-by-soft-key = Jos ulkoista pysäytyspainiketta painetaan kierreporauksen aikana, ohjaus näyttää käsinajon ohjelmanäppäimen. Kun sitä on painettu, työkalu voidaan vetää reiästä hallitusti aktiivisen karan akselin positiivisella suuntapainikkeella.
 note-retraction-speed-is-limited = Jos parametrissa { $q-retraction-speed-factor } on määritelty kierroslukukerroin nopeampaa vetäytymistä varten, ohjaus rajoittaa kierrosluvun aktiivisen vaihdealueen suurimpaan sallittuun arvoon.
 
-# --- thread milling: cycles ---
+# --- kierteen jyrsintä: työkierrot ---
 cycle-thread-milling = Kierteen jyrsintä
     .nc = KIERTEEN JYRSINTÄ
     .purpose = Jyrsii kierteen esiporattuun materiaaliin.
@@ -52,7 +52,7 @@ cycle-outside-thread-milling = Ulkokierteen jyrsintä
     .nc = ULKOKIERTEEN JYRSINTÄ
     .purpose = Jyrsii ulkokierteen ja koneistaa upotusviisteen.
 
-# --- thread milling: steps ---
+# --- kierteen jyrsintä: vaiheet ---
 group-countersinking = Upotus
 group-countersinking-at-front = Otsapuolen upotus
 group-drilling-the-hole = Poraus
@@ -87,7 +87,7 @@ until-hole-depth-reached = reiän kokonaissyvyys { $q-total-hole-depth } on saav
 step-move-beside-stud = Ohjaus siirtää työkalun kaulan keskipisteestä koneistustason pääakselia pitkin otsapuolen upotuksen alkupisteeseen. Sen sijainti määräytyy kierteen säteestä, työkalun säteestä ja noususta.
 step-move-beside-stud-without-countersinking = Jos otsapuolta ei ole sitä ennen upotettu, ohjaus siirtää työkalun alkupisteeseen, joka on sama kuin otsapuolen upotuksessa.
 
-# --- thread milling: conditions and guards ---
+# --- kierteen jyrsintä: ehdot ja tarkastukset ---
 condition-one-turn-of-helix = kierteitä askelta kohti { $q-threads-per-step } on 0
 condition-continuous-helix = kierteitä askelta kohti { $q-threads-per-step } on 1
 guard-no-depth-entered = Kaikki syvyydet ovat 0: mitään ei koneisteta.
@@ -95,7 +95,7 @@ guard-depth-signs-differ = Syvyyksillä on eri etumerkit. Anna kaikille sama etu
 guard-thread-near-countersinking-depth = Kierteen syvyyden on oltava vähintään kolmasosan noususta pienempi kuin upotussyvyys.
 guard-thread-near-hole-depth = Kierteen syvyyden on oltava vähintään kolmasosan noususta pienempi kuin reiän kokonaissyvyys.
 
-# --- thread milling: notes ---
+# --- kierteen jyrsintä: ohjeet ---
 note-thread-approach-on-half-circle = Kierteen halkaisijaa lähestytään puoliympyrää pitkin keskeltä ulospäin. Jos työkalun halkaisija on neljä kertaa kierteen halkaisijaa pienempi, työkalu esipaikoitetaan sivulle.
 note-compensation-before-approach = Ennen lähestymistä ohjaus tekee työkaluakselin suunnassa tasausliikkeen, joka on enintään puolet kierteen noususta. Varmista, että reiässä on riittävästi tilaa.
 note-thread-depth-moves-start = Jos kierteen syvyyttä muutetaan, ohjaus muuttaa kierukkaliikkeen alkupistettä itse.

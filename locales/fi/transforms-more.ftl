@@ -1,4 +1,4 @@
-# Mirroring, scaling and tilting.
+# Peilaus, mittakerroin ja kääntö.
 
 # --- 8 ---
 cycle-mirroring = Peilaus
