@@ -4,16 +4,16 @@
 cycle-calibrate-on-sphere = Umerjanje tipalnega sistema
     .nc = UMERJANJE TIPAL. SIST.
     .purpose = Samodejno umeri stikalni 3D-tipalni sistem z natančno umeritveno kroglo: samo polmer ali polmer in dolžino.
-condition-length-calibration-wanted = je { $q-length-calibration }=1
+condition-length-calibration-wanted = je { $q-length-calibration } = 1
 step-position-probe-over-sphere = Tipalni sistem pozicionirajte po osi tipalnega sistema nad umeritveno kroglo in v obdelovalni ravnini v središče krogle.
 step-approach-sphere-downwards = Prvi premik v ciklu poteka v negativni smeri osi tipalnega sistema.
 step-find-sphere-centre = Krmiljenje določi natančno središče krogle na osi tipalnega sistema.
 step-calibrate-radius-on-sphere = Krmiljenje umeri polmer s tipanji v ravnini; njihovo število določa { $q-calibration-sphere-probings }. Med merilnimi točkami se tipalni sistem premika:
-say-travel-at-clearance-height-between-points = pri { $q-traverse-to-clearance-height }=1 na varni višini
-say-travel-at-measuring-height-between-points = pri { $q-traverse-to-clearance-height }=0 na merilni višini
+say-travel-at-clearance-height-between-points = pri { $q-traverse-to-clearance-height } = 1 na varni višini
+say-travel-at-measuring-height-between-points = pri { $q-traverse-to-clearance-height } = 0 na merilni višini
 step-calibrate-length-on-sphere = Po umerjanju polmera krmiljenje obravnava dolžino, kot določa { $q-length-calibration }:
-say-length-from-sphere-centre = pri { $q-length-calibration }=1 umeri dolžino; { $q-length-reference } je koordinata središča krogle
-say-length-unchanged = pri { $q-length-calibration }=0 dolžine ne umeri
+say-length-from-sphere-centre = pri { $q-length-calibration } = 1 umeri dolžino; { $q-length-reference } je koordinata središča krogle
+say-length-unchanged = pri { $q-length-calibration } = 0 dolžine ne umeri
 step-store-calibration-values = Krmiljenje shrani umeritvene vrednosti. Veljajo takoj.
 note-position-above-sphere-in-program = V programu tipalni sistem pozicionirajte tako, da je približno nad središčem krogle.
 note-effective-length-reference = Dejanska dolžina tipalnega sistema se vedno nanaša na referenčno točko orodja. Proizvajalec stroja referenčno točko orodja praviloma določi na nosu vretena.

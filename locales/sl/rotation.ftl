@@ -15,7 +15,7 @@ cycle-basic-rotation = Osnovna rotacija
     .purpose = Z merjenjem dveh točk, ki morata ležati na premici, določi poševni položaj obdelovanca. Krmiljenje ga izravna z osnovno rotacijo.
 step-store-basic-rotation = Krmiljenje shrani osnovno rotacijo:
 say-rotation-into-preset-row = če { $q-basic-rotation-row } ni 0, v vrstico { $q-basic-rotation-row } preglednice prednastavitev
-say-rotation-into-rot-menu = pri { $q-basic-rotation-row }=0 v meni ROT ročnega načina
+say-rotation-into-rot-menu = pri { $q-basic-rotation-row } = 0 v meni ROT ročnega načina
 
 # --- 401 and 402 ---
 cycle-rotation-two-holes = Osnovna rotacija z dvema vrtinama
@@ -40,9 +40,9 @@ step-measure-first-stud__tnc426-430 = Tipalni sistem se premakne na merilno viš
 step-position-at-second-stud = Tipalni sistem se vrne na varno višino { $q-clearance-height } in se pozicionira na prvo tipalno točko drugega čepa.
 step-measure-second-stud = Tipalni sistem se premakne na merilno višino { $q-second-measuring-height } in s štirimi tipanji določi središče drugega čepa.
 step-compensate-as-chosen = Krmiljenje izravna poševni položaj, kot določa { $q-misalignment-compensation }:
-say-rotation-into-preset-row-if-chosen = če je { $q-misalignment-compensation }=0 in { $q-basic-rotation-row } ni 0, osnovno rotacijo shrani v vrstico { $q-basic-rotation-row } preglednice prednastavitev
-say-rotation-into-rot-menu-if-chosen = pri { $q-misalignment-compensation }=0 in { $q-basic-rotation-row }=0 osnovno rotacijo shrani v meni ROT ročnega načina
-say-turn-rotary-table = pri { $q-misalignment-compensation }=1 zavrti okroglo mizo; pri { $q-zero-after-alignment }=1 nato prikaz rotacijske osi nastavi na 0
+say-rotation-into-preset-row-if-chosen = če je { $q-misalignment-compensation } = 0 in { $q-basic-rotation-row } ni 0, osnovno rotacijo shrani v vrstico { $q-basic-rotation-row } preglednice prednastavitev
+say-rotation-into-rot-menu-if-chosen = pri { $q-misalignment-compensation } = 0 in { $q-basic-rotation-row } = 0 osnovno rotacijo shrani v meni ROT ročnega načina
+say-turn-rotary-table = pri { $q-misalignment-compensation } = 1 zavrti okroglo mizo; pri { $q-zero-after-alignment } = 1 nato prikaz rotacijske osi nastavi na 0
 note-rotary-axis-by-tool-axis = Za izravnavo poševnega položaja z vrtenjem okrogle mize krmiljenje samodejno uporabi te rotacijske osi: C pri orodni osi Z, B pri orodni osi Y, A pri orodni osi X.
 note-no-tilting-with-this-cycle = Ta cikel pri zavrteni obdelovalni ravnini ni dovoljen.
 title-rotation-from-two-holes = Določitev osnovne rotacije z dvema vrtinama
@@ -69,11 +69,11 @@ note-available-from-nc-software = Na voljo od NC-programske opreme 280 474-xx.
 cycle-rotation-by-c-axis = Kompenziranje poševnega položaja obdelovanca z osjo C
     .nc = ROT S C-OSJO
     .purpose = Določi kotni zamik med pozitivno osjo Y aktivnega koordinatnega sistema in srednjico vrtine ali med želenim in dejanskim položajem središča vrtine. Krmiljenje ga izravna z vrtenjem osi C. Obdelovanec je lahko na okrogli mizi vpet kjer koli.
-say-travel-on-circle-at-clearance-height__rotation-by-c-axis = pri { $q-traverse-to-clearance-height }=1 po krožnem loku na varni višini { $q-clearance-height }
+say-travel-on-circle-at-clearance-height__rotation-by-c-axis = pri { $q-traverse-to-clearance-height } = 1 po krožnem loku na varni višini { $q-clearance-height }
 step-move-to-measured-centre = Krmiljenje pozicionira tipalni sistem v izmerjeno središče vrtine.
-step-retract-and-turn-to-y-axis = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in z vrtenjem okrogle mize izravna obdelovanec: po izravnavi je pri navpični in pri vodoravni osi tipalnega sistema središče vrtine v smeri pozitivne osi Y ({ $q-probing-centre-minor }=0) ali na želenem položaju. Izmerjeni kotni zamik se shrani tudi v parameter rezultata.
+step-retract-and-turn-to-y-axis = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in z vrtenjem okrogle mize izravna obdelovanec: po izravnavi je pri navpični in pri vodoravni osi tipalnega sistema središče vrtine v smeri pozitivne osi Y ({ $q-probing-centre-minor } = 0) ali na želenem položaju. Izmerjeni kotni zamik se shrani tudi v parameter rezultata.
 step-store-angular-offset = Krmiljenje kotni zamik obdela glede na { $q-zero-or-row-after-alignment }:
-say-zero-display-of-c-axis = pri { $q-zero-or-row-after-alignment }=0 nastavi prikaz osi C na 0
+say-zero-display-of-c-axis = pri { $q-zero-or-row-after-alignment } = 0 nastavi prikaz osi C na 0
 say-offset-into-column-c = če je { $q-zero-or-row-after-alignment } večji od 0, kotni zamik s predznakom zapiše v stolpec C vrstice { $q-zero-or-row-after-alignment } preglednice ničelnih točk; prišteje se zamiku osi C, ki ga vrstica že vsebuje
 note-smallest-stepping-angle__rotation-by-c-axis = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna središče kroga. Najmanjši vnos: 5°.
 note-hole-with-positive-y = Koordinata Y vrtine mora biti pozitivna.
