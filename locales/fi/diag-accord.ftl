@@ -15,3 +15,6 @@ diag-spec-odd-limit = Raja { $value } parametrissa { $name } ei esiinny tällä 
 diag-spec-odd-condition = Ehdon ”{ $name }” mukaan { $q } on { $found }, mutta samannimisen vaihtoehdon arvo on { $value }.
 diag-spec-example-guarded = Tarkastus ”{ $code }” hylkää painetun esimerkin.
 diag-spec-unused-parameter = Mikään työkierron { $cycle } kulussa, tarkastuksissa tai lauseissa ei käytä parametria { $q }.
+diag-accord-reference-word = Kielen { $language } teksti { $key } ei mainitse absoluuttista tai inkrementaalista niin kuin kielet { $others }: { $found }, odotettu { $expected }.
+diag-locale-unused = Mikään kuvaus tai teksti ei käytä tekstiä { $key }.
+diag-spec-example-fails = Esimerkki ”{ $name }” ohjauksella { $control } ei pidä paikkaansa: { $what }: pitäisi olla { $expected }, on { $found }.
