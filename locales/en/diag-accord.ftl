@@ -18,3 +18,5 @@ diag-spec-unused-parameter = Nothing in the run, the checks or the sentences of 
 diag-accord-reference-word = The text { $key } in the language { $language } does not say absolute or incremental as the languages { $others } do: { $found } instead of { $expected }.
 diag-locale-unused = No specification and no text uses the text { $key }.
 diag-spec-example-fails = The example "{ $name }" on { $control } does not come out as it says: { $what } should be { $expected } and is { $found }.
+diag-accord-term = The text { $key } in the language { $language } lacks the term "{ $term }" for "{ $source }".
+diag-accord-forbidden = The text { $key } in the language { $language } says "{ $word }"; the term is "{ $term }".

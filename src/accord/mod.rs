@@ -9,6 +9,7 @@ mod fact;
 mod label;
 mod lexicon;
 mod pair;
+mod term;
 mod used;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -43,6 +44,7 @@ pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     pair::check(catalogue, locales, &mut found);
     lexicon::check(catalogue, locales, &mut found);
     used::check(catalogue, locales, &mut found);
+    term::check(locales, &mut found);
     crate::diag::dedupe(&mut found);
     found
 }

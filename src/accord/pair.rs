@@ -2,7 +2,7 @@
 //!
 //! Which word of a language stands for which word of another is learned from all texts but the two in
 //! question. If they fit better crosswise, one of the languages has swapped them.
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap};
 
 use crate::diag::Diagnostic;
 use crate::locale::{Key, Language, Locales, Scope};
@@ -13,7 +13,14 @@ const MARGIN: f64 = 0.25;
 /// Letters of a word that are compared; the rest is mostly its ending.
 const LETTERS: usize = 6;
 
-type Words = BTreeSet<String>;
+/// The words of a text, by their numbers in the language.
+type Words = BTreeSet<u32>;
+
+/// The texts of a language as sets of words.
+struct Corpus<'l> {
+    language: &'l Language,
+    texts: HashMap<String, Words>,
+}
 
 /// Message ids of texts that may stand in each other's place.
 fn pairs(catalogue: &Catalogue) -> BTreeSet<(String, String)> {
@@ -34,27 +41,30 @@ fn pairs(catalogue: &Catalogue) -> BTreeSet<(String, String)> {
 
 /// Reports pairs of texts that a language has swapped.
 pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Diagnostic>) {
-    let corpora: Vec<(&Language, HashMap<String, Words>)> =
-        locales.iter().map(|language| (language, corpus(language))).collect();
+    let pairs = pairs(catalogue);
+    let corpora: Vec<Corpus> = locales.iter().map(Corpus::of).collect();
+    let wanted: Vec<Words> = corpora.iter().map(|corpus| corpus.words_of(&pairs)).collect();
+    let table = |a: usize, b: usize| Table::new(&corpora[a], &wanted[a], &corpora[b], &wanted[b]);
     let tables: Vec<Vec<Table>> =
-        corpora.iter().map(|(_, one)| corpora.iter().map(|(_, other)| Table::new(one, other)).collect()).collect();
-    for (one, other) in pairs(catalogue) {
+        (0..corpora.len()).map(|a| (0..a).map(|b| table(a, b)).collect()).collect();
+    for (one, other) in &pairs {
         // The languages with which each finds the pair swapped.
         let mut against = vec![Vec::new(); corpora.len()];
         for a in 0..corpora.len() {
-            for b in 0..corpora.len() {
-                if a != b && tables[a][b].swapped(&corpora[a].1, &corpora[b].1, &one, &other) {
-                    against[a].push(corpora[b].0.tag());
+            for b in 0..a {
+                if tables[a][b].swapped(&corpora[a].texts, &corpora[b].texts, one, other) {
+                    against[a].push(corpora[b].language.tag());
+                    against[b].push(corpora[a].language.tag());
                 }
             }
         }
         // One language alone may have its words for it nowhere else.
         let Some(most) = against.iter().map(Vec::len).max().filter(|most| *most > 1) else { continue };
         for (at, with) in against.iter().enumerate().filter(|(_, with)| with.len() == most) {
-            let Some((_, place)) = corpora[at].0.raw(Key::from(one.as_str()), Scope::NONE) else { continue };
+            let Some((_, place)) = corpora[at].language.raw(Key::from(one.as_str()), Scope::NONE) else { continue };
             found.push(
                 Diagnostic::warning("accord-swapped", place)
-                    .arg("language", corpora[at].0.tag())
+                    .arg("language", corpora[at].language.tag())
                     .arg("key", one.as_str())
                     .arg("other", other.as_str())
                     .arg("others", with.join(", ")),
@@ -63,58 +73,66 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
     }
 }
 
-/// The words of every text of a language by its id.
-fn corpus(language: &Language) -> HashMap<String, Words> {
-    let mut all: HashMap<String, Words> = HashMap::new();
-    for (key, suffixes) in language.keys() {
-        if !suffixes.is_empty() || key.attribute.is_some_and(|name| name != "help" && name != "purpose") {
-            continue;
+impl<'l> Corpus<'l> {
+    fn of(language: &'l Language) -> Self {
+        let mut numbers: HashMap<String, u32> = HashMap::new();
+        let mut texts = HashMap::new();
+        for (key, suffixes) in language.keys() {
+            if !suffixes.is_empty() || key.attribute.is_some_and(|name| name != "help" && name != "purpose") {
+                continue;
+            }
+            let Some((text, _)) = language.raw(key, Scope::NONE) else { continue };
+            let words = text.split(|c: char| !c.is_alphanumeric() && c != '‹' && c != '›');
+            let words = words.filter(|word| !word.is_empty()).map(|word| {
+                let stem: String = word.to_lowercase().chars().take(LETTERS).collect();
+                let next = numbers.len() as u32;
+                *numbers.entry(stem).or_insert(next)
+            });
+            texts.insert(key.to_string(), words.collect());
         }
-        if let Some((text, _)) = language.raw(key, Scope::NONE) {
-            all.insert(key.to_string(), words(&text));
-        }
+        Self { language, texts }
     }
-    all
-}
 
-fn words(text: &str) -> Words {
-    let words = text.split(|c: char| !c.is_alphanumeric() && c != '‹' && c != '›').filter(|word| !word.is_empty());
-    words.map(|word| word.to_lowercase().chars().take(LETTERS).collect()).collect()
+    /// All words of the texts that may have changed places.
+    fn words_of(&self, pairs: &BTreeSet<(String, String)>) -> Words {
+        let ids = pairs.iter().flat_map(|(one, other)| [one, other]);
+        ids.filter_map(|id| self.texts.get(id)).flatten().copied().collect()
+    }
 }
 
 /// How often words of two languages stand in texts with the same id.
 struct Table {
-    one: BTreeMap<String, f64>,
-    other: BTreeMap<String, f64>,
-    both: HashMap<String, HashMap<String, f64>>,
+    one: HashMap<u32, f64>,
+    other: HashMap<u32, f64>,
+    both: HashMap<(u32, u32), f64>,
 }
 
 impl Table {
-    fn new(one: &HashMap<String, Words>, other: &HashMap<String, Words>) -> Self {
-        let mut table = Self { one: BTreeMap::new(), other: BTreeMap::new(), both: HashMap::new() };
-        for (id, words) in one {
-            let Some(others) = other.get(id) else { continue };
-            for word in words {
-                *table.one.entry(word.clone()).or_default() += 1.0;
-                let row = table.both.entry(word.clone()).or_default();
-                for other in others {
-                    *row.entry(other.clone()).or_default() += 1.0;
+    fn new(one: &Corpus, of_one: &Words, other: &Corpus, of_other: &Words) -> Self {
+        let mut table = Self { one: HashMap::new(), other: HashMap::new(), both: HashMap::new() };
+        for (id, words) in &one.texts {
+            let Some(others) = other.texts.get(id) else { continue };
+            let others: Vec<u32> = others.intersection(of_other).copied().collect();
+            for word in words.intersection(of_one) {
+                *table.one.entry(*word).or_default() += 1.0;
+                for other in &others {
+                    *table.both.entry((*word, *other)).or_default() += 1.0;
                 }
             }
             for word in others {
-                *table.other.entry(word.clone()).or_default() += 1.0;
+                *table.other.entry(word).or_default() += 1.0;
             }
         }
         table
     }
 
     /// How strongly two words go together in all texts but those that are left out, from 0 to 1.
-    fn strength(&self, word: &str, other: &str, left_out: &[(&Words, &Words)]) -> f64 {
+    fn strength(&self, word: u32, other: u32, left_out: &[(&Words, &Words)]) -> f64 {
         let count = |has: &dyn Fn(&(&Words, &Words)) -> bool| left_out.iter().filter(|pair| has(pair)).count() as f64;
-        let one = self.one.get(word).copied().unwrap_or(0.0) - count(&|pair| pair.0.contains(word));
-        let two = self.other.get(other).copied().unwrap_or(0.0) - count(&|pair| pair.1.contains(other));
-        let both = self.both.get(word).and_then(|row| row.get(other)).copied().unwrap_or(0.0)
-            - count(&|pair| pair.0.contains(word) && pair.1.contains(other));
+        let one = self.one.get(&word).copied().unwrap_or(0.0) - count(&|pair| pair.0.contains(&word));
+        let two = self.other.get(&other).copied().unwrap_or(0.0) - count(&|pair| pair.1.contains(&other));
+        let both = self.both.get(&(word, other)).copied().unwrap_or(0.0)
+            - count(&|pair| pair.0.contains(&word) && pair.1.contains(&other));
         if one + two <= 0.0 || both <= 0.0 { 0.0 } else { 2.0 * both / (one + two) }
     }
 
@@ -125,8 +143,8 @@ impl Table {
         let left_out = [(a1, a2), (b1, b2)];
         // Only what tells the two apart says anything.
         let fit = |from: &Words, not: &Words, to: &Words, nor: &Words| -> f64 {
-            let best = |word: &String| {
-                to.difference(nor).map(|other| self.strength(word, other, &left_out)).fold(0.0, f64::max)
+            let best = |word: &u32| {
+                to.difference(nor).map(|other| self.strength(*word, *other, &left_out)).fold(0.0, f64::max)
             };
             from.difference(not).map(best).sum()
         };
