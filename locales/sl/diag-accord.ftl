@@ -15,3 +15,6 @@ diag-spec-odd-limit = Meja { $value } vrednosti { $name } za to količino drugod
 diag-spec-odd-condition = Pogoj »{ $name }« pravi, da je { $q } { $found }, možnost s tem imenom pa ima vrednost { $value }.
 diag-spec-example-guarded = Natisnjeni primer zavrne preverjanje »{ $code }«.
 diag-spec-unused-parameter = Nič v poteku, preverjanjih ali stavkih cikla { $cycle } ne uporablja parametra { $q }.
+diag-accord-reference-word = Besedilo { $key } v jeziku { $language } ne pravi absolutno ali inkrementalno, kakor pravijo jeziki { $others }: { $found } namesto { $expected }.
+diag-locale-unused = Besedila { $key } ne uporablja nobena specifikacija in nobeno besedilo.
+diag-spec-example-fails = Primer »{ $name }« na krmiljenju { $control } ne da navedenega izida: { $what } bi moralo biti { $expected }, je pa { $found }.

@@ -57,12 +57,12 @@ choice-travel-at-clearance-height__tnc426-430 = krožno premikanje med merilnimi
 parameter-number-of-touch-points = Število merilnih točk (4/3)
     .label = ŠTEVILO MERILNIH TOČK
     .help = Ali se vrtina izmeri s štirimi ali tremi tipanji.
-choice-four-touch-points = 4 merilne točke (običajna nastavitev)
-choice-three-touch-points = 3 merilne točke
+choice-four-touch-points = štiri merilne točke (običajna nastavitev)
+choice-three-touch-points = tri merilne točke
 parameter-probing-traverse-type = Način premika? Premočrtno=0/krožno=1
     .label = NAČIN PREMIKA
-    .prompt = Način premika? Premočrtno=0/krožno=1
     .help = Pot, po kateri se { -probe(case: "nominative") } premika med merilnimi točkami, če se premika na { -clearance-height(case: "locative") } ({ $q-traverse-to-clearance-height } = 1).
+    .prompt = Način premika? Premočrtno=0/krožno=1
 choice-traverse-straight = premočrtno premikanje med merilnimi točkami
 choice-traverse-on-circle = krožno premikanje po delnem krogu med merilnimi točkami
 
