@@ -54,10 +54,11 @@ fn width(program: &Program, field: &Field, words: &[OldWord]) -> usize {
             let plain = name.strip_prefix(['I', 'i']).filter(|_| field.incremental);
             name.eq_ignore_ascii_case(own) || plain.is_some_and(|plain| plain.eq_ignore_ascii_case(own))
         }
-        // Most are printed with a colon; of the others, short words are those of other fields.
+        // Most are printed with a colon, the second value of a pair behind a bar; of the others, short words are
+        // those of other fields.
         Shape::Labelled => {
             let letters = name.chars().filter(|c| c.is_alphabetic()).count();
-            name.ends_with(':') || (letters >= SHORTEST_LABEL && word.value.kind != ValueKind::Missing)
+            name.ends_with([':', '/']) || (letters >= SHORTEST_LABEL && word.value.kind != ValueKind::Missing)
         }
         Shape::Axes => {
             let alone =

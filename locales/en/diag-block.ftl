@@ -13,11 +13,16 @@ diag-block-wrong-kind =
         [position] coordinates by axis, such as X+5 Y+0
         [row] a row of a table, such as #5
         [axis] an axis
+        [label-list] numbers of labels with bars between them, such as 1/2/3
        *[number] a number
     }.
 diag-block-below-minimum = { $name } ({ $parameter }) cannot be { $value }: the least value is { $min }.
 diag-block-above-maximum = { $name } ({ $parameter }) cannot be { $value }: the greatest value is { $max }.
-diag-block-too-long = { $name } ({ $parameter }) cannot be { $value }: it has at most { $most } characters.
+diag-block-too-long =
+    { $kind ->
+        [label-list] { $name } ({ $parameter }) cannot be { $value }: it has at most { $most } labels.
+       *[text] { $name } ({ $parameter }) cannot be { $value }: it has at most { $most } characters.
+    }
 diag-block-not-offered = { $name } ({ $parameter }) cannot be { $value }: the choices are { $offered }.
 diag-block-no-value = { $cycle } needs a value for { $name }; the manual prints no example.
 diag-label-character = The label “{ $label }” of { $cycle } ({ $control }, { $language }) has the character “{ $character }”, which the control cannot show.

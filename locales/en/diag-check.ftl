@@ -18,6 +18,7 @@ diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } is too small: the least value is { $limit }.
         [long] The text of { $parameter } is too long: it may have { $limit } characters.
+        [many] { $parameter } lists too many labels: it may list { $limit }.
        *[above] { $parameter }={ $value } is too great: the greatest value is { $limit }.
     }
 diag-spindle-off = A machining cycle is called here while the spindle stands.
@@ -34,6 +35,7 @@ diag-wrong-value-kind =
         [position] coordinates by axis, such as X+5 Y+0
         [row] a row of a table, such as #5
         [axis] an axis
+        [label-list] numbers of labels with bars between them, such as 1/2/3
        *[number] a number
     }{ $words-count ->
         [0] {""}

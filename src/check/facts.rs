@@ -8,9 +8,8 @@ use super::fields;
 use super::labels::fold;
 use super::{Against, CycleLabels, values};
 use crate::diag::Span;
-use crate::expr::{QKind, QRef};
 use crate::fields::key;
-use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
+use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, Refusal, TakesEffect};
 use crate::syntax::{BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Program, Value};
 
 /// A program with its cycle definitions resolved for a control.
@@ -239,7 +238,7 @@ impl<'a> Definition<'a> {
         for parameter in &written.parameters {
             let printed = program.slice(parameter.value.span);
             let quoted = printed.starts_with('"');
-            let param = cycle.and_then(|cycle| param_of(cycle, parameter.q));
+            let param = cycle.and_then(|cycle| cycle.written(parameter.q));
             self.items.push(Item {
                 index: index_of(cycle, param),
                 folded: parameter.label.map(|label| fold(program.slice(label))),
@@ -285,16 +284,4 @@ pub(super) fn index_of(cycle: Option<&Cycle>, param: Option<&Param>) -> Option<u
         .zip(0..)
         .find(|(own, _)| param.is_some_and(|param| std::ptr::eq(*own, param)))
         .map(|(_, at)| at)
-}
-
-/// The parameter of a Q number. One that takes a number or a name has the same number in both families.
-fn param_of(cycle: &Cycle, q: QRef) -> Option<&Param> {
-    cycle.param(q).or_else(|| {
-        let other = match q.kind {
-            QKind::Qs => QRef { kind: QKind::Q, ..q },
-            QKind::Q => QRef { kind: QKind::Qs, ..q },
-            _ => return None,
-        };
-        cycle.param(other).filter(|param| param.kind == ParameterKind::NumberOrName)
-    })
 }

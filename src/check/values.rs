@@ -4,19 +4,23 @@
 use std::borrow::Cow;
 
 use super::{Facts, Item};
+use crate::expr::QKind;
 use crate::spec::{Param, ParameterKind, Quantity, Refusal, refusal};
 use crate::syntax::ValueKind;
 
 /// Why the value is refused; `inch` tells whether lengths of the program are inches.
 pub(super) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
     let param = item.param?;
-    let takes_text = matches!(param.kind, ParameterKind::Text | ParameterKind::NumberOrName);
+    let kind = kind(item, param);
     match item.value.map(|value| value.kind) {
         Some(ValueKind::Missing) => return Some(Refusal::Kind),
-        Some(ValueKind::Q { q, .. }) if q.kind == crate::expr::QKind::Qs => {
+        Some(ValueKind::Q { q, .. }) if q.kind == QKind::Qs => {
+            let takes_text = matches!(kind, ParameterKind::Text | ParameterKind::NumberOrName);
             return (!takes_text).then_some(Refusal::Kind);
         }
         Some(ValueKind::Q { .. }) => return None,
+        Some(ValueKind::Text(_)) if kind == ParameterKind::Number => return Some(Refusal::Kind),
+        Some(ValueKind::Number(_)) if kind == ParameterKind::Text && param.q.is_some() => return Some(Refusal::Kind),
         _ => {}
     }
     let refusal = refusal(param, &single_signed(&item.printed))?;
@@ -24,6 +28,16 @@ pub(super) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
     let length = inch && matches!(param.quantity, Quantity::Length | Quantity::Feed);
     let ranged = matches!(refusal, Refusal::Below(_) | Refusal::Above(_));
     (!(length && ranged)).then_some(refusal)
+}
+
+/// What kind of value belongs where the parameter is written: of one that takes a number or a name, the Q parameter
+/// holds the number and the text parameter the name.
+pub(super) fn kind(item: &Item<'_>, param: &Param) -> ParameterKind {
+    match param.q_of_name() {
+        Some(name) if item.name == name.to_string() => ParameterKind::Text,
+        Some(_) => ParameterKind::Number,
+        None => param.kind,
+    }
 }
 
 /// Two signs stand for their product, as the control reads them.

@@ -5,6 +5,7 @@
 use std::borrow::Cow;
 
 use crate::diag::{Arg, Diagnostic};
+use crate::expr::{QKind, QRef};
 use crate::locale::Language;
 use crate::spec::{Cycle, Field, NcExample, OnControl, Param, ParameterKind, Refusal, Shape, refusal};
 use crate::text::{CycleText, with_texts};
@@ -96,9 +97,9 @@ fn matches_form(cycle: &Cycle, example: &NcExample, form: usize) -> bool {
 /// The parameter that a name means: `Q200` in any case, or the id of a field, with `-2`, `-3` … for
 /// the further lines of one that may be repeated.
 fn find<'c>(cycle: &'c Cycle, form: usize, name: &str, faults: &mut Vec<Diagnostic>) -> Option<&'c Param> {
-    let q = crate::expr::QRef::parse(name);
+    let q = QRef::parse(name);
     let is_it = |param: &&Param| match &param.field {
-        None => q.is_some() && param.q == q,
+        None => q.is_some() && (param.q == q || param.q_of_name() == q),
         Some(field) => field.form == form && (field.id.as_str() == name || (field.repeat && repeated(field, name))),
     };
     let found = cycle.params.iter().find(is_it);
@@ -128,12 +129,14 @@ struct Values<'v> {
 
 impl<'v> Values<'v> {
     fn give(&mut self, param: &Param, name: &str, value: &str, text: &CycleText, faults: &mut Vec<Diagnostic>) {
+        // `QS409` is the name that `Q409` may hold instead of a number.
+        let is_name = param.q_of_name().is_some_and(|q| QRef::parse(name) == Some(q));
         let name = param.q.map_or_else(|| name.to_owned(), |q| q.to_string());
         if self.given.iter().any(|(known, _)| *known == name) {
             faults.push(Diagnostic::global("block-duplicate-parameter").arg("name", name));
             return;
         }
-        let value = value.trim();
+        let value = if is_name { &*in_quotation_marks(value.trim()) } else { value.trim() };
         match refusal(param, value) {
             Some(refusal) => faults.push(refused(&name, value, param, &refusal, text)),
             None => self.given.push((name, Cow::Owned(as_printed(param, value)))),
@@ -169,7 +172,9 @@ fn refused(name: &str, value: &str, param: &Param, refusal: &Refusal, text: &Cyc
         Refusal::Kind => Diagnostic::global("block-wrong-kind").arg("kind", param.kind.as_str()),
         Refusal::Below(min) => Diagnostic::global("block-below-minimum").arg("min", *min),
         Refusal::Above(max) => Diagnostic::global("block-above-maximum").arg("max", *max),
-        Refusal::TooLong(most) => Diagnostic::global("block-too-long").arg("most", f64::from(*most)),
+        Refusal::TooLong(most) => {
+            Diagnostic::global("block-too-long").arg("most", f64::from(*most)).arg("kind", param.kind.as_str())
+        }
         Refusal::NotOffered => {
             let values: Vec<&str> = param.choices.iter().map(|choice| choice.value.as_str()).collect();
             Diagnostic::global("block-not-offered").arg("offered", values.join(", "))
@@ -183,14 +188,20 @@ fn refused(name: &str, value: &str, param: &Param, refusal: &Refusal, text: &Cyc
 /// quotation marks.
 fn as_printed(param: &Param, value: &str) -> String {
     let example = param.example.as_deref().unwrap_or_default();
-    if param.kind == ParameterKind::Text && !value.starts_with('"') && !value.starts_with("QS") {
-        return format!("\"{value}\"");
+    if param.kind == ParameterKind::Text {
+        return in_quotation_marks(value).into_owned();
     }
     if !example.contains(['+', '-']) {
         return value.to_owned();
     }
     let words: Vec<String> = value.split_whitespace().map(with_sign).collect();
     words.join(" ")
+}
+
+/// A text as programs have it; one that stands in a parameter is its name.
+fn in_quotation_marks(value: &str) -> Cow<'_, str> {
+    let is_q = || QRef::parse(value).is_some_and(|q| q.kind == QKind::Qs);
+    if value.starts_with('"') || is_q() { Cow::Borrowed(value) } else { Cow::Owned(format!("\"{value}\"")) }
 }
 
 /// `60` as `+60`, `X60` as `X+60`, `I45` as `I+45`; whatever has a sign or is no number stays.
@@ -208,11 +219,14 @@ fn print_block(text: &CycleText, number: Option<u32>, values: &Values) -> Result
     let mut faults = Vec::new();
     let mut lines = vec![format!("{}{} {}", prefix(number), text.cycle.key, text.nc_name())];
     for param in &text.cycle.params {
-        let Some(q) = param.q.map(|q| q.to_string()) else { continue };
-        match values.of(&q).or(param.example.as_deref()) {
-            Some(value) => lines.push(format!("{q}={value} ;{}", text.label_of(param).unwrap_or_default())),
-            None => faults.push(no_value(text.cycle, &q)),
-        }
+        let Some(q) = param.q else { continue };
+        let Some(value) = values.of(&q.to_string()).or(param.example.as_deref()) else {
+            faults.push(no_value(text.cycle, &q.to_string()));
+            continue;
+        };
+        let is_text = value.starts_with('"') || QRef::parse(value).is_some_and(|q| q.kind == QKind::Qs);
+        let q = param.q_of_name().filter(|_| is_text).unwrap_or(q);
+        lines.push(format!("{q}={value} ;{}", text.label_of(param).unwrap_or_default()));
     }
     if !faults.is_empty() {
         return Err(faults);

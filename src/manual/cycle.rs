@@ -190,7 +190,10 @@ impl Maker<'_, '_> {
             |(value, text): &(&str, std::borrow::Cow<str>)| ChoiceView { value: shown(value), text: self.html(text) };
         ParameterView {
             id: anchor(&texts.q),
-            q: texts.q.split(' ').next().unwrap_or_default().to_owned(),
+            q: match (param.q, param.q_of_name()) {
+                (Some(number), Some(name)) => format!("{number}/{name}"),
+                _ => texts.q.split(' ').next().unwrap_or_default().to_owned(),
+            },
             label: texts.label.map(std::borrow::Cow::into_owned),
             name: texts.name.into_owned(),
             help: self.html(&texts.help),

@@ -12,7 +12,7 @@ use super::profile::{Control, Errata, Erratum, Named, Topic, Topics};
 use super::vocabulary::{Keyword, ParameterKind, Quantity, Reference, Shape};
 use super::yaml::{self, Node};
 use crate::diag::{Diagnostic, Place, Source, dedupe};
-use crate::expr::QRef;
+use crate::expr::{QKind, QRef};
 
 /// The key of a cycle: how it is written and its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -83,7 +83,7 @@ pub struct Param {
     pub min: Option<f64>,
     /// The greatest value, inclusive.
     pub max: Option<f64>,
-    /// The greatest number of characters of a text.
+    /// The greatest number of characters of a text, or of labels of a list.
     pub max_length: Option<u32>,
     /// Words instead of a number.
     pub words: Vec<String>,
@@ -107,6 +107,12 @@ impl Param {
             (None, Some(field)) => format!("{number}.{} {}", field.line, field.id.as_str()),
             (None, None) => String::new(),
         }
+    }
+
+    /// The text parameter that holds a name, if the parameter takes a number or a name.
+    pub fn q_of_name(&self) -> Option<QRef> {
+        let q = self.q.filter(|_| self.kind == ParameterKind::NumberOrName)?;
+        Some(QRef { kind: QKind::Qs, ..q })
     }
 }
 
@@ -138,6 +144,11 @@ impl Cycle {
     /// The parameter of that Q number.
     pub fn param(&self, q: QRef) -> Option<&Param> {
         self.params.iter().find(|param| param.q == Some(q))
+    }
+
+    /// The parameter that a definition writes under that Q number.
+    pub fn written(&self, q: QRef) -> Option<&Param> {
+        self.params.iter().find(|param| param.q == Some(q) || param.q_of_name() == Some(q))
     }
 
     /// Whether it is written in the old form, a block a line.

@@ -47,7 +47,7 @@ record! {
         min: Option<f64>,
         /// The greatest value.
         max: Option<f64>,
-        /// The greatest number of characters of a text.
+        /// The greatest number of characters of a text, or of labels of a list.
         max_length: Option<u32>,
     }
 }

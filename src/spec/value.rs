@@ -16,14 +16,16 @@ pub enum Refusal {
     Above(f64),
     /// It is none of the choices.
     NotOffered,
-    /// It has more characters than the text may have.
+    /// It has more characters than the text, or more labels than the list may have.
     TooLong(u32),
 }
 
 /// Why the parameter refuses a number; nothing if it takes it.
 pub fn number_refusal(param: &Param, value: f64) -> Option<Refusal> {
-    let whole = matches!(param.kind, ParameterKind::Integer | ParameterKind::QNumber | ParameterKind::Row)
-        || param.field.as_ref().is_some_and(|field| field.shape == Shape::Row);
+    let whole = matches!(
+        param.kind,
+        ParameterKind::Integer | ParameterKind::QNumber | ParameterKind::Row | ParameterKind::LabelList
+    ) || param.field.as_ref().is_some_and(|field| field.shape == Shape::Row);
     if whole && value.fract() != 0.0 {
         return Some(Refusal::Kind);
     }
@@ -55,6 +57,7 @@ pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
             let none = text.split_whitespace().next().is_none();
             coordinates(text).iter().find_map(|one| coordinate(param, one)).or(kind(!none))
         }
+        (_, ParameterKind::Axis) => kind(text.len() == 1 && text.starts_with(is_axis)),
         (Some(Shape::Axes), _) => {
             let is_letter = |word: &str| word.len() == 1 && word.starts_with(is_axis);
             kind(!text.is_empty() && text.split_whitespace().all(is_letter))
@@ -76,7 +79,7 @@ pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
         (_, ParameterKind::QNumber | ParameterKind::Integer) => number(param, text),
         (_, ParameterKind::Text) => quoted(param, text),
         (_, ParameterKind::NumberOrName) if text.starts_with('"') => quoted(param, text),
-        (_, ParameterKind::Axis) => kind(text.len() == 1 && text.starts_with(is_axis)),
+        (_, ParameterKind::LabelList) => labels(param, text),
         (Some(Shape::Word), _) => number(param, text.strip_prefix('I').unwrap_or(text)),
         _ => number(param, text),
     }
@@ -163,6 +166,12 @@ fn coordinate(param: &Param, text: &str) -> Option<Refusal> {
         Some(value) => number(param, value),
         None => Some(Refusal::Kind),
     }
+}
+
+/// `1/2/3`.
+fn labels(param: &Param, text: &str) -> Option<Refusal> {
+    let most = param.max_length.filter(|most| text.split('/').count() > *most as usize);
+    most.map(Refusal::TooLong).or_else(|| text.split('/').find_map(|label| number(param, label)))
 }
 
 fn quoted(param: &Param, text: &str) -> Option<Refusal> {

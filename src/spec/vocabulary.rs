@@ -82,6 +82,8 @@ words! {
         Row = "row",
         /// An axis.
         Axis = "axis",
+        /// Numbers of labels with bars between them: `1/2/3`.
+        LabelList = "label-list",
     }
 }
 

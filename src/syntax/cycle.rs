@@ -111,6 +111,10 @@ fn word(cursor: &mut Cursor<'_>) -> Read<OldWord> {
         let name = Span::new(start, cursor.at);
         let operand = cursor.operand()?;
         (name, from_operand(operand))
+    } else if cursor.opt_mark(b'/') {
+        let name = Span::new(start, cursor.at);
+        let value = field_value(cursor, name)?;
+        (name, value)
     } else if let Some(operand) = cursor.opt_operand() {
         (Span::new(start, start), number_or_list(cursor, operand))
     } else {
@@ -212,7 +216,8 @@ fn is_axis(name: &[u8]) -> bool {
 /// The value of a field, its name being read.
 fn field_value(cursor: &mut Cursor<'_>, name: Span) -> Read<Value> {
     let here = cursor.at;
-    let colon = name.end > name.start && cursor.text.as_bytes().get(name.end - 1) == Some(&b':');
+    let last = cursor.text.as_bytes().get(name.start..name.end).and_then(<[u8]>::last);
+    let labelled = matches!(last, Some(b':' | b'/'));
     let missing = Value { span: Span::new(here, here), kind: ValueKind::Missing };
     let at = skip_blanks(cursor.text.as_bytes(), here, cursor.end);
     if let sign @ (b'+' | b'-') = cursor.byte_at(at)
@@ -233,7 +238,7 @@ fn field_value(cursor: &mut Cursor<'_>, name: Span) -> Read<Value> {
     let span = Span::new(at, printed_end(cursor, at));
     let path =
         name.start == name.end || cursor.text.get(span.start..span.end).is_some_and(|printed| printed.contains(":\\"));
-    if (colon || path) && span.start < span.end {
+    if (labelled || path) && span.start < span.end {
         cursor.at = span.end;
         return Ok(Value { span, kind: ValueKind::Word });
     }

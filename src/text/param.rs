@@ -3,7 +3,7 @@ use std::borrow::Cow;
 
 use super::{CycleText, aliases};
 use crate::locale::{Args, Digits};
-use crate::spec::{Param, Quantity, Shape};
+use crate::spec::{Param, ParameterKind, Quantity, Shape};
 
 /// The texts of one parameter.
 #[derive(Clone, Debug)]
@@ -74,7 +74,8 @@ impl<'a> CycleText<'a> {
     pub fn range(&self, param: &Param) -> Option<String> {
         let plain = |value| self.number(value);
         let with_unit = |value| self.with_unit(value, param.quantity);
-        let text = match (param.min, param.max, param.max_length) {
+        let most = param.max_length.filter(|_| param.kind != ParameterKind::LabelList);
+        let text = match (param.min, param.max, most) {
             (Some(min), Some(max), _) => {
                 let (min, max) = (plain(min), with_unit(max));
                 self.general("range-both", &Args::new().text("min", min.as_str()).text("max", max.as_str()))
@@ -94,7 +95,7 @@ impl<'a> CycleText<'a> {
             }
             (None, None, None) => return None,
         };
-        Some(match param.max_length {
+        Some(match most {
             None => text.into_owned(),
             Some(length) => {
                 let length = self.general("range-length", &Args::new().number("length", f64::from(length)));

@@ -1,18 +1,19 @@
-//! A number outside of the range that the control's manual prints, or a text longer than it may be.
+//! A number outside of the range that the control's manual prints, or a text or list longer than it may be.
 //!
 //! Silent where the manual prints no range, and for lengths and feeds of programs in inches.
 use crate::check::values::each_refused;
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
-use crate::spec::Refusal;
+use crate::spec::{ParameterKind, Refusal};
 
 pub(super) const RULE: Rule = Rule { code: "out-of-range", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    each_refused(facts, |item, _, refusal, cycle| {
+    each_refused(facts, |item, param, refusal, cycle| {
         let (side, limit) = match *refusal {
             Refusal::Below(limit) => ("below", limit),
             Refusal::Above(limit) => ("above", limit),
+            Refusal::TooLong(limit) if param.kind == ParameterKind::LabelList => ("many", f64::from(limit)),
             Refusal::TooLong(limit) => ("long", f64::from(limit)),
             Refusal::Kind | Refusal::NotOffered => return,
         };

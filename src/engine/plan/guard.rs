@@ -19,8 +19,11 @@ const MAX_INLINED: usize = 2000;
 fn field_type(param: &Param) -> Type {
     match param.field.as_ref().map(|field| field.shape) {
         Some(Shape::Position | Shape::AxisDirection) => Type::Point,
-        _ if param.kind == ParameterKind::Text => Type::Text,
-        _ => Type::Number,
+        _ => match param.kind {
+            ParameterKind::Axis | ParameterKind::AxisDirection => Type::Point,
+            ParameterKind::Text | ParameterKind::LabelList => Type::Text,
+            _ => Type::Number,
+        },
     }
 }
 

@@ -36,7 +36,7 @@ pub(super) enum FieldValue {
     Direction(DVec3),
     /// A Q parameter.
     Q(QRef),
-    /// A text.
+    /// A text, or a list of labels.
     Text(Arc<str>),
     /// What is printed and checked only.
     Unread,
@@ -179,13 +179,14 @@ impl<'e> Run<'_, 'e> {
             fault.arg("cycle", cycle.key.to_string())
         };
         for parameter in &written.parameters {
-            if cycle.param(parameter.q).is_none() {
+            if cycle.written(parameter.q).is_none() {
                 return Err(of_cycle(Fault::program("parameter-unknown"), parameter.q).into());
             }
         }
         for param in &cycle.params {
             let Some(q) = param.q else { continue };
-            let found = written.parameters.iter().rev().find(|parameter| parameter.q == q);
+            let is_it = |parameter: &&Parameter| parameter.q == q || param.q_of_name() == Some(parameter.q);
+            let found = written.parameters.iter().rev().find(is_it);
             let content = match found {
                 Some(parameter) => self.parameter_value(param, parameter).map_err(|fault| of_cycle(fault, q))?,
                 None => match param.neutral {
@@ -212,7 +213,7 @@ impl<'e> Run<'_, 'e> {
 
     fn parameter_value(&self, param: &Param, parameter: &Parameter) -> Result<Content, Fault> {
         let value = &parameter.value;
-        let textual = matches!(param.kind, ParameterKind::Text | ParameterKind::NumberOrName);
+        let textual = parameter.q.kind == QKind::Qs;
         let content = match value.kind {
             ValueKind::Text(span) if textual => Content::Text(self.slice(span).into()),
             ValueKind::Q { q, negative: false } if q.kind == QKind::Qs && textual => {
@@ -223,7 +224,7 @@ impl<'e> Run<'_, 'e> {
             _ => Content::Number(self.number_of(value)?),
         };
         match &content {
-            Content::Number(_) if param.kind == ParameterKind::Text => Err(Fault::program("text-or-number")),
+            Content::Number(_) if textual => Err(Fault::program("text-or-number")),
             Content::Number(number)
                 if !matches!(value.kind, ValueKind::Word) && spec::number_refusal(param, *number).is_some() =>
             {
@@ -304,7 +305,7 @@ impl<'e> Run<'_, 'e> {
                 let Some(((param, field), count)) = own else { return Ok(Err(*word)) };
                 let (own, rest) = words.split_at(count.min(words.len()));
                 for word in own {
-                    if !is_valued(word, param, field) {
+                    if !is_valued(word, self.slice(word.value.span).trim(), param, field) {
                         return Ok(Err(*word));
                     }
                     let value = self.field_value(word, param, field)?;
@@ -323,21 +324,26 @@ impl<'e> Run<'_, 'e> {
 
     fn field_value(&self, word: &OldWord, param: &Param, field: &spec::Field) -> Result<FieldValue, Fault> {
         let name = self.slice(word.name).trim().to_ascii_uppercase();
+        let out_of_range = || Fault::program("parameter-out-of-range").arg("q", field.id.as_str());
         let in_range = |value: f64| {
-            if spec::number_refusal(param, value).is_none() {
-                return Ok(value);
-            }
-            let fault = Fault::program("parameter-out-of-range").arg("q", field.id.as_str()).arg("value", value);
-            Err(fault)
+            let refusal = spec::number_refusal(param, value);
+            if refusal.is_none() { Ok(value) } else { Err(out_of_range().arg("value", value)) }
         };
+        let value = self.slice(word.value.span).trim();
         match (field.shape, word.value.kind) {
-            (Shape::Axes | Shape::Centre, _) => Ok(FieldValue::Unread),
-            _ if param.kind == ParameterKind::Text => Ok(FieldValue::Text(self.slice(word.value.span).trim().into())),
-            (Shape::Q, ValueKind::Q { q, .. }) => Ok(FieldValue::Q(q)),
-            (Shape::AxisDirection, ValueKind::Sign(minus)) => {
-                let (axis, _) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
-                Ok(FieldValue::Direction(linear(axis)?.unit() * if minus { -1.0 } else { 1.0 }))
+            _ if is_direction(param, field) => {
+                let printed = if field.shape == Shape::Labelled { value.to_ascii_uppercase() } else { name };
+                let axis = axis_of(printed.trim_end_matches(['+', '-']));
+                let (axis, _) = axis.ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
+                Ok(FieldValue::Direction(linear(axis)?.unit() * if value.ends_with('-') { -1.0 } else { 1.0 }))
             }
+            (Shape::Axes | Shape::Centre, _) => Ok(FieldValue::Unread),
+            (_, ValueKind::Text(inner)) if is_textual(param) => Ok(FieldValue::Text(self.slice(inner).into())),
+            _ if is_textual(param) => match spec::refusal(param, value) {
+                None => Ok(FieldValue::Text(value.into())),
+                Some(_) => Err(out_of_range().arg("value", value)),
+            },
+            (Shape::Q, ValueKind::Q { q, .. }) => Ok(FieldValue::Q(q)),
             (Shape::Position | Shape::AxisCoordinate, _) => {
                 let (axis, incremental) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
                 let value = in_range(self.number_of(&word.value)?)?;
@@ -351,17 +357,31 @@ impl<'e> Run<'_, 'e> {
     }
 }
 
-/// The axis of a word such as `X` or `IX`, and whether it is incremental.
-/// Whether the value of a word is one that the field can hold.
-fn is_valued(word: &OldWord, param: &Param, field: &spec::Field) -> bool {
-    let numeric = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
+/// Whether the value of a word, printed like that, is one that the field can hold.
+fn is_valued(word: &OldWord, printed: &str, param: &Param, field: &spec::Field) -> bool {
     match field.shape {
-        Shape::Labelled => numeric || param.kind == ParameterKind::Text,
-        Shape::Word | Shape::Row => numeric,
+        Shape::Labelled if is_direction(param, field) || is_textual(param) => {
+            let printed = if is_textual(param) { printed.to_owned() } else { printed.to_ascii_uppercase() };
+            spec::refusal(param, &printed) != Some(spec::Refusal::Kind)
+        }
+        Shape::Labelled | Shape::Word | Shape::Row => {
+            matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. })
+        }
         Shape::Q | Shape::AxisDirection | Shape::Position | Shape::AxisCoordinate | Shape::Axes | Shape::Centre => true,
     }
 }
 
+/// Whether a field is an axis, with a sign or without.
+fn is_direction(param: &Param, field: &spec::Field) -> bool {
+    field.shape == Shape::AxisDirection || matches!(param.kind, ParameterKind::Axis | ParameterKind::AxisDirection)
+}
+
+/// Whether a field keeps what is printed.
+fn is_textual(param: &Param) -> bool {
+    matches!(param.kind, ParameterKind::Text | ParameterKind::LabelList)
+}
+
+/// The axis of a word such as `X` or `IX`, and whether it is incremental.
 fn axis_of(name: &str) -> Option<(Axis, bool)> {
     let (letters, incremental) = match name.strip_prefix('I') {
         Some(rest) => (rest, true),
