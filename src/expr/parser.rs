@@ -10,7 +10,7 @@ const MAX_DEPTH: usize = 64;
 /// allow a few hundred characters.
 const MAX_LENGTH: usize = 4096;
 /// A chain of operators is a tree as deep as it is long, so its length is limited too.
-const MAX_TOKENS: usize = 400;
+const MAX_TOKENS: usize = 384;
 
 /// Which language is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
