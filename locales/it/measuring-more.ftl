@@ -119,3 +119,33 @@ result-first-value-in-probe-axis = Valore misurato nell'asse del tastatore (prim
 result-first-value-in-probe-axis__tnc320 = Valore misurato nell'asse del tastatore
 result-second-value-in-probe-axis = Valore misurato nell'asse del tastatore (seconda misurazione)
 result-third-value-in-probe-axis = Valore misurato nell'asse del tastatore (terza misurazione)
+
+# --- 1 ---
+cycle-polar-reference-plane = Origine polare
+    .nc = ORIGINE POLARE
+    .purpose = Misura una posizione qualsiasi del pezzo in una direzione di tastatura qualsiasi, indicata da un angolo.
+step-probe-at-polar-angle = Il sistema di tastatura esegue la tastatura con l'avanzamento di tastatura (colonna { $mp-probing-feed }). Durante la tastatura il controllo si sposta contemporaneamente in due assi, in funzione dell'angolo di tastatura. La direzione di tastatura viene definita nel ciclo da un angolo polare.
+step-probe-at-polar-angle__tnc426-430 = Il sistema di tastatura esegue la tastatura con l'avanzamento di tastatura ({ $mp-probing-feed } o { $mp-analog-probing-feed }). Durante la tastatura il controllo si sposta contemporaneamente in due assi, in funzione dell'angolo di tastatura. La direzione di tastatura viene definita nel ciclo da un angolo polare.
+step-return-and-store-trigger-position = Dopo il rilevamento della posizione il sistema di tastatura ritorna al punto di partenza della tastatura. Il controllo memorizza nei parametri da Q115 a Q119 le coordinate della posizione in cui il sistema di tastatura si trovava al momento del segnale di commutazione.
+step-return-and-store-trigger-position__tnc426-430 = Dopo il rilevamento della posizione il sistema di tastatura ritorna al punto di partenza della tastatura. Il controllo memorizza nei parametri da Q115 a Q119 le coordinate del centro della sfera al momento del contatto con il pezzo.
+note-probing-plane-by-axis = L'asse di tastatura definito nel ciclo determina il piano di tastatura: asse di tastatura X: piano X/Y; Y: piano Y/Z; Z: piano Z/X.
+note-trigger-position-of-ball-centre = I parametri da Q115 a Q119 contengono le coordinate del centro della sfera di tastatura al momento del contatto con il pezzo.
+
+# --- 3 ---
+cycle-measuring = Misurazione
+    .nc = MISURARE
+    .purpose = Misura una posizione qualsiasi del pezzo in una direzione di tastatura selezionabile. A differenza degli altri cicli di misura, il percorso di misura e l'avanzamento di misura vengono inseriti direttamente in questo ciclo; si inserisce anche la ritrazione dopo la misurazione. Serve per realizzare cicli del costruttore della macchina.
+cycle-measuring__tnc426-430 =
+    .purpose = Misura una posizione qualsiasi del pezzo in una direzione di tastatura selezionabile. A differenza degli altri cicli di misura, l'avanzamento di misura viene inserito direttamente in questo ciclo. È un ciclo di misura per impieghi speciali.
+step-move-in-polar-direction = Il sistema di tastatura si sposta dalla posizione attuale con l'avanzamento inserito nella direzione di tastatura programmata. La direzione di tastatura viene definita nel ciclo da un angolo polare.
+step-stop-and-store-ball-centre = Dopo che il controllo ha rilevato la posizione, il sistema di tastatura si ferma. Il controllo memorizza le coordinate X, Y e Z del centro della sfera in tre parametri Q consecutivi, senza correggere lunghezza e raggio. Il numero del primo parametro di risultato viene definito nel ciclo.
+step-stop-and-store-ball-centre__tnc426-430 = Dopo che il controllo ha rilevato la posizione, il sistema di tastatura si ferma. Il controllo memorizza le coordinate del centro della sfera in tre parametri Q consecutivi. Il numero del primo parametro viene definito nel ciclo.
+result-ball-centre-and-status = Centro della sfera in X; i due parametri successivi contengono Y e Z, il quarto −1 se non c'è stato un punto di tastatura valido
+result-ball-centre-and-status__tnc426-430 = Prima coordinata del centro della sfera; i due parametri successivi contengono le altre
+note-probe-data-without-effect = I dati del sistema di tastatura { $mp-probing-distance } (percorso massimo fino al punto di tastatura) e { $mp-probing-feed } (avanzamento di tastatura), attivi negli altri cicli di misura, non hanno effetto in questo ciclo.
+note-four-parameters-overwritten = Il controllo scrive sempre quattro parametri Q consecutivi.
+note-no-touch-point-no-error = Se il controllo non rileva un punto di tastatura valido, il programma prosegue senza messaggio d'errore. Il controllo assegna allora −1 al quarto parametro di risultato, in modo che il programma possa reagire all'errore.
+note-retraction-not-beyond-start = Il controllo ritrae il sistema di tastatura al massimo del percorso di ritrazione MB, ma non oltre il punto di partenza della misurazione. Durante la ritrazione non possono quindi verificarsi collisioni.
+note-probe-input-by-function = La funzione FN17: SYSWRITE ID 990 NR 6 determina se il ciclo agisce sull'ingresso del tastatore X12 o X13.
+note-available-from-software-474 = Questo ciclo è disponibile a partire dal software NC 280 474-xx.
+note-behaviour-defined-by-builder = Il costruttore della macchina o il fornitore del software definisce il funzionamento dettagliato di questo ciclo; viene impiegato all'interno di cicli di tastatura speciali.

@@ -180,3 +180,36 @@ parameter-datum-row-number__datum-one-axis =
 parameter-new-datum-one-axis = Nuova origine
     .label = ORIGINE
     .help = Coordinata sulla quale viene impostata l'origine. Impostazione base: 0.
+
+# --- 1, 3 ---
+parameter-polar-probing-axis = Asse di tastatura
+    .help = Asse di tastatura, inserito con il tasto asse o con la tastiera alfabetica. Confermare con ENT.
+parameter-polar-probing-axis__measuring =
+    .help = Asse nella cui direzione viene eseguita la tastatura. Confermare con ENT.
+parameter-polar-probing-axis__measuring__tnc426-430 =
+    .help = Asse principale del piano di lavoro: X con asse utensile Z, Z con asse utensile Y, Y con asse utensile X. Confermare con ENT.
+parameter-polar-probing-angle = Angolo di tastatura
+    .word = ANGOLO:
+    .help = Angolo riferito all'asse di tastatura con il quale si sposta il sistema di tastatura.
+parameter-result-parameter__measuring =
+    .help = Numero del parametro Q al quale il controllo assegna la prima coordinata misurata (X). Y e Z si trovano nei parametri Q successivi.
+parameter-greatest-measuring-path = Percorso di misura massimo
+    .word = DIST.
+    .help = Percorso del sistema di tastatura dal punto di partenza. Confermare con ENT.
+parameter-measuring-feed = Avanzamento di misura
+    .help = Avanzamento di misura in mm/min.
+parameter-greatest-retraction-path = Percorso di ritrazione massimo
+    .help = Percorso in senso opposto alla direzione di tastatura dopo la deflessione dello stilo. Il controllo ritrae il sistema di tastatura al massimo fino al punto di partenza, in modo da escludere collisioni.
+parameter-probing-reference-system = Sistema di riferimento (0=REALE/1=REF)
+    .word = SISTEMA DI RIFERIMENTO:
+    .help = Definire se la direzione di tastatura e il risultato si riferiscono al sistema di coordinate attuale (REALE, che può essere spostato o ruotato) o al sistema di coordinate della macchina (REF).
+parameter-probing-reference-system__tnc320 =
+    .help = Definire se il risultato si riferisce al sistema di coordinate attuale (REALE, che può essere spostato o ruotato) o al sistema di coordinate della macchina (REF).
+choice-probe-in-actual-system = tastare nel sistema attuale e memorizzare il risultato nel sistema REALE
+choice-probe-in-machine-system = tastare nel sistema della macchina REF e memorizzare il risultato nel sistema REF
+parameter-probing-error-mode = Modo errore (0=OFF/1=ON)
+    .help = Definire se il controllo visualizza un messaggio d'errore quando lo stilo è deflesso all'inizio del ciclo. Con 1 il controllo memorizza −1 nel quarto parametro di risultato e prosegue il ciclo.
+parameter-probing-error-mode__tnc320 =
+    .help = Definire se il controllo visualizza un messaggio d'errore quando lo stilo è deflesso all'inizio del ciclo. Con 1 il controllo memorizza 2,0 nel quarto parametro di risultato e prosegue il ciclo.
+choice-show-probing-error = visualizzare il messaggio d'errore
+choice-no-probing-error = non visualizzare alcun messaggio d'errore

@@ -3,7 +3,7 @@
 # --- common sentences of the turning cycles ---
 group-turning-roughing = Sgrossatura
 group-turning-finishing = Finitura
-step-rapid-radial-infeed = Il controllo incrementa l'utensile in direzione radiale, parallelamente all'asse, in rapido. Calcola l'incremento dalla massima profondità di taglio { $q-max-cutting-depth }.
+step-rapid-radial-infeed = Il controllo fa avanzare l'utensile in direzione radiale, parallelamente all'asse, in rapido. Calcola l'incremento dalla massima profondità di taglio { $q-max-cutting-depth }.
 step-cut-longitudinally = Il controllo lavora l'area tra la posizione di partenza e il punto finale in direzione longitudinale con l'avanzamento { $q-turning-roughing-feed }.
 step-retract-by-infeed = Il controllo ritrae l'utensile dell'incremento con l'avanzamento definito:
 say-follow-contour-within-infeed = con { $q-contour-smoothing } = 0 lungo il profilo, entro il campo dell'incremento
@@ -14,7 +14,7 @@ step-smooth-after-last-cut = Con { $q-contour-smoothing } = 1, dopo l'ultimo tag
 step-rapid-to-starting-point-of-cycle = Il controllo riporta l'utensile in rapido al punto di partenza del ciclo.
 step-rapid-back-after-finishing = { step-rapid-to-starting-point-of-cycle }
 step-rapid-in-z-by-clearance = Il controllo sposta l'utensile in Z della distanza di sicurezza { $q-turning-clearance } in rapido.
-step-rapid-paraxial-infeed = Il controllo incrementa l'utensile parallelamente all'asse in rapido.
+step-rapid-paraxial-infeed = Il controllo fa avanzare l'utensile parallelamente all'asse in rapido.
 step-finish-turned-contour = Il controllo esegue la finitura del profilo del pezzo con l'avanzamento { $q-turning-finishing-feed }.
 step-retract-by-clearance = Il controllo ritrae l'utensile della distanza di sicurezza { $q-turning-clearance } con l'avanzamento definito.
 condition-smoothing-each-cut = { $q-contour-smoothing } prevede la lisciatura dopo ogni taglio
@@ -38,7 +38,7 @@ note-feed-rates-with-m136 = Se prima del ciclo è programmata M136, il controllo
 note-inclined-turning = Se il ciclo viene eseguito durante una lavorazione inclinata (M144), gli angoli dell'utensile rispetto al profilo cambiano. Il controllo tiene conto automaticamente di questa modifica e sorveglia quindi anche nella lavorazione inclinata eventuali danneggiamenti del profilo.
 note-blank-form-update = Con l'aggiornamento del pezzo grezzo (FUNCTION TURNDATA BLANK) il controllo riconosce le aree già lavorate e adatta tutti i percorsi di avvicinamento e allontanamento alle singole operazioni. La funzione è disponibile solo in un ciclo di lavorazione nel modo tornitura; il pezzo grezzo deve essere un profilo chiuso (posizione di partenza = posizione finale) e corrisponde alla sezione di un corpo a simmetria di rotazione.
 note-finished-part-beyond-blank = Con l'aggiornamento del pezzo grezzo il controllo adatta avvicinamento e ritrazione al pezzo grezzo aggiornato. Se alcune aree della parte finita sporgono dal pezzo grezzo, pezzo e utensile possono essere danneggiati.
-step-rapid-axial-infeed = Il controllo incrementa l'utensile in direzione assiale, parallelamente all'asse, in rapido. Calcola l'incremento dalla massima profondità di taglio { $q-max-axial-cutting-depth }.
+step-rapid-axial-infeed = Il controllo fa avanzare l'utensile in direzione assiale, parallelamente all'asse, in rapido. Calcola l'incremento dalla massima profondità di taglio { $q-max-axial-cutting-depth }.
 step-cut-across-axis = Il controllo lavora l'area tra la posizione di partenza e il punto finale in direzione radiale con l'avanzamento { $q-turning-roughing-feed }.
 step-cut-contour-longitudinally = Il controllo lavora l'area tra la posizione di partenza e il punto finale in direzione longitudinale. Il taglio longitudinale procede parallelamente all'asse con l'avanzamento { $q-turning-roughing-feed }.
 step-cut-contour-across-axis = Il controllo lavora l'area tra la posizione di partenza e il punto finale in direzione radiale. Il taglio radiale procede parallelamente all'asse con l'avanzamento { $q-turning-roughing-feed }.
@@ -51,13 +51,13 @@ step-clear-plunging-start-in-z = Se la coordinata Z del punto di partenza (la po
 step-clear-contour-start-in-z = Se la coordinata Z del punto di partenza (la posizione dell'utensile alla chiamata del ciclo) è minore del punto di partenza del profilo, il controllo posiziona l'utensile in Z alla distanza di sicurezza { $q-turning-clearance } e inizia il ciclo da qui.
 step-clear-contour-start-before-finishing = { step-clear-contour-start-in-z }
 step-position-at-contour-start-in-z = Se la coordinata Z del punto di partenza (la posizione dell'utensile alla chiamata del ciclo) è minore del punto di partenza del profilo, il controllo posiziona l'utensile in Z sul punto di partenza del profilo e inizia il ciclo da qui.
-step-rapid-infeed = Il controllo incrementa l'utensile in rapido.
+step-rapid-infeed = Il controllo fa avanzare l'utensile in rapido.
 step-finish-turned-contour-to-end = Il controllo esegue la finitura del profilo del pezzo, dal punto di partenza al punto finale del profilo, con l'avanzamento { $q-turning-finishing-feed }.
 condition-start-element-added = { $q-start-element-type } prevede un elemento all'inizio del profilo
 condition-end-element-added = { $q-end-element-type } prevede un elemento alla fine del profilo
 condition-undercuts-machined = { $q-undercut-machining } ammette la lavorazione di elementi di entrata
 note-area-from-starting-point-to-end-point = Nella sgrossatura il ciclo lavora l'area dal punto di partenza del ciclo fino al punto finale definito nel ciclo.
-note-infeed-within-undercut = All'interno dello scarico il controllo incrementa l'utensile con l'avanzamento { $q-turning-roughing-feed }. Ogni ritrazione in quest'area è pari alla distanza di sicurezza { $q-turning-clearance }.
+note-infeed-within-undercut = All'interno dello scarico il controllo fa avanzare l'utensile con l'avanzamento { $q-turning-roughing-feed }. Ogni ritrazione in quest'area è pari alla distanza di sicurezza { $q-turning-clearance }.
 note-contour-direction-decides = La direzione programmata del profilo determina la direzione di lavorazione.
 title-shoulder-with-recess = Spallamento con gola
 
