@@ -16,7 +16,7 @@ note-position-at-pocket-centre = Posicione a ferramenta no ponto de partida (cen
 cycle-slot = Fresar ranhura
     .nc = FRESAR RANHURA
     .purpose = Maquina por completo uma ranhura: desbaste, acabamento do fundo e acabamento lateral. Também é possível fazer só o desbaste, só o acabamento do fundo e lateral, só o acabamento do fundo ou só o acabamento lateral.
-step-move-over-left-slot-arc = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se a 2ª não estiver introduzida), depois sobre o centro do arco esquerdo da ranhura e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
+step-move-over-left-slot-arc = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se não estiver introduzida), depois sobre o centro do arco esquerdo da ranhura e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
 step-plunge-at-left-slot-arc = A partir do centro do arco esquerdo da ranhura, a ferramenta penetra na peça até à profundidade de passo seguinte { $q-plunging-depth }. O parâmetro { $q-plunging-strategy } determina como:
 say-plunge-to-and-fro-along-slot = { $q-plunging-strategy } = 1 ou 2: em vaivém ao longo da ranhura, com o ângulo de penetração { $mp-plunging-angle } da tabela de ferramentas e o avanço { $q-plunging-feed }
 step-clear-slot-level = O comando desbasta a ranhura de dentro para fora, tendo em conta as medidas excedentes de acabamento { $q-side-allowance } e { $q-floor-allowance }.
@@ -25,7 +25,7 @@ step-finish-slot-side = Se estiver definida uma medida excedente { $q-side-allow
 step-finish-slot-side__circular-slot = Se estiver definida uma medida excedente { $q-side-allowance }, o comando faz primeiro o acabamento das paredes da ranhura; com { $q-finishing-infeed }, em vários passos. Aproxima-se tangencialmente da parede.
 until-slot-side-finished = o acabamento das paredes chegue à profundidade { $q-depth }
 step-finish-slot-floor = Se estiver definida uma medida excedente { $q-floor-allowance }, o comando faz depois o acabamento do fundo da ranhura de dentro para fora.
-step-leave-slot = A ferramenta sai da ranhura em avanço rápido para a 2ª distância de segurança { $q-second-set-up-clearance } (para a distância de segurança, se a 2ª não estiver introduzida).
+step-leave-slot = A ferramenta sai da ranhura em avanço rápido para a 2ª distância de segurança { $q-second-set-up-clearance } (para a distância de segurança, se não estiver introduzida).
 step-end-of-slot = O local em que a ferramenta fica no fim do ciclo depende da posição da ranhura { $q-slot-position }:
 say-back-to-slot-centre = { $q-slot-position } = 0: o comando faz regressar a ferramenta no plano de maquinação ao centro da ranhura
 say-stays-in-working-plane = caso contrário: o comando não posiciona a ferramenta no plano de maquinação
@@ -39,7 +39,7 @@ note-wide-slot-is-cleared = Se a ranhura for mais larga do que o dobro do diâme
 cycle-circular-slot = Ranhura circular
     .nc = RANHURA CIRCULAR
     .purpose = Maquina por completo uma ranhura circular, ou várias sobre um círculo teórico: desbaste, acabamento do fundo e acabamento lateral. Também é possível fazer só o desbaste, só o acabamento do fundo e lateral, só o acabamento do fundo ou só o acabamento lateral.
-step-move-over-circular-slot = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se a 2ª não estiver introduzida), depois sobre o ponto de partida da ranhura e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
+step-move-over-circular-slot = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se não estiver introduzida), depois sobre o ponto de partida da ranhura e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
 step-plunge-in-circular-slot = A ferramenta penetra na peça a meio da largura da ranhura até à profundidade de passo seguinte { $q-plunging-depth }. O parâmetro { $q-plunging-strategy } determina como:
 until-all-slots-milled = estejam fresadas todas as { $q-number-of-operations } ranhuras, cada uma rodada { $q-pattern-stepping-angle } em torno do centro do círculo teórico
 step-end-of-circular-slot = O local em que a ferramenta fica no fim do ciclo depende da referência da posição da ranhura { $q-slot-position-reference }:
@@ -77,7 +77,7 @@ step-mill-spiral-around-stud = A ferramenta aproxima-se depois em espiral, tange
 step-keep-spiral-to-finished-diameter = Se uma volta não bastar para atingir o diâmetro acabado, o comando continua a avançar em espiral até o atingir, tendo em conta o diâmetro do bloco, o diâmetro acabado e o passo lateral permitido.
 step-leave-stud-on-spiral = O comando afasta a ferramenta do contorno em espiral.
 step-next-infeed-near-departure = Se forem necessários vários passos em profundidade, o seguinte faz-se no ponto mais próximo da saída.
-step-retract-and-return-to-stud-centre = No fim do ciclo, depois da saída em espiral, o comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se a 2ª não estiver introduzida) e depois no centro da ilha.
+step-retract-and-return-to-stud-centre = No fim do ciclo, depois da saída em espiral, o comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se não estiver introduzida) e depois no centro da ilha.
 note-position-at-stud-centre = Posicione a ferramenta no ponto de partida (centro da ilha) no plano de maquinação com correção de raio R0.
 note-circular-stud-end-height = Perigo de colisão! No fim, o comando faz regressar a ferramenta à distância de segurança ou, se estiver introduzida, à 2ª distância de segurança. A posição final da ferramenta depois do ciclo pode, portanto, diferir da posição de partida.
 

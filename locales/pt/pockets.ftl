@@ -2,7 +2,7 @@
 cycle-rectangular-pocket = Caixa rectangular
     .nc = CAIXA RECTANGULAR
     .purpose = Maquina por completo uma caixa retangular: desbaste, acabamento do fundo e acabamento lateral. Também é possível fazer só o desbaste, só o acabamento do fundo e lateral, só o acabamento do fundo ou só o acabamento lateral.
-step-move-over-pocket-centre = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se a 2ª não estiver introduzida), depois sobre o centro da caixa e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
+step-move-over-pocket-centre = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se não estiver introduzida), depois sobre o centro da caixa e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
 group-roughing = Desbaste
 step-plunge-at-centre = A ferramenta penetra na peça no centro da caixa até à profundidade de passo seguinte { $q-plunging-depth }. O parâmetro { $q-plunging-strategy } determina como:
 say-plunge-vertically = { $q-plunging-strategy } = 0: na vertical, com o avanço { $q-plunging-feed }
