@@ -18,3 +18,5 @@ diag-spec-unused-parameter = Mikään työkierron { $cycle } kulussa, tarkastuks
 diag-accord-reference-word = Kielen { $language } teksti { $key } ei mainitse absoluuttista tai inkrementaalista niin kuin kielet { $others }: { $found }, odotettu { $expected }.
 diag-locale-unused = Mikään kuvaus tai teksti ei käytä tekstiä { $key }.
 diag-spec-example-fails = Esimerkki ”{ $name }” ohjauksella { $control } ei pidä paikkaansa: { $what }: pitäisi olla { $expected }, on { $found }.
+diag-accord-term = Kielen { $language } tekstistä { $key } puuttuu termi ”{ $term }” (lähteessä ”{ $source }”).
+diag-accord-forbidden = Kielen { $language } tekstissä { $key } on ”{ $word }”; termi on ”{ $term }”.
