@@ -13,11 +13,16 @@ diag-block-wrong-kind =
         [position] coordinate per asse, ad esempio X+5 Y+0
         [row] una riga della tabella, ad esempio #5
         [axis] un asse
+        [label-list] numeri di label separati da barre, ad esempio 1/2/3
        *[number] un numero
     }.
 diag-block-below-minimum = { $name } ({ $parameter }) non può essere { $value }: il valore minimo è { $min }.
 diag-block-above-maximum = { $name } ({ $parameter }) non può essere { $value }: il valore massimo è { $max }.
-diag-block-too-long = { $name } ({ $parameter }) non può essere { $value }: sono ammessi al massimo { $most } caratteri.
+diag-block-too-long =
+    { $kind ->
+        [label-list] { $name } ({ $parameter }) non può essere { $value }: sono ammessi al massimo { $most } label.
+       *[text] { $name } ({ $parameter }) non può essere { $value }: sono ammessi al massimo { $most } caratteri.
+    }
 diag-block-not-offered = { $name } ({ $parameter }) non può essere { $value }: i valori selezionabili sono { $offered }.
 diag-block-no-value = { $cycle } richiede un valore per { $name }; il manuale non riporta alcun esempio.
 diag-label-character = L'etichetta «{ $label }» di { $cycle } ({ $control }, { $language }) contiene il carattere «{ $character }», che il controllo non può visualizzare.

@@ -18,6 +18,7 @@ diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } è troppo piccolo: il valore minimo è { $limit }.
         [long] Il testo di { $parameter } è troppo lungo: sono ammessi { $limit } caratteri.
+        [many] { $parameter } elenca troppi label: ne sono ammessi { $limit }.
        *[above] { $parameter }={ $value } è troppo grande: il valore massimo è { $limit }.
     }
 diag-spindle-off = Qui viene chiamato un ciclo di lavorazione a mandrino fermo.
@@ -34,6 +35,7 @@ diag-wrong-value-kind =
         [position] coordinate per asse, ad esempio X+5 Y+0
         [row] una riga della tabella, ad esempio #5
         [axis] un asse
+        [label-list] numeri di label separati da barre, ad esempio 1/2/3
        *[number] un numero
     }{ $words-count ->
         [0] {""}
