@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use crate::diag::Diagnostic;
 use crate::locale::{Key, Language, Locales, Scope};
-use crate::spec::{Catalogue, OnControl, Param, Quantity, Reference};
+use crate::spec::{Catalogue, Cycle, OnControl, Param, Quantity, Reference};
 
 /// The words of a language for one kind.
 struct Words {
@@ -37,7 +37,7 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
             for cycle in on.cycles.values() {
                 for param in &cycle.params {
                     let kinds = (param.quantity.as_str(), param.reference.map(Reference::as_str));
-                    let texts = Texts::of(language, on, cycle.name(), param);
+                    let texts = Texts::of(language, (catalogue, on), cycle, param);
                     if seen.insert((param.is.text.to_string(), texts.name.clone(), kinds)) {
                         judge(&texts, param, kinds.0, &quantities, "accord-quantity", found);
                         if let Some(reference) = kinds.1 {
@@ -64,20 +64,19 @@ struct Texts<'l> {
     language: &'l Language,
     id: String,
     name: String,
-    help: String,
+    /// Whether the errata say that the name is meant so.
+    explained: bool,
     scope: (String, String),
 }
 
 impl<'l> Texts<'l> {
-    fn of(language: &'l Language, on: &OnControl, cycle: &str, param: &Param) -> Self {
+    fn of(language: &'l Language, (catalogue, on): (&Catalogue, &OnControl), cycle: &Cycle, param: &Param) -> Self {
         let id = format!("parameter-{}", param.is.as_str());
-        let scope = Scope::new(cycle, on.id());
-        let text = |attribute| {
-            let key = Key { id: &id, attribute };
-            language.raw(key, scope).map(|(text, _)| text.to_lowercase()).unwrap_or_default()
-        };
-        let (name, help) = (text(None), text(Some("help")));
-        Self { language, name, help, scope: (cycle.to_owned(), on.id().to_owned()), id }
+        let scope = Scope::new(cycle.name(), on.id());
+        let name = language.raw(Key { id: &id, attribute: None }, scope);
+        let name = name.map(|(text, _)| text.to_lowercase()).unwrap_or_default();
+        let explained = catalogue.explains(on, cycle, param);
+        Self { language, name, explained, scope: (cycle.name().to_owned(), on.id().to_owned()), id }
     }
 }
 
@@ -90,10 +89,12 @@ fn judge(
     found: &mut Vec<Diagnostic>,
 ) {
     // Quantities without words, such as plain numbers, cannot be contradicted.
-    let Some(words) = lexicon.iter().find(|words| words.kind == own) else { return };
+    if !lexicon.iter().any(|words| words.kind == own) {
+        return;
+    }
     let speaks = |words: &Words, text: &str| words.words.iter().any(|word| text.contains(word.as_str()));
     let others: Vec<&str> = lexicon.iter().filter(|words| speaks(words, &texts.name)).map(|words| words.kind).collect();
-    if others.is_empty() || others.contains(&own) || (code == "accord-quantity" && speaks(words, &texts.help)) {
+    if others.is_empty() || others.contains(&own) || texts.explained {
         return;
     }
     let scope = Scope::new(&texts.scope.0, &texts.scope.1);

@@ -2,9 +2,10 @@
 //! of a quantity. Where one cycle does otherwise, it is more often a slip than a fact.
 //!
 //! Invariant: nothing is known here beforehand; the other cycles of the same control are the measure.
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::catalogue::{Catalogue, Cycle, OnControl, Param};
+use super::super::form::Choice;
 use super::super::vocabulary::Quantity;
 use crate::diag::Diagnostic;
 use crate::expr::{Node, Op, QRef};
@@ -82,12 +83,15 @@ fn choices(on: &OnControl, found: &mut Vec<Diagnostic>) {
 /// A limit that differs by one digit from one that the quantity has everywhere else.
 fn limits(on: &OnControl, catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
     let ends = |param: &Param| [param.min, param.max].into_iter().flatten().map(text).collect::<Vec<_>>();
-    let mut uses: BTreeMap<(Quantity, String), usize> = BTreeMap::new();
+    // A meaning counts once, however many cycles have it.
+    let mut meanings: BTreeMap<(Quantity, String), BTreeSet<&str>> = BTreeMap::new();
     for (_, param) in params(on) {
         for end in ends(param) {
-            *uses.entry((param.quantity, end)).or_default() += 1;
+            meanings.entry((param.quantity, end)).or_default().insert(param.is.as_str());
         }
     }
+    let uses: BTreeMap<(Quantity, String), usize> =
+        meanings.into_iter().map(|(limit, meanings)| (limit, meanings.len())).collect();
     for (cycle, param) in params(on) {
         for end in ends(param) {
             let own = uses.get(&(param.quantity, end.clone())).copied().unwrap_or(0);
@@ -126,20 +130,20 @@ fn one_digit_apart(a: &str, b: &str) -> bool {
     })
 }
 
-/// A condition `Q301 = 1` with the name of a choice means the value of that choice.
+/// A condition `Q301 = 1` whose name is most like that of one choice means the value of that choice.
 fn conditions(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
     for (name, formula) in &cycle.file.conditions.0 {
         let Some((q, value)) = equals(&formula.expr.node) else { continue };
-        let Some(choice) = cycle
-            .params
-            .iter()
-            .filter(|param| param.q == Some(q))
-            .flat_map(|param| &param.choices)
-            .find(|choice| choice.choice.as_str() == name.as_str())
-        else {
-            continue;
+        let Some(param) = cycle.params.iter().find(|param| param.q == Some(q)) else { continue };
+        let alike = |choice: &Choice| {
+            let words: BTreeSet<&str> = choice.choice.as_str().split('-').collect();
+            name.as_str().split('-').filter(|word| words.contains(word)).count()
         };
-        if choice.value.as_str().parse() != Ok(value) {
+        let mut best: Vec<(usize, &Choice)> = param.choices.iter().map(|choice| (alike(choice), choice)).collect();
+        best.sort_by_key(|(alike, _)| std::cmp::Reverse(*alike));
+        let [(most, choice), rest @ ..] = best.as_slice() else { continue };
+        let clear = *most > 0 && rest.first().is_none_or(|(next, _)| next < most);
+        if clear && choice.value.as_str().parse() != Ok(value) {
             found.push(
                 Diagnostic::error("spec-odd-condition", formula.place.clone())
                     .arg("name", name.as_str())
