@@ -5,6 +5,6 @@ lexicon-feed = feed
 lexicon-time = dwell | time
 lexicon-speed = speed | revolution
 lexicon-count = number | threads | breaks | probings | points | cuts | lines
-lexicon-factor = factor | overlap | multipl | normal
+lexicon-factor = factor | overlap | multipl
 lexicon-absolute = coordinate | centre | center | height | datum | position | nominal | point | angle | diameter | start | end | rotation | radius | number
 lexicon-incremental = clearance | depth | allowance | distance | infeed | retraction | stepping | spacing | decrement | length | path | countersink | advanced | edge | thickness | oversize | run-out | width | overrun | stop | size | undersize | deepened

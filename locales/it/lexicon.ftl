@@ -5,6 +5,6 @@ lexicon-feed = avanzamento
 lexicon-time = sosta | tempo
 lexicon-speed = numero di giri | velocità
 lexicon-count = numero | n. | filetti | rotture | tastature | punti | tagli | righe
-lexicon-factor = fattore | sovrapposizione | normale | moltiplica
+lexicon-factor = fattore | sovrapposizione | moltiplica
 lexicon-absolute = coordinata | centro | altezza | origine | posizione | nominale | punto | angolo | diametro | inizi | fine | final | rotazione | raggio | numero | partenza
 lexicon-incremental = distanza | prof | sovrametallo | increment | ritrazione | decremento | lunghezza | percorso | svasatura | lamatura | prearresto | tagliente | spessore | uscita | larghezza | oltrecorsa | arresto | grandezza | abbassato | corsa | apertura

@@ -6,6 +6,6 @@ lexicon-feed = avanço
 lexicon-time = tempo
 lexicon-speed = rotações | velocidade
 lexicon-count = número | filetes | roturas | apalpações | pontos | cortes | linhas | passagens
-lexicon-factor = fator | sobreposição | multipl | normal
+lexicon-factor = fator | sobreposição | multipl | normal à superf
 lexicon-absolute = coordenada | centro | altura | referência | posição | nominal | ponto | ângulo | diâmetro | início | fim | inicial | final | rotação | raio | número | distância segura
 lexicon-incremental = distância | profundidade | medida excedente | passo | recuo | redução | longitude | percurso | caminho | rebaix | paragem | aresta | espessura | saída | largura | tamanho | aprofundado | navalha | abertura

@@ -45,8 +45,7 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
     let corpora: Vec<Corpus> = locales.iter().map(Corpus::of).collect();
     let wanted: Vec<Words> = corpora.iter().map(|corpus| corpus.words_of(&pairs)).collect();
     let table = |a: usize, b: usize| Table::new(&corpora[a], &wanted[a], &corpora[b], &wanted[b]);
-    let tables: Vec<Vec<Table>> =
-        (0..corpora.len()).map(|a| (0..a).map(|b| table(a, b)).collect()).collect();
+    let tables: Vec<Vec<Table>> = (0..corpora.len()).map(|a| (0..a).map(|b| table(a, b)).collect()).collect();
     for (one, other) in &pairs {
         // The languages with which each finds the pair swapped.
         let mut against = vec![Vec::new(); corpora.len()];

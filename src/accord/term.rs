@@ -72,9 +72,8 @@ fn judge(
     let text = text.to_lowercase();
     let original = source.raw(key, scope).map(|(text, _)| text.to_lowercase()).unwrap_or_default();
     for (term, own) in terms.iter().zip(own) {
-        let report = |code| {
-            Diagnostic::warning(code, place.clone()).arg("key", key.to_string()).arg("language", language.tag())
-        };
+        let report =
+            |code| Diagnostic::warning(code, place.clone()).arg("key", key.to_string()).arg("language", language.tag());
         if let Some(word) = own.forbidden.iter().find(|word| has(&text, word)) {
             found.push(report("accord-forbidden").arg("word", word.as_str()).arg("term", own.word.as_str()));
         }

@@ -123,11 +123,8 @@ fn one_digit_apart(a: &str, b: &str) -> bool {
     if long.len() != short.len() + 1 || short.len() < 3 {
         return false;
     }
-    (0..long.len()).any(|at| {
-        long.is_char_boundary(at) && long.is_char_boundary(at + 1) && {
-            long[..at] == short[..at.min(short.len())] && long[at + 1..] == short[at..]
-        }
-    })
+    (0..long.len())
+        .any(|at| long.as_bytes()[at].is_ascii_digit() && long[..at] == short[..at] && long[at + 1..] == short[at..])
 }
 
 /// A condition `Q301 = 1` whose name is most like that of one choice means the value of that choice.
