@@ -22,7 +22,7 @@ note-when-to-calibrate__tnc426-430 = Calibrare sempre il sistema di tastatura al
 note-known-ring-or-stud = La calibrazione determina la lunghezza attiva dello stilo e il raggio attivo della sfera di tastatura. Per la calibrazione serrare sulla tavola della macchina un anello di calibrazione o un'isola di altezza e raggio noti.
 note-known-ring-or-stud__tnc426-430 = La calibrazione determina la lunghezza attiva dello stilo e il raggio attivo della sfera di tastatura. Per la calibrazione collocare sulla tavola della macchina un anello di calibrazione di altezza e raggio interno noti.
 note-calibration-values-at-once = I valori di calibrazione del sistema di tastatura attivo hanno effetto subito dopo la calibrazione. Non occorre richiamare l'utensile.
-note-calibration-values-in-tables = Il controllo memorizza la lunghezza attiva e il raggio attivo del sistema di tastatura nella tabella utensili e il suo offset centrale nelle colonne { $mp-probe-offset-main } (asse principale) e { $mp-probe-offset-minor } (asse secondario) della tabella di tastatura. Il softkey della tabella di tastatura visualizza i valori memorizzati.
+note-calibration-values-in-tables = Il controllo memorizza la lunghezza attiva e il raggio attivo del sistema di tastatura nella tabella utensili e il suo offset centrale nelle colonne { $mp-probe-offset-main } (asse principale) e { $mp-probe-offset-minor } (asse secondario) della tabella del sistema di tastatura. Il softkey della tabella del sistema di tastatura visualizza i valori memorizzati.
 note-right-tool-number-for-probe = Quando si impiega un sistema di tastatura deve essere attivo il numero utensile corretto, indipendentemente dal fatto che un ciclo di tastatura venga eseguito in un modo automatico o manuale.
 
 # --- 461 ---
@@ -30,7 +30,7 @@ cycle-calibrate-probe-length = Calibrazione lunghezza TS
     .nc = CALIBRAZIONE LUNGHEZZA TS
     .purpose = Calibra la lunghezza attiva di un sistema di tastatura 3D digitale su una superficie di altezza nota, ad esempio un anello di calibrazione.
 step-prepare-length-calibration = Prima dell'avvio del ciclo impostare l'origine nell'asse del mandrino in modo che sulla tavola della macchina sia Z=0 e posizionare il sistema di tastatura sopra l'anello di calibrazione.
-step-orient-to-calibration-angle = Il controllo orienta il sistema di tastatura all'angolo { $mp-probe-calibration-angle } della tabella di tastatura, se il sistema di tastatura è orientabile.
+step-orient-to-calibration-angle = Il controllo orienta il sistema di tastatura all'angolo { $mp-probe-calibration-angle } della tabella del sistema di tastatura, se il sistema di tastatura è orientabile.
 step-probe-down-from-here = Dalla posizione attuale il controllo esegue una tastatura in direzione negativa dell'asse del mandrino con l'avanzamento di tastatura (colonna { $mp-probing-feed }).
 step-return-to-start-of-calibration = Il controllo riporta il sistema di tastatura in rapido (colonna { $mp-positioning-feed }) alla posizione di partenza.
 step-store-probe-length = Il controllo memorizza la lunghezza attiva nella tabella utensili.
@@ -49,7 +49,7 @@ step-rough-measurement-of-part = Nella prima passata il controllo determina il c
 step-fine-measurement-of-part = La calibrazione vera e propria (misurazione fine) determina poi il raggio della sfera di tastatura.
 step-travel-between-calibration-points = Tra i punti di misura il sistema di tastatura si sposta:
 step-reverse-measurement = Se il sistema di tastatura è orientabile in due direzioni o in direzioni qualsiasi, il controllo lo ruota di 180° ed esegue altre quattro tastature. Questa misurazione determina anche l'offset centrale.
-step-store-radius-and-offset = Il controllo memorizza il raggio attivo della sfera di tastatura nella colonna { $mp-tool-radius } della tabella utensili e l'offset centrale nelle colonne { $mp-probe-offset-main } e { $mp-probe-offset-minor } della tabella di tastatura.
+step-store-radius-and-offset = Il controllo memorizza il raggio attivo della sfera di tastatura nella colonna { $mp-tool-radius } della tabella utensili e l'offset centrale nelle colonne { $mp-probe-offset-main } e { $mp-probe-offset-minor } della tabella del sistema di tastatura.
 note-orientation-decides-calibration = La calibrazione dipende dalla possibilità di orientare il sistema di tastatura. Se non è orientabile, o lo è in una sola direzione, il controllo esegue una misurazione grossolana e una fine e determina il raggio attivo della sfera di tastatura. Se è orientabile in due direzioni (come i sistemi di tastatura HEIDENHAIN con cavo), il controllo esegue una misurazione grossolana e una fine, ruota il sistema di tastatura di 180° ed esegue altre quattro tastature, che determinano oltre al raggio anche l'offset centrale. Se è orientabile in direzioni qualsiasi (come i sistemi di tastatura HEIDENHAIN a infrarossi), la calibrazione avviene come con due direzioni.
 note-centre-offset-needs-suitable-probe = L'offset centrale può essere determinato solo con un sistema di tastatura adatto.
 note-centre-offset-prepared = Per determinare l'offset centrale dello stilo, il controllo deve essere predisposto dal costruttore della macchina. Consultare il manuale della macchina.
