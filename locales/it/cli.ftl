@@ -17,8 +17,8 @@ cli-lint-accept = Registra tutte le traduzioni come corrispondenti ai testi ingl
 cli-coverage = Mostra che cosa è completo, mancante, superato, in sospeso o non eseguito
 cli-dialog = Mostra il dialogo di un ciclo
 cli-block = Scrive il blocco NC di un ciclo
-cli-block-values = Numero del ciclo e valori dei parametri, ad esempio Q321=50; gli altri hanno quelli dell'esempio del manuale
-cli-block-number = Numero del primo blocco (predefinito: quello dell'esempio del manuale)
+cli-block-values = Numero del ciclo e valori dei parametri, ad esempio Q321=50; gli altri hanno quelli dell’esempio del manuale
+cli-block-number = Numero del primo blocco (predefinito: quello dell’esempio del manuale)
 cli-block-form = Forma di un ciclo del vecchio tipo che ne ha più di una
 cli-block-without = Campo facoltativo da tralasciare; ripetibile
 cli-parse = Scompone un programma in blocchi, come JSON
@@ -27,7 +27,7 @@ cli-check = Verifica programmi per un controllo numerico
 cli-check-lang = Lingua delle etichette dei programmi (predefinita: ricavata da esse)
 cli-explain = Spiega il codice di un rilievo
 cli-explain-code = Il codice; se manca, vengono elencati tutti
-cli-translate = Scrive un programma con i nomi e le etichette di un'altra lingua; nient'altro cambia
+cli-translate = Scrive un programma con i nomi e le etichette di un’altra lingua; nient’altro cambia
 cli-translate-to = Lingua dei nomi e delle etichette
 cli-translate-control = Controllo numerico del programma (predefinito: quello di cui contiene i cicli)
 cli-translate-out = File da scrivere (predefinito: uscita standard)
@@ -40,15 +40,15 @@ cli-conform = Esegue gli esempi delle specifiche
 cli-export = Stampa tutti i cicli di un controllo numerico in una lingua, come JSON
 
 cli-arg-cycle = Numero del ciclo, ad esempio 412 o TCH PROBE 412
-cli-arg-file = Programma NC; «-» legge l'ingresso standard
-cli-arg-files = Programmi NC; «-» legge l'ingresso standard
+cli-arg-file = Programma NC; «-» legge l’ingresso standard
+cli-arg-files = Programmi NC; «-» legge l’ingresso standard
 cli-arg-control = Controllo numerico, ad esempio tnc640
 cli-arg-lang = Lingua, ad esempio fi
 cli-arg-scene = File della scena: macchina, utensili, pezzo
-cli-arg-format = Forma dell'uscita: text (predefinita), json
-cli-arg-report = Forma dell'uscita: text (predefinita), json, junit
+cli-arg-format = Forma dell’uscita: text (predefinita), json
+cli-arg-report = Forma dell’uscita: text (predefinita), json, junit
 cli-arg-data = Cartella con cycle-specs, locales e templates da usare al posto dei dati incorporati
-cli-arg-ui-lang = Lingua dei testi del programma stesso (predefinita: quella dell'ambiente)
+cli-arg-ui-lang = Lingua dei testi del programma stesso (predefinita: quella dell’ambiente)
 cli-arg-help = Mostra questa guida
 cli-arg-version = Mostra la versione
 
@@ -113,7 +113,7 @@ cli-coverage-control = { $control } ({ $title }): cicli descritti { $described }
 cli-coverage-complete = completo
 cli-coverage-missing = { $language }: testi mancanti: { $count } su { $of }: { $ids }
 cli-coverage-stale = { $language }: testi superati: { $count } su { $of }: { $ids }
-cli-coverage-pending = In sospeso nell'esecuzione: { $ids }
+cli-coverage-pending = In sospeso nell’esecuzione: { $ids }
 cli-coverage-unexecuted = Frasi non eseguite da alcun esempio: { $count } su { $of }: { $ids }
 cli-coverage-unprovoked = Non provocati da alcun esempio: { $ids }
 
@@ -124,8 +124,8 @@ cli-translated = { $count ->
 cli-run-status = Il programma { $status ->
         [done] è arrivato alla fine
         [stopped] si è arrestato e nessuno lo ha ripreso
-        [limit] ha raggiunto un limite dell'esecuzione
-        [unsupported] richiede qualcosa che l'esecuzione non supporta
+        [limit] ha raggiunto un limite dell’esecuzione
+        [unsupported] richiede qualcosa che l’esecuzione non supporta
        *[error] è terminato con un errore
     }.
 cli-conform-pass = riuscito
@@ -141,7 +141,7 @@ cli-usage-help = Vedere --help.
 diag-usage = { $reason ->
         [no-value] { $subject } richiede un valore.
         [invalid-value] «{ $value }» non è un valore per { $subject }.
-        [unknown-argument] L'argomento { $subject } non esiste.
+        [unknown-argument] L’argomento { $subject } non esiste.
         [unknown-command] Il comando { $subject } non esiste.
         [no-command] Manca un comando.
         [missing-argument] Manca: { $subject }.
@@ -162,7 +162,7 @@ diag-io-write = Impossibile scrivere { $path }: { $reason ->
         [permission] permesso negato
         [is-directory] è una cartella
         [not-directory] una parte del percorso non è una cartella
-        [full] non c'è più spazio
+        [full] non c’è più spazio
         [read-only] il file system è di sola lettura
        *[other] { $detail }
     }.

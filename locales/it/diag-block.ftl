@@ -25,6 +25,6 @@ diag-block-too-long =
     }
 diag-block-not-offered = { $name } ({ $parameter }) non può essere { $value }: i valori selezionabili sono { $offered }.
 diag-block-no-value = { $cycle } richiede un valore per { $name }; il manuale non riporta alcun esempio.
-diag-label-character = L'etichetta «{ $label }» di { $cycle } ({ $control }, { $language }) contiene il carattere «{ $character }», che il controllo non può visualizzare.
-diag-label-lower-case = L'etichetta «{ $label }» di { $cycle } ({ $control }, { $language }) contiene lettere minuscole.
-diag-label-too-long = L'etichetta «{ $label }» di { $cycle } ({ $control }, { $language }) ha { $length } caratteri; il controllo ne visualizza { $most }.
+diag-label-character = L’etichetta «{ $label }» di { $cycle } ({ $control }, { $language }) contiene il carattere «{ $character }», che il controllo non può visualizzare.
+diag-label-lower-case = L’etichetta «{ $label }» di { $cycle } ({ $control }, { $language }) contiene lettere minuscole.
+diag-label-too-long = L’etichetta «{ $label }» di { $cycle } ({ $control }, { $language }) ha { $length } caratteri; il controllo ne visualizza { $most }.

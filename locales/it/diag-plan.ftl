@@ -1,6 +1,6 @@
 ## Errori nelle esecuzioni dei cicli.
 
-diag-plan-argument = L'argomento non è ben formato: { $expected ->
+diag-plan-argument = L’argomento non è ben formato: { $expected ->
     [mapping] sono attesi argomenti con nome.
     [one-transform] è attesa esattamente una conversione di coordinate.
     [point-or-axes] è atteso un punto oppure almeno uno tra main, minor e tool.
@@ -16,14 +16,14 @@ diag-plan-argument = L'argomento non è ben formato: { $expected ->
     [cancel-word] è atteso radius-compensation, datum-shift, mirroring, rotation, scaling o axis-scaling.
    *[other] è atteso: { $expected }.
 }
-diag-plan-missing-argument = Manca l'argomento { $name }.
+diag-plan-missing-argument = Manca l’argomento { $name }.
 diag-plan-modifier = Il verbo { $verb } non accetta { $modifier }.
 diag-plan-name-form = Il nome { $name } può contenere solo lettere minuscole, cifre e _.
 diag-plan-name-taken = Il nome { $name } è già occupato qui.
 diag-plan-recursive-fragment = Il frammento { $name } utilizza se stesso.
 diag-plan-too-many-fragments = Il ciclo utilizza più di { NUMBER($limit) } frammenti, compresi quelli annidati.
 diag-plan-type = Atteso: { $expected }, trovato: { $found }.
-diag-plan-unknown-argument = Non esiste l'argomento { $name }; esistono: { $known }.
+diag-plan-unknown-argument = Non esiste l’argomento { $name }; esistono: { $known }.
 diag-plan-unknown-field = Il ciclo non ha il campo { $name }.
 diag-plan-unknown-fragment = Non esiste il frammento { $name }.
 diag-plan-unknown-name = Il nome { $name } qui non è noto.

@@ -12,26 +12,26 @@ diag-spec-duplicate-parameter = { $q } è presente due volte nel ciclo.
 diag-spec-empty-range = Il campo di immissione è vuoto: { $min } è maggiore di { $max }.
 diag-spec-example-out-of-range = Il valore di esempio { $value } di { $name } non è ammesso per il parametro.
 diag-spec-expected = Atteso: { $expected }, trovato: { $found }.
-diag-spec-expression = Non è un'espressione; atteso: { $expected }, trovato: «{ $found }».
+diag-spec-expression = Non è un’espressione; atteso: { $expected }, trovato: «{ $found }».
 diag-spec-foreign-manual = Il manuale { $manual } non è un manuale del controllo { $control }.
 diag-spec-guard-keys = Una verifica richiede code, when e then, oppure indica un frammento con use.
-diag-spec-id-form = L'identificatore { $name } non è in kebab case.
+diag-spec-id-form = L’identificatore { $name } non è in kebab case.
 diag-spec-lines-form = Le righe «{ $lines }» non sono numeri o intervalli in ordine.
 diag-spec-missing-key = Manca la chiave { $key }.
 diag-spec-no-example = { $name } non ha un valore di esempio.
 diag-spec-no-parameters = Il ciclo non ha né parametri né righe nel vecchio formato.
 diag-spec-no-source = Per questo controllo numerico non sono indicate righe di un manuale.
-diag-spec-no-steps = L'esecuzione non ha passi.
+diag-spec-no-steps = L’esecuzione non ha passi.
 diag-spec-only-and-except = Una voce può avere solo only oppure except, non entrambi.
-diag-spec-otherwise-last = Un caso senza condizioni deve essere l'ultimo.
+diag-spec-otherwise-last = Un caso senza condizioni deve essere l’ultimo.
 diag-spec-range-of-text = { $name } non è un numero e non può avere un campo di immissione.
 diag-spec-result-target = Il risultato { $name } richiede un parametro Q oppure un campo di questo ciclo.
-diag-spec-run-item = La voce dell'esecuzione non è ben formata: { $reason ->
+diag-spec-run-item = La voce dell’esecuzione non è ben formata: { $reason ->
     [one-head] deve contenere esattamente uno tra step, group ed each.
     [series-keys] in, until, between e collect appartengono a each.
-    [series-body] each richiede una serie in in e voci dell'esecuzione in do.
-    [step-body] un passo contiene azioni, non voci dell'esecuzione.
-    [group-body] un gruppo contiene voci e nient'altro.
+    [series-body] each richiede una serie in in e voci dell’esecuzione in do.
+    [step-body] un passo contiene azioni, non voci dell’esecuzione.
+    [group-body] un gruppo contiene voci e nient’altro.
    *[step-keys] choose, then e by appartengono a un passo.
 }
 diag-spec-text-parameter = { $name }: un parametro QS accetta un testo, e solo un parametro QS lo accetta.
@@ -44,10 +44,10 @@ diag-spec-unknown-form = Il ciclo non ha una forma di nome { $name }.
 diag-spec-unknown-fragment = Non esiste un frammento di nome { $name }.
 diag-spec-unknown-key = La chiave { $key } non ha significato in questo punto; chiavi note: { $known }.
 diag-spec-unknown-meaning = Il dizionario non ha un parametro di nome { $name }.
-diag-spec-unknown-option = Il controllo { $control } non ha l'opzione software { $option }.
+diag-spec-unknown-option = Il controllo { $control } non ha l’opzione software { $option }.
 diag-spec-unknown-parameter = { $cycle } non ha il parametro { $name }.
 diag-spec-unused = { $name } non è utilizzato.
-diag-spec-word-shape = { $name }: la forma word richiede la chiave word, che nessun'altra forma accetta.
+diag-spec-word-shape = { $name }: la forma word richiede la chiave word, che nessun’altra forma accetta.
 diag-spec-yaml-feature = { $feature ->
     [anchor] Nelle specifiche non si utilizzano ancore e tag.
     [alias] Nelle specifiche non si utilizzano alias.

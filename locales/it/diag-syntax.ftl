@@ -2,7 +2,7 @@
 
 syntax-expected =
     { $expected ->
-        [block] l'inizio di un blocco
+        [block] l’inizio di un blocco
         [end] la fine del blocco
         [sign] un segno
         [word] una coordinata, R0, RL, RR, un avanzamento o una funzione M

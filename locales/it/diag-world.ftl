@@ -10,7 +10,7 @@ diag-scene-expected =
         [two-numbers] Qui sono previsti due numeri, non «{ $found }».
         [three-numbers] Qui sono previsti tre numeri, non «{ $found }».
         [row-number] Qui è previsto il numero di una riga della tabella, non «{ $found }».
-        [unit] L'unità di misura è mm o inch, non «{ $found }».
+        [unit] L’unità di misura è mm o inch, non «{ $found }».
         [clock] Qui sono previste data e ora, ad esempio 2015-07-03T14:05:00, non «{ $found }».
         [datum-file] Il nome di una tabella origini termina con .D.
        *[solids] Qui è previsto almeno un solido.
@@ -24,14 +24,14 @@ diag-scene-min-max = Ogni valore minimo deve essere inferiore al rispettivo mass
 diag-scene-no-length = La lunghezza è nulla.
 diag-scene-one-solid = Qui è ammesso esattamente un solido: { $known }.
 diag-scene-unknown-machine = Non esiste alcuna macchina di nome { $name }; macchine note: { $known }.
-diag-scene-start-outside = Il punto di partenza è fuori dal campo di traslazione dell'asse { $axis }: { $found } mm non è compreso tra { $min } e { $max } mm.
+diag-scene-start-outside = Il punto di partenza è fuori dal campo di traslazione dell’asse { $axis }: { $found } mm non è compreso tra { $min } e { $max } mm.
 
 diag-solid-not-finite = Una quota non è un numero finito e positivo.
 diag-solid-edge-unsupported = La sfera del tastatore può toccare uno spigolo che non è né una retta né un cerchio; questo contatto non può essere calcolato con esattezza.
 diag-solid-cusp = La sfera del tastatore può toccare un punto in cui le superfici sono tangenti e non lasciano spessore; questo contatto non può essere calcolato con esattezza.
 diag-solid-helix-unsupported = La sfera del tastatore può toccare il pezzo durante un movimento elicoidale; questo contatto non può essere calcolato con esattezza.
 
-diag-table-no-header = La tabella deve iniziare con una riga contenente "BEGIN", il nome di un file { $extension } e l'unità di misura.
+diag-table-no-header = La tabella deve iniziare con una riga contenente "BEGIN", il nome di un file { $extension } e l’unità di misura.
 diag-table-no-heading = La seconda riga deve contenere i nomi delle colonne, tra cui { $column }.
 diag-table-no-end = Manca la riga [END].
 diag-table-no-row-number = La riga non ha numero: «{ $found }».
