@@ -101,6 +101,59 @@ fn values_that_the_control_would_not_take_are_refused_together() {
     }
 }
 
+fn block_of_640(number: u32, keyword: Keyword, values: &[(&str, &str)]) -> Result<String, Vec<String>> {
+    let data = Data::embedded();
+    let on = data.on("tnc640");
+    let values: Vec<(String, String)> = values.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
+    let request = Request { values: &values, ..Request::default() };
+    let language = data.locales.language("en").expect("English is there");
+    let result = label::block(on, &on.cycles[&CycleKey::new(keyword, number)], language, &request);
+    result.map_err(|faults| faults.iter().map(|fault| fault.code.to_owned()).collect())
+}
+
+#[test]
+fn a_name_stands_in_the_text_parameter_of_its_number() {
+    let line = |values: &[(&str, &str)]| -> Result<String, Vec<String>> {
+        let block = block_of_640(450, Keyword::TchProbe, values)?;
+        Ok(block.lines().nth(2).unwrap_or_default().split(' ').next().unwrap_or_default().to_owned())
+    };
+    let cases: &[(&str, &str, Result<&str, &str>)] = &[
+        ("Q409", "5", Ok("Q409=5")),
+        ("Q409", "\"CD\"", Ok("QS409=\"CD\"")),
+        ("qs409", "CD", Ok("QS409=\"CD\"")),
+        ("QS409", "5", Ok("QS409=\"5\"")),
+        ("QS409", "QS7", Ok("QS409=QS7")),
+        ("Q409", "QS7", Ok("QS409=QS7")),
+        ("Q409", "CD", Err("block-wrong-kind")),
+        ("QS409", "ABCDEFGHIJKLMNOPQ", Err("block-too-long")),
+    ];
+    for (name, value, expected) in cases {
+        let expected = expected.map(str::to_owned).map_err(|code| vec![code.to_owned()]);
+        assert_eq!(line(&[(*name, *value)]), expected, "{name}={value}");
+    }
+    assert_eq!(line(&[("Q409", "5"), ("QS409", "CD")]), Err(vec!["block-duplicate-parameter".to_owned()]));
+}
+
+#[test]
+fn each_label_of_a_list_is_looked_at() {
+    let cases: &[(&str, Option<&str>)] = &[
+        ("7", None),
+        ("1/254", None),
+        ("1/2/3/4/5/6/7/8/9/10/11/12", None),
+        ("1/2/3/4/5/6/7/8/9/10/11/12/13", Some("block-too-long")),
+        ("0/1", Some("block-below-minimum")),
+        ("1/255", Some("block-above-maximum")),
+        ("1/2.5", Some("block-wrong-kind")),
+        ("1//2", Some("block-wrong-kind")),
+        ("1/EDGE", Some("block-wrong-kind")),
+        ("", Some("block-wrong-kind")),
+    ];
+    for (labels, code) in cases {
+        let found = block_of_640(14, Keyword::CyclDef, &[("labels", labels)]).err();
+        assert_eq!(found, code.map(|code| vec![code.to_owned()]), "{labels}");
+    }
+}
+
 #[test]
 fn values_known_only_when_the_program_runs_are_taken() {
     for value in ["Q1", "-Q1", "QL5"] {

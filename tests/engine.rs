@@ -115,6 +115,35 @@ fn the_parameter_without_a_value_is_named_and_not_the_one_that_should_get_it() {
     assert_eq!((&*fault.code, named), ("parameter-undefined", vec!["Q60".into()]));
 }
 
+#[test]
+fn names_labels_and_axes_are_read_as_they_are_checked() {
+    let world = World::new();
+    let memory = |value: &str| format!("; control: tnc640\nTCH PROBE 450 SAVE ~\n  Q410=1 ;MODE ~\n  {value} ;NAME\n");
+    let contour = |list: &str| format!("; control: tnc640\nCYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 LABELS {list}\n");
+    let lines = |pair: &str| {
+        let head = "; control: tnc426-430\nTOOL CALL 1 Z\nTCH PROBE 7.0 LINES\nTCH PROBE 7.1 TIME: 0 X+0 Y+0\n";
+        format!("{head}TCH PROBE 7.2 {pair}\nTCH PROBE 7.3 TRAVEL: 0.5 L.SPAC: +0.2 P.SPAC: 0.5\n")
+    };
+    // What is read goes on to the first thing that the engine does not have.
+    let cases = [
+        (memory("QS409=\"AB\""), "strategy-pending"),
+        (memory("Q409=5"), "strategy-pending"),
+        (memory("Q409=\"AB\""), "text-or-number"),
+        (memory("QS409=5"), "text-or-number"),
+        (contour("1/2/3"), "strategy-pending"),
+        (contour("0/1"), "parameter-out-of-range"),
+        (contour("1/2.5"), "field-unknown"),
+        (lines("ORDER: Y- / X-"), "strategy-pending"),
+        (lines("ORDER: Y- / X"), "field-unknown"),
+        (lines("ORDER: A- / X-"), "unsupported-axis"),
+        (lines("ORDER: Y-"), "field-missing"),
+    ];
+    for (program, code) in cases {
+        let (outcome, _) = world.run("read", &program, "scene: 1\n", Limits::default());
+        assert_eq!(outcome.fault.as_ref().map_or("", |fault| &fault.code), code, "{program}");
+    }
+}
+
 /// Small limits, so that the programs that reach them are quick.
 const LIMITS: Limits = Limits { blocks: 20_000, jumps: 1_000, depth: 5, members: 100, moves: 5_000 };
 
