@@ -22,6 +22,7 @@ parameter-inside-corner-rounding-radius = Raggio spigolo interno
 parameter-contour-direction = Senso di rotazione
     .label = SENSO DI ROTAZIONE
     .help = Direzione di lavoro per tasche.
+    .prompt = Senso di rotazione?
 
 # --- machining ---
 parameter-contour-plunging-depth = Profondità incremento
@@ -79,6 +80,7 @@ parameter-cylinder-radius = Raggio del cilindro
 parameter-development-dimension-type = Tipo di quotatura
     .label = TIPO DI QUOTATURA
     .help = Definire se nel sottoprogramma le coordinate dell’asse rotativo sono programmate in gradi oppure in millimetri (pollici).
+    .prompt = Tipo di quotatura? Gradi = 0 MM/INCH = 1
 parameter-cylinder-slot-width = Larghezza scanalatura
     .label = LARGHEZZA SCANALATURA
     .help = Larghezza della scanalatura finita.

@@ -226,8 +226,10 @@ choice-line-by-line-with-retraction = Lavorazione per righe, con ritrazione e in
 # --- coordinate transforms ---
 parameter-mirrored-axes = Assi speculari
     .help = Assi da rendere speculari. Si possono rendere speculari tutti gli assi, compresi gli assi rotativi, tranne l’asse del mandrino e il relativo asse secondario. Fino a tre degli assi NC X, Y, Z, U, V, W, A, B, C.
+    .prompt = Asse speculare?
 parameter-scaling-factor = Fattore
     .help = Fattore di scala SCL. Il controllo moltiplica per esso coordinate e raggi.
+    .prompt = Fattore?
     .word = SCL
 parameter-axis-scaling-factors = Asse e fattore
     .help = Assi di coordinate e fattori con i quali ciascuno di essi viene allungato o compresso.
@@ -235,10 +237,13 @@ parameter-axis-scaling-centre = Coordinate del centro
     .help = Centro dal quale il profilo viene allungato o verso il quale viene compresso.
 parameter-tilting-angles = Asse e angolo di rotazione
     .help = Assi rotativi con i relativi angoli di rotazione; gli assi rotativi A, B e C si programmano con softkey.
+    .prompt = Asse e angolo di rotazione?
 parameter-tilting-feed = Avanzamento
     .help = Velocità di spostamento dell’asse rotativo nel posizionamento automatico da parte del controllo.
+    .prompt = Avanzamento? F=
 parameter-tilting-clearance = Distanza di sicurezza
     .help = Il controllo posiziona la testa orientabile in modo che la posizione all’estremità dell’utensile, prolungato della distanza di sicurezza, non cambi rispetto al pezzo. Si inserisce se è il controllo a posizionare gli assi rotativi.
+    .prompt = Distanza di sicurezza?
 
 # --- special functions ---
 parameter-programmed-dwell = Tempo di sosta in secondi
