@@ -18,3 +18,5 @@ diag-spec-unused-parameter = Nič v poteku, preverjanjih ali stavkih cikla { $cy
 diag-accord-reference-word = Besedilo { $key } v jeziku { $language } ne pravi absolutno ali inkrementalno, kakor pravijo jeziki { $others }: { $found } namesto { $expected }.
 diag-locale-unused = Besedila { $key } ne uporablja nobena specifikacija in nobeno besedilo.
 diag-spec-example-fails = Primer »{ $name }« na krmiljenju { $control } ne da navedenega izida: { $what } bi moralo biti { $expected }, je pa { $found }.
+diag-accord-term = V besedilu { $key } v jeziku { $language } za »{ $source }« manjka izraz »{ $term }«.
+diag-accord-forbidden = Besedilo { $key } v jeziku { $language } uporablja besedo »{ $word }«; izraz je »{ $term }«.
