@@ -1,4 +1,4 @@
-# Values that a block cannot have, and labels that a control cannot print; see the English file.
+# Values that a block cannot have, and labels that a control cannot print.
 
 diag-block-unknown-form = Cikel { $cycle } nima oblike »{ $form }«. Oblike so: { $forms }.
 diag-block-unknown-parameter = Cikel { $cycle } nima parametra »{ $name }«. Parametri so: { $known }.
@@ -13,11 +13,16 @@ diag-block-wrong-kind =
         [position] koordinate po oseh, na primer X+5 Y+0
         [row] vrstica preglednice, na primer #5
         [axis] os
+        [label-list] številke oznak, ločene s poševnicami, na primer 1/2/3
        *[number] število
     }.
 diag-block-below-minimum = { $name } ({ $parameter }) ne more biti { $value }: najmanjša vrednost je { $min }.
 diag-block-above-maximum = { $name } ({ $parameter }) ne more biti { $value }: največja vrednost je { $max }.
-diag-block-too-long = { $name } ({ $parameter }) ne more biti { $value }: največje število znakov je { $most }.
+diag-block-too-long =
+    { $kind ->
+        [label-list] { $name } ({ $parameter }) ne more biti { $value }: največje število oznak je { $most }.
+       *[text] { $name } ({ $parameter }) ne more biti { $value }: največje število znakov je { $most }.
+    }
 diag-block-not-offered = { $name } ({ $parameter }) ne more biti { $value }: na izbiro so { $offered }.
 diag-block-no-value = Cikel { $cycle } potrebuje vrednost za { $name }; priročnik ne navaja primera.
 diag-label-character = Oznaka »{ $label }« cikla { $cycle } ({ $control }, { $language }) vsebuje znak »{ $character }«, ki ga krmiljenje ne more prikazati.

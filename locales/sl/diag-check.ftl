@@ -1,4 +1,4 @@
-# Ugotovitve preverjanja in prevajanja programov; glejte angleško datoteko.
+# Findings of the program checker and of the translation of programs.
 
 diag-call-of-def-active-cycle = Cikel { $cycle } deluje takoj, ko je definiran; ni ga dovoljeno priklicati.
 diag-called-but-not-defined = Tu se prikliče cikel, pred tem pa ni definiran noben.
@@ -18,6 +18,7 @@ diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } je premajhno: najmanjša vrednost je { $limit }.
         [long] Besedilo parametra { $parameter } je predolgo: največje število znakov je { $limit }.
+        [many] { $parameter } navaja preveč oznak: največje število oznak je { $limit }.
        *[above] { $parameter }={ $value } je preveliko: največja vrednost je { $limit }.
     }
 diag-spindle-off = Tu se prikliče obdelovalni cikel, ko vreteno miruje.
@@ -34,6 +35,7 @@ diag-wrong-value-kind =
         [position] koordinate po oseh, na primer X+5 Y+0
         [row] vrstico preglednice, na primer #5
         [axis] os
+        [label-list] številke oznak, ločene s poševnicami, na primer 1/2/3
        *[number] število
     }{ $words-count ->
         [0] {""}
