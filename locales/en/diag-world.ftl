@@ -14,6 +14,8 @@ diag-scene-expected =
         [unit] The unit is mm or inch, not "{ $found }".
         [clock] A date and a time such as 2015-07-03T14:05:00 should stand here, not "{ $found }".
         [datum-file] The name of a datum table ends in .D.
+        [rotary-axis] The letter of a rotary axis (A, B or C) should stand here, not "{ $found }".
+        [carried] What a rotary axis carries is workpiece or tool, not "{ $found }".
        *[solids] At least one solid should stand here.
     }
 diag-scene-unknown-key = The key { $key } means nothing here; known are { $known }.
@@ -25,7 +27,8 @@ diag-scene-min-max = Every minimum must be smaller than its maximum.
 diag-scene-no-length = This has no length.
 diag-scene-one-solid = Exactly one solid belongs here: { $known }.
 diag-scene-unknown-machine = There is no machine named { $name }; known are { $known }.
-diag-scene-start-outside = The start lies outside the traverse range of axis { $axis }: { $found } mm is not between { $min } and { $max } mm.
+diag-scene-no-axis = The machine has no axis { $axis }.
+diag-scene-start-outside = The start lies outside the traverse range of axis { $axis }: { $found } { $unit } is not between { $min } and { $max } { $unit }.
 
 diag-solid-not-finite = A dimension is not a finite positive number.
 diag-solid-edge-unsupported = The ball may touch an edge that is neither a straight line nor a circle; this contact cannot be calculated exactly.

@@ -13,6 +13,8 @@ diag-scene-expected =
         [unit] Mittayksikön on oltava mm tai inch eikä ”{ $found }”.
         [clock] Tässä pitäisi olla päivämäärä ja kellonaika, esimerkiksi 2015-07-03T14:05:00, eikä ”{ $found }”.
         [datum-file] Nollapistetaulukon nimen lopussa on oltava .D.
+        [rotary-axis] Tässä pitäisi olla kiertoakselin kirjain (A, B tai C), ei ”{ $found }”.
+        [carried] Kiertoakseli kantaa työkappaletta (workpiece) tai työkalua (tool), ei ”{ $found }”.
        *[solids] Tässä pitäisi olla vähintään yksi kappale.
     }
 diag-scene-unknown-key = Avaimella { $key } ei ole tässä merkitystä; tunnetut avaimet: { $known }.
@@ -24,7 +26,8 @@ diag-scene-min-max = Jokaisen alarajan on oltava pienempi kuin ylärajan.
 diag-scene-no-length = Pituus on nolla.
 diag-scene-one-solid = Tähän kuuluu täsmälleen yksi kappale: { $known }.
 diag-scene-unknown-machine = Konetta { $name } ei ole; tunnetut koneet: { $known }.
-diag-scene-start-outside = Lähtöpiste on akselin { $axis } liikealueen ulkopuolella: { $found }{"\u00A0"}mm ei ole välillä { $min } … { $max }{"\u00A0"}mm.
+diag-scene-no-axis = Koneessa ei ole akselia { $axis }.
+diag-scene-start-outside = Lähtöpiste on akselin { $axis } liikealueen ulkopuolella: { $found }{"\u00A0"}{ $unit } ei ole välillä { $min } … { $max }{"\u00A0"}{ $unit }.
 
 diag-solid-not-finite = Jokin mitta ei ole äärellinen positiivinen luku.
 diag-solid-edge-unsupported = Kosketuskuula saattaa koskettaa reunaa, joka ei ole suora eikä ympyrä; tätä kosketusta ei voi laskea tarkasti.

@@ -1,7 +1,7 @@
-## Perché un'esecuzione termina prima della fine.
+## Perché un’esecuzione termina prima della fine.
 
 diag-angle-missing = Al cerchio manca l’angolo PA.
-diag-axis-limit = L’asse { $axis } andrebbe a { NUMBER($found) } mm, oltre i limiti della macchina da { NUMBER($min) } a { NUMBER($max) } mm.
+diag-axis-limit = L’asse { $axis } andrebbe a { NUMBER($found) } { $unit }, oltre i limiti della macchina da { NUMBER($min) } a { NUMBER($max) } { $unit }.
 diag-block-limit = L’esecuzione termina: sono stati eseguiti più di { NUMBER($limit) } blocchi.
 diag-block-unreadable = Il blocco non è leggibile: { $found }
 diag-call-depth-limit = Le chiamate sono annidate per più di { NUMBER($limit) } livelli.
@@ -14,6 +14,7 @@ diag-cycle-error = Il ciclo si arresta con l’errore { $code }.
 diag-cycle-unknown = Il controllo { $control } non conosce { $cycle }.
 diag-direction-contradicts = Il segno del valore incrementale dell’angolo contraddice il senso di rotazione DR.
 diag-direction-missing = Al cerchio manca il senso di rotazione DR.
+diag-direction-undefined = I due punti distano solo { NUMBER($distance) } mm: non determinano alcuna direzione.
 diag-division-by-zero = Divisione per zero.
 diag-end-off-circle = Il punto finale non si trova sul cerchio: raggio { NUMBER($start_radius, maximumFractionDigits: 4) } mm all’inizio, { NUMBER($end_radius, maximumFractionDigits: 4) } mm alla fine.
 diag-feed-missing = Nessun avanzamento maggiore di 0 è attivo.
@@ -26,6 +27,7 @@ diag-infeeds-never-arrive = Gli incrementi non raggiungono mai la profondità di
 diag-jump-limit = L’esecuzione termina: più di { NUMBER($limit) } salti, ripetizioni e chiamate.
 diag-jump-target-missing = Manca il label { $label }.
 diag-jump-target-twice = Il label { $label } compare due volte nel programma.
+diag-lines-parallel = Le due rette sono parallele: non si incontrano in un punto.
 diag-log-failed = Impossibile scrivere il protocollo { $name }: { $reason }
 diag-log-template = Il protocollo { $name } non ha un modello.
 diag-log-text = Manca il testo { $name } del protocollo ({ $reason }).
@@ -49,6 +51,8 @@ diag-radius-missing = Al cerchio CR manca il raggio.
 diag-radius-too-small = Il raggio di { NUMBER($radius) } mm non basta per una corda di { NUMBER($chord, maximumFractionDigits: 4) } mm.
 diag-recursive-call = Una parte di programma chiama se stessa.
 diag-repeat-count = REP richiede un numero intero da 0 a 65535, non { NUMBER($found) }.
+diag-rotary-axis-missing = La macchina non ha un asse rotativo { $axis }.
+diag-rotary-axis-unsuitable = L’asse rotativo { $axis } non ruota nel piano dell’inclinazione e non può compensarla.
 diag-series-count = Il numero di ripetizioni deve essere intero e non negativo: { NUMBER($found) }.
 diag-series-limit = Il ciclo ripeterebbe i suoi passi più di { NUMBER($limit) } volte.
 diag-strategy-argument = A una strategia manca un argomento.
@@ -65,6 +69,7 @@ diag-unsupported-feed = Il motore di esecuzione non conosce questo avanzamento i
 diag-unsupported-inch = Il motore di esecuzione non esegue programmi in pollici.
 diag-unsupported-m = Il motore di esecuzione non esegue { $word }.
 diag-unsupported-path = Il motore di esecuzione non esegue { $word } in questo blocco.
+diag-unsupported-simultaneous = Con un sistema di tastatura nel mandrino il motore di esecuzione ruota un asse rotativo alla volta e intanto non muove gli altri.
 diag-unsupported-transformation = Il motore di esecuzione non esegue movimenti mentre è attiva questa conversione: { $name }
 diag-unsupported-word = Il motore di esecuzione non conosce la parola { $word } come valore.
 diag-value-missing = Manca il valore.

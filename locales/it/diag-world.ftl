@@ -13,6 +13,8 @@ diag-scene-expected =
         [unit] L’unità di misura è mm o inch, non «{ $found }».
         [clock] Qui sono previste data e ora, ad esempio 2015-07-03T14:05:00, non «{ $found }».
         [datum-file] Il nome di una tabella origini termina con .D.
+        [rotary-axis] Qui ci vuole la lettera di un asse rotativo (A, B o C), non «{ $found }».
+        [carried] Un asse rotativo porta il pezzo (workpiece) o l’utensile (tool), non «{ $found }».
        *[solids] Qui è previsto almeno un solido.
     }
 diag-scene-unknown-key = La chiave { $key } non ha significato in questo punto; chiavi note: { $known }.
@@ -24,7 +26,8 @@ diag-scene-min-max = Ogni valore minimo deve essere inferiore al rispettivo mass
 diag-scene-no-length = La lunghezza è nulla.
 diag-scene-one-solid = Qui è ammesso esattamente un solido: { $known }.
 diag-scene-unknown-machine = Non esiste alcuna macchina di nome { $name }; macchine note: { $known }.
-diag-scene-start-outside = Il punto di partenza è fuori dal campo di traslazione dell’asse { $axis }: { $found } mm non è compreso tra { $min } e { $max } mm.
+diag-scene-no-axis = La macchina non ha un asse { $axis }.
+diag-scene-start-outside = Il punto di partenza è fuori dal campo di traslazione dell’asse { $axis }: { $found } { $unit } non è compreso tra { $min } e { $max } { $unit }.
 
 diag-solid-not-finite = Una quota non è un numero finito e positivo.
 diag-solid-edge-unsupported = La sfera del tastatore può toccare uno spigolo che non è né una retta né un cerchio; questo contatto non può essere calcolato con esattezza.

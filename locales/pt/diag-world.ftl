@@ -13,6 +13,8 @@ diag-scene-expected =
         [unit] A unidade de medida é mm ou inch e não «{ $found }».
         [clock] Aqui devem estar a data e a hora, por exemplo 2015-07-03T14:05:00, e não «{ $found }».
         [datum-file] O nome de uma tabela de pontos zero termina em .D.
+        [rotary-axis] Aqui deve estar a letra de um eixo rotativo (A, B ou C), e não «{ $found }».
+        [carried] Um eixo rotativo leva a peça (workpiece) ou a ferramenta (tool), e não «{ $found }».
        *[solids] Aqui deve estar pelo menos um sólido.
     }
 diag-scene-unknown-key = A chave { $key } não tem significado aqui; chaves conhecidas: { $known }.
@@ -24,7 +26,8 @@ diag-scene-min-max = Cada valor mínimo deve ser menor do que o respetivo máxim
 diag-scene-no-length = O comprimento é zero.
 diag-scene-one-solid = Aqui deve estar exatamente um sólido: { $known }.
 diag-scene-unknown-machine = Não existe nenhuma máquina com o nome { $name }; máquinas conhecidas: { $known }.
-diag-scene-start-outside = O ponto de partida está fora da margem de deslocação do eixo { $axis }: { $found } mm não está entre { $min } e { $max } mm.
+diag-scene-no-axis = A máquina não tem um eixo { $axis }.
+diag-scene-start-outside = O ponto de partida está fora da margem de deslocação do eixo { $axis }: { $found } { $unit } não está entre { $min } e { $max } { $unit }.
 
 diag-solid-not-finite = Uma medida não é um número finito e positivo.
 diag-solid-edge-unsupported = A esfera de apalpação pode tocar numa aresta que não é uma reta nem um círculo; este contacto não pode ser calculado com exatidão.

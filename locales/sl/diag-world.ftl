@@ -13,6 +13,8 @@ diag-scene-expected =
         [unit] Merska enota je mm ali inch, ne »{ $found }«.
         [clock] Tukaj bi morala biti datum in ura, na primer 2015-07-03T14:05:00, ne »{ $found }«.
         [datum-file] Ime preglednice ničelnih točk se konča z .D.
+        [rotary-axis] Tukaj mora stati črka rotacijske osi (A, B ali C), ne »{ $found }«.
+        [carried] Rotacijska os nosi obdelovanec (workpiece) ali orodje (tool), ne »{ $found }«.
        *[solids] Tukaj bi moralo biti vsaj eno telo.
     }
 diag-scene-unknown-key = Ključ { $key } tukaj nima pomena; znani ključi so { $known }.
@@ -24,7 +26,8 @@ diag-scene-min-max = Vsaka najmanjša vrednost mora biti manjša od največje.
 diag-scene-no-length = Dolžina je nič.
 diag-scene-one-solid = Sem spada natanko eno telo: { $known }.
 diag-scene-unknown-machine = Stroja z imenom { $name } ni; znani so { $known }.
-diag-scene-start-outside = Začetni položaj je zunaj območja premika osi { $axis }: { $found }{"\u00A0"}mm ni med { $min } in { $max }{"\u00A0"}mm.
+diag-scene-no-axis = Stroj nima osi { $axis }.
+diag-scene-start-outside = Začetni položaj je zunaj območja premika osi { $axis }: { $found }{"\u00A0"}{ $unit } ni med { $min } in { $max }{"\u00A0"}{ $unit }.
 
 diag-solid-not-finite = Ena od mer ni končno pozitivno število.
 diag-solid-edge-unsupported = Tipalna krogla se lahko dotakne roba, ki ni ne premica ne krog; tega dotika ni mogoče natančno izračunati.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::report::Mismatch;
 use crate::diag::{Diagnostic, Place, Source};
-use crate::engine::geometry::Axis;
+use crate::engine::geometry::{Axis, RotaryAxis};
 use crate::engine::run::{Content, Event, EventKind, MoveKind, Outcome, Status};
 use crate::expr::{QKind, QRef};
 use crate::spec::{CycleKey, Kind, Node};
@@ -29,11 +29,35 @@ struct CellWanted {
     value: Wanted,
 }
 
+/// An axis of a position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Letter {
+    Linear(Axis),
+    Rotary(RotaryAxis),
+}
+
+impl Letter {
+    /// The coordinate in a position: the tool tip and the rotary axes.
+    fn of(self, tip: glam::DVec3, angles: glam::DVec3) -> f64 {
+        match self {
+            Self::Linear(axis) => axis.of(tip),
+            Self::Rotary(axis) => axis.of(angles),
+        }
+    }
+
+    const fn letter(self) -> char {
+        match self {
+            Self::Linear(axis) => axis.letter(),
+            Self::Rotary(axis) => axis.letter(),
+        }
+    }
+}
+
 /// A movement or pause of the cycle: its verb, coordinates, and what is beside them.
 #[derive(Clone, Debug)]
 struct Action {
     verb: String,
-    coords: Vec<(Axis, f64)>,
+    coords: Vec<(Letter, f64)>,
     amount: Option<f64>,
     feed: Option<f64>,
 }
@@ -43,7 +67,7 @@ struct Action {
 pub(super) struct Expectation {
     within: f64,
     q: Vec<(QRef, Wanted)>,
-    position: Vec<(Axis, f64)>,
+    position: Vec<(Letter, f64)>,
     errors: Option<Vec<String>>,
     messages: Option<Vec<String>>,
     end: Option<Status>,
@@ -120,16 +144,18 @@ impl Reader<'_> {
         text.map(|text| text.parse().map_or_else(|_| Wanted::Text(text.to_owned()), Wanted::Number))
     }
 
-    fn axis(&mut self, key: &str, node: &Node) -> Option<(Axis, f64)> {
+    fn axis(&mut self, key: &str, node: &Node) -> Option<(Letter, f64)> {
         let mut letters = key.chars();
-        let axis = letters.next().and_then(Axis::from_letter).filter(|_| letters.next().is_none());
+        let rotary = |letter| RotaryAxis::from_letter(letter).map(Letter::Rotary);
+        let known = |letter| Axis::from_letter(letter).map(Letter::Linear).or_else(|| rotary(letter));
+        let axis = letters.next().and_then(known).filter(|_| letters.next().is_none());
         if axis.is_none() {
             self.expected(node, "axis");
         }
         Some((axis?, self.number(node)?))
     }
 
-    fn coords(&mut self, node: &Node) -> Vec<(Axis, f64)> {
+    fn coords(&mut self, node: &Node) -> Vec<(Letter, f64)> {
         self.entries(node, None).into_iter().filter_map(|(key, value)| self.axis(key, value)).collect()
     }
 
@@ -144,10 +170,11 @@ impl Reader<'_> {
         Some(CellWanted { file, row, column: self.text(column)?, value: self.wanted(value)? })
     }
 
-    /// `{rapid: {Z: 2}}`, `{feed: {Z: -5}, at: 150}`, `{arc: {X: 1, Y: 2}, angle: 60}`, `{dwell: 0.5}`, `{probe: {X: 1}}`.
+    /// `{rapid: {Z: 2}}`, `{feed: {Z: -5}, at: 150}`, `{arc: {X: 1, Y: 2}, angle: 60}`, `{dwell: 0.5}`, `{probe: {X: 1}}`,
+    /// `{turn: {C: 30}}`.
     fn action(&mut self, node: &Node) -> Option<Action> {
-        const VERBS: [&str; 5] = ["rapid", "feed", "arc", "dwell", "probe"];
-        self.entries(node, Some(&["rapid", "feed", "arc", "dwell", "probe", "at", "angle"]));
+        const VERBS: [&str; 6] = ["rapid", "feed", "arc", "turn", "dwell", "probe"];
+        self.entries(node, Some(&["rapid", "feed", "arc", "turn", "dwell", "probe", "at", "angle"]));
         let Some((verb, value)) = VERBS.into_iter().find_map(|verb| node.get(verb).map(|value| (verb, value))) else {
             self.expected(node, "action");
             return None;
@@ -235,7 +262,7 @@ impl Expectation {
             }
         }
         for (axis, wanted) in &self.position {
-            let found = axis.of(outcome.position);
+            let found = axis.of(outcome.position, outcome.angles);
             if !self.near(*wanted, found) {
                 differs.push(Mismatch::new(format!("position.{}", axis.letter()), wanted, found));
             }
@@ -319,7 +346,8 @@ impl Expectation {
     }
 
     fn same(&self, action: &Action, kind: &EventKind) -> bool {
-        let at = |point: glam::DVec3| action.coords.iter().all(|(axis, value)| self.near(*value, axis.of(point)));
+        let near = |tip, angles| action.coords.iter().all(|(axis, value)| self.near(*value, axis.of(tip, angles)));
+        let at = |point: glam::DVec3| near(point, glam::DVec3::NAN);
         let amount = |found: f64| action.amount.is_none_or(|wanted| self.near(wanted, found));
         let feed_is = |found: f64| action.feed.is_none_or(|wanted| self.near(wanted, found));
         verb(kind) == Some(action.verb.as_str())
@@ -328,6 +356,10 @@ impl Expectation {
                     at(*to) && amount(*angle) && feed_is(*feed)
                 }
                 EventKind::Move { to, feed, .. } => at(*to) && feed_is(*feed),
+                EventKind::Turn { axes, feed, .. } => {
+                    let turned = axes.iter().fold(glam::DVec3::NAN, |all, axis| axis.axis.with(all, axis.to));
+                    near(glam::DVec3::NAN, turned) && feed_is(*feed)
+                }
                 EventKind::Dwell(seconds) => amount(*seconds),
                 EventKind::Probe(probing) => probing.contact.is_some_and(|(touched, _)| at(touched)),
                 _ => false,
@@ -341,6 +373,7 @@ const fn verb(kind: &EventKind) -> Option<&'static str> {
         EventKind::Move { kind: MoveKind::Rapid, .. } => Some("rapid"),
         EventKind::Move { kind: MoveKind::Feed, .. } => Some("feed"),
         EventKind::Move { kind: MoveKind::Arc { .. }, .. } => Some("arc"),
+        EventKind::Turn { .. } => Some("turn"),
         EventKind::Dwell(_) => Some("dwell"),
         EventKind::Probe(_) => Some("probe"),
         _ => None,
@@ -351,6 +384,10 @@ fn show(kind: &EventKind) -> String {
     match kind {
         EventKind::Move { to, feed, .. } => {
             format!("{} X{} Y{} Z{} F{feed}", verb(kind).unwrap_or_default(), to.x, to.y, to.z)
+        }
+        EventKind::Turn { axes, .. } => {
+            let ends = axes.iter().map(|axis| format!(" {}{}", axis.axis.letter(), axis.to));
+            format!("turn{}", ends.collect::<String>())
         }
         EventKind::Dwell(seconds) => format!("dwell {seconds}"),
         EventKind::Probe(probing) => format!("probe {:?}", probing.contact),

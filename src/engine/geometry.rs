@@ -71,6 +71,47 @@ impl Axis {
     }
 }
 
+/// A rotary axis: A turns about a parallel of X, B of Y, C of Z. Positions of rotary axes are kept as vectors, in degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RotaryAxis(
+    /// The linear axis that it turns about.
+    pub Axis,
+);
+
+impl RotaryAxis {
+    /// All rotary axes in the order of their letters.
+    pub const ALL: [Self; 3] = [Self(Axis::X), Self(Axis::Y), Self(Axis::Z)];
+
+    /// The axis of an upper-case letter.
+    pub const fn from_letter(letter: char) -> Option<Self> {
+        match letter {
+            'A' => Some(Self(Axis::X)),
+            'B' => Some(Self(Axis::Y)),
+            'C' => Some(Self(Axis::Z)),
+            _ => None,
+        }
+    }
+
+    /// The upper-case letter.
+    pub const fn letter(self) -> char {
+        match self.0 {
+            Axis::X => 'A',
+            Axis::Y => 'B',
+            Axis::Z => 'C',
+        }
+    }
+
+    /// The angle of the axis among those of all.
+    pub const fn of(self, angles: DVec3) -> f64 {
+        self.0.of(angles)
+    }
+
+    /// The angles with the one of the axis replaced.
+    pub const fn with(self, angles: DVec3, value: f64) -> DVec3 {
+        self.0.with(angles, value)
+    }
+}
+
 /// The working plane that belongs to a tool axis: main and secondary axis turn right-handed about it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WorkingPlane {

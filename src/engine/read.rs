@@ -135,6 +135,22 @@ impl<'r> Reader<'r> {
         self.triple(node, ["A", "B", "C"])
     }
 
+    /// A position by axis letter, or its linear coordinates as a list: lengths, and angles of rotary axes. A missing
+    /// axis is 0.
+    pub(in crate::engine) fn position(&mut self, node: &Node) -> Option<(DVec3, DVec3)> {
+        if !matches!(node.kind, Kind::Map(_)) {
+            return Some((self.vector(node)?, DVec3::ZERO));
+        }
+        self.only_keys(node, &["X", "Y", "Z", "A", "B", "C"]);
+        let mut three = |letters: [&'static str; 3]| {
+            let [x, y, z] =
+                letters.map(|letter| node.get(letter).map_or(Some(0.0), |value| self.number(value)));
+            Some(DVec3::new(x?, y?, z?))
+        };
+        let (linear, angles) = (three(["X", "Y", "Z"]), three(["A", "B", "C"]));
+        Some((linear? * self.scale, angles?))
+    }
+
     fn triple(&mut self, node: &Node, letters: [&'static str; 3]) -> Option<DVec3> {
         let [x, y, z] = match &node.kind {
             Kind::Map(_) => {

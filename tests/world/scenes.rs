@@ -1,6 +1,7 @@
 //! Scenes: what is read, which defaults hold, and every mistake with its place.
 use ciklo::data::embedded;
 use ciklo::diag::Source;
+use ciklo::engine::geometry::Frame;
 use ciklo::engine::machine::Machine;
 use ciklo::engine::scene::{Clock, ParameterValue, Scene};
 use ciklo::engine::table::Cell;
@@ -210,6 +211,28 @@ fn machines_are_data() {
     let twice =
         "scene: 1\nmachine: {axes: [{axis: Z, min: 0, max: 9, rapid: 50}, {axis: Z, min: 9, max: 0, rapid: 0}]}\n";
     assert_eq!(read(twice).expect_err("mistakes"), [("scene-not-positive", 2, 89)]);
+}
+
+#[test]
+fn machines_turn_workpiece_and_tool() {
+    let mill = Machine::named("mill-table-ac", &embedded()).expect("embedded");
+    // A table axis turns against its coordinate: with A 90 what was in front points up, with C 90 what was right is
+    // behind the axis of C, wherever A stands.
+    let table = mill.table(dvec3(90.0, 0.0, 90.0));
+    assert!((table.point(DVec3::X) - dvec3(0.0, 0.0, 1.0)).length() < 1e-12, "{}", table.point(DVec3::X));
+    assert_eq!(mill.table(dvec3(0.0, 0.0, 90.0)).point(DVec3::X), -DVec3::Y);
+    assert_eq!(mill.turned_too_far(dvec3(121.0, 0.0, 4000.0)).map(|axis| axis.axis.letter()), Some('A'));
+    let head = Machine::named("mill-head-ac", &embedded()).expect("embedded");
+    assert_eq!(head.head(dvec3(0.0, 0.0, 90.0)).vector(DVec3::X), DVec3::Y);
+    assert_eq!((head.table(dvec3(9.0, 9.0, 9.0)), head.pivot), (Frame::IDENTITY, 150.0));
+    let eccentric = "scene: 1\nmachine: {axes: [{axis: X, min: -9, max: 9, rapid: 1}], \
+        rotary: [{axis: C, carries: workpiece, about: +Z, centre: [10, 0, 0], rapid: 5}]}\nstart: {X: 1, C: 30}\n";
+    let scene = read(eccentric).expect("a sound scene");
+    assert_eq!(scene.start_angles, dvec3(0.0, 0.0, 30.0));
+    assert!((scene.machine.table(DVec3::Z * 90.0).point(DVec3::ZERO) - dvec3(10.0, -10.0, 0.0)).length() < 1e-12);
+    assert_eq!(read("scene: 1\nstart: {C: 5}\n").expect_err("mistakes"), [("scene-no-axis", 2, 12)]);
+    let too_far = "scene: 1\nmachine: mill-table-ac\nstart: {A: 121}\n";
+    assert_eq!(read(too_far).expect_err("mistakes"), [("scene-start-outside", 3, 8)]);
 }
 
 #[test]

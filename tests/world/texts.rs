@@ -16,6 +16,8 @@ const SCENES: &[&str] = &[
     "scene: 1\nprobe: {ball_radius: 0, offset: [1]}\nparts: [{solid: {union: []}}, {solid: {box: {min: [0, 0, 0], max: [0, 0, 0]}}}]\n",
     "scene: 1\nparts: [{solid: {sphere: {}, box: {}}}, {solid: {cylinder: {axis: Q, diameter: 1, from: 1, to: 1}}}]\n",
     "scene: 1\nparts: [{solid: {cylinder: {diameter: 1, from: 1, to: 1}}}]\n",
+    "scene: 1\nstart: {X: 0, C: 5}\n",
+    "scene: 1\nmachine: {axes: [], rotary: [{axis: Q, carries: tool, rapid: 1}, {axis: C, carries: x}, {axis: C, carries: workpiece, rapid: 0}]}\n",
 ];
 
 const TABLES: &[&str] = &["", "BEGIN X.D MM\nD X\n1 x\n1 2\ny 3\n", "BEGIN X.D MM\nA B\n[END]\n"];

@@ -1,6 +1,10 @@
-//! Machines: which axes there are, how far and how fast they go.
+//! Machines: which axes there are, how far and how fast they go, what turns about what.
 //!
 //! Invariant: a machine is data; it knows no position, no tool and no workpiece.
+mod rotary;
+
+pub use rotary::{Carried, RotaryMachineAxis};
+
 use super::geometry::Axis;
 use super::read::Reader;
 use crate::diag::{Diagnostic, Source};
@@ -38,6 +42,10 @@ pub struct Machine {
     pub spindle: Axis,
     /// Its linear axes.
     pub axes: Vec<MachineAxis>,
+    /// Its rotary axes; of those that carry the workpiece, and of those that carry the tool, each carries the next.
+    pub rotary: Vec<RotaryMachineAxis>,
+    /// The distance of the point about which a swivel head turns from the spindle nose, mm.
+    pub pivot: f64,
 }
 
 impl Machine {
@@ -70,7 +78,7 @@ impl Machine {
 
     /// Reads a machine written out in another file.
     pub(super) fn read(node: &Node, reader: &mut Reader<'_>) -> Option<Self> {
-        if !reader.only_keys(node, &["machine", "name", "spindle", "axes"]) {
+        if !reader.only_keys(node, &["machine", "name", "spindle", "axes", "rotary", "pivot"]) {
             return None;
         }
         if let Some(version) = node.get("machine").filter(|version| version.text() != Some(VERSION)) {
@@ -87,7 +95,9 @@ impl Machine {
             }
             axes.push(axis);
         }
-        Some(Self { name, spindle: spindle?, axes })
+        let rotary = node.get("rotary").map_or_else(Vec::new, |list| rotary::read(list, reader));
+        let pivot = node.get("pivot").map_or(Some(0.0), |pivot| reader.length(pivot))?;
+        Some(Self { name, spindle: spindle?, axes, rotary, pivot })
     }
 
     /// The data of an axis, if the machine has it.

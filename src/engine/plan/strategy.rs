@@ -13,6 +13,28 @@ pub enum Strategy {
     WritePreset,
     /// A row of the active datum table is written so that a point will have given coordinates.
     WriteDatumRow,
+    /// Ends the basic rotation about the tool axis.
+    ResetBasicRotation,
+    /// Sets the basic rotation about the tool axis, in effect or in a row of the preset table.
+    WriteBasicRotation,
+    /// Turns the basic rotation in effect by an angle, about a point that keeps its coordinates.
+    TurnBasicRotation,
+    /// The direction from one point to another in the working plane.
+    Direction,
+    /// The point where two lines of the working plane meet.
+    IntersectLines,
+    /// Turns the rotary axis about the tool axis so that a workpiece turned by an angle is straight.
+    AlignRotaryTable,
+    /// Turns a rotary axis so that a line of the workpiece lies along an axis or at an angle to one.
+    AlignRotaryAxis,
+    /// Turns a rotary axis so that the direction from the datum to a point becomes the one to its nominal position.
+    AlignDirection,
+    /// The coordinate of a rotary axis, or of the one about the tool axis, becomes 0.
+    ZeroRotaryTable,
+    /// The coordinate of a rotary axis becomes 0, and a row of a table gets what makes it so.
+    ZeroRotaryAxis,
+    /// Adds an angle to what a row of the active datum table has for the rotary axis about the tool axis.
+    AddAngleToDatumRow,
     /// Brings the tool to a level on a helix.
     PlungeOnHelix,
     /// Brings the tool to a level in strokes to and fro.
@@ -52,6 +74,22 @@ const fn number(name: &'static str) -> Parameter {
     required(name, Type::Number)
 }
 
+const fn point(name: &'static str) -> Parameter {
+    required(name, Type::Point)
+}
+
+const ANY_AXIS: Parameter = optional("axis");
+const ACTUAL: Parameter = point("actual");
+const NOMINAL: Parameter = point("nominal");
+const ALONG_SECOND: Parameter = number("along_second_axis");
+const MEASURING_AXIS: Parameter = number("measuring_axis");
+const TRANSFER: Parameter = number("transfer");
+const TARGET_ANGLE: Parameter = optional("angle");
+const TABLE_ROW: Parameter = optional("row");
+const LINE: (Parameter, Parameter) = (point("from"), point("to"));
+const LINES: [Parameter; 4] = [point("first"), point("second"), point("third"), point("fourth")];
+const ABOUT: Parameter = Parameter { name: "about", ty: Type::Point, required: false };
+const AXIS: Parameter = number("axis");
 const FROM: Parameter = number("from");
 const TO: Parameter = number("to");
 const ANGLE: Parameter = number("angle");
@@ -69,6 +107,17 @@ impl Strategy {
             "set-datum" => Self::SetDatum,
             "write-preset" => Self::WritePreset,
             "write-datum-row" => Self::WriteDatumRow,
+            "reset-basic-rotation" => Self::ResetBasicRotation,
+            "write-basic-rotation" => Self::WriteBasicRotation,
+            "turn-basic-rotation" => Self::TurnBasicRotation,
+            "direction" => Self::Direction,
+            "intersect-lines" => Self::IntersectLines,
+            "align-rotary-table" => Self::AlignRotaryTable,
+            "align-rotary-axis" => Self::AlignRotaryAxis,
+            "align-direction" => Self::AlignDirection,
+            "zero-rotary-table" => Self::ZeroRotaryTable,
+            "zero-rotary-axis" => Self::ZeroRotaryAxis,
+            "add-angle-to-datum-row" => Self::AddAngleToDatumRow,
             "plunge-on-helix" => Self::PlungeOnHelix,
             "plunge-in-strokes" => Self::PlungeInStrokes,
             "tolerance-band" => Self::ToleranceBand,
@@ -81,6 +130,17 @@ impl Strategy {
         match self {
             Self::SetDatum => &[POINT, MAIN, MINOR, TOOL],
             Self::WritePreset | Self::WriteDatumRow => &[POINT, MAIN, MINOR, TOOL, ROW],
+            Self::ResetBasicRotation => &[],
+            Self::ZeroRotaryTable => &[ANY_AXIS],
+            Self::AlignDirection => &[AXIS, ACTUAL, NOMINAL, ALONG_SECOND],
+            Self::WriteBasicRotation => &[ANGLE, TABLE_ROW],
+            Self::TurnBasicRotation => &[ANGLE, ABOUT],
+            Self::Direction => &[LINE.0, LINE.1],
+            Self::IntersectLines => &LINES,
+            Self::AlignRotaryTable => &[ANGLE],
+            Self::AlignRotaryAxis => &[LINE.0, LINE.1, MEASURING_AXIS, AXIS, TARGET_ANGLE],
+            Self::ZeroRotaryAxis => &[AXIS, ROW, TRANSFER],
+            Self::AddAngleToDatumRow => &[ANGLE, ROW, AXIS],
             Self::PlungeOnHelix => &[CENTRE, FROM, TO, ANGLE, FEED, RADIUS, DIRECTION],
             Self::PlungeInStrokes => &[CENTRE, FROM, TO, ANGLE, FEED, ROTATION, LEAST, ROOM],
             Self::ToleranceBand => &[TEXT],
@@ -90,10 +150,12 @@ impl Strategy {
     /// Its results, all of them numbers.
     pub const fn results(self) -> &'static [&'static str] {
         match self {
-            Self::SetDatum | Self::WritePreset | Self::WriteDatumRow | Self::PlungeOnHelix | Self::PlungeInStrokes => {
-                &[]
-            }
+            Self::Direction => &["angle"],
+            Self::IntersectLines => &["main", "minor"],
+            Self::AlignRotaryTable => &["way"],
+            Self::AlignRotaryAxis | Self::AlignDirection => &["angle", "way"],
             Self::ToleranceBand => &["upper", "lower", "monitored"],
+            _ => &[],
         }
     }
 }

@@ -11,7 +11,7 @@ use super::event::MessageKind;
 use super::fault::{Class, Fault};
 use super::motion::Speed;
 use super::world::LOCKED;
-use super::{Content, Done, EventKind, Leave, Run};
+use super::{Content, Done, Event, EventKind, Leave, Run};
 use crate::engine::geometry::{FitError, fit_circle};
 use crate::engine::plan::{Act, Calc, Cancel, Cooling, Inlined, Slot, SpindleTurn, Target, Transform};
 use crate::engine::table::{Cell, TableKind};
@@ -209,8 +209,10 @@ impl<'e> Run<'_, 'e> {
         match transform {
             Transform::DatumShift(id) => {
                 if let Some(FieldValue::Coords(coords)) = exec.definition.field(id) {
-                    let shift = shifted(self.world.system.datum(), coords);
-                    self.world.system.set_datum(shift);
+                    let system = &mut self.world.system;
+                    let shift = shifted(system.datum(), coords, false);
+                    system.angle_shift = shifted(system.angle_shift, coords, true);
+                    system.set_datum(shift);
                 }
             }
             Transform::DatumRow(id) => {
@@ -218,7 +220,16 @@ impl<'e> Run<'_, 'e> {
                     let table = self.world.table(TableKind::Datum)?;
                     let number = |column| table.number(*row, column).map(Option::unwrap_or_default);
                     let shift = DVec3::new(number("X")?, number("Y")?, number("Z")?);
-                    self.world.system.set_datum(shift);
+                    let angles = DVec3::new(number("A")?, number("B")?, number("C")?);
+                    let of_machine = self.datums_of_machine(exec);
+                    let system = &mut self.world.system;
+                    if of_machine {
+                        system.angle_shift = angles - system.angles;
+                        system.set_datum(system.around_datum().0.inverse().point(shift));
+                    } else {
+                        system.angle_shift = angles;
+                        system.set_datum(shift);
+                    }
                 }
             }
             Transform::Rotation(id) => {
@@ -229,13 +240,16 @@ impl<'e> Run<'_, 'e> {
             }
             Transform::Preset(row) => {
                 let row = self.number(row, exec)?;
-                let (origin, basic) = self.world.preset(row)?;
-                self.world.system.set_preset(row, origin, basic);
+                let preset = self.world.preset(row)?;
+                self.world.system.set_preset(row, preset);
             }
             Transform::Cancel(ended) => {
                 for cancel in ended {
                     match cancel {
-                        Cancel::DatumShift => self.world.system.set_datum(DVec3::ZERO),
+                        Cancel::DatumShift => {
+                            self.world.system.angle_shift = DVec3::ZERO;
+                            self.world.system.set_datum(DVec3::ZERO);
+                        }
                         Cancel::Rotation => self.world.system.set_rotation(0.0),
                         // Programs with radius compensation are refused.
                         Cancel::RadiusCompensation => {}
@@ -294,7 +308,12 @@ impl<'e> Run<'_, 'e> {
             Cell::Text(text) => Content::Text(text.as_str().into()),
             Cell::Empty => Content::Text("".into()),
         };
-        self.tell(EventKind::Table { file, row, column: column.to_owned(), value });
+        let kind = EventKind::Table { file, row, column: column.to_owned(), value };
+        if self.inside > 0 {
+            self.writing.push(Event { at: self.at.clone(), kind });
+        } else {
+            self.tell(kind);
+        }
         Ok(())
     }
 }
@@ -306,9 +325,9 @@ const fn as_point(value: &Value) -> Option<DVec3> {
     }
 }
 
-/// A datum shift with new coordinates: axes not named keep theirs.
-fn shifted(from: DVec3, coords: &[FieldCoord]) -> DVec3 {
-    coords.iter().fold(from, |shift, coord| {
+/// A datum shift with new coordinates, of the linear or of the rotary axes: axes not named keep theirs.
+fn shifted(from: DVec3, coords: &[FieldCoord], rotary: bool) -> DVec3 {
+    coords.iter().filter(|coord| coord.rotary == rotary).fold(from, |shift, coord| {
         let base = if coord.incremental { coord.axis.of(shift) } else { 0.0 };
         coord.axis.with(shift, base + coord.value)
     })

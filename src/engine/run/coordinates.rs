@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::event::Coordinates;
 use crate::engine::geometry::{Axis, Frame, WorkingPlane};
+use crate::engine::scene::Preset;
 use crate::spec::Transformation;
 
 /// A change on top of the preset.
@@ -26,6 +27,10 @@ pub struct System {
     pub origin: DVec3,
     /// Spatial angles of the preset: a basic rotation.
     pub basic: DVec3,
+    /// Where the rotary axes have the coordinate 0 by the preset, in machine coordinates.
+    pub angles: DVec3,
+    /// The datum shift of the rotary axes.
+    pub angle_shift: DVec3,
     /// The working plane.
     pub plane: WorkingPlane,
     /// Transformations in effect that the engine cannot execute: nothing moves until they end.
@@ -41,6 +46,8 @@ impl System {
             preset: 0.0,
             origin: DVec3::ZERO,
             basic: DVec3::ZERO,
+            angles: DVec3::ZERO,
+            angle_shift: DVec3::ZERO,
             plane,
             unexecuted: BTreeSet::new(),
             changes: Vec::new(),
@@ -76,8 +83,39 @@ impl System {
         self.changes.iter().find_map(angle).unwrap_or(0.0)
     }
 
-    pub(super) fn set_preset(&mut self, preset: f64, origin: DVec3, basic: DVec3) {
-        (self.preset, self.origin, self.basic) = (preset, origin, basic);
+    /// What lies outside the datum shift, as a frame, and what lies inside it: the preset with what was defined before
+    /// it, and what was defined after it. A shift that is not in effect would come last.
+    pub fn around_datum(&self) -> (Frame, Frame) {
+        let is_shift = |change: &Change| matches!(change, Change::Shift(_));
+        let at = self.changes.iter().position(is_shift).unwrap_or(self.changes.len());
+        let (before, after) = self.changes.split_at(at);
+        let inside = after.iter().skip(1).fold(Frame::IDENTITY, |frame, change| frame.of(self.frame_of(change)));
+        (before.iter().fold(self.preset_frame(), |frame, change| frame.of(self.frame_of(change))), inside)
+    }
+
+    /// Where the rotary axes have the coordinate 0, in machine coordinates.
+    pub fn angle_datum(&self) -> DVec3 {
+        self.angles + self.angle_shift
+    }
+
+    pub(super) fn set_preset(&mut self, row: f64, preset: Preset) {
+        (self.preset, self.origin, self.basic, self.angles) = (row, preset.origin, preset.basic, preset.angles);
+        self.rebuild();
+    }
+
+    /// Moves the preset that is in effect.
+    pub(super) fn set_origin(&mut self, origin: DVec3) {
+        self.origin = origin;
+        self.rebuild();
+    }
+
+    /// The basic rotation about the tool axis, degrees.
+    pub fn basic_rotation(&self) -> f64 {
+        self.plane.tool.of(self.basic)
+    }
+
+    pub(super) fn set_basic_rotation(&mut self, degrees: f64) {
+        self.basic = self.plane.tool.with(self.basic, degrees);
         self.rebuild();
     }
 
@@ -111,13 +149,17 @@ impl System {
     fn rebuild(&mut self) {
         let mut frame = self.preset_frame();
         for change in &self.changes {
-            frame = frame.of(match change {
-                Change::Shift(by) => Frame::shift(*by),
-                Change::Rotate(angle) => Frame::rotate(self.plane.tool, *angle),
-            });
+            frame = frame.of(self.frame_of(change));
         }
         self.frame = frame;
         self.back = frame.inverse();
+    }
+
+    fn frame_of(&self, change: &Change) -> Frame {
+        match change {
+            Change::Shift(by) => Frame::shift(*by),
+            Change::Rotate(angle) => Frame::rotate(self.plane.tool, *angle),
+        }
     }
 
     /// Axis coordinates of a point given by main, minor and tool axis.
@@ -149,6 +191,7 @@ impl System {
             basic_rotation: self.basic,
             datum: self.datum(),
             rotation: self.rotation(),
+            angles: self.angle_datum(),
         }
     }
 }

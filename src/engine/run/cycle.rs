@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::define::{Definition, FieldValue};
 use super::event::MessageKind;
 use super::fault::{Class, Fault};
-use super::world::ProbeData;
+use super::world::{ProbeData, Tables};
 use super::{Content, Done, EventKind, Leave, Params, Run};
 use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Slot, Step};
 use crate::expr::{Env, EvalError, QRef, Value};
@@ -177,14 +177,29 @@ impl<'e> Run<'_, 'e> {
             self.world.probe()?;
         }
         self.probing |= plan.probes;
+        let tables = (self.inside == 0).then(|| self.world.tables());
         self.inside += 1;
         let ended = self.items(&plan.items, &mut exec);
         self.executed(definition, &exec.sentences);
+        if let Some(tables) = tables {
+            self.conclude(&ended, tables);
+        }
         ended?;
         self.inside -= 1;
         self.probing = outer_probing;
         self.at.cycle = outer_at;
         Ok(())
+    }
+
+    /// Tables keep what a cycle wrote if it came to its end, or to one that its specification names; otherwise they
+    /// are again what they were.
+    fn conclude(&mut self, ended: &Done, tables: Tables) {
+        let writing = std::mem::take(&mut self.writing);
+        match ended {
+            Err(Leave::Fault(fault)) if !fault.of_cycle => self.world.restore(tables),
+            Err(Leave::Stopped) => self.world.restore(tables),
+            _ => writing.into_iter().for_each(|event| (self.emit)(event)),
+        }
     }
 
     /// Adds the sentences that an execution has shown to those of the run.
@@ -272,7 +287,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The value of a machine datum in the scene, by its neutral name.
-    fn machine_datum(&self, neutral: &str, exec: &Exec<'_, 'e>) -> Option<f64> {
+    pub(super) fn machine_datum(&self, neutral: &str, exec: &Exec<'_, 'e>) -> Option<f64> {
         let printed = exec.definition.on.datum(neutral)?;
         self.world.machine_parameter(printed)
     }

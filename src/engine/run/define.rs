@@ -9,6 +9,7 @@ use glam::DVec3;
 use super::block::linear;
 use super::fault::{Class, Fault};
 use super::motion::RAPID_FEED;
+use super::turn::rotary;
 use super::{Content, Done, Run};
 use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::plan::Plan;
@@ -20,7 +21,10 @@ use crate::syntax::{Axis, CycleDef, CycleForm, CycleView, OldCycleLine, OldWord,
 /// A coordinate of an old-style field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FieldCoord {
+    /// The axis; of a rotary one, the linear axis that it turns about.
     pub(super) axis: LinearAxis,
+    /// Whether it is the rotary axis.
+    pub(super) rotary: bool,
     pub(super) value: f64,
     pub(super) incremental: bool,
 }
@@ -347,7 +351,9 @@ impl<'e> Run<'_, 'e> {
             (Shape::Position | Shape::AxisCoordinate, _) => {
                 let (axis, incremental) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
                 let value = in_range(self.number_of(&word.value)?)?;
-                Ok(FieldValue::Coords(vec![FieldCoord { axis: linear(axis)?, value, incremental }]))
+                let turns = rotary(axis).filter(|_| field.shape == Shape::AxisCoordinate);
+                let axis = turns.map_or_else(|| linear(axis), |rotary| Ok(rotary.0))?;
+                Ok(FieldValue::Coords(vec![FieldCoord { axis, rotary: turns.is_some(), value, incremental }]))
             }
             _ => {
                 let incremental = field.word.as_deref().is_some_and(|wanted| name != wanted);

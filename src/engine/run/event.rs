@@ -11,7 +11,7 @@ use serde_json::Value;
 
 use super::fault::{Class, Fault};
 use crate::diag::Arg;
-use crate::engine::geometry::{Axis, WorkingPlane};
+use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
 use crate::expr::QRef;
 use crate::spec::CycleKey;
 
@@ -88,6 +88,21 @@ pub struct Coordinates {
     pub datum: DVec3,
     /// The rotation in the working plane, degrees.
     pub rotation: f64,
+    /// Where the rotary axes have the coordinate 0, in machine coordinates.
+    pub angles: DVec3,
+}
+
+/// How one rotary axis turns, in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turned {
+    /// The axis.
+    pub axis: RotaryAxis,
+    /// From where, in program coordinates.
+    pub from: f64,
+    /// Where to, in program coordinates.
+    pub to: f64,
+    /// Where to in machine coordinates.
+    pub machine: f64,
 }
 
 /// The kinds of messages.
@@ -180,6 +195,17 @@ pub enum EventKind {
         /// The feed along the path.
         feed: f64,
     },
+    /// Rotary axes turn together.
+    Turn {
+        /// The axes that turn.
+        axes: Vec<Turned>,
+        /// The rate of the longest way in degrees/min.
+        feed: f64,
+        /// Whether at rapid traverse.
+        rapid: bool,
+        /// Whether at the same time as the move told before.
+        together: bool,
+    },
     /// The program waits.
     Dwell(f64),
     /// The spindle gets a tool, turns (+1 clockwise, -1 counter-clockwise), stops, or is oriented.
@@ -270,6 +296,15 @@ fn point(point: DVec3) -> Point {
     Point { x: number(point.x), y: number(point.y), z: number(point.z) }
 }
 
+/// Angles by axis letter.
+struct Angles<'a>(&'a [(RotaryAxis, f64)]);
+
+impl Serialize for Angles<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(axis, angle)| (axis.letter(), number(*angle))))
+    }
+}
+
 impl Serialize for Content {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
@@ -331,6 +366,7 @@ impl EventKind {
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Move { .. } => "move",
+            Self::Turn { .. } => "turn",
             Self::Dwell(_) => "dwell",
             Self::Spindle { .. } => "spindle",
             Self::Coolant(_) => "coolant",
@@ -365,6 +401,15 @@ impl EventKind {
                 map.serialize_entry("speed", &number(*speed))?;
                 map.serialize_entry("orient", &orient.map(number))
             }
+            Self::Turn { axes, feed, rapid, together } => {
+                let of = |value: fn(&Turned) -> f64| axes.iter().map(|axis| (axis.axis, value(axis))).collect::<Vec<_>>();
+                map.serialize_entry("from", &Angles(&of(|axis| axis.from)))?;
+                map.serialize_entry("to", &Angles(&of(|axis| axis.to)))?;
+                map.serialize_entry("machine", &Angles(&of(|axis| axis.machine)))?;
+                map.serialize_entry("feed", &number(*feed))?;
+                map.serialize_entry("rapid", rapid)?;
+                map.serialize_entry("together", together)
+            }
             Self::Coolant(on) => map.serialize_entry("on", on),
             Self::Probe(probing) => {
                 map.serialize_entry("from", &point(probing.from))?;
@@ -382,7 +427,13 @@ impl EventKind {
                 map.serialize_entry("origin", &point(system.origin))?;
                 map.serialize_entry("basic_rotation", &point(system.basic_rotation))?;
                 map.serialize_entry("datum_shift", &point(system.datum))?;
-                map.serialize_entry("rotation", &number(system.rotation))
+                map.serialize_entry("rotation", &number(system.rotation))?;
+                let angles = RotaryAxis::ALL.into_iter().map(|axis| (axis, axis.of(system.angles)));
+                let angles: Vec<_> = angles.filter(|(_, angle)| *angle != 0.0).collect();
+                if !angles.is_empty() {
+                    map.serialize_entry("angles", &Angles(&angles))?;
+                }
+                Ok(())
             }
             Self::Table { file, row, column, value } => {
                 map.serialize_entry("file", file)?;

@@ -4,6 +4,7 @@
 //! cycle by number, reads and writes no files, prints nothing; the same program, scene and control give the same
 //! events.
 mod act;
+mod align;
 mod block;
 mod code;
 mod coordinates;
@@ -20,6 +21,7 @@ mod probe;
 mod program;
 mod series;
 mod strategy;
+mod turn;
 mod world;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,7 +30,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 pub use coordinates::System;
-pub use event::{At, Content, Coordinates, Event, EventKind, FORMAT, MessageKind, MoveKind, Probing, Status};
+pub use event::{At, Content, Coordinates, Event, EventKind, FORMAT, MessageKind, MoveKind, Probing, Status, Turned};
 pub use fault::{CODES, Class, Fault};
 pub use params::Params;
 pub use world::Tool;
@@ -115,6 +117,8 @@ pub struct Outcome {
     pub params: Params,
     /// The tool tip at the end, in program coordinates.
     pub position: DVec3,
+    /// The rotary axes at the end, in program coordinates.
+    pub angles: DVec3,
     /// What was executed of the cycles.
     pub shown: Shown,
 }
@@ -198,6 +202,7 @@ impl<'e> Engine<'e> {
             logs: Vec::new(),
             params: Params::new(),
             position: DVec3::ZERO,
+            angles: DVec3::ZERO,
             shown: Shown::default(),
         }
     }
@@ -268,6 +273,8 @@ struct Run<'r, 'e> {
     moves: u64,
     /// Whether a cycle is executed that probes.
     probing: bool,
+    /// What the cycle that is executed has written to tables: told when it ends well.
+    writing: Vec<Event>,
 }
 
 impl<'r, 'e> Run<'r, 'e> {
@@ -297,6 +304,7 @@ impl<'r, 'e> Run<'r, 'e> {
             inside: 0,
             moves: 0,
             probing: false,
+            writing: Vec::new(),
         }
     }
 
@@ -356,6 +364,7 @@ impl<'r, 'e> Run<'r, 'e> {
             logs: self.logs,
             params: self.params,
             position: self.world.here,
+            angles: self.world.program_angles(),
             shown,
         }
     }

@@ -7,8 +7,9 @@ use glam::{DVec2, DVec3};
 use super::block::linear;
 use super::event::MoveKind;
 use super::fault::{Class, Fault};
+use super::turn::rotary;
 use super::{Done, EventKind, Run};
-use crate::engine::geometry::Axis as LinearAxis;
+use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis};
 use crate::engine::solid::Path as BallPath;
 use crate::expr::{atan2d, cosd, sind};
 use crate::syntax::{Axis, Compensation, Coord, Feed, FeedKind, Motion, Path};
@@ -50,16 +51,8 @@ impl Run<'_, '_> {
         let speed = self.speed(motion.feed.as_ref());
         let unsupported = |word: &'static str| Err(Fault::unsupported("unsupported-path").arg("word", word).into());
         match motion.path {
-            Path::L if in_machine => {
-                let to = self.machine_target(motion)?;
-                let program = self.world.system.back().point(to);
-                self.straight_to(program, Some(to), speed)?;
-            }
+            Path::L => self.line(motion, in_machine, speed)?,
             _ if in_machine => return unsupported("M91"),
-            Path::L => {
-                let to = self.target(&motion.coords, self.world.here)?;
-                self.straight_to(to, None, speed)?;
-            }
             Path::Lp => {
                 let to = self.polar_target(motion)?;
                 self.straight_to(to, None, speed)?;
@@ -115,8 +108,34 @@ impl Run<'_, '_> {
         Ok(to)
     }
 
-    fn machine_target(&self, motion: &Motion) -> Result<DVec3, Fault> {
-        self.target(&motion.coords, self.world.machine)
+    /// A straight line, with rotary axes that turn at the same time.
+    fn line(&mut self, motion: &Motion, in_machine: bool, speed: Result<Speed, Fault>) -> Done {
+        let (turning, coords): (Vec<Coord>, Vec<Coord>) =
+            motion.coords.iter().copied().partition(|coord| rotary(coord.axis).is_some());
+        let turns = self.turn_target(&turning, in_machine)?;
+        let before = self.world.machine;
+        if in_machine {
+            let to = self.target(&coords, self.world.machine)?;
+            let program = self.world.system.back().point(to);
+            self.straight_to(program, Some(to), speed.clone())?;
+        } else {
+            let to = self.target(&coords, self.world.here)?;
+            self.straight_to(to, None, speed.clone())?;
+        }
+        self.turn_to(&turns, speed, self.world.machine != before)
+    }
+
+    /// Where the rotary axes of a block go, in machine coordinates.
+    fn turn_target(&self, coords: &[Coord], in_machine: bool) -> Result<Vec<(RotaryAxis, f64)>, Fault> {
+        let datum = if in_machine { DVec3::ZERO } else { self.world.system.angle_datum() };
+        let mut turns = Vec::with_capacity(coords.len());
+        for coord in coords {
+            let Some(axis) = rotary(coord.axis) else { continue };
+            let now = axis.of(self.world.angles - datum);
+            turns.push((axis, self.coordinate(coord, now)? + axis.of(datum)));
+        }
+        self.can_turn(&turns)?;
+        Ok(turns)
     }
 
     fn set_pole(&mut self, motion: &Motion) -> Done {
@@ -274,9 +293,7 @@ impl Run<'_, '_> {
     fn go(&mut self, kind: MoveKind, feed: f64, to: DVec3, machine: DVec3, path: &BallPath) -> Done {
         let from = self.world.here;
         self.count_move()?;
-        if let Some(active) = self.world.system.unexecuted.first() {
-            return Err(Fault::unsupported("unsupported-transformation").arg("name", active.as_str()).into());
-        }
+        self.no_unexecuted()?;
         if let Some(axis) = LinearAxis::ALL
             .into_iter()
             .find(|axis| axis.of(machine) != axis.of(self.world.machine) && !self.world.has_axis(*axis))
@@ -295,8 +312,16 @@ impl Run<'_, '_> {
         Ok(())
     }
 
+    /// Nothing moves while a transformation is in effect that the engine cannot execute.
+    pub(super) fn no_unexecuted(&self) -> Result<(), Fault> {
+        match self.world.system.unexecuted.first() {
+            Some(active) => Err(Fault::unsupported("unsupported-transformation").arg("name", active.as_str())),
+            None => Ok(()),
+        }
+    }
+
     /// Few blocks can move the tool without end: a pattern of many points with a cycle of many infeeds.
-    fn count_move(&mut self) -> Done {
+    pub(super) fn count_move(&mut self) -> Done {
         self.moves += 1;
         let limit = self.engine.limits.moves;
         if self.moves > limit {
@@ -318,10 +343,16 @@ impl Run<'_, '_> {
                 BallPath::Arc { centre: centre + lift, axis, from: from + lift, sweep, rise }
             }
         };
-        match self.world.scene.body.first_contact_on(probe.ball_radius, &path)? {
+        self.touches_on(probe.ball_radius, &path)
+    }
+
+    /// An error if the ball touches the parts on a path of its centre.
+    pub(super) fn touches_on(&self, ball_radius: f64, path: &BallPath) -> Done {
+        let path = self.world.path_at_parts(path);
+        match self.world.scene.body.first_contact_on(ball_radius, &path)? {
             None => Ok(()),
             Some(contact) => {
-                let point = self.world.system.back().point(contact.point);
+                let point = self.world.system.back().point(self.world.from_parts(contact.point));
                 let fault = Fault::control("collision").arg("x", point.x).arg("y", point.y).arg("z", point.z);
                 Err(fault.into())
             }

@@ -2,7 +2,7 @@
 //!
 //! Invariant: what the control learns is where the ball centre was, as far as it knows the ball; the true ball
 //! is the scene's. Points here are given by axis.
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::event::{MoveKind, Probing};
 use super::fault::{Class, Fault};
@@ -22,24 +22,22 @@ impl Run<'_, '_> {
             return Err(Fault::new(Class::Internal, "probe-no-direction").into());
         }
         let target = from + way * (probe.dist / length);
-        let true_ball = |tip: DVec3, offset: DVec2| self.world.ball_centre(tip, &probe, offset);
-        let start = true_ball(self.world.machine, probe.offset);
-        let body = &self.world.scene.body;
-        if body.touches(probe.ball_radius, start)? {
+        let start = self.world.ball_centre(self.world.machine, &probe, probe.offset);
+        let (body, at_start) = (&self.world.scene.body, self.world.at_parts(start));
+        if body.touches(probe.ball_radius, at_start)? {
             return Err(Fault::control("probe-deflected").into());
         }
-        let path_end = start + frame.vector(target - from);
-        let contact = body.first_contact(probe.ball_radius, start, path_end)?;
+        let path_end = self.world.at_parts(start + frame.vector(target - from));
+        let contact = body.first_contact(probe.ball_radius, at_start, path_end)?;
         let Some(contact) = contact else {
             let kind = Probing { from, target, contact: None, feed: probe.feed };
             self.tell(EventKind::Probe(kind));
             return Err(Fault::control("probe-no-contact").arg("distance", probe.dist).into());
         };
-        // The control adds the calibrated offset to where the spindle is; the ball is where it really is.
-        let believed = contact.ball_centre + plane.lift(probe.calibrated - probe.offset, 0.0);
-        let centre = back.point(believed);
-        let touched = back.point(contact.point);
-        let stopped = self.world.machine + (contact.ball_centre - start);
+        let (ball, touched) = (self.world.from_parts(contact.ball_centre), self.world.from_parts(contact.point));
+        let stopped = self.world.machine + (ball - start);
+        let centre = back.point(self.world.believed_centre(ball, stopped, &probe));
+        let touched = back.point(touched);
         if let Some(fault) = self.world.beyond_limits(stopped) {
             return Err(fault.into());
         }

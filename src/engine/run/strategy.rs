@@ -1,4 +1,4 @@
-//! The strategies that the engine has: storing datums, reading a tolerance band.
+//! The strategies that the engine has: storing datums, reading a tolerance band; others have files of their own.
 //!
 //! Invariant: each does one thing with the values that it is given; none knows which cycle asked for it.
 use glam::DVec3;
@@ -7,9 +7,13 @@ use super::cycle::Exec;
 use super::fault::{Class, Fault};
 use super::{Done, Run};
 use crate::engine::geometry::{Axis, Frame};
-use crate::engine::plan::{Strategy, StrategyCall};
+use crate::engine::plan::{Calc, Strategy, StrategyCall};
+use crate::engine::scene::Preset;
 use crate::engine::table::{Cell, TableKind};
 use crate::expr::Value;
+
+/// Coordinates that differ by less, in mm, are the same: cells keep no more.
+const UNCHANGED: f64 = 1e-9;
 
 /// A point of the program and the coordinates that it shall have on some axes.
 struct Wanted {
@@ -20,9 +24,9 @@ struct Wanted {
 }
 
 impl Wanted {
-    /// The coordinates as a vector; axes not named are 0.
-    fn vector(&self) -> DVec3 {
-        self.values.iter().fold(DVec3::ZERO, |vector, (axis, value)| axis.with(vector, *value))
+    /// By how much coordinates must change to become those that are wanted; axes not named stay.
+    fn change(&self, from: DVec3) -> DVec3 {
+        self.values.iter().fold(DVec3::ZERO, |change, (axis, value)| axis.with(change, value - axis.of(from)))
     }
 }
 
@@ -40,8 +44,29 @@ impl<'e> Run<'_, 'e> {
             }
             Strategy::WriteDatumRow => {
                 let (wanted, row) = (self.wanted(call, exec)?, self.row(call, exec)?);
-                self.write_datum_row(&wanted, row)
+                self.write_datum_row(&wanted, row, exec)
             }
+            Strategy::ResetBasicRotation => {
+                self.set_basic_rotation(0.0);
+                Ok(())
+            }
+            Strategy::WriteBasicRotation => self.write_basic_rotation(call, exec),
+            Strategy::TurnBasicRotation => self.turn_basic_rotation(call, exec),
+            Strategy::Direction => self.direction_of(call, exec),
+            Strategy::IntersectLines => self.intersect_lines(call, exec),
+            Strategy::AlignRotaryTable => self.align_rotary_table(call, exec),
+            Strategy::AlignRotaryAxis => self.align_rotary_axis(call, exec),
+            Strategy::AlignDirection => self.align_direction(call, exec),
+            Strategy::ZeroRotaryTable => {
+                let axis = match call.with.first() {
+                    Some(Some(_)) => self.numbered_axis(0, call, exec)?,
+                    _ => self.world.table_axis(),
+                };
+                self.zero_display(axis);
+                Ok(())
+            }
+            Strategy::ZeroRotaryAxis => self.zero_rotary_axis(call, exec),
+            Strategy::AddAngleToDatumRow => self.add_angle_to_datum_row(call, exec),
             Strategy::PlungeOnHelix => self.plunge_on_helix(call, exec),
             Strategy::PlungeInStrokes => self.plunge_in_strokes(call, exec),
             Strategy::ToleranceBand => {
@@ -58,6 +83,12 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
+    /// An argument that must be there.
+    pub(super) fn argument<'c>(call: &'c StrategyCall, index: usize) -> Result<&'c Calc, Fault> {
+        let missing = || Fault::new(Class::Internal, "strategy-argument");
+        call.with.get(index).and_then(Option::as_ref).ok_or_else(missing)
+    }
+
     fn wanted(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<Wanted, Fault> {
         let internal = || Fault::new(Class::Internal, "strategy-argument");
         let [Some(point), main, minor, tool, ..] = call.with.as_slice() else { return Err(internal()) };
@@ -72,19 +103,14 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn row(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
-        let Some(Some(row)) = call.with.get(4) else { return Err(Fault::new(Class::Internal, "strategy-argument")) };
-        self.number(row, exec)
+        self.number(Self::argument(call, 4)?, exec)
     }
 
     fn set_datum(&mut self, wanted: &Wanted) {
         let before = self.world.system.told();
-        let change = wanted
-            .values
-            .iter()
-            .fold(DVec3::ZERO, |change, (axis, value)| axis.with(change, value - axis.of(wanted.point)));
+        let change = wanted.change(wanted.point);
         let origin = self.world.system.origin - self.world.system.frame().vector(change);
-        let (preset, basic) = (self.world.system.preset, self.world.system.basic);
-        self.world.system.set_preset(preset, origin, basic);
+        self.world.system.set_origin(origin);
         self.transformed(before);
     }
 
@@ -92,23 +118,44 @@ impl<'e> Run<'_, 'e> {
     fn write_preset(&mut self, wanted: &Wanted, row: f64) -> Done {
         let machine = self.world.system.frame().point(wanted.point);
         let has_row = self.world.table(TableKind::Preset)?.has_row(row);
-        let basic = if has_row { self.world.preset(row)?.1 } else { DVec3::ZERO };
-        let origin = machine - Frame::placed(DVec3::ZERO, basic).vector(wanted.vector());
-        for (axis, _) in &wanted.values {
-            let cell = Cell::Number(axis.of(origin));
-            self.write_cell(TableKind::Preset, row, &axis.letter().to_string(), &cell)?;
+        let old = if has_row { self.world.preset(row)? } else { Preset::default() };
+        let frame = old.frame();
+        let change = wanted.change(frame.inverse().point(machine));
+        self.write_coordinates(TableKind::Preset, row, wanted, old.origin, old.origin - frame.vector(change))
+    }
+
+    /// What makes the point have its coordinates once the row is the datum shift, with all else as it is.
+    fn write_datum_row(&mut self, wanted: &Wanted, row: f64, exec: &Exec<'_, 'e>) -> Done {
+        let machine = self.world.system.frame().point(wanted.point);
+        let (outside, inside) = self.world.system.around_datum();
+        let to_machine = if self.datums_of_machine(exec) { outside } else { Frame::IDENTITY };
+        let table = self.world.table(TableKind::Datum)?;
+        let mut old = DVec3::ZERO;
+        if table.has_row(row) {
+            let number = |column| table.number(row, column).map(Option::unwrap_or_default);
+            old = DVec3::new(number("X")?, number("Y")?, number("Z")?);
+        }
+        let shift = to_machine.inverse().point(old);
+        let change = wanted.change(inside.inverse().vector(outside.inverse().point(machine) - shift));
+        let new = to_machine.point(shift - inside.vector(change));
+        self.write_coordinates(TableKind::Datum, row, wanted, old, new)
+    }
+
+    /// Writes the coordinates of the axes that are wanted. Where the system of the row is turned, what moves its datum
+    /// along one of its axes changes other coordinates, too.
+    fn write_coordinates(&mut self, kind: TableKind, row: f64, wanted: &Wanted, old: DVec3, new: DVec3) -> Done {
+        for axis in Axis::ALL {
+            let asked = wanted.values.iter().any(|(known, _)| *known == axis);
+            if asked || (axis.of(old) - axis.of(new)).abs() > UNCHANGED {
+                self.write_cell(kind, row, &axis.letter().to_string(), &Cell::Number(axis.of(new)))?;
+            }
         }
         Ok(())
     }
 
-    fn write_datum_row(&mut self, wanted: &Wanted, row: f64) -> Done {
-        let machine = self.world.system.frame().point(wanted.point);
-        let datum = self.world.system.preset_frame().inverse().point(machine) - wanted.vector();
-        for (axis, _) in &wanted.values {
-            let cell = Cell::Number(axis.of(datum));
-            self.write_cell(TableKind::Datum, row, &axis.letter().to_string(), &cell)?;
-        }
-        Ok(())
+    /// Whether the values of datum tables count from the machine datum and not from the preset.
+    pub(super) fn datums_of_machine(&self, exec: &Exec<'_, 'e>) -> bool {
+        self.machine_datum("datum-table-reference", exec) == Some(1.0)
     }
 }
 

@@ -8,8 +8,9 @@ use glam::{DVec2, DVec3};
 
 use super::coordinates::System;
 use super::fault::Fault;
-use crate::engine::geometry::{Axis, WorkingPlane};
-use crate::engine::scene::{self, Answers, ParameterValue, Scene};
+use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
+use crate::engine::scene::{Answers, ParameterValue, Preset, Scene};
+use crate::engine::solid::Path as BallPath;
 use crate::engine::table::{Table, TableError, TableKind};
 
 /// The word of the probe table for pre-positioning at the machine's rapid rate (TNC 320 manual, line 545).
@@ -57,6 +58,13 @@ pub(super) struct ProbeData {
     pub offset: DVec2,
 }
 
+/// The tables at a moment, to return to.
+pub(super) struct Tables {
+    tables: BTreeMap<TableKind, Table>,
+    datums: Vec<Table>,
+    written: Vec<String>,
+}
+
 /// The virtual machine.
 pub(super) struct World<'s> {
     /// The scene.
@@ -65,8 +73,15 @@ pub(super) struct World<'s> {
     pub system: System,
     /// The tool tip in program coordinates, by axis.
     pub here: DVec3,
-    /// The tool tip in machine coordinates.
+    /// The tool tip in machine coordinates: where it is while the head stands at 0.
     pub machine: DVec3,
+    /// The rotary axes in machine coordinates, degrees.
+    pub angles: DVec3,
+    /// How far the table has turned the parts since the start, as a frame from the machine to where they were then;
+    /// nothing while it stands as at the start.
+    parts: Option<Frame>,
+    /// How the head is turned, if it does not stand at 0.
+    head: Option<Frame>,
     /// What the operator will say.
     pub answers: Answers,
     tool: Option<Tool>,
@@ -90,6 +105,9 @@ impl<'s> World<'s> {
             system,
             here: DVec3::ZERO,
             machine: scene.start,
+            angles: scene.start_angles,
+            parts: None,
+            head: None,
             answers: scene.answers.clone(),
             tool: None,
             probe: OnceCell::new(),
@@ -98,8 +116,9 @@ impl<'s> World<'s> {
             datum: 0,
             written: Vec::new(),
         };
-        let (origin, basic) = world.preset(scene.active_preset)?;
-        world.system.set_preset(scene.active_preset, origin, basic);
+        let preset = world.preset(scene.active_preset)?;
+        world.system.set_preset(scene.active_preset, preset);
+        world.turn(scene.start_angles);
         world.renew();
         Ok(world)
     }
@@ -109,9 +128,58 @@ impl<'s> World<'s> {
         self.here = self.system.back().point(self.machine);
     }
 
-    /// Position and spatial angles of a preset.
-    pub(super) fn preset(&self, row: f64) -> Result<(DVec3, DVec3), TableError> {
-        scene::preset(self.table(TableKind::Preset)?, row)
+    /// A preset of the table.
+    pub(super) fn preset(&self, row: f64) -> Result<Preset, TableError> {
+        Preset::of_row(self.table(TableKind::Preset)?, row)
+    }
+
+    /// The rotary axes get new coordinates.
+    pub(super) fn turn(&mut self, angles: DVec3) {
+        self.angles = angles;
+        let machine = &self.scene.machine;
+        let (table, at_start) = (machine.table(angles), machine.table(self.scene.start_angles));
+        self.parts = (table != at_start).then(|| at_start.of(table.inverse()));
+        self.head = Some(machine.head(angles)).filter(|head| *head != Frame::IDENTITY);
+    }
+
+    /// The tables as they are now.
+    pub(super) fn tables(&self) -> Tables {
+        Tables { tables: self.tables.clone(), datums: self.datums.clone(), written: self.written.clone() }
+    }
+
+    /// Makes the tables again what they were.
+    pub(super) fn restore(&mut self, tables: Tables) {
+        (self.tables, self.datums, self.written) = (tables.tables, tables.datums, tables.written);
+        self.probe.take();
+    }
+
+    /// A point of the machine as the parts see it, that is where it was relative to them at the start.
+    pub(super) fn at_parts(&self, point: DVec3) -> DVec3 {
+        self.parts.map_or(point, |parts| parts.point(point))
+    }
+
+    /// The direction of a vector of the machine as the parts see it.
+    pub(super) fn along_parts(&self, vector: DVec3) -> DVec3 {
+        self.parts.map_or(vector, |parts| parts.vector(vector))
+    }
+
+    /// The way back from [`World::at_parts`].
+    pub(super) fn from_parts(&self, point: DVec3) -> DVec3 {
+        self.parts.map_or(point, |parts| parts.inverse().point(point))
+    }
+
+    /// A path of the ball as the parts see it.
+    pub(super) fn path_at_parts(&self, path: &BallPath) -> BallPath {
+        match *path {
+            BallPath::Line { from, to } => BallPath::line(self.at_parts(from), self.at_parts(to)),
+            BallPath::Arc { centre, axis, from, sweep, rise } => BallPath::Arc {
+                centre: self.at_parts(centre),
+                axis: self.along_parts(axis),
+                from: self.at_parts(from),
+                sweep,
+                rise,
+            },
+        }
     }
 
     /// The table of a kind; of datum tables the active one.
@@ -238,10 +306,30 @@ impl<'s> World<'s> {
     }
 
     /// The centre of the ball, in machine coordinates, when the tool tip is there; `offset` is the one of the
-    /// ball from the spindle axis.
+    /// ball from the spindle axis. A head that is turned takes the ball with it.
     pub(super) fn ball_centre(&self, tip: DVec3, probe: &ProbeData, offset: DVec2) -> DVec3 {
         let plane = self.system.plane;
-        tip + self.system.frame().vector(plane.tool.unit()) * probe.ball_radius + plane.lift(offset, 0.0)
+        let Some(head) = self.head else {
+            return tip + self.system.frame().vector(plane.tool.unit()) * probe.ball_radius + plane.lift(offset, 0.0);
+        };
+        let pivot = self.pivot(tip);
+        pivot + head.vector(tip + plane.tool.unit() * probe.ball_radius + plane.lift(offset, 0.0) - pivot)
+    }
+
+    /// Where the control believes the ball centre to be that is truly there, with the tool tip where it is. It adds the
+    /// calibrated offset to where the spindle is, and knows nothing of a head that is turned.
+    pub(super) fn believed_centre(&self, ball: DVec3, tip: DVec3, probe: &ProbeData) -> DVec3 {
+        let plane = self.system.plane;
+        if self.head.is_none() {
+            return ball + plane.lift(probe.calibrated - probe.offset, 0.0);
+        }
+        tip + self.system.frame().vector(plane.tool.unit()) * probe.ball_radius + plane.lift(probe.calibrated, 0.0)
+    }
+
+    /// The point about which the head turns when the tool tip is there, in machine coordinates.
+    pub(super) fn pivot(&self, tip: DVec3) -> DVec3 {
+        let length = self.tool.map_or(0.0, |tool| tool.length) + self.scene.machine.pivot;
+        tip + self.system.plane.tool.unit() * length
     }
 
     /// The number that a machine parameter has in the scene, by the name that the control prints.
@@ -262,7 +350,26 @@ impl<'s> World<'s> {
         let axis = self.scene.machine.beyond_limits(machine)?;
         let letter = axis.axis.letter().to_string();
         let fault = Fault::control("axis-limit").arg("axis", letter).arg("found", axis.axis.of(machine));
-        Some(fault.arg("min", axis.min).arg("max", axis.max))
+        Some(fault.arg("min", axis.min).arg("max", axis.max).arg("unit", "mm"))
+    }
+
+    /// The first rotary axis that angles in machine coordinates take beyond its limits.
+    pub(super) fn turned_too_far(&self, angles: DVec3) -> Option<Fault> {
+        let axis = self.scene.machine.turned_too_far(angles)?;
+        let (min, max) = axis.limits?;
+        let letter = axis.axis.letter().to_string();
+        let fault = Fault::control("axis-limit").arg("axis", letter).arg("found", axis.axis.of(angles));
+        Some(fault.arg("min", min).arg("max", max).arg("unit", "°"))
+    }
+
+    /// The rotary axes in program coordinates.
+    pub(super) fn program_angles(&self) -> DVec3 {
+        self.angles - self.system.angle_datum()
+    }
+
+    /// The rotary axis that turns about a parallel of the tool axis.
+    pub(super) fn table_axis(&self) -> RotaryAxis {
+        RotaryAxis(self.system.plane.tool)
     }
 
     /// The axes of the machine that a program can move.

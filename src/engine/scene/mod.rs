@@ -10,7 +10,7 @@ mod solid;
 pub use answers::Answers;
 pub use clock::Clock;
 
-use super::geometry::{Frame, INCH};
+use super::geometry::{Frame, INCH, RotaryAxis};
 use super::machine::Machine;
 use super::read::Reader;
 use super::solid::{Body, Shape};
@@ -90,9 +90,12 @@ pub struct Scene {
     pub frame: Frame,
     /// Where the tool tip is at the start, in machine coordinates.
     pub start: DVec3,
+    /// Where the rotary axes are at the start, in machine coordinates.
+    pub start_angles: DVec3,
     /// The raw material, in machine coordinates.
     pub stock: Option<Shape>,
-    /// All parts together, in machine coordinates. They stay where they are when a program changes its preset.
+    /// All parts together, in machine coordinates while the table is as at the start. They stay where they are when a
+    /// program changes its preset, and turn with the table.
     pub parts: Shape,
     /// The parts, ready for contact.
     pub body: Body,
@@ -100,14 +103,35 @@ pub struct Scene {
     pub answers: Answers,
 }
 
-/// A preset in machine coordinates (X, Y, Z) and its spatial angles (SPA, SPB, SPC). Empty cells are 0.
-///
-/// # Errors
-/// There is no such row.
-pub fn preset(presets: &Table, row: f64) -> Result<(DVec3, DVec3), TableError> {
-    let number = |column| presets.number(row, column).map(Option::unwrap_or_default);
-    let origin = DVec3::new(number("X")?, number("Y")?, number("Z")?);
-    Ok((origin, DVec3::new(number("SPA")?, number("SPB")?, number("SPC")?)))
+/// A preset in machine coordinates; empty cells of its row are 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Preset {
+    /// X, Y, Z.
+    pub origin: DVec3,
+    /// Its spatial angles SPA, SPB, SPC: a basic rotation.
+    pub basic: DVec3,
+    /// A, B, C: where the rotary axes have the coordinate 0.
+    pub angles: DVec3,
+}
+
+impl Preset {
+    /// The row of a preset table.
+    ///
+    /// # Errors
+    /// There is no such row.
+    pub fn of_row(presets: &Table, row: f64) -> Result<Self, TableError> {
+        let number = |column| presets.number(row, column).map(Option::unwrap_or_default);
+        Ok(Self {
+            origin: DVec3::new(number("X")?, number("Y")?, number("Z")?),
+            basic: DVec3::new(number("SPA")?, number("SPB")?, number("SPC")?),
+            angles: DVec3::new(number("A")?, number("B")?, number("C")?),
+        })
+    }
+
+    /// From its coordinates to the machine.
+    pub fn frame(&self) -> Frame {
+        Frame::placed(self.origin, self.basic)
+    }
 }
 
 impl Scene {
@@ -153,9 +177,10 @@ impl Scene {
         let probe = node.get("probe").and_then(|node| probe(node, &mut probes, r));
         let (presets, active_preset) = presets(node, r);
         let datums = datums(node, r);
-        let placed = preset(&presets, active_preset).map(|(origin, angles)| Frame::placed(origin, angles));
-        let frame = placed.unwrap_or(Frame::IDENTITY);
-        let start = start(node, machine.as_ref(), &frame, r);
+        // A row that is missing was reported.
+        let preset = Preset::of_row(&presets, active_preset).unwrap_or_default();
+        let frame = preset.frame();
+        let (start, start_angles) = start(node, machine.as_ref(), &preset, r);
         let placed = |shape| Shape::Placed { frame, shape: Box::new(shape) };
         let stock = node.get("stock").and_then(|node| solid::stock(node, r)).map(placed);
         let list = node.get("parts").map_or(&[][..], |node| r.items(node));
@@ -175,6 +200,7 @@ impl Scene {
                 datums,
                 frame,
                 start,
+                start_angles,
                 stock,
                 parts,
                 body,
@@ -318,20 +344,32 @@ fn datums(node: &Node, r: &mut Reader<'_>) -> Vec<Table> {
     tables
 }
 
-/// The start in machine coordinates, where the machine must be able to stand.
-fn start(node: &Node, machine: Option<&Machine>, frame: &Frame, r: &mut Reader<'_>) -> DVec3 {
+/// The start in machine coordinates, where the machine must be able to stand: the tool tip and the rotary axes.
+fn start(node: &Node, machine: Option<&Machine>, preset: &Preset, r: &mut Reader<'_>) -> (DVec3, DVec3) {
     let given = node.get("start");
-    let start = given.map_or(Some(DEFAULT_START), |node| r.vector(node)).unwrap_or(DEFAULT_START);
-    let start = frame.point(start);
-    if let (Some(node), Some(axis)) = (given, machine.and_then(|machine| machine.beyond_limits(start))) {
-        let letter = axis.axis.letter().to_string();
+    let default = (DEFAULT_START, DVec3::ZERO);
+    let (start, angles) = given.map_or(Some(default), |node| r.position(node)).unwrap_or(default);
+    let (start, angles) = (preset.frame().point(start), angles + preset.angles);
+    let (Some(node), Some(machine)) = (given, machine) else { return (start, angles) };
+    for axis in RotaryAxis::ALL {
+        let letter = axis.letter().to_string();
+        if let (Some(at), None) = (node.get(&letter), machine.rotary(axis)) {
+            r.report("scene-no-axis", at, vec![("axis", letter.into())]);
+        }
+    }
+    let linear = machine.beyond_limits(start).map(|axis| (axis.axis.letter(), axis.axis.of(start), axis.min, axis.max, "mm"));
+    let rotary = machine.turned_too_far(angles).and_then(|axis| {
+        axis.limits.map(|(min, max)| (axis.axis.letter(), axis.axis.of(angles), min, max, "°"))
+    });
+    if let Some((axis, found, min, max, unit)) = linear.or(rotary) {
         let args = vec![
-            ("axis", letter.into()),
-            ("found", axis.axis.of(start).into()),
-            ("min", axis.min.into()),
-            ("max", axis.max.into()),
+            ("axis", axis.to_string().into()),
+            ("found", found.into()),
+            ("min", min.into()),
+            ("max", max.into()),
+            ("unit", unit.into()),
         ];
         r.report("scene-start-outside", node, args);
     }
-    start
+    (start, angles)
 }
