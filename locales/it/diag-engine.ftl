@@ -1,4 +1,4 @@
-## Perché un’esecuzione termina prima della fine.
+## Perché un'esecuzione termina prima della fine.
 
 diag-angle-missing = Al cerchio manca l’angolo PA.
 diag-axis-limit = L’asse { $axis } andrebbe a { NUMBER($found) } { $unit }, oltre i limiti della macchina da { NUMBER($min) } a { NUMBER($max) } { $unit }.
