@@ -47,7 +47,7 @@ cycle-pilot-drilling = Predvrtanje
     .purpose = Vrta na vbodnih točkah konture, ki so hkrati začetne točke za posnemanje.
 step-position-at-pilot-holes = Krmiljenje določi vbodne točke konture.
 step-move-over-pilot-hole = Krmiljenje premakne orodje nad vbodno točko na varnostno razdaljo.
-step-drill-pilot-hole-to-plunging-depth = Orodje vrta s pomikom { $q-contour-plunging-feed } do globine primika, ki je pri vsakem primiku za { $q-contour-plunging-depth } večja.
+step-drill-pilot-hole-to-plunging-depth = Orodje vrta s pomikom { $q-contour-plunging-feed } do globine primika, ki je pri vsakem primiku za { $q-contour-plunging-depth } globlja.
 step-retract-and-return-to-stop-distance = Krmiljenje umakne orodje v hitrem teku (FMAX) in ga vrne na razdaljo zadrževanja t nad doseženo globino.
 until-drilling-depth-reached = ni dosežena globina vrtanja
 step-dwell-and-retract-to-start = Orodje se na dnu vrtine zadrži za prosto rezanje in se nato v hitrem teku (FMAX) umakne na začetni položaj.
@@ -62,7 +62,7 @@ cycle-rough-out = Posnemanje
     .nc = VRTANJE
     .purpose = Konturo ravnino za ravnino grobo obdela do globinske nadmere ali obdela samo tisto, kar je pustilo večje orodje.
 step-position-over-infeed-point = Krmiljenje z upoštevanjem nadmere stranskega finega rezkanja premakne orodje nad vbodno točko.
-step-plunge-to-contour-level = Orodje se spusti na naslednjo globino primika, ki je za { $q-contour-plunging-depth } večja:
+step-plunge-to-contour-level = Orodje se spusti na naslednjo globino primika, za { $q-contour-plunging-depth } globlje:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: navpično s pomikom { $q-contour-plunging-feed }, tudi če je za aktivno orodje definiran kot spuščanja { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: navpično z nihajnim pomikom { $q-reciprocation-feed }
 say-plunge-on-helix-or-in-strokes = sicer po vijačnici pod kotom spuščanja { $mp-plunging-angle } ali, če vijačnica ni mogoča, nihajoče
@@ -92,7 +92,7 @@ cycle-side-finishing = Stransko fino rezkanje
     .nc = STRAN. FINO REZK.
     .purpose = Fino rezka stene konture. Vsaka delna kontura se fino rezka posebej.
 step-find-start-of-side-finishing = Krmiljenje določi začetno točko finega rezkanja.
-step-finish-partial-contour = Krmiljenje spusti orodje s pomikom { $q-contour-plunging-feed } na naslednjo globino primika, ki je za { $q-contour-plunging-depth } večja, ga po krožnem loku tangencialno pripelje k delni konturi in jo fino rezka s pomikom { $q-roughing-feed }.
+step-finish-partial-contour = Krmiljenje spusti orodje s pomikom { $q-contour-plunging-feed } na naslednjo globino primika, za { $q-contour-plunging-depth } globlje, ga po krožnem loku tangencialno pripelje k delni konturi in jo fino rezka s pomikom { $q-roughing-feed }.
 until-partial-contours-finished = niso fino rezkane vse delne konture
 note-side-finishing-allowances = Vsota nadmere stranskega finega rezkanja { $q-remaining-side-allowance } in polmera orodja za fino rezkanje mora biti manjša od vsote nadmere stranskega finega rezkanja iz cikla 20 in polmera izvrtalnega orodja.
 note-side-finishing-without-roughing = Enako velja, če se cikel izvede brez predhodnega posnemanja s ciklom 22; za polmer izvrtalnega orodja se tedaj šteje 0.
@@ -105,7 +105,7 @@ cycle-contour-train = Konturni segment
     .nc = KONTURNI SEGMENT
     .purpose = Skupaj s ciklom 14 obdela odprte in zaprte konture. V primerjavi s pozicionirnimi stavki vzdolž konture krmiljenje obdelavo nadzoruje, ves čas rezka v soteku ali v protiteku, lahko pa rezka tudi izmenično v obe smeri in z nadmerami.
 step-position-over-contour-start = Krmiljenje premakne orodje na varno višino { $q-contour-clearance-height } in nad začetno točko konture.
-step-plunge-beside-contour = Orodje se s pomikom { $q-contour-plunging-feed } spusti na naslednjo globino primika, ki je za { $q-contour-plunging-depth } večja.
+step-plunge-beside-contour = Orodje se s pomikom { $q-contour-plunging-feed } spusti na naslednjo globino primika, za { $q-contour-plunging-depth } globlje.
 step-mill-along-contour = Orodje s pomikom { $q-contour-milling-feed } rezka vzdolž konture; pri tem se upošteva nadmera finega rezkanja { $q-side-allowance }:
 say-mill-to-and-fro = { $q-contour-milling-type } = 0: v obe smeri, z vsakim primikom izmenično v soteku in protiteku
 say-mill-in-one-direction = { $q-contour-milling-type } = +1 ali −1: pri vsakem primiku v soteku oziroma v protiteku
@@ -123,7 +123,7 @@ note-no-incremental-after-contour-train = Nevarnost kolizije! Po ciklu ne progra
 note-absolute-position-after-contour-train = Nevarnost kolizije! Po ciklu orodje po vseh glavnih oseh premaknite na definiran (absoluten) položaj, ker njegov položaj na koncu cikla ni enak položaju na začetku.
 
 # --- 27 to 29 ---
-step-plunge-into-cylinder = Orodje se s pomikom { $q-contour-plunging-feed } spusti na naslednjo globino primika, ki je za { $q-contour-plunging-depth } večja.
+step-plunge-into-cylinder = Orodje se s pomikom { $q-contour-plunging-feed } spusti na naslednjo globino primika, za { $q-contour-plunging-depth } globlje.
 until-cylinder-milling-depth-reached = ni dosežena programirana globina rezkanja { $q-cylinder-milling-depth }
 step-return-in-tool-axis = Orodje se po orodni osi vrne na varno višino ali na položaj, ki je bil nazadnje programiran pred ciklom.
 guard-clearance-within-tool-radius = Varnostna razdalja ni večja od polmera orodja.

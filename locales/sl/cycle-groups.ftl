@@ -1,4 +1,4 @@
-# Titles of the groups of cycles; see the English file.
+# Titles of the groups of cycles.
 cycle-group-drilling = Vrtanje
 cycle-group-threads = Vrtanje navojev in rezkanje navojev
 cycle-group-pockets = Žepi, čepi in utori
@@ -14,4 +14,4 @@ cycle-group-measuring = Merjenje obdelovancev
 cycle-group-calibration = Umerjanje tipalnega sistema
 cycle-group-kinematics = Merjenje kinematike
 cycle-group-tool-measurement = Merjenje orodij
-cycle-group-digitizing = Digitalizacija
+cycle-group-digitizing = Digitaliziranje
