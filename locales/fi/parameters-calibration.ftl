@@ -23,10 +23,10 @@ parameter-sphere-touch-points__preset-compensation = Mittauspisteiden lukumäär
 
 # --- kosketusjärjestelmien kalibrointi ---
 parameter-calibration-sphere-probings = Kosketusten lukumäärä tasossa (4/3)
-    .label = KOSKETUSTEN LUKUMÄÄRÄ
+    .label = MITT.PIST. LUKUMÄÄRÄ
     .help = Mittauspisteiden lukumäärä halkaisijalla.
 parameter-calibration-ring-probings = Kosketusten lukumäärä
-    .label = KOSKETUSTEN LUKUMÄÄRÄ
+    .label = MITT.PIST. LUKUMÄÄRÄ
     .help = Mittauspisteiden lukumäärä halkaisijalla.
 parameter-kinematics-reference-angle__calibrate-in-ring =
     .help = Koneistustason pääakselin ja ensimmäisen kosketuspisteen välinen kulma.

@@ -56,8 +56,8 @@ parameter-side-finishing-direction = Kiertosuunta
 parameter-remaining-side-allowance = Sivun silitystyövara
     .label = SIVUN TYÖVARA
     .help = Työvara useassa työvaiheessa tehtävää silitystä varten. Arvolla 0 poistetaan loppu silitystyövarasta.
-parameter-contour-milling-type = Myötälastu tai vastalastu
-    .label = MYÖTÄ- TAI VASTALASTU
+parameter-contour-milling-type = Jyrsintämenetelmä
+    .label = JYRSINTÄMENETELMÄ
     .help = Jyrsinnän laji muotoa pitkin.
 
 # --- lieriövaippa ---
@@ -86,7 +86,7 @@ parameter-cylinder-slot-tolerance = Toleranssi
     .label = TOLERANSSI
     .help = Sallittu poikkeama ihanteellisesta urasta, joka jyrsitään täsmälleen uran levyisellä työkalulla. Jos työkalu on ohjelmoitua uran leveyttä { $q-cylinder-slot-width } pienempi, uran seinämät vääristyvät kaarissa ja vinoissa suorissa; toleranssin avulla ohjaus jälkikoneistaa uraa, kunnes se on lähellä ihanteellista. Jälkikoneistusvaiheiden määrä riippuu lieriön säteestä, työkalusta ja uran syvyydestä. Mitä pienempi toleranssi, sitä tarkempi ura ja pidempi jälkikoneistus. Suositusarvo: 0,02{"\u00A0"}mm. Arvo 0 kytkee toiminnon pois päältä (perusasetus).
 parameter-cylinder-ridge-width = Uuman leveys
-    .label = UUMAN LEVEYS
+    .label = ASKELLEVEYS
     .help = Valmiin uuman leveys.
 
 # --- kaiverrus ---

@@ -93,11 +93,11 @@ parameter-plunging-feed__multipass-milling =
     .help = Työkalun liikenopeus syvyyteen ajettaessa.
 
 # --- suorat pistekuviot ---
-parameter-pattern-spacing-main = 1. akselin väli
-    .label = VÄLI 1. AKSELILLA
+parameter-pattern-spacing-main = 1. akselin etäisyys
+    .label = ETÄISYYS 1. AKSELILLA
     .help = Rivin pisteiden välinen etäisyys.
-parameter-pattern-spacing-minor = 2. akselin väli
-    .label = VÄLI 2. AKSELILLA
+parameter-pattern-spacing-minor = 2. akselin etäisyys
+    .label = ETÄISYYS 2. AKSELILLA
     .help = Rivien välinen etäisyys.
 parameter-number-of-columns = Sarakkeiden lukumäärä
     .label = SARAKKEIDEN LUKUMÄÄRÄ
@@ -118,13 +118,13 @@ parameter-second-set-up-clearance__line-pattern =
 
 # --- pintojen rivijyrsintä ---
 parameter-starting-point-main = 1. akselin alkupiste
-    .label = ALKUPISTE 1. AKSELILLA
+    .label = 1. AKSELIN ALKUPISTE
     .help = Koneistettavan pinnan alkupisteen koordinaatti koneistustason pääakselilla.
 parameter-starting-point-minor = 2. akselin alkupiste
-    .label = ALKUPISTE 2. AKSELILLA
+    .label = 2. AKSELIN ALKUPISTE
     .help = Koneistettavan pinnan alkupisteen koordinaatti koneistustason sivuakselilla.
 parameter-starting-point-tool = 3. akselin alkupiste
-    .label = ALKUPISTE 3. AKSELILLA
+    .label = 3. AKSELIN ALKUPISTE
     .help = Karan akselin korkeus, jolla pinta jyrsitään.
 parameter-starting-point-tool__ruled-surface =
     .help = Jyrsittävän pinnan alkupisteen koordinaatti karan akselilla.
@@ -183,7 +183,7 @@ parameter-face-milling-strategy = Koneistusstrategia
     .label = STRATEGIA
     .help = Miten ohjaus koneistaa pinnan.
 parameter-end-point-tool = 3. akselin loppupiste
-    .label = LOPPUPISTE 3. AKSELILLA
+    .label = 3. AKSELIN LOPPUPISTE
     .help = Karan akselin koordinaatti, johon pinta tasojyrsitään.
 parameter-max-plunging-depth = Suurin asetussyvyys
     .label = MAKS. ASETUSSYVYYS
