@@ -13,6 +13,9 @@ struct Named<'c> {
     label: String,
 }
 
+/// How much more of a label must fit another name than its own.
+const CLEARLY: f64 = 0.4;
+
 /// Reports labels that two parameters of a cycle share, and labels that speak of another parameter.
 pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Diagnostic>) {
     for on in catalogue.controls.values() {
@@ -122,19 +125,15 @@ fn by_label<'n>(cycles: &'n BTreeMap<&str, Vec<Named>>) -> BTreeMap<&'n str, BTr
     names
 }
 
-/// Another parameter with the same label whose name the label fits, while it has nothing in common
-/// with the name of this one.
+/// Another parameter with the same label whose name the label fits clearly better than that of this one.
 fn of_another<'c, 'n>(
     one: &Named<'c>,
     names: &BTreeMap<&'n str, BTreeSet<(&'n str, &'n str)>>,
 ) -> Option<(Named<'c>, &'n str)> {
     let own = likeness(&one.label, &one.name);
-    if own > 0.0 {
-        return None;
-    }
     let others = names.get(one.label.as_str())?;
     let fits = others.iter().filter(|(_, is)| *is != one.param.is.as_str());
-    let (name, is) = fits.copied().find(|(name, _)| likeness(&one.label, name) >= 0.5)?;
+    let (name, is) = fits.copied().find(|(name, _)| likeness(&one.label, name) >= own + CLEARLY)?;
     Some((Named { param: one.param, name: name.to_owned(), label: one.label.clone() }, is))
 }
 

@@ -5,6 +5,7 @@
 //! not be that of another parameter; two choices of a parameter must not have changed places. Where
 //! languages disagree, the majority decides which text is reported.
 //! Invariant: judges texts, never changes or formats one.
+mod choice;
 mod fact;
 mod label;
 mod lexicon;
@@ -44,6 +45,7 @@ pub fn check(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     pair::check(catalogue, locales, &mut found);
     lexicon::check(catalogue, locales, &mut found);
     used::check(catalogue, locales, &mut found);
+    choice::check(catalogue, locales, &mut found);
     term::check(locales, &mut found);
     crate::diag::dedupe(&mut found);
     found

@@ -16,7 +16,7 @@ mod yaml;
 pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Param};
 pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use form::*;
-pub use lint::lint;
+pub use lint::{equals, lint};
 pub use profile::{
     Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Topic, TopicOn, Topics, Transformation,
 };

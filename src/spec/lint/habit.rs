@@ -153,8 +153,8 @@ fn conditions(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The parameter and the number of `Q301 = 1`.
-fn equals(node: &Node) -> Option<(QRef, f64)> {
+/// The parameter and the number of a formula such as `Q301 = 1`.
+pub fn equals(node: &Node) -> Option<(QRef, f64)> {
     let Node::Binary(Op::Eq, left, right) = node else { return None };
     match (&left.node, &right.node) {
         (Node::Q(q), Node::Number(value)) => Some((*q, *value)),

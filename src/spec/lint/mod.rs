@@ -7,6 +7,7 @@ mod habit;
 mod parameter;
 mod reference;
 mod run;
+pub use habit::equals;
 pub(super) use run::walk;
 
 use std::collections::BTreeSet;
