@@ -212,4 +212,4 @@ parameter-probing-error-mode = Error mode (0=OFF/1=ON)
 parameter-probing-error-mode__tnc320 =
     .help = Whether the control shows an error message if the stylus is deflected at the start of the cycle. With 1 the control stores 2.0 in the fourth result parameter and continues the cycle.
 choice-show-probing-error = show an error message
-choice-no-probing-error = show no error message
+choice-probing-error-off = show no error message

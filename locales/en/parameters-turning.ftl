@@ -32,7 +32,7 @@ parameter-contour-smoothing = Contour smoothing
     .help = Where the control follows the contour during roughing, and how it lifts off.
 choice-smooth-each-cut = After each cut along the contour (within the infeed range)
 choice-smooth-after-last-cut = Contour smoothing after the last cut (entire contour); lift off at 45°
-choice-no-contour-smoothing = No contour smoothing; lift off at 45°
+choice-contour-smoothing-off = No contour smoothing; lift off at 45°
 
 # --- contour defined by its corners ---
 parameter-contour-start-diameter = Diameter at contour start

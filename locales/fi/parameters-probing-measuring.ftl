@@ -242,4 +242,4 @@ parameter-probing-error-mode = Virhetapa (0=POIS/1=PÄÄLLÄ)
 parameter-probing-error-mode__tnc320 =
     .help = Antaako ohjaus virheilmoituksen, jos kosketusvarsi on taipunut työkierron alussa. Arvolla 1 ohjaus tallentaa neljänteen tulosparametriin 2,0 ja jatkaa työkiertoa.
 choice-show-probing-error = Virheilmoitus annetaan
-choice-no-probing-error = Virheilmoitusta ei anneta
+choice-probing-error-off = Virheilmoitusta ei anneta

@@ -212,4 +212,4 @@ parameter-probing-error-mode = Modo errore (0=OFF/1=ON)
 parameter-probing-error-mode__tnc320 =
     .help = Definire se il controllo visualizza un messaggio d’errore quando lo stilo è deflesso all’inizio del ciclo. Con 1 il controllo memorizza 2,0 nel quarto parametro di risultato e prosegue il ciclo.
 choice-show-probing-error = visualizzare il messaggio d’errore
-choice-no-probing-error = non visualizzare alcun messaggio d’errore
+choice-probing-error-off = non visualizzare alcun messaggio d’errore

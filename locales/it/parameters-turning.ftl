@@ -32,7 +32,7 @@ parameter-contour-smoothing = Lisciatura profilo
     .help = Definire dove il controllo segue il profilo durante la sgrossatura e come distacca l’utensile.
 choice-smooth-each-cut = Dopo ogni taglio lungo il profilo (entro il campo dell’incremento)
 choice-smooth-after-last-cut = Lisciatura del profilo dopo l’ultimo taglio (intero profilo); distacco a 45°
-choice-no-contour-smoothing = Senza lisciatura del profilo; distacco a 45°
+choice-contour-smoothing-off = Senza lisciatura del profilo; distacco a 45°
 
 # --- contour defined by its corners ---
 parameter-contour-start-diameter = Diametro inizio profilo

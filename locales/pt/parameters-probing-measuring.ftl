@@ -212,7 +212,7 @@ parameter-probing-error-mode = Modo de erro (0=OFF/1=ON)
 parameter-probing-error-mode__tnc320 =
     .help = Determina se o comando emite um aviso de erro quando a haste de apalpação está defletida no início do ciclo. Com 1, o comando guarda 2,0 no quarto parâmetro de resultado e continua o ciclo.
 choice-show-probing-error = emitir aviso de erro
-choice-no-probing-error = não emitir aviso de erro
+choice-probing-error-off = não emitir aviso de erro
 
 parameter-new-datum-probe-axis__datum-probe-axis = Novo ponto de referência eixo TS
 parameter-first-centre-main__datum-four-holes = Centro 1 do 1.º eixo

@@ -32,7 +32,7 @@ parameter-contour-smoothing = Alisamento do contorno
     .help = Determina onde o comando segue o contorno no desbaste e como a ferramenta se afasta.
 choice-smooth-each-cut = Depois de cada corte ao longo do contorno (dentro do campo do passo)
 choice-smooth-after-last-cut = Alisamento do contorno depois do último corte (contorno completo); afastamento a 45°
-choice-no-contour-smoothing = Sem alisamento do contorno; afastamento a 45°
+choice-contour-smoothing-off = Sem alisamento do contorno; afastamento a 45°
 
 # --- contour defined by its corners ---
 parameter-contour-start-diameter = Diâmetro no início do contorno

@@ -237,7 +237,7 @@ parameter-probing-error-mode = Stanje sporočila o napaki (0 = IZKLOP/1 = VKLOP)
 parameter-probing-error-mode__tnc320 =
     .help = Ali krmiljenje prikaže sporočilo o napaki, če je tipalna glava ob začetku cikla odklonjena. Pri vrednosti 1 krmiljenje v četrti parameter rezultata shrani 2,0 in nadaljuje cikel.
 choice-show-probing-error = prikaz sporočila o napaki
-choice-no-probing-error = brez sporočila o napaki
+choice-probing-error-off = brez sporočila o napaki
 
 parameter-traverse-to-clearance-height__measure-slot-width =
     .label = PREMIK NA VARNOSTNO VIŠINO

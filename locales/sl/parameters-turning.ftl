@@ -34,7 +34,7 @@ parameter-contour-smoothing = Glajenje konture
     .help = Kje krmiljenje pri grobem obdelovanju sledi konturi in kako se orodje dvigne.
 choice-smooth-each-cut = po vsakem rezu vzdolž konture (znotraj območja primika)
 choice-smooth-after-last-cut = glajenje konture po zadnjem rezu (celotna kontura); dvig pod kotom 45°
-choice-no-contour-smoothing = brez glajenja konture; dvig pod kotom 45°
+choice-contour-smoothing-off = brez glajenja konture; dvig pod kotom 45°
 
 # --- contour defined by its corners ---
 parameter-contour-start-diameter = Premer začetka konture

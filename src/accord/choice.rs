@@ -11,8 +11,8 @@ use crate::spec::{self, Catalogue, Choice, Cycle, Item, OnControl, Param};
 
 /// Letters of a word that are compared; the rest is mostly its ending.
 const LETTERS: usize = 6;
-/// How much more a choice must share with a sentence than the one that has the value.
-const MARGIN: f64 = 1.5;
+/// How much more a choice must share with a sentence than the one that has the value, in each language.
+const MARGIN: f64 = 0.25;
 
 /// Words of ids that stand in this order in every list of choices.
 const ORDERS: [&[&str]; 6] = [
@@ -116,7 +116,9 @@ fn sentences(on: &OnControl, cycle: &Cycle, param: &Param, locales: &Locales, fo
             // Only words that few of the choices have tell them apart.
             let share = |at: usize| -> f64 {
                 let common = choices[at].intersection(&said);
-                common.map(|word| 1.0 / choices.iter().filter(|other| other.contains(word)).count() as f64).sum()
+                let weight = |word: &String| 1.0 / choices.iter().filter(|other| other.contains(word)).count() as f64;
+                // A long text has a word in common with anything.
+                common.map(weight).sum::<f64>() / (choices[at].len().max(1) as f64).sqrt()
             };
             for other in (0..choices.len()).filter(|other| *other != own) {
                 *votes.entry((own, other)).or_default() += share(other) - share(own);
@@ -126,7 +128,7 @@ fn sentences(on: &OnControl, cycle: &Cycle, param: &Param, locales: &Locales, fo
     for ((own, other), more) in votes {
         // The other one must be missed under its own value, too, or have no condition.
         let back = by_value.contains_key(param.choices[other].value.as_str());
-        if more > MARGIN * if back { 1.0 } else { 2.0 } {
+        if more > MARGIN * locales.iter().count() as f64 * if back { 1.0 } else { 2.0 } {
             found.push(report(param, &param.choices[own], param.choices[other].value.as_str()));
         }
     }
