@@ -13,11 +13,16 @@ diag-block-wrong-kind =
         [position] koordinaatit akseleittain, esimerkiksi X+5 Y+0
         [row] taulukon rivi, esimerkiksi #5
         [axis] akseli
+        [label-list] label-numerot vinoviivoin erotettuina, esimerkiksi 1/2/3
        *[number] luku
     }.
 diag-block-below-minimum = { $name } ({ $parameter }) ei voi olla { $value }: pienin arvo on { $min }.
 diag-block-above-maximum = { $name } ({ $parameter }) ei voi olla { $value }: suurin arvo on { $max }.
-diag-block-too-long = { $name } ({ $parameter }) ei voi olla { $value }: merkkejä saa olla enintään { $most }.
+diag-block-too-long =
+    { $kind ->
+        [label-list] { $name } ({ $parameter }) ei voi olla { $value }: labeleita saa olla enintään { $most }.
+       *[text] { $name } ({ $parameter }) ei voi olla { $value }: merkkejä saa olla enintään { $most }.
+    }
 diag-block-not-offered = { $name } ({ $parameter }) ei voi olla { $value }: vaihtoehdot ovat { $offered }.
 diag-block-no-value = Työkierto { $cycle } tarvitsee arvon parametrille { $name }; käsikirjassa ei ole esimerkkiä.
 diag-label-character = Työkierron { $cycle } NC-tekstissä ”{ $label }” ({ $control }, { $language }) on merkki ”{ $character }”, jota ohjaus ei voi näyttää.

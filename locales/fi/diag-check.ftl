@@ -17,6 +17,7 @@ diag-missing-parameter = Työkierrosta { $cycle } puuttuu { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } on liian pieni: pienin arvo on { $limit }.
+        [many] Parametri { $parameter } luettelee liian monta labelia: niitä saa olla { $limit }.
         [long] Parametrin { $parameter } teksti on liian pitkä: siinä saa olla enintään { $limit } merkkiä.
        *[above] { $parameter }={ $value } on liian suuri: suurin arvo on { $limit }.
     }
@@ -34,6 +35,7 @@ diag-wrong-value-kind =
         [position] yksi tai useampi koordinaatti, esimerkiksi X+5 Y+0
         [row] taulukon rivi, esimerkiksi #5
         [axis] akseli
+        [label-list] label-numerot vinoviivoin erotettuina, esimerkiksi 1/2/3
        *[number] luku
     }{ $words-count ->
         [0] {""}

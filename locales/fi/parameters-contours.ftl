@@ -22,6 +22,7 @@ parameter-inside-corner-rounding-radius = Sisänurkan pyöristyssäde
 parameter-contour-direction = Kiertosuunta
     .label = KIERTOSUUNTA
     .help = Taskujen koneistussuunta.
+    .prompt = Kiertosuunta?
 
 # --- koneistus ---
 parameter-contour-plunging-depth = Asetussyvyys
@@ -79,6 +80,7 @@ parameter-cylinder-radius = Lieriön säde
 parameter-development-dimension-type = Mittayksikkö
     .label = MITTAYKSIKKÖ
     .help = Ohjelmoidaanko kiertoakselin koordinaatit aliohjelmassa asteina vai millimetreinä (tuumina).
+    .prompt = Mittayksikkö? Aste = 0 MM/INCH = 1
 parameter-cylinder-slot-width = Uran leveys
     .label = URAN LEVEYS
     .help = Valmiin uran leveys.

@@ -226,19 +226,24 @@ choice-line-by-line-with-retraction = Rivi kerrallaan, vetäytyminen ja sivuttai
 # --- koordinaattimuunnokset ---
 parameter-mirrored-axes = Peilattavat akselit
     .help = Akselit, jotka peilataan. Kaikki akselit voidaan peilata, myös kiertoakselit, lukuun ottamatta karan akselia ja sen sivuakselia. Enintään kolme NC-akseleista X, Y, Z, U, V, W, A, B, C.
+    .prompt = Peilausakseli?
 parameter-scaling-factor = Kerroin
     .help = Mittakerroin SCL. Ohjaus kertoo koordinaatit ja säteet sillä.
     .word = SCL
+    .prompt = Kerroin?
 parameter-axis-scaling-factors = Akseli ja kerroin
     .help = Koordinaattiakselit ja kertoimet, joilla kutakin niistä venytetään tai kutistetaan.
 parameter-axis-scaling-centre = Keskipisteen koordinaatit
     .help = Keskipiste, josta muotoa venytetään tai johon päin sitä kutistetaan.
 parameter-tilting-angles = Kiertoakseli ja kulma
     .help = Kiertoakselit ja niiden kääntökulmat; kiertoakselit A, B ja C ohjelmoidaan ohjelmanäppäimillä.
+    .prompt = Kiertoakseli ja kulma?
 parameter-tilting-feed = Syöttöarvo
     .help = Kiertoakselin liikenopeus, kun ohjaus paikoittaa sen itse.
+    .prompt = Syöttöarvo? F=
 parameter-tilting-clearance = Varmuusetäisyys
     .help = Ohjaus paikoittaa kääntöpään niin, ettei työkalun pään asema varmuusetäisyydellä jatkettuna muutu työkappaleeseen nähden. Annetaan, jos ohjaus paikoittaa kiertoakselit itse.
+    .prompt = Varmuusetäisyys?
 
 # --- erikoistoiminnot ---
 parameter-programmed-dwell = Odotusaika sekunteina
