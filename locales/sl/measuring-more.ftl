@@ -68,9 +68,9 @@ step-retract-and-store-measured-coordinate = Krmiljenje vrne tipalni sistem na v
 say-part-is-scrap__measure-coordinate = izvržek (Q182 = 1), če je izmerjena koordinata manjša od { $q-least-dimension }
 say-part-needs-rework__measure-coordinate = potrebna je dodatna obdelava (Q181 = 1), če je izmerjena koordinata večja od { $q-greatest-dimension }
 say-correct-tool-length = če { $q-monitored-tool } ni 0, pri { $q-measuring-axis } = 3 popravi dolžino orodja v stolpcu DL preglednice orodij; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
-say-correct-tool-radius__measure-coordinate = če { $q-monitored-tool } ni 0, pri { $q-measuring-axis } = 1 ali 2 popravi delta polmer v stolpcu DR preglednice orodij, in sicer v smislu, ki izhaja iz { $q-traverse-direction }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
+say-correct-tool-radius__measure-coordinate = če { $q-monitored-tool } ni 0, pri { $q-measuring-axis } = 1 ali 2 popravi delta polmer v stolpcu DR preglednice orodij, in sicer v smeri, ki izhaja iz { $q-traverse-direction }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
 note-coordinate-is-outside-dimension = Krmiljenje predvideva, da se meri zunanja mera (čep). Pravilno stanje meritve je mogoče doseči z ustrezno izbiro največje in najmanjše mere skupaj s smerjo tipanja.
-note-coordinate-corrects-radius-or-length = Če je merilna os katera od osi obdelovalne ravnine ({ $q-measuring-axis } = 1 ali 2), krmiljenje popravi polmer orodja; smisel popravka izhaja iz smeri premika { $q-traverse-direction }. Če je merilna os os tipalnega sistema ({ $q-measuring-axis } = 3), popravi dolžino orodja.
+note-coordinate-corrects-radius-or-length = Če je merilna os katera od osi obdelovalne ravnine ({ $q-measuring-axis } = 1 ali 2), krmiljenje popravi polmer orodja; smer popravka izhaja iz smeri premika { $q-traverse-direction }. Če je merilna os os tipalnega sistema ({ $q-measuring-axis } = 3), popravi dolžino orodja.
 
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Merjenje krožne luknje

@@ -6,7 +6,7 @@ cycle-dwell = Čas zadrževanja
     .purpose = Za čas zadrževanja zaustavi programski tek, na primer za lom ostružkov.
 step-dwell-for-programmed-time = Krmiljenje za programirani čas zadrževanja zaustavi programski tek.
 note-dwell-acts-from-definition = Cikel deluje od svoje definicije v programu naprej.
-note-dwell-keeps-modal-states = Na načinovno delujoča stanja, na primer na vrtenje vretena, cikel ne vpliva.
+note-dwell-keeps-modal-states = Modalno delujoča stanja, na primer vrtenje vretena, ostanejo nespremenjena.
 
 # --- 12 ---
 cycle-program-call = Priklic programa
