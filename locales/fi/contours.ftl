@@ -106,7 +106,7 @@ cycle-contour-train = Muotorailo
     .purpose = Koneistaa avoimia ja suljettuja muotoja yhdessä työkierron 14 kanssa. Muotoa pitkin paikoituslauseilla tehtyyn koneistukseen verrattuna ohjaus valvoo koneistusta, jyrsii kauttaaltaan myötälastulla tai vastalastulla ja voi jyrsiä edestakaisin ja työvaroja käyttäen.
 step-position-over-contour-start = Ohjaus siirtää työkalun varmuuskorkeudelle { $q-contour-clearance-height } ja muodon alkupisteen yläpuolelle.
 step-plunge-beside-contour = Työkalu siirtyy syöttöarvolla { $q-contour-plunging-feed } seuraavaan asetussyvyyteen, { $q-contour-plunging-depth } syvemmälle.
-step-mill-along-contour = Työkalu jyrsii muotoa pitkin syöttöarvolla { $q-contour-milling-feed } silitystyövara { $q-side-allowance } huomioiden:
+step-mill-along-contour = Työkalu jyrsii muotoa pitkin syöttöarvolla { $q-contour-milling-feed } ottaen huomioon silitystyövaran { $q-side-allowance }:
 say-mill-to-and-fro = { $q-contour-milling-type } = 0: edestakaisin, asetusliikkeittäin vuorotellen myötä- ja vastalastulla
 say-mill-in-one-direction = { $q-contour-milling-type } = +1 tai −1: jokaisella asetusliikkeellä myötälastulla tai vastalastulla
 until-milling-depth-reached = jyrsintäsyvyys { $q-milling-depth } on saavutettu
@@ -155,7 +155,7 @@ cycle-cylinder-surface-slot = Lieriövaippa – uran jyrsintä
     .nc = LIERIÖVAIPPA
     .purpose = Siirtää levityskuvaan määritellyn johdeuran lieriön vaipalle niin, että seinämät ovat lähes yhdensuuntaiset.
 step-position-over-slot-infeed-point = Ohjaus paikoittaa työkalun asetuspisteen yläpuolelle.
-step-mill-along-slot-wall = Työkalu jyrsii uran seinämää pitkin syöttöarvolla { $q-contour-milling-feed } sivun silitystyövara { $q-side-allowance } huomioiden.
+step-mill-along-slot-wall = Työkalu jyrsii uran seinämää pitkin syöttöarvolla { $q-contour-milling-feed } ottaen huomioon sivun silitystyövaran { $q-side-allowance }.
 step-mill-back-along-opposite-wall = Muodon lopussa ohjaus siirtää työkalun uran vastakkaiselle seinämälle ja takaisin asetuspisteeseen.
 step-rework-slot-walls = Jos toleranssi { $q-cylinder-slot-tolerance } on määritelty, ohjaus jälkikoneistaa uran niin, että sen seinämät ovat mahdollisimman yhdensuuntaiset.
 note-walls-nearly-parallel = Toisin kuin työkierto 27, tämä työkierto asettaa työkalun niin, että seinämät ovat sädekorjauksen ollessa voimassa lähes yhdensuuntaiset. Ne ovat täysin yhdensuuntaiset, jos työkalu on täsmälleen uran levyinen.

@@ -128,7 +128,7 @@ note-centre-cut-or-pilot-drill = Käytä tarvittaessa varsijyrsintä, jossa on k
 # --- 232 ---
 cycle-face-milling = Tasojyrsintä
     .nc = TASOJYRSINTÄ
-    .purpose = Jyrsii tasaisen pinnan useilla asetusliikkeillä silitystyövara huomioiden, jollakin kolmesta strategiasta.
+    .purpose = Jyrsii tasaisen pinnan useilla asetusliikkeillä jollakin kolmesta strategiasta ja ottaa silitystyövaran huomioon.
 step-position-beside-surface = Ohjaus paikoittaa työkalun hetkellisasemasta pikaliikkeellä (FMAX) ja paikoituslogiikalla alkupisteeseen 1, joka on työkappaleen vieressä työkalun säteen ja sivuetäisyyden { $q-side-clearance } päässä siitä:
 say-plane-then-spindle-axis = jos työkalu on 2. varmuusetäisyyden { $q-second-set-up-clearance } yläpuolella: ensin koneistustasossa, sitten karan akselin suunnassa
 say-second-clearance-then-plane = muussa tapauksessa ensin 2. varmuusetäisyydelle { $q-second-set-up-clearance }, sitten koneistustasossa
