@@ -19,3 +19,5 @@ diag-spec-unused-parameter = Nada no desenvolvimento, nas verificações ou nas 
 diag-accord-reference-word = O texto { $key } no idioma { $language } não diz absoluto ou incremental como os idiomas { $others }: { $found } em vez de { $expected }.
 diag-locale-unused = Nenhuma especificação e nenhum texto utiliza o texto { $key }.
 diag-spec-example-fails = O exemplo «{ $name }» no { $control } não dá o que indica: { $what } deveria ser { $expected } e é { $found }.
+diag-accord-term = Ao texto { $key } no idioma { $language } falta o termo «{ $term }» para «{ $source }».
+diag-accord-forbidden = O texto { $key } no idioma { $language } diz «{ $word }»; o termo é «{ $term }».

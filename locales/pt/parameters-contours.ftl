@@ -22,6 +22,7 @@ parameter-inside-corner-rounding-radius = Raio das esquinas interiores
 parameter-contour-direction = Sentido de rotação
     .label = SENTIDO DE ROTAÇÃO
     .help = Direção da maquinação em caixas.
+    .prompt = Sentido de rotação?
 
 # --- machining ---
 parameter-contour-plunging-depth = Profundidade de passo
@@ -79,6 +80,7 @@ parameter-cylinder-radius = Raio do cilindro
 parameter-development-dimension-type = Tipo de cota
     .label = TIPO DE COTA
     .help = Determina se as coordenadas do eixo rotativo são programadas no subprograma em graus ou em milímetros (polegadas).
+    .prompt = Tipo de cota? Graus = 0 MM/POLEGADAS = 1
 parameter-cylinder-slot-width = Largura da ranhura
     .label = LARGURA DA RANHURA
     .help = Largura da ranhura acabada.

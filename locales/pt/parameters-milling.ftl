@@ -226,19 +226,24 @@ choice-line-by-line-with-retraction = Linha a linha, com recuo e passo lateral c
 # --- coordinate transforms ---
 parameter-mirrored-axes = Eixos espelhados
     .help = Eixos a espelhar. Podem ser espelhados todos os eixos, incluindo os rotativos, exceto o eixo do cabeçote e o respetivo eixo secundário. Até três dos eixos NC X, Y, Z, U, V, W, A, B, C.
+    .prompt = Eixo espelhado?
 parameter-scaling-factor = Fator
     .word = SCL
     .help = Fator de escala SCL. O comando multiplica por ele as coordenadas e os raios.
+    .prompt = Fator?
 parameter-axis-scaling-factors = Eixo e fator
     .help = Eixos de coordenadas e fatores de dilatação ou contração de cada um deles.
 parameter-axis-scaling-centre = Coordenadas do centro
     .help = Centro a partir do qual o contorno é dilatado ou para o qual é contraído.
 parameter-tilting-angles = Eixo e ângulo de rotação
     .help = Eixos rotativos com os seus ângulos de inclinação; os eixos rotativos A, B e C programam-se com softkeys.
+    .prompt = Eixo e ângulo de rotação?
 parameter-tilting-feed = Avanço
     .help = Velocidade de deslocação do eixo rotativo quando é o próprio comando a posicioná-lo.
+    .prompt = Avanço? F=
 parameter-tilting-clearance = Distância de segurança
     .help = O comando posiciona a cabeça basculante de modo que a posição na extremidade da ferramenta, prolongada pela distância de segurança, não se altere em relação à peça. Introduz-se quando é o próprio comando a posicionar os eixos rotativos.
+    .prompt = Distância de segurança?
 
 # --- special functions ---
 parameter-programmed-dwell = Tempo de espera em segundos

@@ -21,7 +21,7 @@ step-return-to-starting-point = O comando faz regressar a ferramenta ao ponto de
 condition-plunging-vertically = { $q-plunging-strategy } indicar penetração vertical
 condition-plunging-helically = { $q-plunging-strategy } indicar penetração em hélice
 guard-plunging-depth-zero = A profundidade de passo tem de ser maior do que 0.
-guard-tool-wider-than-pocket = A ferramenta não cabe na caixa: descontadas as sobremedidas laterais, a caixa é mais estreita do que a ferramenta.
+guard-tool-wider-than-pocket = A ferramenta não cabe na caixa: descontadas as medidas excedentes laterais, a caixa é mais estreita do que a ferramenta.
 guard-plunging-angle-missing = A penetração em hélice e a pendular precisam de um ângulo de penetração { $mp-plunging-angle } diferente de 0 na tabela de ferramentas.
 guard-helix-too-small = O diâmetro da hélice de penetração é menor do que o dobro do diâmetro da ferramenta. O parâmetro de máquina { $mp-suppress-plunge-err } desliga esta verificação para ferramentas que cortam ao centro.
 note-without-tool-table-plunge-vertically = Se não estiver ativa nenhuma tabela de ferramentas, a penetração tem de ser sempre vertical ({ $q-plunging-strategy } = 0), porque não é possível definir um ângulo de penetração.
