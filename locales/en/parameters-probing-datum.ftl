@@ -207,6 +207,7 @@ parameter-measured-value-transfer__rotation-by-rotary-axis =
 choice-rotation-into-datum-table = write the determined basic rotation as a datum shift to the active datum table; the reference system is the active workpiece coordinate system
 choice-rotation-into-preset-table = write the determined basic rotation to the preset table; the reference system is the machine coordinate system (REF system)
 parameter-alignment-angle = Reference angle? (0=main axis)
+    .prompt = Reference angle? (0=main axis)
     .label = REFERENCE ANGLE
     .help = Angle to which the control aligns the probed straight line.
 condition-basic-rotation-chosen = the misalignment is compensated by a basic rotation ({ $q-misalignment-compensation }=0)

@@ -58,6 +58,7 @@ parameter-number-of-touch-points = Number of measuring points (4/3)
 choice-four-touch-points = use four measuring points (standard setting)
 choice-three-touch-points = use three measuring points
 parameter-probing-traverse-type = Type of traverse? Line=0/circle=1
+    .prompt = Type of traverse? Line=0/circle=1
     .label = TYPE OF TRAVERSE
     .help = The path on which the touch probe moves between the measuring points if it moves at clearance height ({ $q-traverse-to-clearance-height }=1).
 choice-traverse-straight = move on a straight line

@@ -243,6 +243,7 @@ parameter-measured-value-transfer__rotation-by-rotary-axis =
 choice-rotation-into-datum-table = Määritetyn peruskäännön kirjoitus nollapisteen siirtona aktiiviseen nollapistetaulukkoon; perusjärjestelmänä on aktiivinen työkappaleen koordinaatisto
 choice-rotation-into-preset-table = Määritetyn peruskäännön kirjoitus esiasetustaulukkoon; perusjärjestelmänä on koneen koordinaatisto (REF-järjestelmä)
 parameter-alignment-angle = Peruskulma ?(0=pääakseli)
+    .prompt = Peruskulma ?(0=pääakseli)
     .label = PERUSKULMA
     .help = Kulma, johon ohjaus suuntaa kosketetun suoran.
 condition-basic-rotation-chosen = vino asento kompensoidaan peruskäännöllä ({ $q-misalignment-compensation } = 0)

@@ -221,6 +221,7 @@ parameter-polar-probing-angle = Kosketuskulma
     .word = KULMA:
     .help = Kosketusakseliin perustuva kulma, jossa kosketusjärjestelmä liikkuu.
 parameter-result-parameter__measuring = Parametri no. tulokselle?
+    .prompt = Parametri no. tulokselle?
     .help = Sen Q-parametrin numero, johon ohjaus sijoittaa ensimmäisen mitatun koordinaatin (X). Y ja Z ovat seuraavissa Q-parametreissa.
 parameter-greatest-measuring-path = Maksimi mittausliike
     .word = ABST

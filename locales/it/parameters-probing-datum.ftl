@@ -207,6 +207,7 @@ parameter-measured-value-transfer__rotation-by-rotary-axis =
 choice-rotation-into-datum-table = scrivere la rotazione base rilevata come spostamento origine nella tabella origini attiva; il sistema di riferimento è il sistema di coordinate del pezzo attivo
 choice-rotation-into-preset-table = scrivere la rotazione base rilevata nella tabella Preset; il sistema di riferimento è il sistema di coordinate della macchina (sistema REF)
 parameter-alignment-angle = Angolo di riferimento? (0=asse principale)
+    .prompt = Angolo di riferimento? (0=asse principale)
     .label = ANGOLO DI RIFERIM.
     .help = Angolo sul quale il controllo allinea la retta tastata.
 condition-basic-rotation-chosen = la posizione obliqua viene compensata mediante una rotazione base ({ $q-misalignment-compensation }=0)

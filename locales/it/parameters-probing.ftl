@@ -59,6 +59,7 @@ parameter-number-of-touch-points = Numero di punti di misura (4/3)
 choice-four-touch-points = quattro punti di misura (impostazione standard)
 choice-three-touch-points = tre punti di misura
 parameter-probing-traverse-type = Tipo di traiettoria? Retta=0/cerchio=1
+    .prompt = Tipo di traiettoria? Retta=0/cerchio=1
     .label = TIPO DI TRAIETTORIA
     .help = Traiettoria sulla quale il sistema di tastatura si sposta tra i punti di misura, se lo spostamento avviene all’altezza di sicurezza ({ $q-traverse-to-clearance-height }=1).
 choice-traverse-straight = spostamento su una retta

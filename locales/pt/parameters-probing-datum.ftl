@@ -222,6 +222,7 @@ parameter-measured-value-transfer__rotation-by-rotary-axis =
 choice-rotation-into-datum-table = escrever a rotação básica determinada, como deslocação do ponto zero, na tabela de pontos zero ativa; o sistema de referência é o sistema de coordenadas da peça ativo
 choice-rotation-into-preset-table = escrever a rotação básica determinada na tabela de presets; o sistema de referência é o sistema de coordenadas da máquina (sistema REF)
 parameter-alignment-angle = Ângulo de referência? (0=eixo principal)
+    .prompt = Ângulo de referência? (0=eixo principal)
     .label = ÂNGULO DE REFERÊNCIA
     .help = Ângulo para o qual o comando alinha a reta apalpada.
 condition-basic-rotation-chosen = a inclinação for compensada por uma rotação básica ({ $q-misalignment-compensation }=0)

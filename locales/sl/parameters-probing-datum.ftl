@@ -211,6 +211,7 @@ parameter-measured-value-transfer__rotation-by-rotary-axis =
 choice-rotation-into-datum-table = ugotovljena osnovna rotacija se kot zamik ničelne točke zapiše v aktivno preglednico ničelnih točk; referenčni sistem je aktivni koordinatni sistem obdelovanca
 choice-rotation-into-preset-table = ugotovljena osnovna rotacija se zapiše v preglednico prednastavitev; referenčni sistem je strojni koordinatni sistem (REF-sistem)
 parameter-alignment-angle = Referenčni kot? (0=glavna os)
+    .prompt = Referenčni kot? (0=glavna os)
     .label = REFERENČNI KOT
     .help = Kot, na katerega krmiljenje izravna otipano premico.
 condition-basic-rotation-chosen = se poševni položaj izravna z osnovno rotacijo ({ $q-misalignment-compensation } = 0)
