@@ -38,8 +38,9 @@ note-status-also-without-limits = The control also sets the measuring status if 
 note-which-value-is-out = The control marks rework or scrap as soon as one measured value is out of tolerance. To find which one, see the measuring log, or compare the results with their limits.
 note-limit-zero-not-monitored = With 0 (the preset value) in a limit or tolerance the control does not monitor it.
 note-tool-monitoring-needs = Tool monitoring and correction act only if the tool table is active and { $q-monitored-tool } is not 0. If several correction measurements are made, the control adds each deviation to the value stored in the tool table.
+note-tool-monitoring-needs__tnc426-430 = Tool monitoring and correction act only if the tool table is active and { $q-monitored-tool } is not 0.
 note-tool-radius-always-corrected = The control always corrects the tool radius in the column DR of the tool table, even if the deviation is within tolerance. Whether rework is required can be inquired in the program with Q181 (Q181=1: rework required).
-note-tool-breakage-needs = Tool breakage monitoring acts only if, besides, the breakage tolerance RBREAK of the tool in the tool table is greater than 0.
+note-tool-breakage-needs = Tool breakage monitoring acts only if the tool table is active, { $q-monitored-tool } is not 0 and the breakage tolerance RBREAK of the tool in the tool table is greater than 0.
 note-tool-by-name = The tool can also be entered with its name, selected by soft key. The control does not show the closing quotation mark.
 
 # --- 0 ---

@@ -38,8 +38,9 @@ note-status-also-without-limits = Ohjaus asettaa mittauksen tilan myös silloin,
 note-which-value-is-out = Ohjaus merkitsee jälkityön tai hylyn heti, kun yksikin mittausarvo on toleranssin ulkopuolella. Näet kyseisen arvon mittauspöytäkirjasta, tai voit verrata tuloksia niiden raja-arvoihin.
 note-limit-zero-not-monitored = Jos raja-arvo tai toleranssi on 0 (alkuasetus), ohjaus ei valvo sitä.
 note-tool-monitoring-needs = Työkalun valvonta ja korjaus toimivat vain, jos työkalutaulukko on aktiivinen ja { $q-monitored-tool } ei ole 0. Jos tehdään useita korjausmittauksia, ohjaus lisää jokaisen poikkeaman työkalutaulukkoon tallennettuun arvoon.
+note-tool-monitoring-needs__tnc426-430 = Työkalun valvonta ja korjaus toimivat vain, jos työkalutaulukko on aktiivinen ja { $q-monitored-tool } ei ole 0.
 note-tool-radius-always-corrected = Ohjaus korjaa työkalun sädettä työkalutaulukon sarakkeessa DR aina, myös silloin, kun poikkeama on toleranssin sisäpuolella. Jälkityön tarve voidaan kysyä ohjelmassa parametrilla Q181 (Q181 = 1: jälkityö tarpeellinen).
-note-tool-breakage-needs = Työkalurikon valvonta toimii vain, jos lisäksi työkalun rikkotoleranssi RBREAK on työkalutaulukossa suurempi kuin 0.
+note-tool-breakage-needs = Työkalurikon valvonta toimii vain, jos työkalutaulukko on aktiivinen, { $q-monitored-tool } ei ole 0 ja työkalun rikkotoleranssi RBREAK on työkalutaulukossa suurempi kuin 0.
 note-tool-by-name = Työkalu voidaan antaa myös nimellä, joka valitaan ohjelmanäppäimellä. Ohjaus ei näytä loppulainausmerkkiä.
 
 # --- 0 ---

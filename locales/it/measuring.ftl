@@ -38,8 +38,9 @@ note-status-also-without-limits = Il controllo imposta lo stato della misurazion
 note-which-value-is-out = Il controllo segnala ripresa o scarto non appena un valore misurato è fuori tolleranza. Per individuare il valore, consultare il protocollo di misura o confrontare i risultati con i relativi limiti.
 note-limit-zero-not-monitored = Con 0 (il valore predefinito) in una quota limite o in una tolleranza il controllo non ne esegue la verifica.
 note-tool-monitoring-needs = Il controllo utensile e la correzione utensile hanno effetto solo se la tabella utensili è attiva e { $q-monitored-tool } è diverso da 0. Se vengono eseguite più misurazioni di correzione, il controllo somma ogni scostamento al valore memorizzato nella tabella utensili.
+note-tool-monitoring-needs__tnc426-430 = Il controllo utensile e la correzione utensile hanno effetto solo se la tabella utensili è attiva e { $q-monitored-tool } è diverso da 0.
 note-tool-radius-always-corrected = Il controllo corregge sempre il raggio dell’utensile nella colonna DR della tabella utensili, anche se lo scostamento è in tolleranza. Nel programma è possibile interrogare tramite Q181 se è necessaria una ripresa (Q181=1: ripresa necessaria).
-note-tool-breakage-needs = Il controllo della rottura utensile ha effetto solo se, inoltre, nella tabella utensili la tolleranza di rottura RBREAK dell’utensile è maggiore di 0.
+note-tool-breakage-needs = Il controllo della rottura utensile ha effetto solo se la tabella utensili è attiva, { $q-monitored-tool } è diverso da 0 e nella tabella utensili la tolleranza di rottura RBREAK dell’utensile è maggiore di 0.
 note-tool-by-name = L’utensile può essere inserito anche con il nome, selezionato mediante softkey. Il controllo non visualizza le virgolette di chiusura.
 
 # --- 0 ---

@@ -39,8 +39,9 @@ note-status-also-without-limits = O comando determina o estado da medição mesm
 note-which-value-is-out = O comando assinala trabalho de acabamento ou desperdício assim que um dos valores medidos fique fora da tolerância. Para saber qual, consulte o registo de medição ou compare os resultados com os seus valores limite.
 note-limit-zero-not-monitored = Com 0 (o valor pré-ajustado) num valor limite ou numa tolerância, o comando não o supervisiona.
 note-tool-monitoring-needs = A supervisão e a correção da ferramenta só atuam se a tabela de ferramentas estiver ativa e { $q-monitored-tool } for diferente de 0. Se forem feitas várias medições de correção, o comando soma cada desvio ao valor guardado na tabela de ferramentas.
+note-tool-monitoring-needs__tnc426-430 = A supervisão e a correção da ferramenta só atuam se a tabela de ferramentas estiver ativa e { $q-monitored-tool } for diferente de 0.
 note-tool-radius-always-corrected = O comando corrige sempre o raio da ferramenta na coluna DR da tabela de ferramentas, mesmo que o desvio esteja dentro da tolerância. No programa pode consultar-se com Q181 se é necessário trabalho de acabamento (Q181=1: necessário).
-note-tool-breakage-needs = A supervisão da rotura da ferramenta só atua se, além disso, a tolerância de rotura RBREAK da ferramenta na tabela de ferramentas for maior do que 0.
+note-tool-breakage-needs = A supervisão da rotura da ferramenta só atua se a tabela de ferramentas estiver ativa, { $q-monitored-tool } for diferente de 0 e a tolerância de rotura RBREAK da ferramenta na tabela de ferramentas for maior do que 0.
 note-tool-by-name = A ferramenta também pode ser introduzida com o seu nome, selecionado por softkey. O comando não mostra as aspas finais.
 
 # --- 0 ---

@@ -87,7 +87,7 @@ parameter-least-dimension__measure-coordinate =
     .help = Menor valor medido permitido.
 
 # --- 430 ---
-parameter-probing-centre-main__measure-bolt-hole-circle =
+parameter-probing-centre-main__measure-bolt-hole-circle = Centro 1º eixo
     .help = Centro do círculo de furos (valor nominal) no eixo principal do plano de maquinação.
 parameter-probing-centre-minor__measure-bolt-hole-circle =
     .help = Centro do círculo de furos (valor nominal) no eixo secundário do plano de maquinação.
@@ -127,7 +127,7 @@ parameter-measuring-axis__measure-angle =
     .help = Eixo em que se faz a medição.
 
 # --- 416 ---
-parameter-probing-centre-main__datum-bolt-hole-circle =
+parameter-probing-centre-main__datum-bolt-hole-circle = Centro 1º eixo
     .help = Centro do círculo de furos (valor nominal) no eixo principal do plano de maquinação.
 parameter-probing-centre-minor__datum-bolt-hole-circle =
     .help = Centro do círculo de furos (valor nominal) no eixo secundário do plano de maquinação.
@@ -215,6 +215,7 @@ choice-show-probing-error = emitir aviso de erro
 choice-probing-error-off = não emitir aviso de erro
 
 parameter-new-datum-probe-axis__datum-probe-axis = Novo ponto de referência eixo TS
+parameter-first-point-main__datum-probe-axis = 1.º ponto de medição 1.º eixo
 parameter-first-centre-main__datum-four-holes = Centro 1 do 1.º eixo
 parameter-first-centre-minor__datum-four-holes = Centro 1 do 2.º eixo
 parameter-second-centre-main__datum-four-holes = Centro 2 do 1.º eixo

@@ -39,8 +39,9 @@ note-status-also-without-limits = Krmiljenje določi stanje meritve tudi, če to
 note-which-value-is-out = Krmiljenje označi dodatno obdelavo ali izvržek, kakor hitro ena od izmerjenih vrednosti ni v mejah tolerance. Katera je ta vrednost, ugotovite iz merilnega protokola ali tako, da rezultate primerjate z njihovimi mejnimi vrednostmi.
 note-limit-zero-not-monitored = Mejne vrednosti ali tolerance, za katero je vneseno 0 (prednastavljena vrednost), krmiljenje ne nadzoruje.
 note-tool-monitoring-needs = Nadzor in popravek orodja delujeta samo, če je { -tool-table(case: "nominative") } aktivna in { $q-monitored-tool } ni 0. Pri več meritvah za popravek krmiljenje vsako odstopanje prišteje vrednosti, shranjeni v { -tool-table(case: "locative") }.
+note-tool-monitoring-needs__tnc426-430 = Nadzor in popravek orodja delujeta samo, če je { -tool-table(case: "nominative") } aktivna in { $q-monitored-tool } ni 0.
 note-tool-radius-always-corrected = Polmer orodja v stolpcu DR { -tool-table(case: "genitive") } krmiljenje popravi vedno, torej tudi pri odstopanju v mejah tolerance. Ali je potrebna dodatna obdelava, lahko v programu preverite s Q181 (Q181 = 1: potrebna je dodatna obdelava).
-note-tool-breakage-needs = Nadzor loma orodja deluje samo, če je poleg tega toleranca loma RBREAK orodja v { -tool-table(case: "locative") } večja od 0.
+note-tool-breakage-needs = Nadzor loma orodja deluje samo, če je { -tool-table(case: "nominative") } aktivna, { $q-monitored-tool } ni 0 in je toleranca loma RBREAK orodja v { -tool-table(case: "locative") } večja od 0.
 note-tool-by-name = Orodje lahko vnesete tudi z imenom, ki ga izberete z gumbom. Krmiljenje končnega narekovaja ne prikaže.
 
 # --- 0 ---

@@ -35,8 +35,8 @@ step-position-at-second-hole = Tipalni sistem se vrne na varno višino { $q-clea
 step-measure-second-hole = Tipalni sistem se premakne na merilno višino { $q-measuring-height } in s štirimi tipanji določi središče druge vrtine.
 step-position-at-first-stud = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) in s pozicionirno logiko na prvo tipalno točko prvega čepa.
 step-position-at-first-stud__tnc426-430 = Krmiljenje pozicionira tipalni sistem v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) in s pozicionirno logiko na prvo tipalno točko prvega čepa.
-step-measure-first-stud = Tipalni sistem se premakne na merilno višino { $q-measuring-height } in s štirimi tipanji določi središče prvega čepa. Med tipalnimi točkami, ki so med seboj zamaknjene za 90°, se premika po krožnem loku.
-step-measure-first-stud__tnc426-430 = Tipalni sistem se premakne na merilno višino { $q-measuring-height } in s štirimi tipanji določi središče prvega čepa.
+step-measure-first-stud = Tipalni sistem se premakne na merilno višino { $q-measuring-height } in s štirimi tipanji določi središče prvega čepa. Med tipalnimi točkami, ki so med seboj zamaknjene za 90°, se premika po krožnem loku: pri { $q-traverse-to-clearance-height } = 0 na merilni višini, pri { $q-traverse-to-clearance-height } = 1 na varni višini.
+step-measure-first-stud__tnc426-430 = Tipalni sistem se premakne na merilno višino { $q-measuring-height } in s štirimi tipanji določi središče prvega čepa. Med tipalnimi točkami se pri { $q-traverse-to-clearance-height } = 0 premika na merilni višini, pri { $q-traverse-to-clearance-height } = 1 pa na varni višini.
 step-position-at-second-stud = Tipalni sistem se vrne na varno višino { $q-clearance-height } in se pozicionira na prvo tipalno točko drugega čepa.
 step-measure-second-stud = Tipalni sistem se premakne na merilno višino { $q-second-measuring-height } in s štirimi tipanji določi središče drugega čepa.
 step-compensate-as-chosen = Krmiljenje izravna poševni položaj, kot določa { $q-misalignment-compensation }:
