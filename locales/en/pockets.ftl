@@ -33,3 +33,4 @@ note-helix-diameter-monitored = When plunging on a helix, the control reports an
 note-cutting-edge-limits-infeed = If the cutting edge is shorter than the plunging depth { $q-plunging-depth }, the control reduces the plunging depth to the length { $mp-cutting-edge-length } of the tool table.
 note-finishing-only-starts-at-first-depth = Danger of collision! If the cycle is called with machining operation 2 (only finishing), the control moves the tool at rapid traverse at the centre of the pocket to the first plunging depth.
 note-point-table-starting-points = If the cycle is called with a point table, the points of the working plane are the starting points of the cycle. To use the spindle-axis coordinate of the table as coordinate of the starting point, enter 0 as workpiece surface coordinate { $q-surface-coordinate }.
+note-point-table-shifts-datum = If the cycle is called with a point table, the control takes each point as an additional datum shift.

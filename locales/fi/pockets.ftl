@@ -33,3 +33,4 @@ note-helix-diameter-monitored = Kierukkamaisessa sisäänpistossa ohjaus antaa v
 note-cutting-edge-limits-infeed = Jos terä on lyhyempi kuin asetussyvyys { $q-plunging-depth }, ohjaus pienentää asetussyvyyden työkalutaulukon terän pituuteen { $mp-cutting-edge-length }.
 note-finishing-only-starts-at-first-depth = Törmäysvaara! Jos työkierto kutsutaan koneistuksen laajuudella 2 (vain silitys), ohjaus siirtää työkalun taskun keskipisteessä pikaliikkeellä ensimmäiseen asetussyvyyteen.
 note-point-table-starting-points = Jos työkierto kutsutaan pistetaulukon avulla, koneistustason pisteet ovat työkierron alkupisteitä. Jos haluat käyttää taulukon karan akselin koordinaattia alkupisteen koordinaattina, anna työkappaleen yläpinnan koordinaatiksi { $q-surface-coordinate } arvo 0.
+note-point-table-shifts-datum = Jos työkierto kutsutaan pistetaulukon avulla, ohjaus tulkitsee jokaisen pisteen ylimääräiseksi nollapisteen siirroksi.
