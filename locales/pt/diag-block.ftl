@@ -13,11 +13,16 @@ diag-block-wrong-kind =
         [position] coordenadas por eixo, por exemplo X+5 Y+0
         [row] uma linha da tabela, por exemplo #5
         [axis] um eixo
+        [label-list] números de labels separados por barras, por exemplo 1/2/3
        *[number] um número
     }.
 diag-block-below-minimum = { $name } ({ $parameter }) não pode ser { $value }: o valor mínimo é { $min }.
 diag-block-above-maximum = { $name } ({ $parameter }) não pode ser { $value }: o valor máximo é { $max }.
-diag-block-too-long = { $name } ({ $parameter }) não pode ser { $value }: são permitidos no máximo { $most } caracteres.
+diag-block-too-long =
+    { $kind ->
+        [label-list] { $name } ({ $parameter }) não pode ser { $value }: são permitidos no máximo { $most } labels.
+       *[text] { $name } ({ $parameter }) não pode ser { $value }: são permitidos no máximo { $most } caracteres.
+    }
 diag-block-not-offered = { $name } ({ $parameter }) não pode ser { $value }: os valores possíveis são { $offered }.
 diag-block-no-value = { $cycle } precisa de um valor para { $name }; o manual não apresenta nenhum exemplo.
 diag-label-character = A designação «{ $label }» de { $cycle } ({ $control }, { $language }) contém o carácter «{ $character }», que o comando não consegue mostrar.

@@ -18,6 +18,7 @@ diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } é demasiado pequeno: o valor mínimo é { $limit }.
         [long] O texto de { $parameter } é demasiado longo: são permitidos { $limit } caracteres.
+        [many] { $parameter } indica labels a mais: são permitidos { $limit }.
        *[above] { $parameter }={ $value } é demasiado grande: o valor máximo é { $limit }.
     }
 diag-spindle-off = Aqui é chamado um ciclo de maquinação com o cabeçote parado.
@@ -34,6 +35,7 @@ diag-wrong-value-kind =
         [position] coordenadas por eixo, por exemplo X+5 Y+0
         [row] uma linha da tabela, por exemplo #5
         [axis] um eixo
+        [label-list] números de labels separados por barras, por exemplo 1/2/3
        *[number] um número
     }{ $words-count ->
         [0] {""}

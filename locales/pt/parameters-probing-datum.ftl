@@ -224,7 +224,6 @@ choice-rotation-into-preset-table = escrever a rotação básica determinada na 
 parameter-alignment-angle = Ângulo de referência? (0=eixo principal)
     .prompt = Ângulo de referência? (0=eixo principal)
     .label = ÂNGULO DE REFERÊNCIA
-    .prompt = Ângulo de referência? (0=eixo principal)
     .help = Ângulo para o qual o comando alinha a reta apalpada.
 condition-basic-rotation-chosen = a inclinação for compensada por uma rotação básica ({ $q-misalignment-compensation }=0)
 condition-rotary-table-chosen = a inclinação for compensada por rotação da mesa rotativa ({ $q-misalignment-compensation }=1)
