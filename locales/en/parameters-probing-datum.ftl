@@ -209,7 +209,6 @@ choice-rotation-into-preset-table = write the determined basic rotation to the p
 parameter-alignment-angle = Reference angle? (0=main axis)
     .prompt = Reference angle? (0=main axis)
     .label = REFERENCE ANGLE
-    .prompt = Reference angle? (0=main axis)
     .help = Angle to which the control aligns the probed straight line.
 condition-basic-rotation-chosen = the misalignment is compensated by a basic rotation ({ $q-misalignment-compensation }=0)
 condition-rotary-table-chosen = the misalignment is compensated by turning the rotary table ({ $q-misalignment-compensation }=1)

@@ -60,7 +60,6 @@ choice-three-touch-points = use three measuring points
 parameter-probing-traverse-type = Type of traverse? Line=0/circle=1
     .prompt = Type of traverse? Line=0/circle=1
     .label = TYPE OF TRAVERSE
-    .prompt = Type of traverse? Line=0/circle=1
     .help = The path on which the touch probe moves between the measuring points if it moves at clearance height ({ $q-traverse-to-clearance-height }=1).
 choice-traverse-straight = move on a straight line
 choice-traverse-on-circle = move on an arc of the pitch circle diameter

@@ -245,7 +245,6 @@ choice-rotation-into-preset-table = Määritetyn peruskäännön kirjoitus esias
 parameter-alignment-angle = Peruskulma ?(0=pääakseli)
     .prompt = Peruskulma ?(0=pääakseli)
     .label = PERUSKULMA
-    .prompt = Peruskulma ?(0=pääakseli)
     .help = Kulma, johon ohjaus suuntaa kosketetun suoran.
 condition-basic-rotation-chosen = vino asento kompensoidaan peruskäännöllä ({ $q-misalignment-compensation } = 0)
 condition-rotary-table-chosen = vino asento kompensoidaan pyöröpöytää kääntämällä ({ $q-misalignment-compensation } = 1)

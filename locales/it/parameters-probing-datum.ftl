@@ -209,7 +209,6 @@ choice-rotation-into-preset-table = scrivere la rotazione base rilevata nella ta
 parameter-alignment-angle = Angolo di riferimento? (0=asse principale)
     .prompt = Angolo di riferimento? (0=asse principale)
     .label = ANGOLO DI RIFERIM.
-    .prompt = Angolo di riferimento? (0=asse principale)
     .help = Angolo sul quale il controllo allinea la retta tastata.
 condition-basic-rotation-chosen = la posizione obliqua viene compensata mediante una rotazione base ({ $q-misalignment-compensation }=0)
 condition-rotary-table-chosen = la posizione obliqua viene compensata ruotando la tavola rotante ({ $q-misalignment-compensation }=1)

@@ -61,7 +61,6 @@ choice-three-touch-points = tre punti di misura
 parameter-probing-traverse-type = Tipo di traiettoria? Retta=0/cerchio=1
     .prompt = Tipo di traiettoria? Retta=0/cerchio=1
     .label = TIPO DI TRAIETTORIA
-    .prompt = Tipo di traiettoria? Retta=0/cerchio=1
     .help = Traiettoria sulla quale il sistema di tastatura si sposta tra i punti di misura, se lo spostamento avviene all’altezza di sicurezza ({ $q-traverse-to-clearance-height }=1).
 choice-traverse-straight = spostamento su una retta
 choice-traverse-on-circle = spostamento su un arco del diametro del cerchio parziale

@@ -213,7 +213,6 @@ choice-rotation-into-preset-table = ugotovljena osnovna rotacija se zapiše v pr
 parameter-alignment-angle = Referenčni kot? (0=glavna os)
     .prompt = Referenčni kot? (0=glavna os)
     .label = REFERENČNI KOT
-    .prompt = Referenčni kot? (0=glavna os)
     .help = Kot, na katerega krmiljenje izravna otipano premico.
 condition-basic-rotation-chosen = se poševni položaj izravna z osnovno rotacijo ({ $q-misalignment-compensation } = 0)
 condition-rotary-table-chosen = se poševni položaj izravna z vrtenjem okrogle mize ({ $q-misalignment-compensation } = 1)

@@ -1,4 +1,4 @@
-; control: tnc426-430 lang: pt source: 003:3143-3149
+; control: tnc426-430 lang: pt source: 003:3142-3148
 50 TCH PROBE 15.0 CAMPO
 51 TCH PROBE 15.1 PGM DIGIT.: DADOS
 52 TCH PROBE 15.2 Z PGM RANGE: TAB1

@@ -1,4 +1,4 @@
-; control: tnc426-430 lang: pt source: 003:1870-1881
+; control: tnc426-430 lang: pt source: 003:1870-1881 corrected: sign before the name (pt-scanned-text-427)
 5 TCH PROBE 420 MEDIR ÂNGULO
 Q263=+10 ;1.º PONTO 1.º EIXO
 Q264=+10 ;1º PONTO 2.º EIXO

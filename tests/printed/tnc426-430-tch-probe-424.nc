@@ -1,4 +1,4 @@
-; control: tnc426-430 lang: pt source: 003:2194-2211
+; control: tnc426-430 lang: pt source: 003:2194-2211 corrected: sign before the name (pt-scanned-text-427)
 5 TCH PROBE 424 MEDIR RECTÂNGULO EXT.
 Q273=+50 ;CENTRO 1º EIXO
 Q274=+50 ;CENTRO 2º EIXO

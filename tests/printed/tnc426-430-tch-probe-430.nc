@@ -1,4 +1,4 @@
-; control: tnc426-430 lang: pt source: 003:2465-2480
+; control: tnc426-430 lang: pt source: 003:2465-2480 corrected: sign before the name (pt-scanned-text-427)
 5 TCH PROBE 430 MEDIR CÍRCULO DE FUROS
 Q273=+50 ;CENTRO 1º EIXO
 Q274=+50 ;CENTRO 2º EIXO

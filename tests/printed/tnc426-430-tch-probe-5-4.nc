@@ -1,4 +1,4 @@
-; control: tnc426-430 lang: pt source: 003:3482-3486 corrected: word of 5.1 (digitizing-file-word)
+; control: tnc426-430 lang: pt source: 003:3482-3486 corrected: word of 5.1 (digitizing-file-word), number of the cycle twice (scanned-block-5)
 30 TCH PROBE 5.0 CAMPO
 31 TCH PROBE 5.1 NOME PGM: DATH
 32 TCH PROBE 5.2 Z X-50 C+0 Z+0
