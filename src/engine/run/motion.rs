@@ -352,7 +352,7 @@ impl Run<'_, '_> {
         match self.world.scene.body.first_contact_on(ball_radius, &path)? {
             None => Ok(()),
             Some(contact) => {
-                let point = self.world.system.back().point(self.world.from_parts(contact.point));
+                let point = self.world.system.back().point(self.world.off_parts(contact.point));
                 let fault = Fault::control("collision").arg("x", point.x).arg("y", point.y).arg("z", point.z);
                 Err(fault.into())
             }

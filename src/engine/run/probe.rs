@@ -34,7 +34,7 @@ impl Run<'_, '_> {
             self.tell(EventKind::Probe(kind));
             return Err(Fault::control("probe-no-contact").arg("distance", probe.dist).into());
         };
-        let (ball, touched) = (self.world.from_parts(contact.ball_centre), self.world.from_parts(contact.point));
+        let (ball, touched) = (self.world.off_parts(contact.ball_centre), self.world.off_parts(contact.point));
         let stopped = self.world.machine + (ball - start);
         let centre = back.point(self.world.believed_centre(ball, stopped, &probe));
         let touched = back.point(touched);

@@ -84,7 +84,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// An argument that must be there.
-    pub(super) fn argument<'c>(call: &'c StrategyCall, index: usize) -> Result<&'c Calc, Fault> {
+    pub(super) fn argument(call: &StrategyCall, index: usize) -> Result<&Calc, Fault> {
         let missing = || Fault::new(Class::Internal, "strategy-argument");
         call.with.get(index).and_then(Option::as_ref).ok_or_else(missing)
     }

@@ -164,7 +164,7 @@ impl<'s> World<'s> {
     }
 
     /// The way back from [`World::at_parts`].
-    pub(super) fn from_parts(&self, point: DVec3) -> DVec3 {
+    pub(super) fn off_parts(&self, point: DVec3) -> DVec3 {
         self.parts.map_or(point, |parts| parts.inverse().point(point))
     }
 
