@@ -292,7 +292,14 @@ fn feature(kind: usize, place: &Place, s: &Sizes) -> Feature {
         place.block((-side.0, -side.1), side, from, to)
     };
     let done = |number, values, solid, turn, results| Feature {
-        number, values, solid, turn, point: (0.0, 0.0), top: (120.0, 0.0), results, axis: None,
+        number,
+        values,
+        solid,
+        turn,
+        point: (0.0, 0.0),
+        top: (120.0, 0.0),
+        results,
+        axis: None,
     };
     match kind {
         // Slot and ridge: one axis.
@@ -341,7 +348,10 @@ fn feature(kind: usize, place: &Place, s: &Sizes) -> Feature {
             let (first, third) = (s.nominal(one, s.turn), s.nominal(three, s.turn));
             values.extend([(263, first.0), (264, first.1), (326, s.a), (296, third.0), (297, third.1), (327, s.b)]);
             values.push((320, 4.0));
-            let (low, high) = ((f64::min(-x * 140.0, 0.0), f64::min(y * 140.0, 0.0)), (f64::max(-x * 140.0, 0.0), f64::max(y * 140.0, 0.0)));
+            let (low, high) = (
+                (f64::min(-x * 140.0, 0.0), f64::min(y * 140.0, 0.0)),
+                (f64::max(-x * 140.0, 0.0), f64::max(y * 140.0, 0.0)),
+            );
             let solid = place.block(low, high, -30.0, 0.0);
             let results = vec![(151, truth.0), (152, truth.1)];
             Feature { top: (-x * 60.0, y * 60.0), ..done(414, values, solid, s.turn, results) }
@@ -397,7 +407,11 @@ fn feature(kind: usize, place: &Place, s: &Sizes) -> Feature {
             } else {
                 ((-100.0, f64::min(far, 0.0)), (100.0, f64::max(far, 0.0)))
             };
-            Feature { axis: Some(along), top: (0.0, 0.0), ..done(419, values, place.block(low, high, -30.0, 0.0), 0.0, vec![]) }
+            Feature {
+                axis: Some(along),
+                top: (0.0, 0.0),
+                ..done(419, values, place.block(low, high, -30.0, 0.0), 0.0, vec![])
+            }
         }
     }
 }
@@ -687,5 +701,34 @@ proptest! {
                 ["direction-undefined", "lines-parallel", "axis-limit"].contains(&&*fault.code), "{:?}", fault
             ),
         }
+    }
+}
+
+/// The programs of the examples do what they are written for: the called program moves to the datum that was found.
+#[test]
+fn the_worked_programs_find_their_workpieces() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).expect("an example");
+    let (files, catalogue) = data();
+    let on = catalogue.on("tnc640").expect("a control");
+    for (name, called, point, table) in [
+        ("cyc401", "35K47", glam::dvec3(0.0, 0.0, 50.0), 21.0),
+        ("cyc413", "35K47", glam::dvec3(25.2, 14.9, 50.3), 0.0),
+        ("cyc416", "35KLZ", glam::dvec3(35.2, 34.9, 75.15), 0.0),
+    ] {
+        let scene =
+            Scene::parse(&Source::new("scene.yaml", read(&format!("{name}.scene.yaml"))), files).expect("a scene");
+        let main = syntax::parse(&Source::new("MAIN.H", read(&format!("{name}.h"))));
+        let other = syntax::parse(&Source::new("OTHER.H", read(&format!("{called}.h"))));
+        let mut events = Vec::new();
+        let engine = Engine::new(&main, on, &scene, &NoTexts).with_program(called, &other);
+        let outcome = engine.run(&mut |event| events.push(event.kind));
+        assert_eq!(outcome.status, Status::Done, "{name}: {:?}", outcome.fault);
+        assert!((last_machine(&events) - point).length() < 1e-6, "{name}: {}", last_machine(&events));
+        let turned = events.iter().find_map(|event| match event {
+            EventKind::Turn { axes, .. } => axes.first().map(|axis| axis.machine),
+            _ => None,
+        });
+        assert!(near(turned.unwrap_or(0.0), table), "{name}: {turned:?}");
     }
 }

@@ -105,7 +105,9 @@ fn sentences(on: &OnControl, cycle: &Cycle, param: &Param, locales: &Locales, fo
             })
             .collect();
         for (wanted, ids) in &by_value {
-            let Some(own) = param.choices.iter().position(|choice| value(choice) == wanted.parse().ok()) else { continue };
+            let Some(own) = param.choices.iter().position(|choice| value(choice) == wanted.parse().ok()) else {
+                continue;
+            };
             let said: BTreeSet<String> = ids
                 .iter()
                 .flat_map(|id| match id.strip_prefix('=') {

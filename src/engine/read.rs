@@ -143,8 +143,7 @@ impl<'r> Reader<'r> {
         }
         self.only_keys(node, &["X", "Y", "Z", "A", "B", "C"]);
         let mut three = |letters: [&'static str; 3]| {
-            let [x, y, z] =
-                letters.map(|letter| node.get(letter).map_or(Some(0.0), |value| self.number(value)));
+            let [x, y, z] = letters.map(|letter| node.get(letter).map_or(Some(0.0), |value| self.number(value)));
             Some(DVec3::new(x?, y?, z?))
         };
         let (linear, angles) = (three(["X", "Y", "Z"]), three(["A", "B", "C"]));

@@ -141,7 +141,12 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The axis of a number: 4, 5, 6 mean A, B, C.
-    pub(super) fn numbered_axis(&self, index: usize, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<RotaryAxis, Fault> {
+    pub(super) fn numbered_axis(
+        &self,
+        index: usize,
+        call: &StrategyCall,
+        exec: &Exec<'_, 'e>,
+    ) -> Result<RotaryAxis, Fault> {
         let number = self.number(Self::argument(call, index)?, exec)?;
         let found = RotaryAxis::ALL.into_iter().zip([4.0, 5.0, 6.0]).find(|(_, known)| *known == number);
         let unknown = || Fault::program("parameter-out-of-range").arg("q", "").arg("value", number);

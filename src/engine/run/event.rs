@@ -402,7 +402,8 @@ impl EventKind {
                 map.serialize_entry("orient", &orient.map(number))
             }
             Self::Turn { axes, feed, rapid, together } => {
-                let of = |value: fn(&Turned) -> f64| axes.iter().map(|axis| (axis.axis, value(axis))).collect::<Vec<_>>();
+                let of =
+                    |value: fn(&Turned) -> f64| axes.iter().map(|axis| (axis.axis, value(axis))).collect::<Vec<_>>();
                 map.serialize_entry("from", &Angles(&of(|axis| axis.from)))?;
                 map.serialize_entry("to", &Angles(&of(|axis| axis.to)))?;
                 map.serialize_entry("machine", &Angles(&of(|axis| axis.machine)))?;

@@ -357,10 +357,11 @@ fn start(node: &Node, machine: Option<&Machine>, preset: &Preset, r: &mut Reader
             r.report("scene-no-axis", at, vec![("axis", letter.into())]);
         }
     }
-    let linear = machine.beyond_limits(start).map(|axis| (axis.axis.letter(), axis.axis.of(start), axis.min, axis.max, "mm"));
-    let rotary = machine.turned_too_far(angles).and_then(|axis| {
-        axis.limits.map(|(min, max)| (axis.axis.letter(), axis.axis.of(angles), min, max, "°"))
-    });
+    let linear =
+        machine.beyond_limits(start).map(|axis| (axis.axis.letter(), axis.axis.of(start), axis.min, axis.max, "mm"));
+    let rotary = machine
+        .turned_too_far(angles)
+        .and_then(|axis| axis.limits.map(|(min, max)| (axis.axis.letter(), axis.axis.of(angles), min, max, "°")));
     if let Some((axis, found, min, max, unit)) = linear.or(rotary) {
         let args = vec![
             ("axis", axis.to_string().into()),
