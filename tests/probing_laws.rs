@@ -483,6 +483,10 @@ proptest! {
             Some(_) => {}
         }
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Two cycles that write one row of the preset table each leave the other's coordinates: 417 the height, 412 the rest.
     #[test]
