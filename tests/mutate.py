@@ -167,7 +167,7 @@ def spec_mutants(root, rng):
                         yield change("q-in-formula", line.replace(formula[1], other, 1), f"{formula[1]} -> {other} in a formula")
             pairs = [(at, re.search(r"\{value: (\S+), choice: ([\w-]+)", line)) for at, line in enumerate(lines[:end])]
             for (a, one), (b, other) in zip(pairs, pairs[1:]):
-                if one and other and b == a + 1:
+                if one and other and b == a + 1 and one[2] != other[2]:
                     new = [lines[a].replace(one[2], other[2], 1), lines[b].replace(other[2], one[2], 1)]
                     yield Mutant("choices-swapped-in-spec", path, [a, b], new, {one[2], other[2]} | set(cycle), f"{name}:{a + 1}: {one[2]} <-> {other[2]}")
 

@@ -59,3 +59,13 @@ diag-spec-yaml-feature = { $feature ->
 diag-spec-yaml-syntax = Not YAML: { $reason }.
 related-first-place = the first one is here
 related-for-this-control = it is written for this control
+diag-spec-measure = In { $cycle } { $reason ->
+        [different-quantities] two quantities are added or compared that are not of the same kind
+        [coordinates-added] two coordinates are added
+        [distance-as-coordinate] a distance stands where a coordinate belongs
+        [coordinate-as-distance] a coordinate stands where a distance belongs
+        [not-a-feed] what is no feed stands for a feed
+        [not-a-length] what is no length stands for a position
+        [not-a-time] what is no time stands for a time
+       *[not-an-angle] what is no angle stands for an angle
+    }.

@@ -4,6 +4,7 @@
 //! whether a run compiles is checked where runs are compiled.
 mod example;
 mod habit;
+mod measure;
 mod parameter;
 mod reference;
 mod run;
@@ -27,6 +28,7 @@ pub fn lint(catalogue: &Catalogue) -> Vec<Diagnostic> {
     }
     reference::errata(catalogue, &mut found);
     habit::habits(catalogue, &mut found);
+    measure::formulas(catalogue, &mut found);
     reference::topics(catalogue, &mut found);
     unused(catalogue, &mut found);
     dedupe(&mut found);
