@@ -69,8 +69,8 @@ fn judge(
     found: &mut Vec<Diagnostic>,
 ) {
     let Some((text, place)) = language.raw(key, scope) else { return };
-    let text = text.to_lowercase();
-    let original = source.raw(key, scope).map(|(text, _)| text.to_lowercase()).unwrap_or_default();
+    let text = prose(&text);
+    let original = source.raw(key, scope).map(|(text, _)| prose(&text)).unwrap_or_default();
     for (term, own) in terms.iter().zip(own) {
         let report =
             |code| Diagnostic::warning(code, place.clone()).arg("key", key.to_string()).arg("language", language.tag());
@@ -83,6 +83,19 @@ fn judge(
             found.push(report("accord-term").arg("source", term.word.as_str()).arg("term", own.word.as_str()));
         }
     }
+}
+
+/// The text in lower case without its arguments, whose names are English words.
+fn prose(raw: &str) -> String {
+    let mut text = String::with_capacity(raw.len());
+    let mut rest = raw;
+    while let Some((before, inside)) = rest.split_once('‹') {
+        text.push_str(before);
+        text.push(' ');
+        rest = inside.split_once('›').map_or("", |(_, after)| after);
+    }
+    text.push_str(rest);
+    text.to_lowercase()
 }
 
 /// Whether the text has a word that begins so.

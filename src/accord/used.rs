@@ -53,10 +53,19 @@ fn named(cycle: &Cycle, on: &OnControl, source: &Language) -> BTreeSet<String> {
 /// The Q parameters that stand in the formulas of the cycle and its fragments, as their files have them.
 fn formulas(cycle: &Cycle, on: &OnControl) -> BTreeSet<String> {
     let mut used = BTreeSet::new();
-    let own = cycle.file.name.place.source.text();
-    let fragments = on.fragments.values().filter(|fragment| own.contains(fragment.fragment.as_str()));
-    let texts = fragments.map(|fragment| fragment.fragment.place.source.text()).chain([own]);
-    for line in texts.flat_map(str::lines) {
+    // Fragments may use further fragments; a name in a text is enough to look.
+    let mut texts = vec![cycle.file.name.place.source.text()];
+    let mut rest: Vec<_> = on.fragments.values().collect();
+    loop {
+        let named = |fragment: &&&spec::Fragment| texts.iter().any(|text| text.contains(fragment.fragment.as_str()));
+        let more: Vec<_> = rest.iter().filter(named).map(|fragment| fragment.fragment.place.source.text()).collect();
+        if more.is_empty() {
+            break;
+        }
+        rest.retain(|fragment| !more.contains(&fragment.fragment.place.source.text()));
+        texts.extend(more);
+    }
+    for line in texts.into_iter().flat_map(str::lines) {
         // The definition of a parameter and the values of examples are no use of it.
         let line = line.trim_start();
         if ["- {q:", "- q:", "given:", "values:", "why:", "q: {"].iter().any(|head| line.starts_with(head)) {

@@ -65,9 +65,10 @@ impl Reader<'_> {
 
     fn report(&mut self, place: &Place, expr: &Expr, text: &'static str) {
         // A parameter whose odd reference or quantity the errata explain says nothing.
-        let explained = expr.q_refs().into_iter().any(|q| {
-            self.cycle.param(q).is_some_and(|param| self.catalogue.explains(self.on, self.cycle, param))
-        });
+        let explained = expr
+            .q_refs()
+            .into_iter()
+            .any(|q| self.cycle.param(q).is_some_and(|param| self.catalogue.explains(self.on, self.cycle, param)));
         if !explained {
             self.found.push(
                 Diagnostic::error("spec-measure", place.clone())
