@@ -16,6 +16,8 @@ diag-scene-expected =
         [datum-file] The name of a datum table ends in .D.
         [rotary-axis] The letter of a rotary axis (A, B or C) should stand here, not "{ $found }".
         [carried] What a rotary axis carries is workpiece or tool, not "{ $found }".
+        [orientation] The orientation is fixed, two or any, not "{ $found }".
+        [measurements] 1, 2 or 3 measurements are possible, not "{ $found }".
        *[solids] At least one solid should stand here.
     }
 diag-scene-unknown-key = The key { $key } means nothing here; known are { $known }.

@@ -22,6 +22,43 @@ log-further-results = Further measuring results:
 log-measuring-height = Measuring height:
 log-end = End of measuring log
 
+# --- logs of the other measuring cycles ---
+log-angle-title = Measuring log for touch-probe cycle { $cycle }: measure angle
+log-stud-title = Measuring log for touch-probe cycle { $cycle }: measure circle outside
+log-pocket-title = Measuring log for touch-probe cycle { $cycle }: measure rectangle inside
+log-rectangular-stud-title = Measuring log for touch-probe cycle { $cycle }: measure rectangle outside
+log-slot-title = Measuring log for touch-probe cycle { $cycle }: measure inside width
+log-ridge-title = Measuring log for touch-probe cycle { $cycle }: measure ridge outside
+log-coordinate-title = Measuring log for touch-probe cycle { $cycle }: measure coordinate
+log-bolt-circle-title = Measuring log for touch-probe cycle { $cycle }: measure bolt-hole circle
+log-plane-title = Measuring log for touch-probe cycle { $cycle }: measure plane
+log-stud-greatest = Maximum limit of stud:
+log-stud-least = Minimum limit of stud:
+log-side-main = Side length in main axis:
+log-side-minor = Side length in secondary axis:
+log-side-main-greatest = Maximum limit of side length in main axis:
+log-side-main-least = Minimum limit of side length in main axis:
+log-side-minor-greatest = Maximum limit of side length in secondary axis:
+log-side-minor-least = Minimum limit of side length in secondary axis:
+log-greatest = Maximum limit:
+log-least = Minimum limit:
+log-length = Length:
+log-centre-line = Position of centre line:
+log-angle = Angle:
+log-coordinate = Coordinate:
+log-bolt-circle-diameter = Bolt-hole circle diameter:
+log-plane-angle-a = Projection angle of the A axis:
+log-plane-angle-a__tnc426-430 = Angle of the A axis:
+log-plane-angle-b = Projection angle of the B axis:
+log-plane-angle-b__tnc426-430 = Angle of the B axis:
+log-spatial-angle-a = Spatial angle A:
+log-spatial-angle-b = Spatial angle B:
+log-spatial-angle-c = Spatial angle C:
+log-first-in-probe-axis = Measured value in the touch probe axis (first measurement):
+log-first-in-probe-axis__tnc320 = Measured value in the touch probe axis:
+log-second-in-probe-axis = Measured value in the touch probe axis (second measurement):
+log-third-in-probe-axis = Measured value in the touch probe axis (third measurement):
+
 # --- log of cycle 444 ---
 log-surface-title = Measuring log for touch-probe cycle { $cycle }: probing in 3-D
 log-main-axis = Main axis

@@ -22,6 +22,43 @@ log-further-results = Lisää mittaustuloksia:
 log-measuring-height = Mittauskorkeus:
 log-end = Mittauspöytäkirjan loppu
 
+# --- muiden mittaustyökiertojen pöytäkirjat ---
+log-angle-title = Mittauspöytäkirja Kosketustyökierto { $cycle } Kulman mittaus
+log-stud-title = Mittauspöytäkirja Kosketustyökierto { $cycle } Ympyrän mittaus ulkopuolella
+log-pocket-title = Mittauspöytäkirja Kosketustyökierto { $cycle } Suorakulmion mittaus sisäpuolella
+log-rectangular-stud-title = Mittauspöytäkirja Kosketustyökierto { $cycle } Suorakulmion mittaus ulkopuolella
+log-slot-title = Mittauspöytäkirja Kosketustyökierto { $cycle } Leveyden mittaus sisäpuolella
+log-ridge-title = Mittauspöytäkirja Kosketustyökierto { $cycle } Askelman mittaus ulkopuolella
+log-coordinate-title = Mittauspöytäkirja Kosketustyökierto { $cycle } Koordinaatin mittaus
+log-bolt-circle-title = Mittauspöytäkirja Kosketustyökierto { $cycle } Reikäympyrän mittaus
+log-plane-title = Mittauspöytäkirja Kosketustyökierto { $cycle } Tason mittaus
+log-stud-greatest = Kaulan suurin mitta:
+log-stud-least = Kaulan pienin mitta:
+log-side-main = Sivun pituus pääakselilla:
+log-side-minor = Sivun pituus sivuakselilla:
+log-side-main-greatest = Pääakselin sivun pituuden suurin mitta:
+log-side-main-least = Pääakselin sivun pituuden pienin mitta:
+log-side-minor-greatest = Sivuakselin sivun pituuden suurin mitta:
+log-side-minor-least = Sivuakselin sivun pituuden pienin mitta:
+log-greatest = Suurin mitta:
+log-least = Pienin mitta:
+log-length = Pituus:
+log-centre-line = Keskiakselin sijainti:
+log-angle = Kulma:
+log-coordinate = Koordinaatti:
+log-bolt-circle-diameter = Reikäympyrän halkaisija:
+log-plane-angle-a = A-akselin projektiokulma:
+log-plane-angle-a__tnc426-430 = A-akselin kulma:
+log-plane-angle-b = B-akselin projektiokulma:
+log-plane-angle-b__tnc426-430 = B-akselin kulma:
+log-spatial-angle-a = Tilakulma A:
+log-spatial-angle-b = Tilakulma B:
+log-spatial-angle-c = Tilakulma C:
+log-first-in-probe-axis = Mittausarvo kosketusakselilla (ensimmäinen mittaus):
+log-first-in-probe-axis__tnc320 = Mittausarvo kosketusjärjestelmän akselilla:
+log-second-in-probe-axis = Mittausarvo kosketusakselilla (toinen mittaus):
+log-third-in-probe-axis = Mittausarvo kosketusakselilla (kolmas mittaus):
+
 # --- työkierron 444 pöytäkirja ---
 log-surface-title = Mittausprotokolla Kosketustyökierto { $cycle } Kosketus 3D
 log-main-axis = Pääakseli

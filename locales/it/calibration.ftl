@@ -53,6 +53,8 @@ step-store-radius-and-offset = Il controllo memorizza il raggio attivo della sfe
 note-orientation-decides-calibration = La calibrazione dipende dalla possibilità di orientare il sistema di tastatura. Se non è orientabile, o lo è in una sola direzione, il controllo esegue una misurazione grossolana e una fine e determina il raggio attivo della sfera di tastatura. Se è orientabile in due direzioni (come i sistemi di tastatura HEIDENHAIN con cavo), il controllo esegue una misurazione grossolana e una fine, ruota il sistema di tastatura di 180° ed esegue altre quattro tastature, che determinano oltre al raggio anche l’offset centrale. Se è orientabile in direzioni qualsiasi (come i sistemi di tastatura HEIDENHAIN a infrarossi), la calibrazione avviene come con due direzioni.
 note-centre-offset-needs-suitable-probe = L’offset centrale può essere determinato solo con un sistema di tastatura adatto.
 note-centre-offset-prepared = Per determinare l’offset centrale dello stilo, il controllo deve essere predisposto dal costruttore della macchina. Consultare il manuale della macchina.
+guard-too-few-calibration-points = Servono almeno tre tastature: { $q-calibration-ring-probings } è troppo piccolo.
+guard-too-few-calibration-points__calibrate-on-sphere = Servono almeno tre tastature: { $q-calibration-sphere-probings } è troppo piccolo.
 note-orientation-predefined = Per i sistemi di tastatura HEIDENHAIN è predefinito se e come possono essere orientati. Altri sistemi di tastatura vengono configurati dal costruttore della macchina.
 
 # --- 2 ---

@@ -15,6 +15,8 @@ diag-scene-expected =
         [datum-file] Il nome di una tabella origini termina con .D.
         [rotary-axis] Qui ci vuole la lettera di un asse rotativo (A, B o C), non «{ $found }».
         [carried] Un asse rotativo porta il pezzo (workpiece) o l’utensile (tool), non «{ $found }».
+        [orientation] L’orientamento è fixed, two o any, non «{ $found }».
+        [measurements] Sono possibili 1, 2 o 3 misurazioni, non «{ $found }».
        *[solids] Qui è previsto almeno un solido.
     }
 diag-scene-unknown-key = La chiave { $key } non ha significato in questo punto; chiavi note: { $known }.

@@ -22,6 +22,43 @@ log-further-results = Altri risultati di misura:
 log-measuring-height = Altezza di misura:
 log-end = Fine protocollo di misura
 
+# --- logs of the other measuring cycles ---
+log-angle-title = Protocollo di misura ciclo di tastatura { $cycle }: misurazione angolo
+log-stud-title = Protocollo di misura ciclo di tastatura { $cycle }: misurazione cerchio esterno
+log-pocket-title = Protocollo di misura ciclo di tastatura { $cycle }: misurazione rettangolo interno
+log-rectangular-stud-title = Protocollo di misura ciclo di tastatura { $cycle }: misurazione rettangolo esterno
+log-slot-title = Protocollo di misura ciclo di tastatura { $cycle }: misurazione larghezza interna
+log-ridge-title = Protocollo di misura ciclo di tastatura { $cycle }: misurazione isola esterna
+log-coordinate-title = Protocollo di misura ciclo di tastatura { $cycle }: misurazione coordinata
+log-bolt-circle-title = Protocollo di misura ciclo di tastatura { $cycle }: misurazione cerchio di fori
+log-plane-title = Protocollo di misura ciclo di tastatura { $cycle }: misurazione piano
+log-stud-greatest = Quota massima isola:
+log-stud-least = Quota minima isola:
+log-side-main = Lunghezza lato asse principale:
+log-side-minor = Lunghezza lato asse secondario:
+log-side-main-greatest = Quota massima lunghezza lato asse principale:
+log-side-main-least = Quota minima lunghezza lato asse principale:
+log-side-minor-greatest = Quota massima lunghezza lato asse secondario:
+log-side-minor-least = Quota minima lunghezza lato asse secondario:
+log-greatest = Quota massima:
+log-least = Quota minima:
+log-length = Lunghezza:
+log-centre-line = Posizione asse centrale:
+log-angle = Angolo:
+log-coordinate = Coordinata:
+log-bolt-circle-diameter = Diametro cerchio di fori:
+log-plane-angle-a = Angolo di proiezione dell’asse A:
+log-plane-angle-a__tnc426-430 = Angolo dell’asse A:
+log-plane-angle-b = Angolo di proiezione dell’asse B:
+log-plane-angle-b__tnc426-430 = Angolo dell’asse B:
+log-spatial-angle-a = Angolo solido A:
+log-spatial-angle-b = Angolo solido B:
+log-spatial-angle-c = Angolo solido C:
+log-first-in-probe-axis = Valore misurato nell’asse del tastatore (prima misurazione):
+log-first-in-probe-axis__tnc320 = Valore misurato nell’asse del tastatore:
+log-second-in-probe-axis = Valore misurato nell’asse del tastatore (seconda misurazione):
+log-third-in-probe-axis = Valore misurato nell’asse del tastatore (terza misurazione):
+
 # --- log of cycle 444 ---
 log-surface-title = Protocollo di misura ciclo di tastatura { $cycle }: tastatura 3D
 log-main-axis = Asse principale

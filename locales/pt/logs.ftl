@@ -22,6 +22,43 @@ log-further-results = Outros resultados de medição:
 log-measuring-height = Altura de medição:
 log-end = Fim do registo de medição
 
+# --- logs of the other measuring cycles ---
+log-angle-title = Registo de medição ciclo de apalpação { $cycle } Medir ângulo
+log-stud-title = Registo de medição ciclo de apalpação { $cycle } Medir círculo exterior
+log-pocket-title = Registo de medição ciclo de apalpação { $cycle } Medir caixa rectangular
+log-rectangular-stud-title = Registo de medição ciclo de apalpação { $cycle } Medir ilha rectangular
+log-slot-title = Registo de medição ciclo de apalpação { $cycle } Medir largura interior
+log-ridge-title = Registo de medição ciclo de apalpação { $cycle } Medir nervura exterior
+log-coordinate-title = Registo de medição ciclo de apalpação { $cycle } Medir coordenadas
+log-bolt-circle-title = Registo de medição ciclo de apalpação { $cycle } Medir círculo de furos
+log-plane-title = Registo de medição ciclo de apalpação { $cycle } Medir plano
+log-stud-greatest = Medida maior ilha:
+log-stud-least = Medida menor ilha:
+log-side-main = Longitude do lado eixo principal:
+log-side-minor = Longitude do lado eixo secundário:
+log-side-main-greatest = Medida maior longitude do lado eixo principal:
+log-side-main-least = Medida menor longitude do lado eixo principal:
+log-side-minor-greatest = Medida maior longitude do lado eixo secundário:
+log-side-minor-least = Medida menor longitude do lado eixo secundário:
+log-greatest = Medida maior:
+log-least = Medida menor:
+log-length = Longitude:
+log-centre-line = Posição eixo central:
+log-angle = Ângulo:
+log-coordinate = Coordenada:
+log-bolt-circle-diameter = Diâmetro do círculo de furos:
+log-plane-angle-a = Ângulo de projeção do eixo A:
+log-plane-angle-a__tnc426-430 = Ângulo do eixo A:
+log-plane-angle-b = Ângulo de projeção do eixo B:
+log-plane-angle-b__tnc426-430 = Ângulo do eixo B:
+log-spatial-angle-a = Ângulo espacial A:
+log-spatial-angle-b = Ângulo espacial B:
+log-spatial-angle-c = Ângulo espacial C:
+log-first-in-probe-axis = Valor medido no eixo do apalpador (primeira medição):
+log-first-in-probe-axis__tnc320 = Valor medido no eixo do apalpador:
+log-second-in-probe-axis = Valor medido no eixo do apalpador (segunda medição):
+log-third-in-probe-axis = Valor medido no eixo do apalpador (terceira medição):
+
 # --- log of cycle 444 ---
 log-surface-title = Registo de medição ciclo de apalpação { $cycle } Apalpação 3D
 log-main-axis = Eixo principal

@@ -22,6 +22,43 @@ log-further-results = Ostali merilni rezultati:
 log-measuring-height = Izmerjena višina:
 log-end = Konec merilnega protokola
 
+# --- logs of the other measuring cycles ---
+log-angle-title = Merilni protokol za tipalni cikel { $cycle } – merjenje kota
+log-stud-title = Merilni protokol za tipalni cikel { $cycle } – meritev zunaj kroga
+log-pocket-title = Merilni protokol za tipalni cikel { $cycle } – meritev znotraj pravokotnika
+log-rectangular-stud-title = Merilni protokol za tipalni cikel { $cycle } – meritev zunaj pravokotnika
+log-slot-title = Merilni protokol za tipalni cikel { $cycle } – meritev notranje širine
+log-ridge-title = Merilni protokol za tipalni cikel { $cycle } – meritev zunaj stojine
+log-coordinate-title = Merilni protokol za tipalni cikel { $cycle } – merjenje koordinate
+log-bolt-circle-title = Merilni protokol za tipalni cikel { $cycle } – merjenje krožne luknje
+log-plane-title = Merilni protokol za tipalni cikel { $cycle } – merjenje ravnine
+log-stud-greatest = Največji premer čepa:
+log-stud-least = Najmanjši premer čepa:
+log-side-main = Stranska dolžina na glavni osi:
+log-side-minor = Stranska dolžina na pomožni osi:
+log-side-main-greatest = Največja vrednost stranske dolžine na glavni osi:
+log-side-main-least = Najmanjša vrednost stranske dolžine na glavni osi:
+log-side-minor-greatest = Največja vrednost stranske dolžine na pomožni osi:
+log-side-minor-least = Najmanjša vrednost stranske dolžine na pomožni osi:
+log-greatest = Največja vrednost:
+log-least = Najmanjša vrednost:
+log-length = Dolžina:
+log-centre-line = Položaj srednje osi:
+log-angle = Kot:
+log-coordinate = Koordinata:
+log-bolt-circle-diameter = Premer krožne luknje:
+log-plane-angle-a = Projekcijski kot osi A:
+log-plane-angle-a__tnc426-430 = Kot osi A:
+log-plane-angle-b = Projekcijski kot osi B:
+log-plane-angle-b__tnc426-430 = Kot osi B:
+log-spatial-angle-a = Prostorski kot A:
+log-spatial-angle-b = Prostorski kot B:
+log-spatial-angle-c = Prostorski kot C:
+log-first-in-probe-axis = Merilna vrednost na osi tipalnega sistema (prva meritev):
+log-first-in-probe-axis__tnc320 = Merilna vrednost na osi tipalnega sistema:
+log-second-in-probe-axis = Merilna vrednost na osi tipalnega sistema (druga meritev):
+log-third-in-probe-axis = Merilna vrednost na osi tipalnega sistema (tretja meritev):
+
 # --- log of cycle 444 ---
 log-surface-title = Merilni protokol za tipalni cikel { $cycle } – tipanje 3D
 log-main-axis = Glavna os

@@ -269,8 +269,9 @@ impl Expectation {
         }
         self.compare_tables(events, &mut differs);
         for piece in &self.log {
-            if !outcome.logs.iter().any(|(_, text)| text.contains(piece.as_str())) {
-                let all: Vec<&str> = outcome.logs.iter().map(|(_, text)| text.as_str()).collect();
+            let all: Vec<&String> = outcome.logs.iter().map(|(_, text)| text).chain(&outcome.screens).collect();
+            if !all.iter().any(|text| text.contains(piece.as_str())) {
+                let all: Vec<&str> = all.into_iter().map(String::as_str).collect();
                 differs.push(Mismatch::new("log", piece, all.join("\n")));
             }
         }

@@ -266,6 +266,15 @@ pub struct Inlined {
     pub block: Block,
 }
 
+/// What a curve is fitted to.
+#[derive(Clone, Debug)]
+pub enum Fitted {
+    /// The points of a list.
+    List(usize),
+    /// These points.
+    Points(Vec<Calc>),
+}
+
 /// What is done.
 #[derive(Clone, Debug)]
 pub enum Act {
@@ -290,6 +299,8 @@ pub enum Act {
     Probe {
         /// The direction: from the ball centre towards this point.
         towards: Calc,
+        /// By how much the spindle turns the probe from its calibration angle, degrees, where that is fixed.
+        turned: Option<Calc>,
         /// Where the ball centre at contact goes.
         into: Option<Slot>,
     },
@@ -301,6 +312,8 @@ pub enum Act {
     Store {
         /// The id of the field.
         field: Arc<str>,
+        /// How many parameters behind the one that the field names.
+        next: Option<Calc>,
         /// The value.
         value: Calc,
     },
@@ -336,13 +349,15 @@ pub enum Act {
     Log {
         /// Its name.
         name: Arc<str>,
+        /// Whether it is shown on the screen and not written to a file.
+        screen: bool,
         /// Values for it.
         with: Vec<(Arc<str>, Calc)>,
     },
-    /// The circle that fits a list of points best.
+    /// The circle that fits points best.
     FitCircle {
-        /// The list.
-        list: usize,
+        /// The points.
+        points: Fitted,
         /// Where the centre goes; it lies at the mean height of the points.
         centre: Slot,
         /// Where the radius goes.

@@ -19,7 +19,7 @@ use crate::expr::QRef;
 use crate::spec::{Catalogue, Cycle, OnControl};
 
 pub use act::{
-    Act, Block, Calc, Cancel, Case, Collect, Cooling, Do, Guard, Inlined, Item, Let, Series, SeriesKind, SpindleTurn,
+    Act, Block, Calc, Cancel, Case, Collect, Cooling, Do, Fitted, Guard, Inlined, Item, Let, Series, SeriesKind, SpindleTurn,
     Step, StrategyCall, Target, Transform,
 };
 pub use names::Builtin;

@@ -41,6 +41,16 @@ pub enum Builtin {
     ProbeBallRadius,
     /// Whether pre-positioning is at the machine's rapid rate.
     ProbeMachineRapid,
+    /// The spindle angle at which the probe was calibrated, degrees.
+    ProbeAngle,
+    /// Whether the spindle can turn the probe by half a turn.
+    ProbeTurns,
+    /// The calibrated offset of the ball from the spindle axis as the spindle is turned now.
+    ProbeOffset,
+    /// The coordinate of a rotary axis of the machine, by their order; 0 if there is none.
+    FurtherAxis(usize),
+    /// A place of the machine that a machine datum names, by its neutral name.
+    MachinePoint(Arc<str>),
     /// A mirror image is active.
     ActiveMirror,
     /// A scaling is active.
@@ -76,6 +86,9 @@ impl Builtin {
                 | Self::ProbeDist
                 | Self::ProbeBallRadius
                 | Self::ProbeMachineRapid
+                | Self::ProbeAngle
+                | Self::ProbeTurns
+                | Self::ProbeOffset
         )
     }
 
@@ -84,6 +97,7 @@ impl Builtin {
         matches!(
             self,
             Self::Here
+                | Self::ProbeOffset
                 | Self::ActiveMirror
                 | Self::ActiveScaling
                 | Self::ActiveAxisScaling
@@ -112,6 +126,11 @@ const FIXED: &[(&str, Builtin, Type)] = &[
     ("probe.dist", Builtin::ProbeDist, Type::Number),
     ("probe.ball_radius", Builtin::ProbeBallRadius, Type::Number),
     ("probe.machine_rapid", Builtin::ProbeMachineRapid, Type::Bool),
+    ("probe.angle", Builtin::ProbeAngle, Type::Number),
+    ("probe.turns", Builtin::ProbeTurns, Type::Bool),
+    ("probe.offset", Builtin::ProbeOffset, Type::Point),
+    ("axis.fourth", Builtin::FurtherAxis(0), Type::Number),
+    ("axis.fifth", Builtin::FurtherAxis(1), Type::Number),
     ("active.mirror", Builtin::ActiveMirror, Type::Bool),
     ("active.scaling", Builtin::ActiveScaling, Type::Bool),
     ("active.axis_scaling", Builtin::ActiveAxisScaling, Type::Bool),
@@ -151,6 +170,8 @@ impl Names {
         for (neutral, _) in &on.control.data.0 {
             let name = format!("machine.{}", as_name(neutral.as_str()));
             names.know(name, Builtin::Machine(Arc::clone(&neutral.text)), Type::Number);
+            let name = format!("machine_point.{}", as_name(neutral.as_str()));
+            names.know(name, Builtin::MachinePoint(Arc::clone(&neutral.text)), Type::Point);
         }
         for (index, form) in cycle.file.forms.iter().enumerate() {
             names.know(format!("form_{}", as_name(form.form.as_str())), Builtin::Form(index), Type::Bool);
@@ -299,6 +320,9 @@ impl Resolve for Resolver<'_> {
         let known = self.names.known.iter().find(|known| known.name == joined)?;
         let slot = known.slot.get().unwrap_or_else(|| self.names.slot());
         known.slot.set(Some(slot));
+        if matches!(known.builtin, Builtin::MachinePoint(_)) {
+            self.needs.borrow_mut().push(slot);
+        }
         Some((slot, known.ty))
     }
 

@@ -39,6 +39,14 @@ pub enum Strategy {
     PlungeOnHelix,
     /// Brings the tool to a level in strokes to and fro.
     PlungeInStrokes,
+    /// Probes on a path and at a feed of its own, and stays where it stops.
+    ProbeWithOwnPath,
+    /// Goes back from where the probe stopped.
+    RetractFromTouchPoint,
+    /// The angles of the plane through three points.
+    PlaneAngles,
+    /// Writes what a calibration found.
+    StoreProbeCalibration,
     /// Reads a tolerance band that is written as a text (TNC 640 manual 004, lines 151-162).
     ToleranceBand,
 }
@@ -88,6 +96,18 @@ const TARGET_ANGLE: Parameter = optional("angle");
 const TABLE_ROW: Parameter = optional("row");
 const LINE: (Parameter, Parameter) = (point("from"), point("to"));
 const LINES: [Parameter; 4] = [point("first"), point("second"), point("third"), point("fourth")];
+const OWN_PATH: [Parameter; 6] = [
+    point("direction"),
+    number("path"),
+    number("feed"),
+    optional("in_machine"),
+    optional("tolerant"),
+    optional("silent"),
+];
+const PATH: Parameter = number("path");
+const THREE: [Parameter; 3] = [point("first"), point("second"), point("third")];
+const CALIBRATED: [Parameter; 3] =
+    [optional("radius"), optional("length"), Parameter { name: "offset", ty: Type::Point, required: false }];
 const ABOUT: Parameter = Parameter { name: "about", ty: Type::Point, required: false };
 const AXIS: Parameter = number("axis");
 const FROM: Parameter = number("from");
@@ -120,6 +140,10 @@ impl Strategy {
             "add-angle-to-datum-row" => Self::AddAngleToDatumRow,
             "plunge-on-helix" => Self::PlungeOnHelix,
             "plunge-in-strokes" => Self::PlungeInStrokes,
+            "probe-with-own-path" => Self::ProbeWithOwnPath,
+            "retract-from-touch-point" => Self::RetractFromTouchPoint,
+            "plane-angles" => Self::PlaneAngles,
+            "store-probe-calibration" => Self::StoreProbeCalibration,
             "tolerance-band" => Self::ToleranceBand,
             _ => return None,
         })
@@ -143,6 +167,10 @@ impl Strategy {
             Self::AddAngleToDatumRow => &[ANGLE, ROW, AXIS],
             Self::PlungeOnHelix => &[CENTRE, FROM, TO, ANGLE, FEED, RADIUS, DIRECTION],
             Self::PlungeInStrokes => &[CENTRE, FROM, TO, ANGLE, FEED, ROTATION, LEAST, ROOM],
+            Self::ProbeWithOwnPath => &OWN_PATH,
+            Self::RetractFromTouchPoint => &[PATH],
+            Self::PlaneAngles => &THREE,
+            Self::StoreProbeCalibration => &CALIBRATED,
             Self::ToleranceBand => &[TEXT],
         }
     }
@@ -154,6 +182,8 @@ impl Strategy {
             Self::IntersectLines => &["main", "minor"],
             Self::AlignRotaryTable => &["way"],
             Self::AlignRotaryAxis | Self::AlignDirection => &["angle", "way"],
+            Self::ProbeWithOwnPath => &["main", "minor", "tool", "status"],
+            Self::PlaneAngles => &["section_a", "section_b", "rotary_a", "rotary_b", "a", "b", "c"],
             Self::ToleranceBand => &["upper", "lower", "monitored"],
             _ => &[],
         }

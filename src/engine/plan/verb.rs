@@ -3,7 +3,7 @@
 //! Invariant: one verb, one meaning; a modifier or key that means nothing to the verb is a mistake.
 use std::sync::Arc;
 
-use super::act::{Act, Cancel, Cooling, Do, SpindleTurn, StrategyCall, Target, Transform};
+use super::act::{Act, Cancel, Cooling, Do, Fitted, SpindleTurn, StrategyCall, Target, Transform};
 use super::names::{Binding, Scope};
 use super::{Calc, Compiler, Let, Strategy};
 use crate::diag::{Diagnostic, Place};
@@ -68,9 +68,15 @@ impl Compiler<'_> {
             Verb::Transform => Act::Transform(self.transform(argument, place, scope)?),
             Verb::Table => self.table(action, scope)?,
             Verb::Log => {
-                let name = self.one(argument, "id", place)?;
+                let screen = matches!(argument, Argument::Many(_));
+                let name = if screen {
+                    let entries = self.entries(argument, &["screen"], place)?;
+                    self.required_word(entries, "screen", place)?
+                } else {
+                    self.one(argument, "id", place)?
+                };
                 let with = self.values(&action.with, scope);
-                Act::Log { name: name.text, with }
+                Act::Log { name: name.text, screen, with }
             }
             Verb::Fit => self.fit(action, scope)?,
             Verb::Lock => Act::Lock(self.argument(argument, Type::Number, scope, place)?),
@@ -213,10 +219,14 @@ impl Compiler<'_> {
 
     fn probe(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
         self.probes = true;
-        let entries = self.entries(&action.argument, &["towards"], &action.place)?;
+        let entries = self.entries(&action.argument, &["towards", "turned"], &action.place)?;
         let towards = self.required(entries, "towards", Type::Point, &action.place, scope);
+        let turned = match entries.get("turned") {
+            Some(argument) => Some(self.argument(argument, Type::Number, scope, &action.place)?),
+            None => None,
+        };
         let into = action.bind.as_ref().map(|name| self.result(name, Type::Point, scope));
-        Some(Act::Probe { towards: towards?, into })
+        Some(Act::Probe { towards: towards?, turned, into })
     }
 
     fn set(&mut self, argument: &Argument, place: &Place, scope: &Scope) -> Option<Vec<(QRef, Calc)>> {
@@ -238,11 +248,15 @@ impl Compiler<'_> {
     }
 
     fn store(&mut self, argument: &Argument, place: &Place, scope: &Scope) -> Option<Act> {
-        let entries = self.entries(argument, &["field", "value"], place)?;
+        let entries = self.entries(argument, &["field", "next", "value"], place)?;
         let field = self.required_word(entries, "field", place);
         let value = self.required(entries, "value", Type::Number, place, scope);
+        let next = match entries.get("next") {
+            Some(argument) => Some(self.argument(argument, Type::Number, scope, place)?),
+            None => None,
+        };
         let field = self.field(&field?, Some(ParameterKind::QNumber))?;
-        Some(Act::Store { field, value: value? })
+        Some(Act::Store { field, next, value: value? })
     }
 
     /// The id of an old-style field of this cycle.
@@ -360,7 +374,14 @@ impl Compiler<'_> {
     fn fit(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
         let place = &action.place;
         let entries = self.entries(&action.argument, &["circle"], place)?;
-        let list = self.required_word(entries, "circle", place)?;
+        let points = match entries.get("circle") {
+            Some(Argument::List(items)) => {
+                let points = items.iter().map(|item| self.argument(item, Type::Point, scope, place));
+                Some(Fitted::Points(points.collect::<Option<Vec<_>>>()?))
+            }
+            _ => None,
+        };
+        let list = if points.is_none() { Some(self.required_word(entries, "circle", place)?) } else { None };
         let Some(name) = &action.bind else {
             self.missing_argument(place, "as");
             return None;
@@ -369,8 +390,13 @@ impl Compiler<'_> {
         let full = |field: &str| format!("{}.{field}", name.as_str());
         self.bind_text(&full("centre"), &name.place, Binding::Maybe(centre, Type::Point), scope);
         self.bind_text(&full("radius"), &name.place, Binding::Maybe(radius, Type::Number), scope);
+        let (Some(list), None) = (list, &points) else {
+            return points.map(|points| Act::FitCircle { points, centre, radius });
+        };
         match scope.get(list.as_str()) {
-            Some(Binding::List(list, Type::Point)) => Some(Act::FitCircle { list, centre, radius }),
+            Some(Binding::List(list, Type::Point)) => {
+                Some(Act::FitCircle { points: Fitted::List(list), centre, radius })
+            }
             Some(_) => self.wrong_act(&list.place, "list-of-points"),
             None => {
                 let diagnostic = Diagnostic::error("plan-unknown-name", list.place.clone());

@@ -13,9 +13,9 @@ use super::motion::Speed;
 use super::world::LOCKED;
 use super::{Content, Done, Event, EventKind, Leave, Run};
 use crate::engine::geometry::{FitError, fit_circle};
-use crate::engine::plan::{Act, Calc, Cancel, Cooling, Inlined, Slot, SpindleTurn, Target, Transform};
+use crate::engine::plan::{Act, Calc, Cancel, Cooling, Fitted, Inlined, Slot, SpindleTurn, Target, Transform};
 use crate::engine::table::{Cell, TableKind};
-use crate::expr::{QKind, Value};
+use crate::expr::{QKind, QRef, Value};
 use crate::spec::{Moment, Transformation};
 
 impl<'e> Run<'_, 'e> {
@@ -38,9 +38,10 @@ impl<'e> Run<'_, 'e> {
                 }
                 Ok(())
             }
-            Act::Probe { towards, into } => {
+            Act::Probe { towards, turned, into } => {
                 let towards = self.point(towards, exec)?;
-                let centre = self.probe(self.world.system.axes(towards))?;
+                let turned = turned.as_ref().map(|turned| self.number(turned, exec)).transpose()?;
+                let centre = self.probe(self.world.system.axes(towards), turned)?;
                 if let Some(slot) = into {
                     exec.put(*slot, Value::Point(self.in_plane(centre)));
                 }
@@ -58,10 +59,14 @@ impl<'e> Run<'_, 'e> {
                 }
                 Ok(())
             }
-            Act::Store { field, value } => {
+            Act::Store { field, next, value } => {
                 let value = self.number(value, exec)?;
+                let next = next.as_ref().map_or(Ok(0.0), |next| self.number(next, exec))?;
                 match exec.definition.field(field) {
-                    Some(FieldValue::Q(q)) => Ok(self.set(*q, Content::Number(value))?),
+                    Some(FieldValue::Q(q)) => {
+                        let number = q.number.saturating_add(next as u16);
+                        Ok(self.set(QRef { number, ..*q }, Content::Number(value))?)
+                    }
                     _ => Ok(()),
                 }
             }
@@ -78,14 +83,14 @@ impl<'e> Run<'_, 'e> {
                 let (row, value) = (self.number(row, exec)?, self.number(value, exec)?);
                 self.write_table(*table, row, column, value, *add)
             }
-            Act::Log { name, with } => {
+            Act::Log { name, screen, with } => {
                 let mut values = Vec::with_capacity(with.len());
                 for (name, calc) in with {
                     values.push((Arc::clone(name), self.value(calc, exec)?));
                 }
-                self.log(name, &values, exec)
+                self.log(name, *screen, &values, exec)
             }
-            Act::FitCircle { list, centre, radius } => self.fit_circle(*list, *centre, *radius, exec),
+            Act::FitCircle { points, centre, radius } => self.fit_circle(points, *centre, *radius, exec),
             Act::Lock(number) => {
                 let number = self.number(number, exec)?;
                 self.write_cell(TableKind::Tool, number, "TL", &Cell::Text(LOCKED.to_owned()))
@@ -100,6 +105,9 @@ impl<'e> Run<'_, 'e> {
             }
             Act::Orient(angle) => {
                 let angle = self.number(angle, exec)?;
+                if let Some(probe) = self.world.probe().ok().filter(|_| self.probing) {
+                    self.world.spindle_turned = angle - probe.angle;
+                }
                 self.tell(EventKind::Spindle { tool: None, direction: 0, speed: 0.0, orient: Some(angle) });
                 Ok(())
             }
@@ -185,9 +193,15 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    fn fit_circle(&mut self, list: usize, centre: Slot, radius: Slot, exec: &mut Exec<'_, 'e>) -> Done {
-        let points: Vec<DVec3> =
-            exec.lists.get(list).map_or(&[][..], Vec::as_slice).iter().filter_map(as_point).collect();
+    fn fit_circle(&mut self, points: &Fitted, centre: Slot, radius: Slot, exec: &mut Exec<'_, 'e>) -> Done {
+        let points: Vec<DVec3> = match points {
+            Fitted::List(list) => {
+                exec.lists.get(*list).map_or(&[][..], Vec::as_slice).iter().filter_map(as_point).collect()
+            }
+            Fitted::Points(points) => {
+                points.iter().map(|point| self.point(point, exec)).collect::<Result<Vec<_>, _>>()?
+            }
+        };
         let flat: Vec<DVec2> = points.iter().map(|point| point.truncate()).collect();
         let circle = fit_circle(&flat).map_err(|error| {
             let fault = match error {

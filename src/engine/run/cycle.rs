@@ -8,8 +8,10 @@ use glam::DVec3;
 use super::define::{Definition, FieldValue};
 use super::event::MessageKind;
 use super::fault::{Class, Fault};
-use super::world::{ProbeData, Tables};
+use super::stylus::ProbeData;
+use super::world::Tables;
 use super::{Content, Done, EventKind, Leave, Params, Run};
+use crate::engine::scene::{Orientation, ParameterValue};
 use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Slot, Step};
 use crate::expr::{Env, EvalError, QRef, Value};
 use crate::spec::{Moment, Outcome, Transformation};
@@ -238,6 +240,13 @@ impl<'e> Run<'_, 'e> {
             exec.put(*slot, value);
         }
         for (slot, builtin) in &plan.builtins {
+            if let Builtin::MachinePoint(name) = builtin
+                && self.machine_point(name, exec).is_none()
+            {
+                let printed = exec.definition.on.datum(name).unwrap_or(name);
+                exec.fail(*slot, Fault::control("machine-parameter-missing").arg("name", printed));
+                continue;
+            }
             let value = self.builtin(builtin, exec);
             exec.put(*slot, value);
         }
@@ -270,7 +279,14 @@ impl<'e> Run<'_, 'e> {
             Builtin::ProbeFeed => probe(|probe| probe.feed),
             Builtin::ProbeFmax => probe(|probe| probe.fmax),
             Builtin::ProbeDist => probe(|probe| probe.dist),
-            Builtin::ProbeBallRadius => probe(|probe| probe.ball_radius),
+            Builtin::ProbeBallRadius => probe(|probe| probe.effective_radius),
+            Builtin::ProbeAngle => probe(|probe| probe.angle),
+            Builtin::ProbeTurns => Value::Bool(exec.probe.is_some_and(|probe| probe.orientation != Orientation::Fixed)),
+            Builtin::ProbeOffset => {
+                let offset = exec.probe.as_ref().map_or(DVec3::ZERO, |probe| world.calibrated_offset(probe));
+                Value::Point(self.in_plane(offset))
+            }
+            Builtin::FurtherAxis(index) => Value::Number(world.further_axes().nth(*index).unwrap_or(0.0)),
             Builtin::ProbeMachineRapid => Value::Bool(exec.probe.is_some_and(|probe| probe.machine_rapid)),
             Builtin::ActiveDatumShift => Value::Bool(system.datum() != DVec3::ZERO),
             Builtin::ActiveRotation => Value::Bool(system.rotation() != 0.0),
@@ -280,6 +296,10 @@ impl<'e> Run<'_, 'e> {
             Builtin::ActiveAxisScaling => Value::Bool(system.unexecuted.contains(&Transformation::AxisScaling)),
             Builtin::ActiveTilting => Value::Bool(system.unexecuted.contains(&Transformation::Tilting)),
             Builtin::ActiveTurning => Value::Bool(system.unexecuted.contains(&Transformation::Turning)),
+            Builtin::MachinePoint(name) => {
+                let point = self.machine_point(name, exec).unwrap_or(DVec3::ZERO);
+                Value::Point(self.in_plane(system.back().point(point)))
+            }
             Builtin::Machine(name) => Value::Number(self.machine_datum(name, exec).unwrap_or(0.0)),
             Builtin::Form(form) => Value::Bool(exec.definition.form == Some(*form)),
             Builtin::Given(id) => Value::Bool(exec.definition.field(id).is_some()),
@@ -290,6 +310,17 @@ impl<'e> Run<'_, 'e> {
     pub(super) fn machine_datum(&self, neutral: &str, exec: &Exec<'_, 'e>) -> Option<f64> {
         let printed = exec.definition.on.datum(neutral)?;
         self.world.machine_parameter(printed)
+    }
+
+    /// A place of the machine that a machine datum names, by its neutral name.
+    fn machine_point(&self, neutral: &str, exec: &Exec<'_, 'e>) -> Option<DVec3> {
+        match self.world.scene.machine_parameter(exec.definition.on.datum(neutral)?)? {
+            ParameterValue::List(list) => match list.as_slice() {
+                [x, y, z] => Some(DVec3::new(*x, *y, *z)),
+                _ => None,
+            },
+            _ => None,
+        }
     }
 
     /// Evaluates named values; one that fails says so when it is needed.

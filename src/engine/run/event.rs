@@ -245,8 +245,10 @@ pub enum EventKind {
     },
     /// A log is written.
     Log {
-        /// The file.
-        file: String,
+        /// The file; nothing if it is shown on the screen.
+        file: Option<String>,
+        /// What is written.
+        text: String,
     },
     /// The operator is told something.
     Message {
@@ -442,7 +444,13 @@ impl EventKind {
                 map.serialize_entry("column", column)?;
                 map.serialize_entry("value", value)
             }
-            Self::Log { file } => map.serialize_entry("file", file),
+            Self::Log { file, text } => {
+                map.serialize_entry("file", file)?;
+                if file.is_none() {
+                    map.serialize_entry("text", text)?;
+                }
+                Ok(())
+            }
             Self::Message { kind, id, answer } => {
                 map.serialize_entry("kind", kind.as_str())?;
                 map.serialize_entry("id", &**id)?;

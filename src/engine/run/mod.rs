@@ -14,6 +14,7 @@ mod event;
 mod fault;
 mod flow;
 mod log;
+mod measure;
 mod motion;
 mod params;
 mod plunge;
@@ -21,6 +22,7 @@ mod probe;
 mod program;
 mod series;
 mod strategy;
+mod stylus;
 mod turn;
 mod world;
 
@@ -113,6 +115,8 @@ pub struct Outcome {
     pub tables: Vec<(String, String)>,
     /// Names and texts of the logs that were written.
     pub logs: Vec<(String, String)>,
+    /// The texts of the logs that were shown on the screen.
+    pub screens: Vec<String>,
     /// The Q parameters at the end.
     pub params: Params,
     /// The tool tip at the end, in program coordinates.
@@ -200,6 +204,7 @@ impl<'e> Engine<'e> {
             fault: Some(fault),
             tables: Vec::new(),
             logs: Vec::new(),
+            screens: Vec::new(),
             params: Params::new(),
             position: DVec3::ZERO,
             angles: DVec3::ZERO,
@@ -267,6 +272,8 @@ struct Run<'r, 'e> {
     /// By cycle: which sentences of its plan were executed.
     executed: BTreeMap<CycleKey, Vec<bool>>,
     logs: Vec<(String, String)>,
+    /// Logs shown on the screen.
+    screens: Vec<String>,
     /// Nested executions of cycles.
     inside: usize,
     /// Moves of the tool so far.
@@ -301,6 +308,7 @@ impl<'r, 'e> Run<'r, 'e> {
             guards: BTreeSet::new(),
             executed: BTreeMap::new(),
             logs: Vec::new(),
+            screens: Vec::new(),
             inside: 0,
             moves: 0,
             probing: false,
@@ -362,6 +370,7 @@ impl<'r, 'e> Run<'r, 'e> {
             diagnostic,
             tables: self.world.written(),
             logs: self.logs,
+            screens: self.screens,
             params: self.params,
             position: self.world.here,
             angles: self.world.program_angles(),

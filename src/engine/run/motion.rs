@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use super::block::linear;
 use super::event::MoveKind;
 use super::fault::{Class, Fault};
+use super::probe::Pressed;
 use super::turn::rotary;
 use super::{Done, EventKind, Run};
 use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis};
@@ -18,6 +19,11 @@ use crate::syntax::{Axis, Compensation, Coord, Feed, FeedKind, Motion, Path};
 const OFF_CIRCLE: f64 = 0.001;
 /// From this feed on a move is one at rapid traverse: the value that the word FMAX has as a parameter.
 pub(super) const RAPID_FEED: f64 = 99_999.999;
+
+/// A probe that presses against a face must move away from it by so much of its way to come free.
+const LEAST_BACK: f64 = 1e-3;
+/// What a probe that has just come free is away from what it touched, mm.
+const FREE: f64 = 1e-9;
 
 /// The speed of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -306,6 +312,7 @@ impl Run<'_, '_> {
             }
         }
         self.collide(path)?;
+        self.release(path);
         self.world.here = to;
         self.world.machine = machine;
         self.tell(EventKind::Move { kind, from, to, machine, feed });
@@ -336,14 +343,39 @@ impl Run<'_, '_> {
             return Ok(());
         }
         let Ok(probe) = self.world.probe() else { return Ok(()) };
-        let lift = self.world.ball_centre(DVec3::ZERO, &probe, probe.offset);
+        let lift = self.world.ball_centre(DVec3::ZERO, &probe);
         let path = match *path {
-            BallPath::Line { from, to } => BallPath::line(from + lift, to + lift),
+            BallPath::Line { from, to } => {
+                let skipped = self.way_to_freedom(to - from);
+                if skipped > (to - from).length() {
+                    return Ok(());
+                }
+                BallPath::line(from + (to - from).normalize_or_zero() * skipped + lift, to + lift)
+            }
             BallPath::Arc { centre, axis, from, sweep, rise } => {
                 BallPath::Arc { centre: centre + lift, axis, from: from + lift, sweep, rise }
             }
         };
         self.touches_on(probe.ball_radius, &path)
+    }
+
+    /// How far a probe that still presses against what it touched must go on a line to come free; 0 if it is free, or if
+    /// the line does not lead away.
+    fn way_to_freedom(&self, way: DVec3) -> f64 {
+        let Some(pressed) = self.world.pressed else { return 0.0 };
+        let back = -way.normalize_or_zero().dot(pressed.direction);
+        if back < LEAST_BACK { 0.0 } else { pressed.depth.max(0.0) / back + FREE }
+    }
+
+    /// After a move: the probe is free, unless it went back too little.
+    fn release(&mut self, path: &BallPath) {
+        let BallPath::Line { from, to } = *path else {
+            self.world.pressed = None;
+            return;
+        };
+        let still = self.way_to_freedom(to - from) > (to - from).length();
+        let back = |pressed: &Pressed| Pressed { depth: pressed.depth + (to - from).dot(pressed.direction), ..*pressed };
+        self.world.pressed = self.world.pressed.as_ref().filter(|_| still).map(back);
     }
 
     /// An error if the ball touches the parts on a path of its centre.

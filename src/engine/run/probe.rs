@@ -6,48 +6,138 @@ use glam::DVec3;
 
 use super::event::{MoveKind, Probing};
 use super::fault::{Class, Fault};
+use super::stylus::ProbeData;
 use super::{Done, EventKind, Run};
+use crate::engine::scene::Orientation;
+
+/// Angles that differ by less, in degrees, are the same orientation.
+const SAME_ANGLE: f64 = 1e-9;
+
+/// A movement of the ball towards the workpiece.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Approach {
+    /// Its direction in program coordinates, of length 1.
+    pub direction: DVec3,
+    /// How far it goes at most, mm.
+    pub path: f64,
+    /// mm/min.
+    pub feed: f64,
+}
+
+/// Where such a movement ended.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stop {
+    /// The tool tip in machine coordinates.
+    pub tip: DVec3,
+    /// The ball centre in program coordinates as the control knows it.
+    pub centre: DVec3,
+    /// Whether something was touched.
+    pub touched: bool,
+}
+
+/// The probe where it stopped after touching, until it moves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pressed {
+    /// Where the movement began: the tool tip in machine coordinates.
+    pub from: DVec3,
+    /// Its direction in the machine.
+    pub direction: DVec3,
+    /// How far the ball went on after touching, mm.
+    pub depth: f64,
+}
 
 impl Run<'_, '_> {
     /// Probes towards a point (program coordinates) and returns to the start of the probing. The ball centre at
-    /// contact in program coordinates.
-    pub(super) fn probe(&mut self, towards: DVec3) -> Done<DVec3> {
+    /// contact in program coordinates. `turned` is by how much the spindle is turned from the calibration angle;
+    /// without it a probe that is tracked is turned into the direction.
+    pub(super) fn probe(&mut self, towards: DVec3, turned: Option<f64>) -> Done<DVec3> {
         let probe = self.world.probe()?;
-        let (frame, back) = (*self.world.system.frame(), *self.world.system.back());
-        let plane = self.world.system.plane;
-        let from = self.world.here + plane.tool.unit() * probe.ball_radius;
+        let from = self.world.here + self.world.system.plane.tool.unit() * probe.effective_radius;
         let way = towards - from;
         let length = way.length();
         if length == 0.0 {
             return Err(Fault::new(Class::Internal, "probe-no-direction").into());
         }
-        let target = from + way * (probe.dist / length);
-        let start = self.world.ball_centre(self.world.machine, &probe, probe.offset);
+        let approach = Approach { direction: way / length, path: probe.dist, feed: probe.feed };
+        let tracked = self.world.tracked(&probe, self.world.system.frame().vector(approach.direction));
+        if let Some(turned) = turned.or(tracked) {
+            self.orient_probe(&probe, turned);
+        }
+        let mut centres = Vec::with_capacity(probe.measurements as usize);
+        for _ in 0..probe.measurements {
+            let stop = self.approach(&probe, &approach)?;
+            if !stop.touched {
+                return Err(Fault::control("probe-no-contact").arg("distance", probe.dist).into());
+            }
+            self.back_from(stop.tip);
+            centres.push(stop.centre);
+        }
+        mean(&probe, &centres, approach.direction).map_err(Into::into)
+    }
+
+    /// Turns the spindle so far from the angle at which the probe was calibrated, if it can turn.
+    pub(super) fn orient_probe(&mut self, probe: &ProbeData, turned: f64) {
+        let way = (turned - self.world.spindle_turned).rem_euclid(360.0);
+        if probe.orientation == Orientation::Fixed || way.min(360.0 - way) < SAME_ANGLE {
+            return;
+        }
+        self.world.spindle_turned = turned;
+        let orient = Some((probe.angle + turned).rem_euclid(360.0));
+        self.tell(EventKind::Spindle { tool: None, direction: 0, speed: 0.0, orient });
+    }
+
+    /// Moves towards the workpiece until the probe triggers or the path ends, and tells it. The tool stays where it is.
+    pub(super) fn approach(&mut self, probe: &ProbeData, approach: &Approach) -> Done<Stop> {
+        let frame = *self.world.system.frame();
+        let from = self.world.here + self.world.system.plane.tool.unit() * probe.effective_radius;
+        let target = from + approach.direction * approach.path;
+        let start = self.world.ball_centre(self.world.machine, probe);
+        let way = frame.vector(approach.direction);
         let (body, at_start) = (&self.world.scene.body, self.world.at_parts(start));
         if body.touches(probe.ball_radius, at_start)? {
             return Err(Fault::control("probe-deflected").into());
         }
-        let path_end = self.world.at_parts(start + frame.vector(target - from));
+        let path_end = self.world.at_parts(start + way * approach.path);
         let contact = body.first_contact(probe.ball_radius, at_start, path_end)?;
-        let Some(contact) = contact else {
-            let kind = Probing { from, target, contact: None, feed: probe.feed };
-            self.tell(EventKind::Probe(kind));
-            return Err(Fault::control("probe-no-contact").arg("distance", probe.dist).into());
-        };
-        let (ball, touched) = (self.world.off_parts(contact.ball_centre), self.world.off_parts(contact.point));
-        let stopped = self.world.machine + (ball - start);
-        let centre = back.point(self.world.believed_centre(ball, stopped, &probe));
-        let touched = back.point(touched);
-        if let Some(fault) = self.world.beyond_limits(stopped) {
+        let mut found = None;
+        if let Some(contact) = contact {
+            let (ball, point) = (self.world.off_parts(contact.ball_centre), self.world.off_parts(contact.point));
+            let depth = self.world.pre_travel(probe, way) + self.world.scatter();
+            if (ball - start).length() + depth <= approach.path {
+                found = Some((self.world.machine + (ball - start) + way * depth, point, depth));
+            }
+        }
+        let tip = found.map_or(self.world.machine + way * approach.path, |(tip, _, _)| tip);
+        if let Some(fault) = self.world.beyond_limits(tip) {
             return Err(fault.into());
         }
-        self.tell(EventKind::Probe(Probing { from, target, contact: Some((touched, centre)), feed: probe.feed }));
+        let back = *self.world.system.back();
+        let centre = back.point(self.world.believed_centre(tip, probe));
+        let contact = found.map(|(_, point, _)| (back.point(point), centre));
+        self.tell(EventKind::Probe(Probing { from, target, contact, feed: approach.feed }));
+        let pressed = |(_, _, depth)| Pressed { from: self.world.machine, direction: way, depth };
+        self.world.pressed = found.map(pressed);
+        Ok(Stop { tip, centre, touched: found.is_some() })
+    }
+
+    /// Tells the return from where the probe stopped.
+    fn back_from(&mut self, stopped: DVec3) {
         let (here, machine) = (self.world.here, self.world.machine);
+        self.world.pressed = None;
         if stopped != machine {
             let feed = self.world.scene.machine.rapid_feed(machine - stopped);
-            let kind = MoveKind::Rapid;
-            self.tell(EventKind::Move { kind, from: back.point(stopped), to: here, machine, feed });
+            let from = self.world.system.back().point(stopped);
+            self.tell(EventKind::Move { kind: MoveKind::Rapid, from, to: here, machine, feed });
         }
-        Ok(centre)
     }
+}
+
+/// The mean of what was measured, unless it lies too far apart.
+fn mean(probe: &ProbeData, centres: &[DVec3], direction: DVec3) -> Result<DVec3, Fault> {
+    let ways = || centres.iter().map(|centre| centre.dot(direction));
+    let apart = ways().fold(f64::NEG_INFINITY, f64::max) - ways().fold(f64::INFINITY, f64::min);
+    if let Some(range) = probe.confidence.filter(|range| apart > *range) {
+        return Err(Fault::control("probe-measurements-apart").arg("found", apart).arg("range", range));
+    }
+    Ok(centres.iter().sum::<DVec3>() / centres.len() as f64)
 }

@@ -67,6 +67,10 @@ impl<'e> Run<'_, 'e> {
             }
             Strategy::ZeroRotaryAxis => self.zero_rotary_axis(call, exec),
             Strategy::AddAngleToDatumRow => self.add_angle_to_datum_row(call, exec),
+            Strategy::ProbeWithOwnPath => self.probe_with_own_path(call, exec),
+            Strategy::RetractFromTouchPoint => self.retract_from_touch_point(call, exec),
+            Strategy::PlaneAngles => self.plane_angles(call, exec),
+            Strategy::StoreProbeCalibration => self.store_probe_calibration(call, exec),
             Strategy::PlungeOnHelix => self.plunge_on_helix(call, exec),
             Strategy::PlungeInStrokes => self.plunge_in_strokes(call, exec),
             Strategy::ToleranceBand => {

@@ -98,7 +98,7 @@ impl Run<'_, '_> {
         let axis = self.rotary_axis(*axis)?;
         let turning = self.world.scene.machine.turning(axis, self.world.angles);
         let way = axis.axis.of(after - self.world.angles);
-        let from = self.world.ball_centre(self.world.machine, &probe, probe.offset);
+        let from = self.world.ball_centre(self.world.machine, &probe);
         let (centre, sweep) = match axis.carries {
             // The parts turn one way, so to them the ball turns the other way.
             Carried::Workpiece => (turning.centre, -way),

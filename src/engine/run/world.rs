@@ -4,17 +4,17 @@
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::coordinates::System;
 use super::fault::Fault;
+use super::probe::Pressed;
+use super::stylus::ProbeData;
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::scene::{Answers, ParameterValue, Preset, Scene};
 use crate::engine::solid::Path as BallPath;
 use crate::engine::table::{Table, TableError, TableKind};
 
-/// The word of the probe table for pre-positioning at the machine's rapid rate (TNC 320 manual, line 545).
-const MACHINE_RAPID: &str = "FMAX_MACHINE";
 /// The word that locks a tool in the column TL.
 pub(super) const LOCKED: &str = "L";
 
@@ -35,27 +35,8 @@ pub struct Tool {
     pub teeth: f64,
     /// The row of the probe table that belongs to it, if it is a touch probe.
     pub probe: Option<f64>,
-}
-
-/// The touch probe in use: what the control knows of it and what it really is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct ProbeData {
-    /// Distance kept from the touch point, mm.
-    pub set_up: f64,
-    /// Probing feed, mm/min.
-    pub feed: f64,
-    /// Feed between touch points, mm/min.
-    pub fmax: f64,
-    /// The greatest probing path, mm.
-    pub dist: f64,
-    /// Whether pre-positioning is at the machine's rapid rate.
-    pub machine_rapid: bool,
-    /// The radius of the ball, mm.
-    pub ball_radius: f64,
-    /// The calibrated offset of the ball from the spindle axis, main and secondary axis, mm.
-    pub calibrated: DVec2,
-    /// The true offset.
-    pub offset: DVec2,
+    /// The oversizes of the tool call: radius and length, mm.
+    pub deltas: (f64, f64),
 }
 
 /// The tables at a moment, to return to.
@@ -81,7 +62,13 @@ pub(super) struct World<'s> {
     /// nothing while it stands as at the start.
     parts: Option<Frame>,
     /// How the head is turned, if it does not stand at 0.
-    head: Option<Frame>,
+    pub(super) head: Option<Frame>,
+    /// How far the spindle is turned from the angle at which the probe was calibrated, degrees.
+    pub spindle_turned: f64,
+    /// How many triggers there were that the scene lets scatter.
+    pub(super) triggered: usize,
+    /// The probe where it stopped after touching, until it moves.
+    pub(super) pressed: Option<Pressed>,
     /// What the operator will say.
     pub answers: Answers,
     tool: Option<Tool>,
@@ -108,6 +95,9 @@ impl<'s> World<'s> {
             angles: scene.start_angles,
             parts: None,
             head: None,
+            spindle_turned: 0.0,
+            triggered: 0,
+            pressed: None,
             answers: scene.answers.clone(),
             tool: None,
             probe: OnceCell::new(),
@@ -240,7 +230,8 @@ impl<'s> World<'s> {
     pub(super) fn tool_data(&self, number: f64, delta_radius: f64, delta_length: f64) -> Result<Tool, TableError> {
         let table = self.table(TableKind::Tool)?;
         if !self.has_tools() {
-            return Ok(Tool { number, radius: delta_radius, length: delta_length, ..Tool::default() });
+            let deltas = (delta_radius, delta_length);
+            return Ok(Tool { number, radius: delta_radius, length: delta_length, deltas, ..Tool::default() });
         }
         let value = |column| table.number(number, column).map(Option::unwrap_or_default);
         Ok(Tool {
@@ -251,6 +242,7 @@ impl<'s> World<'s> {
             lcuts: value("LCUTS")?,
             teeth: value("CUT")?,
             probe: table.number(number, "TP_NO")?.filter(|row| *row > 0.0),
+            deltas: (delta_radius, delta_length),
         })
     }
 
@@ -262,68 +254,29 @@ impl<'s> World<'s> {
     /// Puts a tool into the spindle.
     pub(super) fn take_tool(&mut self, tool: Tool) {
         self.tool = Some(tool);
+        (self.spindle_turned, self.pressed) = (0.0, None);
         self.probe.take();
+    }
+
+    /// The tool in the spindle gets the data that its row has now. The spindle stays where it is, so a new length
+    /// moves the tip.
+    pub(super) fn renew_tool(&mut self) -> Result<(), TableError> {
+        let Some(old) = self.tool else { return Ok(()) };
+        let new = self.tool_data(old.number, old.deltas.0, old.deltas.1)?;
+        let up = self.system.frame().vector(self.system.plane.tool.unit());
+        self.tool = Some(new);
+        self.probe.take();
+        if new.length != old.length {
+            self.machine -= up * (new.length - old.length);
+            self.renew();
+        }
+        Ok(())
     }
 
     /// The touch probe that a probing cycle uses now. Where no tool has a row of the probe table, the tool in
     /// the spindle is taken for the scene's probe.
     pub(super) fn probe(&self) -> Result<ProbeData, Fault> {
         self.probe.get_or_init(|| self.read_probe()).clone()
-    }
-
-    fn read_probe(&self) -> Result<ProbeData, Fault> {
-        let missing = || Fault::control("probe-missing");
-        let tool = self.tool.ok_or_else(missing)?;
-        let truth = self.scene.probe.ok_or_else(missing)?;
-        let row = match tool.probe {
-            Some(row) if row == truth.row => row,
-            Some(_) => return Err(missing()),
-            None if self.tools_name_probes() => return Err(missing()),
-            None => truth.row,
-        };
-        let table = self.table(TableKind::Probe)?;
-        let value = |column| table.number(row, column).map(Option::unwrap_or_default);
-        Ok(ProbeData {
-            set_up: value("SET_UP")?,
-            feed: value("F")?,
-            fmax: value("FMAX")?,
-            dist: value("DIST")?,
-            machine_rapid: table.text(row, "F_PREPOS")? == MACHINE_RAPID,
-            ball_radius: truth.ball_radius,
-            calibrated: DVec2::new(value("CAL_OF1")?, value("CAL_OF2")?),
-            offset: truth.offset,
-        })
-    }
-
-    fn tools_name_probes(&self) -> bool {
-        let Ok(table) = self.table(TableKind::Tool) else { return false };
-        table.rows().any(|row| matches!(table.number(row, "TP_NO"), Ok(Some(number)) if number > 0.0))
-    }
-
-    /// Whether the tool in the spindle is known to be a touch probe.
-    pub(super) fn holds_probe(&self) -> bool {
-        self.tool.is_some_and(|tool| tool.probe.is_some())
-    }
-
-    /// The centre of the ball, in machine coordinates, when the tool tip is there; `offset` is the one of the
-    /// ball from the spindle axis. A head that is turned takes the ball with it.
-    pub(super) fn ball_centre(&self, tip: DVec3, probe: &ProbeData, offset: DVec2) -> DVec3 {
-        let plane = self.system.plane;
-        let Some(head) = self.head else {
-            return tip + self.system.frame().vector(plane.tool.unit()) * probe.ball_radius + plane.lift(offset, 0.0);
-        };
-        let pivot = self.pivot(tip);
-        pivot + head.vector(tip + plane.tool.unit() * probe.ball_radius + plane.lift(offset, 0.0) - pivot)
-    }
-
-    /// Where the control believes the ball centre to be that is truly there, with the tool tip where it is. It adds the
-    /// calibrated offset to where the spindle is, and knows nothing of a head that is turned.
-    pub(super) fn believed_centre(&self, ball: DVec3, tip: DVec3, probe: &ProbeData) -> DVec3 {
-        let plane = self.system.plane;
-        if self.head.is_none() {
-            return ball + plane.lift(probe.calibrated - probe.offset, 0.0);
-        }
-        tip + self.system.frame().vector(plane.tool.unit()) * probe.ball_radius + plane.lift(probe.calibrated, 0.0)
     }
 
     /// The point about which the head turns when the tool tip is there, in machine coordinates.

@@ -4,11 +4,13 @@
 //! exists, the machine can stand at the start), and anything unknown in it was an error with its place.
 mod answers;
 mod clock;
+mod probe;
 mod rows;
 mod solid;
 
 pub use answers::Answers;
 pub use clock::Clock;
+pub use probe::{Orientation, PreTravel, Probe};
 
 use super::geometry::{Frame, INCH, RotaryAxis};
 use super::machine::Machine;
@@ -17,7 +19,7 @@ use super::solid::{Body, Shape};
 use super::table::{Table, TableError, TableKind};
 use crate::diag::{Diagnostic, Source};
 use crate::spec::{Kind, Node, read_yaml};
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use std::sync::Arc;
 
 /// The version of scene files that is understood.
@@ -52,17 +54,6 @@ pub enum ParameterValue {
     Text(String),
     /// Several numbers.
     List(Vec<f64>),
-}
-
-/// The touch probe as it really is; what the control believes stands in the probe table and the tool table.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Probe {
-    /// The number of its row in the probe table.
-    pub row: f64,
-    /// The true radius of the ball in mm.
-    pub ball_radius: f64,
-    /// The true offset of the ball centre from the spindle axis in mm, in main and secondary axis.
-    pub offset: DVec2,
 }
 
 /// A world.
@@ -174,7 +165,7 @@ impl Scene {
             rows::rows(node, &mut tools, r);
         }
         let mut probes = Table::new(TableKind::Probe, TableKind::Probe.file_name());
-        let probe = node.get("probe").and_then(|node| probe(node, &mut probes, r));
+        let probe = node.get("probe").and_then(|node| probe::probe(node, &mut probes, r));
         let (presets, active_preset) = presets(node, r);
         let datums = datums(node, r);
         // A row that is missing was reported.
@@ -273,33 +264,6 @@ fn parameters(node: &Node, r: &mut Reader<'_>) -> Vec<(String, ParameterValue)> 
         all.push((name.text.to_string(), value));
     }
     all
-}
-
-/// A row of the probe table and what is true of the probe.
-fn probe(node: &Node, table: &mut Table, r: &mut Reader<'_>) -> Option<Probe> {
-    let entries = r.entries(node);
-    let columns = entries.iter().filter(|(key, _)| !matches!(&*key.text, "ball_radius" | "offset"));
-    let row = rows::row(node, columns, Some(1.0), table, r);
-    let ball_radius = r.need(node, "ball_radius").and_then(|node| r.positive(node));
-    let row = row?;
-    for (column, value) in [("F", 300.0), ("FMAX", 3000.0), ("DIST", 10.0), ("SET_UP", 2.0)] {
-        if node.get(column).is_none() {
-            // The standard columns have room for these.
-            let _ = table.set(row, column, &super::table::Cell::Number(value));
-        }
-    }
-    let believed = |column| table.number(row, column).ok().flatten().unwrap_or_default();
-    let offset = match node.get("offset") {
-        None => DVec2::new(believed("CAL_OF1"), believed("CAL_OF2")),
-        Some(node) => match r.items(node) {
-            [main, secondary] => DVec2::new(r.length(main)?, r.length(secondary)?),
-            _ => {
-                r.expected(node, "two-numbers");
-                return None;
-            }
-        },
-    };
-    Some(Probe { row, ball_radius: ball_radius?, offset })
 }
 
 /// The preset table, which always has a row 0, and the number of the active row.
