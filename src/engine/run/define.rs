@@ -209,7 +209,11 @@ impl<'e> Run<'_, 'e> {
         if let (Content::Text(name), ParameterKind::NumberOrName) = (&content, param.kind) {
             let number = self.world.tool_named(name)?;
             self.set(QRef { kind: QKind::Qs, number: q.number }, content)?;
-            let Some(number) = number else { return Ok(()) };
+            let Some(number) = number else {
+                // A number from before would mean another tool.
+                self.params.forget(q);
+                return Ok(());
+            };
             return Ok(self.set(q, Content::Number(number))?);
         }
         Ok(self.set(q, content)?)

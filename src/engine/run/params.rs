@@ -53,6 +53,16 @@ impl Params {
         self.texts.get(usize::from(q.number)).cloned().flatten().ok_or(EvalError::Undefined(q))
     }
 
+    /// The parameter has no value any more.
+    pub(super) fn forget(&mut self, q: QRef) {
+        let number = usize::from(q.number);
+        if q.kind == QKind::Qs {
+            self.texts.get_mut(number).map(Option::take);
+        } else if let Some(values) = self.numbers.get_mut(family(q.kind)) {
+            values.get_mut(number).map(Option::take);
+        }
+    }
+
     /// The value of a parameter of either kind.
     pub fn get(&self, q: QRef) -> Option<Content> {
         match q.kind {
