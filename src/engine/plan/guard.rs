@@ -19,7 +19,6 @@ const MAX_INLINED: usize = 2000;
 fn field_type(param: &Param) -> Type {
     match param.field.as_ref().map(|field| field.shape) {
         Some(Shape::Position | Shape::AxisDirection) => Type::Point,
-        Some(Shape::Axes) if param.kind == ParameterKind::Axis => Type::Point,
         _ => match param.kind {
             ParameterKind::Axis | ParameterKind::AxisDirection => Type::Point,
             ParameterKind::Text | ParameterKind::LabelList => Type::Text,

@@ -345,10 +345,6 @@ impl<'e> Run<'_, 'e> {
                 let (axis, _) = axis.ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
                 Ok(FieldValue::Direction(linear(axis)?.unit() * if value.ends_with('-') { -1.0 } else { 1.0 }))
             }
-            (Shape::Axes, _) if param.kind == ParameterKind::Axis => {
-                let (axis, _) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
-                Ok(FieldValue::Direction(linear(axis)?.unit()))
-            }
             (Shape::Axes | Shape::Centre, _) => Ok(FieldValue::Unread),
             (_, ValueKind::Text(inner)) if is_textual(param) => Ok(FieldValue::Text(self.slice(inner).into())),
             _ if is_textual(param) => match spec::refusal(param, value) {
