@@ -7,8 +7,8 @@ until-contour-depth-reached = ni dosežena programirana globina
 note-contour-element-limit = Pomnilnik za SL-cikel je omejen. V enem SL-ciklu je mogoče programirati največ 16384 konturnih elementov.
 note-sign-of-milling-depth = Predznak globine rezkanja določa smer obdelave. Pri globini 0 krmiljenje cikla ne izvede.
 note-both-axes-after-contour-cycle = Nevarnost kolizije! Po SL-ciklu prvi premik v obdelovalni ravnini programirajte z obema koordinatama, na primer L X+80 Y+0 R0 FMAX.
-note-contour-cycle-properties = Krmiljenje orodje pred vsakim ciklom samo pozicionira na varnostno razdaljo. Vsaka ravnina se rezka brez dviganja orodja; otoke orodje obide ob strani. Polmer notranjih vogalov je mogoče programirati: orodje se tam ne ustavi in ne pusti sledi (to velja za skrajno zunanjo pot grobega rezkanja in za stransko fino rezkanje). Pri stranskem finem rezkanju se krmiljenje konturi približa po tangencialnem krožnem loku, prav tako se pri globinskem finem rezkanju po tangencialnem krožnem loku približa obdelovancu (pri osi vretena Z v ravnini Z/X). Kontura se ves čas obdeluje v soteku ali ves čas v protiteku.
-note-contour-tool-by-name = Orodje lahko vnesete s številko ali z imenom. Za vnos imena pritisnite gumb IME ORODJA; krmiljenje ob izhodu iz polja za vnos samo doda narekovaje.
+note-contour-cycle-properties = Krmiljenje orodje pred vsakim ciklom samodejno pozicionira na varnostno razdaljo. Vsaka ravnina se rezka brez dviganja orodja; otoke orodje obide ob strani. Polmer notranjih vogalov je mogoče programirati: orodje se tam ne ustavi in ne pusti sledi (to velja za skrajno zunanjo pot grobega rezkanja in za stransko fino rezkanje). Pri stranskem finem rezkanju se krmiljenje konturi približa po tangencialnem krožnem loku, prav tako se pri globinskem finem rezkanju po tangencialnem krožnem loku približa obdelovancu (pri osi vretena Z v ravnini Z/X). Kontura se ves čas obdeluje v soteku ali ves čas v protiteku.
+note-contour-tool-by-name = Orodje lahko vnesete s številko ali z imenom. Za vnos imena pritisnite gumb IME ORODJA; krmiljenje ob izhodu iz polja za vnos samodejno doda narekovaje.
 note-global-def-for-contours = Funkcija GLOBAL DEF za konturno rezkanje vnaprej določi varnostno razdaljo, varno višino, faktor prekrivanja in vrsto rezkanja za cikle 20, 22, 23, 24 in 25.
 
 # --- 14 ---
@@ -52,7 +52,7 @@ step-retract-and-return-to-stop-distance = Krmiljenje umakne orodje v hitrem tek
 until-drilling-depth-reached = ni dosežena globina vrtanja
 step-dwell-and-retract-to-start = Orodje se na dnu vrtine zadrži za prosto rezanje in se nato v hitrem teku (FMAX) umakne na začetni položaj.
 until-pilot-holes-drilled = niso izvrtane vse vbodne točke
-note-stop-distance-determined = Razdaljo zadrževanja t krmiljenje določi samo: pri globini vrtanja do 30{"\u00A0"}mm je 0,6{"\u00A0"}mm, nad 30{"\u00A0"}mm petdesetina globine vrtanja, vendar nikoli več kot 7{"\u00A0"}mm.
+note-stop-distance-determined = Razdaljo zadrževanja t krmiljenje določi samodejno: pri globini vrtanja do 30{"\u00A0"}mm je 0,6{"\u00A0"}mm, nad 30{"\u00A0"}mm petdesetina globine vrtanja, vendar nikoli več kot 7{"\u00A0"}mm.
 note-infeed-points-consider = Pri vbodnih točkah krmiljenje upošteva nadmeri stranskega in globinskega finega rezkanja ter polmer izvrtalnega orodja.
 note-delta-radius-not-considered-for-infeed-points = Pri izračunu vbodnih točk krmiljenje ne upošteva vrednosti delta DR, programirane v stavku TOOL CALL.
 note-narrow-places-not-pre-drilled = Na ozkih mestih krmiljenje morda ne more predvrtati z orodjem, ki je večje od izvrtalnega orodja.
@@ -84,7 +84,7 @@ cycle-floor-finishing = Globinsko fino rezkanje
     .purpose = Odstrani nadmero finega rezkanja, ki je po posnemanju ostala na dnu.
 step-approach-contour-floor = Če je dovolj prostora, se orodje dnu mehko približa po navpičnem tangencialnem krožnem loku. Sicer se s pomikom { $q-contour-plunging-feed } navpično spusti na globino.
 step-finish-contour-floor = Orodje s pomikom { $q-roughing-feed } odrezka nadmero finega rezkanja, ki je ostala po posnemanju.
-note-starting-point-by-itself = Začetno točko finega rezkanja krmiljenje določi samo. Odvisna je od prostora v žepu.
+note-starting-point-by-itself = Začetno točko finega rezkanja krmiljenje določi samodejno. Odvisna je od prostora v žepu.
 note-approach-radius-is-fixed = Polmer za primik na končno globino je interno določen in ni odvisen od kota spuščanja orodja.
 
 # --- 24 ---
@@ -97,7 +97,7 @@ until-partial-contours-finished = niso fino rezkane vse delne konture
 note-side-finishing-allowances = Vsota nadmere stranskega finega rezkanja { $q-remaining-side-allowance } in polmera orodja za fino rezkanje mora biti manjša od vsote nadmere stranskega finega rezkanja iz cikla 20 in polmera izvrtalnega orodja.
 note-side-finishing-without-roughing = Enako velja, če se cikel izvede brez predhodnega posnemanja s ciklom 22; za polmer izvrtalnega orodja se tedaj šteje 0.
 note-side-finishing-mills-contours = Cikel je mogoče uporabiti tudi za konturno rezkanje. Za to konturo definirajte kot posamezen otok (brez omejitve žepa) in v ciklu 20 vnesite nadmero stranskega finega rezkanja, ki je večja od vsote nadmere finega rezkanja { $q-remaining-side-allowance } in polmera orodja.
-note-start-depends-on-room-and-allowance = Začetno točko finega rezkanja krmiljenje določi samo. Odvisna je od prostora v žepu in od nadmere, programirane v ciklu 20.
+note-start-depends-on-room-and-allowance = Začetno točko finega rezkanja krmiljenje določi samodejno. Odvisna je od prostora v žepu in od nadmere, programirane v ciklu 20.
 note-start-depends-on-sequence = Začetna točka je odvisna tudi od zaporedja obdelave. Če cikel za fino rezkanje izberete s tipko GOTO in nato zaženete program, je lahko začetna točka drugje, kot če se program izvaja po vrsti.
 
 # --- 25 ---

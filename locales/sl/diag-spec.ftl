@@ -59,3 +59,13 @@ diag-spec-yaml-feature = { $feature ->
 diag-spec-yaml-syntax = To ni YAML: { $reason }.
 related-first-place = prvi je tukaj
 related-for-this-control = zapiše se za to krmiljenje
+diag-spec-measure = V ciklu { $cycle } { $reason ->
+        [different-quantities] se seštevata ali primerjata količini različnih vrst
+        [coordinates-added] se seštevata dve koordinati
+        [distance-as-coordinate] stoji razdalja na mestu koordinate
+        [coordinate-as-distance] stoji koordinata na mestu razdalje
+        [not-a-feed] stoji na mestu pomika nekaj, kar ni pomik
+        [not-a-length] stoji na mestu položaja nekaj, kar ni dolžina
+        [not-a-time] stoji na mestu časa nekaj, kar ni čas
+       *[not-an-angle] stoji na mestu kota nekaj, kar ni kot
+    }.

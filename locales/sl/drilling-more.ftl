@@ -50,7 +50,7 @@ note-servo-controlled-spindle-only = Cikel je mogoče uporabljati samo na stroji
 note-spindle-and-coolant-restored = Na koncu cikla znova velja stanje hladila in vretena izpred priklica cikla.
 note-disengage-away-from-edge = Nevarnost kolizije! Smer prostega premika { $q-disengaging-direction } izberite tako, da se orodje odmakne od roba vrtine.
 note-check-position-of-tool-tip = Nevarnost kolizije! Vreteno orientirajte na kot, programiran v parametru { $q-spindle-orientation-angle } (na primer v načinu Pozicioniranje z ročnim vnosom), in preverite, kje je konica orodja. Kot izberite tako, da je konica orodja vzporedna s koordinatno osjo.
-note-disengaging-considers-rotation = Pri prostem premiku krmiljenje aktivno rotacijo koordinatnega sistema upošteva samo.
+note-disengaging-considers-rotation = Pri prostem premiku krmiljenje aktivno rotacijo koordinatnega sistema upošteva samodejno.
 
 # --- 204 ---
 cycle-back-boring = Vzvratno grezenje
@@ -82,7 +82,7 @@ guard-hole-too-wide-for-tool = Premer vrtine je več kot dvakrat večji od preme
 note-equal-diameters-are-drilled = Če je vneseni premer vrtine enak premeru orodja, krmiljenje brez vijačne interpolacije vrta neposredno do vnesene globine.
 note-mirroring-keeps-milling-type = Aktivno zrcaljenje ne spremeni vrste rezkanja, definirane v ciklu.
 note-infeed-too-large-does-damage = Prevelik primik poškoduje tako orodje kot obdelovanec.
-note-plunging-angle-limits-infeed = Da preprečite prevelike primike, v stolpec { $mp-plunging-angle } preglednice orodij vnesite največji možni kot spuščanja orodja. Krmiljenje tedaj največji dovoljeni primik izračuna samo in po potrebi spremeni vneseno vrednost.
+note-plunging-angle-limits-infeed = Da preprečite prevelike primike, v stolpec { $mp-plunging-angle } preglednice orodij vnesite največji možni kot spuščanja orodja. Krmiljenje tedaj največji dovoljeni primik izračuna samodejno in po potrebi spremeni vneseno vrednost.
 
 # --- 241 ---
 cycle-single-lip-drilling = Enoutorno vrtanje

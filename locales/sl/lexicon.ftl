@@ -1,10 +1,10 @@
 # Words in the names of parameters that tell what is measured and from where; pieces of words separated by a bar.
-lexicon-length = razdalj | globin | koord | premer | polmer | širin | višin | nadmer | dolžin | odmik | mej | omejit | velikost | korak | zamik | pot | začet | kon | razmik | položaj | posnet | toleranc | primik | središč | sredin | stran | popravilo | kompenz | referenčn | ničeln | točk | rob | pojemanj | debelin | iztek | prekorač | dimenzij | mer | oddalj | vrednost | prekrivanj | povratek
+lexicon-length = razdalj | globin | koor | premer | polmer | širin | višin | nadmer | dolžin | odmik | mej | omejit | velikost | korak | zamik | pot | začet | kon | razmik | položaj | posnet | toleranc | primik | središč | sredin | stran | popravilo | kompenz | referenčn | ničeln | točk | rob | pojemanj | debelin | iztek | prekorač | dimenzij | mer | oddalj | vrednost | prekrivanj | povratek | zmanjšanj
 lexicon-angle = kot | rotac | orient | rot.
 lexicon-feed = pomik
 lexicon-time = čas
 lexicon-speed = vrt.
 lexicon-count = številk | števil | štev | navojev | lomov | tipanj | točk | rezov | vrstic | povratek
 lexicon-factor = faktor | prekrivanj | pomnož
-lexicon-absolute = koord | središč | sredin | višin | referenčn | ničeln | položaj | želen | točk | kot | premer | začet | kon | rotac | polmer | številk
+lexicon-absolute = koor | središč | sredin | višin | referenčn | ničeln | položaj | želen | točk | kot | premer | začet | kon | rotac | polmer | številk
 lexicon-incremental = razdalj | globin | nadmer | primik | odmik | korak | razmik | pojemanj | dolžin | pot | posnet | ugrez | rezaln | debelin | iztek | širin | prekorač | velikost | globlj | premik | odpiral

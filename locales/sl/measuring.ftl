@@ -16,7 +16,7 @@ say-log-on-screen = pri { $q-measuring-log } = 2 prekine programski tek in prika
 say-no-log = sicer protokola ne ustvari
 message-measuring-log-on-screen = Merilni protokol je na zaslonu. Nadaljujte z NC-zagonom.
 step-monitor-tool = Krmiljenje nadzoruje orodje { $q-monitored-tool }:
-say-correct-tool-radius = pri { $q-monitored-tool }, ki ni 0, odstopanje polmera prišteje delta vrednosti polmera v stolpcu DR { -tool-table(case: "genitive") }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
+say-correct-tool-radius = pri { $q-monitored-tool }, ki ni 0, odstopanje polmera prišteje vrednosti delta polmera v stolpcu DR { -tool-table(case: "genitive") }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
 say-no-tool-monitoring = pri { $q-monitored-tool } = 0 se ne nadzoruje nobeno orodje
 step-stop-on-tolerance-error = Krmiljenje se na prekoračeno toleranco odzove, kot določa { $q-stop-on-tolerance-error }:
 say-stop-with-tolerance-error = pri { $q-stop-on-tolerance-error } = 1 prekine programski tek in prikaže sporočilo o napaki
@@ -67,7 +67,7 @@ note-no-log-for-reference-plane = Za ta cikel krmiljenje ne ustvari merilnega pr
 # --- 444 ---
 cycle-probing-3d = Tipanje 3D
     .nc = TIPANJE 3D
-    .purpose = Preveri eno točko na površini dela, na primer na prostooblikovani ploskvi. Pokaže, ali je točka glede na želene koordinate vzdolž normalnega vektorja previsoko ali prenizko; sledi lahko dodatna obdelava ali drug postopek. Na voljo so nadzor tolerance, protokol in parametri rezultatov.
+    .purpose = Preveri eno točko na površini obdelovanca, na primer na prostooblikovani ploskvi. Pokaže, ali je točka glede na želene koordinate vzdolž normalnega vektorja previsoko ali prenizko; sledi lahko dodatna obdelava ali drug postopek. Na voljo so nadzor tolerance, protokol in parametri rezultatov.
 step-position-on-normal = Tipalni sistem se s trenutnega položaja premakne na točko na normalnem vektorju. Njena razdalja od želenih koordinat je polmer tipalne krogle plus { $mp-set-up } plus { $q-probing-clearance }. Predpozicioniranje upošteva { -clearance-height(case: "accusative") } { $q-clearance-height }.
 step-probe-nominal-point = Tipalni sistem se premakne proti želenim koordinatam. Pot tipanja določa { $mp-probing-distance }, ne pa normalni vektor; ta je namenjen samo pravilnemu izračunu koordinat.
 step-return-and-store-position = Ko krmiljenje izmeri položaj, se { -probe(case: "nominative") } umakne in ustavi. Krmiljenje shrani izmerjene koordinate in odstopanja v parametre rezultatov.
@@ -95,7 +95,7 @@ note-function-must-be-enabled = To funkcijo mora omogočiti in prilagoditi proiz
 note-mill-mode-only = Cikel je mogoče izvesti samo v načinu FUNCTION MODE MILL.
 note-calibrate-in-3d = Za natančne rezultate { -probe(case: "accusative") } pred tem ciklom umerite s 3D-umerjanjem. To zahteva možnost 92, 3D-ToolComp.
 note-surface-log-contents = Protokol za glavno, pomožno in orodno os vsebuje: dejansko smer tipanja (kot vektor v vnosnem koordinatnem sistemu z dolžino konfigurirane poti tipanja), želeno koordinato, dejansko koordinato in, če { $q-tolerance-specification } določa toleranco, zgornje in spodnje odstopanje ter odstopanje vzdolž normalnega vektorja. Vrednosti so prikazane v barvah: zelena za dobro, oranžna za dodatno obdelavo, rdeča za izvržek. Zapisano je tudi 3D-odstopanje.
-note-surface-log-directory = Krmiljenje shrani protokol kot datoteko HTML v imenik NC-programa, razen če je za FN 16 konfigurirana pot.
+note-surface-log-directory = Krmiljenje shrani protokol kot datoteko HTML v imenik NC-programa, če je za FN 16 konfigurirana pot.
 note-mirror-or-scaling-is-an-error = Krmiljenje prikaže sporočilo o napaki, če so ob aktiviranju cikla v veljavi zrcaljenje (cikel 8), faktor merila (cikel 11) ali faktor merila, specifičen za os (cikel 26).
 note-tcpm-considered = Pri tipanju se upošteva aktivna funkcija TCPM. S TCPM je mogoče položaje otipati tudi, če je stanje zavrtene { -working-plane(case: "genitive") } neskladno.
 note-track-with-controlled-spindle = Če ima stroj krmiljeno vreteno, v preglednici tipalnega sistema (stolpec { $mp-track }) aktivirajte usmeritev pod kotom. To na splošno izboljša natančnost merjenja s 3D-tipalnim sistemom.

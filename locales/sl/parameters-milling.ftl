@@ -250,10 +250,10 @@ parameter-tilting-angles = Rotacijska os in kot
     .help = Rotacijske osi z naklonskimi koti; rotacijske osi A, B in C se programirajo z gumbi.
     .prompt = Rotacijska os in kot?
 parameter-tilting-feed = Pomik
-    .help = Hitrost premikanja rotacijske osi, če jo krmiljenje pozicionira samo.
+    .help = Hitrost premikanja rotacijske osi, če jo krmiljenje pozicionira samodejno.
     .prompt = Pomik? F=
 parameter-tilting-clearance = Varnostna razdalja
-    .help = Krmiljenje vrtljivo glavo pozicionira tako, da se položaj konca orodja, podaljšanega za varnostno razdaljo, glede na obdelovanec ne spremeni. Vnese se, če krmiljenje rotacijske osi pozicionira samo.
+    .help = Krmiljenje vrtljivo glavo pozicionira tako, da se položaj konca orodja, podaljšanega za varnostno razdaljo, glede na obdelovanec ne spremeni. Vnese se, če krmiljenje rotacijske osi pozicionira samodejno.
     .prompt = Varnostna razdalja?
 
 # --- special functions ---

@@ -158,21 +158,21 @@ parameter-probing-centre-minor__datum-bolt-hole-circle =
 parameter-probing-nominal-diameter__datum-bolt-hole-circle =
     .help = Približni premer krožne luknje. Čim manjši je premer vrtin, tem natančneje ga je treba vnesti.
 parameter-datum-row-number__datum-bolt-hole-circle =
-    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shranijo koordinate središča krožne luknje. Pri vrednosti 0 krmiljenje prikaz določi tako, da je nova referenčna točka v središču krožne luknje.
+    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shranijo koordinate središča krožne luknje. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v središču krožne luknje.
 parameter-datum-row-number__datum-bolt-hole-circle__tnc426-430 =
-    .help = Številka v preglednici ničelnih točk, pod katero se shranijo koordinate središča krožne luknje. Pri vrednosti 0 krmiljenje prikaz določi tako, da je nova referenčna točka v središču krožne luknje.
+    .help = Številka v preglednici ničelnih točk, pod katero se shranijo koordinate središča krožne luknje. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v središču krožne luknje.
 parameter-new-datum-main__datum-bolt-hole-circle =
-    .help = Koordinata na glavni osi, na katero se določi izmerjeno središče krožne luknje. Osnovna nastavitev: 0.
+    .help = Koordinata na glavni osi, na katero se postavi izmerjeno središče krožne luknje. Osnovna nastavitev: 0.
 parameter-new-datum-minor__datum-bolt-hole-circle =
-    .help = Koordinata na pomožni osi, na katero se določi izmerjeno središče krožne luknje. Osnovna nastavitev: 0.
+    .help = Koordinata na pomožni osi, na katero se postavi izmerjeno središče krožne luknje. Osnovna nastavitev: 0.
 parameter-probing-clearance__datum-bolt-hole-circle =
     .help = Dodatna razdalja med merilno točko in tipalno kroglo. Prišteje se vrednosti { $mp-set-up } in deluje samo pri tipanju referenčne točke na osi tipalnega sistema.
 
 # --- 417 ---
 parameter-datum-row-number__datum-probe-axis =
-    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shrani koordinata. Pri vrednosti 0 krmiljenje prikaz določi tako, da je nova referenčna točka na otipani ploskvi.
+    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shrani koordinata. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka na otipani ploskvi.
 parameter-datum-row-number__datum-probe-axis__tnc426-430 =
-    .help = Številka v preglednici ničelnih točk, pod katero se shrani koordinata. Pri vrednosti 0 krmiljenje prikaz določi tako, da je nova referenčna točka na otipani ploskvi.
+    .help = Številka v preglednici ničelnih točk, pod katero se shrani koordinata. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka na otipani ploskvi.
 
 # --- 418 ---
 parameter-third-centre-main = 3. središče 1. osi
@@ -188,22 +188,22 @@ parameter-fourth-centre-minor = 4. središče 2. osi
     .label = 4. SREDIŠČE 2. OSI
     .help = Središče četrte vrtine na pomožni osi obdelovalne ravnine.
 parameter-datum-row-number__datum-four-holes =
-    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shranijo koordinate presečišča povezovalnih premic. Pri vrednosti 0 krmiljenje prikaz določi tako, da je nova referenčna točka v presečišču povezovalnih premic.
+    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shranijo koordinate presečišča povezovalnih premic. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v presečišču povezovalnih premic.
 parameter-datum-row-number__datum-four-holes__tnc426-430 =
-    .help = Številka v preglednici ničelnih točk, pod katero se shranijo koordinate presečišča povezovalnih premic. Pri vrednosti 0 krmiljenje prikaz določi tako, da je nova referenčna točka v presečišču povezovalnih premic.
+    .help = Številka v preglednici ničelnih točk, pod katero se shranijo koordinate presečišča povezovalnih premic. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka v presečišču povezovalnih premic.
 parameter-new-datum-main__datum-four-holes =
-    .help = Koordinata na glavni osi, na katero se določi izmerjeno presečišče povezovalnih premic. Osnovna nastavitev: 0.
+    .help = Koordinata na glavni osi, na katero se postavi izmerjeno presečišče povezovalnih premic. Osnovna nastavitev: 0.
 parameter-new-datum-minor__datum-four-holes =
-    .help = Koordinata na pomožni osi, na katero se določi izmerjeno presečišče povezovalnih premic. Osnovna nastavitev: 0.
+    .help = Koordinata na pomožni osi, na katero se postavi izmerjeno presečišče povezovalnih premic. Osnovna nastavitev: 0.
 
 # --- 419 ---
 parameter-measuring-axis__datum-one-axis = Merilna os (1...3: 1=glavna os)
     .help = Os, na kateri se izvede meritev.
 parameter-datum-row-number__datum-one-axis =
-    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shrani koordinata. Pri vrednosti 0 krmiljenje prikaz določi tako, da je nova referenčna točka na otipani ploskvi.
+    .help = Številka v preglednici ničelnih točk ali preglednici prednastavitev, pod katero se shrani koordinata. Pri vrednosti 0 krmiljenje prikaz nastavi tako, da je nova referenčna točka na otipani ploskvi.
 parameter-new-datum-one-axis = Nova referenčna točka
     .label = REFERENČNA TOČKA
-    .help = Koordinata, na katero se določi referenčna točka. Osnovna nastavitev: 0.
+    .help = Koordinata, na katero se postavi referenčna točka. Osnovna nastavitev: 0.
 
 # --- 1, 3 ---
 parameter-polar-probing-axis = Tipalna os

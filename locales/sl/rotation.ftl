@@ -77,7 +77,7 @@ say-zero-display-of-c-axis = pri { $q-zero-or-row-after-alignment } = 0 nastavi 
 say-offset-into-column-c = če je { $q-zero-or-row-after-alignment } večji od 0, kotni zamik s predznakom zapiše v stolpec C vrstice { $q-zero-or-row-after-alignment } preglednice ničelnih točk; prišteje se zamiku osi C, ki ga vrstica že vsebuje
 note-smallest-stepping-angle__rotation-by-c-axis = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna središče kroga. Najmanjši vnos: 5°.
 note-hole-with-positive-y = Koordinata Y vrtine mora biti pozitivna.
-note-repeat-with-horizontal-probe = Če se kotni zamik vrtine meri z osjo tipalnega sistema Y (vodoravna vrtina), bo cikel morda treba izvesti večkrat: način merjenja povzroči nenatančnost približno 1% poševnega položaja.
+note-repeat-with-horizontal-probe = Če se kotni zamik vrtine meri z osjo tipalnega sistema Y (vodoravna vrtina), bo cikel morda treba izvesti večkrat: način merjenja povzroči nenatančnost približno 1{"\u00A0"}% poševnega položaja.
 
 # --- results ---
 result-alignment-angle-determined = Ugotovljeni kot

@@ -33,7 +33,7 @@ note-overrides-while-tapping = Med izvajanjem cikla vrtljivi gumb za število vr
 note-right-hand-with-m3 = Vreteno za desne navoje vklopite z M3, za leve navoje z M4.
 note-feed-from-speed-and-pitch = Pomik določite z enačbo F = S × p. F: pomik (mm/min), S: število vrtljajev vretena (vrt/min), p: korak navoja (mm).
 note-retract-after-interruption = Če med vrtanjem navoja pritisnete zunanjo tipko za zaustavitev, krmiljenje prikaže gumb, s katerim je mogoče orodje umakniti.
-note-feed-follows-spindle-speed = Krmiljenje pomik izračuna iz števila vrtljajev vretena. Če med vrtanjem navoja zavrtite vrtljivi gumb za pomik, krmiljenje pomik prilagodi samo. Vrtljivi gumb za število vrtljajev ni aktiven.
+note-feed-follows-spindle-speed = Krmiljenje pomik izračuna iz števila vrtljajev vretena. Če med vrtanjem navoja zavrtite vrtljivi gumb za pomik, krmiljenje pomik prilagodi samodejno. Vrtljivi gumb za število vrtljajev ni aktiven.
 note-spindle-stands-after-tapping = Na koncu cikla vreteno miruje. Pred naslednjo obdelavo ga znova vklopite z M3 (ali M4).
 note-retract-by-soft-key = Če med vrtanjem navoja pritisnete zunanjo tipko za zaustavitev, krmiljenje prikaže gumb za ročni odmik. Ko ga pritisnete, lahko orodje nadzorovano umaknete s tipko za pozitivno smer aktivne osi vretena.
 note-retraction-speed-is-limited = Če je v parametru { $q-retraction-speed-factor } definiran faktor števila vrtljajev za hitrejši umik, krmiljenje število vrtljajev omeji na najvišje, dovoljeno v aktivni stopnji gonila.
@@ -105,7 +105,7 @@ guard-thread-near-hole-depth = Globina navoja mora biti najmanj za tretjino kora
 # --- thread milling: notes ---
 note-thread-approach-on-half-circle = Primik na premer navoja poteka v polkrogu iz središča navzven. Če je premer orodja štirikrat manjši od premera navoja, se orodje stransko predpozicionira.
 note-compensation-before-approach = Pred primikom krmiljenje po orodni osi opravi izravnalni premik, ki je dolg največ pol koraka navoja. Poskrbite za dovolj prostora v vrtini.
-note-thread-depth-moves-start = Če se globina navoja spremeni, krmiljenje začetno točko vijačnega premika spremeni samo.
+note-thread-depth-moves-start = Če se globina navoja spremeni, krmiljenje začetno točko vijačnega premika spremeni samodejno.
 note-depths-give-direction = Smer obdelave določajo predznaki parametrov globine, in sicer v tem zaporedju: 1. globina navoja { $q-thread-depth }, 2. ugrezna globina { $q-countersinking-depth }, 3. čelna globina { $q-depth-at-front }.
 note-depths-give-direction__thread-drilling-milling = Smer obdelave določajo predznaki parametrov globine, in sicer v tem zaporedju: 1. globina navoja { $q-thread-depth }, 2. globina vrtanja { $q-total-hole-depth }, 3. čelna globina { $q-depth-at-front }.
 note-two-depths-give-direction = Smer obdelave določajo predznaki parametrov globine, in sicer v tem zaporedju: 1. globina navoja { $q-thread-depth }, 2. čelna globina { $q-depth-at-front }.
