@@ -15,8 +15,8 @@ diag-scene-expected =
         [datum-file] Ime preglednice ničelnih točk se konča z .D.
         [rotary-axis] Tukaj mora stati črka rotacijske osi (A, B ali C), ne »{ $found }«.
         [carried] Rotacijska os nosi obdelovanec (workpiece) ali orodje (tool), ne »{ $found }«.
-        [orientation] Usmeritev je fixed, two ali any, ne "{ $found }".
-        [measurements] Možne so 1, 2 ali 3 meritve, ne "{ $found }".
+        [orientation] Usmeritev je fixed, two ali any, ne »{ $found }«.
+        [measurements] Mogoče so 1, 2 ali 3 meritve, ne »{ $found }«.
        *[solids] Tukaj bi moralo biti vsaj eno telo.
     }
 diag-scene-unknown-key = Ključ { $key } tukaj nima pomena; znani ključi so { $known }.

@@ -9,7 +9,7 @@ step-retract-and-store-results = Krmiljenje premakne { -probe(case: "accusative"
 step-set-measuring-status = Krmiljenje določi stanje meritve:
 say-hole-is-scrap = izvržek (Q182 = 1), če je vrtina večja od { $q-hole-greatest-diameter } ali če njeno središče odstopa za več kot { $q-centre-tolerance-main } ali { $q-centre-tolerance-minor }
 say-hole-needs-rework = potrebna je dodatna obdelava (Q181 = 1), če je vrtina manjša od { $q-hole-least-diameter }
-say-hole-is-good = sicer je v mejah tolerance (Q180 = 1), tudi če tolerance ali mejne vrednosti niso vnesene
+say-hole-is-good = sicer v mejah tolerance (Q180 = 1), tudi če tolerance ali mejne vrednosti niso vnesene
 step-write-measuring-log = Krmiljenje ustvari merilni protokol, kot določa { $q-measuring-log }:
 say-log-to-file = pri { $q-measuring-log } = 1 protokol shrani v datoteko TCHPR{ $cycle }.TXT
 say-log-on-screen = pri { $q-measuring-log } = 2 prekine programski tek in prikaže protokol na zaslonu; program se nadaljuje z NC-zagonom

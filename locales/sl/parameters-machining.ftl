@@ -192,8 +192,8 @@ parameter-preset-number = Številka za referenčno točko
     .prompt = Številka za referenčno točko?
 
 # --- choices ---
-choice-roughing-and-finishing = grobo in fino rezkanje
-choice-roughing-only = samo grobo rezkanje
+choice-roughing-and-finishing = groba in fina obdelava
+choice-roughing-only = samo groba obdelava
 choice-finishing-only = stransko in globinsko fino rezkanje
 choice-tool-at-pocket-centre = položaj orodja = središče žepa
 choice-tool-at-lower-left-corner = položaj orodja = levi spodnji kot

@@ -3,7 +3,7 @@
 # --- extent, clearance, feeds ---
 parameter-turning-operation = Obseg obdelave
     .label = OBSEG OBDELAVE
-    .help = Obseg obdelave.
+    .help = Katere obdelave cikel izvede.
 choice-finish-to-final-dimensions = samo fino obdelovanje na končne mere
 choice-finish-to-oversize = samo fino obdelovanje na nadmero
 parameter-turning-clearance = Varnostna razdalja
