@@ -98,7 +98,7 @@ note-side-finishing-allowances = A soma da medida excedente de acabamento latera
 note-side-finishing-without-roughing = O mesmo vale se o ciclo for executado sem desbaste prévio com o ciclo 22; o raio da ferramenta de desbaste conta então como 0.
 note-side-finishing-mills-contours = O ciclo também pode ser utilizado para fresar contornos. Para isso, defina o contorno como uma única ilha (sem limite de caixa) e introduza no ciclo 20 uma medida excedente de acabamento lateral maior do que a soma da medida excedente de acabamento { $q-remaining-side-allowance } e do raio da ferramenta.
 note-start-depends-on-room-and-allowance = O comando determina por si o ponto de partida do acabamento. Este depende do espaço existente na caixa e da medida excedente programada no ciclo 20.
-note-start-depends-on-sequence = O ponto de partida depende também da sequência da maquinação. Se o ciclo de acabamento for selecionado com a tecla GOTO e o programa for então iniciado, o ponto de partida pode ficar noutro local do que se o programa for executado pela sua sequência.
+note-start-depends-on-sequence = O ponto de partida depende também da sequência da maquinação. Se o ciclo de acabamento for selecionado com a tecla GOTO e o programa for então iniciado, o ponto de partida pode não ser o mesmo que resulta quando o programa é executado de princípio a fim.
 
 # --- 25 ---
 cycle-contour-train = Traçado do contorno
@@ -119,7 +119,7 @@ note-contour-in-several-operations = Podem introduzir-se medidas excedentes, par
 note-only-first-contour-label = O comando tem em conta apenas o primeiro label do ciclo 14.
 note-contour-data-not-needed = O ciclo 20 não é necessário.
 note-corner-feed-functions-without-effect = As funções auxiliares M109 e M110 não têm efeito na maquinação de um contorno com este ciclo.
-note-no-incremental-after-contour-train = Perigo de colisão! Não programe medidas incrementais depois do ciclo: elas referem-se à posição da ferramenta no fim do ciclo.
+note-no-incremental-after-contour-train = Perigo de colisão! Não programe medidas incrementais depois do ciclo: referem-se à posição da ferramenta no fim do ciclo.
 note-absolute-position-after-contour-train = Perigo de colisão! Depois do ciclo, desloque a ferramenta para uma posição definida (absoluta) em todos os eixos principais, porque a sua posição no fim do ciclo não é a do início.
 
 # --- 27 to 29 ---

@@ -59,3 +59,13 @@ diag-spec-yaml-feature = { $feature ->
 diag-spec-yaml-syntax = Isto não é YAML: { $reason }.
 related-first-place = o primeiro está aqui
 related-for-this-control = é escrito para este comando
+diag-spec-measure = Em { $cycle }, { $reason ->
+        [different-quantities] somam-se ou comparam-se duas grandezas que não são do mesmo tipo
+        [coordinates-added] somam-se duas coordenadas
+        [distance-as-coordinate] está uma distância no lugar de uma coordenada
+        [coordinate-as-distance] está uma coordenada no lugar de uma distância
+        [not-a-feed] está no lugar de um avanço algo que não é um avanço
+        [not-a-length] está no lugar de uma posição algo que não é uma longitude
+        [not-a-time] está no lugar de um tempo algo que não é um tempo
+       *[not-an-angle] está no lugar de um ângulo algo que não é um ângulo
+    }.

@@ -15,7 +15,7 @@ parameter-retraction-height = Altura de recuo
     .label = ALTURA DE RECUO
     .help = Determina se e para onde o apalpador recua antes de ser posicionado um eixo rotativo.
 choice-no-retraction = não ir à altura de recuo: o comando desloca-se para a posição de medição seguinte no eixo a medir, e para a primeira pela ordem A, B, C; não permitido com eixos Hirth
-choice-retraction = altura de recuo, no sistema de coordenadas da peça não inclinado, à qual o comando leva o eixo da ferramenta antes de posicionar um eixo rotativo; no plano de maquinação desloca o apalpador para o ponto zero; a supervisão do apalpador não está ativa neste modo, por isso defina a velocidade de posicionamento em { $q-kinematics-positioning-feed }
+choice-retraction = altura de recuo, no sistema de coordenadas da peça não inclinado, à qual o comando leva o eixo do cabeçote antes de posicionar um eixo rotativo; no plano de maquinação desloca o apalpador para o ponto zero; a supervisão do apalpador não está ativa neste modo, por isso defina a velocidade de posicionamento em { $q-kinematics-positioning-feed }
 parameter-kinematics-positioning-feed = Avanço de posicionamento prévio
     .label = AVANÇO PRÉ-POSICIONAM.
     .help = Velocidade de deslocação da ferramenta ao posicionar.
@@ -86,7 +86,7 @@ say-preset-into-sphere-before = com { $q-sphere-preset }=1 ou 3, no centro da es
 say-preset-set-by-hand = caso contrário, utiliza o ponto de referência memorizado manualmente
 step-move-to-measuring-positions = O apalpador desloca-se para as posições de medição:
 say-move-without-retraction = com { $q-retraction-height }=0, sem recuo, no eixo a medir; para a primeira posição de medição, pela ordem A, B, C
-say-move-over-retraction-height = caso contrário, o eixo da ferramenta vai primeiro à altura de recuo { $q-retraction-height } e o apalpador ao ponto zero no plano de maquinação
+say-move-over-retraction-height = caso contrário, o eixo do cabeçote vai primeiro à altura de recuo { $q-retraction-height } e o apalpador ao ponto zero no plano de maquinação
 step-measure-rotary-axes = O comando mede automaticamente, um após outro, todos os eixos rotativos com a exatidão definida. A medição de referência faz-se a 0°.
 step-measure-backlash = O comando mede a folga:
 say-backlash-from-two-measurements = com o ângulo { $q-backlash-angle }, por meio de duas medições para cada eixo rotativo
@@ -106,9 +106,9 @@ result-scatter-measured-c = Desvio padrão medido do eixo C (-1 se o eixo não f
 result-scatter-optimized-a = Desvio padrão otimizado do eixo A (-1 se o eixo não foi otimizado)
 result-scatter-optimized-b = Desvio padrão otimizado do eixo B (-1 se o eixo não foi otimizado)
 result-scatter-optimized-c = Desvio padrão otimizado do eixo C (-1 se o eixo não foi otimizado)
-result-offset-error-x = Erro de offset na direção X, para transferência manual para o respetivo parâmetro de máquina
-result-offset-error-y = Erro de offset na direção Y, para transferência manual para o respetivo parâmetro de máquina
-result-offset-error-z = Erro de offset na direção Z, para transferência manual para o respetivo parâmetro de máquina
+result-offset-error-x = Erro de desvio na direção X, para transferência manual para o respetivo parâmetro de máquina
+result-offset-error-y = Erro de desvio na direção Y, para transferência manual para o respetivo parâmetro de máquina
+result-offset-error-z = Erro de desvio na direção Z, para transferência manual para o respetivo parâmetro de máquina
 note-place-sphere-without-collision = Escolha a posição da esfera de calibração na mesa da máquina de modo que não possa ocorrer nenhuma colisão durante a medição.
 note-hirth-axes-leave-their-grid = Perigo de colisão! Para ser posicionado, um eixo Hirth tem de sair do dentado Hirth. Providencie uma distância de segurança suficientemente grande para evitar colisões entre o apalpador e a esfera de calibração, e espaço suficiente para lá chegar (interruptores de fim de curso de software).
 note-save-kinematics-first = Se o ciclo for interrompido durante a medição, os dados da cinemática podem já não estar no estado original. Antes de uma otimização, guarde a cinemática ativa com o ciclo 450, para que possa ser restaurada em caso de erro.
@@ -168,7 +168,7 @@ note-measuring-uncertainty = A incerteza de medição é indicada em graus por 1
 note-reference-head = Para ajustar cabeças intercambiáveis, monte uma delas como cabeça de referência, fixe a esfera de calibração, coloque o apalpador, meça a cinemática completa com este ciclo e memorize o preset depois da medição ({ $q-sphere-preset }=2 ou 3). As outras cabeças são depois ajustadas com o ciclo 452.
 note-drift-reference = Para compensar a deriva, fixe a esfera de calibração, meça a cinemática completa com este ciclo antes de iniciar a maquinação, memorize o preset depois da medição ({ $q-sphere-preset }=2 ou 3), memorize então os presets das peças e inicie a maquinação. O ciclo 452 compensa a deriva a intervalos regulares.
 note-rotary-m-function = Consoante a configuração da máquina, o comando pode não conseguir posicionar automaticamente os eixos rotativos. É então necessária uma função M especial do fabricante da máquina, com o seu número em { $mp-rotary-axis-m-function }.
-note-angle-optimization-prepared = Para a otimização dos ângulos, o fabricante da máquina tem de ter adaptado a configuração. Ela pode trazer melhorias sobretudo em máquinas pequenas e compactas. Pergunte ao fabricante da máquina se isso foi feito e se a otimização é conveniente.
+note-angle-optimization-prepared = Para a otimização dos ângulos, o fabricante da máquina tem de ter adaptado a configuração. Esta pode trazer melhorias sobretudo em máquinas pequenas e compactas. Pergunte ao fabricante da máquina se isso foi feito e se a otimização é conveniente.
 title-save-and-check-kinematics = Guardar e verificar a cinemática
 title-calibration-program = Programa de calibração
 title-optimize-position-with-backlash = Otimizar a posição dos eixos rotativos depois da memorização automática do ponto de referência e medir a sua folga

@@ -1,7 +1,7 @@
 # Sentences that several machining cycles share.
 
 # --- steps ---
-step-rapid-to-set-up-clearance = O comando desloca a ferramenta no eixo da ferramenta, em avanço rápido (FMAX), para a distância de segurança { $q-set-up-clearance } acima da superfície da peça.
+step-rapid-to-set-up-clearance = O comando desloca a ferramenta no eixo do cabeçote, em avanço rápido (FMAX), para a distância de segurança { $q-set-up-clearance } acima da superfície da peça.
 until-depth-reached = seja atingida a profundidade programada { $q-depth }
 
 # --- conditions ---

@@ -1,8 +1,8 @@
 # Ciclos que medem ângulos, ilhas, retângulos, larguras, coordenadas, círculos de furos e planos.
 
 # --- what several of them share ---
-say-part-is-scrap = desperdício (Q182=1) se um valor medido estiver fora da tolerância e já não puder ser retificado
-say-part-needs-rework = trabalho de acabamento (Q181=1) se um valor medido estiver fora da tolerância e ainda puder ser retificado
+say-part-is-scrap = desperdício (Q182=1) se um valor medido estiver fora da tolerância e já não puder ser corrigido
+say-part-needs-rework = trabalho de acabamento (Q181=1) se um valor medido estiver fora da tolerância e ainda puder ser corrigido
 
 # --- 422 ---
 cycle-measure-stud = Medir círculo exterior

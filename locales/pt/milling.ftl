@@ -49,8 +49,9 @@ note-circular-slot-end-position = No fim do ciclo, o comando faz regressar a fer
 note-circular-slot-with-pattern = Se o ciclo 254 (ranhura circular) for combinado com o ciclo 221, não é permitida a posição da ranhura 0.
 
 # --- 256 ---
-cycle-rectangular-stud = Ilha rectangular
-    .nc = ILHA RECTANGULAR
+cycle-rectangular-stud = Ilha retangular
+    .nc = ILHA RETANGULAR
+    .nc-aliases = ILHA RECTANGULAR
     .purpose = Maquina uma ilha retangular. Se o bloco for maior do que o maior passo lateral possível, o comando executa vários passos laterais até serem atingidas as medidas acabadas.
 step-move-to-stud-approach = A ferramenta desloca-se da posição de partida do ciclo (centro da ilha) para a posição de partida da maquinação da ilha. Esta é determinada pelo parâmetro { $q-stud-approach-position }:
 say-approach-beside-blank = { $q-stud-approach-position } = 0 (ajuste normal): 2 mm ao lado do bloco da ilha, à direita

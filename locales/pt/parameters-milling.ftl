@@ -225,7 +225,7 @@ choice-line-by-line-with-retraction = Linha a linha, com recuo e passo lateral c
 
 # --- coordinate transforms ---
 parameter-mirrored-axes = Eixos espelhados
-    .help = Eixos a espelhar. Podem ser espelhados todos os eixos, incluindo os rotativos, exceto o eixo do cabeçote e o respetivo eixo secundário. Até três dos eixos NC X, Y, Z, U, V, W, A, B, C.
+    .help = Eixos a espelhar. Podem ser espelhados todos os eixos, incluindo os eixos rotativos, exceto o eixo do cabeçote e o respetivo eixo secundário. Até três dos eixos NC X, Y, Z, U, V, W, A, B, C.
     .prompt = Eixo espelhado?
 parameter-scaling-factor = Fator
     .word = SCL

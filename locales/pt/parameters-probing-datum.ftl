@@ -160,10 +160,10 @@ parameter-second-stud-diameter = Diâmetro ilha 2
     .help = Diâmetro aproximado da segunda ilha. É preferível um valor demasiado grande a um demasiado pequeno.
 parameter-measuring-height__rotation-two-studs = Altura de medição ilha 1 no eixo TS
     .label = ALTURA DE MEDIÇÃO 1
-    .help = Coordenada do centro da esfera (ponto de contacto) no eixo do apalpador à qual se faz a medição da ilha 1.
+    .help = Coordenada do centro da esfera (ponto de apalpação) no eixo do apalpador à qual se faz a medição da ilha 1.
 parameter-second-measuring-height = Altura de medição ilha 2 no eixo TS
     .label = ALTURA DE MEDIÇÃO 2
-    .help = Coordenada do centro da esfera (ponto de contacto) no eixo do apalpador à qual se faz a medição da ilha 2.
+    .help = Coordenada do centro da esfera (ponto de apalpação) no eixo do apalpador à qual se faz a medição da ilha 2.
 
 # --- what is done with the angle ---
 parameter-reference-line-angle = Ajuste prévio da rotação básica

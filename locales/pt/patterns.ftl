@@ -2,9 +2,9 @@
 cycle-circular-pattern = Figura de pontos sobre círculo
     .nc = FIGURA CÍRCULO
     .purpose = Executa o ciclo de maquinação definido em último lugar em pontos situados sobre um círculo ou um arco de círculo.
-step-move-to-first-operation = O comando desloca a ferramenta em avanço rápido da posição atual para o ponto de partida da primeira maquinação: para a 2ª distância de segurança { $q-second-set-up-clearance } (eixo da ferramenta), para o ponto de partida no plano de maquinação e para a distância de segurança { $q-set-up-clearance } acima da superfície da peça (eixo da ferramenta).
+step-move-to-first-operation = O comando desloca a ferramenta em avanço rápido da posição atual para o ponto de partida da primeira maquinação: para a 2ª distância de segurança { $q-second-set-up-clearance } (eixo do cabeçote), para o ponto de partida no plano de maquinação e para a distância de segurança { $q-set-up-clearance } acima da superfície da peça (eixo do cabeçote).
 step-call-last-machining-cycle = A partir dessa posição, o comando executa o ciclo de maquinação definido em último lugar.
-step-height-between-operations = Entre as maquinações, a ferramenta desloca-se no eixo da ferramenta:
+step-height-between-operations = Entre as maquinações, a ferramenta desloca-se no eixo do cabeçote:
 say-to-second-set-up-clearance = { $q-pattern-clearance-mode } = 1: para a 2ª distância de segurança { $q-second-set-up-clearance }
 say-to-set-up-clearance = { $q-pattern-clearance-mode } = 0: para a distância de segurança { $q-set-up-clearance }
 step-move-to-next-operation = O comando desloca depois a ferramenta para o ponto de partida da maquinação seguinte e, aí, para a distância de segurança { $q-set-up-clearance }:

@@ -1,6 +1,7 @@
 # Pockets.
-cycle-rectangular-pocket = Caixa rectangular
-    .nc = CAIXA RECTANGULAR
+cycle-rectangular-pocket = Caixa retangular
+    .nc = CAIXA RETANGULAR
+    .nc-aliases = CAIXA RECTANGULAR
     .purpose = Maquina por completo uma caixa retangular: desbaste, acabamento do fundo e acabamento lateral. Também é possível fazer só o desbaste, só o acabamento do fundo e lateral, só o acabamento do fundo ou só o acabamento lateral.
 step-move-over-pocket-centre = O comando posiciona a ferramenta no eixo da ferramenta à 2ª distância de segurança { $q-second-set-up-clearance } (à distância de segurança, se não estiver introduzida), depois sobre o centro da caixa e a seguir à distância de segurança { $q-set-up-clearance }, sempre em avanço rápido.
 group-roughing = Desbaste

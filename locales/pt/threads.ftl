@@ -84,7 +84,7 @@ step-drill-towards-plunging-depth = A ferramenta fura com o avanço { $q-plungin
 step-retract-to-break-chip = Para a rotura de apara, a ferramenta recua { $q-chip-breaking-retraction }.
 step-retract-and-return-to-one-stop-distance = O comando retira a ferramenta em avanço rápido para a distância de segurança e fá-la voltar em avanço rápido (FMAX) até à distância de paragem prévia { $q-upper-advanced-stop-distance } acima da profundidade atingida.
 until-hole-depth-reached = seja atingida a profundidade total do furo { $q-total-hole-depth }
-step-move-beside-stud = O comando desloca a ferramenta do centro da ilha, ao longo do eixo principal do plano de maquinação, para o ponto de partida do rebaixamento frontal. A posição deste resulta do raio da rosca, do raio da ferramenta e do passo.
+step-move-beside-stud = O comando desloca a ferramenta do centro da ilha, ao longo do eixo principal do plano de maquinação, para o ponto de partida do rebaixamento frontal. Este resulta do raio da rosca, do raio da ferramenta e do passo de rosca.
 step-move-beside-stud-without-countersinking = Se antes não tiver sido feito nenhum rebaixamento frontal, o comando desloca a ferramenta para o ponto de partida, que é o mesmo do rebaixamento frontal.
 
 # --- thread milling: conditions and guards ---
@@ -106,7 +106,7 @@ note-depth-zero-leaves-out-step = Se uma das profundidades for introduzida com 0
 note-no-countersinking-depth-for-front = Para um rebaixamento frontal, defina a profundidade de rebaixamento { $q-countersinking-depth } com 0.
 note-thread-depth-above-countersinking-depth = Introduza uma profundidade da rosca { $q-thread-depth } menor do que a profundidade de rebaixamento { $q-countersinking-depth } em, pelo menos, um terço do passo de rosca.
 note-thread-depth-above-hole-depth = Introduza uma profundidade da rosca { $q-thread-depth } menor do que a profundidade total do furo { $q-total-hole-depth } em, pelo menos, um terço do passo de rosca.
-note-helix-goes-into-workpiece = O tipo de fresagem (sentido sincronizado ou contrário) resulta da rosca (à direita ou à esquerda) e do sentido de rotação da ferramenta, porque a única direção de maquinação possível é da superfície da peça para dentro da peça.
+note-helix-goes-into-workpiece = O tipo de fresagem (sentido sincronizado ou sentido contrário) resulta da rosca (à direita ou à esquerda) e do sentido de rotação da ferramenta, porque a única direção de maquinação possível é da superfície da peça para dentro da peça.
 note-position-over-stud-centre = Programe uma frase de posicionamento para o ponto de partida (centro da ilha) no plano de maquinação com correção de raio R0.
 note-offset-at-front-determined-before = Determine previamente o desvio necessário para o rebaixamento frontal. Introduza a distância do centro da ilha ao centro da ferramenta (valor não corrigido).
 note-internal-coolant-for-thread-milling = A máquina deve ter refrigeração interior do cabeçote: refrigerante a, pelo menos, 30 bar, ar comprimido a, pelo menos, 6 bar.
@@ -117,5 +117,5 @@ note-direction-of-inside-thread = A direção da maquinação depende do sinal d
 note-direction-of-outside-thread = A direção da maquinação depende do sinal do passo de rosca { $q-thread-pitch } e do tipo de fresagem { $q-milling-type }. Com ferramentas que rodem em sentido horário e roscas exteriores: à direita (+) em sentido sincronizado (+1, RL): Z−; à esquerda (−) em sentido contrário (−1, RR): Z−; à direita (+) em sentido contrário (−1, RR): Z+; à esquerda (−) em sentido sincronizado (+1, RL): Z+.
 note-feed-of-cutting-edge = Na fresagem de roscas, o comando refere o avanço programado à navalha da ferramenta. Como mostra o avanço da trajetória do centro da ferramenta, o valor visualizado difere do programado.
 note-mirroring-turns-thread = O sentido da rosca muda se o ciclo for executado juntamente com o ciclo 8 (espelhamento) em apenas um eixo.
-note-same-signs-of-depths = Perigo de colisão! Introduza sempre o mesmo sinal nos passos em profundidade, porque os ciclos contêm várias sequências independentes entre si. Para repetir, por exemplo, apenas o rebaixamento, introduza 0 como profundidade da rosca; é então a profundidade de rebaixamento que determina a direção da maquinação.
+note-same-signs-of-depths = Perigo de colisão! Introduza sempre o mesmo sinal nas profundidades dos passos, porque os ciclos contêm várias sequências independentes entre si. Para repetir, por exemplo, apenas o rebaixamento, introduza 0 como profundidade da rosca; é então a profundidade de rebaixamento que determina a direção da maquinação.
 note-tool-breakage-in-thread = Se a ferramenta partir durante o corte da rosca: pare a execução do programa, passe ao modo de funcionamento Posicionamento com introdução manual e desloque a ferramenta em linha reta para o centro do furo. Retire-a depois no eixo de passo e substitua-a.

@@ -16,7 +16,7 @@ parameter-tool-clearance-height = Altura de segurança
     .label-aliases = ALTURA SEGURANÇA
     .word = ALTURA:
     .prompt = Altura de segurança
-    .help = Posição no eixo da ferramenta à qual a ferramenta não pode colidir com peças nem com dispositivos de fixação. Refere-se ao ponto de referência ativo da peça. Se, com o valor introduzido, a ponta da ferramenta ficasse abaixo da aresta superior do prato, o comando posiciona automaticamente a ferramenta acima do prato (zona de segurança definida em { $mp-setter-safety-distance }).
+    .help = Posição no eixo do cabeçote à qual a ferramenta não pode colidir com peças nem com dispositivos de fixação. Refere-se ao ponto de referência ativo da peça. Se, com o valor introduzido, a ponta da ferramenta ficasse abaixo da aresta superior do prato, o comando posiciona automaticamente a ferramenta acima do prato (zona de segurança definida em { $mp-setter-safety-distance }).
 parameter-tooth-measurement = Medição de navalhas 0=Não / 1=Sim
     .label = MEDIÇÃO DE NAVALHAS
     .label-aliases = MEDIÇÃO NAVALHAS
@@ -41,7 +41,7 @@ cycle-tool-length-old = Medir a longitude da ferramenta
     .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado no armazém central de ferramentas TOOL.T e tem-no automaticamente em conta no fim do ciclo. Formato antigo do ciclo 481.
 cycle-tool-length-old__tnc426-430 =
     .purpose = Mede ou verifica a longitude da ferramenta com o apalpador de ferramentas. O comando guarda o resultado no armazém central de ferramentas TOOL.T e utiliza-o na chamada seguinte da ferramenta. Formato antigo do ciclo 481.
-step-position-tool-over-setter = O comando posiciona a ferramenta à altura de segurança { $q-tool-clearance-height }, mas não abaixo da zona de segurança acima do prato.
+step-position-tool-over-setter = O comando posiciona a ferramenta à altura segura { $q-tool-clearance-height }, mas não abaixo da zona de segurança acima do prato.
 step-touch-tool-setter = O comando mede a longitude:
 say-measure-tooth-by-tooth = navalha a navalha com { $q-tooth-measurement }=1: a ferramenta é posicionada ao lado da cabeça do apalpador, com a face abaixo da aresta superior desta o valor determinado em { $mp-setter-axis-offset }, mais o desvio adicional da longitude { $mp-setter-offset-length }, se estiver introduzido na tabela de ferramentas. O comando apalpa radialmente a ferramenta a rodar para encontrar o ângulo inicial e mede depois a longitude de todas as navalhas, modificando a orientação da ferramenta
 say-measure-rotating-or-stationary = com a ferramenta a rodar, se o seu diâmetro for maior do que a superfície de medição: a ferramenta é desviada do centro do apalpador o valor { $mp-setter-offset-radius } da tabela de ferramentas e desloca-se, a rodar, sobre a superfície de medição, para que seja encontrada a navalha mais comprida. Caso contrário, e também com brocas e fresas esféricas, com a ferramenta parada: desloca-se para o centro acima da superfície de medição e depois, com o cabeçote parado, até à superfície; para isso, { $mp-setter-offset-radius } na tabela de ferramentas é 0

@@ -53,8 +53,8 @@ cycle-contour-parallel-thread = Rosca paralela ao contorno
 
 # --- roughing of grooves ---
 step-take-tool-position-as-start = O comando toma a posição da ferramenta na chamada do ciclo como ponto de partida do ciclo.
-step-start-recess-at-contour-start-diameter = Se a coordenada X do ponto de partida for menor do que o diâmetro no início do contorno { $q-contour-start-diameter }, o comando posiciona a ferramenta em X em { $q-contour-start-diameter } e inicia aí o ciclo.
-step-start-recess-at-contour-start-z = Se a coordenada Z do ponto de partida for menor do que o início do contorno em Z { $q-contour-start-z }, o comando posiciona a ferramenta em Z em { $q-contour-start-z } e inicia aí o ciclo.
+step-start-recess-at-contour-start-diameter = Se a coordenada X do ponto de partida for menor do que o diâmetro no início do contorno { $q-contour-start-diameter }, o comando posiciona a ferramenta no eixo X em { $q-contour-start-diameter } e inicia aí o ciclo.
+step-start-recess-at-contour-start-z = Se a coordenada Z do ponto de partida for menor do que o início do contorno em Z { $q-contour-start-z }, o comando posiciona a ferramenta no eixo Z em { $q-contour-start-z } e inicia aí o ciclo.
 step-start-recess-at-contour-point-x = Se a coordenada X do ponto de partida for menor do que a do ponto de partida do contorno, o comando posiciona a ferramenta em X no ponto de partida do contorno e inicia aí o ciclo.
 step-start-recess-at-contour-point-z = Se a coordenada Z do ponto de partida for menor do que a do ponto de partida do contorno, o comando posiciona a ferramenta em Z no ponto de partida do contorno e inicia aí o ciclo.
 step-rapid-to-first-recess-z = O comando posiciona a ferramenta em Z em avanço rápido (primeira posição de ranhurar).
@@ -83,9 +83,9 @@ step-finish-groove-wall = O comando faz o acabamento da parede lateral da ranhur
 step-finish-second-groove-wall = { step-finish-groove-wall }
 step-finish-groove-walls = O comando faz o acabamento das paredes laterais da ranhura com o avanço { $q-turning-finishing-feed }.
 step-finish-groove-floor = O comando faz o acabamento do fundo da ranhura com o avanço definido.
-step-finish-groove-floor-or-all = O comando faz o acabamento do fundo da ranhura com o avanço definido:
-say-finish-whole-groove = se estiver introduzido um raio { $q-contour-corner-radius } para a esquina do contorno, o comando faz o acabamento de toda a ranhura numa só passagem
-say-finish-floor-only = caso contrário, só do fundo
+step-finish-groove-floor-or-all = O comando faz o acabamento com o avanço definido:
+say-finish-whole-groove = se estiver introduzido um raio { $q-contour-corner-radius } para a esquina do contorno, de toda a ranhura numa só passagem
+say-finish-floor-only = caso contrário, só do fundo da ranhura
 step-retract-from-groove = O comando faz recuar a ferramenta em avanço rápido.
 step-finish-half-of-width = O comando faz o acabamento de metade da largura da ranhura com o avanço definido.
 step-finish-other-half-of-width = O comando faz o acabamento da outra metade da largura da ranhura com o avanço definido.
