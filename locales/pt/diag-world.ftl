@@ -15,8 +15,8 @@ diag-scene-expected =
         [datum-file] O nome de uma tabela de pontos zero termina em .D.
         [rotary-axis] Aqui deve estar a letra de um eixo rotativo (A, B ou C), e não «{ $found }».
         [carried] Um eixo rotativo leva a peça (workpiece) ou a ferramenta (tool), e não «{ $found }».
-        [orientation] A orientação é fixed, two ou any, não "{ $found }".
-        [measurements] São possíveis 1, 2 ou 3 medições, não "{ $found }".
+        [orientation] A orientação é fixed, two ou any, e não «{ $found }».
+        [measurements] São possíveis 1, 2 ou 3 medições, e não «{ $found }».
        *[solids] Aqui deve estar pelo menos um sólido.
     }
 diag-scene-unknown-key = A chave { $key } não tem significado aqui; chaves conhecidas: { $known }.
