@@ -47,7 +47,7 @@ note-tool-by-name = Orodje lahko vnesete tudi z imenom, ki ga izberete z gumbom.
 # --- 0 ---
 cycle-reference-plane = Referenčna ravnina
     .nc = REFERENČNA RAVNINA
-    .purpose = Izmeri koordinato na izbirni osi in jo priredi Q-parametru.
+    .purpose = Izmeri koordinato na izbrani osi in jo priredi Q-parametru.
 step-position-in-space = Tipalni sistem se v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) s 3D-premikom pomakne na predpoložaj, programiran v ciklu.
 step-position-in-space__tnc426-430 = Tipalni sistem se v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) premakne na predpoložaj, programiran v ciklu.
 step-probe-in-chosen-direction = Tipalni sistem izvede tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }) v smeri, programirani v ciklu.
