@@ -48,7 +48,7 @@ cycle-pilot-drilling = Esiporaus
 step-position-at-pilot-holes = Ohjaus määrittää muodon asetuspisteet.
 step-move-over-pilot-hole = Ohjaus paikoittaa työkalun asetuspisteen yläpuolelle varmuusetäisyydelle.
 step-drill-pilot-hole-to-plunging-depth = Työkalu poraa syöttöarvolla { $q-contour-plunging-feed } asetussyvyyteen, joka kasvaa jokaisella asetusliikkeellä arvon { $q-contour-plunging-depth } verran.
-step-retract-and-return-to-stop-distance = Ohjaus vetää työkalun pikaliikkeellä (FMAX) ja palauttaa sen esipysäytysetäisyydelle t saavutetun syvyyden yläpuolelle.
+step-retract-and-return-to-stop-distance = Ohjaus vetää työkalun reiästä pikaliikkeellä (FMAX) ja palauttaa sen esipysäytysetäisyydelle t saavutetun syvyyden yläpuolelle.
 until-drilling-depth-reached = poraussyvyys on saavutettu
 step-dwell-and-retract-to-start = Työkalu odottaa reiän pohjalla vapaalastuamista varten ja vetäytyy sitten pikaliikkeellä (FMAX) aloitusasemaan.
 until-pilot-holes-drilled = kaikki asetuspisteet on porattu
@@ -186,9 +186,9 @@ step-end-engraving-at-second-clearance = Ohjaus siirtää työkalun 2. varmuuset
 condition-text-runs-on-arc = { $q-text-arrangement } vaatii tekstin ympyränkaarelle
 note-straight-text-starts-at-tool = Suoralle asetetussa tekstissä ({ $q-text-arrangement } = 0) työkalun asema työkierron kutsuhetkellä on ensimmäisen merkin alkupiste.
 note-circle-text-centre-at-tool = Kaarelle asetetussa tekstissä ({ $q-text-arrangement } = 1) työkalun asema työkierron kutsuhetkellä on ympyrän keskipiste.
-note-text-from-string-parameter = Teksti voidaan antaa myös merkkijonomuuttujalla (QS).
+note-text-from-string-parameter = Teksti voidaan antaa myös merkkijonoparametrilla (QS).
 note-engraving-characters = Kaiverrettavissa olevat merkit: pienet kirjaimet, suuret kirjaimet, numerot ja erikoismerkit ! # $ % & ' ( ) * + , - . / : ; < = > ? @ [ \ ] _
 note-engraving-doubled-characters = Ohjaus käyttää erikoismerkkejä % ja \ erikoistoimintoihin. Jos haluat kaivertaa jommankumman niistä, kirjoita se tekstiin kahdesti, esimerkiksi %%.
-note-engraving-control-characters = Erikoismerkki \ aloittaa myös merkit, jotka eivät tulostu vaan asettelevat tekstiä: \n on rivinvaihto, \t vaakasarkain (sarkaimen leveys on 8 merkkiä), \v pystysarkain (sarkaimen leveys on yksi rivi).
+note-engraving-control-characters = Erikoismerkki \ aloittaa myös merkit, joita ei kaiverreta vaan jotka asettelevat tekstiä: \n on rivinvaihto, \t vaakasarkain (sarkaimen leveys on 8 merkkiä), \v pystysarkain (sarkaimen leveys on yksi rivi).
 note-proportional-font = Kirjasin on suhteellinen: jokaisella merkillä on oma leveytensä. Välikerroin { $q-character-spacing-factor } skaalaa merkkien välistä etäisyyttä.
 note-engraving-since-software = Työkierto on käytettävissä ohjelmistosta 34059x-02 lähtien.

@@ -59,3 +59,13 @@ diag-spec-yaml-feature = { $feature ->
 diag-spec-yaml-syntax = Tämä ei ole YAML-muotoa: { $reason }.
 related-first-place = ensimmäinen on tässä
 related-for-this-control = se kirjoitetaan tälle ohjaukselle
+diag-spec-measure = Työkierrossa { $cycle } { $reason ->
+        [different-quantities] lasketaan yhteen tai verrataan kahta suuretta, jotka eivät ole samaa lajia
+        [coordinates-added] lasketaan yhteen kaksi koordinaattia
+        [distance-as-coordinate] etäisyys on koordinaatin paikalla
+        [coordinate-as-distance] koordinaatti on etäisyyden paikalla
+        [not-a-feed] syöttöarvon paikalla on jotakin muuta kuin syöttöarvo
+        [not-a-length] aseman paikalla on jotakin muuta kuin pituus
+        [not-a-time] ajan paikalla on jotakin muuta kuin aika
+       *[not-an-angle] kulman paikalla on jotakin muuta kuin kulma
+    }.

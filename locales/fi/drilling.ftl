@@ -16,7 +16,7 @@ note-point-table-hole-centres = Jos työkierto kutsutaan pistetaulukon avulla, k
 # --- 205 ---
 cycle-universal-pecking = Yleissyväporaus
     .nc = YLEISSYVÄPORAUS
-    .purpose = Poraa syviä reikiä asetusliikkeillä, jotka voivat pienentyä. Käytettävissä ovat lastunkatko, esipysäytysetäisyys reikään palattaessa ja työkappaleen yläpintaa syvemmällä oleva alkupiste esiporatuille rei’ille.
+    .purpose = Poraa syviä reikiä asetusliikkeillä, jotka voivat pienentyä. Käytettävissä ovat lastunkatko, esipysäytysetäisyys reikään palattaessa ja työkappaleen yläpintaa syvemmällä oleva alkupiste esiporattuja reikiä varten.
 step-feed-to-deepened-starting-point = Jos syvennetty alkupiste { $q-deepened-starting-point } on annettu, työkalu ajaa esipaikoituksen syöttöarvolla { $q-pre-positioning-feed } varmuusetäisyydelle syvennetyn alkupisteen yläpuolelle.
 step-drill-on-to-plunging-depth = Työkalu poraa syöttöarvolla { $q-plunging-feed } kohti asetussyvyyttä { $q-plunging-depth }; lastunkatkossa se pysähtyy aina, kun se on edennyt matkan { $q-depth-for-chip-breaking }. Asetussyvyys pienenee jokaisella asetusliikkeellä vähennysarvon { $q-decrement } verran, jos se on annettu.
 step-break-chip = Lastun katkaisemiseksi työkalu vetäytyy matkan { $q-chip-breaking-retraction } syöttöarvolla 3000{"\u00A0"}mm/min.

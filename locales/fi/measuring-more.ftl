@@ -128,9 +128,9 @@ result-third-value-in-probe-axis = Mittausarvo kosketusakselilla (kolmas mittaus
 # --- 1 ---
 cycle-polar-reference-plane = Perustaso polaarinen
     .nc = PERUSTASO POLAARINEN
-    .purpose = Mittaa minkä tahansa työkappaleen aseman missä tahansa kulmalla annetussa kosketussuunnassa.
-step-probe-at-polar-angle = Kosketusjärjestelmä tekee kosketuksen kosketussyöttöarvolla (sarake { $mp-probing-feed }). Kosketuksen aikana ohjaus liikkuu kosketuskulmasta riippuen samanaikaisesti kahdella akselilla. Kosketussuunta määritellään työkierrossa napakulmalla.
-step-probe-at-polar-angle__tnc426-430 = Kosketusjärjestelmä tekee kosketuksen kosketussyöttöarvolla ({ $mp-probing-feed } tai { $mp-analog-probing-feed }). Kosketuksen aikana ohjaus liikkuu kosketuskulmasta riippuen samanaikaisesti kahdella akselilla. Kosketussuunta määritellään työkierrossa napakulmalla.
+    .purpose = Mittaa minkä tahansa aseman työkappaleessa missä tahansa kulmalla annetussa kosketussuunnassa.
+step-probe-at-polar-angle = Kosketusjärjestelmä tekee kosketuksen kosketussyöttöarvolla (sarake { $mp-probing-feed }). Kosketuksen aikana ohjaus liikuttaa kosketuskulmasta riippuen samanaikaisesti kahta akselia. Kosketussuunta määritellään työkierrossa napakulmalla.
+step-probe-at-polar-angle__tnc426-430 = Kosketusjärjestelmä tekee kosketuksen kosketussyöttöarvolla ({ $mp-probing-feed } tai { $mp-analog-probing-feed }). Kosketuksen aikana ohjaus liikuttaa kosketuskulmasta riippuen samanaikaisesti kahta akselia. Kosketussuunta määritellään työkierrossa napakulmalla.
 step-return-and-store-trigger-position = Kun asema on mitattu, kosketusjärjestelmä palaa kosketuksen alkupisteeseen. Ohjaus tallentaa parametreihin Q115–Q119 sen aseman koordinaatit, jossa kosketusjärjestelmä oli kytkentäsignaalin hetkellä.
 step-return-and-store-trigger-position__tnc426-430 = Kun asema on mitattu, kosketusjärjestelmä palaa kosketuksen alkupisteeseen. Ohjaus tallentaa parametreihin Q115–Q119 kosketuskuulan keskipisteen koordinaatit työkappaleen kosketushetkellä.
 note-probing-plane-by-axis = Työkierrossa määritelty kosketusakseli määrää kosketustason: kosketusakseli X: X/Y-taso; Y: Y/Z-taso; Z: Z/X-taso.
@@ -139,9 +139,9 @@ note-trigger-position-of-ball-centre = Parametreissa Q115–Q119 ovat kosketusku
 # --- 3 ---
 cycle-measuring = Mittaus
     .nc = MITTAUS
-    .purpose = Mittaa minkä tahansa työkappaleen aseman valittavassa kosketussuunnassa. Toisin kuin muissa mittaustyökierroissa, mittausliike ja mittaussyöttöarvo annetaan suoraan tässä työkierrossa, samoin vetäytyminen mittauksen jälkeen. Sen avulla laaditaan koneen valmistajan työkiertoja.
+    .purpose = Mittaa minkä tahansa aseman työkappaleessa valittavassa kosketussuunnassa. Toisin kuin muissa mittaustyökierroissa, mittausliike ja mittaussyöttöarvo annetaan suoraan tässä työkierrossa, samoin vetäytyminen mittauksen jälkeen. Sen avulla laaditaan koneen valmistajan työkiertoja.
 cycle-measuring__tnc426-430 =
-    .purpose = Mittaa minkä tahansa työkappaleen aseman valittavassa kosketussuunnassa. Toisin kuin muissa mittaustyökierroissa, mittaussyöttöarvo annetaan suoraan tässä työkierrossa. Se on erikoiskäyttöön tarkoitettu mittaustyökierto.
+    .purpose = Mittaa minkä tahansa aseman työkappaleessa valittavassa kosketussuunnassa. Toisin kuin muissa mittaustyökierroissa, mittaussyöttöarvo annetaan suoraan tässä työkierrossa. Se on erikoiskäyttöön tarkoitettu mittaustyökierto.
 step-move-in-polar-direction = Kosketusjärjestelmä siirtyy hetkellisasemastaan annetulla syöttöarvolla ohjelmoituun kosketussuuntaan. Kosketussuunta määritellään työkierrossa napakulmalla.
 step-stop-and-store-ball-centre = Kun ohjaus on mitannut aseman, kosketusjärjestelmä pysähtyy. Ohjaus tallentaa kosketuskuulan keskipisteen koordinaatit X, Y ja Z kolmeen peräkkäiseen Q-parametriin pituutta ja sädettä korjaamatta. Ensimmäisen tulosparametrin numero määritellään työkierrossa.
 step-stop-and-store-ball-centre__tnc426-430 = Kun ohjaus on mitannut aseman, kosketusjärjestelmä pysähtyy. Ohjaus tallentaa kosketuskuulan keskipisteen koordinaatit kolmeen peräkkäiseen Q-parametriin. Ensimmäisen parametrin numero määritellään työkierrossa.

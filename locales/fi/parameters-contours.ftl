@@ -94,7 +94,7 @@ parameter-cylinder-ridge-width = Uuman leveys
 # --- kaiverrus ---
 parameter-engraving-text = Kaiverrusteksti
     .label = KAIVERRUSTEKSTI
-    .help = Kaiverrettava teksti lainausmerkeissä. Merkkijonomuuttuja sijoitetaan painamalla numeronäppäimistön näppäintä Q; kirjainnäppäimistön näppäin Q on tavallista tekstiä varten.
+    .help = Kaiverrettava teksti lainausmerkeissä. Merkkijonoparametri sijoitetaan painamalla numeronäppäimistön näppäintä Q; kirjainnäppäimistön näppäin Q on tavallista tekstiä varten.
 parameter-character-height = Merkin korkeus
     .label = MERKIN KORKEUS
     .help = Kaiverrettavien merkkien korkeus (mm).

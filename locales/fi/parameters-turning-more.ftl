@@ -115,5 +115,5 @@ choice-taper-end-point-start-diameter-angle = Loppupisteellä, X-alkuarvolla ja 
 choice-taper-end-point-start-z-angle = Loppupisteellä, Z-alkuarvolla ja kartiokulmalla
 choice-taper-start-point-end-diameter-angle = Alkupisteellä, X-loppuarvolla ja kartiokulmalla
 choice-taper-start-point-end-z-angle = Alkupisteellä, Z-loppuarvolla ja kartiokulmalla
-choice-thread-constant-chip-cross-section = Vakio lastun poikkipinta (asetus pienenee syvyyden kasvaessa)
-choice-thread-constant-infeed-depth = Vakio asetussyvyys
+choice-thread-constant-chip-cross-section = Vakiosuuruinen lastun poikkipinta (asetus pienenee syvyyden kasvaessa)
+choice-thread-constant-infeed-depth = Vakiosuuruinen asetussyvyys

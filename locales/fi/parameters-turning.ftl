@@ -23,7 +23,7 @@ parameter-turning-finishing-feed = Silityksen syöttöarvo
     .help = Työkalun liikenopeus silityksessä. Jos M136 on ohjelmoitu, ohjaus tulkitsee sen millimetreinä kierrosta kohti, ilman M136-koodia millimetreinä minuutissa.
 parameter-diameter-oversize = Halkaisijan työvara
     .label = HALKAISIJAN TYÖVARA
-    .help = Halkaisijan työvara määritellyllä muodolla.
+    .help = Määritellyn muodon työvara halkaisijalla.
 parameter-z-oversize = Z-työvara
     .label = TYÖVARA Z
     .help = Määritellyn muodon työvara aksiaalisuunnassa.
@@ -111,12 +111,12 @@ parameter-cutting-limit-z = Raja-arvo Z
     .help = Muodon rajauksen Z-arvo.
 parameter-blank-oversize = Aihion työvara
     .label = AIHION TYÖVARA
-    .help = Muodon suuntainen työvara määritellyllä muodolla.
+    .help = Määriteltyyn muotoon lisättävä muodon suuntainen työvara.
 parameter-cutting-lines = Lastuamisradat
     .label = LASTUAMISRADAT
     .help = Lastuamisratojen laji.
-choice-constant-chip-cross-section = Lastut vakiosuuruisella lastun poikkipinnalla
-choice-equidistant-cuts = Lastut tasavälein
+choice-constant-chip-cross-section = Vakiosuuruinen lastun poikkipinta
+choice-equidistant-cuts = Lastujen jako tasavälein
 
 # --- työkalun suuntaus ---
 parameter-precession-angle = Prekessiokulma

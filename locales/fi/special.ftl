@@ -31,7 +31,7 @@ step-program-m19-or-m20 = Ohjelmoi M19 tai M20 (koneesta riippuen): ohjaus paiko
 note-prepare-for-spindle-orientation = Koneen valmistajan on valmisteltava kone ja ohjaus.
 note-orientation-is-needed-for = Karan suuntausta tarvitaan esimerkiksi työkalunvaihtajissa, joissa on määrätty vaihtoasema, sekä infrapunayhteydellä toimivien 3D-kosketusjärjestelmien lähetin- ja vastaanotinikkunan suuntaamiseen.
 note-orientation-by-m19-or-m20 = Ohjaus paikoittaa karan työkierrossa määriteltyyn kulmaan, kun M19 tai M20 on ohjelmoitu (koneesta riippuen).
-note-orientation-without-cycle = Jos M19 tai M20 ohjelmoidaan ilman edeltävää tätä työkiertoa, ohjaus paikoittaa pääkaran koneen valmistajan asettamaan kulmaan (katso koneen käyttöohjekirjaa).
+note-orientation-without-cycle = Jos M19 tai M20 ohjelmoidaan, ilman että tämä työkierto on määritelty sitä ennen, ohjaus paikoittaa pääkaran koneen valmistajan asettamaan kulmaan (katso koneen käyttöohjekirjaa).
 note-orientation-used-by-cycles = Koneistustyökierrot 202, 204 ja 209 käyttävät tätä työkiertoa sisäisesti. Ohjelmoi se tarvittaessa uudelleen jonkin niistä jälkeen.
 
 # --- 32 ---

@@ -17,7 +17,7 @@ step-reverse-spindle-again = Varmuusetäisyydellä karan pyörintäsuunta vaihde
 step-stop-spindle-at-set-up-clearance = Ohjaus pysäyttää karan varmuusetäisyydellä.
 step-rapid-to-set-up-clearance-and-orient = Ohjaus siirtää työkalun karan akselin suunnassa pikaliikkeellä (FMAX) varmuusetäisyydelle { $q-set-up-clearance } työkappaleen yläpinnan yläpuolelle ja suuntaa siellä karan kulmaan { $q-spindle-orientation-angle }.
 step-tap-to-next-depth = Työkalu ajaa asetuksen { $q-depth-for-chip-breaking } verran syvemmälle.
-step-reverse-and-break-chip = Karan pyörintäsuunta vaihdetaan ja työkalu liikkuu takaisin kertoimella { $q-retraction-speed-factor } suurennetulla kierrosluvulla, jos kerroin on annettu; sitten suunta vaihdetaan uudelleen seuraavaa asetusta varten:
+step-reverse-and-break-chip = Karan pyörintäsuunta vaihdetaan, ja työkalu liikkuu takaisin kertoimella { $q-retraction-speed-factor } suurennetulla kierrosluvulla, jos kerroin on annettu; sitten suunta vaihdetaan uudelleen seuraavaa asetusta varten:
 say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: kokonaan reiästä jäähtymään
 say-tap-goes-back-some-turns = muussa tapauksessa { $q-chip-breaking-turns } kertaa kierteen nousun { $q-thread-pitch } verran
 step-tap-back-to-set-up-clearance = Työkalu palaa varmuusetäisyydelle { $q-set-up-clearance }.
@@ -25,14 +25,14 @@ condition-tap-leaves-hole = vetäytyminen { $q-chip-breaking-turns } on 0
 note-sign-of-thread-depth = Kierteen syvyyden { $q-thread-depth } etumerkki määrää työskentelysuunnan. Jos kierteen syvyys on 0, ohjaus ei suorita työkiertoa.
 note-thread-depth-gives-direction = Kierteen syvyyden { $q-thread-depth } etumerkki määrää työskentelysuunnan.
 note-positive-thread-depth-reverses = Törmäysvaara! Jos syvyys on positiivinen, ohjaus laskee esipaikoituksen käänteisesti: työkalu siirtyy työkaluakselin suunnassa pikaliikkeellä varmuusetäisyydelle työkappaleen yläpinnan alapuolelle.
-note-floating-tap-holder = Työkalun on oltava kiinnitetty tasausistukkaan, joka tasaa syöttöarvon ja karan kierrosluvun eroja koneistuksen aikana.
+note-floating-tap-holder = Työkalun on oltava kiinnitetty tasausistukkaan, joka tasaa syöttöarvon ja karan kierrosluvun toleranssit koneistuksen aikana.
 note-overrides-while-tapping = Karan kierrosluvun muunnossäädin ei vaikuta työkierron suorituksen aikana. Syötön muunnossäädin vaikuttaa osittain; koneen valmistaja määrää, miten (katso koneen käyttöohjekirjaa).
 note-right-hand-with-m3 = Käynnistä kara oikeakätisille kierteille koodilla M3, vasenkätisille kierteille koodilla M4.
 note-feed-from-speed-and-pitch = Laske syöttöarvo kaavalla F = S × p. F: syöttöarvo (mm/min), S: karan kierrosluku (r/min), p: kierteen nousu (mm).
 note-retract-after-interruption = Jos ulkoista pysäytyspainiketta painetaan kierreporauksen aikana, ohjaus näyttää ohjelmanäppäimen, jolla työkalu voidaan vetää reiästä.
 note-feed-follows-spindle-speed = Ohjaus laskee syöttöarvon karan kierrosluvusta. Jos syötön muunnossäädintä käännetään kierreporauksen aikana, ohjaus sovittaa syöttöarvon itse. Karan kierrosluvun muunnossäädin ei ole käytössä.
 note-spindle-stands-after-tapping = Työkierron lopussa kara on pysähdyksissä. Käynnistä se koodilla M3 (tai M4) ennen seuraavaa koneistusta.
-note-retract-by-soft-key = Jos ulkoista pysäytyspainiketta painetaan kierreporauksen aikana, ohjaus näyttää käsinajon ohjelmanäppäimen. Kun sitä on painettu, työkalu voidaan vetää reiästä hallitusti aktiivisen karan akselin positiivisella suuntapainikkeella.
+note-retract-by-soft-key = Jos ulkoista pysäytyspainiketta painetaan kierreporauksen aikana, ohjaus näyttää käsiajon ohjelmanäppäimen. Kun sitä on painettu, työkalu voidaan vetää reiästä hallitusti aktiivisen karan akselin positiivisella suuntapainikkeella.
 note-retraction-speed-is-limited = Jos parametrissa { $q-retraction-speed-factor } on määritelty kierroslukukerroin nopeampaa vetäytymistä varten, ohjaus rajoittaa kierrosluvun aktiivisen vaihdealueen suurimpaan sallittuun arvoon.
 
 # --- kierteen jyrsintä: työkierrot ---

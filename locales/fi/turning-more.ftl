@@ -3,42 +3,42 @@
 # --- 841, 842, 840, 851, 852, 850 ---
 cycle-simple-radial-recess-turning = Yksinkertainen säteittäinen pistosorvaus
     .nc = PISTOSORVAUS YKSINK., SÄTEITT.
-    .purpose = Koneistaa suorakulmaisia uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Koneistaa suorakulmaisia uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-extended-radial-recess-turning = Laajennettu säteittäinen pistosorvaus
     .nc = PISTOSORVAUS LAAJ., SÄTEITT.
-    .purpose = Koneistaa uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
+    .purpose = Koneistaa uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
 cycle-radial-contour-recess-turning = Säteittäinen muodon pistosorvaus
     .nc = MUODON PISTOSORVAUS, SÄTEITT.
-    .purpose = Koneistaa vapaamuotoisia uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Koneistaa vapaamuotoisia uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-simple-axial-recess-turning = Yksinkertainen aksiaalinen pistosorvaus
     .nc = PISTOSORVAUS YKSINK., AKSIAAL.
-    .purpose = Koneistaa suorakulmaisia uria poikittaissuunnassa (otsapinnalle) pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Koneistaa suorakulmaisia uria poikittaissuunnassa (otsapinnalle) pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-extended-axial-recess-turning = Laajennettu aksiaalinen pistosorvaus
     .nc = PISTOSORVAUS LAAJ., AKSIAAL.
-    .purpose = Koneistaa uria poikittaissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
+    .purpose = Koneistaa uria poikittaissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
 cycle-axial-contour-recess-turning = Aksiaalinen muodon pistosorvaus
     .nc = MUODON PISTOSORVAUS, AKSIAAL.
-    .purpose = Koneistaa vapaamuotoisia uria poikittaissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Koneistaa vapaamuotoisia uria poikittaissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Säteittäinen pisto
     .nc = PISTO SÄTEITTÄIN
-    .purpose = Pistää suorakulmaisia uria säteittäin: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Pistää suorakulmaisia uria säteittäin: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-extended-radial-recessing = Laajennettu säteittäinen pisto
     .nc = LAAJ. PISTO SÄTEITTÄIN
-    .purpose = Pistää uria säteittäin: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
+    .purpose = Pistää uria säteittäin: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
 cycle-radial-contour-recessing = Säteittäinen muodon pisto
     .nc = MUODON PISTO SÄTEITTÄIN
-    .purpose = Pistää vapaamuotoisia uria säteittäin: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Pistää vapaamuotoisia uria säteittäin: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-axial-recessing = Aksiaalinen pisto
     .nc = PISTO AKSIAALISESTI
-    .purpose = Pistää suorakulmaisia uria aksiaalisesti (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Pistää suorakulmaisia uria aksiaalisesti (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-extended-axial-recessing = Laajennettu aksiaalinen pisto
     .nc = LAAJ. PISTO AKSIAALISESTI
-    .purpose = Pistää uria aksiaalisesti (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
+    .purpose = Pistää uria aksiaalisesti (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
 cycle-axial-contour-recessing = Aksiaalinen muodon pisto
     .nc = MUODON PISTO AKSIAALISESTI
-    .purpose = Pistää vapaamuotoisia uria aksiaalisesti (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Pistää vapaamuotoisia uria aksiaalisesti (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 831, 832, 830 ---
 cycle-longitudinal-thread = Pitkittäiskierre
@@ -69,7 +69,7 @@ say-infeed-at-both-sides = { $q-recess-direction } = 0 (molemmat suunnat): asetu
 step-recess-to-next-depth = Työkalu pistää seuraavaan asetussyvyyteen.
 until-groove-depth-reached = uran syvyys on saavutettu
 step-recess-at-both-walls = Ohjaus paikoittaa työkalun uudelleen varmuusetäisyydelle ja tekee yhden piston kummallakin sivuseinämällä.
-step-infeed-parallel-to-axis = Ohjaus tekee pikaliikkeellä akselin suuntaisen asetuksen. Sivuttaisasetus on 0,8 kertaa terän leveys.
+step-infeed-parallel-to-axis = Ohjaus tekee pikaliikkeellä koordinaattiakselin suuntaisen asetuksen. Sivuttaisasetus on 0,8 kertaa terän leveys.
 step-recess-radially = Ohjaus koneistaa aloitusaseman ja loppupisteen välisen alueen säteittäissuunnassa syöttöarvolla { $q-turning-roughing-feed }.
 step-recess-axially = Ohjaus koneistaa aloitusaseman ja loppupisteen välisen alueen aksiaalisuunnassa syöttöarvolla { $q-turning-roughing-feed }.
 until-groove-width-reached = uran leveys on saavutettu
@@ -86,7 +86,7 @@ step-finish-groove-floor = Ohjaus silittää uran pohjan määritellyllä syött
 step-finish-groove-floor-or-all = Ohjaus silittää uran pohjan määritellyllä syöttöarvolla:
 say-finish-whole-groove = jos muodon nurkan säde { $q-contour-corner-radius } on annettu, ohjaus silittää koko uran yhdellä kertaa
 say-finish-floor-only = muussa tapauksessa vain pohjan
-step-retract-from-groove = Ohjaus vetää työkalun pikaliikkeellä.
+step-retract-from-groove = Ohjaus vetää työkalun pois urasta pikaliikkeellä.
 step-finish-half-of-width = Ohjaus silittää puolet uran leveydestä määritellyllä syöttöarvolla.
 step-finish-other-half-of-width = Ohjaus silittää toisen puolen uran leveydestä määritellyllä syöttöarvolla.
 step-finish-half-of-groove = Ohjaus silittää puolet urasta määritellyllä syöttöarvolla.
@@ -94,14 +94,14 @@ step-finish-other-half-of-groove = Ohjaus silittää uran toisen puolen määrit
 
 # --- kierteet ---
 step-move-before-thread-and-infeed = Ohjaus paikoittaa työkalun pikaliikkeellä varmuusetäisyydelle kierteen eteen ja tekee asetuksen.
-step-cut-thread-parallel-to-axis = Ohjaus ajaa pitkittäislastun akselin suuntaisesti. Se tahdistaa syöttöarvon ja kierrosluvun niin, että syntyy määritelty nousu.
+step-cut-thread-parallel-to-axis = Ohjaus ajaa pitkittäislastun kiertoakselin suuntaisesti. Se tahdistaa syöttöarvon ja kierrosluvun niin, että syntyy määritelty nousu.
 step-cut-thread-along-line = Ohjaus lastuaa kierteen alkupisteen ja loppupisteen välille. Se tahdistaa syöttöarvon ja kierrosluvun niin, että syntyy määritelty nousu.
 step-cut-thread-along-contour = Ohjaus lastuaa kierteen määritellyn kierremuodon suuntaisesti. Se tahdistaa syöttöarvon ja kierrosluvun niin, että syntyy määritelty nousu.
 step-lift-off-thread = Ohjaus nostaa työkalun pikaliikkeellä irti varmuusetäisyyden verran.
 step-infeed-at-angle = Ohjaus tekee asetuksen. Asetukset noudattavat asetuskulmaa { $q-thread-infeed-angle }.
 until-thread-depth-reached = kierteen syvyys on saavutettu
 step-make-air-cuts = Ohjaus ajaa niin monta tyhjälastua kuin { $q-number-of-air-cuts } määrää.
-until-all-thread-starts-cut = kierteen päät ({ $q-number-of-thread-starts }) on lastuttu
+until-all-thread-starts-cut = kierteen kaikki päät ({ $q-number-of-thread-starts }) on lastuttu
 
 # --- ehdot ---
 condition-cutting-limit-wanted = { $q-cutting-limit } = 1

@@ -3,7 +3,7 @@
 # --- sorvauksen työkiertojen yhteiset lauseet ---
 group-turning-roughing = Rouhinta
 group-turning-finishing = Silitys
-step-rapid-radial-infeed = Ohjaus tekee pikaliikkeellä akselin suuntaisen asetuksen säteittäissuunnassa. Asetuksen se laskee suurimmasta lastuamissyvyydestä { $q-max-cutting-depth }.
+step-rapid-radial-infeed = Ohjaus tekee pikaliikkeellä koordinaattiakselin suuntaisen asetuksen säteittäissuunnassa. Asetuksen se laskee suurimmasta lastuamissyvyydestä { $q-max-cutting-depth }.
 step-cut-longitudinally = Ohjaus koneistaa aloitusaseman ja loppupisteen välisen alueen pitkittäissuunnassa syöttöarvolla { $q-turning-roughing-feed }.
 step-retract-by-infeed = Ohjaus vetää työkalua määritellyllä syöttöarvolla asetuksen verran:
 say-follow-contour-within-infeed = jos { $q-contour-smoothing } = 0, muotoa pitkin asetuksen alueella
@@ -14,7 +14,7 @@ step-smooth-after-last-cut = Jos { $q-contour-smoothing } = 1, ohjaus tasoittaa 
 step-rapid-to-starting-point-of-cycle = Ohjaus palauttaa työkalun pikaliikkeellä työkierron alkupisteeseen.
 step-rapid-back-after-finishing = { step-rapid-to-starting-point-of-cycle }
 step-rapid-in-z-by-clearance = Ohjaus siirtää työkalua pikaliikkeellä Z-suunnassa varmuusetäisyyden { $q-turning-clearance } verran.
-step-rapid-paraxial-infeed = Ohjaus tekee pikaliikkeellä akselin suuntaisen asetuksen.
+step-rapid-paraxial-infeed = Ohjaus tekee pikaliikkeellä koordinaattiakselin suuntaisen asetuksen.
 step-finish-turned-contour = Ohjaus silittää valmisosan muodon syöttöarvolla { $q-turning-finishing-feed }.
 step-retract-by-clearance = Ohjaus vetää työkalun määritellyllä syöttöarvolla varmuusetäisyyden { $q-turning-clearance } päähän.
 condition-smoothing-each-cut = { $q-contour-smoothing } vaatii tasoituksen jokaisen lastun jälkeen
@@ -26,7 +26,7 @@ note-outside-or-inside-by-tool-position = Työkierto koneistaa ulkopuolen, jos t
 note-outside-or-inside-by-diameters = Jos alkuhalkaisija { $q-contour-start-diameter } on suurempi kuin loppuhalkaisija { $q-contour-end-diameter }, työkierto koneistaa ulkopuolen; jos se on pienempi, sisäpuolen.
 note-outside-or-inside-by-contour = Jos muodon alkupiste on suurempi kuin sen loppupiste, työkierto koneistaa ulkopuolen; jos se on pienempi, sisäpuolen.
 note-check-after-change-of-side = Tarkasta työkaluasetukset ja pyörintäsuunta aina, kun vaihdat ulko- ja sisäpuolisen koneistuksen välillä.
-note-area-from-tool-position-to-end-point = Rouhinnassa työkierto koneistaa alueen työkalun kutsuhetken asemasta (työkierron alkupisteestä) työkierrossa määriteltyyn loppupisteeseen.
+note-area-from-tool-position-to-end-point = Rouhinnassa työkierto koneistaa alueen työkalun asemasta työkierron kutsuhetkellä (työkierron alkupisteestä) työkierrossa määriteltyyn loppupisteeseen.
 note-position-at-starting-position = Ohjelmoi ennen työkierron kutsua paikoituslause aloitusasemaan sädekorjauksella R0.
 note-position-at-safe-position = Ohjelmoi ennen työkierron kutsua paikoituslause turvalliseen asemaan sädekorjauksella R0.
 note-tool-position-determines-area = Työkalun asema työkierron kutsuhetkellä (työkierron alkupiste) määrää koneistettavan alueen koon.
@@ -38,19 +38,19 @@ note-feed-rates-with-m136 = Jos M136 on ohjelmoitu ennen työkiertoa, ohjaus tul
 note-inclined-turning = Jos työkierto suoritetaan kallistetussa koneistuksessa (M144), työkalun kulmat muotoon nähden muuttuvat. Ohjaus ottaa tämän muutoksen automaattisesti huomioon ja valvoo siten muotovaurioita myös kallistetussa koneistuksessa.
 note-blank-form-update = Aihion seurannassa (FUNCTION TURNDATA BLANK) ohjaus tunnistaa jo koneistetut alueet ja sovittaa kaikki lähestymis- ja poistumisradat kuhunkin työvaiheeseen. Toiminto on käytettävissä vain sorvauskäytön koneistustyökierrossa; aihion on oltava suljettu muoto (alkuasema = loppuasema), ja se on pyörähdyssymmetrisen kappaleen poikkileikkaus.
 note-finished-part-beyond-blank = Aihion seurannassa ohjaus sovittaa lähestymisen ja vetäytymisen päivitettyyn aihioon. Jos valmisosan alueita ulottuu aihion ulkopuolelle, työkappale ja työkalu voivat vaurioitua.
-step-rapid-axial-infeed = Ohjaus tekee pikaliikkeellä akselin suuntaisen asetuksen aksiaalisuunnassa. Asetuksen se laskee suurimmasta lastuamissyvyydestä { $q-max-axial-cutting-depth }.
+step-rapid-axial-infeed = Ohjaus tekee pikaliikkeellä koordinaattiakselin suuntaisen asetuksen aksiaalisuunnassa. Asetuksen se laskee suurimmasta lastuamissyvyydestä { $q-max-axial-cutting-depth }.
 step-cut-across-axis = Ohjaus koneistaa aloitusaseman ja loppupisteen välisen alueen tasosuunnassa syöttöarvolla { $q-turning-roughing-feed }.
-step-cut-contour-longitudinally = Ohjaus koneistaa aloitusaseman ja loppupisteen välisen alueen pitkittäissuunnassa. Pitkittäislastu ajetaan akselin suuntaisesti syöttöarvolla { $q-turning-roughing-feed }.
-step-cut-contour-across-axis = Ohjaus koneistaa aloitusaseman ja loppupisteen välisen alueen tasosuunnassa. Tasolastu ajetaan akselin suuntaisesti syöttöarvolla { $q-turning-roughing-feed }.
+step-cut-contour-longitudinally = Ohjaus koneistaa aloitusaseman ja loppupisteen välisen alueen pitkittäissuunnassa. Pitkittäislastu ajetaan koordinaattiakselin suuntaisesti syöttöarvolla { $q-turning-roughing-feed }.
+step-cut-contour-across-axis = Ohjaus koneistaa aloitusaseman ja loppupisteen välisen alueen tasosuunnassa. Tasolastu ajetaan koordinaattiakselin suuntaisesti syöttöarvolla { $q-turning-roughing-feed }.
 step-cut-parallel-to-contour = Ohjaus koneistaa aloitusaseman ja loppupisteen välisen alueen. Lastu ajetaan muodon suuntaisesti syöttöarvolla { $q-turning-roughing-feed }.
 step-retract-to-starting-position-in-x = Ohjaus vetää työkalun määritellyllä syöttöarvolla X-aloitusasemaan.
 step-clear-area-in-x-then-z = Jos alkupiste (työkalun asema työkierron kutsuhetkellä) on koneistettavalla alueella, ohjaus paikoittaa työkalun ensin X- ja sitten Z-suunnassa varmuusetäisyydelle { $q-turning-clearance } ja aloittaa työkierron sieltä.
 step-clear-area-in-z-then-x = Jos alkupiste (työkalun asema työkierron kutsuhetkellä) on koneistettavalla alueella, ohjaus paikoittaa työkalun ensin Z- ja sitten X-suunnassa varmuusetäisyydelle { $q-turning-clearance } ja aloittaa työkierron sieltä.
 step-clear-area-in-z = Jos alkupiste on koneistettavalla alueella, ohjaus paikoittaa työkalun ensin Z-suunnassa varmuusetäisyydelle { $q-turning-clearance }.
-step-clear-plunging-start-in-z = Jos alkupisteen (työkalun kutsuhetken aseman) Z-koordinaatti on pienempi kuin muodon alku { $q-plunging-start-z }, ohjaus paikoittaa työkalun Z-suunnassa varmuusetäisyydelle { $q-turning-clearance } ja aloittaa työkierron sieltä.
-step-clear-contour-start-in-z = Jos alkupisteen (työkalun kutsuhetken aseman) Z-koordinaatti on pienempi kuin muodon alkupiste, ohjaus paikoittaa työkalun Z-suunnassa varmuusetäisyydelle { $q-turning-clearance } ja aloittaa työkierron sieltä.
+step-clear-plunging-start-in-z = Jos alkupisteen (työkalun aseman työkierron kutsuhetkellä) Z-koordinaatti on pienempi kuin muodon alku { $q-plunging-start-z }, ohjaus paikoittaa työkalun Z-suunnassa varmuusetäisyydelle { $q-turning-clearance } ja aloittaa työkierron sieltä.
+step-clear-contour-start-in-z = Jos alkupisteen (työkalun aseman työkierron kutsuhetkellä) Z-koordinaatti on pienempi kuin muodon alkupisteen, ohjaus paikoittaa työkalun Z-suunnassa varmuusetäisyydelle { $q-turning-clearance } ja aloittaa työkierron sieltä.
 step-clear-contour-start-before-finishing = { step-clear-contour-start-in-z }
-step-position-at-contour-start-in-z = Jos alkupisteen (työkalun kutsuhetken aseman) Z-koordinaatti on pienempi kuin muodon alkupiste, ohjaus paikoittaa työkalun Z-suunnassa muodon alkupisteeseen ja aloittaa työkierron sieltä.
+step-position-at-contour-start-in-z = Jos alkupisteen (työkalun aseman työkierron kutsuhetkellä) Z-koordinaatti on pienempi kuin muodon alkupisteen, ohjaus paikoittaa työkalun Z-suunnassa muodon alkupisteeseen ja aloittaa työkierron sieltä.
 step-rapid-infeed = Ohjaus tekee asetuksen pikaliikkeellä.
 step-finish-turned-contour-to-end = Ohjaus silittää valmisosan muodon alkupisteestä loppupisteeseen syöttöarvolla { $q-turning-finishing-feed }.
 condition-start-element-added = { $q-start-element-type } lisää elementin muodon alkuun
@@ -64,27 +64,27 @@ title-shoulder-with-recess = Olake, jossa on pistoura
 # --- 811 ---
 cycle-turn-shoulder-longitudinal = Olakkeen pitkittäissorvaus
     .nc = OLAKE, PITKITTÄIN
-    .purpose = Sorvaa suorakulmaisia olakkeita pitkittäissuunnassa ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Sorvaa suorakulmaisia olakkeita pitkittäissuunnassa ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 812 ---
 cycle-turn-shoulder-longitudinal-extended = Olakkeen laajennettu pitkittäissorvaus
     .nc = OLAKE, PITKITT. LAAJ.
-    .purpose = Sorvaa olakkeita pitkittäissuunnassa ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Muodon alkuun ja loppuun voidaan lisätä viiste tai pyöristys, taso- ja kehäpinnalle voidaan määritellä kulmat, ja muodon nurkassa voi olla säde. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Sorvaa olakkeita pitkittäissuunnassa ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Muodon alkuun ja loppuun voidaan lisätä viiste tai pyöristys, taso- ja kehäpinnalle voidaan määritellä kulmat, ja muodon nurkassa voi olla säde. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 813 ---
 cycle-turn-plunge-longitudinal = Pitkittäissorvaus sisäänpistolla
     .nc = PITKITTÄIN, SISÄÄNPISTO
-    .purpose = Sorvaa olakkeita, joissa on sisäänpistoelementtejä (takaleikkauksia), pitkittäissuunnassa ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Sorvaa olakkeita, joissa on sisäänpistoelementtejä (takaleikkauksia), pitkittäissuunnassa ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 814 ---
 cycle-turn-plunge-longitudinal-extended = Laajennettu pitkittäissorvaus sisäänpistolla
     .nc = PITKITT., SISÄÄNPISTO LAAJ.
-    .purpose = Sorvaa olakkeita, joissa on sisäänpistoelementtejä (takaleikkauksia), pitkittäissuunnassa ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Muodon alkuun ja loppuun voidaan lisätä viiste tai pyöristys, ja tasopinnan kulma ja muodon nurkan säde voidaan määritellä. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Sorvaa olakkeita, joissa on sisäänpistoelementtejä (takaleikkauksia), pitkittäissuunnassa ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Muodon alkuun ja loppuun voidaan lisätä viiste tai pyöristys, ja tasopinnan kulma ja muodon nurkan säde voidaan määritellä. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 810 ---
 cycle-turn-contour-longitudinal = Muodon pitkittäissorvaus
     .nc = MUOTO, PITKITTÄIN
-    .purpose = Sorvaa työkappaleita, joiden sorvausmuoto on vapaa ja kuvattu aliohjelmassa, pitkittäissuunnassa ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Sorvaa työkappaleita, joiden sorvausmuoto on vapaa ja kuvattu aliohjelmassa, pitkittäissuunnassa ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 815 ---
 cycle-turn-contour-parallel = Muodon suuntainen sorvaus
@@ -94,27 +94,27 @@ cycle-turn-contour-parallel = Muodon suuntainen sorvaus
 # --- 821 ---
 cycle-turn-shoulder-face = Olakkeen tasosorvaus
     .nc = OLAKE, TASO
-    .purpose = Tasosorvaa suorakulmaisia olakkeita ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Tasosorvaa suorakulmaisia olakkeita ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 822 ---
 cycle-turn-shoulder-face-extended = Olakkeen laajennettu tasosorvaus
     .nc = OLAKE, TASO LAAJ.
-    .purpose = Tasosorvaa olakkeita ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Muodon alkuun ja loppuun voidaan lisätä viiste tai pyöristys, taso- ja kehäpinnalle voidaan määritellä kulmat, ja muodon nurkassa voi olla säde. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Tasosorvaa olakkeita ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Muodon alkuun ja loppuun voidaan lisätä viiste tai pyöristys, taso- ja kehäpinnalle voidaan määritellä kulmat, ja muodon nurkassa voi olla säde. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 823 ---
 cycle-turn-plunge-face = Tasosorvaus sisäänpistolla
     .nc = TASO, SISÄÄNPISTO
-    .purpose = Tasosorvaa sisäänpistoelementtejä (takaleikkauksia) ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Tasosorvaa sisäänpistoelementtejä (takaleikkauksia) ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 824 ---
 cycle-turn-plunge-face-extended = Laajennettu tasosorvaus sisäänpistolla
     .nc = TASO, SISÄÄNPISTO LAAJ.
-    .purpose = Tasosorvaa sisäänpistoelementtejä (takaleikkauksia) ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Muodon alkuun ja loppuun voidaan lisätä viiste tai pyöristys, ja tasopinnan kulma ja muodon nurkan säde voidaan määritellä. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Tasosorvaa sisäänpistoelementtejä (takaleikkauksia) ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Muodon alkuun ja loppuun voidaan lisätä viiste tai pyöristys, ja tasopinnan kulma ja muodon nurkan säde voidaan määritellä. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 820 ---
 cycle-turn-contour-face = Muodon tasosorvaus
     .nc = MUOTO, TASO
-    .purpose = Tasosorvaa työkappaleita, joiden sorvausmuoto on vapaa ja kuvattu aliohjelmassa, ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan akselin suuntaisesti.
+    .purpose = Tasosorvaa työkappaleita, joiden sorvausmuoto on vapaa ja kuvattu aliohjelmassa, ulko- tai sisäpuolelta: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 800 ---
 cycle-adapt-turning-system = Kiertokoordinaatiston sovitus
