@@ -15,8 +15,8 @@ diag-scene-expected =
         [datum-file] Nollapistetaulukon nimen lopussa on oltava .D.
         [rotary-axis] Tässä pitäisi olla kiertoakselin kirjain (A, B tai C), ei ”{ $found }”.
         [carried] Kiertoakseli kantaa työkappaletta (workpiece) tai työkalua (tool), ei ”{ $found }”.
-        [orientation] Suuntaus on fixed, two tai any, ei "{ $found }".
-        [measurements] Mittauksia voi olla 1, 2 tai 3, ei "{ $found }".
+        [orientation] Suuntauksen on oltava fixed, two tai any eikä ”{ $found }”.
+        [measurements] Mittauksia voi olla 1, 2 tai 3, ei ”{ $found }”.
        *[solids] Tässä pitäisi olla vähintään yksi kappale.
     }
 diag-scene-unknown-key = Avaimella { $key } ei ole tässä merkitystä; tunnetut avaimet: { $known }.
