@@ -59,7 +59,7 @@ cycle-tool-radius-old = Medir o raio da ferramenta
     .purpose = Mede ou verifica o raio da ferramenta com o apalpador de ferramentas: com a ferramenta a rodar, ou com a ferramenta a rodar e depois navalha a navalha. O comando guarda o resultado no armazém central de ferramentas TOOL.T e tem-no automaticamente em conta no fim do ciclo. Formato antigo do ciclo 482.
 cycle-tool-radius-old__tnc426-430 =
     .purpose = Mede ou verifica o raio da ferramenta com o apalpador de ferramentas: com a ferramenta a rodar, ou com a ferramenta a rodar e depois navalha a navalha. O comando guarda o resultado no armazém central de ferramentas TOOL.T e utiliza-o na chamada seguinte da ferramenta. Formato antigo do ciclo 482.
-step-position-tool-beside-setter = O comando posiciona a ferramenta ao lado da cabeça do apalpador, com a face abaixo da aresta superior desta o valor determinado em { $mp-setter-axis-offset }, mais o desvio adicional da longitude { $mp-setter-offset-length }, se estiver introduzido na tabela de ferramentas.
+step-position-tool-beside-setter = O comando posiciona a ferramenta ao lado da cabeça do apalpador, com a face abaixo da aresta superior desta, à distância { $mp-setter-axis-offset } (mais o desvio adicional da longitude { $mp-setter-offset-length }, se estiver introduzido na tabela de ferramentas).
 step-probe-rotating-tool-radially = O comando apalpa radialmente a ferramenta a rodar.
 step-measure-teeth-radially = O comando determina o raio:
 say-measure-radii-of-teeth = com { $q-tooth-measurement }=1, mede depois os raios de todas as navalhas por meio da orientação do cabeçote
@@ -85,7 +85,7 @@ cycle-tool-complete-old = Medição completa da ferramenta
     .purpose = Mede ou verifica a longitude e o raio da ferramenta com o apalpador de ferramentas: com a ferramenta a rodar, ou com a ferramenta a rodar e depois navalha a navalha. O comando guarda os resultados no armazém central de ferramentas TOOL.T e tem-nos automaticamente em conta no fim do ciclo. Formato antigo do ciclo 483.
 cycle-tool-complete-old__tnc426-430 =
     .purpose = Mede ou verifica a longitude e o raio da ferramenta com o apalpador de ferramentas: com a ferramenta a rodar, ou com a ferramenta a rodar e depois navalha a navalha. O comando guarda os resultados no armazém central de ferramentas TOOL.T e utiliza-os na chamada seguinte da ferramenta. Formato antigo do ciclo 483.
-step-measure-radius-first = O comando mede a ferramenta segundo uma sequência fixa. Mede primeiro o raio, como os ciclos 32 e 482: posiciona a ferramenta ao lado da cabeça do apalpador, com a face abaixo da aresta superior o valor determinado em { $mp-setter-axis-offset } e { $mp-setter-offset-length }, e apalpa radialmente a ferramenta a rodar.
+step-measure-radius-first = O comando mede a ferramenta segundo uma sequência fixa. Mede primeiro o raio, como os ciclos 32 e 482: posiciona a ferramenta ao lado da cabeça do apalpador, com a face abaixo da aresta superior desta (valores { $mp-setter-axis-offset } e { $mp-setter-offset-length }), e apalpa radialmente a ferramenta a rodar.
 step-then-measure-length = Mede depois a longitude, como os ciclos 31 e 481:
 step-store-radius-and-length = O comando guarda os resultados:
 say-overwrite-radius-and-length = com { $q-tool-check }=0, substitui o raio da ferramenta { $mp-tool-radius } e a longitude da ferramenta { $mp-tool-length } em TOOL.T e põe a 0 os valores delta { $mp-delta-radius } e { $mp-delta-length }
