@@ -4,7 +4,7 @@ explain-call-of-def-active-cycle = As figuras de pontos, as conversões de coord
 explain-called-but-not-defined = CYCL CALL, M99 e M89 executam o ciclo de maquinação definido em último lugar. Sem definição não há nada para executar. Nos programas com saltos, subprogramas ou frases omitidas, isto só se indica se não houver nenhum ciclo definido, e nunca se forem chamados outros programas.
 explain-choice-not-offered = O parâmetro oferece uma escolha de valores, cada um com o seu significado, e este não é nenhum deles. Exemplo: Q215=3 em CYCL DEF 251.
 explain-cycle-not-described = O comando dispõe do ciclo, mas aqui não há especificação que o descreva. Os seus parâmetros, designações e efeito não são considerados.
-explain-cycle-not-on-control = Os manuais deste comando não conhecem o ciclo, os de outro, sim. O programa foi escrito para esse outro comando, ou foi escolhido com --control o comando errado.
+explain-cycle-not-on-control = Os manuais deste comando não conhecem o ciclo, mas os de outro comando conhecem-no. O programa foi escrito para esse outro comando, ou foi escolhido com --control o comando errado.
 explain-defined-but-never-called = O ciclo atua quando é chamado com CYCL CALL, M99 ou M89, ou por uma figura de pontos, mas nenhuma dessas chamadas aparece antes do próximo ciclo do mesmo tipo ou do fim do programa. A definição não tem efeito, ou a chamada foi esquecida.
 explain-duplicate-parameter = A definição dá dois valores ao mesmo parâmetro ou campo; não se pode dizer qual é o pretendido.
 explain-guard = As especificações dizem em que condições um comando recusa um ciclo, o omite, avisa ou pergunta. Cada uma dessas condições tem um código próprio; só é verificada com valores que o programa escreve como números ou textos.

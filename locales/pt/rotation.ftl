@@ -72,7 +72,7 @@ cycle-rotation-by-c-axis = Ajustar a inclinação de uma peça através do eixo 
     .nc-aliases = ROT ATRAVÉS DE EIXO-C
     .purpose = Determina o desvio angular entre o eixo Y positivo do sistema de coordenadas ativo e a linha central de um furo, ou entre a posição nominal e a posição real do centro de um furo. O comando compensa-o rodando o eixo C. A peça pode estar fixada em qualquer local da mesa rotativa.
 say-travel-on-circle-at-clearance-height__rotation-by-c-axis = com { $q-traverse-to-clearance-height }=1, sobre um arco de círculo, à altura segura { $q-clearance-height }
-step-move-to-measured-centre = O comando posiciona o apalpador no centro do furo medido.
+step-move-to-measured-centre = O comando posiciona o apalpador no centro medido do furo.
 step-retract-and-turn-to-y-axis = O comando faz regressar o apalpador à altura segura { $q-clearance-height } e alinha a peça por rotação da mesa rotativa: depois da compensação, tanto com o eixo do apalpador vertical como horizontal, o centro do furo fica na direção do eixo Y positivo ({ $q-probing-centre-minor }=0) ou na sua posição nominal. O desvio angular medido é também guardado no parâmetro de resultado.
 step-store-angular-offset = O comando trata o desvio angular conforme { $q-zero-or-row-after-alignment }:
 say-zero-display-of-c-axis = com { $q-zero-or-row-after-alignment }=0, põe a 0 a visualização do eixo C
