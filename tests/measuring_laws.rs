@@ -658,3 +658,90 @@ proptest! {
         prop_assert!(near(found, radius), "{found} is not {radius}");
     }
 }
+
+/// Where touch points scatter, the circles are the least-squares ones: results that a script has calculated with SciPy.
+#[test]
+fn fits_are_the_least_squares_ones() {
+    let text = include_str!("references/measuring_fits.json");
+    let cases: serde_json::Value = serde_json::from_str(text).expect("the references");
+    let cases = cases.as_array().expect("a list");
+    assert!(cases.len() > 200);
+    for case in cases {
+        let part = |name: &str| case[name].as_str().expect("a text");
+        let (outcome, events) = run("tnc640", part("program"), part("scene"));
+        assert_eq!(outcome.status, Status::Done, "{:?}\n{}\n{}", outcome.fault, part("program"), part("scene"));
+        let same = |found: f64, wanted: &serde_json::Value, name: &str| {
+            let wanted = wanted.as_f64().expect("a number");
+            assert!((found - wanted).abs() < 1e-9, "{name} is {found} and not {wanted}:\n{}\n{}", part("program"), part("scene"));
+        };
+        for (number, wanted) in case["q"].as_object().into_iter().flatten() {
+            same(q(&outcome, number.parse().expect("a number")), wanted, number);
+        }
+        for (column, wanted) in case["cells"].as_object().into_iter().flatten() {
+            same(cell(&events, column).expect("a cell"), wanted, column);
+        }
+    }
+}
+
+/// The worked programs come out as they are written for.
+#[test]
+fn the_worked_programs_measure_their_workpieces() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).expect("an example");
+    let (outcome, _) = run("tnc640", &read("beams.h"), &read("beams.scene.yaml"));
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    // Finished by as much less as it was roughed too large.
+    assert!(near(q(&outcome, 1), 80.0 - 0.06) && near(q(&outcome, 2), 60.0 + 0.06));
+    let (outcome, _) = run("tnc640", &read("bsmess.h"), &read("bsmess.scene.yaml"));
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let (file, log) = outcome.logs.first().expect("a log");
+    assert_eq!(file, "TCHPR423.TXT");
+    for piece in ["50.0905", "39.9347", "90.1200", "69.9920", "0.0905", "-0.0653", "0.1200", "-0.0080", "29-09-1997", "8:21:33"] {
+        assert!(log.contains(piece), "{piece} is not in\n{log}");
+    }
+}
+
+#[test]
+fn deviations_of_a_tool_add_up() {
+    let stud = "scene: 1\ntools: [{T: 1, L: 100, R: 2, TP_NO: 1}, {T: 5, R: 6, DR: 0.02, DL: 0.1, RBREAK: 0.2}]\n\
+                probe: {NO: 1, ball_radius: 2}\nstart: [0, 0, 60]\nparts:\n  - solid: {cylinder: {diameter: 30.06, from: -30, to: 0.05}}\n";
+    let stud_twice = "TCH PROBE 422\nQ273=0\nQ274=0\nQ262=30\nQ325=0\nQ247=90\nQ261=-5\nQ320=0\nQ260=20\nQ301=0\nQ277=30.1\nQ278=29.9\nQ279=0\nQ280=0\nQ281=0\nQ309=0\nQ330=5\n".repeat(2);
+    let top = "TCH PROBE 427\nQ263=0\nQ264=0\nQ261=0\nQ320=0\nQ272=3\nQ267=-1\nQ260=20\nQ281=0\nQ288=0.1\nQ289=-0.1\nQ309=0\nQ330=5\n";
+    let program = format!("TOOL CALL 1 Z\n{stud_twice}{}", top.repeat(2));
+    let (outcome, events) = run("tnc426-430", &program, stud);
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    // Within tolerance, and corrected all the same: 0.02 - 2 * 0.03. The top is 0.05 too high: the tool is shorter by it.
+    assert!(near(cell(&events, "DR").expect("DR"), -0.04));
+    assert!(near(cell(&events, "DL").expect("DL"), 0.0));
+}
+
+proptest! {
+    #![proptest_config(cases())]
+
+    /// Nearly degenerate geometry: finite values, or an error that says why.
+    #[test]
+    fn bad_geometry_is_finite_or_explained(setup in setup(), step in -8.0..8.0_f64, flat in -10.0..1.0_f64, cycle in prop_oneof![Just(421u32), Just(431)]) {
+        let (definition, solid) = if cycle == 421 {
+            let lengths = [(273, 0.0), (274, 0.0), (262, 30.0), (261, -5.0), (320, 0.0), (260, 30.0), (275, 0.0), (276, 0.0), (279, 0.0), (280, 0.0)];
+            let mut numbers = vec![(325, 10.0), (247, step * 10.0_f64.powf(flat.min(0.0))), (301, 0.0)];
+            numbers.extend(NO_LIMITS);
+            numbers.extend(setup.only(&["tnc640", "tnc320"], &[(423, 4.0)]));
+            numbers.extend(setup.only(&["tnc640"], &[(365, 1.0)]));
+            (setup.definition(421, &lengths, &numbers), block(&setup, &cylinder(&setup, (0.0, 0.0), 30.0, -50.0, 10.0)))
+        } else {
+            let aside = 10.0_f64.powf(flat);
+            let lengths = [(263, 0.0), (264, 0.0), (294, 0.0), (265, 20.0), (266, 0.0), (295, 0.0), (296, 40.0), (297, aside), (298, 0.0), (320, 1.0), (260, 30.0)];
+            (setup.definition(431, &lengths, &[(281, 0.0)]), half_space(&setup, [0.0; 3], [0.01, 0.02, 1.0]))
+        };
+        let (outcome, _) = run(setup.control(), &format!("{}{definition}", setup.head()), &setup.scene(&solid));
+        match &outcome.fault {
+            Some(fault) => prop_assert!(
+                ["stepping-angle-too-small", "fit-collinear", "fit-failed", "plane-through-line", "points-on-one-line"].contains(&&*fault.code), "{:?}", fault
+            ),
+            None => {
+                let results: &[u16] = if cycle == 421 { &[151, 152, 153] } else { &[158, 159] };
+                prop_assert!(results.iter().all(|number| q(&outcome, *number).is_finite()));
+            }
+        }
+    }
+}
