@@ -107,7 +107,7 @@ def circle_case(inside):
     values = {"Q273": nominal[0], "Q274": nominal[1], "Q262": size, "Q325": start, "Q247": step, "Q261": -5, "Q320": 0, "Q260": 20,
               "Q301": 0, **limits, "Q279": 0, "Q280": 0, "Q281": 0, "Q309": 0, "Q330": 0, "Q423": count, "Q365": 1}
     solid = block_without([(*centre, diameter)]) if inside else (
-        f"{{cylinder: {{number(centre: [{centre[0])}, {number(centre[1])}], diameter: {number(diameter)}, from: -30, to: 0}}}}")
+        f"{{cylinder: {{centre: [{number(centre[0])}, {number(centre[1])}], diameter: {number(diameter)}, from: -30, to: 0}}}}")
     return {
         "program": definition(421 if inside else 422, values),
         "scene": scene(probe, solid, [0, 0, 60]),
