@@ -1,7 +1,7 @@
 # Contour, cylinder surface and engraving cycles; see the English file.
 
 # --- common ---
-step-retract-to-contour-clearance-height = L’utensile si ritrae all’altezza di sicurezza con l’avanzamento { $q-contour-retraction-feed }, oppure con { $q-roughing-feed } se questo è 0.
+step-retract-to-contour-clearance-height = L’utensile si ritrae all’altezza di sicurezza con l’avanzamento { $q-contour-retraction-feed }, oppure con { $q-roughing-feed } se il primo valore è 0.
 step-leave-to-contour-clearance-height = L’utensile si porta all’altezza di sicurezza.
 until-contour-depth-reached = non è raggiunta la profondità programmata
 note-contour-element-limit = La memoria per un ciclo SL è limitata. In un ciclo SL si possono programmare al massimo 16384 elementi di profilo.
@@ -61,7 +61,7 @@ note-narrow-places-not-pre-drilled = In punti stretti il controllo potrebbe non 
 cycle-rough-out = Svuotamento
     .nc = SVUOTAMENTO
     .purpose = Svuota il profilo fino al sovrametallo del fondo, livello per livello, oppure lavora soltanto ciò che un utensile più grosso ha lasciato.
-step-position-over-infeed-point = Il controllo posiziona l’utensile sopra il punto di penetrazione, tenendo conto del sovrametallo laterale.
+step-position-over-infeed-point = Il controllo posiziona l’utensile sopra il punto di penetrazione, tenendo conto del sovrametallo di finitura laterale.
 step-plunge-to-contour-level = L’utensile si porta alla profondità incremento successiva, più in basso di { $q-contour-plunging-depth }:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: in verticale con l’avanzamento { $q-contour-plunging-feed }, anche se per l’utensile attivo è definito un angolo di penetrazione { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: in verticale con l’avanzamento con pendolamento { $q-reciprocation-feed }
@@ -96,7 +96,7 @@ step-finish-partial-contour = Il controllo porta l’utensile alla profondità i
 until-partial-contours-finished = non è stata eseguita la finitura di ogni segmento di profilo
 note-side-finishing-allowances = La somma del sovrametallo laterale { $q-remaining-side-allowance } e del raggio dell’utensile di finitura deve essere minore della somma del sovrametallo laterale del ciclo 20 e del raggio dell’utensile di svuotamento.
 note-side-finishing-without-roughing = Lo stesso vale se il ciclo viene eseguito senza precedente svuotamento con il ciclo 22; in tal caso il raggio dell’utensile di svuotamento vale 0.
-note-side-finishing-mills-contours = Il ciclo può essere utilizzato anche per fresare profili. A tale scopo definire il profilo come isola singola (senza delimitazione di una tasca) e inserire nel ciclo 20 un sovrametallo laterale maggiore della somma del sovrametallo { $q-remaining-side-allowance } e del raggio dell’utensile.
+note-side-finishing-mills-contours = Il ciclo può essere utilizzato anche per fresare profili. A tale scopo definire il profilo come isola singola (senza delimitazione di una tasca) e inserire nel ciclo 20 un sovrametallo di finitura laterale maggiore della somma del sovrametallo { $q-remaining-side-allowance } e del raggio dell’utensile.
 note-start-depends-on-room-and-allowance = Il controllo determina automaticamente il punto di partenza per la finitura. Esso dipende dallo spazio disponibile nella tasca e dal sovrametallo programmato nel ciclo 20.
 note-start-depends-on-sequence = Il punto di partenza dipende anche dalla sequenza di lavorazione. Se il ciclo di finitura viene selezionato con il tasto GOTO e il programma viene poi avviato, il punto di partenza può trovarsi in una posizione diversa da quella risultante eseguendo il programma nella sua sequenza.
 
@@ -155,7 +155,7 @@ cycle-cylinder-surface-slot = Superficie cilindrica, fresatura di scanalature
     .nc = SUPERFICIE CILINDRICA
     .purpose = Trasferisce una scanalatura di guida definita nello sviluppo sulla superficie di un cilindro, con pareti quasi parallele.
 step-position-over-slot-infeed-point = Il controllo posiziona l’utensile sopra il punto di penetrazione.
-step-mill-along-slot-wall = L’utensile fresa lungo la parete della scanalatura con l’avanzamento { $q-contour-milling-feed }, tenendo conto del sovrametallo laterale { $q-side-allowance }.
+step-mill-along-slot-wall = L’utensile fresa lungo la parete della scanalatura con l’avanzamento { $q-contour-milling-feed }, tenendo conto del sovrametallo di finitura laterale { $q-side-allowance }.
 step-mill-back-along-opposite-wall = Alla fine del profilo il controllo porta l’utensile alla parete opposta della scanalatura e lo riporta al punto di penetrazione.
 step-rework-slot-walls = Se è definita una tolleranza { $q-cylinder-slot-tolerance }, il controllo riprende la scanalatura in modo che le pareti siano il più possibile parallele.
 note-walls-nearly-parallel = A differenza del ciclo 27, questo ciclo orienta l’utensile in modo che con la correzione del raggio attiva le pareti siano quasi parallele. Le pareti sono esattamente parallele con un utensile largo esattamente quanto la scanalatura.
@@ -167,7 +167,7 @@ cycle-cylinder-surface-ridge = Isola su superficie cilindrica
     .nc = ISOLA SU SUP. CILINDRICA
     .purpose = Trasferisce un’isola definita nello sviluppo sulla superficie di un cilindro, con pareti parallele.
 step-position-over-ridge-start = Il controllo posiziona l’utensile sopra il punto di partenza della lavorazione, che calcola dalla larghezza dell’isola e dal diametro dell’utensile: a fianco del primo punto del sottoprogramma del profilo, spostato di metà della larghezza dell’isola e del diametro dell’utensile. La correzione del raggio determina il lato: a sinistra dell’isola (fresatura concorde) o a destra (fresatura discorde).
-step-approach-ridge-wall = A questa profondità l’utensile si accosta al profilo su un arco tangente con l’avanzamento { $q-contour-milling-feed }, tenendo conto del sovrametallo laterale { $q-side-allowance }, se presente.
+step-approach-ridge-wall = A questa profondità l’utensile si accosta al profilo su un arco tangente con l’avanzamento { $q-contour-milling-feed }, tenendo conto del sovrametallo di finitura laterale { $q-side-allowance }, se presente.
 step-mill-along-ridge-wall = L’utensile fresa lungo la parete dell’isola con l’avanzamento { $q-contour-milling-feed } fino a completare l’isola.
 step-leave-ridge-wall = L’utensile lascia tangenzialmente la parete dell’isola e ritorna al punto di partenza della lavorazione.
 note-ridge-walls-parallel = Il ciclo orienta l’utensile in modo che con la correzione del raggio attiva le pareti siano sempre parallele.

@@ -21,8 +21,8 @@ step-probe-third-and-fourth-point = Il controllo posiziona il sistema di tastatu
 step-retract-and-treat-datum = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } ed elabora l’origine rilevata in base a { $q-measured-value-transfer } e { $q-datum-row-number }:
 step-retract-and-treat-datum__tnc426-430 = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } ed elabora l’origine rilevata in base a { $q-datum-row-number }:
 step-store-actual-values = Il controllo memorizza i valori reali nei parametri di risultato.
-note-pocket-sides-rather-small = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per il 1° e il 2° lato della tasca lunghezze piuttosto troppo piccole che troppo grandi.
-note-stud-sides-rather-large = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per il 1° e il 2° lato dell’isola lunghezze piuttosto troppo grandi che troppo piccole.
+note-pocket-sides-rather-small = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per il 1° e il 2° lato della tasca lunghezze approssimate per difetto.
+note-stud-sides-rather-large = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per il 1° e il 2° lato dell’isola lunghezze approssimate per eccesso.
 title-introduction-to-probing = Blocco NC dell’introduzione ai cicli di tastatura
 
 # --- 413 ---
@@ -31,7 +31,7 @@ cycle-datum-outside-circle = Impostazione origine cerchio esterno (isola)
     .purpose = Misura il centro di un’isola circolare e lo imposta come origine. A scelta, il controllo scrive il centro anche in una tabella origini o nella tabella Preset.
 cycle-datum-outside-circle__tnc426-430 =
     .purpose = Misura il centro di un’isola circolare e lo imposta come origine. A scelta, il controllo scrive il centro anche in una tabella origini.
-note-stud-diameter-rather-large = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per l’isola un diametro nominale piuttosto troppo grande che troppo piccolo.
+note-stud-diameter-rather-large = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per l’isola un diametro nominale approssimato per eccesso.
 note-small-stepping-angle-less-exact__datum-outside-circle = Quanto più piccolo è l’angolo incrementale { $q-probing-stepping-angle }, tanto meno precisa è l’origine calcolata dal controllo.
 title-datum-at-arc-centre-and-top = Impostazione dell’origine al centro di un segmento circolare e sul bordo superiore del pezzo
 
@@ -53,8 +53,8 @@ cycle-datum-ridge-centre = Impostazione origine centro isola
     .purpose = Misura il centro di un’isola e lo imposta come origine. A scelta, il controllo scrive il centro anche in una tabella origini o nella tabella Preset.
 step-travel-at-clearance-height-to-second = Il sistema di tastatura si porta all’altezza di sicurezza { $q-clearance-height } al secondo punto di tastatura.
 say-start-again-from-centre__datum-slot-centre = se la scanalatura e la distanza di sicurezza non lasciano spazio per un preposizionamento vicino ai punti di tastatura, rimane al centro e non si porta all’altezza di sicurezza
-note-slot-width-rather-small = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire una larghezza della scanalatura piuttosto troppo piccola che troppo grande.
-note-ridge-width-rather-large = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire una larghezza dell’isola piuttosto troppo grande che troppo piccola.
+note-slot-width-rather-small = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire una larghezza della scanalatura approssimata per difetto.
+note-ridge-width-rather-large = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire una larghezza dell’isola approssimata per eccesso.
 note-probing-from-centre-if-narrow__datum-slot-centre = Se la larghezza della scanalatura e la distanza di sicurezza non consentono un preposizionamento vicino ai punti di tastatura, il controllo inizia sempre la tastatura dal centro della scanalatura. In tal caso, tra i due punti di misura il sistema di tastatura non si porta all’altezza di sicurezza.
 note-feature-content-level-3 = Questo ciclo è una funzione del Feature Content Level 3 (FCL 3).
 
@@ -78,4 +78,4 @@ step-retract-and-store-corner__tnc426-430 = Il controllo riporta il sistema di t
 step-carry-out-basic-rotation-on-request = Con { $q-corner-basic-rotation }=1 il controllo compensa la posizione obliqua del pezzo mediante una rotazione base.
 note-corner-from-first-and-third-point = Le posizioni dei punti di misura 1 e 3 determinano lo spigolo sul quale il controllo imposta l’origine. Spigolo A: punto 1 maggiore del punto 3 in X, minore in Y. Spigolo B: minore in X, minore in Y. Spigolo C: minore in X, maggiore in Y. Spigolo D: maggiore in X, maggiore in Y.
 note-first-line-in-secondary-direction = Il controllo misura la prima retta sempre in direzione dell’asse secondario del piano di lavoro.
-note-basic-rotation-with-immediate-datum = Far eseguire la rotazione base dal controllo solo se l’origine viene impostata subito e non se viene scritta nella tabella origini per una lavorazione successiva.
+note-basic-rotation-with-immediate-datum = Far eseguire al controllo la rotazione base solo se l’origine viene impostata subito e non se viene scritta nella tabella origini per una lavorazione successiva.

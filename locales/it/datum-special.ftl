@@ -3,9 +3,9 @@
 # --- 416 ---
 cycle-datum-bolt-hole-circle = Impostazione origine centro cerchio di fori
     .nc = ORIGINE CENTRO CERCHIO
-    .purpose = Calcola il centro di un cerchio di fori misurandone tre fori e lo imposta come origine. A scelta, il controllo scrive il centro anche in una tabella origini o nella tabella Preset.
+    .purpose = Calcola il centro di un cerchio di fori misurando tre dei suoi fori e lo imposta come origine. A scelta, il controllo scrive il centro anche in una tabella origini o nella tabella Preset.
 cycle-datum-bolt-hole-circle__tnc426-430 =
-    .purpose = Calcola il centro di un cerchio di fori misurandone tre fori e lo imposta come origine. A scelta, il controllo scrive il centro anche in una tabella origini.
+    .purpose = Calcola il centro di un cerchio di fori misurando tre dei suoi fori e lo imposta come origine. A scelta, il controllo scrive il centro anche in una tabella origini.
 title-datum-at-top-and-bolt-hole-circle = Impostazione dell’origine sul bordo superiore del pezzo e al centro di un cerchio di fori
 title-top-and-bolt-hole-circle-into-datum-table = Scrittura del bordo superiore del pezzo e del centro di un cerchio di fori in una tabella origini
 

@@ -59,3 +59,13 @@ diag-spec-yaml-feature = { $feature ->
 diag-spec-yaml-syntax = Non è YAML: { $reason }.
 related-first-place = la prima occorrenza è qui
 related-for-this-control = viene scritto per questo controllo
+diag-spec-measure = In { $cycle } { $reason ->
+        [different-quantities] vengono sommate o confrontate due grandezze di natura diversa
+        [coordinates-added] vengono sommate due coordinate
+        [distance-as-coordinate] una distanza occupa il posto di una coordinata
+        [coordinate-as-distance] una coordinata occupa il posto di una distanza
+        [not-a-feed] al posto di un avanzamento c’è qualcosa che non lo è
+        [not-a-length] al posto di una posizione c’è qualcosa che non è una lunghezza
+        [not-a-time] al posto di un tempo c’è qualcosa che non lo è
+       *[not-an-angle] al posto di un angolo c’è qualcosa che non lo è
+    }.

@@ -13,7 +13,7 @@ diag-scene-expected =
         [unit] L’unità di misura è mm o inch, non «{ $found }».
         [clock] Qui sono previste data e ora, ad esempio 2015-07-03T14:05:00, non «{ $found }».
         [datum-file] Il nome di una tabella origini termina con .D.
-        [rotary-axis] Qui ci vuole la lettera di un asse rotativo (A, B o C), non «{ $found }».
+        [rotary-axis] Qui è prevista la lettera di un asse rotativo (A, B o C), non «{ $found }».
         [carried] Un asse rotativo porta il pezzo (workpiece) o l’utensile (tool), non «{ $found }».
         [orientation] L’orientamento è fixed, two o any, non «{ $found }».
         [measurements] Sono possibili 1, 2 o 3 misurazioni, non «{ $found }».

@@ -165,7 +165,7 @@ note-calibration-backlash = Determinazione del gioco degli assi rotativi: da 8 a
 note-backlash-measured-twice = Per gioco si intende un lieve scarto tra encoder e tavola che si presenta con l’inversione del senso di rotazione. Al di fuori dell’anello di regolazione (ad esempio con l’encoder motore) può provocare errori considerevoli. { $q-backlash-angle } ne attiva la misurazione; il ciclo misura allora due volte ogni asse rotativo.
 note-backlash-not-compensated = Il controllo non compensa automaticamente il gioco.
 note-backlash-not-determined = Il gioco non viene determinato per gli assi Hirth, se in { $mp-rotary-axis-m-function } è definita una funzione M o con un raggio del cerchio di misura inferiore a 1 mm. La precisione con cui viene determinato cresce con questo raggio.
-note-reset-tilting = Accertarsi che tutte le funzioni di rotazione del piano di lavoro siano resettate.
+note-reset-tilting = Assicurarsi che non sia attiva alcuna funzione di rotazione del piano di lavoro.
 note-tcpm-switched-off = M128 e FUNCTION TCPM vengono disattivate.
 note-tcpm-must-be-off = M128 e FUNCTION TCPM non devono essere attive.
 note-datum-in-sphere-first = Prima della definizione del ciclo impostare e attivare l’origine al centro della sfera calibrata oppure inserire { $q-sphere-preset }=1 o 3.

@@ -1,15 +1,15 @@
 # Cycles that measure angles, studs, rectangles, widths, coordinates, bolt-hole circles and planes; see the English file.
 
 # --- what several of them share ---
-say-part-is-scrap = scarto (Q182=1), se un valore misurato è fuori tolleranza e non può essere corretto
-say-part-needs-rework = ripresa (Q181=1), se un valore misurato è fuori tolleranza e può essere corretto
+say-part-is-scrap = scarto (Q182=1) se un valore misurato è fuori tolleranza e non può essere corretto
+say-part-needs-rework = ripresa (Q181=1) se un valore misurato è fuori tolleranza e può essere corretto
 
 # --- 422 ---
 cycle-measure-stud = Misurazione pezzo cerchio esterno (isola)
     .nc = MISURARE CERCHIO EST.
     .purpose = Misura il centro e il diametro di un’isola circolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti in parametri.
-say-part-is-scrap__measure-stud = scarto (Q182=1), se l’isola è più piccola di { $q-stud-least-diameter } o il suo centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
-say-part-needs-rework__measure-stud = ripresa (Q181=1), se l’isola è più grande di { $q-stud-greatest-diameter }
+say-part-is-scrap__measure-stud = scarto (Q182=1) se l’isola è più piccola di { $q-stud-least-diameter } o il suo centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-part-needs-rework__measure-stud = ripresa (Q181=1) se l’isola è più grande di { $q-stud-greatest-diameter }
 note-smallest-stepping-angle__measure-stud = Quanto più piccolo è l’angolo incrementale { $q-probing-stepping-angle }, tanto meno precise sono le dimensioni dell’isola calcolate dal controllo. Valore minimo di immissione: 5°.
 
 # --- 423, 424 ---
@@ -19,10 +19,10 @@ cycle-measure-rectangular-pocket = Misurazione pezzo rettangolo interno
 cycle-measure-rectangular-stud = Misurazione pezzo rettangolo esterno
     .nc = MISURARE RETTANGOLO EST.
     .purpose = Misura il centro, la lunghezza e la larghezza di un’isola rettangolare. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti in parametri.
-say-part-is-scrap__measure-rectangular-pocket = scarto (Q182=1), se un lato è più lungo di { $q-first-side-greatest-length } o { $q-second-side-greatest-length } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
-say-part-needs-rework__measure-rectangular-pocket = ripresa (Q181=1), se un lato è più corto di { $q-first-side-least-length } o { $q-second-side-least-length }
-say-part-is-scrap__measure-rectangular-stud = scarto (Q182=1), se un lato è più corto di { $q-first-side-least-length } o { $q-second-side-least-length } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
-say-part-needs-rework__measure-rectangular-stud = ripresa (Q181=1), se un lato è più lungo di { $q-first-side-greatest-length } o { $q-second-side-greatest-length }
+say-part-is-scrap__measure-rectangular-pocket = scarto (Q182=1) se un lato è più lungo di { $q-first-side-greatest-length } o { $q-second-side-greatest-length } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-part-needs-rework__measure-rectangular-pocket = ripresa (Q181=1) se un lato è più corto di { $q-first-side-least-length } o { $q-second-side-least-length }
+say-part-is-scrap__measure-rectangular-stud = scarto (Q182=1) se un lato è più corto di { $q-first-side-least-length } o { $q-second-side-least-length } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-part-needs-rework__measure-rectangular-stud = ripresa (Q181=1) se un lato è più lungo di { $q-first-side-greatest-length } o { $q-second-side-greatest-length }
 result-side-main-deviation = Scostamento lunghezza lato asse principale
 result-side-minor-deviation = Scostamento lunghezza lato asse secondario
 title-measure-and-rework-rectangular-stud = Misurazione di un’isola rettangolare e finitura con i valori misurati
@@ -45,10 +45,10 @@ say-offset-second-measurement = con { $q-second-measurement-offset } diverso da 
 say-offset-second-measurement__tnc640 = con { $q-second-measurement-offset } diverso da 0 il controllo sposta il sistema di tastatura di questo offset fino al punto di tastatura successivo, con { $q-traverse-to-clearance-height }=1 all’altezza di sicurezza { $q-clearance-height }, ed esegue qui la tastatura
 say-measure-in-opposite-direction = con { $q-second-measurement-offset }=0 misura la larghezza direttamente nella direzione opposta
 step-probe-second-side-of-ridge = Il sistema di tastatura si porta all’altezza di sicurezza { $q-clearance-height } al punto di tastatura successivo ed esegue qui la seconda tastatura.
-say-part-is-scrap__measure-slot-width = scarto (Q182=1), se la scanalatura è più larga di { $q-greatest-dimension }
-say-part-needs-rework__measure-slot-width = ripresa (Q181=1), se la scanalatura è più stretta di { $q-least-dimension }
-say-part-is-scrap__measure-ridge-width = scarto (Q182=1), se l’isola è più stretta di { $q-least-dimension }
-say-part-needs-rework__measure-ridge-width = ripresa (Q181=1), se l’isola è più larga di { $q-greatest-dimension }
+say-part-is-scrap__measure-slot-width = scarto (Q182=1) se la scanalatura è più larga di { $q-greatest-dimension }
+say-part-needs-rework__measure-slot-width = ripresa (Q181=1) se la scanalatura è più stretta di { $q-least-dimension }
+say-part-is-scrap__measure-ridge-width = scarto (Q182=1) se l’isola è più stretta di { $q-least-dimension }
+say-part-needs-rework__measure-ridge-width = ripresa (Q181=1) se l’isola è più larga di { $q-greatest-dimension }
 note-clearance-acts-in-probe-axis-only = La distanza di sicurezza { $q-probing-clearance } ha effetto solo nella tastatura dell’origine nell’asse del tastatore.
 result-measured-length-actual = Valore reale lunghezza misurata
 result-measured-length-deviation = Scostamento lunghezza misurata
@@ -61,8 +61,8 @@ step-position-against-traverse-direction = Il controllo posiziona il sistema di 
 step-position-against-traverse-direction__tnc426-430 = Il controllo posiziona il sistema di tastatura sul punto di tastatura programmato, in rapido (valore di { $mp-positioning-feed } o { $mp-analog-positioning-feed }) e con logica di posizionamento. Lo sposta della distanza di sicurezza in senso opposto alla direzione di spostamento { $q-traverse-direction }.
 step-probe-coordinate = Il controllo posiziona il sistema di tastatura nel piano di lavoro sul punto di tastatura programmato e misura qui il valore reale nell’asse selezionato.
 step-retract-and-store-measured-coordinate = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } e memorizza la coordinata rilevata nel parametro di risultato.
-say-part-is-scrap__measure-coordinate = scarto (Q182=1), se la coordinata misurata è minore di { $q-least-dimension }
-say-part-needs-rework__measure-coordinate = ripresa (Q181=1), se la coordinata misurata è maggiore di { $q-greatest-dimension }
+say-part-is-scrap__measure-coordinate = scarto (Q182=1) se la coordinata misurata è minore di { $q-least-dimension }
+say-part-needs-rework__measure-coordinate = ripresa (Q181=1) se la coordinata misurata è maggiore di { $q-greatest-dimension }
 say-correct-tool-length = con { $q-monitored-tool } diverso da 0 e { $q-measuring-axis }=3 corregge la lunghezza utensile nella colonna DL della tabella utensili; se lo scostamento è maggiore della tolleranza di rottura RBREAK, visualizza un messaggio d’errore, arresta l’esecuzione del programma e blocca l’utensile (colonna TL = L)
 say-correct-tool-radius__measure-coordinate = con { $q-monitored-tool } diverso da 0 e { $q-measuring-axis }=1 o 2 corregge il raggio delta nella colonna DR della tabella utensili, nel senso che risulta da { $q-traverse-direction }; se lo scostamento è maggiore della tolleranza di rottura RBREAK, visualizza un messaggio d’errore, arresta l’esecuzione del programma e blocca l’utensile (colonna TL = L)
 note-coordinate-is-outside-dimension = Il controllo presuppone che venga misurata una quota esterna (isola). Lo stato della misurazione può essere corretto con una scelta adeguata della quota massima e minima in combinazione con la direzione di tastatura.
@@ -71,11 +71,11 @@ note-coordinate-corrects-radius-or-length = Se l’asse di misura è un asse del
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Misurazione pezzo cerchio di fori
     .nc = MISURARE CERCHIO DI FORI
-    .purpose = Misura il centro e il diametro di un cerchio di fori misurandone tre fori. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento in parametri.
+    .purpose = Misura il centro e il diametro di un cerchio di fori misurando tre dei suoi fori. Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza lo scostamento in parametri.
 step-measure-centre-of-hole = Il sistema di tastatura si porta all’altezza di misura { $q-measuring-height } e rileva il centro del foro con quattro tastature.
 step-travel-to-next-hole = Il sistema di tastatura ritorna all’altezza di sicurezza { $q-clearance-height } e viene posizionato sul centro inserito del foro successivo.
 until-three-holes-measured = non sono stati rilevati i centri di tutti e tre i fori
-say-part-is-scrap__measure-bolt-hole-circle = scarto (Q182=1), se il diametro è maggiore di { $q-greatest-dimension } o minore di { $q-least-dimension } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-part-is-scrap__measure-bolt-hole-circle = scarto (Q182=1) se il diametro è maggiore di { $q-greatest-dimension } o minore di { $q-least-dimension } o il centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
 say-monitor-tool-breakage = con { $q-monitored-tool } diverso da 0 confronta lo scostamento con la tolleranza di rottura RBREAK; se lo scostamento è maggiore, visualizza un messaggio d’errore, arresta l’esecuzione del programma e blocca l’utensile (colonna TL = L). Non corregge l’utensile
 note-only-breakage-monitoring = Questo ciclo esegue solo il controllo rottura dell’utensile; non corregge l’utensile.
 result-bolt-circle-diameter-actual = Valore reale diametro cerchio di fori

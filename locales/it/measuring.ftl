@@ -6,8 +6,8 @@ cycle-measure-hole = Misurazione pezzo cerchio interno (foro)
     .purpose = Misura il centro e il diametro di un foro (tasca circolare). Se nel ciclo sono definite tolleranze, il controllo confronta i valori nominali con quelli reali e memorizza gli scostamenti in parametri.
 step-retract-and-store-results = Il controllo riporta il sistema di tastatura all’altezza di sicurezza { $q-clearance-height } e memorizza nei parametri di risultato i valori reali e gli scostamenti dai valori nominali.
 step-set-measuring-status = Il controllo imposta lo stato della misurazione:
-say-hole-is-scrap = scarto (Q182=1), se il foro è più grande di { $q-hole-greatest-diameter } o il suo centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
-say-hole-needs-rework = ripresa (Q181=1), se il foro è più piccolo di { $q-hole-least-diameter }
+say-hole-is-scrap = scarto (Q182=1) se il foro è più grande di { $q-hole-greatest-diameter } o il suo centro si scosta di più di { $q-centre-tolerance-main } o { $q-centre-tolerance-minor }
+say-hole-needs-rework = ripresa (Q181=1) se il foro è più piccolo di { $q-hole-least-diameter }
 say-hole-is-good = altrimenti in tolleranza (Q180=1), anche se non è inserita alcuna tolleranza o quota limite
 step-write-measuring-log = Il controllo crea il protocollo di misura in base a { $q-measuring-log }:
 say-log-to-file = con { $q-measuring-log }=1 memorizza il protocollo nel file TCHPR{ $cycle }.TXT
@@ -29,8 +29,8 @@ result-status-rework = 1: ripresa necessaria
 result-status-scrap = 1: scarto
 note-measuring-log-contents = Il protocollo di misura contiene data, ora e programma di misura, i valori nominali, le quote limite, i valori reali, gli scostamenti e altri risultati (altezza di misura).
 note-measuring-log-contents__tnc426-430 = Il protocollo di misura contiene data, ora e programma di misura, i valori nominali, le quote limite, i valori reali e gli scostamenti.
-note-measuring-log-in-tnc-directory = Il controllo memorizza il protocollo di misura come file ASCII, per default nella directory TNC:\.
-note-measuring-log-in-program-directory = Il controllo memorizza il protocollo di misura come file ASCII, per default nella directory da cui viene eseguito il programma di misura. In alternativa il protocollo può essere inviato tramite l’interfaccia dati a una stampante o a un PC: impostare la funzione Stampa nel menu di interfaccia su RS232:\.
+note-measuring-log-in-tnc-directory = Il controllo memorizza il protocollo di misura come file ASCII, di norma nella directory TNC:\.
+note-measuring-log-in-program-directory = Il controllo memorizza il protocollo di misura come file ASCII, di norma nella directory da cui viene eseguito il programma di misura. In alternativa il protocollo può essere inviato tramite l’interfaccia dati a una stampante o a un PC: impostare la funzione Stampa nel menu di interfaccia su RS232:\.
 note-measuring-log-transfer = Per trasferire il protocollo di misura tramite l’interfaccia dati, utilizzare il software di trasmissione dati TNCremo di HEIDENHAIN.
 note-measuring-log-datum = Tutti i valori misurati nel file di protocollo si riferiscono all’origine attiva al momento dell’esecuzione del ciclo.
 note-measuring-log-manual-datum = Senza uno spostamento origine attivo, tutti i valori misurati nel file di protocollo si riferiscono all’origine impostata nel modo operativo Funzionamento manuale.
@@ -39,7 +39,7 @@ note-which-value-is-out = Il controllo segnala ripresa o scarto non appena un va
 note-limit-zero-not-monitored = Con 0 (il valore predefinito) in una quota limite o in una tolleranza il controllo non ne esegue la verifica.
 note-tool-monitoring-needs = Il controllo utensile e la correzione utensile hanno effetto solo se la tabella utensili è attiva e { $q-monitored-tool } è diverso da 0. Se vengono eseguite più misurazioni di correzione, il controllo somma ogni scostamento al valore memorizzato nella tabella utensili.
 note-tool-monitoring-needs__tnc426-430 = Il controllo utensile e la correzione utensile hanno effetto solo se la tabella utensili è attiva e { $q-monitored-tool } è diverso da 0.
-note-tool-radius-always-corrected = Il controllo corregge sempre il raggio dell’utensile nella colonna DR della tabella utensili, anche se lo scostamento è in tolleranza. Nel programma è possibile interrogare tramite Q181 se è necessaria una ripresa (Q181=1: ripresa necessaria).
+note-tool-radius-always-corrected = Il controllo corregge sempre il raggio dell’utensile nella colonna DR della tabella utensili, anche se lo scostamento è in tolleranza. Nel programma è possibile verificare tramite Q181 se è necessaria una ripresa (Q181=1: ripresa necessaria).
 note-tool-breakage-needs = Il controllo della rottura utensile ha effetto solo se la tabella utensili è attiva, { $q-monitored-tool } è diverso da 0 e nella tabella utensili la tolleranza di rottura RBREAK dell’utensile è maggiore di 0.
 note-tool-by-name = L’utensile può essere inserito anche con il nome, selezionato mediante softkey. Il controllo non visualizza le virgolette di chiusura.
 
@@ -72,9 +72,9 @@ step-probe-nominal-point = Il sistema di tastatura si porta sulle coordinate nom
 step-return-and-store-position = Quando il controllo ha rilevato la posizione, il sistema di tastatura si ritrae e si arresta. Il controllo memorizza nei parametri di risultato le coordinate misurate e gli scostamenti.
 step-retract-against-probing-direction = Il controllo ritrae il sistema di tastatura del valore definito nel parametro MB, in senso opposto alla direzione di tastatura.
 step-set-workpiece-status = Il controllo imposta lo stato del pezzo Q183:
-say-surface-status-undefined = −1 (non definito), se { $q-tolerance-specification } non definisce alcuna tolleranza
-say-surface-needs-rework = 1 (ripresa), se il punto si trova al di sopra del campo di tolleranza
-say-surface-is-scrap = 2 (scarto), se il punto si trova al di sotto del campo di tolleranza
+say-surface-status-undefined = −1 (non definito) se { $q-tolerance-specification } non definisce alcuna tolleranza
+say-surface-needs-rework = 1 (ripresa) se il punto si trova al di sopra del campo di tolleranza
+say-surface-is-scrap = 2 (scarto) se il punto si trova al di sotto del campo di tolleranza
 say-surface-is-good = 0 (buono) negli altri casi
 step-write-surface-log = Il controllo crea il protocollo e lo memorizza in formato HTML.
 step-react-to-tolerance-error = Il controllo reagisce a un punto fuori tolleranza in base a { $q-tolerance-error-reaction }:
@@ -93,7 +93,7 @@ guard-surface-below-nominal = Il punto si trova al di sotto della coordinata nom
 note-function-must-be-enabled = Questa funzione deve essere abilitata e adattata dal costruttore della macchina. Consultare il manuale della macchina.
 note-mill-mode-only = Il ciclo può essere eseguito solo nel modo FUNCTION MODE MILL.
 note-calibrate-in-3d = Per ottenere risultati precisi, eseguire una calibrazione 3D del sistema di tastatura prima di questo ciclo. La calibrazione 3D richiede l’opzione 92, 3D-ToolComp.
-note-surface-log-contents = Il protocollo contiene per l’asse principale, l’asse secondario e l’asse utensile: la direzione di tastatura effettiva (come vettore nel sistema di immissione, la cui lunghezza corrisponde al percorso di tastatura configurato), la coordinata nominale, la coordinata reale e, se { $q-tolerance-specification } definisce una tolleranza, lo scostamento superiore e inferiore nonché lo scostamento lungo il vettore normale. I colori contraddistinguono i valori: verde per buono, arancione per ripresa, rosso per scarto. Viene protocollato anche lo scostamento 3D.
+note-surface-log-contents = Il protocollo contiene per l’asse principale, l’asse secondario e l’asse utensile: la direzione di tastatura effettiva (come vettore nel sistema di immissione, la cui lunghezza corrisponde al percorso di tastatura configurato), la coordinata nominale, la coordinata reale e, se { $q-tolerance-specification } definisce una tolleranza, lo scostamento superiore e inferiore nonché lo scostamento lungo il vettore normale. I colori contraddistinguono i valori: verde per buono, arancione per ripresa, rosso per scarto. Viene registrato anche lo scostamento 3D.
 note-surface-log-directory = Il controllo memorizza il protocollo come file HTML nella directory del programma NC, se è configurato un percorso per FN 16.
 note-mirror-or-scaling-is-an-error = Il controllo visualizza un messaggio d’errore se all’attivazione del ciclo sono attivi la lavorazione speculare (ciclo 8), il fattore di scala (ciclo 11) o il fattore di scala specifico per asse (ciclo 26).
 note-tcpm-considered = Durante la tastatura viene considerato un TCPM attivo. Con TCPM è possibile tastare posizioni anche con uno stato non coerente della rotazione del piano di lavoro.

@@ -9,7 +9,7 @@ note-finishing-only-rapid-to-first-depth = Pericolo di collisione! Se il ciclo v
 cycle-circular-pocket = Tasca circolare
     .nc = TASCA CIRCOLARE
     .purpose = Esegue la lavorazione completa di una tasca circolare: sgrossatura, finitura del fondo e finitura laterale. È possibile eseguire anche solo la sgrossatura, solo la finitura del fondo e laterale, solo la finitura del fondo o solo la finitura laterale.
-guard-plunging-angle-not-vertical = Per la penetrazione verticale nella tabella utensili deve essere presente un angolo di penetrazione { $mp-plunging-angle } di 0 o 90.
+guard-plunging-angle-not-vertical = Per la penetrazione verticale, nella tabella utensili deve essere presente un angolo di penetrazione { $mp-plunging-angle } di 0 o 90.
 note-position-at-pocket-centre = Posizionare l’utensile sul punto di partenza (centro del cerchio) nel piano di lavoro con correzione del raggio R0.
 
 # --- 253 ---
@@ -85,7 +85,7 @@ note-circular-stud-end-height = Pericolo di collisione! Al termine il controllo 
 cycle-line-pattern = Sagome di punti su linee
     .nc = LINEE DI FIGURE
     .purpose = Esegue l’ultimo ciclo di lavorazione definito in punti disposti su righe e colonne.
-until-line-done = non sono state eseguite tutte le { $q-number-of-columns } lavorazioni della riga; l’utensile si trova sull’ultimo punto della riga
+until-line-done = non sono state eseguite tutte le { $q-number-of-columns } lavorazioni della riga; l’utensile si trova allora sull’ultimo punto della riga
 step-move-to-next-column = Il controllo porta poi l’utensile sul punto di partenza della lavorazione successiva, nella prima, terza, quinta riga … in direzione positiva dell’asse principale, nella seconda, quarta, sesta riga … in direzione negativa, e qui alla distanza di sicurezza { $q-set-up-clearance }.
 step-height-between-lines = Sull’ultimo punto della riga l’utensile si porta nell’asse del mandrino all’altezza prevista da { $q-pattern-clearance-mode } tra una lavorazione e l’altra.
 step-move-to-next-line = Il controllo porta poi l’utensile alla riga successiva, direttamente sul punto della stessa colonna, e qui alla distanza di sicurezza { $q-set-up-clearance }. Tutte le altre righe vengono lavorate in questo modo, in andata e ritorno.
@@ -144,7 +144,7 @@ say-retract-and-return-to-next-line = { $q-face-milling-strategy } = 2: l’uten
 step-mill-next-face-line = L’utensile fresa poi la riga successiva:
 say-back-towards-start = { $q-face-milling-strategy } = 0: indietro in direzione del punto di partenza 1
 say-back-towards-start-inside = { $q-face-milling-strategy } = 1: indietro in direzione del punto di partenza 1; anche lo spostamento alla riga successiva avviene all’interno del pezzo
-say-down-and-towards-end = { $q-face-milling-strategy } = 2: si riporta alla profondità attuale e poi procede in direzione del punto finale 2
+say-down-and-towards-end = { $q-face-milling-strategy } = 2: si riporta alla profondità incremento attuale e poi procede in direzione del punto finale 2
 step-repeat-until-face-milled = L’operazione si ripete finché la superficie inserita non è completamente fresata. Al termine dell’ultima traiettoria l’utensile avanza alla profondità di lavorazione successiva. Per evitare percorsi a vuoto, la superficie viene poi lavorata in sequenza inversa.
 until-face-infeeds-done = non sono stati eseguiti tutti gli incrementi tranne l’ultimo
 step-finish-face = Con l’ultimo incremento viene fresato solo il sovrametallo di finitura inserito { $q-floor-allowance }, con l’avanzamento di finitura { $q-finishing-feed }.

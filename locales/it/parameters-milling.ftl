@@ -149,7 +149,7 @@ parameter-stepover-feed = Avanzamento trasversale
 parameter-set-up-clearance__multipass-milling =
     .help = Distanza tra la punta dell’utensile e la profondità di fresatura per il posizionamento all’inizio e alla fine del ciclo.
 parameter-set-up-clearance__face-milling =
-    .help = Distanza tra la punta dell’utensile e la posizione di partenza nell’asse utensile. Con la strategia { $q-face-milling-strategy } = 2 l’utensile si porta a questa distanza sopra la profondità attuale sul punto di partenza della riga successiva.
+    .help = Distanza tra la punta dell’utensile e la posizione di partenza nell’asse utensile. Con la strategia { $q-face-milling-strategy } = 2 l’utensile si porta a questa distanza sopra la profondità incremento attuale sul punto di partenza della riga successiva.
 parameter-surface-second-point-main = 2° punto 1° asse
     .label = 2° PUNTO 1° ASSE
     .help = Coordinata del punto finale della superficie da fresare nell’asse principale del piano di lavoro.

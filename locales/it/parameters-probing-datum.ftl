@@ -14,7 +14,7 @@ parameter-probing-centre-main__datum-outside-circle =
 parameter-probing-centre-minor__datum-outside-circle =
     .help = Centro dell’isola nell’asse secondario del piano di lavoro.
 parameter-probing-nominal-diameter__datum-outside-circle =
-    .help = Diametro approssimativo dell’isola. Inserire un valore piuttosto troppo grande che troppo piccolo.
+    .help = Diametro approssimativo dell’isola. Inserire un valore approssimato per eccesso.
 parameter-number-of-touch-points__datum-outside-circle =
     .help = Definire se l’isola viene misurata con quattro o con tre tastature.
 parameter-first-side-length__datum-outside-rectangle =
@@ -153,10 +153,10 @@ parameter-second-centre-minor__rotation-two-studs = 2ª isola: centro 2° asse
     .help = Centro della seconda isola nell’asse secondario del piano di lavoro.
 parameter-first-stud-diameter = Diametro isola 1
     .label = DIAMETRO ISOLA 1
-    .help = Diametro approssimativo della prima isola. Inserire un valore piuttosto troppo grande che troppo piccolo.
+    .help = Diametro approssimativo della prima isola. Inserire un valore approssimato per eccesso.
 parameter-second-stud-diameter = Diametro isola 2
     .label = DIAMETRO ISOLA 2
-    .help = Diametro approssimativo della seconda isola. Inserire un valore piuttosto troppo grande che troppo piccolo.
+    .help = Diametro approssimativo della seconda isola. Inserire un valore approssimato per eccesso.
 parameter-measuring-height__rotation-two-studs = Altezza di misura isola 1 nell’asse del tastatore
     .label = ALTEZZA DI MISURA 1
     .help = Coordinata del centro della sfera (punto di tastatura) nell’asse del tastatore alla quale viene misurata l’isola 1.
@@ -170,7 +170,7 @@ parameter-reference-line-angle = Preimpostazione angolo di rotazione
     .help = Angolo della retta di riferimento, se la posizione obliqua non deve essere misurata rispetto all’asse principale ma rispetto a una retta qualsiasi. Per la rotazione base il controllo calcola la differenza tra il valore misurato e questo angolo.
 parameter-basic-rotation-angle = Preimpostazione angolo di rotazione
     .label = PREIMP. ANGOLO ROTAZ.
-    .help = Angolo sul quale viene impostata la rotazione base.
+    .help = Angolo al quale viene impostata la rotazione base.
 parameter-basic-rotation-row = Numero Preset nella tabella
     .label = NR. NELLA TABELLA
     .help = Numero nella tabella Preset con il quale viene memorizzata la rotazione base rilevata. Con 0 il controllo la memorizza nel menu ROT del modo operativo Funzionamento manuale.
@@ -209,7 +209,7 @@ choice-rotation-into-preset-table = scrivere la rotazione base rilevata nella ta
 parameter-alignment-angle = Angolo di riferimento? (0=asse principale)
     .prompt = Angolo di riferimento? (0=asse principale)
     .label = ANGOLO DI RIFERIM.
-    .help = Angolo sul quale il controllo allinea la retta tastata.
+    .help = Angolo al quale il controllo allinea la retta tastata.
 condition-basic-rotation-chosen = la posizione obliqua viene compensata mediante una rotazione base ({ $q-misalignment-compensation }=0)
 condition-rotary-table-chosen = la posizione obliqua viene compensata ruotando la tavola rotante ({ $q-misalignment-compensation }=1)
 condition-rotary-display-zeroed = { $q-zero-after-alignment }=1
@@ -217,4 +217,4 @@ condition-c-axis-compensates = è selezionato l’asse rotativo C ({ $q-compensa
 parameter-probing-centre-minor__rotation-by-c-axis =
     .help = Centro del foro nell’asse secondario del piano di lavoro. Con 0 il controllo allinea il centro del foro all’asse Y positivo, con qualsiasi altro valore alla posizione nominale (l’angolo che risulta dal centro del foro).
 parameter-probing-nominal-diameter__rotation-by-c-axis =
-    .help = Diametro approssimativo della tasca circolare (foro). Inserire un valore piuttosto troppo piccolo che troppo grande.
+    .help = Diametro approssimativo della tasca circolare (foro). Inserire un valore approssimato per difetto.

@@ -76,7 +76,7 @@ parameter-least-dimension = Quota minima
     .label = QUOTA MINIMA
     .help = Lunghezza minima ammessa.
 parameter-probing-clearance__measure-slot-width =
-    .help = Distanza addizionale tra il punto di misura e la sfera del tastatore. Si somma a { $mp-set-up } e ha effetto solo nella tastatura dell’origine nell’asse del tastatore.
+    .help = Distanza supplementare tra punto di misura e sfera del tastatore. Si somma a { $mp-set-up } e ha effetto solo nella tastatura dell’origine nell’asse del tastatore.
 
 # --- 427 ---
 parameter-measuring-axis__measure-coordinate = Asse di misura (1...3: 1=asse principale)
@@ -142,7 +142,7 @@ parameter-new-datum-main__datum-bolt-hole-circle =
 parameter-new-datum-minor__datum-bolt-hole-circle =
     .help = Coordinata nell’asse secondario sulla quale viene impostato il centro rilevato del cerchio di fori. Impostazione base: 0.
 parameter-probing-clearance__datum-bolt-hole-circle =
-    .help = Distanza addizionale tra il punto di misura e la sfera del tastatore. Si somma a { $mp-set-up } e ha effetto solo nella tastatura dell’origine nell’asse del tastatore.
+    .help = Distanza supplementare tra punto di misura e sfera del tastatore. Si somma a { $mp-set-up } e ha effetto solo nella tastatura dell’origine nell’asse del tastatore.
 
 # --- 417 ---
 parameter-datum-row-number__datum-probe-axis =

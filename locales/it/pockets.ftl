@@ -22,7 +22,7 @@ condition-plunging-vertically = { $q-plunging-strategy } prevede la penetrazione
 condition-plunging-helically = { $q-plunging-strategy } prevede la penetrazione elicoidale
 guard-plunging-depth-zero = La profondità incremento deve essere maggiore di 0.
 guard-tool-wider-than-pocket = L’utensile non entra nella tasca: tolti i sovrametalli laterali, la tasca è più stretta dell’utensile.
-guard-plunging-angle-missing = Per la penetrazione elicoidale o con pendolamento nella tabella utensili deve essere presente un angolo di penetrazione { $mp-plunging-angle } diverso da 0.
+guard-plunging-angle-missing = Per la penetrazione elicoidale o con pendolamento, nella tabella utensili deve essere presente un angolo di penetrazione { $mp-plunging-angle } diverso da 0.
 guard-helix-too-small = Il diametro dell’elica di penetrazione è inferiore al doppio del diametro dell’utensile. Il parametro macchina { $mp-suppress-plunge-err } disattiva questa verifica per utensili con tagliente al centro.
 note-without-tool-table-plunge-vertically = Se non è attiva alcuna tabella utensili, la penetrazione deve essere sempre verticale ({ $q-plunging-strategy } = 0), poiché non è possibile definire un angolo di penetrazione.
 note-position-at-pocket-start = Posizionare l’utensile sul punto di partenza nel piano di lavoro con correzione del raggio R0. Tenere conto della posizione della tasca { $q-pocket-position }.

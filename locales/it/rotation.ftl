@@ -60,7 +60,7 @@ note-only-without-tilting = Utilizzare questo ciclo solo se la funzione di rotaz
 cycle-set-basic-rotation = Impostazione rotazione base
     .nc = IMPOSTA ROTAZIONE BASE
     .purpose = Imposta automaticamente una rotazione base qualsiasi durante l’esecuzione del programma. È previsto soprattutto per annullare una rotazione base eseguita in precedenza.
-step-set-basic-rotation = Il controllo imposta la rotazione base sull’angolo { $q-basic-rotation-angle }.
+step-set-basic-rotation = Il controllo imposta la rotazione base all’angolo { $q-basic-rotation-angle }.
 note-available-from-nc-software = Disponibile a partire dal software NC 280 474-xx.
 
 # --- 405 ---

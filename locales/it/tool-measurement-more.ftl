@@ -6,7 +6,7 @@ help-tool-check-complete = Definire se l’utensile viene misurato per la prima 
 help-additional-tooth-measurement = Definire se viene eseguita anche la misurazione dei singoli taglienti. È possibile misurare al massimo 20 taglienti.
 help-additional-tooth-measurement__itnc530 = Definire se viene eseguita anche la misurazione dei singoli taglienti. È possibile misurare al massimo 99 taglienti.
 help-additional-tooth-measurement__tnc426-430 = Definire se viene eseguita anche la misurazione dei singoli taglienti.
-help-calibration-tool-height = Posizione nell’asse del mandrino che esclude qualsiasi collisione dell’utensile di calibrazione con pezzi o dispositivi di bloccaggio. Si riferisce all’origine attiva del pezzo. Se con il valore inserito la punta dell’utensile di calibrazione finisse al di sotto del bordo superiore del piatto, il controllo lo posiziona automaticamente sopra il piatto (zona di sicurezza definita in { $mp-setter-safety-distance }).
+help-calibration-tool-height = Posizione nell’asse del mandrino che esclude qualsiasi collisione dell’utensile di calibrazione con pezzi o dispositivi di bloccaggio. Si riferisce all’origine attiva del pezzo. Se con questo valore la punta dell’utensile di calibrazione risulterebbe più bassa del bordo superiore del piatto, il controllo lo posiziona automaticamente sopra il piatto (zona di sicurezza definita in { $mp-setter-safety-distance }).
 parameter-tool-check__tool-radius =
     .help = { help-tool-check-radius }
 parameter-tool-check__tool-radius-old =
@@ -60,8 +60,8 @@ step-store-tool-radius = Il controllo memorizza il risultato:
 say-overwrite-tool-radius = con { $q-tool-check }=0 sovrascrive il raggio utensile { $mp-tool-radius } in TOOL.T e imposta il valore delta { $mp-delta-radius } a 0
 say-enter-delta-radius = con { $q-tool-check }=1 confronta il raggio misurato con il raggio utensile { $mp-tool-radius }, registra lo scostamento con il suo segno come valore delta { $mp-delta-radius } e in Q116 e blocca l’utensile (stato L) se la tolleranza di usura o di rottura è superata
 result-tool-radius-deviation = Scostamento del raggio utensile
-note-diamond-coated-cylinders = Utensili cilindrici con superficie diamantata possono essere misurati con mandrino fermo. A tale scopo definire nella tabella utensili il numero dei taglienti { $mp-teeth } con 0 e adattare il parametro macchina { $mp-tool-measurement-config }. Consultare il manuale della macchina.
-note-diamond-coated-cylinders__itnc530 = Utensili cilindrici con superficie diamantata possono essere misurati con mandrino fermo. A tale scopo definire nella tabella utensili il numero dei taglienti { $mp-teeth } con 0 e adattare il parametro macchina { $mp-calibration-behaviour }. Consultare il manuale della macchina.
+note-diamond-coated-cylinders = Gli utensili cilindrici diamantati si possono misurare a mandrino fermo. Per farlo definire nella tabella utensili il numero dei taglienti { $mp-teeth } con 0 e adattare il parametro macchina { $mp-tool-measurement-config }. Consultare il manuale della macchina.
+note-diamond-coated-cylinders__itnc530 = Gli utensili cilindrici diamantati si possono misurare a mandrino fermo. Per farlo definire nella tabella utensili il numero dei taglienti { $mp-teeth } con 0 e adattare il parametro macchina { $mp-calibration-behaviour }. Consultare il manuale della macchina.
 note-two-ways-to-measure-tool = L’utensile può essere misurato in due modi: con utensile rotante, oppure con utensile rotante e poi singolarmente per ogni tagliente.
 
 # --- 33 and 483 ---
@@ -80,7 +80,7 @@ step-then-measure-length = Poi misura la lunghezza, come i cicli 31 e 481:
 step-store-radius-and-length = Il controllo memorizza i risultati:
 say-overwrite-radius-and-length = con { $q-tool-check }=0 sovrascrive il raggio utensile { $mp-tool-radius } e la lunghezza utensile { $mp-tool-length } in TOOL.T e imposta i valori delta { $mp-delta-radius } e { $mp-delta-length } a 0
 say-enter-both-delta-values = con { $q-tool-check }=1 confronta i dati misurati con quelli di TOOL.T, registra gli scostamenti con il loro segno come valori delta { $mp-delta-radius } e { $mp-delta-length } e in Q116 (raggio) e Q115 (lunghezza) e blocca l’utensile (stato L) se una tolleranza di usura o di rottura è superata
-note-complete-measurement-saves-time = Il ciclo è particolarmente adatto per la prima misurazione di utensili: rispetto alla misurazione separata di lunghezza e raggio consente un notevole risparmio di tempo.
+note-complete-measurement-saves-time = Il ciclo è utile soprattutto per misurare utensili la prima volta: rispetto alla misurazione separata di lunghezza e raggio fa risparmiare molto tempo.
 title-first-measurement-rotating = Prima misurazione con utensile rotante
 title-check-teeth = Verifica con misurazione dei singoli taglienti
 

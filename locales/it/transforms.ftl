@@ -30,12 +30,12 @@ note-datum-row-in-status-display = L’indicazione di stato supplementare visual
 cycle-rotation = Rotazione
     .nc = ROTAZIONE
     .purpose = Ruota, all’interno di un programma, il sistema di coordinate nel piano di lavoro intorno all’origine attiva.
-step-rotate-coordinate-system = Il controllo ruota il sistema di coordinate intorno all’origine attiva dell’angolo programmato. Un valore incrementale viene sommato all’angolo attivo.
+step-rotate-coordinate-system = Il controllo ruota il sistema di coordinate dell’angolo programmato intorno all’origine attiva. Un valore incrementale viene sommato all’angolo attivo.
 step-cancel-radius-compensation = Il controllo annulla una correzione del raggio attiva.
 step-move-both-axes = Spostare entrambi gli assi del piano di lavoro per attivare la rotazione.
 note-reset-rotation = Per annullare la rotazione, programmare di nuovo il ciclo con l’angolo 0°.
 note-reference-axis-of-rotation = Asse di riferimento dell’angolo: asse X nel piano X/Y, asse Y nel piano Y/Z, asse Z nel piano Z/X.
-note-acts-in-manual-data-input = Il ciclo ha effetto anche nel modo operativo Posizionamento con immissione manuale dati.
+note-acts-in-manual-data-input = Il ciclo ha effetto anche nel modo operativo Introduzione manuale dati.
 note-rotation-in-status-display = L’indicazione di stato supplementare visualizza l’angolo di rotazione attivo.
 note-program-radius-compensation-again = La definizione del ciclo annulla una correzione del raggio attiva. Se necessario, programmarla di nuovo.
 

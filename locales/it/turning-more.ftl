@@ -114,12 +114,12 @@ condition-end-diameter-given = { $q-taper-dimensioning } definisce il cono media
 condition-end-z-given = { $q-taper-dimensioning } definisce il cono mediante la coordinata Z della fine del profilo
 
 # --- errors ---
-guard-recess-offset-too-great = L’offset laterale supera l’80 % della larghezza effettiva del tagliente, ossia della larghezza del tagliente meno il doppio del raggio del tagliente.
+guard-recess-offset-too-great = L’offset laterale supera l’80% della larghezza effettiva del tagliente, ossia della larghezza del tagliente meno il doppio del raggio del tagliente.
 
 # --- notes: grooves ---
 note-recess-turning-alternates = Nella tornitura di gole si alternano tagli a tuffo alla profondità incremento e tagli di sgrossatura. La lavorazione richiede così il minor numero possibile di ritrazioni e incrementi.
 note-groove-extended-scope = Funzioni estese: all’inizio e alla fine del profilo è possibile aggiungere uno smusso o un raccordo; per le pareti laterali della gola si possono definire angoli; sugli spigoli del profilo si possono aggiungere raggi.
-note-recess-cuts-get-shorter = Dopo il secondo incremento il controllo riduce ogni taglio successivo di 0,1 mm. Ciò diminuisce la sollecitazione laterale dell’utensile. Se nel ciclo è inserita una larghezza di offset { $q-recess-offset-width }, il taglio viene invece ridotto di questo valore. Il materiale residuo viene asportato con un tuffo al termine della lavorazione a tuffo. Se l’offset laterale supera l’80 % della larghezza effettiva del tagliente (larghezza del tagliente − 2 × raggio del tagliente), il controllo visualizza un messaggio d’errore.
+note-recess-cuts-get-shorter = Dopo il secondo incremento il controllo riduce ogni taglio successivo di 0,1 mm. Ciò diminuisce la sollecitazione laterale dell’utensile. Se nel ciclo è inserita una larghezza di offset { $q-recess-offset-width }, il taglio viene invece ridotto di questo valore. Il materiale residuo viene asportato con un tuffo al termine della lavorazione a tuffo. Se l’offset laterale supera l’80% della larghezza effettiva del tagliente (larghezza del tagliente − 2 × raggio del tagliente), il controllo visualizza un messaggio d’errore.
 title-groove-with-chamfers = Gola con smussi in uno spallamento tornito (programma di esempio)
 
 # --- notes: threads ---
