@@ -109,7 +109,7 @@ step-measure-third-point-of-plane = Kosketusjärjestelmä palaa varmuuskorkeudel
 step-retract-and-store-plane-angles = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja tallentaa kulmat tulosparametreihin.
 guard-points-on-one-line = Kaikki kolme mittauspistettä ovat samalla suoralla. Ohjaus ei voi laskea tason kulmia.
 note-positioning-logic__measure-plane = Paikoituslogiikka: jos kosketusvarren etelänapa on varmuuskorkeuden { $q-clearance-height } alapuolella, ohjaus vetää kosketusjärjestelmän ensin kosketusakselin suunnassa varmuuskorkeudelle ja paikoittaa sen sitten koneistustasossa ensimmäiseen kosketuspisteeseen. Jos se on varmuuskorkeuden yläpuolella, ohjaus paikoittaa kosketusjärjestelmän ensin koneistustasossa ensimmäiseen kosketuspisteeseen ja ajaa sen sitten kosketusakselin suunnassa suoraan mittauskorkeudelle.
-note-three-points-not-on-a-line = Kaikki kolme mittauspistettä eivät saa olla samalla suoralla: vain silloin ohjaus voi laskea kulmat.
+note-three-points-not-on-a-line = Mittauspisteet eivät saa olla kaikki kolme samalla suoralla: vain silloin ohjaus voi laskea kulmat.
 note-spatial-angles-for-tilting = Parametreissa Q170–Q172 ovat koneistustason käännössä tarvittavat tilakulmat. Kaksi ensimmäistä mittauspistettä määräävät pääakselin suunnan, kun koneistustasoa käännetään.
 note-third-point-sets-tool-axis = Kolmas mittauspiste määrää työkaluakselin suunnan. Määrittele se positiivisen Y-akselin suuntaan, jotta työkaluakseli on oikein oikeakätisessä koordinaatistossa.
 note-spatial-angle-in-tilted-plane = Jos työkierto suoritetaan koneistustason ollessa käännettynä, mitatut tilakulmat perustuvat käännettyyn koordinaatistoon. Käytä niitä koneistustason käännössä inkrementaalisina arvoina.
@@ -133,7 +133,7 @@ step-probe-at-polar-angle = Kosketusjärjestelmä tekee kosketuksen kosketussyö
 step-probe-at-polar-angle__tnc426-430 = Kosketusjärjestelmä tekee kosketuksen kosketussyöttöarvolla ({ $mp-probing-feed } tai { $mp-analog-probing-feed }). Kosketuksen aikana ohjaus liikuttaa kosketuskulmasta riippuen samanaikaisesti kahta akselia. Kosketussuunta määritellään työkierrossa napakulmalla.
 step-return-and-store-trigger-position = Kun asema on mitattu, kosketusjärjestelmä palaa kosketuksen alkupisteeseen. Ohjaus tallentaa parametreihin Q115–Q119 sen aseman koordinaatit, jossa kosketusjärjestelmä oli kytkentäsignaalin hetkellä.
 step-return-and-store-trigger-position__tnc426-430 = Kun asema on mitattu, kosketusjärjestelmä palaa kosketuksen alkupisteeseen. Ohjaus tallentaa parametreihin Q115–Q119 kosketuskuulan keskipisteen koordinaatit työkappaleen kosketushetkellä.
-note-probing-plane-by-axis = Työkierrossa määritelty kosketusakseli määrää kosketustason: kosketusakseli X: X/Y-taso; Y: Y/Z-taso; Z: Z/X-taso.
+note-probing-plane-by-axis = Kosketustaso määräytyy työkierrossa annetusta kosketusakselista. Kosketusakseli X: X/Y-taso; Y: Y/Z-taso; Z: Z/X-taso.
 note-trigger-position-of-ball-centre = Parametreissa Q115–Q119 ovat kosketuskuulan keskipisteen koordinaatit työkappaleen kosketushetkellä.
 
 # --- 3 ---

@@ -31,7 +31,7 @@ parameter-probing-starting-angle = Aloituskulma
     .help = Koneistustason pääakselin ja ensimmäisen kosketuspisteen välinen kulma.
 parameter-probing-stepping-angle = Kulma-askel
     .label = KULMA-ASKEL
-    .help = Kahden mittauspisteen välinen kulma. Kulma-askeleen etumerkki määrää kiertosuunnan, jossa kosketusjärjestelmä siirtyy seuraavaan mittauspisteeseen (negatiivinen: myötäpäivään). Jos haluat mitata täysympyrän sijasta ympyränkaaren, ohjelmoi alle 90°:n kulma-askel.
+    .help = Kulma mittauspisteestä seuraavaan. Etumerkki määrää kiertosuunnan, jossa kosketusjärjestelmä siirtyy seuraavaan mittauspisteeseen (negatiivinen: myötäpäivään). Jos haluat mitata täysympyrän sijasta ympyränkaaren, ohjelmoi alle 90°:n kulma-askel.
 
 # --- kosketus ---
 parameter-measuring-height = Mittauskorkeus kosketusakselilla

@@ -48,9 +48,9 @@ note-small-stepping-angle-less-exact__datum-inside-circle = Mitä pienempi kulma
 note-results-in-active-system = Ohjaus antaa kaikki tulokset sekä tulosparametreissa että pöytäkirjatiedostossa aktiivisessa koordinaatistossa, joka voi olla siirretty, kierretty tai käännetty.
 note-results-in-active-system__tnc320 = Ohjaus antaa kaikki tulokset sekä tulosparametreissa että pöytäkirjatiedostossa aktiivisessa koordinaatistossa, joka voi olla siirretty ja/tai kierretty.
 note-results-in-active-system__tnc426-430 = Ohjaus antaa kaikki tulokset sekä tulosparametreissa että pöytäkirjatiedostossa aktiivisessa koordinaatistossa, joka voi olla siirretty.
-note-results-in-q-parameters = Ohjaus tallentaa mittaustulokset yleisesti voimassa oleviin Q-parametreihin Q150 … Q160, joita ohjelma voi käyttää jatkossa.
-note-deviations-in-q-parameters = Ohjaus tallentaa mittaustulokset yleisesti voimassa oleviin Q-parametreihin Q150 … Q160 ja poikkeamat asetusarvoista parametreihin Q161 … Q166. Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit; kirkastaustainen tulosparametri kuuluu valittuun sisäänsyöttöparametriin.
-note-deviations-in-q-parameters__tnc426-430 = Ohjaus tallentaa mittaustulokset yleisesti voimassa oleviin Q-parametreihin Q150 … Q160 ja poikkeamat asetusarvoista parametreihin Q161 … Q166. Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit.
+note-results-in-q-parameters = Mittaustulokset ovat sen jälkeen yleisesti voimassa olevissa Q-parametreissa Q150 … Q160, joita ohjelma voi käyttää.
+note-deviations-in-q-parameters = Mittaustulokset ovat sen jälkeen yleisesti voimassa olevissa Q-parametreissa Q150 … Q160, poikkeamat asetusarvoista parametreissa Q161 … Q166. Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit; kirkastaustainen tulosparametri kuuluu valittuun sisäänsyöttöparametriin.
+note-deviations-in-q-parameters__tnc426-430 = Mittaustulokset ovat sen jälkeen yleisesti voimassa olevissa Q-parametreissa Q150 … Q160, poikkeamat asetusarvoista parametreissa Q161 … Q166. Työkiertoa määriteltäessä apukuvassa näkyvät myös tulosparametrit.
 
 # --- tulokset ---
 result-centre-main-actual = Keskipisteen todellisarvo pääakselilla

@@ -11,7 +11,7 @@ note-known-reference-direction = Parametrilla { $q-reference-line-angle } ohjaus
 # --- 400 ---
 cycle-basic-rotation = Peruskääntö
     .nc = PERUSKÄÄNTÖ
-    .purpose = Määrittää työkappaleen vinon asennon mittaamalla kaksi pistettä, joiden on oltava samalla suoralla. Ohjaus kompensoi sen peruskäännöllä.
+    .purpose = Mittaa kaksi pistettä, joiden on oltava samalla suoralla, ja määrittää niistä työkappaleen vinon asennon. Ohjaus kompensoi sen peruskäännöllä.
 step-store-basic-rotation = Ohjaus tallentaa peruskäännön:
 say-rotation-into-preset-row = jos { $q-basic-rotation-row } ei ole 0, esiasetustaulukon riville { $q-basic-rotation-row }
 say-rotation-into-rot-menu = jos { $q-basic-rotation-row } = 0, käsikäyttötavan ROT-valikkoon
@@ -43,7 +43,7 @@ step-compensate-as-chosen = Ohjaus kompensoi vinon asennon parametrin { $q-misal
 say-rotation-into-preset-row-if-chosen = jos { $q-misalignment-compensation } = 0 ja { $q-basic-rotation-row } ei ole 0, se tallentaa peruskäännön esiasetustaulukon riville { $q-basic-rotation-row }
 say-rotation-into-rot-menu-if-chosen = jos { $q-misalignment-compensation } = 0 ja { $q-basic-rotation-row } = 0, se tallentaa peruskäännön käsikäyttötavan ROT-valikkoon
 say-turn-rotary-table = jos { $q-misalignment-compensation } = 1, se kääntää pyöröpöytää; jos { $q-zero-after-alignment } = 1, se asettaa sen jälkeen kiertoakselin näytön arvoon 0
-note-rotary-axis-by-tool-axis = Kun vino asento kompensoidaan pyöröpöytää kääntämällä, ohjaus käyttää automaattisesti seuraavia kiertoakseleita: C työkaluakselilla Z, B työkaluakselilla Y, A työkaluakselilla X.
+note-rotary-axis-by-tool-axis = Kun vino asento kompensoidaan pyöröpöytää kääntämällä, ohjaus valitsee kiertoakselin työkaluakselin mukaan: akselilla Z se on C, akselilla Y se on B ja akselilla X se on A.
 note-no-tilting-with-this-cycle = Tämä työkierto ei ole sallittu koneistustason ollessa käännettynä.
 title-rotation-from-two-holes = Peruskäännön määritys kahden reiän avulla
 
@@ -51,7 +51,7 @@ title-rotation-from-two-holes = Peruskäännön määritys kahden reiän avulla
 cycle-rotation-by-rotary-axis = Peruskäännön kompensointi kiertoakselin avulla
     .nc = ROT C-AKSELILLA
     .nc-aliases = ROT KIERTOAKSELIN AVULLA
-    .purpose = Määrittää työkappaleen vinon asennon mittaamalla kaksi pistettä, joiden on oltava samalla suoralla. Ohjaus kompensoi sen kääntämällä A-, B- tai C-akselia. Työkappale voi olla kiinnitettynä mihin tahansa kohtaan pyöröpöytää.
+    .purpose = Mittaa kaksi pistettä, joiden on oltava samalla suoralla, ja määrittää niistä työkappaleen vinon asennon. Ohjaus kompensoi sen kääntämällä A-, B- tai C-akselia. Työkappale voi olla kiinnitettynä mihin tahansa kohtaan pyöröpöytää.
 step-retract-and-turn-rotary-axis = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja kääntää kiertoakselia { $q-compensation-axis } lasketun arvon verran. Se tallentaa kulman myös tulosparametriin. Haluttaessa se asettaa näytön suuntauksen jälkeen arvoon 0.
 step-retract-and-turn-rotary-axis__tnc426-430 = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja kääntää kiertoakselia { $q-compensation-axis } lasketun arvon verran.
 note-compensation-may-be-turned-180 = Törmäysvaara! Ohjaus tarkastaa vain, ovatko kosketuspisteet ja kompensoiva akseli keskenään järkevät. Kompensointiliike voi siksi olla kääntynyt 180°.
@@ -70,7 +70,7 @@ note-available-from-nc-software = Käytettävissä NC-ohjelmistosta 280 474-xx l
 cycle-rotation-by-c-axis = Työkappaleen vinon aseman korjaus C-akselin avulla
     .nc = ROT C-AKSELILLA
     .nc-aliases = ROT C-AKSELIN AVULLA
-    .purpose = Määrittää kulmasiirtymän aktiivisen koordinaatiston positiivisen Y-akselin ja reiän keskilinjan välillä tai reiän keskipisteen asetusaseman ja oloaseman välillä. Ohjaus kompensoi sen kääntämällä C-akselia. Työkappale voi olla kiinnitettynä mihin tahansa kohtaan pyöröpöytää.
+    .purpose = Määrittää kulmasiirtymän, joka on reiän keskilinjan ja aktiivisen koordinaatiston positiivisen Y-akselin välillä tai reiän keskipisteen asetusaseman ja oloaseman välillä. Ohjaus kompensoi sen kääntämällä C-akselia. Työkappale voi olla kiinnitettynä mihin tahansa kohtaan pyöröpöytää.
 say-travel-on-circle-at-clearance-height__rotation-by-c-axis = jos { $q-traverse-to-clearance-height } = 1, ympyränkaarta pitkin varmuuskorkeudella { $q-clearance-height }
 step-move-to-measured-centre = Ohjaus paikoittaa kosketusjärjestelmän reiän mitattuun keskipisteeseen.
 step-retract-and-turn-to-y-axis = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja suuntaa työkappaleen pyöröpöytää kääntämällä: kompensoinnin jälkeen reiän keskipiste on sekä pysty- että vaakasuoralla kosketusakselilla positiivisen Y-akselin suunnassa ({ $q-probing-centre-minor } = 0) tai asetusasemassaan. Mitattu kulmasiirtymä tallentuu myös tulosparametriin.

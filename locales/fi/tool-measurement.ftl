@@ -5,7 +5,7 @@ parameter-tool-check = Työkalun mittaus =0 / testaus=1
     .label = TESTAUS
     .word = TESTAUS:
     .prompt = Työkalun mittaus =0 / testaus=1
-    .help = Mitataanko työkalu ensimmäistä kertaa vai tarkastetaanko jo aiemmin mitattu työkalu. Ensimmäinen mittaus korvaa työkalun pituuden { $mp-tool-length } keskustyökalumuistissa TOOL.T ja asettaa delta-arvon { $mp-delta-length } arvoon 0. Tarkastuksessa mitattua pituutta verrataan työkalun pituuteen { $mp-tool-length }; poikkeama kirjataan etumerkkeineen delta-arvoon { $mp-delta-length }, ja se on käytettävissä myös parametrissa Q115. Jos delta-arvo ylittää pituudelle sallitun kulumis- tai rikkotoleranssin, ohjaus asettaa työkalulle eston (tila L työkalutaulukossa TOOL.T).
+    .help = Mitataanko työkalu ensimmäistä kertaa vai tarkastetaanko jo aiemmin mitattu työkalu. Ensimmäinen mittaus korvaa työkalun pituuden { $mp-tool-length } keskustyökalumuistissa TOOL.T ja asettaa delta-arvon { $mp-delta-length } arvoon 0. Tarkastuksessa mitattua pituutta verrataan työkalun pituuteen { $mp-tool-length }; poikkeama kirjataan etumerkkeineen delta-arvoon { $mp-delta-length }, ja se on käytettävissä myös parametrissa Q115. Jos delta-arvo ylittää pituudelle sallitun kulumis- tai rikkotoleranssin, ohjaus estää työkalun käytön (tila L työkalutaulukossa TOOL.T).
 choice-tool-first-measurement = Työkalun mittaus ensimmäistä kertaa
 choice-tool-check = Aiemmin mitatun työkalun tarkastus
 parameter-tool-status-parameter = Parametri no. tulokselle?
