@@ -66,7 +66,7 @@ step-plunge-to-contour-level = Työkalu siirtyy seuraavaan asetussyvyyteen, { $q
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: kohtisuoraan syöttöarvolla { $q-contour-plunging-feed }, vaikka aktiiviselle työkalulle olisi määritelty sisäänpistokulma { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: kohtisuoraan heiluriliikkeen syöttöarvolla { $q-reciprocation-feed }
 say-plunge-on-helix-or-in-strokes = muussa tapauksessa kierukkarataa pitkin sisäänpistokulmalla { $mp-plunging-angle } tai, jos kierukka ei ole mahdollinen, edestakaisin heiluriliikkeellä
-step-rough-contour-level = Tässä syvyydessä työkalu jyrsii muodon sisältä ulospäin syöttöarvolla { $q-roughing-feed }. Saarekkeiden ympärillä se jyrsii ratoja, jotka lähestyvät taskun muotoa:
+step-rough-contour-level = Tässä syvyydessä työkalu jyrsii muodon sisältä ulospäin syöttöarvolla { $q-roughing-feed }; saarekkeiden ympärillä radat lähestyvät taskun muotoa. Näin se koneistaa:
 say-rough-what-coarser-tool-left = jos esirouhintatyökalu { $q-coarse-roughing-tool } on annettu, vain sen, mitä tämä työkalu ei ole voinut koneistaa
 say-rough-whole-region = muussa tapauksessa koko alueen
 condition-no-reciprocation-feed = heiluriliikkeen syöttöarvo { $q-reciprocation-feed } on 0

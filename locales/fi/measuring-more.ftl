@@ -44,7 +44,7 @@ step-probe-first-in-positive-direction__tnc426-430 = Kosketusjärjestelmä tekee
 step-probe-first-in-negative-direction = Kosketusjärjestelmä tekee ensimmäisen kosketuksen kosketussyöttöarvolla (sarake { $mp-probing-feed }), aina ohjelmoidun akselin negatiiviseen suuntaan.
 step-probe-first-in-negative-direction__tnc426-430 = Kosketusjärjestelmä tekee ensimmäisen kosketuksen kosketussyöttöarvolla ({ $mp-probing-feed } tai { $mp-analog-probing-feed }), aina ohjelmoidun akselin negatiiviseen suuntaan.
 step-probe-second-side-of-slot = Kosketusjärjestelmä tekee toisen kosketuksen parametrin { $q-second-measurement-offset } mukaan:
-step-probe-second-side-of-slot__tnc640 = Kosketusjärjestelmä tekee toisen kosketuksen parametrin { $q-second-measurement-offset } mukaan. Jos asetuspituus on suuri, ohjaus ajaa toiseen kosketuspisteeseen pikaliikkeellä:
+step-probe-second-side-of-slot__tnc640 = Jos asetuspituus on suuri, ohjaus ajaa toiseen kosketuspisteeseen pikaliikkeellä. Kosketusjärjestelmä tekee toisen kosketuksen parametrin { $q-second-measurement-offset } mukaan:
 say-offset-second-measurement = jos { $q-second-measurement-offset } ei ole 0, ohjaus siirtää kosketusjärjestelmää akselin suuntaisesti tämän siirtymän verran seuraavaan kosketuspisteeseen ja tekee siellä kosketuksen
 say-offset-second-measurement__tnc640 = jos { $q-second-measurement-offset } ei ole 0, ohjaus siirtää kosketusjärjestelmää tämän siirtymän verran seuraavaan kosketuspisteeseen, jos { $q-traverse-to-clearance-height } = 1, varmuuskorkeudella { $q-clearance-height }, ja tekee siellä kosketuksen
 say-measure-in-opposite-direction = jos { $q-second-measurement-offset } = 0, se mittaa leveyden suoraan vastakkaiseen suuntaan

@@ -61,7 +61,7 @@ step-mill-around-stud = Sen jälkeen työkalu lähestyy kaulan muotoa tangentiaa
 step-mill-around-stud-again = Jos valmismittoja ei saavuteta yhdellä kierroksella, ohjaus tekee sivuttaisasetuksen hetkellisessä asetussyvyydessä ja jyrsii uuden kierroksen ottaen huomioon aihion mitat, valmismitat ja sallitun sivuttaisasetuksen. Tämä toistetaan, kunnes valmismitat on saavutettu. Jos alkupiste on nurkassa ({ $q-stud-approach-position } ei ole 0), ohjaus jyrsii alkupisteestä spiraalirataa sisäänpäin, kunnes valmismitat on saavutettu.
 step-leave-stud-to-start = Jos tarvitaan lisää asetusliikkeitä, työkalu irtautuu muodosta tangentiaalisesti ja palaa kaulan alkupisteeseen.
 until-stud-depth-reached = kaulan ohjelmoitu syvyys { $q-depth } on saavutettu
-step-retract-from-stud = Työkierron lopussa ohjaus paikoittaa työkalun vain työkaluakselin suunnassa. Loppuasema ei siis ole sama kuin aloitusasema:
+step-retract-from-stud = Työkierron loppuasema ei ole sama kuin aloitusasema, koska ohjaus paikoittaa työkalun lopussa vain työkaluakselin suunnassa:
 condition-approach-beside-stud = { $q-stud-approach-position } vaatii aseman kaulan vieressä
 note-position-at-stud-start = Paikoita työkalu koneistustason alkupisteeseen sädekorjauksella R0. Ota huomioon kaulan sijainti { $q-stud-position }.
 note-room-beside-stud = Törmäysvaara! Jätä kaulan oikealle puolelle riittävästi tilaa työkalun lähestymistä varten: vähintään työkalun halkaisija + 2{"\u00A0"}mm.
@@ -137,7 +137,7 @@ step-mill-face-line = Työkalu jyrsii ohjelmoidulla syöttöarvolla { $q-milling
 say-line-ends-outside-surface = { $q-face-milling-strategy } = 0: pinnan ulkopuolelle; ohjaus laskee sen ohjelmoidusta alkupisteestä, pituudesta ja sivuetäisyydestä { $q-side-clearance } sekä työkalun säteestä
 say-line-ends-inside-surface = { $q-face-milling-strategy } = 1: pinnan sisäpuolelle; ohjaus laskee sen ohjelmoidusta alkupisteestä ja pituudesta sekä työkalun säteestä
 say-line-ends-outside-surface-by-lines = { $q-face-milling-strategy } = 2: pinnan ulkopuolelle; ohjaus laskee sen ohjelmoidusta alkupisteestä, pituudesta ja sivuetäisyydestä { $q-side-clearance } sekä työkalun säteestä
-step-step-over-on-face = Ohjaus siirtää työkalun sivusuunnassa seuraavan rivin alkupisteeseen. Siirtymän se laskee ohjelmoidusta leveydestä { $q-second-side-length }, työkalun säteestä ja suurimmasta ratalimityskertoimesta { $q-max-path-overlap }:
+step-step-over-on-face = Ohjaus laskee siirtymän ohjelmoidusta leveydestä { $q-second-side-length }, työkalun säteestä ja suurimmasta ratalimityskertoimesta { $q-max-path-overlap } ja siirtää työkalun sivusuunnassa seuraavan rivin alkupisteeseen:
 say-step-over-outside = { $q-face-milling-strategy } = 0: esipaikoituksen syöttöarvolla { $q-pre-positioning-feed }
 say-step-over-inside = { $q-face-milling-strategy } = 1: työkappaleen sisäpuolella, jyrsinnän syöttöarvolla { $q-milling-feed }
 say-retract-and-return-to-next-line = { $q-face-milling-strategy } = 2: työkalu siirtyy karan akselin suunnassa varmuusetäisyydelle { $q-set-up-clearance } hetkellisen asetussyvyyden yläpuolelle ja esipaikoituksen syöttöarvolla { $q-pre-positioning-feed } suoraan takaisin seuraavan rivin alkupisteeseen

@@ -7,7 +7,7 @@ step-call-last-machining-cycle = Ohjaus suorittaa tästä asemasta viimeksi mä�
 step-height-between-operations = Koneistusten välillä työkalu siirtyy karan akselin suunnassa:
 say-to-second-set-up-clearance = { $q-pattern-clearance-mode } = 1: 2. varmuusetäisyydelle { $q-second-set-up-clearance }
 say-to-set-up-clearance = { $q-pattern-clearance-mode } = 0: varmuusetäisyydelle { $q-set-up-clearance }
-step-move-to-next-operation = Sen jälkeen ohjaus siirtää työkalun seuraavan koneistuksen alkupisteeseen ja siellä varmuusetäisyydelle { $q-set-up-clearance }:
+step-move-to-next-operation = Sen jälkeen ohjaus siirtää työkalun seuraavan koneistuksen alkupisteen yläpuolelle varmuusetäisyydelle { $q-set-up-clearance }:
 say-on-the-pitch-circle = { $q-pattern-traverse-type } = 1: jakoympyrää pitkin
 say-in-a-straight-line = { $q-pattern-traverse-type } = 0: suoraa pitkin
 until-all-operations-done = kaikki koneistukset ({ $q-number-of-operations }) on tehty

@@ -17,7 +17,7 @@ step-reverse-spindle-again = Varmuusetäisyydellä karan pyörintäsuunta vaihde
 step-stop-spindle-at-set-up-clearance = Ohjaus pysäyttää karan varmuusetäisyydellä.
 step-rapid-to-set-up-clearance-and-orient = Ohjaus siirtää työkalun karan akselin suunnassa pikaliikkeellä (FMAX) varmuusetäisyydelle { $q-set-up-clearance } työkappaleen yläpinnan yläpuolelle ja suuntaa siellä karan kulmaan { $q-spindle-orientation-angle }.
 step-tap-to-next-depth = Työkalu ajaa asetuksen { $q-depth-for-chip-breaking } verran syvemmälle.
-step-reverse-and-break-chip = Karan pyörintäsuunta vaihdetaan, ja työkalu liikkuu takaisin kertoimella { $q-retraction-speed-factor } suurennetulla kierrosluvulla, jos kerroin on annettu; sitten suunta vaihdetaan uudelleen seuraavaa asetusta varten:
+step-reverse-and-break-chip = Karan pyörintäsuunta vaihdetaan lastun katkaisemiseksi ja sitten uudelleen seuraavaa asetusta varten. Välillä työkalu liikkuu takaisin kertoimella { $q-retraction-speed-factor } suurennetulla kierrosluvulla, jos kerroin on annettu:
 say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: kokonaan reiästä jäähtymään
 say-tap-goes-back-some-turns = muussa tapauksessa { $q-chip-breaking-turns } kertaa kierteen nousun { $q-thread-pitch } verran
 step-tap-back-to-set-up-clearance = Työkalu palaa varmuusetäisyydelle { $q-set-up-clearance }.
