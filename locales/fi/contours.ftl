@@ -110,7 +110,7 @@ step-mill-along-contour = Työkalu jyrsii muotoa pitkin syöttöarvolla { $q-con
 say-mill-to-and-fro = { $q-contour-milling-type } = 0: edestakaisin, asetusliikkeittäin vuorotellen myötä- ja vastalastulla
 say-mill-in-one-direction = { $q-contour-milling-type } = +1 tai −1: jokaisella asetusliikkeellä myötälastulla tai vastalastulla
 until-milling-depth-reached = jyrsintäsyvyys { $q-milling-depth } on saavutettu
-condition-milling-alternately = { $q-contour-milling-type } vaatii vuorotellen myötä- ja vastalastun
+condition-milling-alternately = { $q-contour-milling-type } määrää vuorotellen myötä- ja vastalastun
 note-contour-damage-monitored = Ohjaus valvoo koneistusta niin, ettei synny takaleikkauksia eikä muotovaurioita. Tarkasta muoto graafisella testauksella.
 note-inside-corners-may-need-reworking = Jos työkalun säde on liian suuri, muodon sisänurkat on ehkä jälkikoneistettava.
 note-milling-type-kept-when-mirrored = Muoto voidaan koneistaa kauttaaltaan myötälastulla tai vastalastulla. Jyrsintämenetelmä säilyy myös muotoja peilattaessa.
@@ -183,7 +183,7 @@ step-engrave-character = Työkalu tunkeutuu kohtisuoraan syöttöarvolla { $q-pl
 step-move-over-next-character = Ohjaus siirtää työkalun varmuusetäisyydellä seuraavan merkin alkupisteeseen.
 until-characters-engraved = kaikki merkit on kaiverrettu
 step-end-engraving-at-second-clearance = Ohjaus siirtää työkalun 2. varmuusetäisyydelle { $q-second-set-up-clearance }.
-condition-text-runs-on-arc = { $q-text-arrangement } vaatii tekstin ympyränkaarelle
+condition-text-runs-on-arc = { $q-text-arrangement } määrää tekstin ympyränkaarelle
 note-straight-text-starts-at-tool = Suoralle asetetussa tekstissä ({ $q-text-arrangement } = 0) työkalun asema työkierron kutsuhetkellä on ensimmäisen merkin alkupiste.
 note-circle-text-centre-at-tool = Kaarelle asetetussa tekstissä ({ $q-text-arrangement } = 1) työkalun asema työkierron kutsuhetkellä on ympyrän keskipiste.
 note-text-from-string-parameter = Teksti voidaan antaa myös merkkijonoparametrilla (QS).

@@ -91,7 +91,7 @@ step-measure-rotary-axes = Ohjaus mittaa automaattisesti kaikki kiertoakselit pe
 step-measure-backlash = Ohjaus mittaa välyksen:
 say-backlash-from-two-measurements = kulman { $q-backlash-angle } avulla, kullakin kiertoakselilla kahdella mittauksella
 say-no-backlash-measurement = jos { $q-backlash-angle } = 0, välystä ei mitata
-step-adapt-kinematics = Ohjaus arvioi mittauksen tilan { $q-kinematics-mode } mukaan:
+step-adapt-kinematics = Ohjaus arvioi mittaustulokset tilan { $q-kinematics-mode } mukaan:
 say-report-possible-optimization = tarkastus: ohjaus määrittää mitatuista asemista kääntömuunnoksen staattisen tarkkuuden, kirjaa pöytäkirjaan, mitä asemien optimoinnilla voitaisiin saavuttaa, eikä muuta mitään
 say-optimize-axis-positions = aseman optimointi: ohjaus määrittää kääntömuunnoksen staattisen tarkkuuden, pyrkii muuttamaan kiertoakselien asemaa kinematiikkamallissa niin, että tarkkuus paranee, ja mukauttaa konetiedot automaattisesti
 say-optimize-angles-then-positions = aseman ja kulman optimointi: ohjaus määrittää kääntömuunnoksen staattisen tarkkuuden, pyrkii ensin optimoimaan kiertoakselien kulma-aseman kompensoinnilla (optio 52, KinematicsComp) ja, jos se onnistuu, optimoi aseman toisella mittaussarjalla
