@@ -179,7 +179,11 @@ impl Setup {
             self.yaml([self.shift[0], self.shift[1], self.shift[2] + 150.0]),
         );
         let rotate = self.xyz([0.0, 0.0, self.rotation]);
-        let _ = writeln!(scene, "parts:\n  - place: {{shift: {}, rotate: {rotate:?}}}\n    solid: {solid}", self.yaml(self.shift));
+        let _ = writeln!(
+            scene,
+            "parts:\n  - place: {{shift: {}, rotate: {rotate:?}}}\n    solid: {solid}",
+            self.yaml(self.shift)
+        );
         scene + more
     }
 
@@ -207,7 +211,11 @@ impl Setup {
             self.len(self.shift[0]),
             self.len(self.shift[1]),
             self.len(self.shift[2]),
-            if self.rotation == 0.0 { String::new() } else { format!("CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT{:+}\n", self.rotation) },
+            if self.rotation == 0.0 {
+                String::new()
+            } else {
+                format!("CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT{:+}\n", self.rotation)
+            },
         )
     }
 
@@ -252,7 +260,10 @@ fn block(setup: &Setup, cut: &str) -> String {
 
 fn cylinder(setup: &Setup, centre: Flat, diameter: f64, from: f64, to: f64) -> String {
     let axis = setup.letters()[2];
-    format!("{{cylinder: {{axis: {axis}, centre: [{}, {}], diameter: {diameter}, from: {from}, to: {to}}}}}", centre.0, centre.1)
+    format!(
+        "{{cylinder: {{axis: {axis}, centre: [{}, {}], diameter: {diameter}, from: {from}, to: {to}}}}}",
+        centre.0, centre.1
+    )
 }
 
 fn cuboid(setup: &Setup, min: Point, max: Point) -> String {

@@ -57,6 +57,7 @@ diag-repeat-count = REP needs a whole number from 0 to 65535, not { NUMBER($foun
 diag-rotary-axis-missing = The machine has no rotary axis { $axis }.
 diag-rotary-axis-unsuitable = The rotary axis { $axis } does not turn in the plane of the misalignment and cannot compensate it.
 diag-series-count = The number of repetitions must be whole and not negative: { NUMBER($found) }.
+diag-shape-impossible = No path of this tool makes the shape: { NUMBER($least) } mm are needed, { NUMBER($found) } mm are there.
 diag-series-limit = The cycle would repeat its steps more than { NUMBER($limit) } times.
 diag-strategy-argument = A strategy lacks an argument.
 diag-strategy-pending = { $cycle } cannot be executed yet: { $name } is pending.

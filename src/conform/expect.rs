@@ -73,10 +73,15 @@ pub(super) struct Expectation {
     end: Option<Status>,
     table: Vec<CellWanted>,
     log: Vec<String>,
-    actions: Option<Vec<Action>>,
+    /// Movements: all of them, those at the beginning, those at the end.
+    actions: [Option<Vec<Action>>; 3],
+    spindle: Option<Vec<String>>,
 }
 
-const KEYS: &[&str] = &["q", "position", "errors", "messages", "end", "table", "log", "moves", "within"];
+/// The keys of movements: all, the first ones, the last ones.
+const MOVES: [&str; 3] = ["moves", "first_moves", "last_moves"];
+const KEYS: &[&str] =
+    &["q", "position", "errors", "messages", "end", "table", "log", MOVES[0], MOVES[1], MOVES[2], "spindle", "within"];
 
 struct Reader<'r> {
     source: &'r Arc<Source>,
@@ -226,9 +231,13 @@ impl Expectation {
             table = r.items(node).iter().filter_map(|item| r.cell(item)).collect();
         }
         let log = node.get("log").map_or_else(Vec::new, |node| r.texts(node));
-        let actions = node.get("moves").map(|node| r.items(node).iter().filter_map(|item| r.action(item)).collect());
+        let spindle = node.get("spindle").map(|node| r.texts(node));
+        let actions = MOVES.map(|key| {
+            let listed = node.get(key);
+            listed.map(|node| r.items(node).iter().filter_map(|item| r.action(item)).collect())
+        });
         if r.found.is_empty() {
-            Ok(Self { within, q, position, errors, messages, end, table, log, actions })
+            Ok(Self { within, q, position, errors, messages, end, table, log, actions, spindle })
         } else {
             Err(r.found)
         }
@@ -276,6 +285,7 @@ impl Expectation {
             }
         }
         self.compare_actions(key, events, &mut differs);
+        self.compare_spindle(key, events, &mut differs);
         differs
     }
 
@@ -330,19 +340,39 @@ impl Expectation {
     }
 
     fn compare_actions(&self, key: CycleKey, events: &[Event], differs: &mut Vec<Mismatch>) {
-        let Some(wanted) = &self.actions else { return };
-        let own = |event: &&Event| event.at.cycle.as_ref().is_some_and(|(found, _)| *found == key);
-        let told: Vec<&EventKind> =
-            events.iter().filter(own).map(|event| &event.kind).filter(|kind| verb(kind).is_some()).collect();
-        if wanted.len() != told.len() {
-            let list = told.iter().map(|kind| show(kind)).collect::<Vec<_>>().join("; ");
-            differs.push(Mismatch::new("moves", wanted.len(), format!("{}: {list}", told.len())));
-            return;
-        }
-        for (index, (action, kind)) in wanted.iter().zip(told).enumerate() {
-            if !self.same(action, kind) {
-                differs.push(Mismatch::new(format!("moves.{}", index + 1), format!("{action:?}"), show(kind)));
+        let told: Vec<&EventKind> = of_cycle(key, events).filter(|kind| verb(kind).is_some()).collect();
+        for (what, wanted) in MOVES.iter().zip(&self.actions) {
+            let Some(wanted) = wanted else { continue };
+            if (*what == MOVES[0] && wanted.len() != told.len()) || wanted.len() > told.len() {
+                let list = told.iter().map(|kind| show(kind)).collect::<Vec<_>>().join("; ");
+                differs.push(Mismatch::new(*what, wanted.len(), format!("{}: {list}", told.len())));
+                continue;
             }
+            let skipped = if *what == MOVES[2] { told.len() - wanted.len() } else { 0 };
+            for (index, (action, kind)) in wanted.iter().zip(told.iter().skip(skipped)).enumerate() {
+                if !self.same(action, kind) {
+                    differs.push(Mismatch::new(format!("{what}.{}", index + 1), format!("{action:?}"), show(kind)));
+                }
+            }
+        }
+    }
+
+    fn compare_spindle(&self, key: CycleKey, events: &[Event], differs: &mut Vec<Mismatch>) {
+        let Some(wanted) = &self.spindle else { return };
+        let told: Vec<String> = of_cycle(key, events)
+            .filter_map(|kind| match kind {
+                EventKind::Spindle { orient: Some(angle), .. } => Some(format!("orient {angle}")),
+                EventKind::Spindle { direction: 0, .. } => Some("stop".to_owned()),
+                EventKind::Spindle { direction, speed, .. } => {
+                    let sense = if *direction > 0 { "clockwise" } else { "counter-clockwise" };
+                    Some(format!("{sense} {speed}"))
+                }
+                EventKind::Coolant(on) => Some(if *on { "coolant on" } else { "coolant off" }.to_owned()),
+                _ => None,
+            })
+            .collect();
+        if *wanted != told {
+            differs.push(Mismatch::new("spindle", wanted.join(", "), told.join(", ")));
         }
     }
 
@@ -366,6 +396,12 @@ impl Expectation {
                 _ => false,
             }
     }
+}
+
+/// What the cycle of the case did, in order.
+fn of_cycle(key: CycleKey, events: &[Event]) -> impl Iterator<Item = &EventKind> {
+    let own = move |event: &&Event| event.at.cycle.as_ref().is_some_and(|(found, _)| *found == key);
+    events.iter().filter(own).map(|event| &event.kind)
 }
 
 /// The verb of an event that cases list.

@@ -251,6 +251,8 @@ pub struct StrategyCall {
     pub strategy: Strategy,
     /// Its arguments by the order of its signature.
     pub with: Vec<Option<Calc>>,
+    /// The feed in mm/min that its milling moves have.
+    pub feed: Option<Calc>,
     /// Slots of its results by the order of its signature.
     pub results: Vec<Slot>,
 }
@@ -282,6 +284,15 @@ pub enum Act {
     Rapid(Target),
     /// Move at a feed in mm/min.
     Feed(Target, Calc),
+    /// Move along the tool axis in step with the spindle, which turns as the thread asks.
+    Synchronized {
+        /// The height to move to.
+        tool: Calc,
+        /// The pitch, mm per turn: positive for a right-hand thread.
+        pitch: Calc,
+        /// By how much faster than programmed the spindle turns.
+        speed_factor: Option<Calc>,
+    },
     /// Move on an arc about an axis parallel to the tool axis.
     Arc {
         /// The centre.

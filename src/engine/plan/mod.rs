@@ -19,8 +19,8 @@ use crate::expr::QRef;
 use crate::spec::{Catalogue, Cycle, OnControl};
 
 pub use act::{
-    Act, Block, Calc, Cancel, Case, Collect, Cooling, Do, Fitted, Guard, Inlined, Item, Let, Series, SeriesKind, SpindleTurn,
-    Step, StrategyCall, Target, Transform,
+    Act, Block, Calc, Cancel, Case, Collect, Cooling, Do, Fitted, Guard, Inlined, Item, Let, Series, SeriesKind,
+    SpindleTurn, Step, StrategyCall, Target, Transform,
 };
 pub use names::Builtin;
 pub use strategy::Strategy;

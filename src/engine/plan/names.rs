@@ -25,6 +25,8 @@ pub enum Builtin {
     ToolAngle,
     /// Length of the tool's cutting edges, mm.
     ToolLcuts,
+    /// The radius of its edge at the bottom.
+    ToolCornerRadius,
     /// The number of the tool.
     ToolNumber,
     /// Whether a tool call has fixed the tool axis.
@@ -117,6 +119,7 @@ const FIXED: &[(&str, Builtin, Type)] = &[
     ("tool.radius", Builtin::ToolRadius, Type::Number),
     ("tool.length", Builtin::ToolLength, Type::Number),
     ("tool.angle", Builtin::ToolAngle, Type::Number),
+    ("tool.corner_radius", Builtin::ToolCornerRadius, Type::Number),
     ("tool.lcuts", Builtin::ToolLcuts, Type::Number),
     ("tool.number", Builtin::ToolNumber, Type::Number),
     ("tool.called", Builtin::ToolCalled, Type::Bool),

@@ -47,6 +47,60 @@ pub enum Strategy {
     PlaneAngles,
     /// Writes what a calibration found.
     StoreProbeCalibration,
+    /// Brings the tool to a level in strokes along a slot, from its left end.
+    PlungeAlongSlot,
+    /// Brings the tool to a level in strokes along a circular slot, from its beginning.
+    PlungeAlongCircularSlot,
+    /// Clears a level of a rectangle with round corners, from the inside to the wall.
+    ClearRectangleLevel,
+    /// Clears a level of a circle on a spiral, from the centre to the wall.
+    ClearCircleLevel,
+    /// Clears a level of a slot.
+    ClearSlotLevel,
+    /// Clears a level of a circular slot.
+    ClearCircularSlotLevel,
+    /// Cuts the wall of a rectangular pocket at one level.
+    FinishRectangleSide,
+    /// Cuts the wall of a circular pocket at one level.
+    FinishCircleSide,
+    /// Cuts the wall of a slot at one level.
+    FinishSlotSide,
+    /// Cuts the wall of a circular slot at one level.
+    FinishCircularSlotSide,
+    /// Cuts the floor of a rectangular pocket.
+    FinishRectangleFloor,
+    /// Cuts the floor of a circular pocket.
+    FinishCircleFloor,
+    /// Cuts the floor of a slot.
+    FinishSlotFloor,
+    /// Cuts the floor of a circular slot.
+    FinishCircularSlotFloor,
+    /// Mills around a rectangular stud at one level, from the blank to the stud.
+    MillRectangularStudLevel,
+    /// Mills around a circular stud at one level on a spiral, from the blank to the stud.
+    MillCircularStudLevel,
+    /// Half a turn about a centre to a point at another distance from it.
+    HalfTurn,
+    /// Mills a flat surface at one level in lines.
+    MillFaceLevel,
+    /// Moves to the height at which the helix of a thread begins.
+    MoveToThreadStartPlane,
+    /// Onto the diameter of a thread on a half turn that rises with it.
+    ApproachThreadOnHelix,
+    /// Mills a thread: one turn, a continuous helix or several helices.
+    MillThreadHelix,
+    /// Away from a thread on a half turn that rises with it.
+    DepartThreadTangentially,
+    /// Countersinks a hole on a circle, joined and left on half circles.
+    CountersinkOnCircle,
+    /// The spindle turns the other way round.
+    ReverseSpindle,
+    /// Spindle and coolant become what they were when the cycle began.
+    RestoreSpindleAndCoolant,
+    /// The spindle turns as an M function says, at a speed.
+    TurnSpindle,
+    /// An M function whose number is a value.
+    ExecuteMFunction,
     /// Reads a tolerance band that is written as a text (TNC 640 manual 004, lines 151-162).
     ToleranceBand,
 }
@@ -119,6 +173,44 @@ const DIRECTION: Parameter = number("direction");
 const ROTATION: Parameter = number("rotation");
 const LEAST: Parameter = number("least");
 const ROOM: Parameter = number("room");
+/// Of every strategy of thread milling.
+const THREAD: [Parameter; 8] = [
+    CENTRE,
+    number("surface"),
+    number("depth"),
+    DIAMETER,
+    number("pitch"),
+    number("outside"),
+    CLIMB,
+    number("threads"),
+];
+/// Of the one that may go from helix to helix.
+const THREAD_WITH_STEPS: [Parameter; 9] = {
+    let [a, b, c, d, e, f, g, h] = THREAD;
+    [a, b, c, d, e, f, g, h, number("between")]
+};
+const FUNCTION: Parameter = number("function");
+const SPEED: Parameter = number("speed");
+const LENGTH: Parameter = number("length");
+const WIDTH: Parameter = number("width");
+const CORNER: Parameter = number("corner");
+const DIAMETER: Parameter = number("diameter");
+const BEGIN: Parameter = number("begin");
+const OPENING: Parameter = number("opening");
+const CLIMB: Parameter = number("climb");
+const STEPOVER: Parameter = number("stepover");
+const ALLOWANCE: Parameter = number("allowance");
+const LEVEL: Parameter = number("level");
+const BLANK: (Parameter, Parameter) = (number("blank_length"), number("blank_width"));
+const APPROACH: Parameter = number("approach");
+const MODE: Parameter = number("mode");
+const OUTSIDE: (Parameter, Parameter) = (number("begin"), number("end"));
+const INSIDE: (Parameter, Parameter) = (number("inner_begin"), number("inner_end"));
+const FIRST: Parameter = number("first");
+const STEP: Parameter = number("step");
+const LINES_OF_LEVEL: Parameter = number("lines");
+const ACROSS: Parameter = number("across");
+const LIFT: Parameter = number("lift");
 
 impl Strategy {
     /// The strategy of that name.
@@ -144,6 +236,33 @@ impl Strategy {
             "retract-from-touch-point" => Self::RetractFromTouchPoint,
             "plane-angles" => Self::PlaneAngles,
             "store-probe-calibration" => Self::StoreProbeCalibration,
+            "plunge-along-slot" => Self::PlungeAlongSlot,
+            "plunge-along-circular-slot" => Self::PlungeAlongCircularSlot,
+            "clear-rectangle-level" => Self::ClearRectangleLevel,
+            "clear-circle-level" => Self::ClearCircleLevel,
+            "clear-slot-level" => Self::ClearSlotLevel,
+            "clear-circular-slot-level" => Self::ClearCircularSlotLevel,
+            "finish-rectangle-side" => Self::FinishRectangleSide,
+            "finish-circle-side" => Self::FinishCircleSide,
+            "finish-slot-side" => Self::FinishSlotSide,
+            "finish-circular-slot-side" => Self::FinishCircularSlotSide,
+            "finish-rectangle-floor" => Self::FinishRectangleFloor,
+            "finish-circle-floor" => Self::FinishCircleFloor,
+            "finish-slot-floor" => Self::FinishSlotFloor,
+            "finish-circular-slot-floor" => Self::FinishCircularSlotFloor,
+            "mill-rectangular-stud-level" => Self::MillRectangularStudLevel,
+            "mill-circular-stud-level" => Self::MillCircularStudLevel,
+            "half-turn" => Self::HalfTurn,
+            "mill-face-level" => Self::MillFaceLevel,
+            "move-to-thread-start-plane" => Self::MoveToThreadStartPlane,
+            "approach-thread-on-helix" => Self::ApproachThreadOnHelix,
+            "mill-thread-helix" => Self::MillThreadHelix,
+            "depart-thread-tangentially" => Self::DepartThreadTangentially,
+            "countersink-on-circle" => Self::CountersinkOnCircle,
+            "reverse-spindle" => Self::ReverseSpindle,
+            "restore-spindle-and-coolant" => Self::RestoreSpindleAndCoolant,
+            "turn-spindle" => Self::TurnSpindle,
+            "execute-m-function" => Self::ExecuteMFunction,
             "tolerance-band" => Self::ToleranceBand,
             _ => return None,
         })
@@ -171,6 +290,34 @@ impl Strategy {
             Self::RetractFromTouchPoint => &[PATH],
             Self::PlaneAngles => &THREE,
             Self::StoreProbeCalibration => &CALIBRATED,
+            Self::PlungeAlongSlot => &[CENTRE, FROM, TO, ANGLE, FEED, ROTATION, LENGTH],
+            Self::PlungeAlongCircularSlot => &[CENTRE, FROM, TO, ANGLE, FEED, DIAMETER, BEGIN, OPENING],
+            Self::ClearRectangleLevel => &[CENTRE, CLIMB, LENGTH, WIDTH, CORNER, ROTATION, STEPOVER],
+            Self::ClearCircleLevel => &[CENTRE, CLIMB, DIAMETER, STEPOVER],
+            Self::ClearSlotLevel => &[CENTRE, CLIMB, LENGTH, WIDTH, ROTATION, ALLOWANCE],
+            Self::ClearCircularSlotLevel => &[CENTRE, CLIMB, DIAMETER, BEGIN, OPENING, WIDTH, ALLOWANCE],
+            Self::FinishRectangleSide => &[CENTRE, CLIMB, LENGTH, WIDTH, CORNER, ROTATION, LEVEL],
+            Self::FinishCircleSide => &[CENTRE, CLIMB, DIAMETER, LEVEL],
+            Self::FinishSlotSide => &[CENTRE, CLIMB, LENGTH, WIDTH, ROTATION, LEVEL],
+            Self::FinishCircularSlotSide => &[CENTRE, CLIMB, DIAMETER, BEGIN, OPENING, WIDTH, LEVEL],
+            Self::FinishRectangleFloor => &[CENTRE, CLIMB, LENGTH, WIDTH, CORNER, ROTATION, STEPOVER, FROM, LEVEL],
+            Self::FinishCircleFloor => &[CENTRE, CLIMB, DIAMETER, STEPOVER, FROM, LEVEL],
+            Self::FinishSlotFloor => &[CENTRE, CLIMB, LENGTH, WIDTH, ROTATION, FROM, LEVEL],
+            Self::FinishCircularSlotFloor => &[CENTRE, CLIMB, DIAMETER, BEGIN, OPENING, WIDTH, FROM, LEVEL],
+            Self::MillRectangularStudLevel => {
+                &[CENTRE, CLIMB, LENGTH, WIDTH, CORNER, ROTATION, STEPOVER, ALLOWANCE, BLANK.0, BLANK.1, APPROACH]
+            }
+            Self::MillCircularStudLevel => &[CENTRE, CLIMB, DIAMETER, STEPOVER],
+            Self::HalfTurn => &[CENTRE, DIRECTION, RADIUS],
+            Self::MillFaceLevel => {
+                &[MODE, OUTSIDE.0, OUTSIDE.1, INSIDE.0, INSIDE.1, FIRST, STEP, LINES_OF_LEVEL, ACROSS, LIFT]
+            }
+            Self::MoveToThreadStartPlane | Self::ApproachThreadOnHelix | Self::DepartThreadTangentially => &THREAD,
+            Self::MillThreadHelix => &THREAD_WITH_STEPS,
+            Self::CountersinkOnCircle => &[CENTRE, RADIUS],
+            Self::ReverseSpindle | Self::RestoreSpindleAndCoolant => &[],
+            Self::TurnSpindle => &[FUNCTION, SPEED],
+            Self::ExecuteMFunction => &[FUNCTION],
             Self::ToleranceBand => &[TEXT],
         }
     }

@@ -24,9 +24,9 @@ impl Compiler<'_> {
 
     /// Reports modifiers that the verb does not take.
     fn modifiers(&mut self, action: &Action) {
-        use Verb::{Ask, Feed, Fit, Log, Probe, Strategy, Synchronized, Table, Touch, Turn, Use};
+        use Verb::{Ask, Feed, Fit, Log, Probe, Strategy, Table, Touch, Turn, Use};
         let verb = action.verb;
-        let takes_feed = matches!(verb, Feed | Verb::Arc | Synchronized | Turn | Touch | Strategy);
+        let takes_feed = matches!(verb, Feed | Verb::Arc | Turn | Touch | Strategy);
         let binds = matches!(verb, Probe | Fit | Table | Use | Strategy | Ask | Touch);
         let takes_values = matches!(verb, Use | Strategy | Log);
         let mut refuse = |given: bool, takes: bool, modifier: &'static str| {
@@ -108,7 +108,8 @@ impl Compiler<'_> {
                 Act::Use(Box::new(self.inline(&name, &action.with, action.bind.as_ref(), place, scope)?))
             }
             Verb::Strategy => self.strategy(action, scope)?,
-            Verb::Synchronized | Verb::Turn | Verb::Touch | Verb::Remember => {
+            Verb::Synchronized => self.synchronized(argument, place, scope)?,
+            Verb::Turn | Verb::Touch | Verb::Remember => {
                 self.open_result(action.bind.as_ref(), scope);
                 self.pend(action.verb.as_str())
             }
@@ -215,6 +216,17 @@ impl Compiler<'_> {
             None => None,
         };
         Some(Act::Arc { centre: centre?, to: to?, direction: direction?, feed })
+    }
+
+    fn synchronized(&mut self, argument: &Argument, place: &Place, scope: &Scope) -> Option<Act> {
+        let entries = self.entries(argument, &["tool", "pitch", "speed_factor"], place)?;
+        let tool = self.required(entries, "tool", Type::Number, place, scope);
+        let pitch = self.required(entries, "pitch", Type::Number, place, scope);
+        let speed_factor = match entries.get("speed_factor") {
+            Some(factor) => Some(self.argument(factor, Type::Number, scope, place)?),
+            None => None,
+        };
+        Some(Act::Synchronized { tool: tool?, pitch: pitch?, speed_factor })
     }
 
     fn probe(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
@@ -433,6 +445,10 @@ impl Compiler<'_> {
                 None => None,
             });
         }
+        let feed = match &action.at {
+            Some(at) => Some(self.typed(at, Type::Number, scope)?),
+            None => None,
+        };
         let mut results = Vec::new();
         match &action.bind {
             Some(bind) if strategy.results().is_empty() => self.wrong(&bind.place, "no-result"),
@@ -446,6 +462,6 @@ impl Compiler<'_> {
             }
             None => {}
         }
-        Some(Act::Strategy(StrategyCall { strategy, with, results }))
+        Some(Act::Strategy(StrategyCall { strategy, with, feed, results }))
     }
 }

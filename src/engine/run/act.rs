@@ -31,6 +31,9 @@ impl<'e> Run<'_, 'e> {
                 self.straight_to(to, None, Speed::of_feed(feed))
             }
             Act::Arc { centre, to, direction, feed } => self.arc_act(centre, to, direction, feed.as_ref(), exec),
+            Act::Synchronized { tool, pitch, speed_factor } => {
+                self.synchronized(tool, pitch, speed_factor.as_ref(), exec)
+            }
             Act::Dwell(seconds) => {
                 let seconds = self.number(seconds, exec)?;
                 if seconds > 0.0 {
@@ -108,7 +111,7 @@ impl<'e> Run<'_, 'e> {
                 if let Some(probe) = self.world.probe().ok().filter(|_| self.probing) {
                     self.world.spindle_turned = angle - probe.angle;
                 }
-                self.tell(EventKind::Spindle { tool: None, direction: 0, speed: 0.0, orient: Some(angle) });
+                self.orient(angle);
                 Ok(())
             }
             Act::Coolant(cooling) => {

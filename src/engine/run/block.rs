@@ -4,7 +4,7 @@
 use super::fault::Fault;
 use super::program::After;
 use super::world::LOCKED;
-use super::{Content, Done, EventKind, Run, Spindle};
+use super::{Content, Done, EventKind, Run};
 use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::table::{Cell, TableKind};
 use crate::expr::{Env, EvalError, QKind, QRef, Value, atan2d, cosd, sind};
@@ -16,7 +16,7 @@ use crate::syntax::{
 
 /// What an M function does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Effect {
+pub(super) enum Effect {
     Stop,
     End,
     Spindle(i8),
@@ -30,7 +30,7 @@ enum Effect {
     Nothing,
 }
 
-fn effect(number: u16) -> Option<Effect> {
+pub(super) fn effect(number: u16) -> Option<Effect> {
     Some(match number {
         0 | 1 => Effect::Stop,
         2 | 30 => Effect::End,
@@ -328,23 +328,6 @@ impl<'e> Run<'_, 'e> {
             self.stop()?;
         }
         Ok(if ends { After::End } else { After::GoOn })
-    }
-
-    pub(super) fn spindle(&mut self, direction: i8) {
-        self.modal.spindle = Spindle { direction, ..self.modal.spindle };
-        self.tell_spindle(None);
-    }
-
-    /// Tells how the spindle turns now, with the tool that it just got.
-    fn tell_spindle(&mut self, tool: Option<(f64, LinearAxis)>) {
-        let Spindle { speed, direction } = self.modal.spindle;
-        let speed = if direction == 0 { 0.0 } else { speed };
-        self.tell(EventKind::Spindle { tool, direction, speed, orient: None });
-    }
-
-    pub(super) fn coolant(&mut self, on: bool) {
-        self.modal.coolant = on;
-        self.tell(EventKind::Coolant(on));
     }
 }
 

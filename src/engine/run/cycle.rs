@@ -11,8 +11,8 @@ use super::fault::{Class, Fault};
 use super::stylus::ProbeData;
 use super::world::Tables;
 use super::{Content, Done, EventKind, Leave, Params, Run};
-use crate::engine::scene::{Orientation, ParameterValue};
 use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Slot, Step};
+use crate::engine::scene::{Orientation, ParameterValue};
 use crate::expr::{Env, EvalError, QRef, Value};
 use crate::spec::{Moment, Outcome, Transformation};
 
@@ -37,6 +37,8 @@ pub(super) struct Exec<'d, 'e> {
     start: DVec3,
     /// Values for parameters that no Q parameter of the program holds.
     shadows: Vec<(QRef, f64)>,
+    /// Spindle and coolant as they were when the cycle began.
+    pub(super) switched: (super::Spindle, bool),
     /// The probe as it was when the cycle began.
     probe: Option<ProbeData>,
     /// Which sentences of the plan were executed.
@@ -81,7 +83,12 @@ impl Env for View<'_, '_, '_> {
 }
 
 impl<'d, 'e> Exec<'d, 'e> {
-    fn new(definition: &'d Definition<'e>, start: DVec3, probe: Option<ProbeData>) -> Self {
+    fn new(
+        definition: &'d Definition<'e>,
+        start: DVec3,
+        probe: Option<ProbeData>,
+        switched: (super::Spindle, bool),
+    ) -> Self {
         let plan = &definition.plan;
         Self {
             definition,
@@ -89,6 +96,7 @@ impl<'d, 'e> Exec<'d, 'e> {
             lists: vec![Vec::new(); plan.lists],
             start,
             shadows: Vec::new(),
+            switched,
             probe,
             sentences: vec![false; plan.sentences.len()],
         }
@@ -211,7 +219,8 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn exec<'d>(&self, definition: &'d Definition<'e>) -> Exec<'d, 'e> {
-        Exec::new(definition, self.in_plane(self.world.here), self.world.probe().ok())
+        let switched = (self.modal.spindle, self.modal.coolant);
+        Exec::new(definition, self.in_plane(self.world.here), self.world.probe().ok(), switched)
     }
 
     /// Main, minor and tool coordinates of a point given by axes.
@@ -273,6 +282,7 @@ impl<'e> Run<'_, 'e> {
             Builtin::ToolLength => Value::Number(tool.length),
             Builtin::ToolAngle => Value::Number(tool.angle),
             Builtin::ToolLcuts => Value::Number(tool.lcuts),
+            Builtin::ToolCornerRadius => Value::Number(tool.corner_radius),
             Builtin::ToolNumber => Value::Number(tool.number),
             Builtin::ToolCalled => Value::Bool(world.tool().is_some()),
             Builtin::ProbeSetUp => probe(|probe| probe.set_up),

@@ -91,6 +91,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("rotary-axis-unsuitable", Class::Control),
     ("series-count", Class::Internal),
     ("series-limit", Class::Limit),
+    ("shape-impossible", Class::Control),
     ("solid-cusp", Class::Unsupported),
     ("solid-edge-unsupported", Class::Unsupported),
     ("solid-helix-unsupported", Class::Unsupported),

@@ -24,13 +24,7 @@ type Templates = Vec<(String, String)>;
 
 impl<'e> Run<'_, 'e> {
     /// Writes a log: into the file of the cycle, behind what is there, or on the screen.
-    pub(super) fn log(
-        &mut self,
-        name: &str,
-        screen: bool,
-        values: &[(Arc<str>, Value)],
-        exec: &Exec<'_, 'e>,
-    ) -> Done {
+    pub(super) fn log(&mut self, name: &str, screen: bool, values: &[(Arc<str>, Value)], exec: &Exec<'_, 'e>) -> Done {
         let cycle = exec.definition.cycle;
         let name = if name == OF_CYCLE { cycle.name() } else { name };
         let (extension, templates) = self.templates(name)?;

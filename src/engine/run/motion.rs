@@ -374,7 +374,8 @@ impl Run<'_, '_> {
             return;
         };
         let still = self.way_to_freedom(to - from) > (to - from).length();
-        let back = |pressed: &Pressed| Pressed { depth: pressed.depth + (to - from).dot(pressed.direction), ..*pressed };
+        let back =
+            |pressed: &Pressed| Pressed { depth: pressed.depth + (to - from).dot(pressed.direction), ..*pressed };
         self.world.pressed = self.world.pressed.as_ref().filter(|_| still).map(back);
     }
 

@@ -99,25 +99,39 @@ impl<'e> Run<'_, 'e> {
         self.plunge_to(descent.beside(0.0, rotation, descent.to), descent.feed)
     }
 
-    fn descent(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<Descent, Fault> {
-        let Some(Some(centre)) = call.with.first() else {
-            return Err(Fault::new(Class::Internal, "strategy-argument"));
-        };
-        Ok(Descent {
-            centre: self.point(centre, exec)?,
-            from: self.given(call, 1, exec)?,
-            to: self.given(call, 2, exec)?,
-            angle: self.given(call, 3, exec)?,
-            feed: self.given(call, 4, exec)?,
-        })
+    /// Down in strokes from one end of a slot to the other, beginning at the left one.
+    pub(super) fn plunge_along_slot(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
+        let descent = self.descent(call, exec)?;
+        let [rotation, length] = self.all_given(call, 5, exec)?;
+        let strokes = descent.passes(length)?;
+        let end = |number: u32| if number.is_multiple_of(2) { -length / 2.0 } else { length / 2.0 };
+        for stroke in 0..=strokes {
+            let height = descent.height(stroke, strokes);
+            self.plunge_to(descent.beside(end(stroke), rotation, height), descent.feed)?;
+        }
+        Ok(())
     }
 
-    /// The value of an argument that must be there.
-    fn given(&self, call: &StrategyCall, index: usize, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
-        match call.with.get(index) {
-            Some(Some(calc)) => self.number(calc, exec),
-            _ => Err(Fault::new(Class::Internal, "strategy-argument")),
+    /// Down in strokes from one end of a circular slot to the other, beginning at its starting angle.
+    pub(super) fn plunge_along_circular_slot(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
+        let descent = self.descent(call, exec)?;
+        let [diameter, begin, opening] = self.all_given(call, 5, exec)?;
+        let radius = diameter / 2.0;
+        let strokes = descent.passes(radius * opening.abs().to_radians())?;
+        let angle = |number: u32| if number.is_multiple_of(2) { begin } else { begin + opening };
+        self.plunge_to(descent.beside(radius, begin, descent.from), descent.feed)?;
+        for stroke in 1..=strokes {
+            let to = descent.beside(radius, angle(stroke), descent.height(stroke, strokes));
+            let forward = if stroke % 2 == 1 { opening } else { -opening };
+            self.plunge_around(&descent, to, forward.signum())?;
         }
+        Ok(())
+    }
+
+    fn descent(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<Descent, Fault> {
+        let centre = self.point(Self::argument(call, 0)?, exec)?;
+        let [from, to, angle, feed] = self.all_given(call, 1, exec)?;
+        Ok(Descent { centre, from, to, angle, feed })
     }
 
     fn plunge_to(&mut self, to: DVec3, feed: f64) -> Done {

@@ -73,6 +73,40 @@ impl<'e> Run<'_, 'e> {
             Strategy::StoreProbeCalibration => self.store_probe_calibration(call, exec),
             Strategy::PlungeOnHelix => self.plunge_on_helix(call, exec),
             Strategy::PlungeInStrokes => self.plunge_in_strokes(call, exec),
+            Strategy::PlungeAlongSlot => self.plunge_along_slot(call, exec),
+            Strategy::PlungeAlongCircularSlot => self.plunge_along_circular_slot(call, exec),
+            Strategy::ClearRectangleLevel => self.clear_rectangle_level(call, exec),
+            Strategy::ClearCircleLevel => self.clear_circle_level(call, exec),
+            Strategy::ClearSlotLevel => self.clear_slot_level(call, exec),
+            Strategy::ClearCircularSlotLevel => self.clear_circular_slot_level(call, exec),
+            Strategy::FinishRectangleSide => self.finish_rectangle_side(call, exec),
+            Strategy::FinishCircleSide => self.finish_circle_side(call, exec),
+            Strategy::FinishSlotSide => self.finish_slot_side(call, exec),
+            Strategy::FinishCircularSlotSide => self.finish_circular_slot_side(call, exec),
+            Strategy::FinishRectangleFloor => self.finish_rectangle_floor(call, exec),
+            Strategy::FinishCircleFloor => self.finish_circle_floor(call, exec),
+            Strategy::FinishSlotFloor => self.finish_slot_floor(call, exec),
+            Strategy::FinishCircularSlotFloor => self.finish_circular_slot_floor(call, exec),
+            Strategy::MillRectangularStudLevel => self.mill_rectangular_stud_level(call, exec),
+            Strategy::MillCircularStudLevel => self.mill_circular_stud_level(call, exec),
+            Strategy::HalfTurn => self.half_turn(call, exec),
+            Strategy::MillFaceLevel => self.mill_face_level(call, exec),
+            Strategy::MoveToThreadStartPlane => self.move_to_thread_start_plane(call, exec),
+            Strategy::ApproachThreadOnHelix => self.approach_thread_on_helix(call, exec),
+            Strategy::MillThreadHelix => self.mill_thread_helix(call, exec),
+            Strategy::DepartThreadTangentially => self.depart_thread_tangentially(call, exec),
+            Strategy::CountersinkOnCircle => self.countersink_on_circle(call, exec),
+            Strategy::ReverseSpindle => {
+                let direction = -self.modal.spindle.direction;
+                self.spindle(direction);
+                Ok(())
+            }
+            Strategy::RestoreSpindleAndCoolant => {
+                self.restore_spindle_and_coolant(exec);
+                Ok(())
+            }
+            Strategy::TurnSpindle => self.turn_spindle(call, exec),
+            Strategy::ExecuteMFunction => self.execute_m_function(call, exec),
             Strategy::ToleranceBand => {
                 let Some(Some(text)) = call.with.first() else { return Ok(()) };
                 let Value::Text(text) = self.value(text, exec)? else { return Ok(()) };
@@ -91,6 +125,31 @@ impl<'e> Run<'_, 'e> {
     pub(super) fn argument(call: &StrategyCall, index: usize) -> Result<&Calc, Fault> {
         let missing = || Fault::new(Class::Internal, "strategy-argument");
         call.with.get(index).and_then(Option::as_ref).ok_or_else(missing)
+    }
+
+    /// The number of an argument that must be there.
+    pub(super) fn given(&self, call: &StrategyCall, index: usize, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
+        self.number(Self::argument(call, index)?, exec)
+    }
+
+    /// The numbers of arguments from that index on.
+    pub(super) fn all_given<const N: usize>(
+        &self,
+        call: &StrategyCall,
+        from: usize,
+        exec: &Exec<'_, 'e>,
+    ) -> Result<[f64; N], Fault> {
+        let mut numbers = [0.0; N];
+        for (offset, number) in numbers.iter_mut().enumerate() {
+            *number = self.given(call, from + offset, exec)?;
+        }
+        Ok(numbers)
+    }
+
+    /// The feed that stands beside the strategy.
+    pub(super) fn feed_given(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
+        let missing = || Fault::new(Class::Internal, "strategy-argument");
+        self.number(call.feed.as_ref().ok_or_else(missing)?, exec)
     }
 
     fn wanted(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<Wanted, Fault> {

@@ -31,6 +31,8 @@ pub struct Tool {
     pub angle: f64,
     /// Length of the cutting edges, mm; 0 if none is known.
     pub lcuts: f64,
+    /// Radius of the edge at the bottom (R2), mm.
+    pub corner_radius: f64,
     /// Number of teeth; 0 if none is known.
     pub teeth: f64,
     /// The row of the probe table that belongs to it, if it is a touch probe.
@@ -240,6 +242,7 @@ impl<'s> World<'s> {
             length: value("L")? + value("DL")? + delta_length,
             angle: value("ANGLE")?,
             lcuts: value("LCUTS")?,
+            corner_radius: value("R2")?,
             teeth: value("CUT")?,
             probe: table.number(number, "TP_NO")?.filter(|row| *row > 0.0),
             deltas: (delta_radius, delta_length),
