@@ -1,4 +1,5 @@
-//! Prints how many blocks, cycle calls and probing cycles the engine executes in a second:
+//! Prints how many blocks, cycle calls and probing cycles the engine executes in a second, and how many moves take
+//! material from a stock:
 //! `cargo bench --bench engine`. Where LinuxCNC's `rs274` is installed (Debian package
 //! `linuxcnc-uspace`), the same work as RS274 text runs beside it. Nothing is judged here.
 use std::hint::black_box;
@@ -8,10 +9,14 @@ use std::{env, fs};
 
 use ciklo::data;
 use ciklo::diag::Source;
+use ciklo::engine::geometry::{Axis, Frame};
 use ciklo::engine::run::{Engine, NoTexts};
 use ciklo::engine::scene::Scene;
+use ciklo::engine::solid::{Path, Shape};
+use ciklo::engine::stock::{Batch, Cutter, Stock, Tip};
 use ciklo::spec::{Catalogue, OnControl};
 use ciklo::syntax::parse;
+use glam::DVec3;
 
 const ROUNDS: u32 = 3;
 const BLOCKS: usize = 200_000;
@@ -105,7 +110,72 @@ fn peer(text: &str) -> Option<Duration> {
     time
 }
 
+/// A part of 100 x 100 x 30 mm in columns of 0.1 mm.
+const PART: f64 = 100.0;
+const RESOLUTION: f64 = 0.1;
+const TOGETHER: usize = 4096;
+
+/// A way over the part, line by line to and fro, in moves of that length.
+fn meander(step: f64, beside: f64, height: impl Fn(f64, f64) -> f64) -> Vec<DVec3> {
+    let (along, lines) = ((PART / step) as usize, (PART / beside) as usize);
+    let mut points = Vec::new();
+    for line in 0..=lines {
+        for n in 0..=along {
+            let x = step * if line % 2 == 0 { n } else { along - n } as f64;
+            let y = beside * line as f64;
+            points.push(DVec3::new(x, y, height(x, y)));
+        }
+    }
+    points
+}
+
+fn lines(points: &[DVec3]) -> Vec<Path> {
+    points.windows(2).filter_map(|pair| Some(Path::line(*pair.first()?, *pair.last()?))).collect()
+}
+
+/// Full helices side by side.
+fn helices() -> Vec<Path> {
+    let at = |n: usize| DVec3::new((n % 10) as f64 * 9.0 + 5.0, (n / 10 % 10) as f64 * 9.0 + 5.0, -((n / 100) as f64));
+    let helix =
+        |centre: DVec3| Path::Arc { centre, axis: DVec3::Z, from: centre + DVec3::X * 2.0, sweep: 360.0, rise: -1.0 };
+    (0..2000).map(at).map(helix).collect()
+}
+
+fn removal() {
+    let flat = Cutter { radius: 5.0, tip: Tip::Flat, neck: None, edges: 0.0 };
+    let ball = Cutter { radius: 3.0, tip: Tip::Round(3.0), neck: None, edges: 0.0 };
+    let wave = |x: f64, y: f64| -12.0 + 3.0 * libm::sin(x / 9.0) * libm::cos(y / 7.0);
+    let levels = |step: f64, beside: f64| -> Vec<Path> {
+        (1..=10).flat_map(|level| lines(&meander(step, beside, |_, _| -f64::from(level)))).collect()
+    };
+    let works = [
+        ("roughing, flat 10 mm, 1 mm moves", flat, levels(1.0, 5.0)),
+        ("roughing, flat 10 mm, 0.25 mm moves", flat, levels(0.25, 5.0)),
+        ("finishing, ball 6 mm, 0.25 mm moves", ball, lines(&meander(0.25, 0.2, wave))),
+        ("levelling, ball 6 mm, 0.25 mm moves", ball, lines(&meander(0.25, 0.2, |_, _| -8.0))),
+        ("helices of 14 mm, flat 10 mm", flat, helices()),
+    ];
+    let bounds = [DVec3::new(0.0, 0.0, -30.0), DVec3::new(PART, PART, 0.0)];
+    let [min, max] = bounds;
+    let Ok(blank) = Stock::new(&Shape::Box { min, max }, bounds, Frame::IDENTITY, Axis::Z, RESOLUTION) else { return };
+    for (name, cutter, paths) in works {
+        let mut best = Duration::MAX;
+        for _ in 0..ROUNDS {
+            let mut stock = blank.clone();
+            let mut batch = Batch::default();
+            let start = Instant::now();
+            for paths in paths.chunks(TOGETHER) {
+                paths.iter().for_each(|path| stock.add(&mut batch, path, DVec3::Z, &cutter, false));
+                black_box(stock.carry_out(&mut batch));
+            }
+            best = best.min(start.elapsed());
+        }
+        println!("{name:36} stock {:>9.0} moves/s ({} moves)", paths.len() as f64 / best.as_secs_f64(), paths.len());
+    }
+}
+
 fn main() {
+    removal();
     let files = data::embedded();
     let (catalogue, _) = Catalogue::load(&files);
     let Some(on) = catalogue.on("tnc640") else { return };

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use ciklo::conform::{self, World};
 use ciklo::data;
+use ciklo::engine::stock::{FindingKind, Report};
 use ciklo::locale::Locales;
 use ciklo::spec::{Catalogue, schema};
 use ciklo::{dialog, label};
@@ -97,6 +98,14 @@ fn dialogs_and_label_tables_are_described() {
     }
     assert_described(&dialogs, "dialogs.md");
     assert_described(&labels, "labels.md");
+}
+
+#[test]
+fn the_report_of_a_stock_is_described() {
+    let mut found = BTreeSet::new();
+    keys(&Report::example().to_json(), &mut found);
+    found.extend(FindingKind::ALL.map(|kind| kind.as_str().to_owned()));
+    assert_described(&found, "stock.md");
 }
 
 #[test]

@@ -34,8 +34,13 @@ cli-translate-out = File to write (default: standard output)
 cli-run = Execute a program in a scene
 cli-run-out = Directory for the tables and logs that the program writes
 cli-run-events = Print each event as a line of JSON
+cli-run-stock = File for the finished part (STL); what was machined is reported
 cli-run-skip-blocks = Leave out the blocks that begin with /
 cli-run-lang = Language of the logs (default: that of the labels in the program, or of the control's manual)
+cli-plot = Draw the tool path and the part of a program as SVG
+cli-plot-view = From where to look: top, side, isometric (default)
+cli-plot-out = File for the drawing
+cli-plot-scene = Scene file: machine, tools, workpiece (default: no tool table, so that only the path is known)
 cli-conform = Execute the examples of the specifications
 cli-export = Print all cycles of a control in a language, as JSON
 
@@ -45,6 +50,7 @@ cli-arg-files = NC programs; “-” reads standard input
 cli-arg-control = Control, such as tnc640
 cli-arg-lang = Language, such as fi
 cli-arg-scene = Scene file: machine, tools, workpiece
+cli-arg-resolution = Greatest distance between the columns of the stock, mm (default: a two hundredth of its greatest extent)
 cli-arg-format = Form of the output: text (default), json
 cli-arg-report = Form of the output: text (default), json, junit
 cli-arg-data = Directory with cycle-specs, locales and templates to use instead of the built-in ones
@@ -73,6 +79,10 @@ cli-examples-translate =
 cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
+cli-examples-plot =
+    ciklo plot part.h --control tnc640 --scene part.scene.yaml --out part.svg
+    ciklo plot part.h --control tnc640 --view top --out path.svg
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
@@ -128,6 +138,26 @@ cli-run-status = The program { $status ->
         [unsupported] needs something that the engine cannot do
        *[error] ended with an error
     }.
+cli-stock-time = Time: { $all } s; { $feed } s at feed, { $rapid } s at rapid traverse, { $dwell } s waiting
+cli-stock-length = Way: { $feed } mm at feed, { $cut } mm of them in moves that cut; { $rapid } mm at rapid traverse
+cli-stock-volume = Volume: { $removed } mm³ of { $blank } mm³ removed
+cli-stock-depth = Greatest depth of a cut: { $value } mm (line { $line })
+cli-stock-width = Greatest width of a cut: { $value } mm (line { $line })
+cli-stock-rate = Greatest removal rate: { $value } mm³/min (line { $line })
+cli-stock-finding = { $program }:{ $line }{ $count ->
+        [one] :
+       *[other] {" "}({ $count } moves):
+    } { $kind ->
+        [rapid-in-material] Rapid traverse through { $amount } mm of material.
+        [spindle-stands] The spindle stands while the tool goes through { $amount } mm of material.
+        [edges-too-short] Material is cut up to { $amount } mm above the tip, more than the cutting edges are long.
+        [turns-together] Axes turn while the tool moves: what that removes is not known.
+       *[no-radius] Tool { $amount } has no radius: what it removes is not known.
+    }
+cli-stock-more = { $count ->
+        [one] { $count } more finding.
+       *[other] { $count } more findings.
+    }
 cli-conform-pass = pass
 cli-conform-fail = FAIL
 cli-conform-out = out of subset

@@ -49,3 +49,8 @@ diag-table-no-column = The table { $file } has no column { $column }.
 diag-table-too-wide = { $file }, row { $row }: the value does not fit into column { $column }.
 diag-table-text-in-numbers = { $file }, row { $row }: column { $column } takes numbers only.
 diag-table-key-column = { $file }, row { $row }: the row number in column { $column } cannot be changed.
+
+diag-stock-missing = There is no blank: neither does the scene have a stock, nor the program a BLK FORM.
+diag-stock-blank = The corners of BLK FORM must be numbers, and each minimum must be smaller than its maximum.
+diag-stock-resolution = { $found } cannot be the distance between the columns of the stock: it must be greater than zero, and there may be at most 150 million columns.
+diag-stock-resolution-mesh = The part has more triangles than an STL file can have; a greater distance between the columns helps.

@@ -16,11 +16,13 @@ mod explain;
 mod export;
 mod lint;
 mod parse;
+mod plot;
 mod program;
 mod progress;
 mod run;
 mod schema;
 mod session;
+mod stock;
 mod translate;
 mod usage;
 
@@ -90,6 +92,7 @@ static COMMANDS: &[Command] = &[
     check::COMMAND,
     translate::COMMAND,
     run::COMMAND,
+    plot::COMMAND,
     conform::COMMAND,
     coverage::COMMAND,
     lint::COMMAND,

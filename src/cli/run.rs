@@ -5,7 +5,7 @@ use std::path::Path;
 use clap::ArgMatches;
 
 use super::session::Session;
-use super::{Command, Failure, Outcome, arguments, cycle, program};
+use super::{Command, Failure, Outcome, arguments, cycle, program, stock};
 use crate::check::{self, Against, LabelBook};
 use crate::conform::LogTexts;
 use crate::diag::{Diagnostic, Source};
@@ -18,7 +18,7 @@ use crate::text;
 
 pub(super) const COMMAND: Command = Command {
     name: "run",
-    usage: "FILE --control CONTROL --scene FILE [--out DIR] [--events] [--skip-blocks] [--lang LANG]",
+    usage: "FILE --control CONTROL --scene FILE [--out DIR] [--events] [--stock FILE] [--resolution MM] [--format FORMAT] [--skip-blocks] [--lang LANG]",
     arguments: own,
     run,
 };
@@ -30,12 +30,16 @@ const CALLS: [&str; 2] = ["CALL PGM", "PGM CALL"];
 const SHOWN: Digits = Digits { minimum: 0, maximum: Some(6) };
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
+    let [of_part, of_columns] = stock::own(ui);
     vec![
         arguments::file(ui),
         arguments::control(ui),
         arguments::valued(ui, "scene", "FILE", "cli-arg-scene").required(true),
         arguments::valued(ui, "out", "DIR", "cli-run-out"),
         arguments::switch(ui, "events", "cli-run-events"),
+        of_part,
+        of_columns,
+        arguments::format(ui, &["text", "json"]),
         arguments::switch(ui, "skip-blocks", "cli-run-skip-blocks"),
         arguments::valued(ui, "lang", "LANG", "cli-run-lang"),
     ]
@@ -59,11 +63,22 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         engine = engine.skipping_blocks();
     }
     let mut teller = Teller { events: matches.get_flag("events"), set: BTreeMap::new(), failed: None, written: Ok(()) };
+    let part = stock::wanted(matches);
+    let mut machining = part.map(|_| stock::begin(&file.program, &scene, matches)).transpose()?;
     let output = &mut *session.output;
-    let result = engine.run(&mut |event| teller.tell(&event, output));
+    let result = engine.run(&mut |event| {
+        if let Some(machining) = &mut machining {
+            machining.see(&event);
+        }
+        teller.tell(&event, output);
+    });
     teller.written?;
-    if !teller.events {
+    let format = arguments::chosen_format(matches);
+    if !teller.events && format != "json" {
         summary(session, &teller.set, result.status)?;
+    }
+    if let (Some(path), Some(machining)) = (part, machining) {
+        stock::end(session, path, machining.finish(), format)?;
     }
     if let Some(out) = matches.get_one::<String>("out") {
         save(session, Path::new(out), result.tables.iter().chain(&result.logs))?;
@@ -104,14 +119,14 @@ fn language<'l>(
     }
 }
 
-fn scene(path: &str, files: &[(String, String)]) -> Result<Scene, Failure> {
+pub(super) fn scene(path: &str, files: &[(String, String)]) -> Result<Scene, Failure> {
     let bytes = system::read(Path::new(path))?;
     let text = String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", path))?;
     Scene::parse(&Source::new(path, text), files).map_err(Failure::Data)
 }
 
 /// The programs beside this one, by name, if it calls any.
-fn neighbours(path: &Path, text: &str) -> Result<Vec<(String, program::File)>, Failure> {
+pub(super) fn neighbours(path: &Path, text: &str) -> Result<Vec<(String, program::File)>, Failure> {
     if !CALLS.iter().any(|call| text.to_uppercase().contains(call)) {
         return Ok(Vec::new());
     }

@@ -15,6 +15,9 @@ use std::sync::Arc;
 /// How far rounding may take a position beyond a limit, mm: what turned coordinates lose, and no more.
 const ROUNDING: f64 = 1e-9;
 
+/// The acceleration of an axis that has none of its own, mm/s²: a middling machine.
+const DEFAULT_ACCELERATION: f64 = 2000.0;
+
 /// The version of machine files that is understood.
 const VERSION: &str = "1";
 /// Where machines with a name are kept.
@@ -31,6 +34,8 @@ pub struct MachineAxis {
     pub max: f64,
     /// Rapid traverse in mm/min.
     pub rapid: f64,
+    /// Acceleration in mm/s².
+    pub acceleration: f64,
 }
 
 /// A machine.
@@ -125,15 +130,16 @@ impl Machine {
 }
 
 fn read_axis(node: &Node, reader: &mut Reader<'_>) -> Option<MachineAxis> {
-    reader.only_keys(node, &["axis", "min", "max", "rapid"]);
+    reader.only_keys(node, &["axis", "min", "max", "rapid", "acceleration"]);
     let axis = reader.need(node, "axis").and_then(|node| reader.axis(node));
     let min = reader.need(node, "min").and_then(|node| reader.length(node));
     let max = reader.need(node, "max").and_then(|node| reader.length(node));
     let rapid = reader.need(node, "rapid").and_then(|node| reader.positive(node));
-    let (axis, min, max, rapid) = (axis?, min?, max?, rapid?);
+    let acceleration = node.get("acceleration").map_or(Some(DEFAULT_ACCELERATION), |node| reader.positive(node));
+    let (axis, min, max, rapid, acceleration) = (axis?, min?, max?, rapid?, acceleration?);
     if min >= max {
         reader.report("scene-min-max", node, Vec::new());
         return None;
     }
-    Some(MachineAxis { axis, min, max, rapid })
+    Some(MachineAxis { axis, min, max, rapid, acceleration })
 }

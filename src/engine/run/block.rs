@@ -232,7 +232,8 @@ impl<'e> Run<'_, 'e> {
             if self.world.has_tools() && table.text(number, "TL")? == LOCKED {
                 return Err(Fault::control("tool-locked").arg("tool", number).into());
             }
-            let tool = self.world.tool_data(number, delta_radius, delta_length)?;
+            let mut tool = self.world.tool_data(number, delta_radius, delta_length)?;
+            tool.corner += delta(&call.dr2)?;
             self.world.take_tool(tool);
         }
         if let Some(speed) = &call.speed {
@@ -250,7 +251,7 @@ impl<'e> Run<'_, 'e> {
         let called = call.tool.as_ref().and(self.world.tool());
         let turns_otherwise = self.modal.spindle != before && before.direction != 0;
         if called.is_some() || turns_otherwise {
-            self.tell_spindle(called.map(|tool| (tool.number, self.world.system.plane.tool)));
+            self.tell_spindle(called.map(|tool| (tool, self.world.system.plane.tool)));
         }
         Ok(())
     }

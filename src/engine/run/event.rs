@@ -10,8 +10,10 @@ use serde::ser::{SerializeMap, Serializer};
 use serde_json::Value;
 
 use super::fault::{Class, Fault};
+use super::world::Tool;
 use crate::diag::Arg;
 use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
+use crate::engine::solid::Path;
 use crate::expr::QRef;
 use crate::spec::CycleKey;
 
@@ -194,6 +196,8 @@ pub enum EventKind {
         machine: DVec3,
         /// The feed along the path.
         feed: f64,
+        /// The way of the tool tip in machine coordinates; JSON tells it by the other members.
+        path: Path,
     },
     /// Rotary axes turn together.
     Turn {
@@ -210,8 +214,8 @@ pub enum EventKind {
     Dwell(f64),
     /// The spindle gets a tool, turns (+1 clockwise, -1 counter-clockwise), stops, or is oriented.
     Spindle {
-        /// The number of the tool that was called and the tool axis; nothing if the tool stays.
-        tool: Option<(f64, Axis)>,
+        /// The tool that was called and the tool axis; nothing if the tool stays.
+        tool: Option<(Tool, Axis)>,
         /// +1 clockwise (M3), -1 counter-clockwise (M4), 0 stop.
         direction: i8,
         /// The speed, rev/min; 0 while the spindle stands.
@@ -387,11 +391,11 @@ impl EventKind {
 impl EventKind {
     fn fields<M: SerializeMap>(&self, map: &mut M) -> Result<(), M::Error> {
         match self {
-            Self::Move { kind, from, to, machine, feed } => moved(map, *kind, [*from, *to, *machine], *feed),
+            Self::Move { kind, from, to, machine, feed, .. } => moved(map, *kind, [*from, *to, *machine], *feed),
             Self::Dwell(seconds) => map.serialize_entry("seconds", &number(*seconds)),
             Self::Spindle { tool, direction, speed, orient } => {
                 if let Some((tool, axis)) = tool {
-                    map.serialize_entry("tool", &key(*tool))?;
+                    map.serialize_entry("tool", &key(tool.number))?;
                     map.serialize_entry("axis", &axis.letter())?;
                 }
                 let word = match direction {

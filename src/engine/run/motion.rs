@@ -315,7 +315,7 @@ impl Run<'_, '_> {
         self.release(path);
         self.world.here = to;
         self.world.machine = machine;
-        self.tell(EventKind::Move { kind, from, to, machine, feed });
+        self.tell(EventKind::Move { kind, from, to, machine, feed, path: *path });
         Ok(())
     }
 

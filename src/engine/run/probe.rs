@@ -9,6 +9,7 @@ use super::fault::{Class, Fault};
 use super::stylus::ProbeData;
 use super::{Done, EventKind, Run};
 use crate::engine::scene::Orientation;
+use crate::engine::solid::Path;
 
 /// Angles that differ by less, in degrees, are the same orientation.
 const SAME_ANGLE: f64 = 1e-9;
@@ -127,7 +128,8 @@ impl Run<'_, '_> {
         if stopped != machine {
             let feed = self.world.scene.machine.rapid_feed(machine - stopped);
             let from = self.world.system.back().point(stopped);
-            self.tell(EventKind::Move { kind: MoveKind::Rapid, from, to: here, machine, feed });
+            let path = Path::line(stopped, machine);
+            self.tell(EventKind::Move { kind: MoveKind::Rapid, from, to: here, machine, feed, path });
         }
     }
 }

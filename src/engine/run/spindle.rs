@@ -5,7 +5,7 @@ use super::block::{Effect, effect};
 use super::cycle::Exec;
 use super::fault::{Class, Fault};
 use super::motion::Speed;
-use super::{Done, EventKind, Run, Spindle};
+use super::{Done, EventKind, Run, Spindle, Tool};
 use crate::engine::geometry::Axis;
 use crate::engine::plan::{Calc, StrategyCall};
 
@@ -16,12 +16,12 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// Tells how the spindle turns now, with the tool that it just got.
-    pub(super) fn tell_spindle(&mut self, tool: Option<(f64, Axis)>) {
+    pub(super) fn tell_spindle(&mut self, tool: Option<(Tool, Axis)>) {
         let Spindle { speed, direction } = self.modal.spindle;
         self.tell_turning(tool, direction, speed);
     }
 
-    fn tell_turning(&mut self, tool: Option<(f64, Axis)>, direction: i8, speed: f64) {
+    fn tell_turning(&mut self, tool: Option<(Tool, Axis)>, direction: i8, speed: f64) {
         let speed = if direction == 0 { 0.0 } else { speed };
         self.tell(EventKind::Spindle { tool, direction, speed, orient: None });
     }

@@ -27,6 +27,10 @@ pub struct Tool {
     pub radius: f64,
     /// Length with all oversizes, mm.
     pub length: f64,
+    /// Radius of the corner between end and side with all oversizes, mm: 0 of a flat end, the radius of a ball.
+    pub corner: f64,
+    /// Angle of the point, degrees; 0 of tools that have none.
+    pub point: f64,
     /// Greatest plunging angle, degrees; 0 if none is known.
     pub angle: f64,
     /// Length of the cutting edges, mm; 0 if none is known.
@@ -240,6 +244,8 @@ impl<'s> World<'s> {
             number,
             radius: value("R")? + value("DR")? + delta_radius,
             length: value("L")? + value("DL")? + delta_length,
+            corner: value("R2")? + value("DR2")?,
+            point: value("T-ANGLE")?,
             angle: value("ANGLE")?,
             lcuts: value("LCUTS")?,
             corner_radius: value("R2")?,

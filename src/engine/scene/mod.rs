@@ -16,6 +16,7 @@ use super::geometry::{Frame, INCH, RotaryAxis};
 use super::machine::Machine;
 use super::read::Reader;
 use super::solid::{Body, Shape};
+use super::stock::Neck;
 use super::table::{Table, TableError, TableKind};
 use crate::diag::{Diagnostic, Source};
 use crate::spec::{Kind, Node, read_yaml};
@@ -67,6 +68,8 @@ pub struct Scene {
     pub machine_parameters: Vec<(String, ParameterValue)>,
     /// The tool table.
     pub tools: Table,
+    /// The necks of side cutters, by the number of the tool.
+    pub necks: Vec<(f64, Neck)>,
     /// The touch probe table.
     pub probes: Table,
     /// The touch probe, if there is one.
@@ -160,9 +163,10 @@ impl Scene {
         let clock = node.get("clock").map_or(Some(Clock::DEFAULT), |node| clock(node, r));
         let machine = machine(node, r, files);
         let machine_parameters = node.get("machine_parameters").map_or_else(Vec::new, |node| parameters(node, r));
+        let mut necks = Vec::new();
         let mut tools = Table::new(TableKind::Tool, TableKind::Tool.file_name());
         if let Some(node) = node.get("tools") {
-            rows::rows(node, &mut tools, r);
+            necks = tool_rows(node, &mut tools, r);
         }
         let mut probes = Table::new(TableKind::Probe, TableKind::Probe.file_name());
         let probe = node.get("probe").and_then(|node| probe::probe(node, &mut probes, r));
@@ -184,6 +188,7 @@ impl Scene {
                 machine,
                 machine_parameters,
                 tools,
+                necks,
                 probes,
                 probe,
                 presets,
@@ -264,6 +269,23 @@ fn parameters(node: &Node, r: &mut Reader<'_>) -> Vec<(String, ParameterValue)> 
         all.push((name.text.to_string(), value));
     }
     all
+}
+
+/// The tool table, and the necks of the tools that have one.
+fn tool_rows(node: &Node, table: &mut Table, r: &mut Reader<'_>) -> Vec<(f64, Neck)> {
+    let mut necks = Vec::new();
+    for item in r.items(node) {
+        let columns = r.entries(item).iter().filter(|(key, _)| &*key.text != "neck");
+        let Some(number) = rows::row(item, columns, None, table, r) else { continue };
+        let Some(neck) = item.get("neck") else { continue };
+        r.only_keys(neck, &["head", "radius"]);
+        let head = r.need(neck, "head").and_then(|node| r.positive(node));
+        let radius = r.need(neck, "radius").and_then(|node| r.positive(node));
+        if let (Some(head), Some(radius)) = (head, radius) {
+            necks.push((number, Neck { head, radius }));
+        }
+    }
+    necks
 }
 
 /// The preset table, which always has a row 0, and the number of the active row.

@@ -27,6 +27,7 @@ mod contact;
 mod curve;
 mod path;
 mod poly;
+mod ray;
 mod shape;
 mod surface;
 

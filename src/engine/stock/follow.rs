@@ -1,0 +1,321 @@
+//! Follows a run: takes its events, keeps the stock, and writes down what is worth knowing.
+//!
+//! Invariant: moves wait in batches of bounded size, so memory does not grow with their number.
+use glam::DVec3;
+
+use super::cutter::{Cutter, Neck, Tip};
+use super::pace::Pace;
+use super::report::{FindingKind, Place, Report};
+use super::{Batch, SKIN, Stock};
+use crate::diag::Diagnostic;
+use crate::engine::geometry::{Axis, Frame};
+use crate::engine::machine::Machine;
+use crate::engine::run::{Event, EventKind, MoveKind};
+use crate::engine::scene::Scene;
+use crate::engine::solid::{Path, Shape, SolidError};
+use crate::syntax::{self, Amount, BlockKind, Program};
+
+/// Moves that are carried out together.
+const TOGETHER: usize = 4096;
+/// Volume, mm³, below which nothing was cut.
+const NOTHING: f64 = 1e-6;
+
+/// Why there is no stock.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StockTrouble {
+    /// Neither the scene nor the program has a blank.
+    Missing,
+    /// The blank of the program has no extent, or its corners are no numbers.
+    Blank,
+    /// The resolution is not positive or makes too many columns.
+    Resolution {
+        /// What was asked for.
+        found: f64,
+    },
+    /// The blank, or the part that it is compared with, cannot be decided.
+    Solid(SolidError),
+}
+
+impl StockTrouble {
+    /// As a finding for a reader.
+    pub fn diagnostic(&self) -> Diagnostic {
+        match self {
+            Self::Missing => Diagnostic::global("stock-missing"),
+            Self::Blank => Diagnostic::global("stock-blank"),
+            Self::Resolution { found } => Diagnostic::global("stock-resolution").arg("found", *found),
+            Self::Solid(error) => Diagnostic::global(error.code()),
+        }
+    }
+}
+
+/// The blank.
+#[derive(Clone, Debug)]
+pub struct Blank {
+    /// Its shape in its own coordinates.
+    pub shape: Shape,
+    /// The box that holds it.
+    pub bounds: [DVec3; 2],
+    /// From its coordinates to the machine.
+    pub frame: Frame,
+    /// The tool axis.
+    pub axis: Axis,
+}
+
+impl Blank {
+    /// The stock of the scene, or the blank form of the program in the coordinates of the preset that is active at
+    /// the start.
+    ///
+    /// # Errors
+    /// There is none, or it has no extent.
+    pub fn find(program: &Program, scene: &Scene) -> Result<Self, StockTrouble> {
+        let form = Self::form(program, scene);
+        match &scene.stock {
+            None => form.unwrap_or(Err(StockTrouble::Missing)),
+            Some(shape) => {
+                let axis = form.and_then(Result::ok).map_or(scene.machine.spindle, |form| form.axis);
+                let (frame, shape) = match shape {
+                    Shape::Placed { frame, shape } => (*frame, (**shape).clone()),
+                    other => (Frame::IDENTITY, other.clone()),
+                };
+                let bounds = bounds(&shape).ok_or(StockTrouble::Blank)?;
+                Ok(Self { shape, bounds, frame, axis })
+            }
+        }
+    }
+
+    /// `BLK FORM 0.1` and `0.2`.
+    fn form(program: &Program, scene: &Scene) -> Option<Result<Self, StockTrouble>> {
+        let mut corners: [Option<DVec3>; 2] = [None, None];
+        let mut axis = scene.machine.spindle;
+        let mut any = false;
+        for block in program.blocks() {
+            let BlockKind::BlkForm(form) = &block.kind else { continue };
+            any = true;
+            if let Some(found) = form.axis.and_then(linear) {
+                axis = found;
+            }
+            let [first, second] = &mut corners;
+            let start = if form.part == 1 { DVec3::ZERO } else { first.unwrap_or(DVec3::ZERO) };
+            let mut corner = start;
+            let mut known = true;
+            for coord in &form.coords {
+                match (linear(coord.axis), coord.value.amount) {
+                    (Some(axis), Amount::Number(value)) => {
+                        let value = if coord.incremental { axis.of(start) + value } else { value };
+                        corner = axis.with(corner, value);
+                    }
+                    _ => known = false,
+                }
+            }
+            *(if form.part == 1 { first } else { second }) = known.then_some(corner);
+        }
+        if !any {
+            return None;
+        }
+        let [Some(min), Some(max)] = corners else { return Some(Err(StockTrouble::Blank)) };
+        if !min.cmplt(max).all() {
+            return Some(Err(StockTrouble::Blank));
+        }
+        Some(Ok(Self { shape: Shape::Box { min, max }, bounds: [min, max], frame: scene.frame, axis }))
+    }
+}
+
+fn linear(axis: syntax::Axis) -> Option<Axis> {
+    axis.name().chars().next().filter(|_| axis.name().len() == 1).and_then(Axis::from_letter)
+}
+
+/// The box that holds a blank.
+fn bounds(shape: &Shape) -> Option<[DVec3; 2]> {
+    match shape {
+        Shape::Box { min, max } => Some([*min, *max]),
+        Shape::Cylinder { from, to, radius } => {
+            let axis = (*to - *from).normalize_or_zero();
+            let reach = |part: f64| radius * (1.0 - part * part).max(0.0).sqrt();
+            let reach = DVec3::new(reach(axis.x), reach(axis.y), reach(axis.z));
+            Some([from.min(*to) - reach, from.max(*to) + reach])
+        }
+        _ => None,
+    }
+}
+
+/// A path in other coordinates.
+fn seen(frame: &Frame, path: &Path) -> Path {
+    match *path {
+        Path::Line { from, to } => Path::line(frame.point(from), frame.point(to)),
+        Path::Arc { centre, axis, from, sweep, rise } => {
+            Path::Arc { centre: frame.point(centre), axis: frame.vector(axis), from: frame.point(from), sweep, rise }
+        }
+    }
+}
+
+/// What is known of a move that waits for its cut.
+struct Noted {
+    at: Place,
+    rapid: bool,
+    stands: bool,
+    length: f64,
+    feed: f64,
+    edges: f64,
+}
+
+/// A part that is being machined.
+pub struct Machining {
+    stock: Stock,
+    batch: Batch,
+    noted: Vec<Noted>,
+    pace: Pace,
+    report: Report,
+    necks: Vec<(f64, Neck)>,
+    cutter: Option<Cutter>,
+    /// The tool in the spindle that has no radius.
+    unknown: Option<f64>,
+    axis: Axis,
+    turning: bool,
+    machine: Machine,
+    /// Machine coordinates of the rotary axes, at the start and now.
+    angles: [DVec3; 2],
+    /// From the machine to where the parts were at the start, if the table has turned.
+    parts: Option<Frame>,
+}
+
+impl Machining {
+    /// Before the first event: the blank of the scene or the program, with cells at most as large as the resolution.
+    ///
+    /// # Errors
+    /// There is no blank, or the resolution does not fit.
+    pub fn new(program: &Program, scene: &Scene, resolution: Option<f64>) -> Result<Self, StockTrouble> {
+        let blank = Blank::find(program, scene)?;
+        let [min, max] = blank.bounds;
+        // A two hundredth of the greatest extent shows what a part looks like.
+        let resolution = resolution.unwrap_or((max - min).max_element() / 200.0);
+        let stock = Stock::new(&blank.shape, blank.bounds, blank.frame, blank.axis, resolution)?;
+        let report = Report { blank: stock.volume(), ..Report::default() };
+        Ok(Self {
+            stock,
+            batch: Batch::default(),
+            noted: Vec::new(),
+            pace: Pace::new(&scene.machine),
+            report,
+            necks: scene.necks.clone(),
+            cutter: None,
+            unknown: None,
+            axis: scene.machine.spindle,
+            turning: false,
+            machine: scene.machine.clone(),
+            angles: [scene.start_angles; 2],
+            parts: None,
+        })
+    }
+
+    /// Takes an event of the run.
+    pub fn see(&mut self, event: &Event) {
+        match &event.kind {
+            EventKind::Spindle { tool, direction, .. } => {
+                if let Some((tool, axis)) = tool {
+                    let neck = self.necks.iter().find(|(number, _)| *number == tool.number).map(|(_, neck)| *neck);
+                    self.cutter = Cutter::of_tool(tool, neck);
+                    self.unknown = (self.cutter.is_none() && tool.probe.is_none()).then_some(tool.number);
+                    self.axis = *axis;
+                    self.pace.stop();
+                }
+                self.turning = *direction != 0;
+            }
+            EventKind::Dwell(seconds) => {
+                self.report.time_dwell += seconds;
+                self.pace.stop();
+            }
+            EventKind::Turn { axes, together, .. } => {
+                let [start, now] = &mut self.angles;
+                *now = axes.iter().fold(*now, |angles, turned| turned.axis.with(angles, turned.machine));
+                let (before, after) = (self.machine.table(*start), self.machine.table(*now));
+                self.parts = (before != after).then(|| before.of(after.inverse()));
+                if *together {
+                    self.report.find(FindingKind::TurnsTogether, &Place::of(&event.at), 0.0);
+                }
+                self.pace.stop();
+            }
+            EventKind::Probe(_) => self.pace.stop(),
+            EventKind::Move { kind, feed, path, .. } => {
+                let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
+                let length = path.length();
+                self.report.moves += 1;
+                *(if rapid { &mut self.report.length_rapid } else { &mut self.report.length_feed }) += length;
+                self.pace.go(path, *feed, rapid);
+                let at = Place::of(&event.at);
+                if let (Some(number), false) = (self.unknown, rapid) {
+                    self.report.find(FindingKind::NoRadius, &at, number);
+                }
+                let Some(cutter) = self.in_effect() else { return };
+                let (stands, edges) = (!self.turning, cutter.edges);
+                // Whatever the spindle does, a move that stays out of the material must do so by more than rounding.
+                let [_, angles] = self.angles;
+                let (mut axis, mut path) = (self.machine.head(angles).vector(self.axis.unit()), *path);
+                if let Some(parts) = &self.parts {
+                    (axis, path) = (parts.vector(axis), seen(parts, &path));
+                }
+                self.stock.add(&mut self.batch, &path, axis, &cutter, rapid || stands);
+                self.noted.push(Noted { at, rapid, stands, length, feed: *feed, edges });
+                if self.batch.len() >= TOGETHER {
+                    self.flush();
+                }
+            }
+            EventKind::End(_) => {
+                self.pace.stop();
+                self.flush();
+            }
+            _ => {}
+        }
+    }
+
+    /// The tool as it meets the material now: while the spindle stands, the one edge of a side cutter goes where
+    /// the program turned it, and only its neck must find room.
+    fn in_effect(&self) -> Option<Cutter> {
+        let cutter = self.cutter?;
+        match cutter.neck {
+            Some(neck) if !self.turning => Some(Cutter { radius: neck.radius, tip: Tip::Flat, neck: None, ..cutter }),
+            _ => Some(cutter),
+        }
+    }
+
+    fn flush(&mut self) {
+        let cuts = self.stock.carry_out(&mut self.batch);
+        for (cut, noted) in cuts.iter().zip(self.noted.drain(..)) {
+            if cut.volume <= NOTHING {
+                continue;
+            }
+            let report = &mut self.report;
+            report.removed += cut.volume;
+            if noted.rapid {
+                report.find(FindingKind::Rapid, &noted.at, cut.depth + SKIN);
+            } else if noted.stands {
+                report.find(FindingKind::SpindleStands, &noted.at, cut.depth + SKIN);
+            }
+            if noted.edges > 0.0 && cut.reach > noted.edges + SKIN {
+                report.find(FindingKind::EdgesTooShort, &noted.at, cut.reach);
+            }
+            if noted.rapid {
+                continue;
+            }
+            report.cuts += 1;
+            report.length_cut += noted.length;
+            report.depth.note(cut.depth, noted.at.line);
+            report.width.note(cut.width, noted.at.line);
+            if noted.length > 0.0 {
+                report.rate.note(cut.volume / noted.length * noted.feed, noted.at.line);
+            }
+        }
+    }
+
+    /// The stock, without the moves that still wait.
+    pub const fn stock(&self) -> &Stock {
+        &self.stock
+    }
+
+    /// What is left, and the report.
+    pub fn finish(mut self) -> (Stock, Report) {
+        self.pace.stop();
+        self.flush();
+        (self.report.time_feed, self.report.time_rapid) = (self.pace.feed, self.pace.rapid);
+        (self.stock, self.report)
+    }
+}

@@ -1,0 +1,513 @@
+//! The stock: what is left of the blank while a program machines it.
+//!
+//! # The model
+//! The blank is a field of columns (dexels) along one axis, one for each cell of a grid whose cells are not larger
+//! than the resolution that the caller chooses. A column is a list of stretches of material with exact ends: only
+//! the *places* of the columns are quantised, never a height. Tools are bodies of revolution ([`Cutter`]); their
+//! envelope along lines, arcs and helices is calculated exactly for each column while the tool stands along the
+//! columns (see `sweep`). A tool that stands otherwise, or a way about another axis, is followed in steps of a
+//! quarter of the resolution (see `oblique`), which is its error.
+//!
+//! # Work and memory
+//! Moves are collected and carried out by several threads, each of which owns rows of its own: the result does not
+//! depend on their number to the last bit. Memory depends on the grid and not on the number of moves.
+//!
+//! Invariant: nothing here knows a control or a program; `follow` alone reads events.
+mod compare;
+mod cutter;
+mod follow;
+mod lane;
+mod mesh;
+mod oblique;
+mod outline;
+mod pace;
+mod report;
+mod sweep;
+
+pub use compare::Deviation;
+pub use cutter::{Cutter, Neck, Tip};
+pub use follow::{Blank, Machining, StockTrouble};
+pub use outline::Plateau;
+pub use report::{Finding, FindingKind, Greatest, Report};
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use glam::{DVec2, DVec3};
+
+use super::geometry::{Axis, Frame, WorkingPlane};
+use super::solid::{Body, Path, Shape, SolidError};
+use lane::{BLOCK, Row, SLIVER, Tally};
+use oblique::Oblique;
+use sweep::Sweep;
+
+/// Rows that lie together in one lane.
+const BAND: usize = 16;
+/// Lanes that can be worked on at the same time.
+const LANES: usize = 8;
+/// Most columns of a grid: about three gigabytes.
+const MOST_COLUMNS: f64 = 1.5e8;
+/// How deep rapid traverse must be in the material to count as contact, mm. What follows from rounding is far below.
+pub const SKIN: f64 = 1e-3;
+
+/// What one move did to the stock.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cut {
+    /// Volume taken away, mm³.
+    pub volume: f64,
+    /// The greatest height taken away from one column by a piece of the move: a line, or a quarter turn. mm.
+    pub depth: f64,
+    /// Extent of what was cut across the path, mm; 0 if the tool moved along its axis.
+    pub width: f64,
+    /// How far above the tip's highest place material was cut, mm: what the edges must be long.
+    pub reach: f64,
+}
+
+/// A piece of a move: which move of the batch, and what sweeps.
+#[derive(Clone, Copy, Debug)]
+struct Job {
+    owner: usize,
+    sweep: Swept,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Swept {
+    /// Everything above the lower envelope goes.
+    Above(Sweep),
+    /// Everything between the lower envelope and the upper one of a head of that height goes.
+    Between(Sweep, f64),
+    /// The tool does not stand along the columns.
+    Oblique(Oblique),
+}
+
+impl Swept {
+    fn bounds(&self) -> (DVec2, DVec2) {
+        match self {
+            Self::Above(sweep) | Self::Between(sweep, _) => (sweep.min, sweep.max),
+            Self::Oblique(oblique) => oblique.bounds(),
+        }
+    }
+}
+
+/// Moves that wait to be carried out together.
+#[derive(Debug, Default)]
+pub struct Batch {
+    jobs: Vec<Job>,
+    moves: usize,
+    /// Where the last tool ended, if its whole envelope is gone there.
+    last: Option<(DVec3, Cutter)>,
+    /// By move: the highest place of the tip, and whether it goes across the tool axis.
+    about: Vec<(f64, bool)>,
+}
+
+impl Batch {
+    /// Moves that wait.
+    pub const fn len(&self) -> usize {
+        self.moves
+    }
+
+    /// Whether nothing waits.
+    pub const fn is_empty(&self) -> bool {
+        self.moves == 0
+    }
+}
+
+/// Where columns stand.
+#[derive(Clone, Copy, Debug)]
+struct Grid {
+    /// From the coordinates of the blank to the machine, and back.
+    frame: Frame,
+    back: Frame,
+    /// The plane across the columns.
+    plane: WorkingPlane,
+    /// The lower corner in the coordinates of the grid: main axis, secondary axis, along the columns.
+    min: DVec3,
+    max: DVec3,
+    /// Size of a cell, and how many there are in a mm.
+    cell: DVec2,
+    each: DVec2,
+    columns: usize,
+    rows: usize,
+}
+
+impl Grid {
+    fn x(&self, column: usize) -> f64 {
+        self.min.x + (column as f64 + 0.5) * self.cell.x
+    }
+
+    fn y(&self, row: usize) -> f64 {
+        self.min.y + (row as f64 + 0.5) * self.cell.y
+    }
+
+    /// Coordinates of the grid of a point of the machine.
+    fn point(&self, machine: DVec3) -> DVec3 {
+        self.in_plane(self.back.point(machine))
+    }
+
+    fn vector(&self, machine: DVec3) -> DVec3 {
+        self.in_plane(self.back.vector(machine))
+    }
+
+    fn in_plane(&self, blank: DVec3) -> DVec3 {
+        let flat = self.plane.flat(blank);
+        DVec3::new(flat.x, flat.y, self.plane.tool.of(blank))
+    }
+
+    /// The point in the coordinates of the blank.
+    fn blank(&self, grid: DVec3) -> DVec3 {
+        self.plane.lift(DVec2::new(grid.x, grid.y), grid.z)
+    }
+
+    /// Indices from `low` to `high`, both included, whose centres lie between the two coordinates.
+    fn between(from: f64, to: f64, origin: f64, each: f64, count: usize) -> Option<(usize, usize)> {
+        let (from, to) = ((from - origin) * each - 0.5, (to - origin) * each - 0.5);
+        if !(to >= 0.0 && from <= to) {
+            return None;
+        }
+        // Casts cut off what is below zero and beyond the largest number.
+        let (low, high) = (from as usize, (to as usize).min(count - 1));
+        let low = if (low as f64) < from { low + 1 } else { low };
+        (low <= high).then_some((low, high))
+    }
+}
+
+/// The stock.
+#[derive(Clone, Debug)]
+pub struct Stock {
+    grid: Grid,
+    lanes: Vec<Vec<Row>>,
+}
+
+/// Lane and place in it of a row.
+const fn place(row: usize) -> (usize, usize) {
+    let band = row / BAND;
+    (band % LANES, (band / LANES) * BAND + row % BAND)
+}
+
+impl Stock {
+    /// The blank as columns along the axis of its coordinates; `frame` leads from these to the machine. The box
+    /// `min` to `max` holds the blank. Cells are at most as large as the resolution.
+    ///
+    /// # Errors
+    /// The resolution is not positive or too fine, or the blank has no extent.
+    pub fn new(
+        blank: &Shape,
+        bounds: [DVec3; 2],
+        frame: Frame,
+        axis: Axis,
+        resolution: f64,
+    ) -> Result<Self, StockTrouble> {
+        let plane = WorkingPlane::of_tool_axis(axis);
+        let body = Body::new(blank)?;
+        let [min, max] = bounds.map(|p| {
+            let flat = plane.flat(p);
+            DVec3::new(flat.x, flat.y, axis.of(p))
+        });
+        let extent = max - min;
+        let sound = resolution > 0.0 && extent.is_finite() && extent.min_element() > 0.0;
+        let (columns, rows) = ((extent.x / resolution).ceil(), (extent.y / resolution).ceil());
+        if !sound || columns * rows > MOST_COLUMNS {
+            return Err(StockTrouble::Resolution { found: resolution });
+        }
+        let cell = DVec2::new(extent.x / columns, extent.y / rows);
+        let (columns, rows) = (columns as usize, rows as usize);
+        let each = cell.recip();
+        let grid = Grid { frame, back: frame.inverse(), plane, min, max, cell, each, columns, rows };
+        let mut lanes = vec![Vec::new(); LANES];
+        let up = grid.blank(DVec3::Z);
+        for row in 0..rows {
+            let mut error = None;
+            let made = Row::new(columns, |column| {
+                let origin = grid.blank(DVec3::new(grid.x(column), grid.y(row), 0.0));
+                body.along(origin, up).unwrap_or_else(|found| {
+                    error = Some(found);
+                    Vec::new()
+                })
+            });
+            if let Some(error) = error {
+                return Err(error.into());
+            }
+            if let Some(lane) = lanes.get_mut(place(row).0) {
+                lane.push(made);
+            }
+        }
+        Ok(Self { grid, lanes })
+    }
+
+    fn row(&self, row: usize) -> Option<&Row> {
+        let (lane, at) = place(row);
+        self.lanes.get(lane)?.get(at)
+    }
+
+    /// Columns and rows of the grid.
+    pub const fn size(&self) -> (usize, usize) {
+        (self.grid.columns, self.grid.rows)
+    }
+
+    /// The size of a cell along the main and the secondary axis.
+    pub const fn cell(&self) -> DVec2 {
+        self.grid.cell
+    }
+
+    /// The box of the blank in the coordinates of the grid: main axis, secondary axis, along the columns.
+    pub const fn bounds(&self) -> [DVec3; 2] {
+        [self.grid.min, self.grid.max]
+    }
+
+    /// The axis of the blank along which the columns stand.
+    pub const fn axis(&self) -> Axis {
+        self.grid.plane.tool
+    }
+
+    /// A point of the machine in the coordinates of the grid.
+    pub fn to_grid(&self, machine: DVec3) -> DVec3 {
+        self.grid.point(machine)
+    }
+
+    /// Where a column stands: main and secondary axis.
+    pub fn place(&self, column: usize, row: usize) -> DVec2 {
+        DVec2::new(self.grid.x(column), self.grid.y(row))
+    }
+
+    /// The stretches of material in a column, from low to high.
+    pub fn column(&self, column: usize, row: usize) -> Vec<[f64; 2]> {
+        self.row(row).map_or_else(Vec::new, |row| row.column(column))
+    }
+
+    /// The top of a column, or nothing if it is empty.
+    pub fn top(&self, column: usize, row: usize) -> Option<f64> {
+        self.row(row).map(|row| row.top(column)).filter(|top| top.is_finite())
+    }
+
+    /// The volume left, mm³.
+    pub fn volume(&self) -> f64 {
+        let mut sum = 0.0;
+        for row in 0..self.grid.rows {
+            for column in 0..self.grid.columns {
+                sum += self.column(column, row).iter().map(|[low, high]| high - low).sum::<f64>();
+            }
+        }
+        sum * self.grid.cell.x * self.grid.cell.y
+    }
+
+    /// Adds a move of the tool tip (machine coordinates) to a batch. `axis` points from the tip to the spindle. A
+    /// move at rapid traverse takes away what is deeper in the material than [`SKIN`].
+    pub fn add(&self, batch: &mut Batch, path: &Path, axis: DVec3, cutter: &Cutter, rapid: bool) {
+        let owner = batch.moves;
+        batch.moves += 1;
+        let (cutter, lift) = if rapid { (cutter.shrunk(SKIN), SKIN) } else { (*cutter, 0.0) };
+        let tool = self.grid.vector(axis).normalize_or_zero();
+        // Rounding of turned coordinates is no inclination.
+        let upright = (tool - DVec3::Z).length() < 1e-12;
+        let up = DVec3::Z * lift;
+        let joins = batch.last.take();
+        let mut across = true;
+        let mut high = f64::NEG_INFINITY;
+        match *path {
+            Path::Line { from, to } => {
+                let (from, to) = (self.grid.point(from), self.grid.point(to));
+                high = from.z.max(to.z);
+                across = libm::hypot(to.x - from.x, to.y - from.y) > SLIVER;
+                if upright {
+                    let mut line = Sweep::line(from + up, to + up, cutter);
+                    line.joined = joins.is_some_and(|(at, before)| at == from + up && before == cutter);
+                    batch.last = cutter.neck.is_none().then_some((to + up, cutter));
+                    upright_jobs(batch, owner, line);
+                } else {
+                    let bottom = self.grid.min.z;
+                    oblique_jobs(batch, owner, &Oblique::new(path, &self.grid, cutter, tool, lift, bottom));
+                }
+            }
+            Path::Arc { centre, axis, from, sweep, rise } => {
+                let about = self.grid.vector(axis).normalize_or_zero();
+                let standing = about.z.abs() > 1.0 - 1e-12;
+                if upright && standing && sweep != 0.0 {
+                    let (centre, start) = (self.grid.point(centre), self.grid.point(from));
+                    let arm = DVec2::new(start.x - centre.x, start.y - centre.y);
+                    let (radius, angle) = (libm::hypot(arm.x, arm.y), libm::atan2(arm.y, arm.x));
+                    let (sweep, rise) = (sweep.to_radians() * about.z.signum(), rise * about.z.signum());
+                    high = start.z.max(start.z + rise);
+                    let mut pieces = if rise == 0.0 { 1.0 } else { (sweep.abs() / std::f64::consts::FRAC_PI_2).ceil() };
+                    if let Some(neck) = cutter.neck.filter(|neck| neck.head > 0.0) {
+                        pieces = f64::max(pieces, (rise.abs() / neck.head).ceil());
+                    }
+                    let centre = DVec2::new(centre.x, centre.y);
+                    for piece in 0..pieces as usize {
+                        let share = piece as f64 / pieces;
+                        let (angle, z) = (angle + sweep * share, start.z + lift + rise * share);
+                        let arc = Sweep::arc(centre, radius, angle, sweep / pieces, z, rise / pieces, cutter);
+                        upright_jobs(batch, owner, arc);
+                    }
+                } else {
+                    let bottom = self.grid.min.z;
+                    oblique_jobs(batch, owner, &Oblique::new(path, &self.grid, cutter, tool, lift, bottom));
+                }
+            }
+        }
+        batch.about.push((high, across));
+    }
+
+    /// Carries out the moves of a batch, in their order, and empties it. What each of them did.
+    pub fn carry_out(&mut self, batch: &mut Batch) -> Vec<Cut> {
+        let jobs = std::mem::take(&mut batch.jobs);
+        let about = std::mem::take(&mut batch.about);
+        let moves = std::mem::take(&mut batch.moves);
+        let grid = self.grid;
+        let lanes: Vec<_> =
+            self.lanes.iter_mut().enumerate().map(|lane| std::sync::Mutex::new((lane, Vec::new()))).collect();
+        let next = AtomicUsize::new(0);
+        let work = || {
+            while let Some(lane) = lanes.get(next.fetch_add(1, Ordering::Relaxed)) {
+                let Ok(mut lane) = lane.lock() else { continue };
+                let ((number, rows), tallies) = &mut *lane;
+                *tallies = work_lane(&grid, *number, rows, &jobs, moves);
+            }
+        };
+        let threads = std::thread::available_parallelism().map_or(1, usize::from).min(LANES);
+        if threads == 1 || jobs.len() < 32 {
+            work();
+        } else {
+            std::thread::scope(|scope| {
+                (1..threads).for_each(|_| drop(scope.spawn(work)));
+                work();
+            });
+        }
+        let mut all = vec![Tally::NONE; moves];
+        for lane in lanes {
+            let tallies = lane.into_inner().map(|(_, tallies)| tallies).unwrap_or_default();
+            all.iter_mut().zip(&tallies).for_each(|(sum, tally): (&mut Tally, &Tally)| sum.join(tally));
+        }
+        (batch.jobs, batch.about) = (jobs, about);
+        batch.jobs.clear();
+        let area = grid.cell.x * grid.cell.y;
+        let cuts = all.iter().zip(&batch.about).map(|(tally, (high, across))| Cut {
+            volume: tally.height * area,
+            depth: tally.deepest,
+            width: if *across && tally.left[1] >= tally.left[0] { tally.left[1] - tally.left[0] } else { 0.0 },
+            reach: if high.is_finite() { tally.highest - high } else { f64::NEG_INFINITY },
+        });
+        let cuts = cuts.collect();
+        batch.about.clear();
+        cuts
+    }
+}
+
+/// A tool that stands along the columns: its whole envelope, or that of its head and that of its neck.
+fn upright_jobs(batch: &mut Batch, owner: usize, sweep: Sweep) {
+    let mut job = |sweep| batch.jobs.push(Job { owner, sweep });
+    match sweep.cutter.neck {
+        None => job(Swept::Above(sweep)),
+        Some(neck) => {
+            let thin = Cutter { radius: neck.radius, tip: Tip::Flat, neck: None, ..sweep.cutter };
+            let head = Cutter { neck: None, ..sweep.cutter };
+            job(Swept::Between(sweep.with(head, 0.0), neck.head));
+            job(Swept::Above(sweep.with(thin, neck.head)));
+        }
+    }
+}
+
+fn oblique_jobs(batch: &mut Batch, owner: usize, oblique: &Oblique) {
+    batch.jobs.extend(oblique.parts().map(|part| Job { owner, sweep: Swept::Oblique(part) }));
+}
+
+/// Carries out all jobs in the rows of one lane. What each move did there.
+fn work_lane(grid: &Grid, lane: usize, rows: &mut [Row], jobs: &[Job], moves: usize) -> Vec<Tally> {
+    let mut tallies = vec![Tally::NONE; moves];
+    for job in jobs {
+        let (min, max) = job.sweep.bounds();
+        let Some((first, last)) = Grid::between(min.y, max.y, grid.min.y, grid.each.y, grid.rows) else { continue };
+        let Some(tally) = tallies.get_mut(job.owner) else { continue };
+        for band in first / BAND..=last / BAND {
+            if band % LANES != lane {
+                continue;
+            }
+            for row in (band * BAND).max(first)..=(band * BAND + BAND - 1).min(last) {
+                let Some(own) = rows.get_mut(place(row).1) else { continue };
+                match &job.sweep {
+                    Swept::Above(sweep) => above(grid, own, row, sweep, tally),
+                    Swept::Between(sweep, head) => between(grid, own, row, sweep, *head, tally),
+                    Swept::Oblique(oblique) => oblique.cut(grid, own, row, tally),
+                }
+            }
+        }
+    }
+    tallies
+}
+
+/// Everything above the envelope goes.
+fn above(grid: &Grid, own: &mut Row, row: usize, sweep: &Sweep, tally: &mut Tally) {
+    let y = grid.y(row);
+    let Some(span) = sweep.span(y) else { return };
+    for [from, to] in sweep.fresh(y, span) {
+        if let Some(columns) = Grid::between(from, to, grid.min.x, grid.each.x, grid.columns) {
+            above_part(grid, own, y, columns, sweep, tally);
+        }
+    }
+}
+
+/// The same between two columns.
+fn above_part(grid: &Grid, own: &mut Row, y: f64, (first, last): (usize, usize), sweep: &Sweep, tally: &mut Tally) {
+    let level = sweep.level();
+    let half = 0.5 * (BLOCK - 1) as f64 * grid.cell.x;
+    let mut heights = [f64::INFINITY; BLOCK];
+    for block in first / BLOCK..=last / BLOCK {
+        let highest = own.highest(block);
+        if highest <= sweep.low {
+            continue;
+        }
+        let begin = block * BLOCK;
+        if level.is_none() && highest <= sweep.least_near(DVec2::new(grid.x(begin) + half, y), half) {
+            continue;
+        }
+        match level {
+            Some(level) => heights.fill(level),
+            None => sweep.heights(grid.x(begin), grid.cell.x, y, &mut heights),
+        }
+        if begin < first || begin + BLOCK - 1 > last {
+            for (offset, height) in heights.iter_mut().enumerate() {
+                if begin + offset < first || begin + offset > last {
+                    *height = f64::INFINITY;
+                }
+            }
+        }
+        own.lower(block, &heights, sweep.low, tally, |first, last, tally| {
+            for column in [first, last] {
+                let left = sweep.left(DVec2::new(grid.x(column), y));
+                tally.left = [tally.left[0].min(left), tally.left[1].max(left)];
+            }
+        });
+    }
+}
+
+/// Everything between the lower and the upper envelope of a head goes.
+fn between(grid: &Grid, own: &mut Row, row: usize, sweep: &Sweep, head: f64, tally: &mut Tally) {
+    let y = grid.y(row);
+    let Some([from, to]) = sweep.span(y) else { return };
+    let Some((first, last)) = Grid::between(from, to, grid.min.x, grid.each.x, grid.columns) else { return };
+    let over = sweep.mirrored();
+    let (mut low, mut high) = ([f64::INFINITY; BLOCK], [f64::INFINITY; BLOCK]);
+    for block in first / BLOCK..=last / BLOCK {
+        if own.highest(block) <= sweep.low {
+            continue;
+        }
+        let begin = block * BLOCK;
+        sweep.heights(grid.x(begin), grid.cell.x, y, &mut low);
+        over.heights(grid.x(begin), grid.cell.x, y, &mut high);
+        for (offset, (low, high)) in low.iter().zip(&high).enumerate() {
+            let column = begin + offset;
+            if column < first || column > last || *low == f64::INFINITY {
+                continue;
+            }
+            if own.take(column, *low, head - *high, tally) {
+                let left = sweep.left(DVec2::new(grid.x(column), y));
+                tally.left = [tally.left[0].min(left), tally.left[1].max(left)];
+            }
+        }
+        own.settle(block);
+    }
+}
+
+impl From<SolidError> for StockTrouble {
+    fn from(error: SolidError) -> Self {
+        Self::Solid(error)
+    }
+}

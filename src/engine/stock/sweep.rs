@@ -1,0 +1,448 @@
+//! The way of a tool through the columns: how low its envelope reaches in each of them.
+//!
+//! Coordinates are those of the stock: columns stand along z, and so does the tool. Everything here is exact for
+//! each column: a line sweeps a convex body, so the lowest point over a column is where the slope of the path
+//! and the slope of the tool's end balance, or an end of the path. Only a bull nose on a ramp and round or
+//! pointed ends on a helix have no closed form; there the balance is found by bisection down to rounding.
+use std::f64::consts::{PI, TAU};
+
+use glam::{DVec2, DVec3};
+
+use super::cutter::{Cutter, Tip};
+use super::lane::BLOCK;
+
+/// Steps of a bisection; each halves an interval of some mm or radians.
+const BISECTIONS: usize = 50;
+/// Parts of a turn among which the lowest is looked for before the search closes in on it.
+const PARTS: usize = 16;
+/// What is left to rounding, mm.
+const HAIR: f64 = 1e-9;
+
+/// A way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Way {
+    /// A straight one.
+    Line {
+        from: DVec3,
+        /// Its direction seen from above; any if it is vertical.
+        along: DVec2,
+        /// Its length seen from above.
+        length: f64,
+        /// Rise over all.
+        rise: f64,
+    },
+    /// An arc about a line along z.
+    Arc {
+        centre: DVec2,
+        radius: f64,
+        /// Where it begins as seen from the centre, a unit vector.
+        start: DVec2,
+        /// Where it ends.
+        end: DVec2,
+        /// +1 counter-clockwise, -1 clockwise.
+        turn: f64,
+        /// Angle in radians, not negative.
+        sweep: f64,
+        /// Height at the start.
+        z: f64,
+        /// Rise over all.
+        rise: f64,
+    },
+}
+
+/// A tool on its way.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sweep {
+    pub way: Way,
+    pub cutter: Cutter,
+    /// Corners of the rectangle that it covers.
+    pub min: DVec2,
+    pub max: DVec2,
+    /// The lowest and the highest place of the tip.
+    pub low: f64,
+    pub high: f64,
+    /// Whether the tool has stood at the start before: what it covers there is gone already.
+    pub joined: bool,
+}
+
+fn unit(angle: f64) -> DVec2 {
+    DVec2::new(libm::cos(angle), libm::sin(angle))
+}
+
+impl Sweep {
+    /// A straight way.
+    pub(super) fn line(from: DVec3, to: DVec3, cutter: Cutter) -> Self {
+        let flat = DVec2::new(to.x - from.x, to.y - from.y);
+        let length = libm::hypot(flat.x, flat.y);
+        let along = if length > 0.0 { flat / length } else { DVec2::X };
+        let (a, b) = (DVec2::new(from.x, from.y), DVec2::new(to.x, to.y));
+        let way = Way::Line { from, along, length, rise: to.z - from.z };
+        Self::bounded(way, cutter, a.min(b), a.max(b), from.z, to.z)
+    }
+
+    /// An arc from an angle (radians) on; `sweep` is signed.
+    pub(super) fn arc(centre: DVec2, radius: f64, angle: f64, sweep: f64, z: f64, rise: f64, cutter: Cutter) -> Self {
+        let (start, end) = (unit(angle), unit(angle + sweep));
+        let way = Way::Arc { centre, radius, start, end, turn: sweep.signum(), sweep: sweep.abs(), z, rise };
+        let (mut min, mut max) = (start.min(end), start.max(end));
+        let passes = |way: DVec2| {
+            let (after, before) = (start.perp_dot(way) * sweep >= 0.0, way.perp_dot(end) * sweep >= 0.0);
+            sweep.abs() >= TAU || if sweep.abs() <= PI { after && before } else { after || before }
+        };
+        for way in [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y] {
+            if passes(way) {
+                (min, max) = (min.min(way), max.max(way));
+            }
+        }
+        Self::bounded(way, cutter, centre + min * radius, centre + max * radius, z, z + rise)
+    }
+
+    fn bounded(way: Way, cutter: Cutter, min: DVec2, max: DVec2, from: f64, to: f64) -> Self {
+        let reach = DVec2::splat(cutter.radius);
+        Self { way, cutter, min: min - reach, max: max + reach, low: from.min(to), high: from.max(to), joined: false }
+    }
+
+    /// The same upside down: its heights are the negative upper ends of what a flat tool covers.
+    pub(super) fn mirrored(&self) -> Self {
+        let mut other = *self;
+        match &mut other.way {
+            Way::Line { from, rise, .. } => (from.z, *rise) = (-from.z, -*rise),
+            Way::Arc { z, rise, .. } => (*z, *rise) = (-*z, -*rise),
+        }
+        (other.low, other.high) = (-self.high, -self.low);
+        other.cutter.tip = Tip::Flat;
+        other
+    }
+
+    /// The same with another tool whose tip is higher by `lift`.
+    pub(super) fn with(&self, cutter: Cutter, lift: f64) -> Self {
+        let mut other = *self;
+        match &mut other.way {
+            Way::Line { from, .. } => from.z += lift,
+            Way::Arc { z, .. } => *z += lift,
+        }
+        let grow = DVec2::splat(cutter.radius - self.cutter.radius);
+        Self {
+            cutter,
+            min: self.min - grow,
+            max: self.max + grow,
+            low: self.low + lift,
+            high: self.high + lift,
+            ..other
+        }
+    }
+
+    /// How far a point lies to the left of the path.
+    pub(super) fn left(&self, p: DVec2) -> f64 {
+        match self.way {
+            Way::Line { from, along, .. } => along.perp_dot(p - DVec2::new(from.x, from.y)),
+            Way::Arc { centre, radius, turn, .. } => turn * (radius - (p - centre).length()),
+        }
+    }
+
+    /// The part of a row of that y that it covers; the whole rectangle for arcs.
+    pub(super) fn span(&self, y: f64) -> Option<[f64; 2]> {
+        let Way::Line { from, along, length, .. } = self.way else {
+            return (y >= self.min.y && y <= self.max.y).then_some([self.min.x, self.max.x]);
+        };
+        let radius = self.cutter.radius;
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut disc = |centre: DVec2| {
+            let square = radius * radius - (y - centre.y) * (y - centre.y);
+            if square >= 0.0 {
+                let half = square.sqrt();
+                low = low.min(centre.x - half);
+                high = high.max(centre.x + half);
+            }
+        };
+        let start = DVec2::new(from.x, from.y);
+        let end = start + along * length;
+        disc(start);
+        disc(end);
+        if along.y != 0.0 && length > 0.0 {
+            for side in [radius, -radius] {
+                let edge = start + along.perp() * side;
+                let way = (y - edge.y) / along.y;
+                if (0.0..=length).contains(&way) {
+                    let x = edge.x + along.x * way;
+                    low = low.min(x);
+                    high = high.max(x);
+                }
+            }
+        }
+        (low <= high).then_some([low, high])
+    }
+
+    /// The parts of a row within its span in which it can cut something; the second may be empty. Where the tool has
+    /// stood at the start, that is what the path leads it to: beyond the first place for a flat tool that does not go
+    /// down, and before the tool otherwise.
+    pub(super) fn fresh(&self, y: f64, [low, high]: [f64; 2]) -> [[f64; 2]; 2] {
+        const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
+        let Way::Line { from, along, length, rise } = self.way else { return [[low, high], NONE] };
+        if !self.joined || length == 0.0 {
+            return [[low, high], NONE];
+        }
+        let radius = self.cutter.radius;
+        let slope = rise / length;
+        let behind = match self.cutter.tip {
+            Tip::Flat if rise >= 0.0 => {
+                let square = radius * radius - (y - from.y) * (y - from.y);
+                if square <= 0.0 {
+                    return [[low, high], NONE];
+                }
+                // A hair is left to rounding.
+                let half = square.sqrt() - HAIR;
+                return [[low, high.min(from.x - half)], [low.max(from.x + half), high]];
+            }
+            Tip::Flat => return [[low, high], NONE],
+            Tip::Point(steep) if slope.abs() >= steep => return [[low, high], NONE],
+            Tip::Point(steep) => radius * slope.abs() / (steep * steep - slope * slope).sqrt(),
+            Tip::Round(corner) if corner >= radius => radius * slope.abs() / (1.0 + slope * slope).sqrt(),
+            Tip::Round(_) if rise == 0.0 => 0.0,
+            Tip::Round(_) => return [[low, high], NONE],
+        };
+        // What lies farther back than this along the path is lowest where the tool stood.
+        let behind = if slope > 0.0 { 0.0 } else { behind }.min(radius) + HAIR;
+        let start = (y - from.y) * along.y + behind;
+        if along.x > 1e-9 {
+            [[low.max(from.x - start / along.x), high], NONE]
+        } else if along.x < -1e-9 {
+            [[low, high.min(from.x - start / along.x)], NONE]
+        } else {
+            [[low, high], NONE]
+        }
+    }
+
+    /// No height of the envelope is lower within half a length about a point.
+    pub(super) fn least_near(&self, p: DVec2, half: f64) -> f64 {
+        match self.way {
+            Way::Line { from, along, length, .. } if self.cutter.tip != Tip::Flat => {
+                let way = p - DVec2::new(from.x, from.y);
+                let (u, v) = (way.dot(along), along.perp_dot(way));
+                let beyond = u - u.max(0.0).min(length);
+                let far = (beyond * beyond + v * v).sqrt() - half;
+                if far > self.cutter.radius { f64::INFINITY } else { self.low + self.cutter.rise(far.max(0.0)) }
+            }
+            _ => self.low,
+        }
+    }
+
+    /// The height above which everything is flat, if that is so within the span of each row: a flat tool that
+    /// stays at its height.
+    pub(super) fn level(&self) -> Option<f64> {
+        match self.way {
+            Way::Line { from, rise, length, .. } if self.cutter.tip == Tip::Flat && (rise == 0.0 || length == 0.0) => {
+                Some(from.z + rise.min(0.0))
+            }
+            _ => None,
+        }
+    }
+
+    /// The lowest heights of the envelope at the points `(x + n step, y)`; infinity where it does not come.
+    pub(super) fn heights(&self, x: f64, step: f64, y: f64, out: &mut [f64; BLOCK]) {
+        match self.way {
+            Way::Line { from, along, length, rise } => self.line_heights(from, along, length, rise, [x, step, y], out),
+            Way::Arc { .. } => {
+                for (n, out) in out.iter_mut().enumerate() {
+                    *out = self.arc_height(DVec2::new(x + n as f64 * step, y));
+                }
+            }
+        }
+    }
+
+    fn line_heights(
+        &self,
+        from: DVec3,
+        along: DVec2,
+        length: f64,
+        rise: f64,
+        [x, step, y]: [f64; 3],
+        out: &mut [f64; BLOCK],
+    ) {
+        let radius = self.cutter.radius;
+        let square = radius * radius;
+        let (dx, dy) = (x - from.x, y - from.y);
+        let start = [dx * along.x + dy * along.y, dy * along.x - dx * along.y];
+        let steps = [step * along.x, -step * along.y];
+        let each = |out: &mut [f64; BLOCK], height: &dyn Fn(f64, f64) -> f64| {
+            for (n, out) in out.iter_mut().enumerate() {
+                *out = height(start[0] + n as f64 * steps[0], start[1] + n as f64 * steps[1]);
+            }
+        };
+        // Along the path from its start, and across it.
+        let nearest = |u: f64, v: f64| {
+            let beyond = u - u.max(0.0).min(length);
+            beyond * beyond + v * v
+        };
+        if rise == 0.0 || length == 0.0 {
+            let z = from.z + rise.min(0.0);
+            match self.cutter.tip {
+                Tip::Round(corner) if corner == radius => {
+                    let top = z + radius;
+                    // The loop that matters most: nothing in it branches.
+                    for (n, out) in out.iter_mut().enumerate() {
+                        let n = n as f64;
+                        let (u, v) = (start[0] + n * steps[0], start[1] + n * steps[1]);
+                        let beyond = u - if u < 0.0 {
+                            0.0
+                        } else if u > length {
+                            length
+                        } else {
+                            u
+                        };
+                        let rest = square - beyond * beyond - v * v;
+                        let height = top - if rest > 0.0 { rest } else { 0.0 }.sqrt();
+                        *out = if rest >= 0.0 { height } else { f64::INFINITY };
+                    }
+                }
+                _ => each(out, &|u, v| {
+                    let far = nearest(u, v);
+                    if far <= square { z + self.cutter.rise(far.sqrt()) } else { f64::INFINITY }
+                }),
+            }
+            return;
+        }
+        let slope = rise / length;
+        if let Tip::Round(corner) = self.cutter.tip
+            && corner >= radius
+        {
+            let (lean, top) = (-slope / (1.0 + slope * slope).sqrt(), from.z + radius);
+            // Without branches, as above.
+            for (n, out) in out.iter_mut().enumerate() {
+                let n = n as f64;
+                let (u, v) = (start[0] + n * steps[0], start[1] + n * steps[1]);
+                let room = square - v * v;
+                let reach = if room > 0.0 { room } else { 0.0 }.sqrt();
+                let best = u + lean * reach;
+                let at = if best < 0.0 {
+                    0.0
+                } else if best > length {
+                    length
+                } else {
+                    best
+                };
+                let beyond = u - at;
+                let rest = room - beyond * beyond;
+                let height = top + slope * at - if rest > 0.0 { rest } else { 0.0 }.sqrt();
+                *out = if rest >= 0.0 { height } else { f64::INFINITY };
+            }
+            return;
+        }
+        each(out, &|u, v| {
+            let room = square - v * v;
+            if room < 0.0 {
+                return f64::INFINITY;
+            }
+            let reach = room.sqrt();
+            // The parts of the path that are near enough, as seen from the column.
+            let (first, last) = ((-u).max(-reach), (length - u).min(reach));
+            if first > last {
+                return f64::INFINITY;
+            }
+            let best = self.balance(slope, v, reach).max(first).min(last);
+            from.z + slope * (u + best) + self.cutter.rise(libm::hypot(best, v))
+        });
+    }
+
+    /// Where along a path with a slope the tool's end reaches lowest over a column at the distance `v` from the path:
+    /// behind (negative) or before it.
+    fn balance(&self, slope: f64, v: f64, reach: f64) -> f64 {
+        let down = -slope.signum() * reach;
+        match self.cutter.tip {
+            Tip::Flat => down,
+            Tip::Point(steep) if slope.abs() >= steep => down,
+            Tip::Point(steep) => -slope * v.abs() / (steep * steep - slope * slope).sqrt(),
+            Tip::Round(corner) if corner >= self.cutter.radius => -slope * reach / (1.0 + slope * slope).sqrt(),
+            Tip::Round(corner) => {
+                let flat = self.cutter.radius - corner;
+                // The slope of the end along the path at the distance s from the column.
+                let steepness = |s: f64| {
+                    let far = libm::hypot(s, v);
+                    let beyond = (far - flat).max(0.0);
+                    let depth = (corner * corner - beyond * beyond).max(0.0).sqrt();
+                    if beyond == 0.0 { 0.0 } else { beyond / depth * (s / far) }
+                };
+                let (mut near, mut far) = (0.0, reach);
+                for _ in 0..BISECTIONS {
+                    let middle = 0.5 * (near + far);
+                    if steepness(middle) < slope.abs() { near = middle } else { far = middle }
+                }
+                -slope.signum() * near
+            }
+        }
+    }
+
+    fn arc_height(&self, p: DVec2) -> f64 {
+        let Way::Arc { centre, radius, start, end, turn, sweep, z, rise } = self.way else { return f64::INFINITY };
+        let square = self.cutter.radius * self.cutter.radius;
+        let arm = p - centre;
+        if rise == 0.0 {
+            let beside = sweep >= TAU || {
+                let (after, before) = (start.perp_dot(arm) * turn >= 0.0, arm.perp_dot(end) * turn >= 0.0);
+                if sweep <= PI { after && before } else { after || before }
+            };
+            let far = if beside {
+                let off = arm.length() - radius;
+                off * off
+            } else {
+                (arm - start * radius).length_squared().min((arm - end * radius).length_squared())
+            };
+            return if far <= square { z + self.cutter.rise(far.sqrt()) } else { f64::INFINITY };
+        }
+        let lowest = if rise < 0.0 { end } else { start };
+        if self.cutter.tip == Tip::Flat && (arm - lowest * radius).length_squared() <= square {
+            return z + rise.min(0.0);
+        }
+        let out = arm.length();
+        if (out - radius).abs() > self.cutter.radius {
+            return f64::INFINITY;
+        }
+        if sweep <= PI && (start.perp_dot(arm) * turn < 0.0 || arm.perp_dot(end) * turn < 0.0) {
+            let near = (arm - start * radius).length_squared().min((arm - end * radius).length_squared());
+            if near > square {
+                return f64::INFINITY;
+            }
+        }
+        // How far the tool may be turned away from the column and still be over it.
+        let share = if out > 0.0 { (out * out + radius * radius - square) / (2.0 * out * radius) } else { -1.0 };
+        let reach = if share <= -1.0 { PI } else { libm::acos(share.min(1.0)) };
+        let own = turn * libm::atan2(start.perp_dot(arm), start.dot(arm));
+        let slope = rise / sweep;
+        let turns = (sweep / TAU).ceil();
+        let mut lowest = f64::INFINITY;
+        let mut angle = own - TAU;
+        while angle <= TAU * turns + PI {
+            let (first, last) = ((angle - reach).max(0.0), (angle + reach).min(sweep));
+            if first <= last {
+                lowest = lowest.min(z + self.lowest_on_turn(slope, angle, [first, last], out, radius));
+            }
+            angle += TAU;
+        }
+        lowest
+    }
+
+    /// The lowest height on the part of a helix that passes over a column whose angle is `angle`.
+    fn lowest_on_turn(&self, slope: f64, angle: f64, [first, last]: [f64; 2], out: f64, radius: f64) -> f64 {
+        let height = |at: f64| {
+            let far = (out * out + radius * radius - 2.0 * out * radius * libm::cos(at - angle)).max(0.0).sqrt();
+            slope * at + self.cutter.rise(far.min(self.cutter.radius))
+        };
+        let (down, up) = if slope < 0.0 { (last, first) } else { (first, last) };
+        if self.cutter.tip == Tip::Flat {
+            return height(down);
+        }
+        // Up to the column's own angle both slopes go down; from there to the lower end they work against each other.
+        let begin = angle.clamp(first, last);
+        let at = |n: usize| begin + (down - begin) * (n as f64 / PARTS as f64);
+        let lowest = (0..=PARTS).min_by(|a, b| height(at(*a)).total_cmp(&height(at(*b)))).unwrap_or(0);
+        let (mut near, mut far) = (at(lowest.saturating_sub(1)), at((lowest + 1).min(PARTS)));
+        let mut best = height(up).min(height(at(lowest)));
+        for _ in 0..BISECTIONS {
+            let (a, b) = (near + (far - near) * 0.382, near + (far - near) * 0.618);
+            let (low, high) = (height(a), height(b));
+            best = best.min(low).min(high);
+            if low < high { far = b } else { near = a }
+        }
+        best
+    }
+}

@@ -1,0 +1,297 @@
+//! The stock against figures that are calculated here: volumes and heights after lines, arcs, helices and plunges with
+//! every form of tool, and meshes that are closed.
+#![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
+use std::collections::BTreeMap;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use ciklo::engine::geometry::{Axis, Frame};
+use ciklo::engine::solid::{Path, Shape};
+use ciklo::engine::stock::{Batch, Cut, Cutter, Neck, Stock, StockTrouble, Tip};
+use glam::DVec3;
+use proptest::prelude::*;
+
+const MIN: DVec3 = DVec3::new(0.0, 0.0, -20.0);
+const MAX: DVec3 = DVec3::new(60.0, 40.0, 0.0);
+
+fn block(resolution: f64) -> Stock {
+    Stock::new(&Shape::Box { min: MIN, max: MAX }, [MIN, MAX], Frame::IDENTITY, Axis::Z, resolution).expect("a block")
+}
+
+const fn tool(radius: f64, tip: Tip) -> Cutter {
+    Cutter { radius, tip, neck: None, edges: 0.0 }
+}
+
+fn cut(stock: &mut Stock, cutter: &Cutter, axis: DVec3, paths: &[Path]) -> Vec<Cut> {
+    let mut batch = Batch::default();
+    paths.iter().for_each(|path| stock.add(&mut batch, path, axis, cutter, false));
+    stock.carry_out(&mut batch)
+}
+
+fn tip() -> impl Strategy<Value = Tip> {
+    prop_oneof![
+        Just(Tip::Flat),
+        (0.1..1.0).prop_map(Tip::Round),
+        Just(Tip::Round(4.0)),
+        (0.2..1.5).prop_map(Tip::Point)
+    ]
+}
+
+/// Height of the tool's end at a distance from its axis.
+fn end(cutter: &Cutter, far: f64) -> f64 {
+    match cutter.tip {
+        Tip::Flat => 0.0,
+        Tip::Point(slope) => slope * far,
+        Tip::Round(corner) => {
+            let over = (far - cutter.radius + corner).max(0.0);
+            corner - (corner * corner - over * over).max(0.0).sqrt()
+        }
+    }
+}
+
+/// Each column is as low as the tool ever was over it, seen at many points of the way; `slack` is what the points may
+/// miss.
+fn follows(stock: &Stock, path: &Path, cutter: &Cutter, slack: f64) {
+    const SAMPLES: usize = 1500;
+    let points: Vec<DVec3> = (0..=SAMPLES).map(|n| path.at(n as f64 / SAMPLES as f64)).collect();
+    let (columns, rows) = stock.size();
+    for row in 0..rows {
+        for column in 0..columns {
+            let place = stock.place(column, row);
+            let (mut low, mut wide) = (0.0_f64, 0.0_f64);
+            for p in &points {
+                let far = (p.x - place.x).hypot(p.y - place.y);
+                if far <= cutter.radius {
+                    low = low.min(p.z + end(cutter, far));
+                }
+                if far <= cutter.radius + slack {
+                    wide = wide.min(p.z - slack + end(cutter, (far - slack).clamp(0.0, cutter.radius)));
+                }
+            }
+            let (low, wide) = (low.max(MIN.z), wide.max(MIN.z));
+            let top = stock.top(column, row).unwrap_or(MIN.z);
+            assert!(top <= low + 1e-9, "{place}: {top} is above {low} {path:?} {cutter:?}");
+            assert!(top >= wide - 1e-9, "{place}: {top} is below {wide} {path:?} {cutter:?}");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn a_line_leaves_its_envelope(
+        tip in tip(), a in (8.0..52.0, 8.0..32.0, -12.0..1.0), b in (8.0..52.0, 8.0..32.0, -12.0..1.0), level in any::<bool>(),
+    ) {
+        let cutter = tool(4.0, tip);
+        let (from, mut to) = (DVec3::from(a), DVec3::from(b));
+        if level {
+            to.z = from.z;
+        }
+        let path = Path::line(from, to);
+        let mut stock = block(3.0);
+        cut(&mut stock, &cutter, DVec3::Z, &[path]);
+        follows(&stock, &path, &cutter, 0.05);
+    }
+
+    #[test]
+    fn an_arc_leaves_its_envelope(
+        tip in tip(), radius in 0.5..12.0, start in 0.0..360.0_f64, sweep in -800.0..800.0_f64, fall in prop_oneof![Just(0.0), -9.0..9.0],
+    ) {
+        let cutter = tool(4.0, tip);
+        let centre = DVec3::new(30.0, 20.0, -10.0);
+        let from = centre + DVec3::new(start.to_radians().cos(), start.to_radians().sin(), 0.0) * radius;
+        let path = Path::Arc { centre, axis: DVec3::Z, from, sweep, rise: fall };
+        let mut stock = block(3.0);
+        cut(&mut stock, &cutter, DVec3::Z, &[path]);
+        follows(&stock, &path, &cutter, 0.08);
+    }
+
+    /// A way in many pieces leaves what it leaves in one: what was cut before may be passed over, and nothing else.
+    #[test]
+    fn pieces_leave_what_the_whole_leaves(
+        tip in tip(), corners in prop::collection::vec((5.0..55.0, 5.0..35.0, -12.0..0.0), 3..7), parts in 2..9_usize,
+    ) {
+        let cutter = tool(4.0, tip);
+        let points: Vec<DVec3> = corners.into_iter().map(DVec3::from).collect();
+        let whole: Vec<Path> = points.windows(2).map(|pair| Path::line(pair[0], pair[1])).collect();
+        let mut pieces = Vec::new();
+        for path in &whole {
+            let at = |n: usize| path.at(n as f64 / parts as f64);
+            pieces.extend((0..parts).map(|n| Path::line(at(n), at(n + 1))));
+        }
+        let (mut one, mut many) = (block(0.7), block(0.7));
+        // In batches of their own nothing is known of the way before.
+        whole.iter().for_each(|path| drop(cut(&mut one, &cutter, DVec3::Z, &[*path])));
+        cut(&mut many, &cutter, DVec3::Z, &pieces);
+        let (columns, rows) = one.size();
+        let mut off = 0;
+        for row in 0..rows {
+            for column in 0..columns {
+                let (a, b) = (one.top(column, row).unwrap_or(MIN.z), many.top(column, row).unwrap_or(MIN.z));
+                off += usize::from((a - b).abs() > 1e-6);
+            }
+        }
+        // A column on the very rim may fall to either side.
+        prop_assert!(off <= 2, "{off} columns differ");
+    }
+
+    /// A tool that lies across the columns, against one that stands along them.
+    #[test]
+    fn columns_may_stand_otherwise(tip in tip(), from in (10.0..50.0, 10.0..30.0), to in (10.0..50.0, 10.0..30.0), z in 1..10_i8) {
+        let z = f64::from(-z);
+        let cutter = tool(4.0, tip);
+        let path = Path::line(DVec3::new(from.0, from.1, z), DVec3::new(to.0, to.1, z));
+        let shape = Shape::Box { min: MIN, max: MAX };
+        let mut along = block(0.25);
+        cut(&mut along, &cutter, DVec3::Z, &[path]);
+        let mut across = Stock::new(&shape, [MIN, MAX], Frame::IDENTITY, Axis::X, 1.0).expect("a block");
+        cut(&mut across, &cutter, DVec3::Z, &[path]);
+        let (a, b) = (60.0 * 40.0 * 20.0 - along.volume(), 60.0 * 40.0 * 20.0 - across.volume());
+        prop_assert!((a - b).abs() < 0.03 * a + 12.0, "{a} {b}");
+    }
+}
+
+#[test]
+fn volumes_are_those_of_geometry() {
+    let mut stock = block(0.1);
+    let whole = 60.0 * 40.0 * 20.0;
+    assert!((stock.volume() - whole).abs() < 1e-6);
+    let (r, l) = (5.0, 30.0);
+    let slot = Path::line(DVec3::new(15.0, 20.0, -4.0), DVec3::new(45.0, 20.0, -4.0));
+    let done = cut(&mut stock, &tool(r, Tip::Flat), DVec3::Z, &[slot])[0];
+    let wanted = 4.0 * (PI * r * r + 2.0 * r * l);
+    assert!((done.volume - wanted).abs() < 0.002 * wanted, "{} {wanted}", done.volume);
+    assert!((done.depth - 4.0).abs() < 1e-12 && (done.width - 10.0).abs() < 0.2);
+    assert!((stock.volume() - whole + done.volume).abs() < 1e-6);
+    // The same again takes nothing.
+    assert_eq!(cut(&mut stock, &tool(r, Tip::Flat), DVec3::Z, &[slot])[0].volume, 0.0);
+    // A drill of 118 degrees through a fresh block: cylinder and cone.
+    let slope = 1.0 / 59.0_f64.to_radians().tan();
+    let mut stock = block(0.05);
+    let down = Path::line(DVec3::new(30.0, 20.0, 5.0), DVec3::new(30.0, 20.0, -10.0));
+    let done = cut(&mut stock, &tool(4.0, Tip::Point(slope)), DVec3::Z, &[down])[0];
+    let cone = 4.0 * slope;
+    let wanted = PI * 16.0 * (10.0 - cone) + PI * 16.0 * cone / 3.0;
+    assert!((done.volume - wanted).abs() < 0.003 * wanted, "{} {wanted}", done.volume);
+    assert_eq!(done.width, 0.0);
+    // A ball along a circle: half a torus and the ring above it.
+    let mut stock = block(0.05);
+    let centre = DVec3::new(30.0, 20.0, -5.0);
+    let ring = Path::Arc { centre, axis: DVec3::Z, from: centre + DVec3::X * 10.0, sweep: 360.0, rise: 0.0 };
+    let done = cut(&mut stock, &tool(3.0, Tip::Round(3.0)), DVec3::Z, &[ring])[0];
+    let wanted = TAU * 10.0 * (FRAC_PI_2 * 9.0 + 2.0 * 6.0);
+    assert!((done.volume - wanted).abs() < 0.003 * wanted, "{} {wanted}", done.volume);
+}
+
+#[test]
+fn a_head_behind_a_neck_cuts_from_below() {
+    let mut stock = block(0.1);
+    let hole = Path::line(DVec3::new(30.0, 20.0, 5.0), DVec3::new(30.0, 20.0, -25.0));
+    cut(&mut stock, &tool(5.0, Tip::Flat), DVec3::Z, &[hole]);
+    let cutter = Cutter { neck: Some(Neck { head: 3.0, radius: 4.0 }), ..tool(8.0, Tip::Flat) };
+    // From below the block up to 4 mm below its top.
+    let up = Path::line(DVec3::new(30.0, 20.0, -25.0), DVec3::new(30.0, 20.0, -7.0));
+    let done = cut(&mut stock, &cutter, DVec3::Z, &[up])[0];
+    let wanted = PI * (64.0 - 25.0) * 16.0;
+    assert!((done.volume - wanted).abs() < 0.005 * wanted, "{} {wanted}", done.volume);
+    let (column, row) = (365, 200);
+    let stretches = stock.column(column, row);
+    assert_eq!(stretches.len(), 1);
+    assert!((stretches[0][0] + 4.0).abs() < 1e-9 && stretches[0][1] == 0.0, "{stretches:?}");
+    let wanted = Shape::Difference(vec![
+        Shape::Box { min: MIN, max: MAX },
+        Shape::Cylinder { from: DVec3::new(30.0, 20.0, 0.0), to: DVec3::new(30.0, 20.0, -20.0), radius: 5.0 },
+        Shape::Cylinder { from: DVec3::new(30.0, 20.0, -4.0), to: DVec3::new(30.0, 20.0, -20.0), radius: 8.0 },
+    ]);
+    assert!(stock.compare(&wanted, 1e-3).expect("a comparison").is_none());
+}
+
+#[test]
+fn a_part_that_is_wrong_is_told_apart() {
+    let hole = |radius: f64, to: f64| {
+        let mut stock = block(0.2);
+        let path = Path::line(DVec3::new(30.0, 20.0, 5.0), DVec3::new(30.0, 20.0, to));
+        cut(&mut stock, &tool(radius, Tip::Flat), DVec3::Z, &[path]);
+        let wanted = Shape::Difference(vec![
+            Shape::Box { min: MIN, max: MAX },
+            Shape::Cylinder { from: DVec3::new(30.0, 20.0, 0.0), to: DVec3::new(30.0, 20.0, -10.0), radius: 5.0 },
+        ]);
+        stock.compare(&wanted, 0.01).expect("a comparison")
+    };
+    assert!(hole(5.0, -10.0).is_none());
+    assert!(hole(5.005, -10.005).is_none());
+    let wide = hole(5.5, -10.0);
+    assert!(wide.left_over.is_none() && wide.gouged.is_some_and(|(_, height, _)| (height - 10.0).abs() < 1e-9));
+    let shallow = hole(5.0, -9.5);
+    assert!(shallow.gouged.is_none() && shallow.left_over.is_some_and(|(_, height, _)| (height - 0.5).abs() < 1e-9));
+}
+
+/// Rapid traverse along the walls and the ground of what was cut touches nothing; a little deeper, it does.
+#[test]
+fn rapid_traverse_beside_the_material() {
+    let mut stock = block(0.1);
+    let cutter = tool(5.0, Tip::Round(5.0));
+    let slot = Path::line(DVec3::new(15.0, 20.0, -4.0), DVec3::new(45.0, 21.0, -6.0));
+    cut(&mut stock, &cutter, DVec3::Z, &[slot]);
+    let mut rapid = |path: &Path| {
+        let mut batch = Batch::default();
+        stock.add(&mut batch, path, DVec3::Z, &cutter, true);
+        stock.carry_out(&mut batch)[0].volume
+    };
+    let back = Path::line(slot.at(1.0), slot.at(0.0));
+    assert_eq!(rapid(&back), 0.0);
+    assert_eq!(rapid(&Path::line(slot.at(0.0), slot.at(0.0) + DVec3::Z * 30.0)), 0.0);
+    let down = DVec3::Z * 0.003;
+    assert!(rapid(&Path::line(slot.at(1.0) - down, slot.at(0.0) - down)) > 0.0);
+}
+
+#[test]
+fn blanks_that_cannot_be() {
+    let shape = Shape::Box { min: MIN, max: MAX };
+    for resolution in [0.0, -1.0, f64::NAN, 1e-4] {
+        let made = Stock::new(&shape, [MIN, MAX], Frame::IDENTITY, Axis::Z, resolution);
+        assert!(matches!(made, Err(StockTrouble::Resolution { .. })));
+    }
+}
+
+/// The mesh of a part with pocket, hole, undercut and round blank: every edge of a triangle lies against one that goes
+/// the other way, and the volume inside is that of the columns.
+#[test]
+fn meshes_are_closed() {
+    for axis in Axis::ALL {
+        let blank =
+            Shape::Cylinder { from: DVec3::new(30.0, 20.0, -20.0), to: DVec3::new(30.0, 20.0, 0.0), radius: 19.0 };
+        let bounds = [DVec3::new(11.0, 1.0, -20.0), DVec3::new(49.0, 39.0, 0.0)];
+        let mut stock = Stock::new(&blank, bounds, Frame::IDENTITY, axis, 0.8).expect("a blank");
+        let spot = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+        cut(
+            &mut stock,
+            &tool(3.0, Tip::Round(3.0)),
+            DVec3::Z,
+            &[Path::line(spot(20.0, 12.0, -3.0), spot(38.0, 30.0, -7.0))],
+        );
+        cut(&mut stock, &tool(4.0, Tip::Flat), DVec3::Z, &[Path::line(spot(32.0, 16.0, 5.0), spot(32.0, 16.0, -25.0))]);
+        let cutter = Cutter { neck: Some(Neck { head: 3.0, radius: 2.0 }), ..tool(6.0, Tip::Flat) };
+        cut(&mut stock, &cutter, DVec3::Z, &[Path::line(spot(32.0, 16.0, -14.0), spot(32.0, 17.0, -13.0))]);
+        let bytes = stock.to_stl().expect("a mesh");
+        let count = u32::from_le_bytes(bytes[80..84].try_into().expect("four bytes")) as usize;
+        assert_eq!(bytes.len(), 84 + 50 * count);
+        let mut edges: BTreeMap<[[u32; 3]; 2], i64> = BTreeMap::new();
+        let mut volume = 0.0;
+        for triangle in bytes[84..].chunks(50) {
+            let number = |n: usize| f32::from_le_bytes(triangle[n * 4..n * 4 + 4].try_into().expect("four bytes"));
+            let corner = |n: usize| [number(3 * n + 3), number(3 * n + 4), number(3 * n + 5)];
+            let [a, b, c] = [0, 1, 2].map(corner);
+            let p = |v: [f32; 3]| DVec3::new(v[0].into(), v[1].into(), v[2].into());
+            volume += p(a).dot(p(b).cross(p(c))) / 6.0;
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                let [from, to] = [from, to].map(|v| v.map(|number| (number + 0.0).to_bits()));
+                assert_ne!(from, to, "a triangle without an extent");
+                *edges.entry([from, to]).or_default() += 1;
+                *edges.entry([to, from]).or_default() -= 1;
+            }
+        }
+        assert!(edges.values().all(|count| *count == 0), "{axis:?}: open edges");
+        assert!((volume - stock.volume()).abs() < 1e-4 * volume, "{axis:?}: {volume} {}", stock.volume());
+    }
+}
