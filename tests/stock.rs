@@ -245,6 +245,26 @@ fn rapid_traverse_beside_the_material() {
     assert!(rapid(&Path::line(slot.at(1.0) - down, slot.at(0.0) - down)) > 0.0);
 }
 
+/// The same moves again and again add nothing to what is kept.
+#[test]
+fn memory_does_not_grow_with_moves() {
+    let mut stock = block(1.0);
+    let cutter = Cutter { neck: Some(Neck { head: 1.0, radius: 1.0 }), ..tool(3.0, Tip::Flat) };
+    let at = |n: usize| DVec3::new((n * 7 % 55) as f64 + 2.0, (n * 11 % 37) as f64 + 1.5, -((n * 5 % 19) as f64) - 0.3);
+    let paths: Vec<Path> = (0..200).map(|n| Path::line(at(n), at(n + 1))).collect();
+    let stretches = |stock: &Stock| {
+        let (columns, rows) = stock.size();
+        (0..columns * rows).map(|n| stock.column(n % columns, n / columns).len()).sum::<usize>()
+    };
+    cut(&mut stock, &cutter, DVec3::Z, &paths);
+    let (kept, volume) = (stretches(&stock), stock.volume());
+    for _ in 0..5 {
+        cut(&mut stock, &cutter, DVec3::Z, &paths);
+    }
+    assert_eq!(stretches(&stock), kept);
+    assert!((stock.volume() - volume).abs() < 1e-6);
+}
+
 #[test]
 fn blanks_that_cannot_be() {
     let shape = Shape::Box { min: MIN, max: MAX };

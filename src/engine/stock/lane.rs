@@ -143,14 +143,19 @@ impl Row {
         let mut deepest = [0.0_f64; WIDE];
         let mut left = [f64::NEG_INFINITY; WIDE];
         let mut gone = [0.0_f64; BLOCK];
-        for n in 0..BLOCK {
-            let (top, height) = (tops[n], heights[n]);
-            let loss = if top > height { top - height } else { 0.0 };
-            gone[n] = loss;
-            deepest[n % WIDE] = if loss > deepest[n % WIDE] { loss } else { deepest[n % WIDE] };
-            let top = if height < top { height } else { top };
-            left[n % WIDE] = if top > left[n % WIDE] { top } else { left[n % WIDE] };
-            tops[n] = top;
+        let parts = tops.as_chunks_mut::<WIDE>().0.iter_mut().zip(heights.as_chunks::<WIDE>().0);
+        for ((tops, heights), gone) in parts.zip(gone.as_chunks_mut::<WIDE>().0) {
+            for n in 0..WIDE {
+                let (top, height) = (tops[n], heights[n]);
+                let after = if height < top { height } else { top };
+                // An empty column and a place without a tool give no number here, which is not greater than zero.
+                let loss = top - after;
+                let loss = if loss > 0.0 { loss } else { 0.0 };
+                gone[n] = loss;
+                deepest[n] = if loss > deepest[n] { loss } else { deepest[n] };
+                left[n] = if after > left[n] { after } else { left[n] };
+                tops[n] = after;
+            }
         }
         let greatest = |values: [f64; WIDE]| values.into_iter().fold(f64::NEG_INFINITY, f64::max);
         let (deepest, left) = (greatest(deepest), greatest(left));
