@@ -145,7 +145,7 @@ impl WorkingPlane {
     }
 }
 
-/// A rigid transform: first rotate, then shift. It maps coordinates of the inner system to the outer one.
+/// A transform: first rotate (mirror, scale), then shift. It maps coordinates of the inner system to the outer one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame(DAffine3);
 
@@ -193,9 +193,35 @@ impl Frame {
         self.0.transform_vector3(inner)
     }
 
-    /// The way back. The transform is rigid, so the transpose is the inverse to the last bit.
+    /// The inner system has other units on its axes, negative ones point the other way, about a point that stays.
+    pub fn scaled(factors: DVec3, about: DVec3) -> Self {
+        Self(DAffine3::from_mat3_translation(DMat3::from_diagonal(factors), about - factors * about))
+    }
+
+    /// Whether it neither scales nor distorts.
+    pub fn is_rigid(&self) -> bool {
+        let product = self.0.matrix3.transpose() * self.0.matrix3;
+        product.abs_diff_eq(DMat3::IDENTITY, 1e-12)
+    }
+
+    /// Whether it makes a left-handed system of a right-handed one.
+    pub fn mirrors(&self) -> bool {
+        self.0.matrix3.determinant() < 0.0
+    }
+
+    /// What it does, row by row: the last number of a row is the shift.
+    pub fn rows(&self) -> [[f64; 4]; 3] {
+        let DAffine3 { matrix3: m, translation: t } = self.0;
+        [
+            [m.x_axis.x, m.y_axis.x, m.z_axis.x, t.x],
+            [m.x_axis.y, m.y_axis.y, m.z_axis.y, t.y],
+            [m.x_axis.z, m.y_axis.z, m.z_axis.z, t.z],
+        ]
+    }
+
+    /// The way back. Of a rigid transform the transpose is the inverse to the last bit.
     pub fn inverse(&self) -> Self {
-        let back = self.0.matrix3.transpose();
+        let back = if self.is_rigid() { self.0.matrix3.transpose() } else { self.0.matrix3.inverse() };
         Self(DAffine3::from_mat3_translation(back, -(back * self.0.translation)))
     }
 }

@@ -238,6 +238,14 @@ pub enum Transform {
     DatumRow(Arc<str>),
     /// Rotation by the angle of the field.
     Rotation(Arc<str>),
+    /// Mirror the axes of the field; without it nothing is mirrored.
+    Mirroring(Arc<str>),
+    /// Scale by the factor of the field.
+    Scaling(Arc<str>),
+    /// Scale axes by the factors of a field about the centre of another one.
+    AxisScaling(Arc<str>, Arc<str>),
+    /// Tilt the working plane by the angles of the field; without it nothing is tilted.
+    Tilting(Arc<str>),
     /// The preset of that row.
     Preset(Calc),
     /// What is no longer active.

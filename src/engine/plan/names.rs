@@ -67,6 +67,8 @@ pub enum Builtin {
     ActiveBasicRotation,
     /// The working plane is tilted.
     ActiveTilting,
+    /// Whether circles of the program go round the other way: an odd number of axes is mirrored.
+    ActiveReversed,
     /// Turning is active.
     ActiveTurning,
     /// A machine datum by its neutral name.
@@ -107,6 +109,7 @@ impl Builtin {
                 | Self::ActiveRotation
                 | Self::ActiveBasicRotation
                 | Self::ActiveTilting
+                | Self::ActiveReversed
                 | Self::ActiveTurning
         )
     }
@@ -141,6 +144,7 @@ const FIXED: &[(&str, Builtin, Type)] = &[
     ("active.rotation", Builtin::ActiveRotation, Type::Bool),
     ("active.basic_rotation", Builtin::ActiveBasicRotation, Type::Bool),
     ("active.tilting", Builtin::ActiveTilting, Type::Bool),
+    ("active.reversed", Builtin::ActiveReversed, Type::Bool),
     ("active.turning", Builtin::ActiveTurning, Type::Bool),
 ];
 

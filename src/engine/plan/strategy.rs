@@ -101,6 +101,16 @@ pub enum Strategy {
     TurnSpindle,
     /// An M function whose number is a value.
     ExecuteMFunction,
+    /// Where the rotary axes must stand for the tool to be at right angles to the tilted working plane.
+    ComputeRotaryPositions,
+    /// Turns the rotary axes and brings the tool back to where it was over the workpiece.
+    PositionRotaryAxes,
+    /// Executes a whole program.
+    CallProgram,
+    /// The angle to which an M function orients the spindle.
+    KeepOrientationAngle,
+    /// How far the path may deviate.
+    KeepTolerance,
     /// Reads a tolerance band that is written as a text (TNC 640 manual 004, lines 151-162).
     ToleranceBand,
 }
@@ -191,6 +201,9 @@ const THREAD_WITH_STEPS: [Parameter; 9] = {
 };
 const FUNCTION: Parameter = number("function");
 const SPEED: Parameter = number("speed");
+const POSITIONS: [Parameter; 5] = [number("a"), number("b"), number("c"), FEED, number("clearance")];
+const PROGRAM: Parameter = required("program", Type::Text);
+const TOLERANCE: [Parameter; 3] = [optional("contour"), optional("hsc_mode"), optional("rotary")];
 const LENGTH: Parameter = number("length");
 const WIDTH: Parameter = number("width");
 const CORNER: Parameter = number("corner");
@@ -263,6 +276,11 @@ impl Strategy {
             "restore-spindle-and-coolant" => Self::RestoreSpindleAndCoolant,
             "turn-spindle" => Self::TurnSpindle,
             "execute-m-function" => Self::ExecuteMFunction,
+            "compute-rotary-positions" => Self::ComputeRotaryPositions,
+            "position-rotary-axes" => Self::PositionRotaryAxes,
+            "call-program" => Self::CallProgram,
+            "keep-orientation-angle" => Self::KeepOrientationAngle,
+            "keep-tolerance" => Self::KeepTolerance,
             "tolerance-band" => Self::ToleranceBand,
             _ => return None,
         })
@@ -318,6 +336,11 @@ impl Strategy {
             Self::ReverseSpindle | Self::RestoreSpindleAndCoolant => &[],
             Self::TurnSpindle => &[FUNCTION, SPEED],
             Self::ExecuteMFunction => &[FUNCTION],
+            Self::ComputeRotaryPositions => &[],
+            Self::PositionRotaryAxes => &POSITIONS,
+            Self::CallProgram => &[PROGRAM],
+            Self::KeepOrientationAngle => &[ANGLE],
+            Self::KeepTolerance => &TOLERANCE,
             Self::ToleranceBand => &[TEXT],
         }
     }
@@ -331,6 +354,7 @@ impl Strategy {
             Self::AlignRotaryAxis | Self::AlignDirection => &["angle", "way"],
             Self::ProbeWithOwnPath => &["main", "minor", "tool", "status"],
             Self::PlaneAngles => &["section_a", "section_b", "rotary_a", "rotary_b", "a", "b", "c"],
+            Self::ComputeRotaryPositions => &["a", "b", "c"],
             Self::ToleranceBand => &["upper", "lower", "monitored"],
             _ => &[],
         }

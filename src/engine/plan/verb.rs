@@ -305,7 +305,17 @@ impl Compiler<'_> {
     }
 
     fn transform(&mut self, argument: &Argument, place: &Place, scope: &Scope) -> Option<Transform> {
-        let keys = ["datum-shift", "datum-row", "rotation", "preset", "cancel"];
+        let keys = [
+            "datum-shift",
+            "datum-row",
+            "rotation",
+            "mirroring",
+            "scaling",
+            "axis-scaling",
+            "tilting",
+            "preset",
+            "cancel",
+        ];
         let entries = self.entries(argument, &keys, place)?;
         let [(key, argument)] = entries.0.as_slice() else {
             self.wrong(place, "one-transform");
@@ -317,9 +327,18 @@ impl Compiler<'_> {
         if key.as_str() == "cancel" {
             return self.cancel(argument, place);
         }
+        if key.as_str() == "axis-scaling" {
+            let entries = self.entries(argument, &["factors", "centre"], place)?;
+            let (factors, centre) =
+                (self.required_word(entries, "factors", place)?, self.required_word(entries, "centre", place)?);
+            return Some(Transform::AxisScaling(self.field(&factors, None)?, self.field(&centre, None)?));
+        }
         let name = self.one(argument, "id", place)?;
         let field = self.field(&name, None)?;
         match key.as_str() {
+            "mirroring" => Some(Transform::Mirroring(field)),
+            "scaling" => Some(Transform::Scaling(field)),
+            "tilting" => Some(Transform::Tilting(field)),
             "datum-shift" => Some(Transform::DatumShift(field)),
             "datum-row" => Some(Transform::DatumRow(field)),
             "rotation" => Some(Transform::Rotation(field)),

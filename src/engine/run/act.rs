@@ -12,7 +12,7 @@ use super::fault::{Class, Fault};
 use super::motion::Speed;
 use super::world::LOCKED;
 use super::{Content, Done, Event, EventKind, Leave, Run};
-use crate::engine::geometry::{FitError, fit_circle};
+use crate::engine::geometry::{Axis, FitError, fit_circle};
 use crate::engine::plan::{Act, Calc, Cancel, Cooling, Fitted, Inlined, Slot, SpindleTurn, Target, Transform};
 use crate::engine::table::{Cell, TableKind};
 use crate::expr::{QKind, QRef, Value};
@@ -255,6 +255,43 @@ impl<'e> Run<'_, 'e> {
                     self.world.system.set_rotation(from + value);
                 }
             }
+            Transform::Mirroring(id) => {
+                let (mut linear, mut rotary) = (DVec3::ONE, DVec3::ONE);
+                if let Some(FieldValue::Coords(axes)) = exec.definition.field(id) {
+                    for axis in axes {
+                        let signs = if axis.rotary { &mut rotary } else { &mut linear };
+                        *signs = axis.axis.with(*signs, -1.0);
+                    }
+                }
+                self.world.system.set_mirror(linear, rotary);
+            }
+            Transform::Scaling(id) => {
+                if let Some(FieldValue::Number { value, .. }) = exec.definition.field(id) {
+                    let factor = factor(*value)?;
+                    self.world.system.set_scale(factor);
+                }
+            }
+            Transform::AxisScaling(factors, centre) => {
+                let coords = |id: &Arc<str>, from: DVec3| match exec.definition.field(id) {
+                    Some(FieldValue::Coords(coords)) => shifted(from, coords, false),
+                    _ => from,
+                };
+                let (factors, about) = (coords(factors, DVec3::ONE), coords(centre, DVec3::ZERO));
+                for axis in Axis::ALL {
+                    factor(axis.of(factors))?;
+                }
+                self.world.system.set_axis_scale(factors, about);
+            }
+            Transform::Tilting(id) => {
+                let angles = match exec.definition.field(id) {
+                    Some(FieldValue::Coords(coords)) => {
+                        shifted(self.world.system.tilt().unwrap_or_default(), coords, true)
+                    }
+                    _ => DVec3::ZERO,
+                };
+                self.world.carry_system();
+                self.world.system.set_tilt(angles);
+            }
             Transform::Preset(row) => {
                 let row = self.number(row, exec)?;
                 let preset = self.world.preset(row)?;
@@ -270,15 +307,33 @@ impl<'e> Run<'_, 'e> {
                         Cancel::Rotation => self.world.system.set_rotation(0.0),
                         // Programs with radius compensation are refused.
                         Cancel::RadiusCompensation => {}
-                        Cancel::Mirroring => self.ends(Transformation::Mirroring),
-                        Cancel::Scaling => self.ends(Transformation::Scaling),
-                        Cancel::AxisScaling => self.ends(Transformation::AxisScaling),
+                        Cancel::Mirroring => {
+                            self.ends(Transformation::Mirroring);
+                            self.world.system.set_mirror(DVec3::ONE, DVec3::ONE);
+                        }
+                        Cancel::Scaling => {
+                            self.ends(Transformation::Scaling);
+                            self.world.system.set_scale(1.0);
+                        }
+                        Cancel::AxisScaling => {
+                            self.ends(Transformation::AxisScaling);
+                            self.world.system.set_axis_scale(DVec3::ONE, DVec3::ZERO);
+                        }
                     }
                 }
             }
         }
         self.transformed(before);
         Ok(())
+    }
+
+    /// What programs change in the coordinate system ends with them.
+    pub(super) fn end_changes(&mut self) {
+        let before = self.world.system.told();
+        self.world.system.unexecuted.clear();
+        if self.world.system.end_changes() {
+            self.transformed(before);
+        }
     }
 
     fn ends(&mut self, transformation: Transformation) {
@@ -340,6 +395,11 @@ const fn as_point(value: &Value) -> Option<DVec3> {
         Value::Point(point) => Some(*point),
         _ => None,
     }
+}
+
+/// A scaling factor; one of 0 leaves nothing of the part.
+fn factor(value: f64) -> Result<f64, Fault> {
+    if value > 0.0 { Ok(value) } else { Err(Fault::program("scaling-factor-zero").arg("found", value)) }
 }
 
 /// A datum shift with new coordinates, of the linear or of the rotary axes: axes not named keep theirs.

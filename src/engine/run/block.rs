@@ -21,6 +21,8 @@ pub(super) enum Effect {
     End,
     Spindle(i8),
     Coolant(bool),
+    /// The spindle stands at the angle of the last orientation that was defined.
+    Orient,
     SpindleAndCoolant(i8),
     CallAlways,
     CallOnce,
@@ -38,6 +40,7 @@ pub(super) fn effect(number: u16) -> Option<Effect> {
         4 => Effect::Spindle(-1),
         5 => Effect::Spindle(0),
         8 => Effect::Coolant(true),
+        19 | 20 => Effect::Orient,
         9 => Effect::Coolant(false),
         13 => Effect::SpindleAndCoolant(1),
         14 => Effect::SpindleAndCoolant(-1),
@@ -295,6 +298,7 @@ impl<'e> Run<'_, 'e> {
             match effect {
                 Effect::Spindle(direction) if direction != 0 => self.spindle(direction),
                 Effect::Coolant(true) => self.coolant(true),
+                Effect::Orient => self.orient(self.modal.orientation),
                 Effect::SpindleAndCoolant(direction) => {
                     self.spindle(direction);
                     self.coolant(true);
@@ -327,6 +331,9 @@ impl<'e> Run<'_, 'e> {
         }
         if has(Effect::Stop) {
             self.stop()?;
+        }
+        if ends {
+            self.end_changes();
         }
         Ok(if ends { After::End } else { After::GoOn })
     }

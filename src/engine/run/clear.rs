@@ -101,8 +101,9 @@ impl<'e> Run<'_, 'e> {
         Ok(Work { place, figure, direction, feed: self.feed_given(call, exec)? })
     }
 
+    /// The radius of the tool in the units of the program, which may be scaled.
     pub(super) fn tool_radius(&self) -> f64 {
-        self.world.tool().map_or(0.0, |tool| tool.radius)
+        self.world.tool().map_or(0.0, |tool| tool.radius) / self.world.system.plane_scale().unwrap_or(1.0)
     }
 
     /// Length, width, corner radius and rotation of a rectangle.

@@ -1,7 +1,7 @@
-//! The coordinate system of a program: preset, datum shift, rotation, in the order of their definition.
+//! The coordinate system of a program: preset, datum shift, mirroring, rotation, scaling, tilting, in the order of
+//! their definition.
 //!
-//! Invariant: the system is rigid; program and machine coordinates convert into each other without loss of
-//! more than rounding.
+//! Invariant: program and machine coordinates convert into each other without loss of more than rounding.
 use std::collections::BTreeSet;
 
 use glam::DVec3;
@@ -11,11 +11,21 @@ use crate::engine::geometry::{Axis, Frame, WorkingPlane};
 use crate::engine::scene::Preset;
 use crate::spec::Transformation;
 
+/// Relative differences of lengths and directions below this are rounding.
+const SAME: f64 = 1e-9;
+
 /// A change on top of the preset.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Change {
     Shift(DVec3),
     Rotate(f64),
+    /// Axes that point the other way: -1, others 1; of the linear and the rotary axes.
+    Mirror(DVec3, DVec3),
+    Scale(f64),
+    /// Factors of the axes and the point that stays.
+    ScaleAxes(DVec3, DVec3),
+    /// Spatial angles about the axes of the system so far: A, then B, then C.
+    Tilt(DVec3),
 }
 
 /// A coordinate system.
@@ -33,6 +43,8 @@ pub struct System {
     pub angle_shift: DVec3,
     /// The working plane.
     pub plane: WorkingPlane,
+    /// Where the table has put the workpiece since the rotary axes stood at 0; a tilted system goes with it.
+    pub table: Frame,
     /// Transformations in effect that the engine cannot execute: nothing moves until they end.
     pub unexecuted: BTreeSet<Transformation>,
     changes: Vec<Change>,
@@ -49,6 +61,7 @@ impl System {
             angles: DVec3::ZERO,
             angle_shift: DVec3::ZERO,
             plane,
+            table: Frame::IDENTITY,
             unexecuted: BTreeSet::new(),
             changes: Vec::new(),
             frame: Frame::IDENTITY,
@@ -83,6 +96,50 @@ impl System {
         self.changes.iter().find_map(angle).unwrap_or(0.0)
     }
 
+    /// The spatial angles by which the working plane is tilted.
+    pub fn tilt(&self) -> Option<DVec3> {
+        self.changes.iter().find_map(|change| if let Change::Tilt(angles) = change { Some(*angles) } else { None })
+    }
+
+    /// The scaling factor and those of the axes, with the point that stays.
+    pub fn scaling(&self) -> (f64, Option<(DVec3, DVec3)>) {
+        let mut found = (1.0, None);
+        for change in &self.changes {
+            match change {
+                Change::Scale(factor) => found.0 = *factor,
+                Change::ScaleAxes(factors, about) => found.1 = Some((*factors, *about)),
+                _ => {}
+            }
+        }
+        found
+    }
+
+    /// Axes that point the other way, -1, others 1: the linear ones and the rotary ones.
+    pub fn mirror(&self) -> (DVec3, DVec3) {
+        let signs = |change: &Change| if let Change::Mirror(a, b) = change { Some((*a, *b)) } else { None };
+        self.changes.iter().find_map(signs).unwrap_or((DVec3::ONE, DVec3::ONE))
+    }
+
+    /// Whether a transformation is in effect, executed or not.
+    pub fn has(&self, kind: Transformation) -> bool {
+        let executed = self.changes.iter().any(|change| match change {
+            Change::Mirror(..) => kind == Transformation::Mirroring,
+            Change::Scale(_) => kind == Transformation::Scaling,
+            Change::ScaleAxes(..) => kind == Transformation::AxisScaling,
+            Change::Tilt(_) => kind == Transformation::Tilting,
+            Change::Shift(_) | Change::Rotate(_) => false,
+        });
+        executed || self.unexecuted.contains(&kind)
+    }
+
+    /// By how much lengths of the working plane are scaled; nothing if circles become something else.
+    pub fn plane_scale(&self) -> Option<f64> {
+        let (a, b) = (self.frame.vector(self.plane.main.unit()), self.frame.vector(self.plane.secondary.unit()));
+        let (long, other) = (a.length(), b.length());
+        let round = (long - other).abs() <= SAME * long && a.dot(b).abs() <= SAME * long * other;
+        round.then_some(if (long - 1.0).abs() <= SAME { 1.0 } else { long })
+    }
+
     /// What lies outside the datum shift, as a frame, and what lies inside it: the preset with what was defined before
     /// it, and what was defined after it. A shift that is not in effect would come last.
     pub fn around_datum(&self) -> (Frame, Frame) {
@@ -90,7 +147,7 @@ impl System {
         let at = self.changes.iter().position(is_shift).unwrap_or(self.changes.len());
         let (before, after) = self.changes.split_at(at);
         let inside = after.iter().skip(1).fold(Frame::IDENTITY, |frame, change| frame.of(self.frame_of(change)));
-        (before.iter().fold(self.preset_frame(), |frame, change| frame.of(self.frame_of(change))), inside)
+        (before.iter().fold(self.outermost(), |frame, change| frame.of(self.frame_of(change))), inside)
     }
 
     /// Where the rotary axes have the coordinate 0, in machine coordinates.
@@ -132,6 +189,37 @@ impl System {
         self.change(Change::Rotate(angle), angle == 0.0);
     }
 
+    /// Mirrors axes: those of -1; with all of them 1 nothing is mirrored.
+    pub(super) fn set_mirror(&mut self, linear: DVec3, rotary: DVec3) {
+        self.change(Change::Mirror(linear, rotary), linear == DVec3::ONE && rotary == DVec3::ONE);
+    }
+
+    pub(super) fn set_scale(&mut self, factor: f64) {
+        self.change(Change::Scale(factor), factor == 1.0);
+    }
+
+    pub(super) fn set_axis_scale(&mut self, factors: DVec3, about: DVec3) {
+        self.change(Change::ScaleAxes(factors, about), factors == DVec3::ONE);
+    }
+
+    pub(super) fn set_tilt(&mut self, angles: DVec3) {
+        self.change(Change::Tilt(angles), angles == DVec3::ZERO);
+    }
+
+    pub(super) fn set_table(&mut self, table: Frame) {
+        self.table = table;
+        self.rebuild();
+    }
+
+    /// Ends everything that programs change on top of the preset. Whether there was anything.
+    pub(super) fn end_changes(&mut self) -> bool {
+        let any = !self.changes.is_empty() || self.angle_shift != DVec3::ZERO;
+        self.changes.clear();
+        self.angle_shift = DVec3::ZERO;
+        self.rebuild();
+        any
+    }
+
     /// What is newly defined acts in the system defined so far; what is redefined keeps its place.
     fn change(&mut self, change: Change, ends: bool) {
         let same = |other: &Change| std::mem::discriminant(other) == std::mem::discriminant(&change);
@@ -146,8 +234,13 @@ impl System {
         self.rebuild();
     }
 
+    /// The preset; in a tilted system where the table has put it.
+    fn outermost(&self) -> Frame {
+        if self.tilt().is_some() { self.table.of(self.preset_frame()) } else { self.preset_frame() }
+    }
+
     fn rebuild(&mut self) {
-        let mut frame = self.preset_frame();
+        let mut frame = self.outermost();
         for change in &self.changes {
             frame = frame.of(self.frame_of(change));
         }
@@ -159,6 +252,10 @@ impl System {
         match change {
             Change::Shift(by) => Frame::shift(*by),
             Change::Rotate(angle) => Frame::rotate(self.plane.tool, *angle),
+            Change::Mirror(signs, _) => Frame::scaled(*signs, DVec3::ZERO),
+            Change::Scale(factor) => Frame::scaled(DVec3::splat(*factor), DVec3::ZERO),
+            Change::ScaleAxes(factors, about) => Frame::scaled(*factors, *about),
+            Change::Tilt(angles) => Frame::placed(DVec3::ZERO, *angles),
         }
     }
 
@@ -191,6 +288,10 @@ impl System {
             basic_rotation: self.basic,
             datum: self.datum(),
             rotation: self.rotation(),
+            mirror: self.mirror(),
+            scaling: self.scaling(),
+            tilt: self.tilt(),
+            matrix: self.frame.rows(),
             angles: self.angle_datum(),
         }
     }

@@ -186,6 +186,10 @@ impl<'e> Run<'_, 'e> {
         if plan.probes {
             self.world.probe()?;
         }
+        let radius = |(_, builtin): &(Slot, Builtin)| *builtin == Builtin::ToolRadius;
+        if plan.builtins.iter().any(radius) && self.world.system.plane_scale().is_none() {
+            return Err(Fault::program("arc-scaled-unequally").into());
+        }
         self.probing |= plan.probes;
         let tables = (self.inside == 0).then(|| self.world.tables());
         self.inside += 1;
@@ -232,14 +236,14 @@ impl<'e> Run<'_, 'e> {
         let plan = exec.plan();
         for (slot, id) in &plan.fields {
             let value = match exec.definition.field(id) {
-                None | Some(FieldValue::Unread) => continue,
+                None => continue,
                 Some(FieldValue::Number { value, .. }) => Value::Number(*value),
                 Some(FieldValue::Q(q)) => Value::Number(f64::from(q.number)),
                 Some(FieldValue::Text(text)) => Value::Text(Arc::clone(text)),
                 Some(FieldValue::Direction(direction)) => Value::Point(self.in_plane(*direction)),
                 Some(FieldValue::Coords(coords)) => {
                     let mut point = self.world.here;
-                    for coord in coords {
+                    for coord in coords.iter().filter(|coord| !coord.rotary) {
                         let from = if coord.incremental { coord.axis.of(self.world.here) } else { 0.0 };
                         point = coord.axis.with(point, from + coord.value);
                     }
@@ -278,11 +282,12 @@ impl<'e> Run<'_, 'e> {
         match builtin {
             Builtin::Here => Value::Point(self.in_plane(world.here)),
             Builtin::Start => Value::Point(exec.start),
-            Builtin::ToolRadius => Value::Number(tool.radius),
+            // The tool is not scaled with the program.
+            Builtin::ToolRadius => Value::Number(tool.radius / system.plane_scale().unwrap_or(1.0)),
             Builtin::ToolLength => Value::Number(tool.length),
             Builtin::ToolAngle => Value::Number(tool.angle),
             Builtin::ToolLcuts => Value::Number(tool.lcuts),
-            Builtin::ToolCornerRadius => Value::Number(tool.corner_radius),
+            Builtin::ToolCornerRadius => Value::Number(tool.corner_radius / system.plane_scale().unwrap_or(1.0)),
             Builtin::ToolNumber => Value::Number(tool.number),
             Builtin::ToolCalled => Value::Bool(world.tool().is_some()),
             Builtin::ProbeSetUp => probe(|probe| probe.set_up),
@@ -301,11 +306,12 @@ impl<'e> Run<'_, 'e> {
             Builtin::ActiveDatumShift => Value::Bool(system.datum() != DVec3::ZERO),
             Builtin::ActiveRotation => Value::Bool(system.rotation() != 0.0),
             Builtin::ActiveBasicRotation => Value::Bool(system.basic != DVec3::ZERO),
-            Builtin::ActiveMirror => Value::Bool(system.unexecuted.contains(&Transformation::Mirroring)),
-            Builtin::ActiveScaling => Value::Bool(system.unexecuted.contains(&Transformation::Scaling)),
-            Builtin::ActiveAxisScaling => Value::Bool(system.unexecuted.contains(&Transformation::AxisScaling)),
-            Builtin::ActiveTilting => Value::Bool(system.unexecuted.contains(&Transformation::Tilting)),
-            Builtin::ActiveTurning => Value::Bool(system.unexecuted.contains(&Transformation::Turning)),
+            Builtin::ActiveMirror => Value::Bool(system.has(Transformation::Mirroring)),
+            Builtin::ActiveScaling => Value::Bool(system.has(Transformation::Scaling)),
+            Builtin::ActiveAxisScaling => Value::Bool(system.has(Transformation::AxisScaling)),
+            Builtin::ActiveTilting => Value::Bool(system.has(Transformation::Tilting)),
+            Builtin::ActiveReversed => Value::Bool(system.frame().mirrors()),
+            Builtin::ActiveTurning => Value::Bool(system.has(Transformation::Turning)),
             Builtin::MachinePoint(name) => {
                 let point = self.machine_point(name, exec).unwrap_or(DVec3::ZERO);
                 Value::Point(self.in_plane(system.back().point(point)))

@@ -42,8 +42,6 @@ pub(super) enum FieldValue {
     Q(QRef),
     /// A text, or a list of labels.
     Text(Arc<str>),
-    /// What is printed and checked only.
-    Unread,
 }
 
 /// A cycle as it was defined.
@@ -88,10 +86,11 @@ impl<'e> Run<'_, 'e> {
         self.flow.next = view.last + 1;
         let key = fields::key(view.keyword, view.number);
         self.at.cycle = Some((key, None));
-        if self.transformation(key).is_some() {
+        let known = self.known(key);
+        if known.is_err() && self.transformation(key).is_some() {
             return self.activate(key, &view);
         }
-        let (cycle, on) = self.known(key)?;
+        let (cycle, on) = known?;
         let plan = self.plan(cycle, on)?;
         let definition = match view.form {
             CycleForm::Parameters(parameters) => self.parameters(parameters, cycle)?,
@@ -319,7 +318,6 @@ impl<'e> Run<'_, 'e> {
                     let value = self.field_value(word, param, field)?;
                     match (fields.iter_mut().find(|(id, _)| *id == field.id.text), value) {
                         (Some((_, FieldValue::Coords(all))), FieldValue::Coords(more)) => all.extend(more),
-                        (Some((_, FieldValue::Unread)), FieldValue::Unread) => {}
                         (Some(_), _) => return Ok(Err(*word)),
                         (None, value) => fields.push((Arc::clone(&field.id.text), value)),
                     }
@@ -345,7 +343,28 @@ impl<'e> Run<'_, 'e> {
                 let (axis, _) = axis.ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
                 Ok(FieldValue::Direction(linear(axis)?.unit() * if value.ends_with('-') { -1.0 } else { 1.0 }))
             }
-            (Shape::Axes | Shape::Centre, _) => Ok(FieldValue::Unread),
+            (Shape::Axes, _) => {
+                let (axis, _) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
+                let turns = rotary(axis);
+                let axis = turns.map_or_else(|| linear(axis), |rotary| Ok(rotary.0))?;
+                Ok(FieldValue::Coords(vec![FieldCoord {
+                    axis,
+                    rotary: turns.is_some(),
+                    value: 0.0,
+                    incremental: false,
+                }]))
+            }
+            (Shape::Centre, _) => {
+                let letter = name.strip_prefix("CC").unwrap_or(&name);
+                let (axis, _) = axis_of(letter).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
+                let value = in_range(self.number_of(&word.value)?)?;
+                Ok(FieldValue::Coords(vec![FieldCoord {
+                    axis: linear(axis)?,
+                    rotary: false,
+                    value,
+                    incremental: false,
+                }]))
+            }
             (_, ValueKind::Text(inner)) if is_textual(param) => Ok(FieldValue::Text(self.slice(inner).into())),
             _ if is_textual(param) => match spec::refusal(param, value) {
                 None => Ok(FieldValue::Text(value.into())),
@@ -355,7 +374,7 @@ impl<'e> Run<'_, 'e> {
             (Shape::Position | Shape::AxisCoordinate, _) => {
                 let (axis, incremental) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
                 let value = in_range(self.number_of(&word.value)?)?;
-                let turns = rotary(axis).filter(|_| field.shape == Shape::AxisCoordinate);
+                let turns = rotary(axis);
                 let axis = turns.map_or_else(|| linear(axis), |rotary| Ok(rotary.0))?;
                 Ok(FieldValue::Coords(vec![FieldCoord { axis, rotary: turns.is_some(), value, incremental }]))
             }

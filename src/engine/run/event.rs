@@ -90,6 +90,14 @@ pub struct Coordinates {
     pub datum: DVec3,
     /// The rotation in the working plane, degrees.
     pub rotation: f64,
+    /// Axes that are mirrored have -1, others 1: linear and rotary ones.
+    pub mirror: (DVec3, DVec3),
+    /// The scaling factor, and the factors of the axes with the point that stays.
+    pub scaling: (f64, Option<(DVec3, DVec3)>),
+    /// The spatial angles of a tilted working plane.
+    pub tilt: Option<DVec3>,
+    /// From program to machine coordinates: three rows, the last number of each is the shift.
+    pub matrix: [[f64; 4]; 3],
     /// Where the rotary axes have the coordinate 0, in machine coordinates.
     pub angles: DVec3,
 }
@@ -236,6 +244,9 @@ pub enum EventKind {
     },
     /// The coordinate system changes.
     Transform(Coordinates),
+    /// How far the path may deviate: the tolerance of the contour, the filter and the tolerance of rotary axes; nothing if
+    /// it is that of the machine.
+    Tolerance(Option<[f64; 3]>),
     /// A cell of a table is written.
     Table {
         /// The file.
@@ -379,6 +390,7 @@ impl EventKind {
             Self::Probe(_) => "probe",
             Self::Set { .. } => "set",
             Self::Transform(_) => "transform",
+            Self::Tolerance(_) => "tolerance",
             Self::Table { .. } => "table",
             Self::Log { .. } => "log",
             Self::Message { .. } => "message",
@@ -386,6 +398,33 @@ impl EventKind {
             Self::End(_) => "end",
         }
     }
+}
+
+/// What is mirrored, scaled and tilted, and what that makes of program coordinates; nothing where nothing is.
+fn changed<M: SerializeMap>(map: &mut M, system: &Coordinates) -> Result<(), M::Error> {
+    let (linear, rotary) = system.mirror;
+    let (factor, axes) = system.scaling;
+    let mut mirrored: Vec<char> =
+        Axis::ALL.into_iter().filter(|axis| axis.of(linear) < 0.0).map(Axis::letter).collect();
+    mirrored.extend(RotaryAxis::ALL.into_iter().filter(|axis| axis.of(rotary) < 0.0).map(RotaryAxis::letter));
+    if !mirrored.is_empty() {
+        map.serialize_entry("mirrored", &mirrored)?;
+    }
+    if factor != 1.0 {
+        map.serialize_entry("scaling", &number(factor))?;
+    }
+    if let Some((factors, about)) = axes {
+        map.serialize_entry("axis_scaling", &point(factors))?;
+        map.serialize_entry("scaled_about", &point(about))?;
+    }
+    if let Some(angles) = system.tilt {
+        let angles: Vec<_> = RotaryAxis::ALL.into_iter().map(|axis| (axis, axis.of(angles))).collect();
+        map.serialize_entry("tilting", &Angles(&angles))?;
+    }
+    if mirrored.is_empty() && factor == 1.0 && axes.is_none() && system.tilt.is_none() {
+        return Ok(());
+    }
+    map.serialize_entry("matrix", &system.matrix)
 }
 
 impl EventKind {
@@ -440,7 +479,13 @@ impl EventKind {
                 if !angles.is_empty() {
                     map.serialize_entry("angles", &Angles(&angles))?;
                 }
-                Ok(())
+                changed(map, system)
+            }
+            Self::Tolerance(tolerance) => {
+                let [contour, hsc, rotary] = tolerance.map_or([None; 3], |values| values.map(Some));
+                map.serialize_entry("contour", &contour.map(number))?;
+                map.serialize_entry("hsc_mode", &hsc.map(number))?;
+                map.serialize_entry("rotary", &rotary.map(number))
             }
             Self::Table { file, row, column, value } => {
                 map.serialize_entry("file", file)?;

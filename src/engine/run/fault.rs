@@ -38,6 +38,7 @@ impl Class {
 /// Every code of the engine with its class; a mistake of the engine cannot be provoked by a program.
 pub const CODES: &[(&str, Class)] = &[
     ("angle-missing", Class::Program),
+    ("arc-scaled-unequally", Class::Program),
     ("axis-limit", Class::Control),
     ("block-limit", Class::Limit),
     ("block-unreadable", Class::Program),
@@ -89,6 +90,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("repeat-count", Class::Program),
     ("rotary-axis-missing", Class::Control),
     ("rotary-axis-unsuitable", Class::Control),
+    ("scaling-factor-zero", Class::Program),
     ("series-count", Class::Internal),
     ("series-limit", Class::Limit),
     ("shape-impossible", Class::Control),
@@ -105,6 +107,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("table-too-wide", Class::Internal),
     ("text-or-number", Class::Program),
     ("text-too-long", Class::Limit),
+    ("tilting-unreachable", Class::Control),
     ("tool-locked", Class::Control),
     ("tool-not-in-table", Class::Program),
     ("unsupported-axis", Class::Unsupported),

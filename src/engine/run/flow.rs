@@ -123,6 +123,11 @@ impl Flow {
         false
     }
 
+    /// How many calls are under way.
+    pub(super) fn depth(&self) -> usize {
+        self.frames.len()
+    }
+
     fn pop(&mut self) {
         if let Some(frame) = self.frames.pop() {
             self.program = frame.program;

@@ -29,6 +29,7 @@ mod strategy;
 mod stud;
 mod stylus;
 mod thread;
+mod tilt;
 mod turn;
 mod world;
 
@@ -253,6 +254,8 @@ struct Modal {
     tool_feed: Option<f64>,
     spindle: Spindle,
     coolant: bool,
+    /// The angle to which M19 and M20 orient the spindle.
+    orientation: f64,
     /// The pole, program coordinates by axis.
     pole: Option<DVec3>,
     /// Whether every positioning block calls the last cycle (M89).

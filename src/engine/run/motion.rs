@@ -133,12 +133,14 @@ impl Run<'_, '_> {
 
     /// Where the rotary axes of a block go, in machine coordinates.
     fn turn_target(&self, coords: &[Coord], in_machine: bool) -> Result<Vec<(RotaryAxis, f64)>, Fault> {
-        let datum = if in_machine { DVec3::ZERO } else { self.world.system.angle_datum() };
+        let system = &self.world.system;
+        let (datum, signs) =
+            if in_machine { (DVec3::ZERO, DVec3::ONE) } else { (system.angle_datum(), system.mirror().1) };
         let mut turns = Vec::with_capacity(coords.len());
         for coord in coords {
             let Some(axis) = rotary(coord.axis) else { continue };
-            let now = axis.of(self.world.angles - datum);
-            turns.push((axis, self.coordinate(coord, now)? + axis.of(datum)));
+            let now = axis.of((self.world.angles - datum) * signs);
+            turns.push((axis, self.coordinate(coord, now)? * axis.of(signs) + axis.of(datum)));
         }
         self.can_turn(&turns)?;
         Ok(turns)
@@ -275,12 +277,17 @@ impl Run<'_, '_> {
         let frame = *self.world.system.frame();
         let centre = plane.lift(plane.flat(centre), plane.tool.of(from));
         let machine = frame.point(to);
+        if self.world.system.plane_scale().is_none() {
+            return Err(Fault::program("arc-scaled-unequally").into());
+        }
+        // Seen along the tool axis of a mirrored system a circle goes round the other way.
+        let up = frame.vector(plane.tool.unit());
         let path = BallPath::Arc {
             centre: frame.point(centre),
-            axis: frame.vector(plane.tool.unit()),
+            axis: up / up.length(),
             from: self.world.machine,
-            sweep: angle,
-            rise,
+            sweep: if frame.mirrors() { -angle } else { angle },
+            rise: rise * up.length(),
         };
         let speed = speed?;
         let feed = match speed {

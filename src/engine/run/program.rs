@@ -21,7 +21,26 @@ pub(super) enum After {
 impl<'e> Run<'_, 'e> {
     /// Executes the program to its end.
     pub(super) fn program(&mut self) -> Done {
+        self.blocks(0)
+    }
+
+    /// Executes a program that a cycle calls, to its end.
+    pub(super) fn execute_program(&mut self, name: &str) -> Done {
+        let depth = self.flow.depth();
+        let (at, inside, probing) = (self.at.clone(), self.inside, self.probing);
+        self.call_program(name)?;
+        (self.inside, self.probing) = (0, false);
+        self.blocks(depth + 1)?;
+        (self.at, self.inside, self.probing) = (at, inside, probing);
+        Ok(())
+    }
+
+    /// Executes blocks until the calls that deep have returned, or to the end.
+    fn blocks(&mut self, depth: usize) -> Done {
         loop {
+            if depth > 0 && self.flow.depth() < depth {
+                return Ok(());
+            }
             self.flow.advance(&self.engine.limits)?;
             let Some(block) = self.programs.get(self.flow.program).and_then(|p| p.block(self.flow.block)) else {
                 if self.flow.return_from_program() {

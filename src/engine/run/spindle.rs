@@ -29,6 +29,7 @@ impl<'e> Run<'_, 'e> {
     /// The spindle stands at an angle.
     pub(super) fn orient(&mut self, angle: f64) {
         self.modal.spindle.direction = 0;
+        self.modal.orientation = angle;
         self.tell(EventKind::Spindle { tool: None, direction: 0, speed: 0.0, orient: Some(angle) });
     }
 

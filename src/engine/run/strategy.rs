@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::cycle::Exec;
 use super::fault::{Class, Fault};
-use super::{Done, Run};
+use super::{Done, EventKind, Run};
 use crate::engine::geometry::{Axis, Frame};
 use crate::engine::plan::{Calc, Strategy, StrategyCall};
 use crate::engine::scene::Preset;
@@ -107,6 +107,27 @@ impl<'e> Run<'_, 'e> {
             }
             Strategy::TurnSpindle => self.turn_spindle(call, exec),
             Strategy::ExecuteMFunction => self.execute_m_function(call, exec),
+            Strategy::ComputeRotaryPositions => self.compute_rotary_positions(call, exec),
+            Strategy::PositionRotaryAxes => self.position_rotary_axes(call, exec),
+            Strategy::CallProgram => {
+                let Value::Text(name) = self.value(Self::argument(call, 0)?, exec)? else { return Ok(()) };
+                self.execute_program(&name)
+            }
+            Strategy::KeepOrientationAngle => {
+                self.modal.orientation = self.given(call, 0, exec)?;
+                Ok(())
+            }
+            Strategy::KeepTolerance => {
+                let mut values = [0.0; 3];
+                for (value, calc) in values.iter_mut().zip(&call.with) {
+                    if let Some(calc) = calc {
+                        *value = self.number(calc, exec)?;
+                    }
+                }
+                let given = call.with.first().is_some_and(Option::is_some);
+                self.tell(EventKind::Tolerance(given.then_some(values)));
+                Ok(())
+            }
             Strategy::ToleranceBand => {
                 let Some(Some(text)) = call.with.first() else { return Ok(()) };
                 let Value::Text(text) = self.value(text, exec)? else { return Ok(()) };

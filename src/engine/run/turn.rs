@@ -69,16 +69,18 @@ impl Run<'_, '_> {
             }
         };
         self.turns_free(&moving, after, together)?;
-        let datum = self.world.system.angle_datum();
+        let (datum, signs) = (self.world.system.angle_datum(), self.world.system.mirror().1);
         let turned = |axis: &RotaryAxis| Turned {
             axis: *axis,
-            from: axis.of(before - datum),
-            to: axis.of(after - datum),
+            from: axis.of((before - datum) * signs),
+            to: axis.of((after - datum) * signs),
             machine: axis.of(after),
         };
         let axes = moving.iter().map(turned).collect();
+        let told = self.world.system.told();
         self.world.turn(after);
         self.tell(EventKind::Turn { axes, feed, rapid, together });
+        self.transformed(told);
         Ok(())
     }
 

@@ -136,6 +136,17 @@ impl<'s> World<'s> {
         let (table, at_start) = (machine.table(angles), machine.table(self.scene.start_angles));
         self.parts = (table != at_start).then(|| at_start.of(table.inverse()));
         self.head = Some(machine.head(angles)).filter(|head| *head != Frame::IDENTITY);
+        self.carry_system();
+    }
+
+    /// A tilted system goes with the table.
+    pub(super) fn carry_system(&mut self) {
+        let machine = &self.scene.machine;
+        let table = machine.table(self.angles).of(machine.table(self.system.angle_datum()).inverse());
+        if self.system.table != table {
+            self.system.set_table(table);
+            self.renew();
+        }
     }
 
     /// The tables as they are now.
@@ -326,7 +337,7 @@ impl<'s> World<'s> {
 
     /// The rotary axes in program coordinates.
     pub(super) fn program_angles(&self) -> DVec3 {
-        self.angles - self.system.angle_datum()
+        (self.angles - self.system.angle_datum()) * self.system.mirror().1
     }
 
     /// The rotary axis that turns about a parallel of the tool axis.
