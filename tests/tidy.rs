@@ -19,9 +19,12 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("accord", &["diag", "spec", "locale", "text"]),
     ("export", &["diag", "spec", "locale", "text"]),
     ("dialog", &["diag", "spec", "locale", "text", "export"]),
-    ("manual", &["diag", "expr", "spec", "locale", "text", "label", "dialog", "export"]),
     ("check", &["diag", "expr", "spec", "locale", "text", "syntax", "fields"]),
     ("translate", &["diag", "syntax", "check"]),
+    (
+        "manual",
+        &["diag", "expr", "spec", "locale", "text", "syntax", "label", "dialog", "export", "check", "translate"],
+    ),
     ("engine", &["diag", "expr", "spec", "syntax", "fields"]),
     ("conform", &["diag", "expr", "spec", "locale", "text", "label", "syntax", "engine"]),
     ("coverage", &["diag", "expr", "spec", "locale", "engine"]),

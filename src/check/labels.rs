@@ -2,8 +2,8 @@
 //!
 //! Invariant: a text that a language lacks matches nothing; labels are compared without regard to
 //! case and blanks, as programs come from many hands.
-use std::cell::OnceCell;
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use super::facts::Facts;
 use crate::locale::{Language, Locales};
@@ -14,7 +14,7 @@ use crate::text::{CycleText, Vocabulary};
 pub struct LabelBook<'a> {
     on: &'a OnControl,
     locales: &'a Locales,
-    cycles: BTreeMap<CycleKey, OnceCell<CycleLabels>>,
+    cycles: BTreeMap<CycleKey, OnceLock<CycleLabels>>,
 }
 
 /// The labels of a cycle in all languages, in the order of their tags.
@@ -82,7 +82,7 @@ pub(super) fn fold(label: &str) -> String {
 impl<'a> LabelBook<'a> {
     /// The labels of a control in all languages that are loaded.
     pub fn new(on: &'a OnControl, locales: &'a Locales) -> Self {
-        Self { on, locales, cycles: on.cycles.keys().map(|key| (*key, OnceCell::new())).collect() }
+        Self { on, locales, cycles: on.cycles.keys().map(|key| (*key, OnceLock::new())).collect() }
     }
 
     /// The labels of a cycle; nothing if the control does not describe it.

@@ -63,7 +63,7 @@ pub(super) fn page(site: &Site, comparison: &Comparison) -> Result<String, Vec<D
         let Some(entry) = section.entry(comparison.key) else { continue };
         let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
         let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
-        let maker = Maker { text: &text, section };
+        let maker = Maker { text: &text, section, site };
         let iso = &entry.cycle.iso;
         columns.push(ColumnView {
             control: section.on.control.title.clone(),

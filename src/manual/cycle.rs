@@ -23,7 +23,7 @@ pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, 
     let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
     let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
     let group = overview::group_title(section, entry.cycle.file.group)?;
-    let maker = Maker { text: &text, section };
+    let maker = Maker { text: &text, section, site };
     let (mut view, mut faults) = maker.cycle(&entry.name, group);
     view.comparison = site.comparison(section, entry.cycle.key);
     let key = entry.cycle.key.to_string();
@@ -47,6 +47,7 @@ pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, 
 pub(super) struct Maker<'m, 'a> {
     pub(super) text: &'m CycleText<'a>,
     pub(super) section: &'m Section<'a>,
+    pub(super) site: &'m Site<'a>,
 }
 
 impl Maker<'_, '_> {
@@ -249,15 +250,12 @@ impl Maker<'_, '_> {
     }
 
     fn example(&self, example: &NcExample, block: &str) -> ExampleView {
-        let mut klartext = String::new();
-        for line in example.before.iter().map(String::as_str).chain(block.lines()) {
-            klartext.push_str(line);
+        let mut klartext = self.site.relabelled(self.section, &example.before);
+        klartext.push_str(block);
+        if !block.ends_with('\n') {
             klartext.push('\n');
         }
-        for line in &example.after {
-            klartext.push_str(line);
-            klartext.push('\n');
-        }
+        klartext.push_str(&self.site.relabelled(self.section, &example.after));
         let title = example.title.as_ref().map(|title| self.html(&self.text.title(title)));
         ExampleView { title, klartext, iso: self.iso_block(block, example.number) }
     }

@@ -16,6 +16,7 @@ mod stem;
 mod topic;
 mod view;
 
+use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -23,6 +24,7 @@ use minijinja::syntax::SyntaxConfig;
 use minijinja::{Environment, UndefinedBehavior};
 use serde::Serialize;
 
+use crate::check::LabelBook;
 use crate::diag::Diagnostic;
 use crate::locale::{Language, Locales};
 use crate::spec::{Catalogue, OnControl};
@@ -66,6 +68,9 @@ pub struct Site<'a> {
     sections: Vec<Section<'a>>,
     comparisons: Vec<Comparison>,
     source: Option<&'a Language>,
+    catalogue: &'a Catalogue,
+    /// The labels of each control, to write its printed lines in other languages.
+    labels: BTreeMap<&'a str, LabelBook<'a>>,
     templates: Environment<'a>,
     assets: Vec<(&'a str, &'a str)>,
 }
@@ -122,7 +127,19 @@ impl<'a> Site<'a> {
         });
         let sections: Vec<Section> = sections.into_iter().map(|(_, section)| section).collect();
         let comparisons = compare::all(&sections);
-        Ok(Self { sections, comparisons, source, templates, assets: assets.collect() })
+        let mut labels = BTreeMap::new();
+        for section in &sections {
+            labels.entry(section.on.id()).or_insert_with(|| LabelBook::new(section.on, request.locales));
+        }
+        Ok(Self {
+            sections,
+            comparisons,
+            source,
+            catalogue: request.catalogue,
+            labels,
+            templates,
+            assets: assets.collect(),
+        })
     }
 
     fn jobs(&self) -> Vec<Job> {

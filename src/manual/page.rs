@@ -2,6 +2,10 @@
 use super::Site;
 use super::section::{Entry, Section};
 use super::view::{LinkView, PageView, SwitchView};
+use crate::check::Against;
+use crate::diag::Source;
+use crate::syntax::encoding::{Charset, Encoding};
+use crate::{syntax, translate};
 
 /// Which page of a section.
 #[derive(Clone, Copy)]
@@ -26,6 +30,20 @@ impl Here<'_> {
 }
 
 impl Site<'_> {
+    /// Lines that a manual prints around a block, with the names and labels of the language.
+    pub(super) fn relabelled(&self, section: &Section, lines: &[String]) -> String {
+        let mut text = lines.join("\n");
+        if text.is_empty() {
+            return text;
+        }
+        text.push('\n');
+        let Some(labels) = self.labels.get(section.on.id()) else { return text };
+        let against = Against { catalogue: self.catalogue, on: section.on, labels, language: None, readers: &[] };
+        let program = syntax::parse(&Source::new("example", text));
+        let encoding = Encoding { charset: Charset::Utf8, bom: false };
+        translate::translate(&program, &against, section.language.tag(), encoding).text
+    }
+
     /// The frame of a page below `control/language/`.
     pub(super) fn frame(&self, section: &Section, title: String, here: Here) -> PageView {
         let entry = if let Here::Cycle(at) = here { Some(at) } else { None };
