@@ -38,7 +38,7 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
                 for param in &cycle.params {
                     let kinds = (param.quantity.as_str(), param.reference.map(Reference::as_str));
                     let texts = Texts::of(language, (catalogue, on), cycle, param);
-                    if seen.insert((param.is.text.to_string(), texts.name.clone(), kinds)) {
+                    if !texts.explained && seen.insert((param.is.text.to_string(), texts.name.clone(), kinds)) {
                         judge(&texts, param, kinds.0, &quantities, "accord-quantity", found);
                         if let Some(reference) = kinds.1 {
                             judge(&texts, param, reference, &references, "accord-reference", found);
@@ -94,7 +94,7 @@ fn judge(
     }
     let speaks = |words: &Words, text: &str| words.words.iter().any(|word| text.contains(word.as_str()));
     let others: Vec<&str> = lexicon.iter().filter(|words| speaks(words, &texts.name)).map(|words| words.kind).collect();
-    if others.is_empty() || others.contains(&own) || texts.explained {
+    if others.is_empty() || others.contains(&own) {
         return;
     }
     let scope = Scope::new(&texts.scope.0, &texts.scope.1);
