@@ -8,7 +8,7 @@ mod html;
 
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
-use std::sync::Mutex;
+use std::sync::{Mutex, OnceLock};
 
 use ciklo::data::{self, Files};
 use ciklo::diag::Diagnostic;
@@ -42,7 +42,13 @@ fn complete(files: &Files) -> Vec<String> {
     locales.tags().filter(whole).map(str::to_owned).collect()
 }
 
-fn whole_site() -> Produced {
+/// The site of all built data; made once for all tests that look at it.
+fn whole_site() -> &'static Produced {
+    static SITE: OnceLock<Produced> = OnceLock::new();
+    SITE.get_or_init(make_whole_site)
+}
+
+fn make_whole_site() -> Produced {
     let files = data::embedded();
     let languages = complete(&files);
     assert!(languages.iter().any(|tag| tag == "en"), "the source language is complete");
@@ -66,7 +72,7 @@ fn pages(site: &Produced) -> impl Iterator<Item = (&str, &str)> {
 #[test]
 fn every_page_is_valid_html_in_its_language_with_unique_ids() {
     let site = whole_site();
-    for (path, text) in pages(&site) {
+    for (path, text) in pages(site) {
         let page = html::read(text);
         assert!(page.errors.is_empty(), "{path}: {:?}", page.errors);
         let ids: HashSet<&String> = page.ids.iter().collect();
@@ -85,7 +91,7 @@ fn every_page_is_valid_html_in_its_language_with_unique_ids() {
 #[test]
 fn every_link_leads_to_a_file_or_an_id_of_the_site() {
     let site = whole_site();
-    let read: BTreeMap<&str, html::Page> = pages(&site).map(|(path, text)| (path, html::read(text))).collect();
+    let read: BTreeMap<&str, html::Page> = pages(site).map(|(path, text)| (path, html::read(text))).collect();
     for (path, page) in &read {
         for link in &page.links {
             let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
@@ -206,7 +212,6 @@ fn a_topic_without_a_page_or_a_title_stops_the_build() {
 
 #[test]
 fn the_index_of_the_search_leads_from_one_form_of_a_word_to_all() {
-    let files = data::embedded();
     let words = [
         ("en", vec!["drill", "drills", "drilling"]),
         ("fi", vec!["syvyys", "syvyyden", "syvyyteen"]),
@@ -214,8 +219,7 @@ fn the_index_of_the_search_leads_from_one_form_of_a_word_to_all() {
         ("pt", vec!["furo", "furos"]),
         ("sl", vec!["vrtina", "vrtine", "vrtin"]),
     ];
-    let languages: Vec<String> = words.iter().map(|(tag, _)| (*tag).to_owned()).collect();
-    let site = build(&files, &languages).expect("the site is whole");
+    let site = whole_site();
     for (tag, same) in words {
         let script = std::str::from_utf8(&site[&format!("tnc640/{tag}/search-index.js")]).expect("it is UTF-8");
         let json = script.strip_prefix("const cikloIndex = ").and_then(|rest| rest.strip_suffix(";\n"));
