@@ -52,13 +52,43 @@ fn every_altered_fact_is_found() {
         ("it/drilling.ftl", "{ $q-dwell-at-top }", "{ $q-dwell-at-bottom }", "accord-argument", "return-to-set-up"),
         ("pt/measuring.ftl", "Q182=1", "Q181=1", "accord-code", "say-hole-is-scrap"),
         // The label of another parameter of the same cycle, and texts of choices that changed places.
-        ("it/parameters-machining.ftl", ".label = PROFONDITÀ\n", ".label = DISTANZA SICUREZZA\n", "accord-label-twice", "DISTANZA SICUREZZA"),
+        (
+            "it/parameters-machining.ftl",
+            ".label = PROFONDITÀ\n",
+            ".label = DISTANZA SICUREZZA\n",
+            "accord-label-twice",
+            "DISTANZA SICUREZZA",
+        ),
         // What a specification says against the names: an angle that is a length, a distance that is a coordinate.
-        ("parameters/machining.yaml", "angle-of-rotation:\n    {quantity: angle", "angle-of-rotation:\n    {quantity: length", "accord-quantity", "angle-of-rotation"),
-        ("parameters/machining.yaml", "set-up-clearance:\n    {quantity: length, reference: incremental", "set-up-clearance:\n    {quantity: length, reference: absolute", "accord-reference", "set-up-clearance"),
+        (
+            "parameters/machining.yaml",
+            "angle-of-rotation:\n    {quantity: angle",
+            "angle-of-rotation:\n    {quantity: length",
+            "accord-quantity",
+            "angle-of-rotation",
+        ),
+        (
+            "parameters/machining.yaml",
+            "set-up-clearance:\n    {quantity: length, reference: incremental",
+            "set-up-clearance:\n    {quantity: length, reference: absolute",
+            "accord-reference",
+            "set-up-clearance",
+        ),
         // Habits of the catalogue: a limit, a choice, a Q number.
-        ("parameters/probing.yaml", "measuring-height:\n    quantity: length\n    reference: absolute\n    ranges: [{min: -99999.9999, max: 99999.9999", "measuring-height:\n    quantity: length\n    reference: absolute\n    ranges: [{min: -99999.9999, max: 9999.9999", "spec-odd-limit", "measuring-height"),
-        ("drilling/205-universal-pecking.yaml", "{q: Q206, is: plunging-feed", "{q: Q207, is: plunging-feed", "spec-odd-q", "plunging-feed"),
+        (
+            "parameters/probing.yaml",
+            "measuring-height:\n    quantity: length\n    reference: absolute\n    ranges: [{min: -99999.9999, max: 99999.9999",
+            "measuring-height:\n    quantity: length\n    reference: absolute\n    ranges: [{min: -99999.9999, max: 9999.9999",
+            "spec-odd-limit",
+            "measuring-height",
+        ),
+        (
+            "drilling/205-universal-pecking.yaml",
+            "{q: Q206, is: plunging-feed",
+            "{q: Q207, is: plunging-feed",
+            "spec-odd-q",
+            "plunging-feed",
+        ),
         // A formula that adds two coordinates, and a parameter of which the run knows nothing any more.
         ("drilling/200-drilling.yaml", "floor: Q203 + Q201", "floor: Q203 + Q203", "spec-measure", "CYCL DEF 200"),
     ];

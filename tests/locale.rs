@@ -1,7 +1,7 @@
 //! The languages: look-up, numbers, functions, findings, and how diagnostics are shown.
 use ciklo::diag::{Diagnostic, Place, Source};
 use ciklo::locale::render::{render, to_json_line};
-use ciklo::locale::{Args, Collation, Digits, Fault, Locales, Numbers, Scope, Ui};
+use ciklo::locale::{Args, Collation, Digits, Fault, Locales, Meanings, Numbers, Scope, Ui};
 use proptest::prelude::*;
 
 /// The units and lists that the tests share.
@@ -342,16 +342,47 @@ fn an_accepted_translation_is_stale_once_its_source_changes() {
     let files = |english: &str, lock: &str| {
         load(&[("locales/en/a.ftl", english), ("locales/fi/a.ftl", translation), ("locales/fi/source.lock", lock)]).0
     };
-    let lock = files(ENGLISH, "").accepted("fi").unwrap();
+    let lock = files(ENGLISH, "").accepted("fi", &Meanings::new()).unwrap();
     let names: Vec<&str> = lock.lines().filter_map(|line| line.split(' ').next()).collect();
     assert_eq!(names, ["-t", "a", "b", "b.tip", "c"]);
     let audit = files(ENGLISH, &lock).audit("fi").unwrap();
     assert!(audit.diagnostics().is_empty(), "{audit:?}");
-    let changed = ENGLISH.replace("A { $x }", "A:  { $x }").replace("T\n", "U\n");
+    let changed = ENGLISH.replace("A { $x }", "not A { $x }").replace("T\n", "X\n");
     let audit = files(&changed, &lock).audit("fi").unwrap();
     assert_eq!(keys(&audit.stale), ["a", "b.tip"]);
+    let mended = ENGLISH.replace("A { $x }", "A: { $x }");
+    assert!(files(&mended, &lock).audit("fi").unwrap().stale.is_empty(), "a comma changes nothing");
     let moved = ENGLISH.replace("a = A", "# a comment\na =\n    A");
     assert!(files(&moved, &lock).audit("fi").unwrap().stale.is_empty(), "layout and comments change nothing");
+}
+
+#[test]
+fn a_slip_of_the_pen_leaves_translations_fresh_and_a_new_meaning_does_not() {
+    let english = "step = The touch probe retracts to { $height } after 2 probings.\nchoice = move upwards\n";
+    let translation = "step = { $height } 2\nchoice = ylös\n";
+    let files = |english: &str, lock: &str| {
+        load(&[("locales/en/a.ftl", english), ("locales/fi/a.ftl", translation), ("locales/fi/source.lock", lock)]).0
+    };
+    let meanings: Meanings = [("step".to_owned(), 1), ("choice".to_owned(), 2)].into_iter().collect();
+    let lock = files(english, "").accepted("fi", &meanings).unwrap();
+    let stale = |english: &str, meanings: &Meanings| {
+        keys(&files(english, &lock).audit_with("fi", meanings).unwrap().stale)
+            .iter()
+            .map(|key| (*key).to_owned())
+            .collect::<Vec<_>>()
+    };
+    for slip in ["Teh touch probe", "The tuoch probe", "The touch probbe", "The touch prope", "The  touch probe,"] {
+        let mended = slip != "The touch prope";
+        let text = english.replace("The touch probe", slip);
+        assert_eq!(stale(&text, &meanings).is_empty(), mended, "{slip}");
+    }
+    for other in ["after 3 probings", "before 2 probings", "not after 2 probings"] {
+        assert_eq!(stale(&english.replace("after 2 probings", other), &meanings), ["step"], "{other}");
+    }
+    assert_eq!(stale(&english.replace("$height", "$depth"), &meanings), ["step"]);
+    assert_eq!(stale(&english.replace("upwards", "downwards"), &meanings), ["choice"]);
+    let changed: Meanings = [("step".to_owned(), 1), ("choice".to_owned(), 3)].into_iter().collect();
+    assert_eq!(stale(english, &changed), ["choice"], "the specification means something else");
 }
 
 #[test]
@@ -520,7 +551,7 @@ proptest! {
         }
         for tag in locales.tags() {
             prop_assert!(locales.audit(tag).is_ok());
-            prop_assert!(locales.accepted(tag).is_ok());
+            prop_assert!(locales.accepted(tag, &Meanings::new()).is_ok());
         }
     }
 }

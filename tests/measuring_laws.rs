@@ -683,7 +683,12 @@ fn fits_are_the_least_squares_ones() {
         assert_eq!(outcome.status, Status::Done, "{:?}\n{}\n{}", outcome.fault, part("program"), part("scene"));
         let same = |found: f64, wanted: &serde_json::Value, name: &str| {
             let wanted = wanted.as_f64().expect("a number");
-            assert!((found - wanted).abs() < 1e-9, "{name} is {found} and not {wanted}:\n{}\n{}", part("program"), part("scene"));
+            assert!(
+                (found - wanted).abs() < 1e-9,
+                "{name} is {found} and not {wanted}:\n{}\n{}",
+                part("program"),
+                part("scene")
+            );
         };
         for (number, wanted) in case["q"].as_object().into_iter().flatten() {
             same(q(&outcome, number.parse().expect("a number")), wanted, number);
@@ -707,7 +712,9 @@ fn the_worked_programs_measure_their_workpieces() {
     assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
     let (file, log) = outcome.logs.first().expect("a log");
     assert_eq!(file, "TCHPR423.TXT");
-    for piece in ["50.0905", "39.9347", "90.1200", "69.9920", "0.0905", "-0.0653", "0.1200", "-0.0080", "29-09-1997", "8:21:33"] {
+    for piece in
+        ["50.0905", "39.9347", "90.1200", "69.9920", "0.0905", "-0.0653", "0.1200", "-0.0080", "29-09-1997", "8:21:33"]
+    {
         assert!(log.contains(piece), "{piece} is not in\n{log}");
     }
 }

@@ -43,7 +43,8 @@ fn sum<'f>(facts: impl Iterator<Item = &'f String>) -> u32 {
 }
 
 fn parameter(param: &Param) -> String {
-    let mut text = format!("{:?} {:?} {:?} {:?} {:?}", param.quantity, param.reference, param.min, param.max, param.max_length);
+    let mut text =
+        format!("{:?} {:?} {:?} {:?} {:?}", param.quantity, param.reference, param.min, param.max, param.max_length);
     for choice in &param.choices {
         let _ = write!(text, " {}={}", choice.value.as_str(), choice.choice.as_str());
     }

@@ -9,9 +9,12 @@ mod choice;
 mod fact;
 mod label;
 mod lexicon;
+mod meaning;
 mod pair;
 mod term;
 mod used;
+
+pub use meaning::meanings;
 
 use std::collections::{BTreeMap, BTreeSet};
 

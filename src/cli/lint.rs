@@ -36,7 +36,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     found.extend(mistakes);
     found.extend(spec::lint(&catalogue));
     found.extend(plan::check(&catalogue));
-    found.extend(languages(&locales)?);
+    found.extend(languages(&catalogue, &locales)?);
     found.extend(texts(&catalogue, &locales));
     found.extend(languages_of_controls(&catalogue, &locales));
     found.extend(label::check(&catalogue, &locales));
@@ -58,9 +58,10 @@ fn accept(session: &mut Session) -> Result<Outcome, Failure> {
     };
     let files = session::working_copy(root)?;
     let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let meanings = accord::meanings(&Catalogue::load(&files).0);
     for tag in locales.tags().filter(|tag| *tag != SOURCE_LANGUAGE) {
         let path = root.join("locales").join(tag).join("source.lock");
-        system::write(&path, locales.accepted(tag)?.as_bytes())?;
+        system::write(&path, locales.accepted(tag, &meanings)?.as_bytes())?;
         let args = Args::new().text("path", path.display().to_string());
         let line = session.ui.text("cli-written", &args);
         session.output.remark(&line);
@@ -68,10 +69,11 @@ fn accept(session: &mut Session) -> Result<Outcome, Failure> {
     Ok(Outcome::Clean)
 }
 
-fn languages(locales: &Locales) -> Result<Vec<Diagnostic>, LocaleError> {
+fn languages(catalogue: &Catalogue, locales: &Locales) -> Result<Vec<Diagnostic>, LocaleError> {
+    let meanings = accord::meanings(catalogue);
     let mut found = Vec::new();
     for tag in locales.tags() {
-        found.extend(locales.audit(tag)?.diagnostics());
+        found.extend(locales.audit_with(tag, &meanings)?.diagnostics());
     }
     Ok(found)
 }

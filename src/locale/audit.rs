@@ -1,9 +1,10 @@
 //! How far a translation follows its source: missing, left over, stale, and asking for too much.
 //!
-//! Each translation has a file `source.lock` with a line a text: `id[.attribute] hash`, the hash being
-//! that of the source text which it translates. A variant counts as a translation of whatever the
+//! Each translation has a file `source.lock` with a line a text: `id[.attribute] text [meaning]`: a number
+//! for the words of the source text which it translates, and one for what the specifications mean by it. A
+//! mended slip of the pen leaves the first as it is: words count by their consonants. A variant counts as a translation of whatever the
 //! source language says in the same scope. Invariant: nothing is changed; the fresh lock is a text.
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::fmt::Write as _;
 use std::sync::Arc;
 
@@ -20,7 +21,17 @@ const OWN: [&str; 7] = ["endings", "forbidden", "forms", "label-aliases", "nc-al
 
 /// What a translation was made from.
 #[derive(Debug, Default)]
-pub(super) struct Lock(BTreeMap<String, u32>);
+pub(super) struct Lock(BTreeMap<String, Recorded>);
+
+/// What a translation was made from: the source text, and what the specifications meant by it.
+#[derive(Clone, Copy, Debug)]
+struct Recorded {
+    text: u32,
+    meaning: Option<u32>,
+}
+
+/// What the specifications mean by a message id: a number that changes with the meaning.
+pub type Meanings = HashMap<String, u32>;
 
 impl Lock {
     pub(super) fn read(source: &Arc<Source>, diagnostics: &mut Vec<Diagnostic>) -> Self {
@@ -29,11 +40,17 @@ impl Lock {
         for line in source.text().split_inclusive('\n') {
             let content = line.trim();
             let words: Vec<&str> = content.split_whitespace().collect();
-            let hash = words.get(1).filter(|hash| hash.len() == 8).and_then(|hash| u32::from_str_radix(hash, 16).ok());
-            match (words.as_slice(), hash) {
-                ([], _) => {}
-                ([id, _], Some(hash)) => {
-                    lines.insert((*id).to_owned(), hash);
+            let read = |at: usize| {
+                let hash = words.get(at).filter(|hash| hash.len() == 8);
+                hash.and_then(|hash| u32::from_str_radix(hash, 16).ok())
+            };
+            match (words.as_slice(), read(1), read(2)) {
+                ([], ..) => {}
+                ([id, _], Some(text), None) => {
+                    lines.insert((*id).to_owned(), Recorded { text, meaning: None });
+                }
+                ([id, _, _], Some(text), Some(meaning)) => {
+                    lines.insert((*id).to_owned(), Recorded { text, meaning: Some(meaning) });
                 }
                 _ if content.starts_with('#') => {}
                 _ => {
@@ -155,13 +172,49 @@ fn hash(pattern: &Pattern<&str>) -> u32 {
         attributes: Vec::new(),
         comment: None,
     };
-    let text = fluent_syntax::serializer::serialize(&ast::Resource { body: vec![ast::Entry::Message(message)] });
-    sum(&text)
+    signature(&fluent_syntax::serializer::serialize(&ast::Resource { body: vec![ast::Entry::Message(message)] }))
 }
 
+/// A number for what a text says: arguments, numbers and code words as they are, other words by the set of
+/// their consonants, so that a doubled letter, a turned pair or a wrong vowel changes nothing.
+fn signature(text: &str) -> u32 {
+    let mut hash = Fnv::default();
+    for word in text.split(|c: char| !(c.is_alphanumeric() || matches!(c, '$' | '-' | '_'))) {
+        let word = word.trim_matches('-');
+        let exact = word.starts_with('$')
+            || word.chars().any(|c| c.is_ascii_digit() || c == '_')
+            || (word.chars().count() > 1 && !word.chars().any(char::is_lowercase));
+        let sign: String = if exact {
+            word.to_owned()
+        } else {
+            let lower = word.to_lowercase();
+            let consonants: BTreeSet<char> =
+                lower.chars().filter(|c| c.is_alphabetic() && !VOWELS.contains(*c)).collect();
+            consonants.into_iter().collect()
+        };
+        if !sign.is_empty() {
+            sign.bytes().chain([b' ']).for_each(|byte| hash.add(byte));
+        }
+    }
+    hash.0
+}
+
+/// Vowels of the source language.
+const VOWELS: &str = "aeiouy";
+
 /// FNV-1a: only equality matters, and the lock must not change with a library's hash.
-fn sum(text: &str) -> u32 {
-    text.bytes().fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+struct Fnv(u32);
+
+impl Default for Fnv {
+    fn default() -> Self {
+        Self(0x811c_9dc5)
+    }
+}
+
+impl Fnv {
+    fn add(&mut self, byte: u8) {
+        self.0 = (self.0 ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+    }
 }
 
 fn finding(language: &Language, key: &str, form: &Form, argument: Option<&str>) -> Finding {
@@ -200,6 +253,14 @@ impl Locales {
     /// # Errors
     /// If the language or the source language was not loaded.
     pub fn audit(&self, tag: &str) -> Result<Audit, LocaleError> {
+        self.audit_with(tag, &Meanings::new())
+    }
+
+    /// The same, and whether the specifications still mean what they meant when a text was translated.
+    ///
+    /// # Errors
+    /// If the language or the source language was not loaded.
+    pub fn audit_with(&self, tag: &str, meanings: &Meanings) -> Result<Audit, LocaleError> {
         let (source, translation) = (self.language(SOURCE_LANGUAGE)?, self.language(tag)?);
         let mut audit = Audit { language: tag.to_owned(), ..Audit::default() };
         if tag == SOURCE_LANGUAGE {
@@ -215,7 +276,7 @@ impl Locales {
         for text in texts(translation) {
             let original = counterpart(source, &text).and_then(|form| source.pattern(form));
             match original {
-                Some(original) => compare(&mut audit, (source, original), translation, &text),
+                Some(original) => compare(&mut audit, (source, original), (translation, meanings), &text),
                 None if text.id.starts_with('-') || text.attribute.is_some_and(|name| OWN.contains(&name)) => {}
                 None => audit.orphans.push(finding(translation, &text.key, text.form, None)),
             }
@@ -228,17 +289,21 @@ impl Locales {
     ///
     /// # Errors
     /// If the language or the source language was not loaded.
-    pub fn accepted(&self, tag: &str) -> Result<String, LocaleError> {
+    pub fn accepted(&self, tag: &str, meanings: &Meanings) -> Result<String, LocaleError> {
         let (source, translation) = (self.language(SOURCE_LANGUAGE)?, self.language(tag)?);
         let mut lock = String::new();
         for text in texts(translation) {
             if let Some(original) = counterpart(source, &text).and_then(|form| source.pattern(form)) {
-                let _ = writeln!(lock, "{} {:08x}", text.key, hash(original));
+                let _ = write!(lock, "{} {:08x}", text.key, hash(original));
+                if let Some(meaning) = meanings.get(text.id) {
+                    let _ = write!(lock, " {meaning:08x}");
+                }
+                lock.push('\n');
             }
         }
         for (name, _) in translation.topics() {
             if let Some(original) = source.topic(name) {
-                let _ = writeln!(lock, "{} {:08x}", topic_key(name), sum(original.text()));
+                let _ = writeln!(lock, "{} {:08x}", topic_key(name), signature(original.text()));
             }
         }
         Ok(lock)
@@ -265,7 +330,7 @@ fn topics(audit: &mut Audit, source: &Language, translation: &Language) {
         };
         match translation.lock.as_ref().and_then(|lock| lock.0.get(&topic_key(name))) {
             None => audit.unrecorded.push(whole(name, page)),
-            Some(recorded) if *recorded != sum(original.text()) => audit.stale.push(whole(name, page)),
+            Some(recorded) if recorded.text != signature(original.text()) => audit.stale.push(whole(name, page)),
             Some(_) => {}
         }
     }
@@ -274,14 +339,21 @@ fn topics(audit: &mut Audit, source: &Language, translation: &Language) {
     }
 }
 
-fn compare(audit: &mut Audit, (source, original): (&Language, &Pattern<&str>), translation: &Language, text: &Text) {
+fn compare(
+    audit: &mut Audit,
+    (source, original): (&Language, &Pattern<&str>),
+    (translation, meanings): (&Language, &Meanings),
+    text: &Text,
+) {
     let recorded = translation.lock.as_ref().and_then(|lock| lock.0.get(&text.key));
     match recorded {
         None => audit.unrecorded.push(finding(translation, &text.key, text.form, None)),
-        Some(recorded) if *recorded != hash(original) => {
-            audit.stale.push(finding(translation, &text.key, text.form, None));
+        Some(recorded) => {
+            let meant = recorded.meaning.zip(meanings.get(text.id)).is_none_or(|(then, now)| then == *now);
+            if recorded.text != hash(original) || !meant {
+                audit.stale.push(finding(translation, &text.key, text.form, None));
+            }
         }
-        Some(_) => {}
     }
     // A term takes what its own language needs.
     if text.id.starts_with('-') {

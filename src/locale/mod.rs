@@ -21,7 +21,7 @@ mod ui;
 use std::collections::BTreeMap;
 
 pub use args::Args;
-pub use audit::{Audit, Finding};
+pub use audit::{Audit, Finding, Meanings};
 pub use collation::Collation;
 pub use error::{Fault, LocaleError};
 pub use language::{Key, Language, Scope};
