@@ -69,9 +69,6 @@ say-plunge-on-helix-or-in-strokes = otherwise on a helix at the plunging angle {
 step-rough-contour-level = At this depth the tool mills the contour from the inside out at the feed rate { $q-roughing-feed }. Around islands it mills on paths that come closer to the contour of the pocket:
 say-rough-what-coarser-tool-left = if a coarse roughing tool { $q-coarse-roughing-tool } is entered, only what that tool could not machine
 say-rough-whole-region = otherwise the whole area
-condition-no-reciprocation-feed = the reciprocation feed rate { $q-reciprocation-feed } is 0
-condition-plunging-angle-is-right = the plunging angle { $mp-plunging-angle } is 90°
-condition-roughed-by-coarser-tool = a coarse roughing tool { $q-coarse-roughing-tool } is entered
 note-centre-cutting-or-pilot-drilling = If necessary, use a centre-cutting end mill (DIN 844) or pre-drill with cycle 21.
 note-rough-out-plunging = How the tool plunges is determined by the parameter { $q-reciprocation-feed } and by the columns { $mp-plunging-angle } and { $mp-cutting-edge-length } of the tool table. With { $q-reciprocation-feed } = 0 it always plunges vertically. With { $mp-plunging-angle } = 90° it plunges vertically at the feed rate { $q-reciprocation-feed }. With a reciprocation feed rate and { $mp-plunging-angle } from 0.1 to 89.999 it plunges on a helix at that angle. With a reciprocation feed rate and no { $mp-plunging-angle } in the tool table the control reports an error. If there is no room for a helix (as in a slot), the control tries to plunge in strokes; their length is { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = With an overlap factor greater than 1, material may remain in pocket contours with sharp inside corners. Check the innermost path in the test graphics and change the overlap factor slightly if necessary. The cuts are then distributed differently, which often gives the wanted result.
@@ -110,7 +107,6 @@ step-mill-along-contour = The tool mills along the contour at the feed rate { $q
 say-mill-to-and-fro = { $q-contour-milling-type } = 0: to and fro, climb and up-cut milling in turn with each infeed
 say-mill-in-one-direction = { $q-contour-milling-type } = +1 or −1: in every infeed in climb or in up-cut milling
 until-milling-depth-reached = the milling depth { $q-milling-depth } is reached
-condition-milling-alternately = { $q-contour-milling-type } asks for climb and up-cut milling in turn
 note-contour-damage-monitored = The control monitors the machining so that neither undercuts nor damage to the contour occur. Check the contour with a graphic test.
 note-inside-corners-may-need-reworking = If the tool radius is too large, inside corners of the contour may have to be reworked.
 note-milling-type-kept-when-mirrored = The contour can be machined throughout in climb or in up-cut milling. The type of milling is kept even if contours are mirrored.

@@ -17,7 +17,6 @@ step-drill-to-decreasing-plunging-depth = The tool drills at the feed rate { $q-
 step-break-chip-or-retract = Between two infeeds the tool moves back:
 say-break-chip-by-retraction = with chip breaking, by the retraction { $q-chip-breaking-retraction }, as often as { $q-chip-breaks-before-retraction } says before the tool is retracted from the hole
 say-retract-and-return-at-rapid = without chip breaking, at the feed rate { $q-retraction-feed } to the set-up clearance, where it dwells for { $q-dwell-at-top } if entered; from there it moves at rapid traverse (FMAX) to the set-up clearance above the depth reached
-condition-chip-is-broken = the chip breaks { $q-chip-breaks-before-retraction } before the next retraction are not yet done
 
 # --- 240 ---
 cycle-centring = Centring

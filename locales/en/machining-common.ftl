@@ -5,7 +5,6 @@ step-rapid-to-set-up-clearance = The control moves the tool in the spindle axis 
 until-depth-reached = the programmed depth { $q-depth } is reached
 
 # --- conditions ---
-condition-second-clearance-entered = a 2nd set-up clearance { $q-second-set-up-clearance } is entered
 
 # --- guards ---
 guard-depth-zero = The depth is 0: the control does not execute the cycle.

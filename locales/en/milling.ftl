@@ -29,7 +29,6 @@ step-leave-slot = The tool leaves the slot at rapid traverse to the 2nd set-up c
 step-end-of-slot = Where the tool stands at the end of the cycle depends on the slot position { $q-slot-position }:
 say-back-to-slot-centre = { $q-slot-position } = 0: the control returns the tool in the working plane to the centre of the slot
 say-stays-in-working-plane = otherwise: the control does not position the tool in the working plane
-condition-slot-position-at-centre = the tool stands at the centre of the slot when the cycle is called ({ $q-slot-position } = 0)
 note-position-at-slot-start = Position the tool at the starting point in the working plane with radius compensation R0. Consider the slot position { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Position the tool at the starting point in the working plane with radius compensation R0. Consider the reference for the slot position { $q-slot-position-reference }.
 note-slot-end-position = At the end of the cycle the control returns the tool in the working plane to the centre of the slot; in the other axis of the working plane it does not position. If a slot position { $q-slot-position } other than 0 is defined, the control only positions the tool in the tool axis at the 2nd set-up clearance. Before the cycle is called again, move the tool back to the starting position, or program absolute traverses before the call.
@@ -62,7 +61,6 @@ step-mill-around-stud-again = If one revolution does not reach the finished dime
 step-leave-stud-to-start = If more infeeds are needed, the tool departs from the contour tangentially and returns to the starting point of the stud.
 until-stud-depth-reached = the programmed depth { $q-depth } of the stud is reached
 step-retract-from-stud = At the end of the cycle the control positions the tool in the tool axis only. The end position therefore differs from the starting position:
-condition-approach-beside-stud = { $q-stud-approach-position } asks for the position beside the stud
 note-position-at-stud-start = Position the tool at the starting point in the working plane with radius compensation R0. Consider the stud position { $q-stud-position }.
 note-room-beside-stud = Danger of collision! Leave enough room on the right of the stud for the approach of the tool: at least the tool diameter + 2 mm.
 note-stud-end-position = Danger of collision! At the end the control returns the tool to the set-up clearance, or to the 2nd set-up clearance if one is entered. The end position of the tool after the cycle therefore does not agree with its starting position.
@@ -149,9 +147,6 @@ step-repeat-until-face-milled = This is repeated until the entered surface is mi
 until-face-infeeds-done = all infeeds but the last one are done
 step-finish-face = With the last infeed only the entered finishing allowance { $q-floor-allowance } is milled, at the feed rate for finishing { $q-finishing-feed }.
 step-rapid-back-to-second-clearance = At the end the control retracts the tool at rapid traverse (FMAX) to the 2nd set-up clearance { $q-second-set-up-clearance }.
-condition-tool-above-second-clearance = the tool is above the 2nd set-up clearance { $q-second-set-up-clearance } in the spindle axis
-condition-meander-outside = { $q-face-milling-strategy } asks for meandering paths with stepovers outside the surface
-condition-meander-inside = { $q-face-milling-strategy } asks for meandering paths with stepovers inside the surface
 note-three-face-milling-strategies = Three strategies are available. { $q-face-milling-strategy } = 0: meandering paths, stepover outside the surface to be machined. { $q-face-milling-strategy } = 1: meandering paths, stepover inside the surface to be machined. { $q-face-milling-strategy } = 2: line by line, with retraction and stepover at the feed rate for positioning.
 note-levels-in-reverse-order = To avoid idle travel, each further level is machined in the reverse sequence.
 note-second-clearance-without-collision = Enter the 2nd set-up clearance { $q-second-set-up-clearance } so that the tool cannot collide with the workpiece or its clamping.

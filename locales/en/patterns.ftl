@@ -12,8 +12,6 @@ say-on-the-pitch-circle = { $q-pattern-traverse-type } = 1: on the pitch circle
 say-in-a-straight-line = { $q-pattern-traverse-type } = 0: in a straight line
 until-all-operations-done = all { $q-number-of-operations } machining operations are done
 condition-stepping-angle-computed = no stepping angle { $q-pattern-stepping-angle } is entered
-condition-clearance-at-second = { $q-pattern-clearance-mode } asks for the 2nd set-up clearance
-condition-traverse-on-arc = { $q-pattern-traverse-type } asks for a circular traverse
 guard-pattern-angles-equal = Starting angle and stopping angle are equal. Enter different angles, or a stepping angle.
 note-pattern-is-def-active = The cycle acts from its definition: it calls the machining cycle that was defined last by itself.
 note-pattern-overrides-heights = If one of the machining cycles 200 to 209 and 251 to 267 is combined with this cycle, the set-up clearance { $q-set-up-clearance }, the workpiece surface coordinate { $q-surface-coordinate } and the 2nd set-up clearance { $q-second-set-up-clearance } of this cycle apply.

@@ -21,7 +21,6 @@ step-reverse-and-break-chip = The direction of spindle rotation is reversed and 
 say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: out of the hole entirely, to cool
 say-tap-goes-back-some-turns = otherwise by { $q-chip-breaking-turns } times the thread pitch { $q-thread-pitch }
 step-tap-back-to-set-up-clearance = The tool moves back to the set-up clearance { $q-set-up-clearance }.
-condition-tap-leaves-hole = the retraction { $q-chip-breaking-turns } is 0
 note-sign-of-thread-depth = The sign of the thread depth { $q-thread-depth } determines the working direction. With thread depth 0 the control does not execute the cycle.
 note-thread-depth-gives-direction = The sign of the thread depth { $q-thread-depth } determines the working direction.
 note-positive-thread-depth-reverses = Danger of collision! With a positive depth the control reverses the calculation of the pre-position: at rapid traverse the tool moves in the tool axis to the set-up clearance below the workpiece surface.
@@ -88,8 +87,6 @@ step-move-beside-stud = The control moves the tool from the centre of the stud a
 step-move-beside-stud-without-countersinking = If nothing was countersunk at front before, the control moves the tool to the starting point, which is the same as for countersinking at front.
 
 # --- thread milling: conditions and guards ---
-condition-one-turn-of-helix = the threads per step { $q-threads-per-step } are 0
-condition-continuous-helix = the threads per step { $q-threads-per-step } are 1
 guard-no-depth-entered = All depths are 0: nothing is machined.
 guard-depth-signs-differ = The depths have different signs. Enter the same sign for all of them.
 guard-thread-near-countersinking-depth = The thread depth must be less than the countersinking depth by at least a third of the pitch.

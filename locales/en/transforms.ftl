@@ -11,7 +11,6 @@ cycle-datum-shift = Datum shift
 step-shift-datum = The control shifts the datum:
 say-shift-by-table-row = with a row number: by the values of that row of the active datum table
 say-shift-by-coordinates = with coordinates: in each programmed axis to the given coordinate; absolute values refer to the workpiece datum, incremental values to the datum that was valid last
-condition-shift-from-table = the datum is taken from the datum table
 note-reset-datum-shift = To reset the datum shift, program a shift to the coordinates X=0, Y=0 etc. with a new cycle definition, or call a shift to the coordinates X=0, Y=0 etc. from the datum table.
 note-rotary-axes-may-be-shifted = Rotary axes may be entered, too.
 note-datum-shift-in-status-display = The additional status display shows the datum shift in each axis.

@@ -105,8 +105,6 @@ until-all-thread-starts-cut = as many thread starts as { $q-number-of-thread-sta
 
 # --- conditions ---
 condition-cutting-limit-wanted = { $q-cutting-limit } = 1
-condition-recess-unidirectionally = { $q-recess-direction } asks for machining in one direction
-condition-contour-edge-rounded = a radius { $q-contour-corner-radius } is entered
 condition-taper-angle-given = { $q-taper-dimensioning } defines the taper with its angle
 condition-start-diameter-given = { $q-taper-dimensioning } defines the taper with the diameter at contour start
 condition-start-z-given = { $q-taper-dimensioning } defines the taper with the Z coordinate of the contour start

@@ -17,7 +17,6 @@ step-rapid-in-z-by-clearance = The control moves the tool in Z by the set-up cle
 step-rapid-paraxial-infeed = The control advances the tool parallel to the axis at rapid traverse.
 step-finish-turned-contour = The control finishes the contour of the workpiece at the feed rate { $q-turning-finishing-feed }.
 step-retract-by-clearance = The control retracts the tool by the set-up clearance { $q-turning-clearance } at the defined feed rate.
-condition-smoothing-each-cut = { $q-contour-smoothing } asks for smoothing after each cut
 guard-turning-mode-missing = Turning cycles can only be executed in the turning mode FUNCTION MODE TURN.
 note-turning-mode-only = Turning cycles can only be used in the turning mode FUNCTION MODE TURN.
 note-program-before-turning-cycle = Before the cycle is called, always program: the turning mode FUNCTION MODE TURN, the tool call TOOL CALL, the direction of rotation of the turning spindle (for example M303), the speed or cutting speed with FUNCTION TURNDATA SPIN, M136 if feed rates per revolution (mm/rev) are used, a positioning block to a suitable starting point (for example L X+130 Y+0 R0 FMAX), and cycle 800 to adapt the coordinate system and to align the tool.

@@ -69,9 +69,6 @@ say-plunge-on-helix-or-in-strokes = muussa tapauksessa kierukkarataa pitkin sis�
 step-rough-contour-level = Tässä syvyydessä työkalu jyrsii muodon sisältä ulospäin syöttöarvolla { $q-roughing-feed }; saarekkeiden ympärillä radat lähestyvät taskun muotoa. Näin se koneistaa:
 say-rough-what-coarser-tool-left = jos esirouhintatyökalu { $q-coarse-roughing-tool } on annettu, vain sen, mitä tämä työkalu ei ole voinut koneistaa
 say-rough-whole-region = muussa tapauksessa koko alueen
-condition-no-reciprocation-feed = heiluriliikkeen syöttöarvo { $q-reciprocation-feed } on 0
-condition-plunging-angle-is-right = sisäänpistokulma { $mp-plunging-angle } on 90°
-condition-roughed-by-coarser-tool = esirouhintatyökalu { $q-coarse-roughing-tool } on annettu
 note-centre-cutting-or-pilot-drilling = Käytä tarvittaessa keskeltä lastuavaa varsijyrsintä (DIN 844) tai esiporaa työkierrolla 21.
 note-rough-out-plunging = Työkalun sisäänpisto määräytyy parametrista { $q-reciprocation-feed } ja työkalutaulukon sarakkeista { $mp-plunging-angle } ja { $mp-cutting-edge-length }. Kun { $q-reciprocation-feed } = 0, se tunkeutuu aina kohtisuoraan. Kun { $mp-plunging-angle } = 90°, se tunkeutuu kohtisuoraan syöttöarvolla { $q-reciprocation-feed }. Jos heiluriliikkeen syöttöarvo on annettu ja { $mp-plunging-angle } on välillä 0,1–89,999, se tunkeutuu kierukkarataa pitkin tällä kulmalla. Jos heiluriliikkeen syöttöarvo on annettu mutta työkalutaulukosta puuttuu { $mp-plunging-angle }, ohjaus antaa virheilmoituksen. Jos kierukalle ei ole tilaa (kuten urassa), ohjaus yrittää tunkeutua heiluriliikkeellä; sen pituus on { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = Jos limityskerroin on suurempi kuin 1, teräväkulmaisiin taskumuotoihin voi jäädä materiaalia. Tarkasta sisin rata testigrafiikalla ja muuta limityskerrointa tarvittaessa hieman. Lastut jakautuvat silloin toisin, mikä johtaa usein haluttuun tulokseen.
@@ -110,7 +107,6 @@ step-mill-along-contour = Työkalu jyrsii muotoa pitkin syöttöarvolla { $q-con
 say-mill-to-and-fro = { $q-contour-milling-type } = 0: edestakaisin, asetusliikkeittäin vuorotellen myötä- ja vastalastulla
 say-mill-in-one-direction = { $q-contour-milling-type } = +1 tai −1: jokaisella asetusliikkeellä myötälastulla tai vastalastulla
 until-milling-depth-reached = jyrsintäsyvyys { $q-milling-depth } on saavutettu
-condition-milling-alternately = { $q-contour-milling-type } määrää vuorotellen myötä- ja vastalastun
 note-contour-damage-monitored = Ohjaus valvoo koneistusta niin, ettei synny takaleikkauksia eikä muotovaurioita. Tarkasta muoto graafisella testauksella.
 note-inside-corners-may-need-reworking = Jos työkalun säde on liian suuri, muodon sisänurkat on ehkä jälkikoneistettava.
 note-milling-type-kept-when-mirrored = Muoto voidaan koneistaa kauttaaltaan myötälastulla tai vastalastulla. Jyrsintämenetelmä säilyy myös muotoja peilattaessa.

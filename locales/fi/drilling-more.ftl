@@ -17,7 +17,6 @@ step-drill-to-decreasing-plunging-depth = Työkalu poraa syöttöarvolla { $q-pl
 step-break-chip-or-retract = Kahden asetusliikkeen välillä työkalu liikkuu takaisin:
 say-break-chip-by-retraction = lastunkatkossa matkan { $q-chip-breaking-retraction }, ennen reiästä vetämistä niin monta kertaa kuin { $q-chip-breaks-before-retraction } määrää
 say-retract-and-return-at-rapid = ilman lastunkatkoa syöttöarvolla { $q-retraction-feed } varmuusetäisyydelle, jossa se odottaa ajan { $q-dwell-at-top }, jos se on annettu; sieltä se siirtyy pikaliikkeellä (FMAX) varmuusetäisyydelle saavutetun syvyyden yläpuolelle
-condition-chip-is-broken = lastunkatkot { $q-chip-breaks-before-retraction } ennen seuraavaa vetäytymistä ovat vielä tekemättä
 
 # --- 240 ---
 cycle-centring = Keskiöporaus

@@ -5,7 +5,6 @@ step-rapid-to-set-up-clearance = Ohjaus siirtää työkalun karan akselin suunna
 until-depth-reached = ohjelmoitu syvyys { $q-depth } on saavutettu
 
 # --- ehdot ---
-condition-second-clearance-entered = 2. varmuusetäisyys { $q-second-set-up-clearance } on annettu
 
 # --- tarkastukset ---
 guard-depth-zero = Syvyys on 0: ohjaus ei suorita työkiertoa.

@@ -29,7 +29,6 @@ step-leave-slot = Työkalu poistuu urasta pikaliikkeellä 2. varmuusetäisyydell
 step-end-of-slot = Työkalun asema työkierron lopussa riippuu uran sijainnista { $q-slot-position }:
 say-back-to-slot-centre = { $q-slot-position } = 0: ohjaus palauttaa työkalun koneistustasossa uran keskelle
 say-stays-in-working-plane = muussa tapauksessa ohjaus ei paikoita työkalua koneistustasossa
-condition-slot-position-at-centre = työkalu on työkierron kutsuhetkellä uran keskellä ({ $q-slot-position } = 0)
 note-position-at-slot-start = Paikoita työkalu koneistustason alkupisteeseen sädekorjauksella R0. Ota huomioon uran sijainti { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Paikoita työkalu koneistustason alkupisteeseen sädekorjauksella R0. Ota huomioon uran sijainnin perusta { $q-slot-position-reference }.
 note-slot-end-position = Työkierron lopussa ohjaus palauttaa työkalun koneistustasossa uran keskelle; koneistustason toisella akselilla se ei paikoita. Jos uran sijainti { $q-slot-position } ei ole 0, ohjaus paikoittaa työkalun vain työkaluakselin suunnassa 2. varmuusetäisyydelle. Aja työkalu takaisin aloitusasemaan ennen työkierron uutta kutsua tai ohjelmoi ennen kutsua absoluuttiset liikkeet.
@@ -62,7 +61,6 @@ step-mill-around-stud-again = Jos valmismittoja ei saavuteta yhdellä kierroksel
 step-leave-stud-to-start = Jos tarvitaan lisää asetusliikkeitä, työkalu irtautuu muodosta tangentiaalisesti ja palaa kaulan alkupisteeseen.
 until-stud-depth-reached = kaulan ohjelmoitu syvyys { $q-depth } on saavutettu
 step-retract-from-stud = Työkierron loppuasema ei ole sama kuin aloitusasema, koska ohjaus paikoittaa työkalun lopussa vain työkaluakselin suunnassa:
-condition-approach-beside-stud = { $q-stud-approach-position } määrää aseman kaulan vieressä
 note-position-at-stud-start = Paikoita työkalu koneistustason alkupisteeseen sädekorjauksella R0. Ota huomioon kaulan sijainti { $q-stud-position }.
 note-room-beside-stud = Törmäysvaara! Jätä kaulan oikealle puolelle riittävästi tilaa työkalun lähestymistä varten: vähintään työkalun halkaisija + 2{"\u00A0"}mm.
 note-stud-end-position = Törmäysvaara! Lopussa ohjaus palauttaa työkalun varmuusetäisyydelle tai, jos se on annettu, 2. varmuusetäisyydelle. Työkalun loppuasema työkierron jälkeen ei siis ole sama kuin sen aloitusasema.
@@ -149,9 +147,6 @@ step-repeat-until-face-milled = Tämä toistetaan, kunnes annettu pinta on jyrsi
 until-face-infeeds-done = kaikki asetusliikkeet viimeistä lukuun ottamatta on tehty
 step-finish-face = Viimeisellä asetusliikkeellä jyrsitään vain annettu silitystyövara { $q-floor-allowance } silityksen syöttöarvolla { $q-finishing-feed }.
 step-rapid-back-to-second-clearance = Lopuksi ohjaus vetää työkalun pikaliikkeellä (FMAX) 2. varmuusetäisyydelle { $q-second-set-up-clearance }.
-condition-tool-above-second-clearance = työkalu on karan akselin suunnassa 2. varmuusetäisyyden { $q-second-set-up-clearance } yläpuolella
-condition-meander-outside = { $q-face-milling-strategy } määrää mutkittelevat radat ja sivuttaisasetukset pinnan ulkopuolella
-condition-meander-inside = { $q-face-milling-strategy } määrää mutkittelevat radat ja sivuttaisasetukset pinnan sisäpuolella
 note-three-face-milling-strategies = Valittavana on kolme strategiaa. { $q-face-milling-strategy } = 0: mutkittelevat radat, sivuttaisasetus koneistettavan pinnan ulkopuolella. { $q-face-milling-strategy } = 1: mutkittelevat radat, sivuttaisasetus koneistettavan pinnan sisäpuolella. { $q-face-milling-strategy } = 2: rivi kerrallaan, vetäytyminen ja sivuttaisasetus paikoituksen syöttöarvolla.
 note-levels-in-reverse-order = Tyhjien liikkeiden välttämiseksi jokainen seuraava taso koneistetaan käänteisessä järjestyksessä.
 note-second-clearance-without-collision = Anna 2. varmuusetäisyys { $q-second-set-up-clearance } niin, ettei työkalu voi törmätä työkappaleeseen eikä sen kiinnittimiin.

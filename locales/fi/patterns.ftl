@@ -12,8 +12,6 @@ say-on-the-pitch-circle = { $q-pattern-traverse-type } = 1: jakoympyrää pitkin
 say-in-a-straight-line = { $q-pattern-traverse-type } = 0: suoraa pitkin
 until-all-operations-done = kaikki koneistukset ({ $q-number-of-operations }) on tehty
 condition-stepping-angle-computed = kulma-askelta { $q-pattern-stepping-angle } ei ole annettu
-condition-clearance-at-second = { $q-pattern-clearance-mode } määrää siirtymisen 2. varmuusetäisyydelle
-condition-traverse-on-arc = { $q-pattern-traverse-type } määrää ympyräliikkeen
 guard-pattern-angles-equal = Aloituskulma ja lopetuskulma ovat yhtä suuret. Anna erisuuret kulmat tai kulma-askel.
 note-pattern-is-def-active = Työkierto vaikuttaa heti määrittelystään: se kutsuu itse viimeksi määritellyn koneistustyökierron.
 note-pattern-overrides-heights = Jos jokin koneistustyökierroista 200–209 tai 251–267 yhdistetään tähän työkiertoon, voimassa ovat tämän työkierron varmuusetäisyys { $q-set-up-clearance }, työkappaleen yläpinnan koordinaatti { $q-surface-coordinate } ja 2. varmuusetäisyys { $q-second-set-up-clearance }.

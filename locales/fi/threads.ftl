@@ -21,7 +21,6 @@ step-reverse-and-break-chip = Karan pyörintäsuunta vaihdetaan lastun katkaisem
 say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: kokonaan reiästä jäähtymään
 say-tap-goes-back-some-turns = muussa tapauksessa { $q-chip-breaking-turns } kertaa kierteen nousun { $q-thread-pitch } verran
 step-tap-back-to-set-up-clearance = Työkalu palaa varmuusetäisyydelle { $q-set-up-clearance }.
-condition-tap-leaves-hole = vetäytyminen { $q-chip-breaking-turns } on 0
 note-sign-of-thread-depth = Kierteen syvyyden { $q-thread-depth } etumerkki määrää työskentelysuunnan. Jos kierteen syvyys on 0, ohjaus ei suorita työkiertoa.
 note-thread-depth-gives-direction = Kierteen syvyyden { $q-thread-depth } etumerkki määrää työskentelysuunnan.
 note-positive-thread-depth-reverses = Törmäysvaara! Jos syvyys on positiivinen, ohjaus laskee esipaikoituksen käänteisesti: työkalu siirtyy työkaluakselin suunnassa pikaliikkeellä varmuusetäisyydelle työkappaleen yläpinnan alapuolelle.
@@ -88,8 +87,6 @@ step-move-beside-stud = Ohjaus siirtää työkalun kaulan keskipisteestä koneis
 step-move-beside-stud-without-countersinking = Jos otsapuolta ei ole sitä ennen upotettu, ohjaus siirtää työkalun alkupisteeseen, joka on sama kuin otsapuolen upotuksessa.
 
 # --- kierteen jyrsintä: ehdot ja tarkastukset ---
-condition-one-turn-of-helix = kierteitä askelta kohti { $q-threads-per-step } on 0
-condition-continuous-helix = kierteitä askelta kohti { $q-threads-per-step } on 1
 guard-no-depth-entered = Kaikki syvyydet ovat 0: mitään ei koneisteta.
 guard-depth-signs-differ = Syvyyksillä on eri etumerkit. Anna kaikille sama etumerkki.
 guard-thread-near-countersinking-depth = Kierteen syvyyden on oltava vähintään kolmasosan noususta pienempi kuin upotussyvyys.

@@ -11,7 +11,6 @@ cycle-datum-shift = Nollapisteen siirto
 step-shift-datum = Ohjaus siirtää nollapistettä:
 say-shift-by-table-row = jos on annettu rivin numero: aktiivisen nollapistetaulukon kyseisen rivin arvojen verran
 say-shift-by-coordinates = jos on annettu koordinaatit: jokaisella ohjelmoidulla akselilla annettuun koordinaattiin; absoluuttiset arvot perustuvat työkappaleen nollapisteeseen, inkrementaaliset viimeksi voimassa olleeseen nollapisteeseen
-condition-shift-from-table = nollapiste otetaan nollapistetaulukosta
 note-reset-datum-shift = Peruuta nollapisteen siirto ohjelmoimalla uudella työkierron määrittelyllä siirto koordinaatteihin X=0, Y=0 jne. tai kutsumalla nollapistetaulukosta siirto koordinaatteihin X=0, Y=0 jne.
 note-rotary-axes-may-be-shifted = Myös kiertoakseleita voidaan antaa.
 note-datum-shift-in-status-display = Lisätilanäyttö esittää nollapisteen siirron jokaisella akselilla.

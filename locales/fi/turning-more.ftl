@@ -105,8 +105,6 @@ until-all-thread-starts-cut = kierteen kaikki päät ({ $q-number-of-thread-star
 
 # --- ehdot ---
 condition-cutting-limit-wanted = { $q-cutting-limit } = 1
-condition-recess-unidirectionally = { $q-recess-direction } määrää koneistuksen yhteen suuntaan
-condition-contour-edge-rounded = nurkan säde { $q-contour-corner-radius } on annettu
 condition-taper-angle-given = { $q-taper-dimensioning } määrittelee kartion sen kulmalla
 condition-start-diameter-given = { $q-taper-dimensioning } määrittelee kartion muodon alun halkaisijalla
 condition-start-z-given = { $q-taper-dimensioning } määrittelee kartion muodon alun Z-koordinaatilla

@@ -17,7 +17,6 @@ step-rapid-in-z-by-clearance = Ohjaus siirtää työkalua pikaliikkeellä Z-suun
 step-rapid-paraxial-infeed = Ohjaus tekee pikaliikkeellä koordinaattiakselin suuntaisen asetuksen.
 step-finish-turned-contour = Ohjaus silittää valmisosan muodon syöttöarvolla { $q-turning-finishing-feed }.
 step-retract-by-clearance = Ohjaus vetää työkalua määritellyllä syöttöarvolla varmuusetäisyyden { $q-turning-clearance } verran.
-condition-smoothing-each-cut = { $q-contour-smoothing } määrää tasoituksen jokaisen lastun jälkeen
 guard-turning-mode-missing = Sorvauksen työkierrot voidaan suorittaa vain sorvauskäytössä FUNCTION MODE TURN.
 note-turning-mode-only = Sorvauksen työkiertoja voidaan käyttää vain sorvauskäytössä FUNCTION MODE TURN.
 note-program-before-turning-cycle = Ohjelmoi aina ennen työkierron kutsua: sorvauskäyttö FUNCTION MODE TURN, työkalukutsu TOOL CALL, sorvauskaran pyörintäsuunta (esimerkiksi M303), kierrosluku tai lastuamisnopeus toiminnolla FUNCTION TURNDATA SPIN, M136, jos käytetään kierroskohtaisia syöttöarvoja (mm/kierros), paikoituslause sopivaan alkupisteeseen (esimerkiksi L X+130 Y+0 R0 FMAX) sekä työkierto 800, joka sovittaa koordinaatiston ja suuntaa työkalun.

@@ -69,9 +69,6 @@ say-plunge-on-helix-or-in-strokes = altrimenti lungo un’elica con l’angolo d
 step-rough-contour-level = A questa profondità l’utensile fresa il profilo dall’interno verso l’esterno con l’avanzamento { $q-roughing-feed }. Intorno alle isole fresa su traiettorie che si avvicinano sempre più al profilo della tasca:
 say-rough-what-coarser-tool-left = se è inserito un utensile di sgrossatura { $q-coarse-roughing-tool }, soltanto ciò che questo utensile non ha potuto lavorare
 say-rough-whole-region = altrimenti l’intera area
-condition-no-reciprocation-feed = l’avanzamento con pendolamento { $q-reciprocation-feed } è 0
-condition-plunging-angle-is-right = l’angolo di penetrazione { $mp-plunging-angle } è 90°
-condition-roughed-by-coarser-tool = è inserito un utensile di sgrossatura { $q-coarse-roughing-tool }
 note-centre-cutting-or-pilot-drilling = Se necessario, utilizzare una fresa con tagliente al centro (DIN 844) oppure preforare con il ciclo 21.
 note-rough-out-plunging = Il modo in cui l’utensile penetra è determinato dal parametro { $q-reciprocation-feed } e dalle colonne { $mp-plunging-angle } e { $mp-cutting-edge-length } della tabella utensili. Con { $q-reciprocation-feed } = 0 penetra sempre in verticale. Con { $mp-plunging-angle } = 90° penetra in verticale con l’avanzamento { $q-reciprocation-feed }. Con un avanzamento con pendolamento e { $mp-plunging-angle } da 0,1 a 89,999 penetra lungo un’elica con questo angolo. Con un avanzamento con pendolamento e senza { $mp-plunging-angle } nella tabella utensili il controllo emette un messaggio d’errore. Se non c’è spazio per un’elica (ad esempio in una scanalatura), il controllo tenta di penetrare con pendolamento; la lunghezza di pendolamento è { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = Con un fattore di sovrapposizione maggiore di 1, nei profili di tasche con spigoli interni acuti può rimanere del materiale. Verificare la traiettoria più interna nel test grafico e, se necessario, modificare leggermente il fattore di sovrapposizione. In questo modo la suddivisione dei tagli cambia, il che spesso porta al risultato desiderato.
@@ -110,7 +107,6 @@ step-mill-along-contour = L’utensile fresa lungo il profilo con l’avanzament
 say-mill-to-and-fro = { $q-contour-milling-type } = 0: in andata e ritorno, alternando a ogni incremento fresatura concorde e discorde
 say-mill-in-one-direction = { $q-contour-milling-type } = +1 o −1: in ogni incremento con fresatura concorde o con fresatura discorde
 until-milling-depth-reached = non è raggiunta la profondità di fresatura { $q-milling-depth }
-condition-milling-alternately = { $q-contour-milling-type } prevede fresatura concorde e discorde alternate
 note-contour-damage-monitored = Il controllo sorveglia la lavorazione in modo da evitare sottosquadri e danneggiamenti del profilo. Verificare il profilo con un test grafico.
 note-inside-corners-may-need-reworking = Se il raggio dell’utensile è troppo grande, può essere necessario riprendere gli spigoli interni del profilo.
 note-milling-type-kept-when-mirrored = Il profilo può essere lavorato interamente con fresatura concorde o discorde. Il tipo di fresatura si mantiene anche con profili speculari.

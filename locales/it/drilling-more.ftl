@@ -17,7 +17,6 @@ step-drill-to-decreasing-plunging-depth = L’utensile fora con l’avanzamento 
 step-break-chip-or-retract = Tra un incremento e l’altro l’utensile arretra:
 say-break-chip-by-retraction = con rottura truciolo, della ritrazione { $q-chip-breaking-retraction }, tante volte quante ne indica { $q-chip-breaks-before-retraction } prima che l’utensile venga ritratto dal foro
 say-retract-and-return-at-rapid = senza rottura truciolo, con l’avanzamento { $q-retraction-feed } alla distanza di sicurezza, dove sosta per { $q-dwell-at-top }, se inserito; da qui si porta in rapido (FMAX) alla distanza di sicurezza sopra la profondità raggiunta
-condition-chip-is-broken = le rotture truciolo { $q-chip-breaks-before-retraction } prima della ritrazione successiva non sono ancora terminate
 
 # --- 240 ---
 cycle-centring = Centrinatura

@@ -5,7 +5,6 @@ step-rapid-to-set-up-clearance = Il controllo porta l’utensile nell’asse del
 until-depth-reached = non è raggiunta la profondità programmata { $q-depth }
 
 # --- conditions ---
-condition-second-clearance-entered = è inserita una 2ª distanza di sicurezza { $q-second-set-up-clearance }
 
 # --- guards ---
 guard-depth-zero = La profondità è 0: il controllo non esegue il ciclo.

@@ -29,7 +29,6 @@ step-leave-slot = L’utensile lascia la scanalatura in rapido fino alla 2ª dis
 step-end-of-slot = La posizione dell’utensile al termine del ciclo dipende dalla posizione della scanalatura { $q-slot-position }:
 say-back-to-slot-centre = { $q-slot-position } = 0: il controllo riporta l’utensile nel piano di lavoro al centro della scanalatura
 say-stays-in-working-plane = altrimenti: il controllo non posiziona l’utensile nel piano di lavoro
-condition-slot-position-at-centre = alla chiamata del ciclo l’utensile si trova al centro della scanalatura ({ $q-slot-position } = 0)
 note-position-at-slot-start = Posizionare l’utensile sul punto di partenza nel piano di lavoro con correzione del raggio R0. Tenere conto della posizione della scanalatura { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Posizionare l’utensile sul punto di partenza nel piano di lavoro con correzione del raggio R0. Tenere conto del riferimento per la posizione della scanalatura { $q-slot-position-reference }.
 note-slot-end-position = Al termine del ciclo il controllo riporta l’utensile nel piano di lavoro al centro della scanalatura; nell’altro asse del piano di lavoro non esegue alcun posizionamento. Se è definita una posizione della scanalatura { $q-slot-position } diversa da 0, il controllo posiziona l’utensile solo nell’asse utensile alla 2ª distanza di sicurezza. Prima di richiamare il ciclo riportare l’utensile nella posizione di partenza oppure programmare spostamenti assoluti prima della chiamata.
@@ -62,7 +61,6 @@ step-mill-around-stud-again = Se con un giro non si raggiunge la quota finita, i
 step-leave-stud-to-start = Se sono necessari altri incrementi, l’utensile si distacca tangenzialmente dal profilo e ritorna al punto di partenza dell’isola.
 until-stud-depth-reached = non è raggiunta la profondità programmata { $q-depth } dell’isola
 step-retract-from-stud = Al termine del ciclo il controllo posiziona l’utensile soltanto nell’asse utensile. La posizione finale è quindi diversa dalla posizione di partenza:
-condition-approach-beside-stud = { $q-stud-approach-position } prevede la posizione a fianco dell’isola
 note-position-at-stud-start = Posizionare l’utensile sul punto di partenza nel piano di lavoro con correzione del raggio R0. Tenere conto della posizione dell’isola { $q-stud-position }.
 note-room-beside-stud = Pericolo di collisione! Lasciare a destra dell’isola spazio sufficiente per l’accostamento dell’utensile: almeno il diametro dell’utensile + 2 mm.
 note-stud-end-position = Pericolo di collisione! Al termine il controllo riporta l’utensile alla distanza di sicurezza oppure, se inserita, alla 2ª distanza di sicurezza. La posizione finale dell’utensile dopo il ciclo non coincide quindi con la sua posizione di partenza.
@@ -149,9 +147,6 @@ step-repeat-until-face-milled = L’operazione si ripete finché la superficie i
 until-face-infeeds-done = non sono stati eseguiti tutti gli incrementi tranne l’ultimo
 step-finish-face = Con l’ultimo incremento viene fresato solo il sovrametallo di finitura inserito { $q-floor-allowance }, con l’avanzamento di finitura { $q-finishing-feed }.
 step-rapid-back-to-second-clearance = Al termine il controllo ritrae l’utensile in rapido (FMAX) alla 2ª distanza di sicurezza { $q-second-set-up-clearance }.
-condition-tool-above-second-clearance = nell’asse del mandrino l’utensile si trova sopra la 2ª distanza di sicurezza { $q-second-set-up-clearance }
-condition-meander-outside = { $q-face-milling-strategy } prevede una lavorazione a meandri con incrementi laterali all’esterno della superficie
-condition-meander-inside = { $q-face-milling-strategy } prevede una lavorazione a meandri con incrementi laterali all’interno della superficie
 note-three-face-milling-strategies = Sono disponibili tre strategie. { $q-face-milling-strategy } = 0: lavorazione a meandri, incremento laterale all’esterno della superficie da lavorare. { $q-face-milling-strategy } = 1: lavorazione a meandri, incremento laterale all’interno della superficie da lavorare. { $q-face-milling-strategy } = 2: lavorazione per righe, con ritrazione e incremento laterale con l’avanzamento di avvicinamento.
 note-levels-in-reverse-order = Per evitare percorsi a vuoto, ogni livello successivo viene lavorato in sequenza inversa.
 note-second-clearance-without-collision = Inserire la 2ª distanza di sicurezza { $q-second-set-up-clearance } in modo da escludere collisioni dell’utensile con il pezzo o i dispositivi di bloccaggio.

@@ -12,8 +12,6 @@ say-on-the-pitch-circle = { $q-pattern-traverse-type } = 1: sul cerchio parziale
 say-in-a-straight-line = { $q-pattern-traverse-type } = 0: su una retta
 until-all-operations-done = non sono state eseguite tutte le { $q-number-of-operations } lavorazioni
 condition-stepping-angle-computed = non è inserito alcun angolo incrementale { $q-pattern-stepping-angle }
-condition-clearance-at-second = { $q-pattern-clearance-mode } prevede la 2ª distanza di sicurezza
-condition-traverse-on-arc = { $q-pattern-traverse-type } prevede una traiettoria circolare
 guard-pattern-angles-equal = L’angolo di partenza e l’angolo finale sono uguali. Inserire angoli diversi oppure un angolo incrementale.
 note-pattern-is-def-active = Il ciclo è attivo dalla sua definizione: chiama automaticamente l’ultimo ciclo di lavorazione definito.
 note-pattern-overrides-heights = Se uno dei cicli di lavorazione da 200 a 209 e da 251 a 267 viene combinato con questo ciclo, valgono la distanza di sicurezza { $q-set-up-clearance }, la coordinata della superficie del pezzo { $q-surface-coordinate } e la 2ª distanza di sicurezza { $q-second-set-up-clearance } di questo ciclo.

@@ -21,7 +21,6 @@ step-reverse-and-break-chip = Il senso di rotazione del mandrino viene invertito
 say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: completamente dal foro, per il raffreddamento
 say-tap-goes-back-some-turns = altrimenti di { $q-chip-breaking-turns } volte il passo del filetto { $q-thread-pitch }
 step-tap-back-to-set-up-clearance = L’utensile ritorna alla distanza di sicurezza { $q-set-up-clearance }.
-condition-tap-leaves-hole = la ritrazione { $q-chip-breaking-turns } è 0
 note-sign-of-thread-depth = Il segno della profondità di filettatura { $q-thread-depth } determina la direzione di lavoro. Con profondità di filettatura 0 il controllo non esegue il ciclo.
 note-thread-depth-gives-direction = Il segno della profondità di filettatura { $q-thread-depth } determina la direzione di lavoro.
 note-positive-thread-depth-reverses = Pericolo di collisione! Con una profondità positiva il controllo inverte il calcolo della posizione preliminare: l’utensile si porta in rapido nell’asse utensile alla distanza di sicurezza sotto la superficie del pezzo.
@@ -88,8 +87,6 @@ step-move-beside-stud = Il controllo porta l’utensile dal centro dell’isola,
 step-move-beside-stud-without-countersinking = Se prima non è stata eseguita alcuna svasatura frontale, il controllo porta l’utensile al punto di partenza, che è lo stesso della svasatura frontale.
 
 # --- thread milling: conditions and guards ---
-condition-one-turn-of-helix = i filetti per passata { $q-threads-per-step } sono 0
-condition-continuous-helix = i filetti per passata { $q-threads-per-step } sono 1
 guard-no-depth-entered = Tutte le profondità sono 0: non viene lavorato nulla.
 guard-depth-signs-differ = Le profondità hanno segni diversi. Inserire lo stesso segno per tutte.
 guard-thread-near-countersinking-depth = La profondità di filettatura deve essere minore della profondità di svasatura di almeno un terzo del passo.

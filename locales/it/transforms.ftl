@@ -11,7 +11,6 @@ cycle-datum-shift = Spostamento origine
 step-shift-datum = Il controllo sposta l’origine:
 say-shift-by-table-row = con un numero di riga: dei valori di questa riga della tabella origini attiva
 say-shift-by-coordinates = con coordinate: in ogni asse programmato sulla coordinata indicata; i valori assoluti si riferiscono all’origine del pezzo, quelli incrementali all’ultima origine valida
-condition-shift-from-table = l’origine viene prelevata dalla tabella origini
 note-reset-datum-shift = Per annullare lo spostamento origine, programmare con una nuova definizione del ciclo uno spostamento sulle coordinate X=0, Y=0 ecc. oppure richiamare dalla tabella origini uno spostamento sulle coordinate X=0, Y=0 ecc.
 note-rotary-axes-may-be-shifted = È possibile inserire anche assi rotativi.
 note-datum-shift-in-status-display = L’indicazione di stato supplementare visualizza lo spostamento origine in ogni asse.

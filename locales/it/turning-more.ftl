@@ -105,8 +105,6 @@ until-all-thread-starts-cut = non sono stati tagliati tanti principi quanti ne d
 
 # --- conditions ---
 condition-cutting-limit-wanted = { $q-cutting-limit } = 1
-condition-recess-unidirectionally = { $q-recess-direction } prevede la lavorazione in una sola direzione
-condition-contour-edge-rounded = è inserito un raggio { $q-contour-corner-radius }
 condition-taper-angle-given = { $q-taper-dimensioning } definisce il cono mediante l’angolo
 condition-start-diameter-given = { $q-taper-dimensioning } definisce il cono mediante il diametro inizio profilo
 condition-start-z-given = { $q-taper-dimensioning } definisce il cono mediante la coordinata Z dell’inizio del profilo

@@ -17,7 +17,6 @@ step-rapid-in-z-by-clearance = Il controllo sposta l’utensile in Z della dista
 step-rapid-paraxial-infeed = Il controllo fa avanzare l’utensile parallelamente all’asse in rapido.
 step-finish-turned-contour = Il controllo esegue la finitura del profilo del pezzo con l’avanzamento { $q-turning-finishing-feed }.
 step-retract-by-clearance = Il controllo ritrae l’utensile della distanza di sicurezza { $q-turning-clearance } con l’avanzamento definito.
-condition-smoothing-each-cut = { $q-contour-smoothing } prevede la lisciatura dopo ogni taglio
 guard-turning-mode-missing = I cicli di tornitura possono essere eseguiti solo nel modo tornitura FUNCTION MODE TURN.
 note-turning-mode-only = I cicli di tornitura possono essere impiegati solo nel modo tornitura FUNCTION MODE TURN.
 note-program-before-turning-cycle = Prima della chiamata del ciclo programmare sempre: il modo tornitura FUNCTION MODE TURN, la chiamata utensile TOOL CALL, il senso di rotazione del mandrino di tornitura (ad esempio M303), il numero di giri o la velocità di taglio con FUNCTION TURNDATA SPIN, M136 se si utilizzano avanzamenti al giro (mm/giro), un blocco di posizionamento su un punto di partenza adatto (ad esempio L X+130 Y+0 R0 FMAX) e il ciclo 800 per adattare il sistema di coordinate e allineare l’utensile.

@@ -69,9 +69,6 @@ say-plunge-on-helix-or-in-strokes = caso contrário, em hélice com o ângulo de
 step-rough-contour-level = A esta profundidade, a ferramenta fresa o contorno de dentro para fora com o avanço { $q-roughing-feed }. À volta das ilhas, fresa em trajetórias que se aproximam do contorno da caixa:
 say-rough-what-coarser-tool-left = se estiver introduzida uma ferramenta de desbaste prévio { $q-coarse-roughing-tool }, só o que essa ferramenta não pôde maquinar
 say-rough-whole-region = caso contrário, toda a superfície
-condition-no-reciprocation-feed = o avanço pendular { $q-reciprocation-feed } for 0
-condition-plunging-angle-is-right = o ângulo de penetração { $mp-plunging-angle } for 90°
-condition-roughed-by-coarser-tool = estiver introduzida uma ferramenta de desbaste prévio { $q-coarse-roughing-tool }
 note-centre-cutting-or-pilot-drilling = Se necessário, utilize uma fresa que corte ao centro (DIN 844) ou faça um furo prévio com o ciclo 21.
 note-rough-out-plunging = A forma como a ferramenta penetra na peça é determinada pelo parâmetro { $q-reciprocation-feed } e pelas colunas { $mp-plunging-angle } e { $mp-cutting-edge-length } da tabela de ferramentas. Com { $q-reciprocation-feed } = 0, penetra sempre na vertical. Com { $mp-plunging-angle } = 90°, penetra na vertical com o avanço { $q-reciprocation-feed }. Com um avanço pendular e { $mp-plunging-angle } de 0,1 a 89,999, penetra em hélice com esse ângulo. Com um avanço pendular e sem { $mp-plunging-angle } na tabela de ferramentas, o comando emite um aviso de erro. Se não houver espaço para uma hélice (como numa ranhura), o comando tenta penetrar em movimento pendular, cuja longitude é { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = Com um fator de sobreposição maior do que 1, pode ficar material em contornos de caixas com esquinas interiores agudas. Verifique a trajetória mais interior no gráfico de teste e, se necessário, altere ligeiramente o fator de sobreposição. Os cortes ficam então repartidos de outra forma, o que muitas vezes dá o resultado pretendido.
@@ -110,7 +107,6 @@ step-mill-along-contour = A ferramenta fresa ao longo do contorno com o avanço 
 say-mill-to-and-fro = { $q-contour-milling-type } = 0: em vaivém, alternando o sentido sincronizado e o sentido contrário em cada passo
 say-mill-in-one-direction = { $q-contour-milling-type } = +1 ou −1: em todos os passos em sentido sincronizado ou em sentido contrário
 until-milling-depth-reached = seja atingida a profundidade de fresagem { $q-milling-depth }
-condition-milling-alternately = { $q-contour-milling-type } indicar fresagem alternada em sentido sincronizado e em sentido contrário
 note-contour-damage-monitored = O comando supervisiona a maquinação de modo que não haja recortes nem danos no contorno. Verifique o contorno com um teste gráfico.
 note-inside-corners-may-need-reworking = Se o raio da ferramenta for demasiado grande, pode ser necessário retrabalhar as esquinas interiores do contorno.
 note-milling-type-kept-when-mirrored = O contorno pode ser maquinado todo em sentido sincronizado ou todo em sentido contrário. O tipo de fresagem mantém-se mesmo que os contornos sejam espelhados.

@@ -17,7 +17,6 @@ step-drill-to-decreasing-plunging-depth = A ferramenta fura com o avanço { $q-p
 step-break-chip-or-retract = Entre dois passos, a ferramenta recua:
 say-break-chip-by-retraction = com rotura de apara, a distância { $q-chip-breaking-retraction }, tantas vezes quantas { $q-chip-breaks-before-retraction } indicar antes de a ferramenta ser retirada do furo
 say-retract-and-return-at-rapid = sem rotura de apara, com o avanço { $q-retraction-feed } para a distância de segurança, onde permanece durante { $q-dwell-at-top }, se o tempo estiver introduzido; daí desloca-se em avanço rápido (FMAX) até à distância de segurança acima da profundidade atingida
-condition-chip-is-broken = ainda não estiverem feitas as roturas de apara { $q-chip-breaks-before-retraction } previstas antes do recuo seguinte
 
 # --- 240 ---
 cycle-centring = Centrar

@@ -5,7 +5,6 @@ step-rapid-to-set-up-clearance = O comando desloca a ferramenta no eixo do cabe�
 until-depth-reached = seja atingida a profundidade programada { $q-depth }
 
 # --- conditions ---
-condition-second-clearance-entered = estiver introduzida uma 2ª distância de segurança { $q-second-set-up-clearance }
 
 # --- guards ---
 guard-depth-zero = A profundidade é 0: o comando não executa o ciclo.

@@ -29,7 +29,6 @@ step-leave-slot = A ferramenta sai da ranhura em avanço rápido para a 2ª dist
 step-end-of-slot = O local em que a ferramenta fica no fim do ciclo depende da posição da ranhura { $q-slot-position }:
 say-back-to-slot-centre = { $q-slot-position } = 0: o comando faz regressar a ferramenta no plano de maquinação ao centro da ranhura
 say-stays-in-working-plane = caso contrário: o comando não posiciona a ferramenta no plano de maquinação
-condition-slot-position-at-centre = a ferramenta estiver no centro da ranhura na chamada do ciclo ({ $q-slot-position } = 0)
 note-position-at-slot-start = Posicione a ferramenta no ponto de partida no plano de maquinação com correção de raio R0. Tenha em conta a posição da ranhura { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Posicione a ferramenta no ponto de partida no plano de maquinação com correção de raio R0. Tenha em conta a referência da posição da ranhura { $q-slot-position-reference }.
 note-slot-end-position = No fim do ciclo, o comando faz regressar a ferramenta no plano de maquinação ao centro da ranhura; no outro eixo do plano de maquinação não a posiciona. Se estiver definida uma posição da ranhura { $q-slot-position } diferente de 0, o comando posiciona a ferramenta apenas no eixo da ferramenta, à 2ª distância de segurança. Antes de chamar de novo o ciclo, volte a levar a ferramenta à posição de partida ou programe deslocações absolutas antes da chamada.
@@ -63,7 +62,6 @@ step-mill-around-stud-again = Se uma volta não bastar para atingir as medidas a
 step-leave-stud-to-start = Se forem necessários mais passos em profundidade, a ferramenta sai tangencialmente do contorno e regressa ao ponto de partida da ilha.
 until-stud-depth-reached = seja atingida a profundidade programada { $q-depth } da ilha
 step-retract-from-stud = No fim do ciclo, o comando posiciona a ferramenta apenas no eixo da ferramenta. A posição final difere por isso da posição de partida:
-condition-approach-beside-stud = { $q-stud-approach-position } indicar a posição ao lado da ilha
 note-position-at-stud-start = Posicione a ferramenta no ponto de partida no plano de maquinação com correção de raio R0. Tenha em conta a posição da ilha { $q-stud-position }.
 note-room-beside-stud = Perigo de colisão! Deixe à direita da ilha espaço suficiente para a aproximação da ferramenta: pelo menos o diâmetro da ferramenta + 2 mm.
 note-stud-end-position = Perigo de colisão! No fim, o comando faz regressar a ferramenta à distância de segurança ou, se estiver introduzida, à 2ª distância de segurança. A posição final da ferramenta depois do ciclo não coincide, portanto, com a posição de partida.
@@ -150,9 +148,6 @@ step-repeat-until-face-milled = Isto repete-se até a superfície introduzida es
 until-face-infeeds-done = estejam executados todos os passos exceto o último
 step-finish-face = No último passo é fresada apenas a medida excedente de acabamento introduzida { $q-floor-allowance }, com o avanço de acabamento { $q-finishing-feed }.
 step-rapid-back-to-second-clearance = No fim, o comando retira a ferramenta em avanço rápido (FMAX) para a 2ª distância de segurança { $q-second-set-up-clearance }.
-condition-tool-above-second-clearance = a ferramenta estiver, no eixo do cabeçote, acima da 2ª distância de segurança { $q-second-set-up-clearance }
-condition-meander-outside = { $q-face-milling-strategy } indicar trajetórias em meandro com passo lateral fora da superfície
-condition-meander-inside = { $q-face-milling-strategy } indicar trajetórias em meandro com passo lateral dentro da superfície
 note-three-face-milling-strategies = Estão disponíveis três estratégias. { $q-face-milling-strategy } = 0: trajetórias em meandro, passo lateral fora da superfície a maquinar. { $q-face-milling-strategy } = 1: trajetórias em meandro, passo lateral dentro da superfície a maquinar. { $q-face-milling-strategy } = 2: linha a linha, com recuo e passo lateral com o avanço de posicionamento.
 note-levels-in-reverse-order = Para evitar percursos em vazio, cada nível seguinte é maquinado pela ordem inversa.
 note-second-clearance-without-collision = Introduza a 2ª distância de segurança { $q-second-set-up-clearance } de modo que a ferramenta não possa colidir com a peça nem com os dispositivos de fixação.

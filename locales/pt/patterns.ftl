@@ -12,8 +12,6 @@ say-on-the-pitch-circle = { $q-pattern-traverse-type } = 1: sobre o círculo te�
 say-in-a-straight-line = { $q-pattern-traverse-type } = 0: em linha reta
 until-all-operations-done = estejam executadas todas as { $q-number-of-operations } maquinações
 condition-stepping-angle-computed = não estiver introduzido nenhum passo angular { $q-pattern-stepping-angle }
-condition-clearance-at-second = { $q-pattern-clearance-mode } indicar a 2ª distância de segurança
-condition-traverse-on-arc = { $q-pattern-traverse-type } indicar uma deslocação circular
 guard-pattern-angles-equal = O ângulo inicial e o ângulo final são iguais. Introduza ângulos diferentes ou um passo angular.
 note-pattern-is-def-active = O ciclo atua a partir da sua definição: chama por si o ciclo de maquinação definido em último lugar.
 note-pattern-overrides-heights = Se um dos ciclos de maquinação 200 a 209 e 251 a 267 for combinado com este ciclo, são válidas a distância de segurança { $q-set-up-clearance }, a coordenada da superfície da peça { $q-surface-coordinate } e a 2ª distância de segurança { $q-second-set-up-clearance } deste ciclo.

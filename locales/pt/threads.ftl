@@ -21,7 +21,6 @@ step-reverse-and-break-chip = O sentido de rotação do cabeçote é invertido e
 say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: sai totalmente do furo, para arrefecer
 say-tap-goes-back-some-turns = caso contrário, recua { $q-chip-breaking-turns } vezes o passo de rosca { $q-thread-pitch }
 step-tap-back-to-set-up-clearance = A ferramenta recua para a distância de segurança { $q-set-up-clearance }.
-condition-tap-leaves-hole = o recuo { $q-chip-breaking-turns } for 0
 note-sign-of-thread-depth = O sinal da profundidade da rosca { $q-thread-depth } determina a direção da maquinação. Com a profundidade da rosca 0, o comando não executa o ciclo.
 note-thread-depth-gives-direction = O sinal da profundidade da rosca { $q-thread-depth } determina a direção da maquinação.
 note-positive-thread-depth-reverses = Perigo de colisão! Com uma profundidade positiva, o comando inverte o cálculo da posição prévia: a ferramenta desloca-se no eixo da ferramenta, em avanço rápido, para a distância de segurança abaixo da superfície da peça.
@@ -88,8 +87,6 @@ step-move-beside-stud = O comando desloca a ferramenta do centro da ilha, ao lon
 step-move-beside-stud-without-countersinking = Se antes não tiver sido feito nenhum rebaixamento frontal, o comando desloca a ferramenta para o ponto de partida, que é o mesmo do rebaixamento frontal.
 
 # --- thread milling: conditions and guards ---
-condition-one-turn-of-helix = os filetes por passo { $q-threads-per-step } forem 0
-condition-continuous-helix = os filetes por passo { $q-threads-per-step } forem 1
 guard-no-depth-entered = Todas as profundidades são 0: nada é maquinado.
 guard-depth-signs-differ = As profundidades têm sinais diferentes. Introduza o mesmo sinal para todas.
 guard-thread-near-countersinking-depth = A profundidade da rosca tem de ser menor do que a profundidade de rebaixamento em, pelo menos, um terço do passo de rosca.

@@ -11,7 +11,6 @@ cycle-datum-shift = Deslocação do ponto zero
 step-shift-datum = O comando desloca o ponto zero:
 say-shift-by-table-row = com um número de linha: segundo os valores dessa linha da tabela de pontos zero ativa
 say-shift-by-coordinates = com coordenadas: em cada eixo programado, para a coordenada indicada; os valores absolutos referem-se ao ponto zero da peça, os incrementais ao último ponto zero válido
-condition-shift-from-table = o ponto zero for retirado da tabela de pontos zero
 note-reset-datum-shift = Para anular a deslocação do ponto zero, programe numa nova definição do ciclo uma deslocação para as coordenadas X=0, Y=0 etc. ou chame da tabela de pontos zero uma deslocação para as coordenadas X=0, Y=0 etc.
 note-rotary-axes-may-be-shifted = Também podem ser introduzidos eixos rotativos.
 note-datum-shift-in-status-display = A visualização adicional de estados mostra a deslocação do ponto zero em cada eixo.

@@ -105,8 +105,6 @@ until-all-thread-starts-cut = estejam cortadas tantas entradas de rosca quantas 
 
 # --- conditions ---
 condition-cutting-limit-wanted = { $q-cutting-limit } = 1
-condition-recess-unidirectionally = { $q-recess-direction } indicar maquinação numa só direção
-condition-contour-edge-rounded = estiver introduzido um raio { $q-contour-corner-radius }
 condition-taper-angle-given = { $q-taper-dimensioning } definir o cone pelo seu ângulo
 condition-start-diameter-given = { $q-taper-dimensioning } definir o cone pelo diâmetro no início do contorno
 condition-start-z-given = { $q-taper-dimensioning } definir o cone pela coordenada Z do início do contorno

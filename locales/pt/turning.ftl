@@ -17,7 +17,6 @@ step-rapid-in-z-by-clearance = O comando desloca a ferramenta em Z, em avanço r
 step-rapid-paraxial-infeed = O comando executa em avanço rápido um passo paralelo ao eixo.
 step-finish-turned-contour = O comando faz o acabamento do contorno da peça com o avanço { $q-turning-finishing-feed }.
 step-retract-by-clearance = O comando faz recuar a ferramenta a distância de segurança { $q-turning-clearance }, com o avanço definido.
-condition-smoothing-each-cut = { $q-contour-smoothing } indicar alisamento depois de cada corte
 guard-turning-mode-missing = Os ciclos de torneamento só podem ser executados no modo de torneamento FUNCTION MODE TURN.
 note-turning-mode-only = Os ciclos de torneamento só podem ser utilizados no modo de torneamento FUNCTION MODE TURN.
 note-program-before-turning-cycle = Antes da chamada do ciclo, programe sempre: o modo de torneamento FUNCTION MODE TURN, a chamada da ferramenta TOOL CALL, o sentido de rotação do cabeçote de torneamento (por exemplo, M303), as rotações ou a velocidade de corte com FUNCTION TURNDATA SPIN, M136 se forem utilizados avanços por rotação (mm/rot.), uma frase de posicionamento para um ponto de partida adequado (por exemplo, L X+130 Y+0 R0 FMAX) e o ciclo 800 para adaptar o sistema de coordenadas e alinhar a ferramenta.

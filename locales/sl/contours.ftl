@@ -69,9 +69,6 @@ say-plunge-on-helix-or-in-strokes = sicer po vijačnici pod kotom spuščanja { 
 step-rough-contour-level = Na tej globini orodje konturo rezka od znotraj navzven s pomikom { $q-roughing-feed }. Okoli otokov rezka po poteh, ki se približujejo konturi žepa:
 say-rough-what-coarser-tool-left = če je vneseno orodje za predvrtanje { $q-coarse-roughing-tool }, samo tisto, česar to orodje ni moglo obdelati
 say-rough-whole-region = sicer celotno površino
-condition-no-reciprocation-feed = je nihajni pomik { $q-reciprocation-feed } enak 0
-condition-plunging-angle-is-right = je kot spuščanja { $mp-plunging-angle } enak 90°
-condition-roughed-by-coarser-tool = je vneseno orodje za predvrtanje { $q-coarse-roughing-tool }
 note-centre-cutting-or-pilot-drilling = Po potrebi uporabite rezkar s čelnim zobom, ki reže po sredini (DIN 844), ali predvrtajte s ciklom 21.
 note-rough-out-plunging = Način spuščanja določajo parameter { $q-reciprocation-feed } in stolpca { $mp-plunging-angle } in { $mp-cutting-edge-length } v preglednici orodij. Pri { $q-reciprocation-feed } = 0 je spuščanje vedno navpično. Pri { $mp-plunging-angle } = 90° je spuščanje navpično s pomikom { $q-reciprocation-feed }. Pri nihajnem pomiku in { $mp-plunging-angle } od 0,1 do 89,999 poteka spuščanje po vijačnici pod tem kotom. Pri nihajnem pomiku brez vrednosti { $mp-plunging-angle } v preglednici orodij krmiljenje javi napako. Če za vijačnico ni prostora (na primer v utoru), poskusi krmiljenje z nihajočim spuščanjem; dolžina nihanja je { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
 note-overlap-greater-than-one = Pri faktorju prekrivanja, večjem od 1, lahko pri konturah žepov z ostrimi notranjimi vogali ostane material. V testni grafiki preverite skrajno notranjo pot in po potrebi nekoliko spremenite faktor prekrivanja. Tako se rezi drugače razporedijo, kar pogosto da želeni rezultat.
@@ -110,7 +107,6 @@ step-mill-along-contour = Orodje s pomikom { $q-contour-milling-feed } rezka vzd
 say-mill-to-and-fro = { $q-contour-milling-type } = 0: v obe smeri, z vsakim primikom izmenično v soteku in protiteku
 say-mill-in-one-direction = { $q-contour-milling-type } = +1 ali −1: pri vsakem primiku v soteku oziroma v protiteku
 until-milling-depth-reached = ni dosežena globina rezkanja { $q-milling-depth }
-condition-milling-alternately = { $q-contour-milling-type } zahteva izmenično rezkanje v soteku in protiteku
 note-contour-damage-monitored = Krmiljenje obdelavo nadzoruje, tako da ne pride ne do spodrezov ne do poškodb konture. Konturo preverite z grafičnim testom.
 note-inside-corners-may-need-reworking = Če je polmer orodja prevelik, bo notranje vogale konture morda treba dodatno obdelati.
 note-milling-type-kept-when-mirrored = Konturo je mogoče ves čas obdelovati v soteku ali ves čas v protiteku. Vrsta rezkanja se ohrani tudi pri zrcaljenju kontur.

@@ -17,7 +17,6 @@ step-drill-to-decreasing-plunging-depth = Orodje s pomikom { $q-plunging-feed } 
 step-break-chip-or-retract = Med dvema primikoma se orodje premakne nazaj:
 say-break-chip-by-retraction = pri lomu ostružkov za odmik { $q-chip-breaking-retraction }, in sicer tolikokrat, kot pred umikom iz vrtine zahteva { $q-chip-breaks-before-retraction }
 say-retract-and-return-at-rapid = brez loma ostružkov s pomikom { $q-retraction-feed } na varnostno razdaljo, kjer miruje čas { $q-dwell-at-top }, če je ta vnesen; od tam v hitrem teku (FMAX) na varnostno razdaljo nad doseženo globino
-condition-chip-is-broken = pred naslednjim umikom še niso opravljeni vsi lomi ostružkov ({ $q-chip-breaks-before-retraction })
 
 # --- 240 ---
 cycle-centring = Centriranje

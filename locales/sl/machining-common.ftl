@@ -5,7 +5,6 @@ step-rapid-to-set-up-clearance = Krmiljenje premakne orodje po osi vretena v hit
 until-depth-reached = ni dosežena programirana globina { $q-depth }
 
 # --- conditions ---
-condition-second-clearance-entered = je vnesena { -second-set-up-clearance(case: "nominative") } { $q-second-set-up-clearance }
 
 # --- guards ---
 guard-depth-zero = Globina je 0: krmiljenje cikla ne izvede.

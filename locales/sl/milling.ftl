@@ -29,7 +29,6 @@ step-leave-slot = Orodje se iz utora v hitrem teku umakne na 2. varnostno razdal
 step-end-of-slot = Kje orodje stoji na koncu cikla, je odvisno od položaja utora { $q-slot-position }:
 say-back-to-slot-centre = { $q-slot-position } = 0: krmiljenje orodje v obdelovalni ravnini vrne v središče utora
 say-stays-in-working-plane = sicer: krmiljenje orodja v obdelovalni ravnini ne pozicionira
-condition-slot-position-at-centre = orodje ob priklicu cikla stoji v središču utora ({ $q-slot-position } = 0)
 note-position-at-slot-start = Orodje pozicionirajte na začetno točko v obdelovalni ravnini s popravkom polmera R0. Upoštevajte položaj utora { $q-slot-position }.
 note-position-at-slot-start__circular-slot = Orodje pozicionirajte na začetno točko v obdelovalni ravnini s popravkom polmera R0. Upoštevajte referenco za položaj utora { $q-slot-position-reference }.
 note-slot-end-position = Na koncu cikla krmiljenje orodje v obdelovalni ravnini vrne v središče utora; po drugi osi obdelovalne ravnine ga ne pozicionira. Če je definiran položaj utora { $q-slot-position }, ki ni 0, krmiljenje orodje samo po orodni osi pozicionira na 2. varnostno razdaljo. Pred ponovnim priklicem cikla orodje vrnite na začetni položaj ali pred priklicem programirajte absolutne premike.
@@ -62,7 +61,6 @@ step-mill-around-stud-again = Če z enim obhodom končne mere niso dosežene, se
 step-leave-stud-to-start = Če so potrebni nadaljnji primiki, se orodje tangencialno odmakne od konture in vrne na začetno točko čepa.
 until-stud-depth-reached = ni dosežena programirana globina { $q-depth } čepa
 step-retract-from-stud = Na koncu cikla krmiljenje orodje pozicionira samo po orodni osi. Končni položaj se zato razlikuje od začetnega:
-condition-approach-beside-stud = { $q-stud-approach-position } zahteva položaj ob čepu
 note-position-at-stud-start = Orodje pozicionirajte na začetno točko v obdelovalni ravnini s popravkom polmera R0. Upoštevajte položaj čepa { $q-stud-position }.
 note-room-beside-stud = Nevarnost kolizije! Desno ob čepu pustite dovolj prostora za primik orodja: najmanj premer orodja + 2{"\u00A0"}mm.
 note-stud-end-position = Nevarnost kolizije! Na koncu krmiljenje vrne orodje na varnostno razdaljo ali, če je vnesena, na 2. varnostno razdaljo. Končni položaj orodja po ciklu se zato ne ujema z začetnim položajem.
@@ -149,9 +147,6 @@ step-repeat-until-face-milled = To se ponavlja, dokler vnesena ploskev ni v celo
 until-face-infeeds-done = niso opravljeni vsi primiki razen zadnjega
 step-finish-face = Pri zadnjem primiku se odrezka samo vnesena nadmera finega rezkanja { $q-floor-allowance }, in sicer s pomikom pri finem rezkanju { $q-finishing-feed }.
 step-rapid-back-to-second-clearance = Na koncu krmiljenje umakne orodje v hitrem teku (FMAX) na 2. varnostno razdaljo { $q-second-set-up-clearance }.
-condition-tool-above-second-clearance = je orodje po osi vretena nad 2. varnostno razdaljo { $q-second-set-up-clearance }
-condition-meander-outside = { $q-face-milling-strategy } zahteva meandraste poti s stranskim primikom zunaj ploskve
-condition-meander-inside = { $q-face-milling-strategy } zahteva meandraste poti s stranskim primikom znotraj ploskve
 note-three-face-milling-strategies = Na voljo so tri strategije. { $q-face-milling-strategy } = 0: meandraste poti, stranski primik zunaj ploskve, ki se obdeluje. { $q-face-milling-strategy } = 1: meandraste poti, stranski primik znotraj ploskve, ki se obdeluje. { $q-face-milling-strategy } = 2: vrstica za vrstico, z umikom in stranskim primikom s pomikom za pozicioniranje.
 note-levels-in-reverse-order = Da ni praznih hodov, se vsaka nadaljnja ravnina obdela v obratnem zaporedju.
 note-second-clearance-without-collision = 2. varnostno razdaljo { $q-second-set-up-clearance } vnesite tako, da orodje ne more trčiti v obdelovanec ali vpenjalo.

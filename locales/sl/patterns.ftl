@@ -12,8 +12,6 @@ say-on-the-pitch-circle = { $q-pattern-traverse-type } = 1: po delnem krogu
 say-in-a-straight-line = { $q-pattern-traverse-type } = 0: premočrtno
 until-all-operations-done = niso opravljene vse obdelave (število: { $q-number-of-operations })
 condition-stepping-angle-computed = kotni korak { $q-pattern-stepping-angle } ni vnesen
-condition-clearance-at-second = { $q-pattern-clearance-mode } zahteva { -second-set-up-clearance(case: "accusative") }
-condition-traverse-on-arc = { $q-pattern-traverse-type } zahteva krožni premik
 guard-pattern-angles-equal = Začetni in končni kot sta enaka. Vnesite različna kota ali kotni korak.
 note-pattern-is-def-active = Cikel deluje že od definicije naprej: nazadnje definirani obdelovalni cikel prikliče sam.
 note-pattern-overrides-heights = Če s tem ciklom povežete enega od obdelovalnih ciklov od 200 do 209 ali od 251 do 267, veljajo { -set-up-clearance(case: "nominative") } { $q-set-up-clearance }, koordinata { -surface(case: "genitive") } { $q-surface-coordinate } in { -second-set-up-clearance(case: "nominative") } { $q-second-set-up-clearance } tega cikla.

@@ -24,7 +24,6 @@ step-reverse-and-break-chip = Smer vrtenja vretena se obrne in orodje se premakn
 say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: v celoti iz vrtine, zaradi hlajenja
 say-tap-goes-back-some-turns = sicer za { $q-chip-breaking-turns }, pomnoženo s korakom navoja { $q-thread-pitch }
 step-tap-back-to-set-up-clearance = Orodje se premakne nazaj na varnostno razdaljo { $q-set-up-clearance }.
-condition-tap-leaves-hole = je odmik { $q-chip-breaking-turns } enak 0
 note-sign-of-thread-depth = Predznak globine navoja { $q-thread-depth } določa smer obdelave. Pri globini navoja 0 krmiljenje cikla ne izvede.
 note-thread-depth-gives-direction = Predznak globine navoja { $q-thread-depth } določa smer obdelave.
 note-positive-thread-depth-reverses = Nevarnost kolizije! Pri pozitivni globini krmiljenje predpoložaj izračuna v nasprotno smer: orodje se s hitrim tekom po orodni osi pomakne pod površino obdelovanca, in sicer za varnostno razdaljo.
@@ -95,8 +94,6 @@ step-move-beside-stud = Krmiljenje premakne orodje iz središča čepa po glavni
 step-move-beside-stud-without-countersinking = Če prej ni bilo čelnega grezenja, krmiljenje premakne orodje na začetno točko, ki je ista kot pri čelnem grezenju.
 
 # --- thread milling: conditions and guards ---
-condition-one-turn-of-helix = je povratek { $q-threads-per-step } enak 0
-condition-continuous-helix = je povratek { $q-threads-per-step } enak 1
 guard-no-depth-entered = Vse globine so 0: nič se ne obdela.
 guard-depth-signs-differ = Globine imajo različne predznake. Za vse vnesite enak predznak.
 guard-thread-near-countersinking-depth = Globina navoja mora biti najmanj za tretjino koraka manjša od ugrezne globine.

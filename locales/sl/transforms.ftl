@@ -11,7 +11,6 @@ cycle-datum-shift = Zamik ničelne točke
 step-shift-datum = Krmiljenje zamakne ničelno točko:
 say-shift-by-table-row = pri navedeni številki vrstice: za vrednosti te vrstice aktivne { -datum-table(case: "genitive") }
 say-shift-by-coordinates = pri navedenih koordinatah: na vsaki programirani osi na navedeno koordinato; absolutne vrednosti se nanašajo na ničelno točko obdelovanca, inkrementalne pa na nazadnje veljavno ničelno točko
-condition-shift-from-table = je ničelna točka vzeta iz { -datum-table(case: "genitive") }
 note-reset-datum-shift = Zamik ničelne točke ponastavite tako, da z novo definicijo cikla programirate zamik na koordinate X=0, Y=0 itd. ali da zamik na koordinate X=0, Y=0 itd. prikličete iz { -datum-table(case: "genitive") }.
 note-rotary-axes-may-be-shifted = Vnesete lahko tudi rotacijske osi.
 note-datum-shift-in-status-display = Dodatni prikaz stanja kaže zamik ničelne točke na posamezni osi.

@@ -106,8 +106,6 @@ until-all-thread-starts-cut = ni narezanih toliko stopenj navoja, kot jih določ
 
 # --- conditions ---
 condition-cutting-limit-wanted = je { $q-cutting-limit } = 1
-condition-recess-unidirectionally = { $q-recess-direction } zahteva obdelavo v eni smeri
-condition-contour-edge-rounded = je vnesen polmer { $q-contour-corner-radius }
 condition-taper-angle-given = { $q-taper-dimensioning } določa stožec s kotom
 condition-start-diameter-given = { $q-taper-dimensioning } določa stožec s premerom na začetku konture
 condition-start-z-given = { $q-taper-dimensioning } določa stožec s koordinato Z začetka konture

@@ -17,7 +17,6 @@ step-rapid-in-z-by-clearance = Krmiljenje premakne orodje v smeri Z v hitrem tek
 step-rapid-paraxial-infeed = Krmiljenje v hitrem teku izvede primik, vzporeden z osjo.
 step-finish-turned-contour = Krmiljenje fino obdela konturo obdelovanca s pomikom { $q-turning-finishing-feed }.
 step-retract-by-clearance = Krmiljenje z definiranim pomikom umakne orodje za varnostno razdaljo { $q-turning-clearance }.
-condition-smoothing-each-cut = { $q-contour-smoothing } zahteva glajenje po vsakem rezu
 guard-turning-mode-missing = Stružne cikle je mogoče izvajati samo v načinu struženja FUNCTION MODE TURN.
 note-turning-mode-only = Stružne cikle je mogoče uporabljati samo v načinu struženja FUNCTION MODE TURN.
 note-program-before-turning-cycle = Pred priklicem cikla vedno programirajte: način struženja FUNCTION MODE TURN, priklic orodja TOOL CALL, smer vrtenja stružnega vretena (na primer M303), število vrtljajev ali rezalno hitrost s FUNCTION TURNDATA SPIN, M136, če uporabljate pomike na vrtljaj (mm/vrt), pozicionirni stavek na primerno začetno točko (na primer L X+130 Y+0 R0 FMAX) in cikel 800, ki prilagodi koordinatni sistem in izravna orodje.
