@@ -285,13 +285,16 @@ impl Maker<'_, '_> {
         }
         let control = &self.section.on.control;
         let named = control.named.iter().find(|named| named.keyword == see.keyword && named.number == see.cycle)?;
+        let foreign = control.language.as_str() != self.section.language.tag();
+        if let Some(name) = self.site.name_elsewhere(self.section, key).filter(|_| foreign) {
+            return Some(LinkView { href: None, key: key.to_string(), number: key.number, name, name_lang: None });
+        }
         Some(LinkView {
             href: None,
             key: key.to_string(),
             number: key.number,
             name: named.name.clone(),
-            name_lang: (control.language.as_str() != self.section.language.tag())
-                .then(|| control.language.text.to_string()),
+            name_lang: foreign.then(|| control.language.text.to_string()),
         })
     }
 }

@@ -7,9 +7,8 @@ use super::page::{Here, link};
 use super::section::Section;
 use super::view::{GroupView, LinkView, OverviewView, TopicLink};
 use crate::diag::Diagnostic;
-use crate::export;
 use crate::locale::Args;
-use crate::spec::Group;
+use crate::spec::{CycleKey, Group, Named};
 
 pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnostic>> {
     let args = Args::new().text("control", section.on.control.title.as_str());
@@ -19,7 +18,7 @@ pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnos
     section.language.collation().sort_by_key(&mut by_name, |cycle| &cycle.name);
     let topics = section.topics.iter().map(|topic| TopicLink { href: topic.file.clone(), title: topic.title.clone() });
     let topics = topics.collect();
-    let view = OverviewView { groups: groups(section)?, by_number, by_name, named: named(section), topics };
+    let view = OverviewView { groups: groups(section)?, by_number, by_name, named: named(site, section), topics };
     let frame = site.frame(section, title, Here::Every("index.html"));
     let context = context! {
         page => Value::from(Serde(&frame)),
@@ -46,18 +45,27 @@ fn groups(section: &Section) -> Result<Vec<GroupView>, Vec<Diagnostic>> {
     Ok(groups)
 }
 
-/// Cycles without a page, with the names that the manual prints.
-fn named(section: &Section) -> Vec<LinkView> {
+/// Cycles without a page: in the language of the control's manual with the names that it prints, in another
+/// one with the name that the cycle has where it is described, if it is.
+fn named(site: &Site, section: &Section) -> Vec<LinkView> {
     let manual = section.on.control.language.as_str();
-    let name_lang = (manual != section.language.tag()).then(|| manual.to_owned());
-    let entry = |cycle: export::NamedCycle| LinkView {
-        href: None,
-        key: format!("{} {}", cycle.keyword, cycle.number),
-        number: cycle.number,
-        name: cycle.name,
-        name_lang: name_lang.clone(),
+    let foreign = manual != section.language.tag();
+    let entry = |cycle: &Named| {
+        let key = CycleKey::new(cycle.keyword, cycle.number);
+        let elsewhere = site.name_elsewhere(section, key).filter(|_| foreign);
+        LinkView {
+            href: None,
+            key: key.to_string(),
+            number: key.number,
+            name_lang: (foreign && elsewhere.is_none()).then(|| manual.to_owned()),
+            name: elsewhere.unwrap_or_else(|| cycle.name.clone()),
+        }
     };
-    export::named(section.on).into_iter().map(entry).collect()
+    let control = &section.on.control;
+    let only = |cycle: &&Named| section.entry(CycleKey::new(cycle.keyword, cycle.number)).is_none();
+    let mut named: Vec<LinkView> = control.named.iter().filter(only).map(entry).collect();
+    named.sort_by(|a, b| a.key.split(' ').next().cmp(&b.key.split(' ').next()).then(a.number.cmp(&b.number)));
+    named
 }
 
 /// The title of a group.

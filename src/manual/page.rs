@@ -4,6 +4,8 @@ use super::section::{Entry, Section};
 use super::view::{LinkView, PageView, SwitchView};
 use crate::check::Against;
 use crate::diag::Source;
+use crate::locale::Scope;
+use crate::spec::CycleKey;
 use crate::syntax::encoding::{Charset, Encoding};
 use crate::{syntax, translate};
 
@@ -30,6 +32,14 @@ impl Here<'_> {
 }
 
 impl Site<'_> {
+    /// The name in the language of a cycle that this control only names: that of a control which describes it.
+    pub(super) fn name_elsewhere(&self, section: &Section, key: CycleKey) -> Option<String> {
+        let described = self.catalogue.controls.values().find_map(|on| Some((on, on.cycles.get(&key)?)));
+        let (on, cycle) = described?;
+        let id = format!("cycle-{}", cycle.name());
+        section.language.plain(&id, &Scope::new(cycle.name(), on.id())).ok().map(|name| name.into_owned())
+    }
+
     /// Lines that a manual prints around a block, with the names and labels of the language.
     pub(super) fn relabelled(&self, section: &Section, lines: &[String]) -> String {
         let mut text = lines.join("\n");
