@@ -87,7 +87,6 @@ site-search-none = Nothing found.
 site-search-found = Pages found:
 site-search-noscript = Searching needs JavaScript. The index lists all cycles and parameters:
 site-compare = Comparison
-site-compare-controls = On all controls
 site-differs-mark = ≠ marks what differs
 site-topics = Topics
 site-by-parameter = By parameter

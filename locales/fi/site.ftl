@@ -81,7 +81,6 @@ site-search-none = Mitään ei löytynyt.
 site-search-found = Löydettyjä sivuja:
 site-search-noscript = Haku vaatii JavaScriptin. Hakemistossa ovat kaikki työkierrot ja parametrit:
 site-compare = Vertailu
-site-compare-controls = Kaikissa ohjauksissa
 site-differs-mark = ≠ merkitsee erot
 site-topics = Aiheet
 site-by-parameter = Parametrin mukaan

@@ -80,7 +80,6 @@ site-search-none = Nessun risultato.
 site-search-found = Pagine trovate:
 site-search-noscript = La ricerca richiede JavaScript. L’indice analitico elenca tutti i cicli e i parametri:
 site-compare = Confronto
-site-compare-controls = Su tutti i controlli numerici
 site-differs-mark = ≠ indica le differenze
 site-topics = Argomenti
 site-by-parameter = Per parametro

@@ -81,7 +81,6 @@ site-search-none = Nada foi encontrado.
 site-search-found = Páginas encontradas:
 site-search-noscript = A pesquisa requer JavaScript. O índice remissivo contém todos os ciclos e parâmetros:
 site-compare = Comparação
-site-compare-controls = Em todos os comandos
 site-differs-mark = ≠ assinala as diferenças
 site-topics = Temas
 site-by-parameter = Por parâmetro

@@ -81,7 +81,6 @@ site-search-none = Ni zadetkov.
 site-search-found = Najdene strani:
 site-search-noscript = Za iskanje je potreben JavaScript. V kazalu so vsi cikli in parametri:
 site-compare = Primerjava
-site-compare-controls = Na vseh krmiljenjih
 site-differs-mark = ≠ označuje razlike
 site-topics = Teme
 site-by-parameter = Po parametrih
