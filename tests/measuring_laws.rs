@@ -113,7 +113,7 @@ prop_compose! {
     ) -> Setup {
         // The manual of the third control names no cycle for a rotation.
         let rotation = if control == 2 { 0.0 } else { rotation };
-        Setup { control, axis, ball, pre_travel, offset, track, preset, basic, shift, rotation, inch: inch && false }
+        Setup { control, axis, ball, pre_travel, offset, track, preset, basic, shift, rotation, inch }
     }
 }
 
@@ -282,7 +282,7 @@ fn wall(setup: &Setup, point: Point, normal: Point) -> String {
 const NO_LIMITS: [(u16, f64); 3] = [(281, 0.0), (309, 0.0), (330, 0.0)];
 
 fn cases() -> ProptestConfig {
-    let cases = std::env::var("LAW_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(64);
+    let cases = std::env::var("LAW_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(150);
     ProptestConfig::with_cases(cases)
 }
 
@@ -760,6 +760,47 @@ proptest! {
                 let results: &[u16] = if cycle == 421 { &[151, 152, 153] } else { &[158, 159] };
                 prop_assert!(results.iter().all(|number| q(&outcome, *number).is_finite()));
             }
+        }
+    }
+}
+
+/// Tables are in mm whatever the program is in: a datum found by a program in inches is the one found in mm.
+#[test]
+fn a_program_in_inches_writes_the_same_tables() {
+    let scene = "scene: 1\ntools: [{T: 1, L: 100, R: 2, TP_NO: 1}, {T: 5, R: 6, RBREAK: 0.5}]\nprobe: {NO: 1, ball_radius: 2, DIST: 20}\n\
+                 presets: {active: 1, rows: [{NO: 1, X: 12, Y: -7, Z: 3, SPC: 20}, {NO: 4, SPC: -11}]}\ndatums: [{D: 2, X: 1}]\nstart: [0, 0, 80]\nparts:\n  \
+                 - solid: {difference: [{box: {min: [-150, -150, -30], max: [150, 150, 0]}}, {cylinder: {centre: [40.3, 30.2], diameter: 50.1, from: -40, to: 10}}]}\n";
+    let cells = |inch: bool, row: u8, transfer: u8| {
+        let len = |mm: f64| if inch { mm / 25.4 } else { mm };
+        let lengths = [(321, 40.0), (322, 30.0), (262, 50.0), (261, -5.0), (320, 1.0), (260, 20.0), (331, 3.0), (332, -4.0), (382, 0.0), (383, 0.0), (384, 0.0), (333, 0.0)];
+        let mut program = format!("BEGIN PGM A {}\nTOOL CALL 1 Z\nTCH PROBE 412\n", if inch { "INCH" } else { "MM" });
+        lengths.iter().for_each(|(number, value)| drop(writeln!(program, "Q{number}={}", len(*value))));
+        let _ = writeln!(program, "Q325=0\nQ247=90\nQ301=1\nQ305={row}\nQ303={transfer}\nQ381=0\nQ423=4\nQ365=1");
+        program += "TCH PROBE 421\n";
+        let lengths = [(273, 40.0), (274, 30.0), (262, 50.0), (261, -5.0), (320, 1.0), (260, 20.0), (275, 0.0), (276, 0.0), (279, 0.0), (280, 0.0)];
+        lengths.iter().for_each(|(number, value)| drop(writeln!(program, "Q{number}={}", len(*value))));
+        program += "Q325=0\nQ247=90\nQ301=0\nQ281=1\nQ309=0\nQ330=5\nQ423=4\nQ365=1\n";
+        let (outcome, events) = run("tnc640", &program, scene);
+        // The second cycle looks for the hole where it is no more once the display has changed.
+        let done = outcome.status == Status::Done;
+        let log = outcome.logs.first().map(|(_, log)| log.clone());
+        let written: Vec<(String, f64)> = events.iter().filter_map(|event| match event {
+            EventKind::Table { column, value: Content::Number(value), .. } => Some((column.clone(), *value)),
+            _ => None,
+        }).collect();
+        (done, written, log)
+    };
+    for (row, transfer) in [(4, 1), (2, 0), (0, 1)] {
+        let (mm, inch) = (cells(false, row, transfer), cells(true, row, transfer));
+        assert_eq!(mm.0, inch.0);
+        assert_eq!(mm.1.len(), inch.1.len());
+        for (a, b) in mm.1.iter().zip(&inch.1) {
+            assert!(a.0 == b.0 && near(a.1, b.1), "{a:?} {b:?}");
+        }
+        if row != 0 {
+            assert!(mm.1.iter().any(|(column, _)| column == "DR"));
+            // The log has the values of the program.
+            assert!(mm.2.expect("a log").contains("Diameter: 50.1000") && inch.2.expect("a log").contains("Diameter: 1.9724"));
         }
     }
 }

@@ -51,6 +51,8 @@ pub enum Builtin {
     ProbeOffset,
     /// The coordinate of a rotary axis of the machine, by their order; 0 if there is none.
     FurtherAxis(usize),
+    /// A length among the machine data by its neutral name.
+    MachineLength(Arc<str>),
     /// A place of the machine that a machine datum names, by its neutral name.
     MachinePoint(Arc<str>),
     /// A mirror image is active.
@@ -177,6 +179,8 @@ impl Names {
         for (neutral, _) in &on.control.data.0 {
             let name = format!("machine.{}", as_name(neutral.as_str()));
             names.know(name, Builtin::Machine(Arc::clone(&neutral.text)), Type::Number);
+            let name = format!("machine_length.{}", as_name(neutral.as_str()));
+            names.know(name, Builtin::MachineLength(Arc::clone(&neutral.text)), Type::Number);
             let name = format!("machine_point.{}", as_name(neutral.as_str()));
             names.know(name, Builtin::MachinePoint(Arc::clone(&neutral.text)), Type::Point);
         }

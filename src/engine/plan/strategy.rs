@@ -345,6 +345,11 @@ impl Strategy {
         }
     }
 
+    /// Whether it moves the probe towards the workpiece.
+    pub const fn probes(self) -> bool {
+        matches!(self, Self::ProbeWithOwnPath)
+    }
+
     /// Its results, all of them numbers.
     pub const fn results(self) -> &'static [&'static str] {
         match self {

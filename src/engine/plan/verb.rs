@@ -447,6 +447,7 @@ impl Compiler<'_> {
             self.open_result(action.bind.as_ref(), scope);
             return Some(self.pend(name.as_str()));
         };
+        self.probes |= strategy.probes();
         let parameters = strategy.parameters();
         for (key, _) in &action.with.0 {
             if !parameters.iter().any(|parameter| parameter.name == key.as_str()) {

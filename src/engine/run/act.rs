@@ -27,7 +27,7 @@ impl<'e> Run<'_, 'e> {
             }
             Act::Feed(target, feed) => {
                 let to = self.target_of(target, exec)?;
-                let feed = self.number(feed, exec)?;
+                let feed = self.number(feed, exec)? * self.unit();
                 self.straight_to(to, None, Speed::of_feed(feed))
             }
             Act::Arc { centre, to, direction, feed } => self.arc_act(centre, to, direction, feed.as_ref(), exec),
@@ -44,9 +44,9 @@ impl<'e> Run<'_, 'e> {
             Act::Probe { towards, turned, into } => {
                 let towards = self.point(towards, exec)?;
                 let turned = turned.as_ref().map(|turned| self.number(turned, exec)).transpose()?;
-                let centre = self.probe(self.world.system.axes(towards), turned)?;
+                let centre = self.probe(self.to_mm(towards), turned)?;
                 if let Some(slot) = into {
-                    exec.put(*slot, Value::Point(self.in_plane(centre)));
+                    exec.put(*slot, Value::Point(self.to_program(centre)));
                 }
                 Ok(())
             }
@@ -136,16 +136,16 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    /// The target of a move, by axes.
+    /// The target of a move, by axes and in mm.
     fn target_of(&self, target: &Target, exec: &Exec<'_, 'e>) -> Result<DVec3, Fault> {
         match target {
-            Target::Point(point) => Ok(self.world.system.axes(self.point(point, exec)?)),
+            Target::Point(point) => Ok(self.to_mm(self.point(point, exec)?)),
             Target::Axes(values) => {
                 let plane = self.world.system.plane;
                 let mut to = self.world.here;
                 for (axis, calc) in [plane.main, plane.secondary, plane.tool].into_iter().zip(values) {
                     if let Some(calc) = calc {
-                        to = axis.with(to, self.number(calc, exec)?);
+                        to = self.with_mm(axis, to, self.number(calc, exec)?);
                     }
                 }
                 Ok(to)
@@ -161,11 +161,11 @@ impl<'e> Run<'_, 'e> {
         feed: Option<&Calc>,
         exec: &Exec<'_, 'e>,
     ) -> Done {
-        let centre = self.world.system.axes(self.point(centre, exec)?);
-        let to = self.world.system.axes(self.point(to, exec)?);
+        let centre = self.world.system.axes(self.point(centre, exec)?) * self.unit();
+        let to = self.to_mm(self.point(to, exec)?);
         let direction = self.number(direction, exec)?;
         let speed = match feed {
-            Some(feed) => Speed::of_feed(self.number(feed, exec)?),
+            Some(feed) => Speed::of_feed(self.number(feed, exec)? * self.unit()),
             None => Ok(Speed::Rapid),
         };
         let near = (to - self.world.here).length() == 0.0;
@@ -356,15 +356,17 @@ impl<'e> Run<'_, 'e> {
 
     fn read_table(&self, table: TableKind, row: &Calc, column: &str, into: Slot, exec: &mut Exec<'_, 'e>) -> Done {
         let row = self.number(row, exec)?;
-        let value = self.world.table(table)?.number(row, &self.column(column))?;
-        exec.put(into, Value::Number(value.unwrap_or_default()));
+        let column = self.column(column);
+        let value = self.world.table(table)?.number(row, &column)?;
+        exec.put(into, Value::Number(value.unwrap_or_default() / self.unit_of(table, &column)));
         Ok(())
     }
 
     fn write_table(&mut self, kind: TableKind, row: f64, column: &str, value: f64, add: bool) -> Done {
         let column = self.column(column);
         let old = if add { self.world.table(kind)?.number(row, &column)?.unwrap_or_default() } else { 0.0 };
-        self.write_cell(kind, row, &column, &Cell::Number(old + value))
+        let unit = self.unit_of(kind, &column);
+        self.write_cell(kind, row, &column, &Cell::Number(old + value * unit))
     }
 
     /// Writes a cell and tells it. Rows of the tool table must be there; others are added.

@@ -80,7 +80,6 @@ impl<'e> Run<'_, 'e> {
             | BlockKind::BlkForm(_)
             | BlockKind::OldCycleLine(_)
                 if self.definition_here().is_none() => {}
-            BlockKind::BeginPgm(frame) if frame.inch => return Err(Fault::unsupported("unsupported-inch").into()),
             BlockKind::BeginPgm(_) => {}
             BlockKind::EndPgm(_) => return Ok(After::End),
             BlockKind::ToolCall(call) => self.tool_call(call)?,
@@ -226,7 +225,7 @@ impl<'e> Run<'_, 'e> {
         }
         if let Some(tool) = &call.tool {
             let number = self.tool_number(tool)?;
-            let delta = |value: &Option<Operand>| value.as_ref().map_or(Ok(0.0), |value| self.operand(value));
+            let delta = |value: &Option<Operand>| value.as_ref().map_or(Ok(0.0), |value| Ok::<_, Fault>(self.operand(value)? * self.unit()));
             let (delta_radius, delta_length) = (delta(&call.dr)?, delta(&call.dl)?);
             let table = self.world.table(TableKind::Tool)?;
             if self.world.has_tools() && !table.has_row(number) {
@@ -245,7 +244,7 @@ impl<'e> Run<'_, 'e> {
         if let Some(feed) = &call.feed {
             match feed.kind {
                 FeedKind::Value(value) => {
-                    let value = self.operand(&value)?;
+                    let value = self.operand(&value)? * self.unit();
                     (self.modal.feed, self.modal.tool_feed) = (Some(value), Some(value));
                 }
                 _ => return Err(Fault::unsupported("unsupported-feed").arg("word", self.slice(feed.span)).into()),
@@ -264,7 +263,7 @@ impl<'e> Run<'_, 'e> {
         let number = self.tool_number(&definition.tool)?;
         for (column, value) in [("L", &definition.length), ("R", &definition.radius)] {
             let Some(value) = value else { continue };
-            let value = self.operand(value)?;
+            let value = self.operand(value)? * self.unit();
             if let Some(table) = self.world.tools_of_program() {
                 table.add_row(number)?;
                 table.set(number, column, &Cell::Number(value))?;

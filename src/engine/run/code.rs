@@ -4,6 +4,7 @@
 use std::collections::HashMap;
 
 use super::fault::Fault;
+use crate::engine::geometry::INCH;
 use crate::expr::{self, Code};
 use crate::syntax::{Block, BlockKind, CycleView, Formula, Label, Program};
 
@@ -33,6 +34,8 @@ pub(super) struct Prepared<'p> {
     definitions: Vec<Option<usize>>,
     /// By block: the compiled formula.
     formulas: Vec<Option<Code>>,
+    /// mm in its unit.
+    pub(super) unit: f64,
     /// The block of each label; nothing if the label stands twice.
     labels: HashMap<Key, Option<usize>>,
 }
@@ -54,7 +57,9 @@ impl<'p> Prepared<'p> {
             let Some(key) = key(program, label.target).filter(|key| *key != Key::Number(0)) else { continue };
             labels.entry(key).and_modify(|block| *block = None).or_insert(Some(index));
         }
-        Self { program, cycles, definitions, formulas, labels }
+        let inch = blocks.iter().any(|block| matches!(&block.kind, BlockKind::BeginPgm(frame) if frame.inch));
+        let unit = if inch { INCH } else { 1.0 };
+        Self { program, cycles, definitions, formulas, unit, labels }
     }
 
     /// The block of that index.

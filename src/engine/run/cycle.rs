@@ -224,7 +224,7 @@ impl<'e> Run<'_, 'e> {
 
     fn exec<'d>(&self, definition: &'d Definition<'e>) -> Exec<'d, 'e> {
         let switched = (self.modal.spindle, self.modal.coolant);
-        Exec::new(definition, self.in_plane(self.world.here), self.world.probe().ok(), switched)
+        Exec::new(definition, self.to_program(self.world.here), self.world.probe().ok(), switched)
     }
 
     /// Main, minor and tool coordinates of a point given by axes.
@@ -247,7 +247,7 @@ impl<'e> Run<'_, 'e> {
                         let from = if coord.incremental { coord.axis.of(self.world.here) } else { 0.0 };
                         point = coord.axis.with(point, from + coord.value);
                     }
-                    Value::Point(self.in_plane(point))
+                    Value::Point(self.to_program(point))
                 }
             };
             exec.put(*slot, value);
@@ -277,29 +277,33 @@ impl<'e> Run<'_, 'e> {
     fn builtin(&self, builtin: &Builtin, exec: &Exec<'_, 'e>) -> Value {
         let world = &self.world;
         let system = &world.system;
+        let unit = self.unit();
         let tool = world.tool().unwrap_or_default();
         let probe = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of));
+        let length = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of) / unit);
         match builtin {
-            Builtin::Here => Value::Point(self.in_plane(world.here)),
+            Builtin::Here => Value::Point(self.to_program(world.here)),
             Builtin::Start => Value::Point(exec.start),
             // The tool is not scaled with the program.
-            Builtin::ToolRadius => Value::Number(tool.radius / system.plane_scale().unwrap_or(1.0)),
-            Builtin::ToolLength => Value::Number(tool.length),
+            Builtin::ToolRadius => Value::Number(tool.radius / system.plane_scale().unwrap_or(1.0) / unit),
+            Builtin::ToolLength => Value::Number(tool.length / unit),
             Builtin::ToolAngle => Value::Number(tool.angle),
-            Builtin::ToolLcuts => Value::Number(tool.lcuts),
-            Builtin::ToolCornerRadius => Value::Number(tool.corner_radius / system.plane_scale().unwrap_or(1.0)),
+            Builtin::ToolLcuts => Value::Number(tool.lcuts / unit),
+            Builtin::ToolCornerRadius => {
+                Value::Number(tool.corner_radius / system.plane_scale().unwrap_or(1.0) / unit)
+            }
             Builtin::ToolNumber => Value::Number(tool.number),
             Builtin::ToolCalled => Value::Bool(world.tool().is_some()),
-            Builtin::ProbeSetUp => probe(|probe| probe.set_up),
-            Builtin::ProbeFeed => probe(|probe| probe.feed),
-            Builtin::ProbeFmax => probe(|probe| probe.fmax),
-            Builtin::ProbeDist => probe(|probe| probe.dist),
-            Builtin::ProbeBallRadius => probe(|probe| probe.effective_radius),
+            Builtin::ProbeSetUp => length(|probe| probe.set_up),
+            Builtin::ProbeFeed => length(|probe| probe.feed),
+            Builtin::ProbeFmax => length(|probe| probe.fmax),
+            Builtin::ProbeDist => length(|probe| probe.dist),
+            Builtin::ProbeBallRadius => length(|probe| probe.effective_radius),
             Builtin::ProbeAngle => probe(|probe| probe.angle),
             Builtin::ProbeTurns => Value::Bool(exec.probe.is_some_and(|probe| probe.orientation != Orientation::Fixed)),
             Builtin::ProbeOffset => {
                 let offset = exec.probe.as_ref().map_or(DVec3::ZERO, |probe| world.calibrated_offset(probe));
-                Value::Point(self.in_plane(offset))
+                Value::Point(self.to_program(offset))
             }
             Builtin::FurtherAxis(index) => Value::Number(world.further_axes().nth(*index).unwrap_or(0.0)),
             Builtin::ProbeMachineRapid => Value::Bool(exec.probe.is_some_and(|probe| probe.machine_rapid)),
@@ -314,8 +318,9 @@ impl<'e> Run<'_, 'e> {
             Builtin::ActiveTurning => Value::Bool(system.has(Transformation::Turning)),
             Builtin::MachinePoint(name) => {
                 let point = self.machine_point(name, exec).unwrap_or(DVec3::ZERO);
-                Value::Point(self.in_plane(system.back().point(point)))
+                Value::Point(self.to_program(system.back().point(point)))
             }
+            Builtin::MachineLength(name) => Value::Number(self.machine_datum(name, exec).unwrap_or(0.0) / unit),
             Builtin::Machine(name) => Value::Number(self.machine_datum(name, exec).unwrap_or(0.0)),
             Builtin::Form(form) => Value::Bool(exec.definition.form == Some(*form)),
             Builtin::Given(id) => Value::Bool(exec.definition.field(id).is_some()),

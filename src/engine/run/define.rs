@@ -15,7 +15,9 @@ use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::plan::Plan;
 use crate::expr::{QKind, QRef};
 use crate::fields::{self, first, stands_on};
-use crate::spec::{self, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Shape, TakesEffect, Transformation};
+use crate::spec::{
+    self, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect, Transformation,
+};
 use crate::syntax::{Axis, CycleDef, CycleForm, CycleView, OldCycleLine, OldWord, Parameter, Value, ValueKind};
 
 /// A coordinate of an old-style field.
@@ -25,6 +27,7 @@ pub(super) struct FieldCoord {
     pub(super) axis: LinearAxis,
     /// Whether it is the rotary axis.
     pub(super) rotary: bool,
+    /// mm, or degrees.
     pub(super) value: f64,
     pub(super) incremental: bool,
 }
@@ -260,7 +263,7 @@ impl<'e> Run<'_, 'e> {
             return Err(Fault::program("word-not-offered").arg("word", word));
         }
         match word.as_str() {
-            "FAUTO" => self.modal.tool_feed.ok_or_else(|| Fault::program("feed-missing")),
+            "FAUTO" => self.modal.tool_feed.map(|feed| feed / self.unit()).ok_or_else(|| Fault::program("feed-missing")),
             "FMAX" => Ok(RAPID_FEED),
             _ => Err(Fault::unsupported("unsupported-word").arg("word", word)),
         }
@@ -357,7 +360,7 @@ impl<'e> Run<'_, 'e> {
             (Shape::Centre, _) => {
                 let letter = name.strip_prefix("CC").unwrap_or(&name);
                 let (axis, _) = axis_of(letter).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
-                let value = in_range(self.number_of(&word.value)?)?;
+                let value = in_range(self.number_of(&word.value)?)? * self.unit();
                 Ok(FieldValue::Coords(vec![FieldCoord {
                     axis: linear(axis)?,
                     rotary: false,
@@ -376,6 +379,8 @@ impl<'e> Run<'_, 'e> {
                 let value = in_range(self.number_of(&word.value)?)?;
                 let turns = rotary(axis);
                 let axis = turns.map_or_else(|| linear(axis), |rotary| Ok(rotary.0))?;
+                let length = turns.is_none() && !matches!(param.quantity, Quantity::Factor | Quantity::Angle);
+                let value = if length { value * self.unit() } else { value };
                 Ok(FieldValue::Coords(vec![FieldCoord { axis, rotary: turns.is_some(), value, incremental }]))
             }
             _ => {

@@ -31,6 +31,7 @@ mod stylus;
 mod thread;
 mod tilt;
 mod turn;
+mod unit;
 mod world;
 
 use std::collections::{BTreeMap, BTreeSet};

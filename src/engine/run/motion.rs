@@ -82,14 +82,14 @@ impl Run<'_, '_> {
     fn speed(&mut self, feed: Option<&Feed>) -> Result<Speed, Fault> {
         match feed.map(|feed| feed.kind) {
             Some(FeedKind::Max) => return Ok(Speed::Rapid),
-            Some(FeedKind::Value(value)) => self.modal.feed = Some(self.operand(&value)?),
+            Some(FeedKind::Value(value)) => self.modal.feed = Some(self.operand(&value)? * self.unit()),
             Some(FeedKind::Auto) => self.modal.feed = self.modal.tool_feed,
             Some(FeedKind::PerRevolution(value)) => {
-                self.modal.feed = Some(self.operand(&value)? * self.modal.spindle.speed);
+                self.modal.feed = Some(self.operand(&value)? * self.unit() * self.modal.spindle.speed);
             }
             Some(FeedKind::PerTooth(value)) => {
                 let teeth = self.world.tool().map_or(0.0, |tool| tool.teeth);
-                self.modal.feed = Some(self.operand(&value)? * self.modal.spindle.speed * teeth);
+                self.modal.feed = Some(self.operand(&value)? * self.unit() * self.modal.spindle.speed * teeth);
             }
             None => {}
         }
@@ -97,7 +97,8 @@ impl Run<'_, '_> {
     }
 
     fn coordinate(&self, coord: &Coord, now: f64) -> Result<f64, Fault> {
-        let value = self.operand(&coord.value)?;
+        let linear = coord.axis == Axis::Pr || linear(coord.axis).is_ok();
+        let value = self.operand(&coord.value)? * if linear { self.unit() } else { 1.0 };
         Ok(if coord.incremental { now + value } else { value })
     }
 
@@ -218,7 +219,7 @@ impl Run<'_, '_> {
     fn radius_circle(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
         let direction = Self::direction(motion)?;
         let Some(radius) = &motion.radius else { return Err(Fault::program("radius-missing").into()) };
-        let radius = self.operand(radius)?;
+        let radius = self.operand(radius)? * self.unit();
         let here = self.world.here;
         let to = self.target(&motion.coords, here)?;
         let plane = self.world.system.plane;
@@ -307,6 +308,7 @@ impl Run<'_, '_> {
         let from = self.world.here;
         self.count_move()?;
         self.no_unexecuted()?;
+        self.in_its_unit()?;
         if let Some(axis) = LinearAxis::ALL
             .into_iter()
             .find(|axis| axis.of(machine) != axis.of(self.world.machine) && !self.world.has_axis(*axis))
@@ -324,6 +326,14 @@ impl Run<'_, '_> {
         self.world.machine = machine;
         self.tell(EventKind::Move { kind, from, to, machine, feed, path: *path });
         Ok(())
+    }
+
+    /// Moves of cycles that do not probe are executed in mm only: some of them have lengths of their own.
+    fn in_its_unit(&self) -> Result<(), Fault> {
+        if self.inside == 0 || self.probing || self.unit() == 1.0 {
+            return Ok(());
+        }
+        Err(Fault::unsupported("unsupported-inch"))
     }
 
     /// Nothing moves while a transformation is in effect that the engine cannot execute.
