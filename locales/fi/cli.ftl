@@ -73,6 +73,7 @@ cli-examples-translate =
 cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
@@ -181,3 +182,32 @@ diag-cycle-only-named = Ohjauksen { $control } käsikirja vain mainitsee työkie
 diag-internal = Virhe itse ciklo-ohjelmassa: { $detail }.
 diag-locale-unknown-suffix = ”{ $name }” ei ole työkierto eikä ohjaus.
 diag-not-encodable = Merkkiä ”{ $sign }” ei voi kirjoittaa tämän tiedoston merkistöllä (Windows-1252).
+cli-examples-plot =
+    ciklo plot part.h --control tnc640 --scene part.scene.yaml --out part.svg
+    ciklo plot part.h --control tnc640 --view top --out path.svg
+cli-arg-resolution = Aihion sarakkeiden suurin väli, mm (oletus: kahdessadasosa suurimmasta ulottuvuudesta)
+cli-plot = Piirrä ohjelman työkalun rata ja kappale SVG-kuvana
+cli-plot-out = Piirroksen tiedosto
+cli-plot-scene = Tilannetiedosto: kone, työkalut, työkappale (oletus: ei työkalutaulukkoa, joten vain rata tunnetaan)
+cli-plot-view = Katselusuunta: top, side, isometric (oletus)
+cli-run-stock = Valmiin kappaleen tiedosto (STL); koneistuksesta annetaan raportti
+cli-stock-depth = Suurin lastuamissyvyys: { $value } mm (rivi { $line })
+cli-stock-finding = { $program }:{ $line }{ $count ->
+        [one] :
+       *[other] {" "}({ $count } liikettä):
+    } { $kind ->
+        [rapid-in-material] Pikaliike { $amount } mm:n matkan materiaalin läpi.
+        [spindle-stands] Kara on pysähdyksissä, kun työkalu kulkee { $amount } mm:n matkan materiaalin läpi.
+        [edges-too-short] Materiaalia lastutaan { $amount } mm kärjen yläpuolelle asti, enemmän kuin terien pituus on.
+        [turns-together] Akselit kääntyvät työkalun liikkuessa: poistettua ainetta ei tunneta.
+       *[no-radius] Työkalulla { $amount } ei ole sädettä: ei tiedetä, mitä se poistaa.
+    }
+cli-stock-length = Matka: { $feed } mm syöttöarvolla, siitä { $cut } mm lastuavissa liikkeissä; { $rapid } mm pikaliikkeellä
+cli-stock-more = { $count ->
+        [one] vielä { $count } havainto.
+       *[other] vielä { $count } havaintoa.
+    }
+cli-stock-rate = Suurin lastunpoistonopeus: { $value } mm³/min (rivi { $line })
+cli-stock-time = Aika: { $all } s; { $feed } s syöttöarvolla, { $rapid } s pikaliikkeellä, { $dwell } s odotusta
+cli-stock-volume = Tilavuus: { $removed } mm³ poistettu { $blank } mm³:stä
+cli-stock-width = Suurin lastuamisleveys: { $value } mm (rivi { $line })

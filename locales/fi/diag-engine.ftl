@@ -78,3 +78,7 @@ diag-unsupported-word = Suoritin ei tunne sanaa { $word } arvona.
 diag-value-missing = Arvo puuttuu.
 diag-value-not-bound = Kuvauksen arvo luetaan, ennen kuin se on olemassa: { $place }
 diag-word-not-offered = Parametri ei salli sanaa { $word }.
+diag-arc-scaled-unequally = Koneistustason akseleilla on eri mittakertoimet: ympyrä ei olisi enää ympyrä.
+diag-scaling-factor-zero = Mittakerroin { NUMBER($found) } ei jätä kappaleesta mitään jäljelle.
+diag-shape-impossible = Mikään tämän työkalun rata ei tuota muotoa: tarvitaan { NUMBER($least) } mm, käytettävissä on { NUMBER($found) } mm.
+diag-tilting-unreachable = Koneen kiertoakselit eivät voi kääntää työkalua kohtisuoraan tähän tasoon nähden.

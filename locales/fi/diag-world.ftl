@@ -48,3 +48,7 @@ diag-table-no-column = Taulukossa { $file } ei ole saraketta { $column }.
 diag-table-too-wide = { $file }, rivi { $row }: arvo ei mahdu sarakkeeseen { $column }.
 diag-table-text-in-numbers = { $file }, rivi { $row }: sarakkeeseen { $column } voi syöttää vain lukuja.
 diag-table-key-column = { $file }, rivi { $row }: sarakkeen { $column } rivinumeroa ei voi muuttaa.
+diag-stock-blank = BLK FORM -lauseen kulmien on oltava lukuja, ja jokaisen minimin on oltava pienempi kuin maksimin.
+diag-stock-missing = Aihiota ei ole: tilanteessa ei ole aihiota eikä ohjelmassa BLK FORM -lausetta.
+diag-stock-resolution = { $found } ei kelpaa aihion sarakkeiden väliksi: sen on oltava suurempi kuin nolla, ja sarakkeita saa olla enintään 150 miljoonaa.
+diag-stock-resolution-mesh = Kappaleessa on enemmän kolmioita kuin STL-tiedostoon mahtuu; suurempi sarakkeiden väli auttaa.

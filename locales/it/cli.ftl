@@ -73,6 +73,7 @@ cli-examples-translate =
 cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
@@ -181,3 +182,32 @@ diag-cycle-only-named = Il manuale del controllo { $control } nomina soltanto { 
 diag-internal = Errore interno di ciklo: { $detail }.
 diag-locale-unknown-suffix = «{ $name }» non è né un ciclo né un controllo numerico.
 diag-not-encodable = Il carattere «{ $sign }» non può essere scritto nella codifica di questo file (Windows-1252).
+cli-examples-plot =
+    ciklo plot part.h --control tnc640 --scene part.scene.yaml --out part.svg
+    ciklo plot part.h --control tnc640 --view top --out path.svg
+cli-arg-resolution = Distanza massima tra le colonne del pezzo grezzo, mm (predefinito: un duecentesimo della sua estensione massima)
+cli-plot = Disegna la traiettoria dell’utensile e il pezzo di un programma in formato SVG
+cli-plot-out = File per il disegno
+cli-plot-scene = File della scena: macchina, utensili, pezzo (predefinito: nessuna tabella utensili, quindi è nota solo la traiettoria)
+cli-plot-view = Direzione di vista: top, side, isometric (predefinita)
+cli-run-stock = File per il pezzo finito (STL); la lavorazione viene riassunta in un rapporto
+cli-stock-depth = Profondità di taglio massima: { $value } mm (riga { $line })
+cli-stock-finding = { $program }:{ $line }{ $count ->
+        [one] :
+       *[other] {" "}({ $count } movimenti):
+    } { $kind ->
+        [rapid-in-material] Movimento in rapido attraverso { $amount } mm di materiale.
+        [spindle-stands] Il mandrino è fermo mentre l’utensile attraversa { $amount } mm di materiale.
+        [edges-too-short] Il materiale viene asportato fino a { $amount } mm sopra la punta, più della lunghezza dei taglienti.
+        [turns-together] Gli assi ruotano mentre l’utensile si muove: non è noto che cosa asporta.
+       *[no-radius] L’utensile { $amount } non ha raggio: non è noto che cosa asporta.
+    }
+cli-stock-length = Percorso: { $feed } mm in avanzamento, di cui { $cut } mm in movimenti di taglio; { $rapid } mm in rapido
+cli-stock-more = { $count ->
+        [one] Ancora { $count } osservazione.
+       *[other] Ancora { $count } osservazioni.
+    }
+cli-stock-rate = Portata di truciolo massima: { $value } mm³/min (riga { $line })
+cli-stock-time = Tempo: { $all } s; { $feed } s in avanzamento, { $rapid } s in rapido, { $dwell } s di attesa
+cli-stock-volume = Volume: asportati { $removed } mm³ su { $blank } mm³
+cli-stock-width = Larghezza di taglio massima: { $value } mm (riga { $line })

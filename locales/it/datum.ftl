@@ -14,7 +14,7 @@ say-datum-into-datum-table = con { $q-datum-row-number } diverso da 0 e { $q-mea
 say-datum-into-datum-table__tnc426-430 = con { $q-datum-row-number } diverso da 0 scrive l’origine rilevata nella riga { $q-datum-row-number } della tabella origini attiva
 say-datum-into-preset-table = con { $q-datum-row-number } diverso da 0 e { $q-measured-value-transfer }=1 scrive l’origine rilevata nella riga { $q-datum-row-number } della tabella Preset; il sistema di riferimento è il sistema di coordinate della macchina (coordinate REF)
 step-probe-in-probe-axis = A scelta, il controllo rileva poi con una tastatura separata l’origine nell’asse del tastatore:
-say-datum-in-probe-axis = tasta il punto { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool } nell’asse del tastatore, si ritrae ed elabora l’origine { $q-new-datum-probe-axis } come quella del piano di lavoro
+say-datum-in-probe-axis = con { $q-probing-in-probe-axis }=1 tasta il punto { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool } nell’asse del tastatore, si ritrae ed elabora l’origine { $q-new-datum-probe-axis } come quella del piano di lavoro
 guard-datum-transfer-undefined = { $q-datum-row-number } è diverso da 0 e { $q-measured-value-transfer } è −1: occorre definire dove deve essere trasferita l’origine rilevata.
 guard-transformation-with-probe-axis-datum = È attivo uno spostamento origine o una rotazione, ma { $q-measured-value-transfer }=0 e { $q-probing-in-probe-axis }=1 non ammettono alcuna conversione di coordinate.
 note-nominal-diameter-rather-small = Pericolo di collisione! Per evitare una collisione tra il sistema di tastatura e il pezzo, inserire per la tasca (foro) un diametro nominale approssimato per difetto.

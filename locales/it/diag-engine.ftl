@@ -79,3 +79,6 @@ diag-unsupported-word = Il motore di esecuzione non conosce la parola { $word } 
 diag-value-missing = Manca il valore.
 diag-value-not-bound = Un valore della specifica viene letto prima che esista: { $place }
 diag-word-not-offered = Il parametro non ammette la parola { $word }.
+diag-arc-scaled-unequally = Gli assi del piano di lavoro hanno fattori di scala diversi: un cerchio non sarebbe più un cerchio.
+diag-scaling-factor-zero = Un fattore di scala { NUMBER($found) } non lascia nulla del pezzo.
+diag-tilting-unreachable = Gli assi rotativi della macchina non possono portare l’utensile perpendicolare a questo piano.

@@ -48,3 +48,7 @@ diag-table-no-column = La tabella { $file } non contiene la colonna { $column }.
 diag-table-too-wide = { $file }, riga { $row }: il valore è troppo lungo per la colonna { $column }.
 diag-table-text-in-numbers = { $file }, riga { $row }: nella colonna { $column } sono ammessi solo numeri.
 diag-table-key-column = { $file }, riga { $row }: il numero di riga nella colonna { $column } non può essere modificato.
+diag-stock-blank = Gli spigoli di BLK FORM devono essere numeri e ogni minimo deve essere inferiore al suo massimo.
+diag-stock-missing = Manca il pezzo grezzo: non lo contengono né la scena né il programma con un BLK FORM.
+diag-stock-resolution = { $found } non può essere la distanza tra le colonne del pezzo grezzo: deve essere maggiore di zero e le colonne possono essere al massimo 150 milioni.
+diag-stock-resolution-mesh = Il pezzo ha più triangoli di quanti ne può contenere un file STL; è utile una distanza maggiore tra le colonne.

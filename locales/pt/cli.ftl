@@ -73,6 +73,7 @@ cli-examples-translate =
 cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
@@ -184,3 +185,32 @@ diag-cycle-only-named = O manual do comando { $control } apenas menciona { $cycl
 diag-internal = Erro interno do ciklo: { $detail }.
 diag-locale-unknown-suffix = «{ $name }» não é um ciclo nem um comando numérico.
 diag-not-encodable = O carácter «{ $sign }» não pode ser escrito na codificação deste ficheiro (Windows-1252).
+cli-examples-plot =
+    ciklo plot part.h --control tnc640 --scene part.scene.yaml --out part.svg
+    ciklo plot part.h --control tnc640 --view top --out path.svg
+cli-arg-resolution = Distância máxima entre as colunas do bloco, mm (predefinição: um ducentésimo da sua maior extensão)
+cli-plot = Desenhar a trajetória da ferramenta e a peça de um programa em SVG
+cli-plot-out = Ficheiro para o desenho
+cli-plot-scene = Ficheiro da cena: máquina, ferramentas, peça (predefinição: sem tabela de ferramentas, pelo que só se conhece a trajetória)
+cli-plot-view = Direção da vista: top, side, isometric (predefinição)
+cli-run-stock = Ficheiro para a peça acabada (STL); a maquinagem é resumida num relatório
+cli-stock-depth = Maior profundidade de corte: { $value } mm (linha { $line })
+cli-stock-finding = { $program }:{ $line }{ $count ->
+        [one] :
+       *[other] {" "}({ $count } movimentos):
+    } { $kind ->
+        [rapid-in-material] Marcha rápida através de { $amount } mm de material.
+        [spindle-stands] O cabeçote está parado enquanto a ferramenta atravessa { $amount } mm de material.
+        [edges-too-short] O material é cortado até { $amount } mm acima da ponta, mais do que o comprimento das lâminas.
+        [turns-together] Os eixos rodam enquanto a ferramenta se desloca: não se sabe o que é removido.
+       *[no-radius] A ferramenta { $amount } não tem raio: não se sabe o que remove.
+    }
+cli-stock-length = Percurso: { $feed } mm em avanço, dos quais { $cut } mm em movimentos que cortam; { $rapid } mm em marcha rápida
+cli-stock-more = { $count ->
+        [one] Mais { $count } observação.
+       *[other] Mais { $count } observações.
+    }
+cli-stock-rate = Maior taxa de remoção: { $value } mm³/min (linha { $line })
+cli-stock-time = Tempo: { $all } s; { $feed } s em avanço, { $rapid } s em marcha rápida, { $dwell } s de espera
+cli-stock-volume = Volume: removidos { $removed } mm³ de { $blank } mm³
+cli-stock-width = Maior largura de corte: { $value } mm (linha { $line })

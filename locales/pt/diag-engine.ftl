@@ -78,3 +78,7 @@ diag-unsupported-word = O motor de execução não conhece a palavra { $word } c
 diag-value-missing = Falta o valor.
 diag-value-not-bound = Um valor da especificação é lido antes de existir: { $place }
 diag-word-not-offered = O parâmetro não admite a palavra { $word }.
+diag-arc-scaled-unequally = Os eixos do plano de maquinagem têm fatores de escala diferentes: um círculo deixaria de o ser.
+diag-scaling-factor-zero = Um fator de escala { NUMBER($found) } não deixa nada da peça.
+diag-shape-impossible = Nenhuma trajetória desta ferramenta produz a forma: são necessários { NUMBER($least) } mm, existem { NUMBER($found) } mm.
+diag-tilting-unreachable = Os eixos rotativos da máquina não conseguem pôr a ferramenta perpendicular a este plano.

@@ -73,6 +73,7 @@ cli-examples-translate =
 cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
@@ -201,3 +202,36 @@ diag-cycle-only-named = Priročnik za { $control } cikel { $cycle } ({ $name }) 
 diag-internal = Napaka v samem programu ciklo: { $detail }.
 diag-locale-unknown-suffix = »{ $name }« ni ne cikel ne krmiljenje.
 diag-not-encodable = Znaka »{ $sign }« ni mogoče zapisati v kodiranju te datoteke (Windows-1252).
+cli-examples-plot =
+    ciklo plot part.h --control tnc640 --scene part.scene.yaml --out part.svg
+    ciklo plot part.h --control tnc640 --view top --out path.svg
+cli-arg-resolution = Največja razdalja med stolpci surovca, mm (privzeto: dvestotina njegove največje razsežnosti)
+cli-plot = Nariši pot orodja in obdelovanec programa kot SVG
+cli-plot-out = Datoteka za risbo
+cli-plot-scene = Datoteka prizora: stroj, orodja, obdelovanec (privzeto: brez preglednice orodij, zato je znana le pot)
+cli-plot-view = Smer pogleda: top, side, isometric (privzeto)
+cli-run-stock = Datoteka za končani obdelovanec (STL); obdelava se povzame v poročilu
+cli-stock-depth = Največja globina reza: { $value } mm (vrstica { $line })
+cli-stock-finding = { $program }:{ $line }{ $count ->
+        [one] :
+        [two] {" "}({ $count } premika):
+        [few] {" "}({ $count } premiki):
+       *[other] {" "}({ $count } premikov):
+    } { $kind ->
+        [rapid-in-material] Hitri tek skozi { $amount } mm materiala.
+        [spindle-stands] Vreteno miruje, medtem ko gre orodje skozi { $amount } mm materiala.
+        [edges-too-short] Material se reže do { $amount } mm nad konico, kar je več od dolžine rezil.
+        [turns-together] Osi se med premikanjem orodja vrtijo: kaj se pri tem odreže, ni znano.
+       *[no-radius] Orodje { $amount } nima polmera: kaj odreže, ni znano.
+    }
+cli-stock-length = Pot: { $feed } mm s pomikom, od tega { $cut } mm v premikih, ki režejo; { $rapid } mm v hitrem teku
+cli-stock-more = { $count ->
+        [one] Še { $count } ugotovitev.
+        [two] Še { $count } ugotovitvi.
+        [few] Še { $count } ugotovitve.
+       *[other] Še { $count } ugotovitev.
+    }
+cli-stock-rate = Največja količina odrezanega materiala: { $value } mm³/min (vrstica { $line })
+cli-stock-time = Čas: { $all } s; { $feed } s s pomikom, { $rapid } s v hitrem teku, { $dwell } s čakanja
+cli-stock-volume = Prostornina: odrezanih { $removed } mm³ od { $blank } mm³
+cli-stock-width = Največja širina reza: { $value } mm (vrstica { $line })

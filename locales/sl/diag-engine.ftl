@@ -78,3 +78,7 @@ diag-unsupported-word = Izvajalnik besede { $word } ne pozna kot vrednosti.
 diag-value-missing = Vrednost manjka.
 diag-value-not-bound = Vrednost specifikacije je prebrana, preden obstaja: { $place }
 diag-word-not-offered = Parameter ne dovoljuje besede { $word }.
+diag-arc-scaled-unequally = Osi obdelovalne ravnine imajo različne faktorje merila: krog ne bi bil več krog.
+diag-scaling-factor-zero = Faktor merila { NUMBER($found) } od obdelovanca ne pusti ničesar.
+diag-shape-impossible = Nobena pot tega orodja ne izdela oblike: potrebnih je { NUMBER($least) } mm, na voljo je { NUMBER($found) } mm.
+diag-tilting-unreachable = Rotacijske osi stroja orodja ne morejo postaviti pravokotno na to ravnino.
