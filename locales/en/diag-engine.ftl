@@ -61,6 +61,13 @@ diag-shape-impossible = No path of this tool makes the shape: { NUMBER($least) }
 diag-arc-scaled-unequally = The axes of the working plane have different scaling factors: a circle would not be one.
 diag-scaling-factor-zero = A scaling factor of { NUMBER($found) } leaves nothing of the part.
 diag-tilting-unreachable = The rotary axes of the machine cannot bring the tool at right angles to this plane.
+diag-pattern-missing = There is no pattern and no point table to call the cycle on{ $name ->
+    [none] .
+   *[other] : “{ $name }” does not exist.
+}
+diag-pattern-unreadable = “{ $found }” is no part of a pattern.
+diag-position-incomplete = CYCL CALL POS needs the coordinates of all three axes.
+diag-value-not-predefined = GLOBAL DEF has given no value that PREDEF could take.
 diag-series-limit = The cycle would repeat its steps more than { NUMBER($limit) } times.
 diag-strategy-argument = A strategy lacks an argument.
 diag-strategy-pending = { $cycle } cannot be executed yet: { $name } is pending.
@@ -78,7 +85,6 @@ diag-unsupported-m = The engine does not execute { $word }.
 diag-unsupported-path = The engine does not execute { $word } in this block.
 diag-unsupported-simultaneous = With a touch probe in the spindle, the engine turns one rotary axis at a time and moves no other axis meanwhile.
 diag-unsupported-transformation = The engine does not move while this transformation is active: { $name }
-diag-unsupported-word = The engine does not know the word { $word } as a value.
 diag-value-missing = The value is missing.
 diag-value-not-bound = A value of the specification is read before it is there: { $place }
 diag-word-not-offered = The parameter does not take the word { $word }.

@@ -74,7 +74,6 @@ diag-unsupported-m = Suoritin ei suorita toimintoa { $word }.
 diag-unsupported-path = Suoritin ei suorita tässä lauseessa toimintoa { $word }.
 diag-unsupported-simultaneous = Kun karassa on kosketusjärjestelmä, suoritin kääntää yhtä kiertoakselia kerrallaan eikä liikuta muita samalla.
 diag-unsupported-transformation = Suoritin ei liiku, kun tämä muunnos on voimassa: { $name }
-diag-unsupported-word = Suoritin ei tunne sanaa { $word } arvona.
 diag-value-missing = Arvo puuttuu.
 diag-value-not-bound = Kuvauksen arvo luetaan, ennen kuin se on olemassa: { $place }
 diag-word-not-offered = Parametri ei salli sanaa { $word }.

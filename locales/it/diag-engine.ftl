@@ -75,7 +75,6 @@ diag-unsupported-m = Il motore di esecuzione non esegue { $word }.
 diag-unsupported-path = Il motore di esecuzione non esegue { $word } in questo blocco.
 diag-unsupported-simultaneous = Con un sistema di tastatura nel mandrino il motore di esecuzione ruota un asse rotativo alla volta e intanto non muove gli altri.
 diag-unsupported-transformation = Il motore di esecuzione non esegue movimenti mentre è attiva questa conversione: { $name }
-diag-unsupported-word = Il motore di esecuzione non conosce la parola { $word } come valore.
 diag-value-missing = Manca il valore.
 diag-value-not-bound = Un valore della specifica viene letto prima che esista: { $place }
 diag-word-not-offered = Il parametro non ammette la parola { $word }.

@@ -74,7 +74,6 @@ diag-unsupported-m = O motor de execução não executa { $word }.
 diag-unsupported-path = O motor de execução não executa { $word } nesta frase.
 diag-unsupported-simultaneous = Com um apalpador no cabeçote, o motor de execução roda um eixo rotativo de cada vez e entretanto não move os outros.
 diag-unsupported-transformation = O motor de execução não executa movimentos com esta conversão ativa: { $name }
-diag-unsupported-word = O motor de execução não conhece a palavra { $word } como valor.
 diag-value-missing = Falta o valor.
 diag-value-not-bound = Um valor da especificação é lido antes de existir: { $place }
 diag-word-not-offered = O parâmetro não admite a palavra { $word }.

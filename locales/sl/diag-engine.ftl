@@ -74,7 +74,6 @@ diag-unsupported-m = Izvajalnik ne izvaja funkcije { $word }.
 diag-unsupported-path = Izvajalnik v tem stavku ne izvaja funkcije { $word }.
 diag-unsupported-simultaneous = S tipalnim sistemom v vretenu izvajalnik vrti naenkrat samo eno rotacijsko os in drugih medtem ne premika.
 diag-unsupported-transformation = Izvajalnik se ne premika, ko je aktivno to preračunavanje koordinat: { $name }
-diag-unsupported-word = Izvajalnik besede { $word } ne pozna kot vrednosti.
 diag-value-missing = Vrednost manjka.
 diag-value-not-bound = Vrednost specifikacije je prebrana, preden obstaja: { $place }
 diag-word-not-offered = Parameter ne dovoljuje besede { $word }.

@@ -48,7 +48,7 @@ pub fn number_refusal(param: &Param, value: f64) -> Option<Refusal> {
 /// Why the parameter refuses a value as it is printed; nothing if it takes it.
 pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
     let text = text.trim();
-    if param.words.iter().any(|word| word == text) {
+    if param.words.iter().any(|word| word == text || fed(word, text)) {
         return None;
     }
     match (param.field.as_ref().map(|field| field.shape), param.kind) {
@@ -83,6 +83,12 @@ pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
         (Some(Shape::Word), _) => number(param, text.strip_prefix('I').unwrap_or(text)),
         _ => number(param, text),
     }
+}
+
+/// A feed per turn or per tooth with its number: `FU0.2`, `FZ Q5`.
+fn fed(word: &str, text: &str) -> bool {
+    let value = (word == "FU" || word == "FZ").then(|| text.strip_prefix(word)).flatten().map(str::trim);
+    value.is_some_and(|value| is_q(value) || parse(value).is_some())
 }
 
 fn kind(right: bool) -> Option<Refusal> {

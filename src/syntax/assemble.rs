@@ -170,7 +170,7 @@ impl Assembler<'_> {
             pending += 1;
             let parameter =
                 cycle::starts_tight_parameter(self.text, line.content) && (listing || line.comment.is_some());
-            if parameter || self.is_position(line.content) {
+            if parameter || self.is_position(line.content) || self.in_pattern(first, end, line.content) {
                 listing |= parameter;
                 end = at;
                 lines += std::mem::take(&mut pending);
@@ -185,6 +185,14 @@ impl Assembler<'_> {
     fn is_position(&self, content: Span) -> bool {
         let word = Cursor::new(self.text, content).peek_word();
         matches!(word.as_bytes(), b"POS" | b"ROW" | b"PAT" | b"FRAME" | b"CIRC" | b"PITCHCIRC")
+    }
+
+    /// A line of a pattern definition that begins with `(`, or stands between parentheses.
+    fn in_pattern(&self, first: &Line, end: usize, content: Span) -> bool {
+        let before = self.text.get(first.content.start..end).unwrap_or_default();
+        let pattern = before.get(..7).is_some_and(|word| word.eq_ignore_ascii_case("PATTERN"));
+        let open = before.matches('(').count() > before.matches(')').count();
+        pattern && content.start < content.end && (open || self.text.as_bytes().get(content.start) == Some(&b'('))
     }
 
     fn cycle(&mut self, first: Line) {

@@ -305,7 +305,11 @@ fn parameter_value(cursor: &mut Cursor<'_>) -> Read<Value> {
         return Err(cursor.expected("value"));
     }
     cursor.at = word.span.end;
-    Ok(Value { span: word.span, kind: ValueKind::Word })
+    // A feed per turn or per tooth has its number behind the word.
+    let feed = matches!(word.as_bytes(), b"FU" | b"FZ");
+    let end = if feed && cursor.opt_operand().is_some() { cursor.at } else { word.span.end };
+    cursor.at = end;
+    Ok(Value { span: Span::new(word.span.start, end), kind: ValueKind::Word })
 }
 
 /// The label in a comment: what stands behind `;`, up to a tab.

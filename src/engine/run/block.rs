@@ -109,6 +109,10 @@ impl<'e> Run<'_, 'e> {
                 return self.after(functions, false);
             }
             BlockKind::Other(_) if self.switches_mode(block) => {}
+            BlockKind::Other(word) if self.slice(*word).eq_ignore_ascii_case("PATTERN") => {
+                self.define_pattern(block)?
+            }
+            BlockKind::Other(word) if self.slice(*word).eq_ignore_ascii_case("GLOBAL") => self.predefine(block)?,
             BlockKind::Other(word) => {
                 return Err(Fault::unsupported("unsupported-block").arg("word", self.slice(*word)).into());
             }
@@ -197,6 +201,9 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn select(&mut self, what: &str, name: &str) -> Done {
+        if what.eq_ignore_ascii_case("PATTERN") {
+            return self.select_pattern(name);
+        }
         if !what.eq_ignore_ascii_case("TABLE") {
             return Err(Fault::unsupported("unsupported-block").arg("word", format!("SEL {what}")).into());
         }
@@ -225,7 +232,9 @@ impl<'e> Run<'_, 'e> {
         }
         if let Some(tool) = &call.tool {
             let number = self.tool_number(tool)?;
-            let delta = |value: &Option<Operand>| value.as_ref().map_or(Ok(0.0), |value| Ok::<_, Fault>(self.operand(value)? * self.unit()));
+            let delta = |value: &Option<Operand>| {
+                value.as_ref().map_or(Ok(0.0), |value| Ok::<_, Fault>(self.operand(value)? * self.unit()))
+            };
             let (delta_radius, delta_length) = (delta(&call.dr)?, delta(&call.dl)?);
             let table = self.world.table(TableKind::Tool)?;
             if self.world.has_tools() && !table.has_row(number) {
@@ -273,17 +282,12 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn cycle_call(&mut self, call: &CyclCall) -> Done<After> {
-        match call.form {
-            CallForm::Plain => {}
-            CallForm::Pattern => {
-                return Err(Fault::unsupported("unsupported-block").arg("word", "CYCL CALL PAT").into());
-            }
-            CallForm::Position(_) => {
-                return Err(Fault::unsupported("unsupported-block").arg("word", "CYCL CALL POS").into());
-            }
-        }
         self.before(&call.functions)?;
-        self.call_last_cycle()?;
+        match &call.form {
+            CallForm::Plain => self.call_last_cycle()?,
+            CallForm::Pattern => self.call_on_pattern(call.feed.as_ref())?,
+            CallForm::Position(coords) => self.call_at(coords, call.feed.as_ref())?,
+        }
         self.after(&call.functions, false)
     }
 

@@ -26,6 +26,8 @@ enum Change {
     ScaleAxes(DVec3, DVec3),
     /// Spatial angles about the axes of the system so far: A, then B, then C.
     Tilt(DVec3),
+    /// The point of a pattern at which a cycle is called.
+    Point(DVec3),
 }
 
 /// A coordinate system.
@@ -127,7 +129,7 @@ impl System {
             Change::Scale(_) => kind == Transformation::Scaling,
             Change::ScaleAxes(..) => kind == Transformation::AxisScaling,
             Change::Tilt(_) => kind == Transformation::Tilting,
-            Change::Shift(_) | Change::Rotate(_) => false,
+            Change::Shift(_) | Change::Rotate(_) | Change::Point(_) => false,
         });
         executed || self.unexecuted.contains(&kind)
     }
@@ -206,6 +208,11 @@ impl System {
         self.change(Change::Tilt(angles), angles == DVec3::ZERO);
     }
 
+    /// An additional datum shift while a cycle is executed at a point of a pattern.
+    pub(super) fn set_point(&mut self, by: DVec3) {
+        self.change(Change::Point(by), by == DVec3::ZERO);
+    }
+
     pub(super) fn set_table(&mut self, table: Frame) {
         self.table = table;
         self.rebuild();
@@ -250,7 +257,7 @@ impl System {
 
     fn frame_of(&self, change: &Change) -> Frame {
         match change {
-            Change::Shift(by) => Frame::shift(*by),
+            Change::Shift(by) | Change::Point(by) => Frame::shift(*by),
             Change::Rotate(angle) => Frame::rotate(self.plane.tool, *angle),
             Change::Mirror(signs, _) => Frame::scaled(*signs, DVec3::ZERO),
             Change::Scale(factor) => Frame::scaled(DVec3::splat(*factor), DVec3::ZERO),

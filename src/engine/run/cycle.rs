@@ -289,9 +289,7 @@ impl<'e> Run<'_, 'e> {
             Builtin::ToolLength => Value::Number(tool.length / unit),
             Builtin::ToolAngle => Value::Number(tool.angle),
             Builtin::ToolLcuts => Value::Number(tool.lcuts / unit),
-            Builtin::ToolCornerRadius => {
-                Value::Number(tool.corner_radius / system.plane_scale().unwrap_or(1.0) / unit)
-            }
+            Builtin::ToolCornerRadius => Value::Number(tool.corner_radius / system.plane_scale().unwrap_or(1.0) / unit),
             Builtin::ToolNumber => Value::Number(tool.number),
             Builtin::ToolCalled => Value::Bool(world.tool().is_some()),
             Builtin::ProbeSetUp => length(|probe| probe.set_up),

@@ -258,14 +258,27 @@ impl<'e> Run<'_, 'e> {
 
     /// The number that a word stands for at the moment of the definition.
     fn word_value(&self, param: &Param, value: &Value) -> Result<f64, Fault> {
-        let word = self.slice(value.span).trim().to_ascii_uppercase();
-        if !param.words.contains(&word) {
+        let written = self.slice(value.span).trim().to_ascii_uppercase();
+        let letters = written.bytes().take_while(u8::is_ascii_alphabetic).count();
+        // The letter of a Q parameter is no part of the word.
+        let letters = if written.get(..2).is_some_and(|word| matches!(word, "FU" | "FZ")) { 2 } else { letters };
+        let (word, number) = written.split_at(letters);
+        if !param.words.iter().any(|known| known == word) {
             return Err(Fault::program("word-not-offered").arg("word", word));
         }
-        match word.as_str() {
-            "FAUTO" => self.modal.tool_feed.map(|feed| feed / self.unit()).ok_or_else(|| Fault::program("feed-missing")),
+        let speed = self.modal.spindle.speed;
+        match word {
+            "FAUTO" => {
+                self.modal.tool_feed.map(|feed| feed / self.unit()).ok_or_else(|| Fault::program("feed-missing"))
+            }
             "FMAX" => Ok(RAPID_FEED),
-            _ => Err(Fault::unsupported("unsupported-word").arg("word", word)),
+            "FU" => Ok(self.written_number(number)? * speed),
+            "FZ" => Ok(self.written_number(number)? * speed * self.world.tool().map_or(0.0, |tool| tool.teeth)),
+            "PREDEF" => {
+                let value = param.q.and_then(|q| self.predefined.get(&q.number));
+                value.copied().ok_or_else(|| Fault::program("value-not-predefined"))
+            }
+            _ => Err(Fault::program("word-not-offered").arg("word", word)),
         }
     }
 

@@ -75,9 +75,12 @@ pub const CODES: &[(&str, Class)] = &[
     ("parameter-out-of-range", Class::Program),
     ("parameter-undefined", Class::Program),
     ("parameter-unknown", Class::Program),
+    ("pattern-missing", Class::Program),
+    ("pattern-unreadable", Class::Program),
     ("plan-mistake", Class::Internal),
     ("plane-through-line", Class::Control),
     ("pole-missing", Class::Program),
+    ("position-incomplete", Class::Program),
     ("probe-deflected", Class::Control),
     ("probe-measurements-apart", Class::Control),
     ("probe-missing", Class::Control),
@@ -120,9 +123,9 @@ pub const CODES: &[(&str, Class)] = &[
     ("unsupported-path", Class::Unsupported),
     ("unsupported-simultaneous", Class::Unsupported),
     ("unsupported-transformation", Class::Unsupported),
-    ("unsupported-word", Class::Unsupported),
     ("value-missing", Class::Program),
     ("value-not-bound", Class::Internal),
+    ("value-not-predefined", Class::Program),
     ("word-not-offered", Class::Program),
 ];
 

@@ -20,6 +20,7 @@ mod measure;
 mod motion;
 mod outline;
 mod params;
+mod pattern;
 mod plunge;
 mod probe;
 mod program;
@@ -275,6 +276,10 @@ struct Run<'r, 'e> {
     params: Params,
     modal: Modal,
     last_cycle: Option<Arc<Definition<'e>>>,
+    /// The points of the last pattern definition or point table.
+    pattern: Option<pattern::Pattern>,
+    /// Values of GLOBAL DEF by the parameter that takes them.
+    predefined: BTreeMap<u16, f64>,
     flow: flow::Flow,
     at: At,
     /// Guards that applied.
@@ -314,6 +319,8 @@ impl<'r, 'e> Run<'r, 'e> {
             params: Params::new(),
             modal: Modal::default(),
             last_cycle: None,
+            pattern: None,
+            predefined: BTreeMap::new(),
             at,
             guards: BTreeSet::new(),
             executed: BTreeMap::new(),

@@ -79,7 +79,7 @@ impl Run<'_, '_> {
     }
 
     /// The speed of a block; a feed word stays in force. What is missing shows only if the tool moves.
-    fn speed(&mut self, feed: Option<&Feed>) -> Result<Speed, Fault> {
+    pub(super) fn speed(&mut self, feed: Option<&Feed>) -> Result<Speed, Fault> {
         match feed.map(|feed| feed.kind) {
             Some(FeedKind::Max) => return Ok(Speed::Rapid),
             Some(FeedKind::Value(value)) => self.modal.feed = Some(self.operand(&value)? * self.unit()),
@@ -96,7 +96,7 @@ impl Run<'_, '_> {
         Speed::of_feed(self.modal.feed.unwrap_or(0.0))
     }
 
-    fn coordinate(&self, coord: &Coord, now: f64) -> Result<f64, Fault> {
+    pub(super) fn coordinate(&self, coord: &Coord, now: f64) -> Result<f64, Fault> {
         let linear = coord.axis == Axis::Pr || linear(coord.axis).is_ok();
         let value = self.operand(&coord.value)? * if linear { self.unit() } else { 1.0 };
         Ok(if coord.incremental { now + value } else { value })

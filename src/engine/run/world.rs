@@ -192,6 +192,7 @@ impl<'s> World<'s> {
     /// The table of a kind; of datum tables the active one.
     pub(super) fn table(&self, kind: TableKind) -> Result<&Table, TableError> {
         let table = match kind {
+            TableKind::Points => None,
             TableKind::Datum => self.datums.get(self.datum),
             _ => self.tables.get(&kind),
         };
@@ -201,6 +202,7 @@ impl<'s> World<'s> {
     /// The table of a kind, to be written; it counts as written from now on.
     pub(super) fn table_to_write(&mut self, kind: TableKind) -> Result<&mut Table, TableError> {
         let table = match kind {
+            TableKind::Points => None,
             TableKind::Datum => self.datums.get_mut(self.datum),
             _ => self.tables.get_mut(&kind),
         };

@@ -40,6 +40,7 @@ const KEYS: &[&str] = &[
     "probe",
     "presets",
     "datums",
+    "points",
     "start",
     "stock",
     "parts",
@@ -80,6 +81,8 @@ pub struct Scene {
     pub active_preset: f64,
     /// The datum tables; the first one is active at the start.
     pub datums: Vec<Table>,
+    /// The point tables.
+    pub points: Vec<Table>,
     /// From the coordinates of the preset that is active at the start to the machine.
     pub frame: Frame,
     /// Where the tool tip is at the start, in machine coordinates.
@@ -171,7 +174,8 @@ impl Scene {
         let mut probes = Table::new(TableKind::Probe, TableKind::Probe.file_name());
         let probe = node.get("probe").and_then(|node| probe::probe(node, &mut probes, r));
         let (presets, active_preset) = presets(node, r);
-        let datums = datums(node, r);
+        let (datums, points) =
+            (of_files(node, "datums", TableKind::Datum, r), of_files(node, "points", TableKind::Points, r));
         // A row that is missing was reported.
         let preset = Preset::of_row(&presets, active_preset).unwrap_or_default();
         let frame = preset.frame();
@@ -194,6 +198,7 @@ impl Scene {
                 presets,
                 active_preset,
                 datums,
+                points,
                 frame,
                 start,
                 start_angles,
@@ -308,24 +313,24 @@ fn presets(node: &Node, r: &mut Reader<'_>) -> (Table, f64) {
     (table, active)
 }
 
-/// The datum tables: one as a list of rows, or several as a mapping by file name.
-fn datums(node: &Node, r: &mut Reader<'_>) -> Vec<Table> {
+/// Datum or point tables: one as a list of rows, or several as a mapping by file name.
+fn of_files(node: &Node, key: &str, kind: TableKind, r: &mut Reader<'_>) -> Vec<Table> {
     let mut tables = Vec::new();
-    let Some(node) = node.get("datums") else { return tables };
+    let Some(node) = node.get(key) else { return tables };
     let mut add = |file: &str, node: &Node, r: &mut Reader<'_>| {
-        let mut table = Table::new(TableKind::Datum, file);
+        let mut table = Table::new(kind, file);
         rows::rows(node, &mut table, r);
         tables.push(table);
     };
     if let Kind::Map(entries) = &node.kind {
         for (name, node) in entries {
-            if TableKind::of_file(&name.text) != Some(TableKind::Datum) {
+            if TableKind::of_file(&name.text) != Some(kind) {
                 r.expected(node, "datum-file");
             }
             add(&name.text, node, r);
         }
     } else {
-        add(TableKind::Datum.file_name(), node, r);
+        add(kind.file_name(), node, r);
     }
     tables
 }

@@ -41,6 +41,8 @@ pub enum TableKind {
     Preset,
     /// Datums, any `.D`.
     Datum,
+    /// Positions for machining cycles (`.PNT`).
+    Points,
 }
 
 /// Room for `-99999.999999999` and a blank: the engine's results keep 1e-9 mm.
@@ -126,6 +128,9 @@ const PRESET: &[Column] = &[
     angle("C"),
 ];
 
+/// Point tables: TNC 640 manual 1583-1640.
+const POINTS: &[Column] = &[key("NR"), length("X"), length("Y"), length("Z"), text("FADE", 3)];
+
 /// TNC 640 manual lines 6422-6450.
 const DATUM: &[Column] = &[
     key("D"),
@@ -143,7 +148,7 @@ const DATUM: &[Column] = &[
 
 impl TableKind {
     /// All kinds.
-    pub const ALL: [Self; 4] = [Self::Tool, Self::Probe, Self::Preset, Self::Datum];
+    pub const ALL: [Self; 5] = [Self::Tool, Self::Probe, Self::Preset, Self::Datum, Self::Points];
 
     /// The columns in their order; the first is the number of the row.
     pub const fn columns(self) -> &'static [Column] {
@@ -152,6 +157,7 @@ impl TableKind {
             Self::Probe => PROBE,
             Self::Preset => PRESET,
             Self::Datum => DATUM,
+            Self::Points => POINTS,
         }
     }
 
@@ -162,6 +168,7 @@ impl TableKind {
             Self::Probe => ".TP",
             Self::Preset => ".PR",
             Self::Datum => ".D",
+            Self::Points => ".PNT",
         }
     }
 
@@ -172,6 +179,7 @@ impl TableKind {
             Self::Probe => "tchprobe.tp",
             Self::Preset => "PRESET.PR",
             Self::Datum => "DATUM.D",
+            Self::Points => "POINTS.PNT",
         }
     }
 
@@ -182,6 +190,7 @@ impl TableKind {
             Self::Probe => "probe",
             Self::Preset => "preset",
             Self::Datum => "datum",
+            Self::Points => "points",
         }
     }
 
