@@ -184,12 +184,40 @@ pub struct Diagnostic {
     pub args: Vec<(&'static str, Arg)>,
     /// Other places that belong to the finding, each with a code of its own for its caption.
     pub related: Vec<(&'static str, Place)>,
+    /// What may stand there instead without changing what the program does, if anything.
+    pub fix: Option<Edit>,
+}
+
+/// A stretch of a text and what stands there instead.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    /// The stretch.
+    pub span: Span,
+    /// The new text.
+    pub text: String,
+}
+
+/// A text with edits made; of edits that overlap the first one is.
+pub fn edited(text: &str, edits: &[Edit]) -> String {
+    let mut edits: Vec<&Edit> = edits.iter().collect();
+    edits.sort_by_key(|edit| edit.span);
+    let mut out = String::with_capacity(text.len());
+    let mut at = 0;
+    for edit in edits {
+        if edit.span.start >= at {
+            out.push_str(text.get(at..edit.span.start).unwrap_or_default());
+            out.push_str(&edit.text);
+            at = edit.span.end;
+        }
+    }
+    out.push_str(text.get(at..).unwrap_or_default());
+    out
 }
 
 impl Diagnostic {
     /// An error at a place.
     pub fn error(code: &'static str, place: Place) -> Self {
-        Self { code, severity: Severity::Error, place: Some(place), args: Vec::new(), related: Vec::new() }
+        Self { code, severity: Severity::Error, place: Some(place), args: Vec::new(), related: Vec::new(), fix: None }
     }
 
     /// A warning at a place.
@@ -199,7 +227,7 @@ impl Diagnostic {
 
     /// An error about no file in particular.
     pub fn global(code: &'static str) -> Self {
-        Self { code, severity: Severity::Error, place: None, args: Vec::new(), related: Vec::new() }
+        Self { code, severity: Severity::Error, place: None, args: Vec::new(), related: Vec::new(), fix: None }
     }
 
     /// The same with one more argument for its text.
@@ -211,6 +239,12 @@ impl Diagnostic {
     /// The same with one more place.
     pub fn related(mut self, caption: &'static str, place: Place) -> Self {
         self.related.push((caption, place));
+        self
+    }
+
+    /// The same with what may stand at `span` instead.
+    pub fn fix(mut self, span: Span, text: impl Into<String>) -> Self {
+        self.fix = Some(Edit { span, text: text.into() });
         self
     }
 

@@ -5,6 +5,7 @@
 pub mod accord;
 pub mod check;
 pub mod cli;
+pub mod compare;
 pub mod conform;
 pub mod coverage;
 pub mod data;
@@ -15,6 +16,7 @@ pub mod export;
 pub mod expr;
 pub mod fields;
 pub mod label;
+pub mod layout;
 pub mod locale;
 pub mod manual;
 pub mod spec;

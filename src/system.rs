@@ -132,6 +132,51 @@ fn collect(directory: &Path, name: &str, depth: usize, files: &mut Vec<(String, 
     Ok(())
 }
 
+/// The file itself, or all files below a directory that have one of the extensions, in any case, in the order
+/// of paths. Hidden files are passed over, and links to directories are not followed.
+///
+/// # Errors
+/// `io-read` if a directory cannot be read.
+pub fn files_below(path: &Path, extensions: &[&str]) -> Result<Vec<PathBuf>, Trouble> {
+    if !path.is_dir() {
+        return Ok(vec![path.to_owned()]);
+    }
+    let mut found = Vec::new();
+    let mut open = vec![path.to_owned()];
+    while let Some(directory) = open.pop() {
+        let trouble = |error: io::Error| Trouble::new("io-read", &directory, &error);
+        for entry in fs::read_dir(&directory).map_err(trouble)? {
+            let entry = entry.map_err(trouble)?;
+            let own = entry.path();
+            let wanted = || own.extension().is_some_and(|own| extensions.iter().any(|it| own.eq_ignore_ascii_case(it)));
+            if entry.file_name().to_string_lossy().starts_with('.') {
+                continue;
+            }
+            if entry.file_type().map_err(trouble)?.is_dir() {
+                open.push(own);
+            } else if wanted() && own.is_file() {
+                found.push(own);
+            }
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// The nearest file of that name in the directory of a path or above it.
+pub fn nearest(path: &Path, name: &str) -> Option<PathBuf> {
+    let whole = fs::canonicalize(path).or_else(|_| env::current_dir()).ok()?;
+    whole.ancestors().map(|directory| directory.join(name)).find(|file| file.is_file())
+}
+
+/// The path of a file as seen from a directory, with `/`; as it is given if it lies elsewhere.
+pub fn seen_from(directory: &Path, path: &Path) -> String {
+    let whole = |path: &Path| fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let (own, root) = (whole(path), whole(directory));
+    let relative = own.strip_prefix(root).map_or_else(|_| path.to_owned(), Path::to_path_buf);
+    relative.to_string_lossy().replace('\\', "/")
+}
+
 /// The other files in the directory of a file that have an extension, in any case, by name.
 ///
 /// # Errors

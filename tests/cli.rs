@@ -252,3 +252,74 @@ fn any_file_is_parsed_and_printed_again() {
     }
     assert_eq!(run(&["parse", "no-such-file.h"]).status.code(), Some(2));
 }
+
+/// The document against the structure that the standard gives it, and its indices against each other.
+#[test]
+fn findings_as_sarif_are_what_the_standard_says() {
+    let schema: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(root().join("tests/sarif-2.1.0.json")).unwrap()).unwrap();
+    let mut compiler = boon::Compiler::new();
+    let mut schemas = boon::Schemas::new();
+    compiler.add_resource("mem:///sarif.json", schema).unwrap();
+    let index = compiler.compile("mem:///sarif.json", &mut schemas).unwrap();
+    for language in ["en", "fi", "sl", "it", "pt"] {
+        let output = run(&["--ui-lang", language, "check", "tests/cli/folder", "--format", "sarif"]);
+        assert_eq!(output.status.code(), Some(1));
+        let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        schemas.validate(&document, index).unwrap_or_else(|error| panic!("{error}"));
+        let run = &document["runs"][0];
+        let results = run["results"].as_array().unwrap();
+        assert!(results.len() >= 3 && results.iter().any(|result| result["fixes"].is_array()));
+        for result in results {
+            let rule = &run["tool"]["driver"]["rules"][result["ruleIndex"].as_u64().unwrap() as usize];
+            assert_eq!(rule["id"], result["ruleId"]);
+        }
+    }
+    let clean = run(&["check", "tests/cli/folder/good.H", "--format", "sarif"]);
+    assert_eq!(clean.status.code(), Some(0));
+    let document: serde_json::Value = serde_json::from_slice(&clean.stdout).unwrap();
+    schemas.validate(&document, index).unwrap_or_else(|error| panic!("{error}"));
+}
+
+#[test]
+fn labels_are_mended_where_they_stand() {
+    let scratch = tempfile::tempdir().unwrap();
+    let path = scratch.path().join("mixed.h");
+    let file = path.to_str().unwrap();
+    let original = std::fs::read_to_string(root().join("tests/cli/folder/old/mixed.i")).unwrap();
+    std::fs::write(&path, original.replace('\n', "\r\n")).unwrap();
+    let words = ["check", file, "--control", "tnc640", "--fix"];
+    let mended = run(&words);
+    assert_eq!(mended.status.code(), Some(0), "{}", String::from_utf8_lossy(&mended.stdout));
+    assert!(String::from_utf8_lossy(&mended.stderr).contains("2 labels were mended."));
+    let expected = original.replace("PROFONDITÀ", "DEPTH").replace("Q202=5 ;DEPTH", "Q202=5 ;PLUNGING DEPTH");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), expected.replace('\n', "\r\n"));
+    let again = run(&words);
+    assert!(String::from_utf8_lossy(&again.stderr).contains("Nothing was mended."));
+}
+
+#[test]
+fn the_document_of_a_comparison_is_described() {
+    fn keys(value: &serde_json::Value, found: &mut Vec<String>) {
+        match value {
+            serde_json::Value::Object(entries) => {
+                found.extend(entries.keys().cloned());
+                // An event has its own page.
+                entries.iter().filter(|(key, _)| *key != "event").for_each(|(_, value)| keys(value, found));
+            }
+            serde_json::Value::Array(values) => values.iter().for_each(|value| keys(value, found)),
+            _ => {}
+        }
+    }
+    let programs = ["compare", "tests/cli/bore.h", "tests/cli/bore-deeper.h", "--control", "tnc640"];
+    let execution = ["--execute", "--scene", "tests/cli/bore.scene.yaml", "--format", "json"];
+    let output = run(&[&programs[..], &execution].concat());
+    let document = serde_json::from_slice(&output.stdout).unwrap();
+    let mut found = Vec::new();
+    keys(&document, &mut found);
+    let page = std::fs::read_to_string(root().join("docs/compare.md")).unwrap();
+    assert!(found.len() > 20);
+    for key in found {
+        assert!(page.contains(&format!("`{key}`")), "docs/compare.md does not say what {key} is");
+    }
+}

@@ -199,3 +199,36 @@ proptest! {
         prop_assert_eq!(now, canonical);
     }
 }
+
+/// Labels in a language that has no locale are known by their form, other comments stay.
+#[test]
+fn unknown_labels_are_replaced_when_asked_for() {
+    let data = Data::new();
+    let german = "\
+2 CYCL DEF 200 BOHREN ~
+  Q200=2 ;SICHERHEITS-ABST. ~
+  Q201=-15 ;TIEFE ~
+  Q206=250 ;Vorschub langsam ~
+  Q202=5 ;DEPTH ~
+  Q5=1 ;UNBEKANNT
+3 L X+10 ;TIEFE
+";
+    let english = "\
+2 CYCL DEF 200 DRILLING ~
+  Q200=2 ;SET-UP CLEARANCE ~
+  Q201=-15 ;DEPTH ~
+  Q206=250 ;Vorschub langsam ~
+  Q202=5 ;DEPTH ~
+  Q5=1 ;UNBEKANNT
+3 L X+10 ;TIEFE
+";
+    let on = data.catalogue.on("tnc640").expect("the control");
+    let labels = LabelBook::new(on, &data.locales);
+    let against = Against { catalogue: &data.catalogue, on, labels: &labels, language: None, readers: &[] };
+    let program = parse(&Source::new("program.h", german));
+    let translation = ciklo::translate::relabel(&program, &against, "en", UTF_8);
+    assert_else_unchanged(german, &translation);
+    assert_eq!(translation.text, english);
+    // Without being asked, only what is known to be a label changes.
+    assert_eq!(data.translate("tnc640", german, "en", UTF_8).text, german);
+}

@@ -46,7 +46,6 @@ cli-export = Print all cycles of a control in a language, as JSON
 
 cli-arg-cycle = Number of the cycle, such as 412 or TCH PROBE 412
 cli-arg-file = NC program; “-” reads standard input
-cli-arg-files = NC programs; “-” reads standard input
 cli-arg-control = Control, such as tnc640
 cli-arg-lang = Language, such as fi
 cli-arg-scene = Scene file: machine, tools, workpiece
@@ -72,10 +71,12 @@ cli-examples-parse =
     ciklo parse part.h --print > copy.h
 cli-examples-check =
     ciklo check part.h --control tnc640
-    ciklo check *.h --control itnc530 --format json
+    ciklo check programs --control itnc530 --format sarif > findings.sarif
+    ciklo check programs --fix
 cli-examples-translate =
     ciklo translate part.h --to it > pezzo.h
     ciklo translate part.h --to pt --control tnc426-430 --out peca.h
+    ciklo translate teil.h --to en --relabel
 cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events

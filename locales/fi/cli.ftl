@@ -41,7 +41,6 @@ cli-export = Tulosta ohjauksen kaikki työkierrot yhdellä kielellä JSON-muodos
 
 cli-arg-cycle = Työkierron numero, esimerkiksi 412 tai TCH PROBE 412
 cli-arg-file = NC-ohjelma; ”-” tarkoittaa vakiosyötettä
-cli-arg-files = NC-ohjelmat; ”-” tarkoittaa vakiosyötettä
 cli-arg-control = Ohjaus, esimerkiksi tnc640
 cli-arg-lang = Kieli, esimerkiksi fi
 cli-arg-scene = Asetelmatiedosto: kone, työkalut, työkappale
@@ -66,10 +65,12 @@ cli-examples-parse =
     ciklo parse part.h --print > copy.h
 cli-examples-check =
     ciklo check part.h --control tnc640
-    ciklo check *.h --control itnc530 --format json
+    ciklo check programs --control itnc530 --format sarif > findings.sarif
+    ciklo check programs --fix
 cli-examples-translate =
     ciklo translate part.h --to it > pezzo.h
     ciklo translate part.h --to pt --control tnc426-430 --out peca.h
+    ciklo translate teil.h --to en --relabel
 cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events

@@ -41,7 +41,6 @@ cli-export = Stampa tutti i cicli di un controllo numerico in una lingua, come J
 
 cli-arg-cycle = Numero del ciclo, ad esempio 412 o TCH PROBE 412
 cli-arg-file = Programma NC; «-» legge l’ingresso standard
-cli-arg-files = Programmi NC; «-» legge l’ingresso standard
 cli-arg-control = Controllo numerico, ad esempio tnc640
 cli-arg-lang = Lingua, ad esempio fi
 cli-arg-scene = File della scena: macchina, utensili, pezzo
@@ -66,10 +65,12 @@ cli-examples-parse =
     ciklo parse part.h --print > copy.h
 cli-examples-check =
     ciklo check part.h --control tnc640
-    ciklo check *.h --control itnc530 --format json
+    ciklo check programs --control itnc530 --format sarif > findings.sarif
+    ciklo check programs --fix
 cli-examples-translate =
     ciklo translate part.h --to it > pezzo.h
     ciklo translate part.h --to pt --control tnc426-430 --out peca.h
+    ciklo translate teil.h --to en --relabel
 cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events

@@ -41,7 +41,6 @@ cli-export = Mostra todos os ciclos de um comando numérico num idioma, como JSO
 
 cli-arg-cycle = Número do ciclo, por exemplo 412 ou TCH PROBE 412
 cli-arg-file = Programa NC; «-» lê a entrada padrão
-cli-arg-files = Programas NC; «-» lê a entrada padrão
 cli-arg-control = Comando numérico, por exemplo tnc640
 cli-arg-lang = Idioma, por exemplo fi
 cli-arg-scene = Ficheiro do cenário: máquina, ferramentas, peça
@@ -66,10 +65,12 @@ cli-examples-parse =
     ciklo parse part.h --print > copy.h
 cli-examples-check =
     ciklo check part.h --control tnc640
-    ciklo check *.h --control itnc530 --format json
+    ciklo check programs --control itnc530 --format sarif > findings.sarif
+    ciklo check programs --fix
 cli-examples-translate =
     ciklo translate part.h --to it > pezzo.h
     ciklo translate part.h --to pt --control tnc426-430 --out peca.h
+    ciklo translate teil.h --to en --relabel
 cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events

@@ -41,7 +41,6 @@ cli-export = Izpiše vse cikle krmiljenja v enem jeziku kot JSON
 
 cli-arg-cycle = Številka cikla, na primer 412 ali TCH PROBE 412
 cli-arg-file = NC-program; »-« pomeni standardni vhod
-cli-arg-files = NC-programi; »-« pomeni standardni vhod
 cli-arg-control = Krmiljenje, na primer tnc640
 cli-arg-lang = Jezik, na primer fi
 cli-arg-scene = Datoteka prizorišča: stroj, orodja, obdelovanec
@@ -66,10 +65,12 @@ cli-examples-parse =
     ciklo parse part.h --print > copy.h
 cli-examples-check =
     ciklo check part.h --control tnc640
-    ciklo check *.h --control itnc530 --format json
+    ciklo check programs --control itnc530 --format sarif > findings.sarif
+    ciklo check programs --fix
 cli-examples-translate =
     ciklo translate part.h --to it > pezzo.h
     ciklo translate part.h --to pt --control tnc426-430 --out peca.h
+    ciklo translate teil.h --to en --relabel
 cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events

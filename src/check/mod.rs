@@ -3,6 +3,8 @@
 //! [`Facts`] reads off a program what the rules need, once; each rule under `rules/` is one file with
 //! one code, registered in [`RULES`]. Invariant: a rule speaks only where it is certain. What depends
 //! on the run of the program (jumps, parameters calculated, machine data) keeps it silent.
+mod allow;
+mod config;
 mod facts;
 mod fields;
 mod guards;
@@ -10,6 +12,8 @@ mod labels;
 mod rules;
 mod values;
 
+pub use allow::CODES as ALLOW_CODES;
+pub use config::{Config, Known, Settings};
 pub use facts::{Definition, Event, Facts, Flow, Item};
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels};
 pub use rules::RULES;
@@ -65,6 +69,7 @@ pub fn check(program: &Program, against: &Against<'_>) -> Vec<Diagnostic> {
     for rule in RULES {
         (rule.run)(rule, &facts, &mut found);
     }
+    allow::apply(program, against, &mut found);
     found.sort_by_key(|diagnostic| diagnostic.place.as_ref().map(|place| (place.span.start, place.span.end)));
     found
 }

@@ -1,57 +1,234 @@
 //! `ciklo check`: what a control would object to in programs.
-use std::path::Path;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use clap::ArgMatches;
 
+use super::progress::Progress;
 use super::session::Session;
-use super::{Command, Failure, Outcome, arguments, cycle, program};
-use crate::check::{self, Against, LabelBook};
-use crate::locale::{Language, Ui};
+use super::{Command, Failure, Outcome, annotations, arguments, cycle, mend, program};
+use crate::check::{self, Against, Config, LabelBook, Settings};
+use crate::diag::{Diagnostic, Severity, Source};
+use crate::locale::{Args, Language, Locales, Scope, Ui};
+use crate::spec::{Catalogue, OnControl};
+use crate::system;
 
-pub(super) const COMMAND: Command =
-    Command { name: "check", usage: "FILE… --control CONTROL [--lang LANG] [--format FORMAT]", arguments: own, run };
+pub(super) const COMMAND: Command = Command {
+    name: "check",
+    usage: "PATH… [--control CONTROL] [--lang LANG] [--config FILE] [--fix] [--format FORMAT]",
+    arguments: own,
+    run,
+};
+
+/// Extensions of the programs that are looked for in folders.
+pub(super) const PROGRAMS: [&str; 2] = ["h", "i"];
+/// The file with settings, looked for in the folder of each program and above it.
+const CONFIG: &str = "ciklo.toml";
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
-        arguments::words(ui, "file", "FILE", "cli-arg-files"),
-        arguments::control(ui),
+        arguments::words(ui, "file", "PATH", "cli-check-path"),
+        arguments::valued(ui, "control", "CONTROL", "cli-check-control"),
         arguments::valued(ui, "lang", "LANG", "cli-check-lang"),
-        arguments::format(ui, &["text", "json"]),
+        arguments::valued(ui, "config", "FILE", "cli-check-config"),
+        arguments::switch(ui, "fix", "cli-check-fix"),
+        arguments::format(ui, &["text", "json", "sarif", "github"]).help(ui.text("cli-check-format", &Args::new())),
     ]
 }
 
+/// A program to check.
+struct Job<'c> {
+    path: PathBuf,
+    on: &'c OnControl,
+    settings: Settings,
+}
+
+/// What came of it.
+type Checked = Result<(Vec<Diagnostic>, usize), Failure>;
+
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
-    let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
-    let language = matches.get_one::<String>("lang").map(|tag| cycle::language(&locales, tag)).transpose()?;
     let readers: Vec<&Language> =
         [locales.language(session.ui.tag()).ok(), locales.source()].into_iter().flatten().collect();
-    let against = Against {
-        catalogue: &catalogue,
-        on,
-        labels: &LabelBook::new(on, &locales),
-        language: language.map(Language::tag),
-        readers: &readers,
-    };
-    let mut found = Vec::new();
-    let mut unreadable = None;
-    for name in arguments::all(matches, "file") {
-        match program::read(Path::new(&name)) {
-            Ok(file) => found.extend(check::check(&file.program, &against)),
-            Err(Failure::Trouble(trouble)) => {
-                // The other files are checked all the same.
-                if let Some(before) = unreadable.replace(trouble) {
-                    session.output.complain(&before, &session.ui);
-                }
+    let (jobs, mut troubles) = jobs(session, matches, &catalogue, &locales)?;
+    let fix = matches.get_flag("fix");
+    let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), jobs.len());
+    let results = all(&jobs, &progress, |job, books| {
+        let labels = books.entry(job.on.id().to_owned()).or_insert_with(|| LabelBook::new(job.on, &locales));
+        let language = job.settings.language.as_deref();
+        let against = Against { catalogue: &catalogue, on: job.on, labels, language, readers: &readers };
+        let (mut found, fixed) = if fix {
+            mend::file(&job.path, &against, &job.settings)?
+        } else {
+            (check::check(&program::read(&job.path)?.program, &against), 0)
+        };
+        job.settings.apply(&mut found);
+        Ok((found, fixed))
+    });
+    drop(progress);
+    let (mut found, mut fixed, mut wrong) = (Vec::new(), 0, 0);
+    for result in results {
+        match result {
+            Ok((own, mended)) => {
+                fixed += mended;
+                wrong += usize::from(own.iter().any(|diagnostic| diagnostic.severity == Severity::Error));
+                found.extend(own);
             }
+            // The other files are checked all the same.
+            Err(Failure::Trouble(trouble)) => troubles.push(*trouble),
             Err(failure) => return Err(failure),
         }
     }
+    let troubled = !troubles.is_empty();
     // Nothing was found only where everything could be read.
-    let silent = found.is_empty() && unreadable.is_some();
-    let errors = !silent && session.report(found, arguments::chosen_format(matches))?;
-    match unreadable {
-        Some(trouble) => Err(Failure::Trouble(trouble)),
+    let silent = found.is_empty() && troubled;
+    let format = arguments::chosen_format(matches);
+    let errors = found.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
+    match format {
+        "sarif" => annotations::sarif(session, found)?,
+        "github" => annotations::github(session, found)?,
+        _ if silent => {}
+        _ => {
+            session.report(found, format)?;
+        }
+    }
+    if matches!(format, "text" | "github") {
+        if fix {
+            let line = session.ui.text("cli-fixed", &Args::new().number("count", fixed as f64));
+            session.output.remark(&line);
+        }
+        if jobs.len() > 1 {
+            let args = Args::new().number("files", jobs.len() as f64).number("wrong", wrong as f64);
+            let line = session.ui.text("cli-checked", &args);
+            session.output.remark(&line);
+        }
+    }
+    let last = troubles.pop();
+    troubles.iter().for_each(|trouble| session.output.complain(trouble, &session.ui));
+    match last {
+        Some(trouble) => Err(trouble.into()),
         None => Ok(if errors { Outcome::Errors } else { Outcome::Clean }),
     }
+}
+
+/// The programs that are meant, each with its control and settings, and what could not be found.
+fn jobs<'c>(
+    session: &Session,
+    matches: &ArgMatches,
+    catalogue: &'c Catalogue,
+    locales: &Locales,
+) -> Result<(Vec<Job<'c>>, Vec<Diagnostic>), Failure> {
+    let asked = matches.get_one::<String>("control").map(|id| cycle::control(catalogue, id)).transpose()?;
+    let language = matches.get_one::<String>("lang").map(|tag| cycle::language(locales, tag)).transpose()?;
+    let mut configs = Configs {
+        given: matches.get_one::<String>("config").map(PathBuf::from),
+        near: BTreeMap::new(),
+        read: BTreeMap::new(),
+    };
+    let (mut jobs, mut troubles) = (Vec::new(), Vec::new());
+    for name in arguments::all(matches, "file") {
+        let paths = match system::files_below(Path::new(&name), &PROGRAMS) {
+            Ok(paths) => paths,
+            Err(trouble) => {
+                troubles.push(Diagnostic::from(trouble));
+                continue;
+            }
+        };
+        for path in paths {
+            let mut settings = configs.of(&path, session, catalogue, locales)?;
+            settings.language = language.map(|own| own.tag().to_owned()).or(settings.language);
+            let named = settings.control.as_deref().and_then(|id| catalogue.on(id));
+            match asked.or(named) {
+                Some(on) => jobs.push(Job { path, on, settings }),
+                None => {
+                    troubles.push(Diagnostic::global("check-no-control").arg("path", path.display().to_string()));
+                    return Ok((jobs, troubles));
+                }
+            }
+        }
+    }
+    Ok((jobs, troubles))
+}
+
+/// Files with settings, each read once.
+struct Configs {
+    given: Option<PathBuf>,
+    /// The file that is nearest to a folder.
+    near: BTreeMap<PathBuf, Option<PathBuf>>,
+    read: BTreeMap<PathBuf, Config>,
+}
+
+impl Configs {
+    fn of(
+        &mut self,
+        path: &Path,
+        session: &Session,
+        catalogue: &Catalogue,
+        locales: &Locales,
+    ) -> Result<Settings, Failure> {
+        let folder = match path.parent() {
+            Some(folder) if folder != Path::new("") => folder.to_owned(),
+            _ => PathBuf::from("."),
+        };
+        let file = match &self.given {
+            Some(given) => Some(given.clone()),
+            None => self.near.entry(folder).or_insert_with_key(|folder| system::nearest(folder, CONFIG)).clone(),
+        };
+        let Some(file) = file else { return Ok(Settings::default()) };
+        if !self.read.contains_key(&file) {
+            let config = config(&file, session, catalogue, locales)?;
+            self.read.insert(file.clone(), config);
+        }
+        let root = match file.parent() {
+            Some(root) if root != Path::new("") => root,
+            _ => Path::new("."),
+        };
+        Ok(self.read.get(&file).map(|config| config.of(&system::seen_from(root, path))).unwrap_or_default())
+    }
+}
+
+fn config(file: &Path, session: &Session, catalogue: &Catalogue, locales: &Locales) -> Result<Config, Failure> {
+    let name = file.display().to_string();
+    let bytes = system::read(file)?;
+    let text = String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", name.as_str()))?;
+    let codes = session.ui.codes("diag-");
+    let guard = |code: &str| {
+        let key = format!("guard-{code}");
+        locales.source().is_some_and(|language| language.has(key.as_str(), &Scope::NONE))
+    };
+    let rules = |code: &str| codes.contains(&code) || guard(code);
+    let controls = |id: &str| catalogue.on(id).is_some();
+    let languages = |tag: &str| locales.language(tag).is_ok();
+    Config::parse(&Source::new(name, text), &rules, &controls, &languages).map_err(Failure::Data)
+}
+
+/// Carries out all jobs on all cores; what comes of them is in their order.
+fn all<'l>(
+    jobs: &[Job<'l>],
+    progress: &Progress,
+    work: impl Fn(&Job<'l>, &mut BTreeMap<String, LabelBook<'l>>) -> Checked + Sync,
+) -> Vec<Checked> {
+    let next = AtomicUsize::new(0);
+    let results: Mutex<Vec<Option<Checked>>> = Mutex::new(jobs.iter().map(|_| None).collect());
+    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(jobs.len().max(1));
+    std::thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(|| {
+                let mut books = BTreeMap::new();
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(job) = jobs.get(index) else { break };
+                    let result = work(job, &mut books);
+                    progress.step();
+                    let mut all = results.lock().unwrap_or_else(PoisonError::into_inner);
+                    if let Some(cell) = all.get_mut(index) {
+                        *cell = Some(result);
+                    }
+                }
+            });
+        }
+    });
+    results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect()
 }

@@ -4,9 +4,11 @@
 use clap::ArgMatches;
 
 use super::Failure;
+use crate::check::{self, Against, LabelBook};
 use crate::diag::Diagnostic;
 use crate::locale::{Language, Locales};
 use crate::spec::{Catalogue, Cycle, CycleKey, Known, OnControl};
+use crate::syntax::Program;
 
 /// The control of `--control`.
 pub(super) fn control<'c>(catalogue: &'c Catalogue, id: &str) -> Result<&'c OnControl, Failure> {
@@ -70,4 +72,17 @@ fn parse(words: &str) -> Option<(String, u32)> {
     let mut words: Vec<&str> = words.split_whitespace().collect();
     let number = words.pop()?.parse().ok()?;
     Some((words.join(" "), number))
+}
+
+/// Findings that say that a control does not have a cycle as the program writes it.
+const FOREIGN: [&str; 3] = ["unknown-cycle", "cycle-not-on-control", "cycle-not-described"];
+
+/// The control that knows most cycles of the program and otherwise objects least to it.
+pub(super) fn likeliest<'c>(program: &Program, catalogue: &'c Catalogue, locales: &Locales) -> Option<&'c OnControl> {
+    catalogue.controls.values().min_by_key(|on| {
+        let labels = LabelBook::new(on, locales);
+        let against = Against { catalogue, on, labels: &labels, language: None, readers: &[] };
+        let found = check::check(program, &against);
+        (found.iter().filter(|diagnostic| FOREIGN.contains(&diagnostic.code)).count(), found.len())
+    })
 }

@@ -4,17 +4,23 @@
 //! (wrong words on the command line, a file that cannot be read or written). Invariant: only this
 //! module and `system` touch files, environment and terminal, and no command holds knowledge that a
 //! library module could hold.
+mod annotations;
 mod arguments;
 mod block;
 mod build;
 mod check;
+mod compare;
+mod completions;
 mod conform;
 mod coverage;
 mod cycle;
 mod dialog;
 mod explain;
 mod export;
+mod fmt;
 mod lint;
+mod man;
+mod mend;
 mod parse;
 mod plot;
 mod program;
@@ -91,6 +97,8 @@ static COMMANDS: &[Command] = &[
     parse::COMMAND,
     check::COMMAND,
     translate::COMMAND,
+    compare::COMMAND,
+    fmt::COMMAND,
     run::COMMAND,
     plot::COMMAND,
     conform::COMMAND,
@@ -99,6 +107,8 @@ static COMMANDS: &[Command] = &[
     schema::COMMAND,
     explain::COMMAND,
     export::COMMAND,
+    completions::COMMAND,
+    man::COMMAND,
 ];
 
 const EXIT_ERRORS: u8 = 1;

@@ -2,6 +2,7 @@
 //!
 //! Invariant: any file is a program; only one that cannot be read at all is refused.
 use std::path::Path;
+use std::sync::Arc;
 
 use super::Failure;
 use crate::diag::{Diagnostic, Place, Source};
@@ -24,6 +25,11 @@ pub(super) fn read(path: &Path) -> Result<File, Failure> {
 
 /// What to say of a character that the file's encoding does not have.
 pub(super) fn not_encodable(sign: char, file: &File) -> Diagnostic {
-    let place = Place::new(file.program.source(), 0..0);
+    unwritable(sign, file.program.source())
+}
+
+/// The same of the source of a program.
+pub(super) fn unwritable(sign: char, source: &Arc<Source>) -> Diagnostic {
+    let place = Place::new(source, 0..0);
     Diagnostic::error("not-encodable", place).arg("sign", sign.to_string())
 }

@@ -148,7 +148,8 @@ pub(super) fn json(document: &impl serde::Serialize) -> Result<String, Failure> 
     Ok(text + "\n")
 }
 
-fn place_key(diagnostic: &Diagnostic) -> (Option<&str>, usize, &'static str) {
+/// The order of findings: by file and place.
+pub(super) fn place_key(diagnostic: &Diagnostic) -> (Option<&str>, usize, &'static str) {
     let place = diagnostic.place.as_ref();
     (place.map(|place| place.source.name()), place.map_or(0, |place| place.span.start), diagnostic.code)
 }

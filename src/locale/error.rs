@@ -77,6 +77,7 @@ impl From<LocaleError> for Diagnostic {
             place: error.place,
             args: Vec::new(),
             related: Vec::new(),
+            fix: None,
         };
         let diagnostic = diagnostic.arg("language", error.language).arg("key", error.key);
         match error.fault {

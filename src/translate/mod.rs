@@ -34,8 +34,26 @@ pub struct Change {
 
 /// Writes a program's names and labels in the language `to`.
 pub fn translate(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding) -> Translation {
+    write(program, against, to, encoding, false)
+}
+
+/// As [`translate`], and whatever has the form of a label where one stands is one, in a language that is not known
+/// here or of an older software: cycles and parameters are known by their numbers anyway. A label of another
+/// parameter of the cycle stays, for it may tell of a mistake.
+pub fn relabel(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding) -> Translation {
+    write(program, against, to, encoding, true)
+}
+
+/// Whether a text looks like a label: letters in capitals, no longer than labels of the control are.
+fn is_label(text: &str, most: u32) -> bool {
+    let letters = text.chars().filter(|c| c.is_alphabetic());
+    letters.count() > 1 && !text.chars().any(char::is_lowercase) && text.chars().count() <= most as usize
+}
+
+fn write(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding, relabel: bool) -> Translation {
     let facts = Facts::of(program, against);
     let mut writer = Writer { facts: &facts, to, encoding, changes: Vec::new(), diagnostics: Vec::new() };
+    let most = against.on.control.label.max_length;
     for (definition, _) in facts.described() {
         let Some(labels) = facts.labels(definition) else { continue };
         let own = |pick: &dyn Fn(&crate::check::LanguageLabels) -> Option<usize>| {
@@ -45,11 +63,14 @@ pub fn translate(program: &Program, against: &Against<'_>, to: &str, encoding: E
         let key = definition.key.to_string();
         if let Some(name) = definition.view.name {
             let known = own(&|language| language.name.matches(facts.text(name)).then_some(0));
+            let known = known || (relabel && is_label(facts.text(name), most));
             writer.replace(name, known, target.map(|target| &target.name), &key, &key);
         }
         for item in &definition.items {
             let (Some(index), Some(span)) = (item.index, item.label) else { continue };
             let known = own(&|language| language.params.get(index)?.matches(facts.text(span)).then_some(index));
+            let other = || own(&|language| language.params.iter().position(|label| label.matches(facts.text(span))));
+            let known = known || (relabel && is_label(facts.text(span), most) && !other());
             writer.replace(span, known, target.and_then(|target| target.params.get(index)), &item.name, &key);
         }
     }

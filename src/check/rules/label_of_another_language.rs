@@ -23,7 +23,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let right = labels.language(language).and_then(|language| language.params.get(own));
             let Some(right) = right.and_then(|labels| labels.label.as_deref()) else { continue };
             let finding = rule.at(facts, span).arg("label", printed).arg("parameter", item.name.as_ref());
-            found.push(finding.arg("language", speaking.join(", ")).arg("right", right));
+            found.push(finding.arg("language", speaking.join(", ")).arg("right", right).fix(span, right));
         }
     }
 }

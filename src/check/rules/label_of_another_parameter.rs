@@ -23,7 +23,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let other = spoken.params.iter().position(|labels| labels.matches_folded(folded));
             if let Some(other) = other.and_then(|index| cycle.params.get(index)) {
                 let finding = rule.at(facts, span).arg("label", printed).arg("parameter", item.name.as_ref());
-                found.push(finding.arg("other", other.label_in(definition.key.number)));
+                let finding = finding.arg("other", other.label_in(definition.key.number));
+                // The number is what the control reads: the comment is made to say what it does.
+                let right = spoken.params.get(own).and_then(|labels| labels.label.as_deref());
+                found.push(match right {
+                    Some(right) => finding.fix(span, right),
+                    None => finding,
+                });
             }
         }
     }

@@ -31,6 +31,7 @@ mod stud;
 mod stylus;
 mod thread;
 mod tilt;
+mod trace;
 mod turn;
 mod unit;
 mod world;
@@ -44,6 +45,7 @@ pub use coordinates::System;
 pub use event::{At, Content, Coordinates, Event, EventKind, FORMAT, MessageKind, MoveKind, Probing, Status, Turned};
 pub use fault::{CODES, Class, Fault};
 pub use params::Params;
+pub use trace::{Trace, Traced};
 pub use world::Tool;
 
 use super::plan::{self, Plan, Sentence};

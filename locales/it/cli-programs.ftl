@@ -1,0 +1,71 @@
+# La riga di comando: confrontare, verificare, correggere e impaginare i programmi.
+
+cli-compare = Dimostra che due programmi sono uguali per un controllo numerico o mostra dove differiscono
+cli-compare-a = Programma NC
+cli-compare-b = Programma NC con cui confrontarlo
+cli-compare-control = Controllo numerico dei due programmi (predefinito: quello di cui il primo contiene i cicli)
+cli-compare-execute = Esegue entrambi nella scena e confronta ciò che accade
+cli-examples-compare =
+    ciklo compare part.h pezzo.h
+    ciklo compare part.h pezzo.h --control tnc640 --execute --scene part.scene.yaml
+cli-compared = { $count ->
+        [0] I programmi sono uguali, salvo etichette, commenti, numerazione, spazi e modo di scrivere i numeri.
+        [one] I programmi differiscono in { $count } punto.
+       *[other] I programmi differiscono in { $count } punti.
+    }
+cli-compare-executed = { $verdict ->
+        [same] { $count ->
+            [one] Accade la stessa cosa: { $count } evento.
+           *[other] Accade la stessa cosa: { $count } eventi.
+        }
+        [different] Accade qualcos’altro.
+       *[unproved] Accade la stessa cosa fin dove i programmi si possono eseguire; altro non è dimostrato.
+    }
+
+cli-check-path = Programmi NC, o cartelle di cui si verificano i programmi (.h, .i); «-» legge l’ingresso standard
+cli-check-control = Controllo numerico dei programmi (predefinito: quello di ciklo.toml)
+cli-check-config = File con le impostazioni (predefinito: ciklo.toml nella cartella di ogni programma o sopra di essa)
+cli-check-fix = Corregge ciò che si può correggere senza cambiare quel che fa il programma: le etichette
+cli-check-format = Forma dell’uscita: text (predefinita), json, sarif, github
+cli-checking = Programmi
+cli-checked = Programmi verificati: { $files }, { $wrong ->
+        [0] nessuno con errori.
+       *[other] con errori: { $wrong }.
+    }
+cli-fixed = { $count ->
+        [0] Non è stato corretto nulla.
+        [one] Corretta { $count } etichetta.
+       *[other] Corrette { $count } etichette.
+    }
+diag-check-no-control = Il controllo numerico di { $path } non è noto: --control, oppure control in ciklo.toml.
+diag-fix-no-file = L’ingresso standard non si può correggere: indicare un file.
+diag-fix-file-changed = { $path } è stato modificato nel frattempo da altri; resta com’è.
+diag-fix-changes-program = { $path } non sarebbe più lo stesso programma; resta com’è.
+diag-config-syntax = Questo non è TOML.
+diag-config-unknown-key = L’impostazione «{ $key }» non esiste; esistono control, lang, rules e folder.
+diag-config-unknown-rule = La regola «{ $key }» non esiste; «ciklo explain» le elenca tutte.
+diag-config-unknown-word = { $expected } non può stare in { $key }.
+diag-config-value = Qui { $key } richiede altro: { $expected }.
+diag-allow-without-reason = Questo commento revoca { $rule } senza un motivo, quindi non ha effetto.
+diag-allow-unknown-rule = La regola «{ $rule }» da revocare non esiste.
+diag-allow-unused = { $rule } qui non rileva nulla; il commento si può togliere.
+explain-allow-without-reason = Un commento «; ciklo: allow REGOLA motivo» revoca i rilievi di una regola nel blocco dietro al quale si trova o, su una riga propria, nel blocco che segue. Senza motivo non ha effetto.
+explain-allow-unknown-rule = La parola dopo «allow» non è una regola della verifica né una condizione. ciklo explain elenca tutti i codici.
+explain-allow-unused = Il commento non revoca nulla: la regola non rileva nulla nel blocco a cui il commento si riferisce, o non su questo controllo numerico.
+
+cli-translate-relabel = Considera etichetta tutto ciò che ne ha la forma, anche in una lingua qui sconosciuta
+cli-fmt = Impagina i programmi dove si trovano: numeri, colonne, segni
+cli-fmt-path = Programmi NC, o cartelle di cui si impaginano i programmi (.h, .i); «-» legge l’ingresso standard e scrive sull’uscita standard
+cli-fmt-check = Non scrive nulla; nomina i programmi che cambierebbero
+cli-examples-fmt =
+    ciklo fmt part.h
+    ciklo fmt programs --check
+cli-completions = Stampa ciò che serve a una shell per completare le parole della riga di comando
+cli-completions-shell = Shell: bash, elvish, fish, powershell, zsh
+cli-examples-completions =
+    ciklo completions bash > ~/.local/share/bash-completion/completions/ciklo
+cli-man = Stampa la pagina per man, in inglese
+cli-man-out = Cartella per la pagina e per quella di ogni comando
+cli-examples-man =
+    ciklo man > ciklo.1
+    ciklo man --out man1

@@ -1,0 +1,114 @@
+//! Comments that take a finding back: `; ciklo: allow RULE reason`.
+//!
+//! Behind a block such a comment speaks for that block, on a line of its own for the block that follows.
+//! Invariant: without a reason nothing is taken back, and a comment that takes nothing back is told.
+use super::{Against, RULES};
+use crate::diag::{Diagnostic, Place, Severity, Span};
+use crate::locale::Scope;
+use crate::syntax::{Block, BlockKind, Program};
+
+/// What such a comment begins with, in any case.
+const MARK: &str = "ciklo:";
+const VERB: &str = "allow";
+
+/// Codes of findings about such comments.
+pub const CODES: [&str; 3] = ["allow-without-reason", "allow-unknown-rule", "allow-unused"];
+
+/// A comment that takes back findings of a rule.
+struct Allowance {
+    place: Span,
+    rule: String,
+    reason: bool,
+    /// The block that it speaks for.
+    block: Option<Span>,
+    used: bool,
+}
+
+/// Takes back what the program's comments allow, and adds what is wrong with them.
+pub(super) fn apply(program: &Program, against: &Against<'_>, found: &mut Vec<Diagnostic>) {
+    if !holds(program.source().text(), MARK) {
+        return;
+    }
+    let mut all = allowances(program);
+    found.retain(|diagnostic| {
+        let Some(place) = &diagnostic.place else { return true };
+        let speaks = |own: &&mut Allowance| {
+            let inside = own.block.is_some_and(|block| block.start <= place.span.start && place.span.start < block.end);
+            own.reason && inside && own.rule == diagnostic.code
+        };
+        let mut kept = true;
+        for own in all.iter_mut().filter(speaks) {
+            own.used = true;
+            kept = false;
+        }
+        kept
+    });
+    for own in &all {
+        let (code, severity) = match own {
+            own if !is_rule(&own.rule, against) => ("allow-unknown-rule", Severity::Warning),
+            own if !own.reason => ("allow-without-reason", Severity::Warning),
+            own if !own.used => ("allow-unused", Severity::Note),
+            _ => continue,
+        };
+        let place = Place::new(program.source(), own.place);
+        found.push(Diagnostic { severity, ..Diagnostic::error(code, place) }.arg("rule", own.rule.as_str()));
+    }
+}
+
+/// Whether findings can have that code.
+fn is_rule(code: &str, against: &Against<'_>) -> bool {
+    let readers = against.readers;
+    let guard = || {
+        let key = format!("guard-{code}");
+        readers.is_empty() || readers.iter().any(|language| language.has(key.as_str(), &Scope::NONE))
+    };
+    code.starts_with("syntax-") || RULES.iter().any(|rule| rule.code == code) || guard()
+}
+
+fn holds(text: &str, mark: &str) -> bool {
+    text.as_bytes().windows(mark.len()).any(|own| own.eq_ignore_ascii_case(mark.as_bytes()))
+}
+
+fn allowances(program: &Program) -> Vec<Allowance> {
+    let mut all: Vec<Allowance> = Vec::new();
+    // Those on lines of their own that wait for their block.
+    let mut waiting = 0;
+    for block in program.blocks() {
+        collect(program, block, &mut all);
+        if !matches!(block.kind, BlockKind::Comment | BlockKind::Empty) {
+            all.iter_mut().skip(waiting).for_each(|allowance| allowance.block = Some(block.span));
+            waiting = all.len();
+        }
+    }
+    all
+}
+
+fn collect(program: &Program, block: &Block, all: &mut Vec<Allowance>) {
+    let text = program.slice(block.span);
+    if !holds(text, MARK) {
+        return;
+    }
+    let mut at = block.span.start;
+    for line in text.split_inclusive(['\n', '\r']) {
+        let comment = line.match_indices(';').find_map(|(from, _)| {
+            let rest = line.get(from + 1..)?.trim_start_matches([';', ' ', '\t']);
+            let (mark, words) = rest.split_at_checked(MARK.len())?;
+            mark.eq_ignore_ascii_case(MARK).then_some((from, words))
+        });
+        if let Some((from, words)) = comment {
+            let words = words.trim().trim_end_matches('~');
+            let mut words = words.split_whitespace();
+            if words.next().is_some_and(|verb| verb.eq_ignore_ascii_case(VERB)) {
+                let end = at + line.trim_end().len();
+                all.push(Allowance {
+                    place: Span::new(at + from, end),
+                    rule: words.next().unwrap_or_default().to_ascii_lowercase(),
+                    reason: words.next().is_some(),
+                    block: None,
+                    used: false,
+                });
+            }
+        }
+        at += line.len();
+    }
+}

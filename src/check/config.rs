@@ -1,0 +1,279 @@
+//! `ciklo.toml`: which control programs are for, and how bad each finding is.
+//!
+//! What stands at the top is for all programs below the file's folder, `[[folder]]` for those that match its
+//! `path`; what comes later wins. Invariant: a key, rule, control or severity that means nothing is an error
+//! at its place; nothing is passed over.
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::RULES;
+use super::allow::CODES;
+use crate::diag::{Diagnostic, Place, Severity, Source};
+
+/// The words for severities; `off` leaves the finding out.
+const LEVELS: [(&str, Option<Severity>); 4] = [
+    ("error", Some(Severity::Error)),
+    ("warning", Some(Severity::Warning)),
+    ("note", Some(Severity::Note)),
+    ("off", None),
+];
+
+/// The word for all guards of the specifications.
+const GUARD: &str = "guard";
+
+/// What the file says.
+#[derive(Clone, Debug, Default)]
+pub struct Config {
+    all: Settings,
+    folders: Vec<(Vec<String>, Settings)>,
+}
+
+/// What it says for one program.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Settings {
+    /// The control.
+    pub control: Option<String>,
+    /// The language of the labels.
+    pub language: Option<String>,
+    /// Severities by code; nothing for findings that are left out.
+    pub rules: BTreeMap<String, Option<Severity>>,
+}
+
+/// Says whether a word is known.
+pub type Known<'k> = &'k dyn Fn(&str) -> bool;
+
+impl Config {
+    /// Reads the file. `rules`, `controls` and `languages` say which words there are.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub fn parse(
+        source: &Arc<Source>,
+        rules: Known<'_>,
+        controls: Known<'_>,
+        languages: Known<'_>,
+    ) -> Result<Self, Vec<Diagnostic>> {
+        let mut reader = Reader { source, rules, controls, languages, found: Vec::new() };
+        let mut config = Self::default();
+        match DeTable::parse(source.text()) {
+            Err(error) => {
+                let span = error.span().unwrap_or(0..0);
+                reader.found.push(Diagnostic::error("config-syntax", Place::new(source, span)));
+            }
+            Ok(table) => {
+                config.all = reader.settings(table.get_ref(), &["folder"]);
+                match table.get_ref().get("folder").map(|value| (value.get_ref(), value.span())) {
+                    None => {}
+                    Some((DeValue::Array(folders), _)) => {
+                        config.folders.extend(folders.iter().filter_map(|folder| reader.folder(folder)));
+                    }
+                    Some((_, span)) => reader.wrong("config-value", span, "folder", "[[folder]]"),
+                }
+            }
+        }
+        if reader.found.is_empty() { Ok(config) } else { Err(reader.found) }
+    }
+
+    /// What is said for a program; its path has `/` and begins in the folder of the file.
+    pub fn of(&self, path: &str) -> Settings {
+        let path: Vec<&str> = path.split('/').filter(|part| !matches!(*part, "" | ".")).collect();
+        let mut settings = self.all.clone();
+        for (_, own) in self.folders.iter().filter(|(pattern, _)| matches(pattern, &path)) {
+            settings.control = own.control.clone().or(settings.control);
+            settings.language = own.language.clone().or(settings.language);
+            settings.rules.extend(own.rules.clone());
+        }
+        settings
+    }
+}
+
+impl Settings {
+    /// Gives findings the severities that are asked for and leaves out those that are off.
+    pub fn apply(&self, found: &mut Vec<Diagnostic>) {
+        // The guards of the specifications have codes of their own, and one word for them all.
+        let guard = |code: &str| {
+            let own = RULES.iter().map(|rule| rule.code).chain(CODES).any(|own| own == code);
+            if own || code.starts_with("syntax-") { None } else { self.rules.get(GUARD) }
+        };
+        found.retain_mut(|diagnostic| match self.rules.get(diagnostic.code).or_else(|| guard(diagnostic.code)) {
+            Some(None) => false,
+            Some(Some(severity)) => {
+                diagnostic.severity = *severity;
+                true
+            }
+            None => true,
+        });
+    }
+}
+
+struct Reader<'r> {
+    source: &'r Arc<Source>,
+    rules: Known<'r>,
+    controls: Known<'r>,
+    languages: Known<'r>,
+    found: Vec<Diagnostic>,
+}
+
+impl Reader<'_> {
+    fn wrong(&mut self, code: &'static str, span: std::ops::Range<usize>, key: &str, expected: &str) {
+        let place = Place::new(self.source, span);
+        self.found.push(Diagnostic::error(code, place).arg("key", key).arg("expected", expected));
+    }
+
+    fn settings(&mut self, table: &DeTable<'_>, others: &[&str]) -> Settings {
+        let mut settings = Settings::default();
+        for (key, value) in table {
+            let name = key.get_ref().as_ref();
+            match name {
+                "control" => settings.control = self.word(name, value, self.controls),
+                "lang" => settings.language = self.word(name, value, self.languages),
+                "rules" => match value.get_ref() {
+                    DeValue::Table(rules) => self.levels(rules, &mut settings),
+                    _ => self.wrong("config-value", value.span(), name, "[rules]"),
+                },
+                name if others.contains(&name) => {}
+                name => self.wrong("config-unknown-key", key.span(), name, ""),
+            }
+        }
+        settings
+    }
+
+    fn levels(&mut self, rules: &DeTable<'_>, settings: &mut Settings) {
+        for (key, value) in rules {
+            let code = key.get_ref().as_ref();
+            let level = value.get_ref().as_str().and_then(|word| LEVELS.iter().find(|(own, _)| *own == word));
+            if !(self.rules)(code) {
+                self.wrong("config-unknown-rule", key.span(), code, "");
+            }
+            match level {
+                Some((_, severity)) => {
+                    settings.rules.insert(code.to_owned(), *severity);
+                }
+                None => self.wrong("config-value", value.span(), code, &LEVELS.map(|(word, _)| word).join(", ")),
+            }
+        }
+    }
+
+    fn word(&mut self, key: &str, value: &Spanned<DeValue<'_>>, known: Known<'_>) -> Option<String> {
+        match value.get_ref().as_str() {
+            Some(word) if known(word) => Some(word.to_owned()),
+            _ => {
+                self.wrong(
+                    "config-unknown-word",
+                    value.span(),
+                    key,
+                    self.source.text().get(value.span()).unwrap_or(""),
+                );
+                None
+            }
+        }
+    }
+
+    fn folder(&mut self, folder: &Spanned<DeValue<'_>>) -> Option<(Vec<String>, Settings)> {
+        let DeValue::Table(table) = folder.get_ref() else {
+            self.wrong("config-value", folder.span(), "folder", "[[folder]]");
+            return None;
+        };
+        let settings = self.settings(table, &["path"]);
+        let Some(path) = table.get("path").and_then(|value| value.get_ref().as_str()) else {
+            self.wrong("config-value", folder.span(), "path", "path = \"…\"");
+            return None;
+        };
+        Some((path.split('/').filter(|part| !matches!(*part, "" | ".")).map(str::to_owned).collect(), settings))
+    }
+}
+
+/// Whether a pattern means a path or a folder above it: `*` and `?` stay in a part, `**` is any number of parts.
+fn matches(pattern: &[String], path: &[&str]) -> bool {
+    match (pattern.split_first(), path.split_first()) {
+        (None, _) => true,
+        (Some((first, rest)), _) if first == "**" => {
+            (0..=path.len()).any(|from| path.get(from..).is_some_and(|path| matches(rest, path)))
+        }
+        (Some((first, rest)), Some((part, behind))) => fits(first.as_bytes(), part.as_bytes()) && matches(rest, behind),
+        (Some(_), None) => false,
+    }
+}
+
+fn fits(pattern: &[u8], text: &[u8]) -> bool {
+    let (mut at, mut from) = (0, 0);
+    // The last star, and how far the text went when it was met.
+    let mut star: Option<(usize, usize)> = None;
+    while from < text.len() {
+        match pattern.get(at) {
+            Some(b'*') => {
+                star = Some((at, from));
+                at += 1;
+            }
+            Some(sign) if *sign == b'?' || text.get(from) == Some(sign) => {
+                at += 1;
+                from += 1;
+            }
+            _ => match star {
+                Some((place, met)) => {
+                    star = Some((place, met + 1));
+                    (at, from) = (place + 1, met + 1);
+                }
+                None => return false,
+            },
+        }
+    }
+    pattern.iter().skip(at).all(|sign| *sign == b'*')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(text: &str) -> Result<Config, Vec<&'static str>> {
+        let source = Source::new("ciklo.toml", text);
+        let known = |word: &str| word != "nonsense";
+        Config::parse(&source, &known, &known, &known)
+            .map_err(|found| found.iter().map(|diagnostic| diagnostic.code).collect())
+    }
+
+    #[test]
+    fn what_comes_later_wins() {
+        let config = parsed(
+            "control = \"tnc640\"\n[rules]\nguard = \"off\"\nspindle-off = \"error\"\n[[folder]]\npath = \"old\"\ncontrol = \"itnc530\"\nrules = { guard = \"note\" }\n[[folder]]\npath = \"**/fi/*.h\"\nlang = \"fi\"\n",
+        )
+        .unwrap();
+        let top = config.of("a.h");
+        assert_eq!((top.control.as_deref(), top.language.as_deref()), (Some("tnc640"), None));
+        assert_eq!(top.rules.get("guard"), Some(&None));
+        let below = config.of("old/x/fi/b.h");
+        assert_eq!((below.control.as_deref(), below.language.as_deref()), (Some("itnc530"), Some("fi")));
+        assert_eq!(below.rules.get("guard"), Some(&Some(Severity::Note)));
+        assert_eq!(below.rules.get("spindle-off"), Some(&Some(Severity::Error)));
+        assert_eq!(config.of("older/a.h"), top);
+    }
+
+    #[test]
+    fn every_mistake_is_told() {
+        for (text, codes) in [
+            ("control = ", vec!["config-syntax"]),
+            ("control = 5\nother = 1\n", vec!["config-unknown-word", "config-unknown-key"]),
+            ("control = \"nonsense\"", vec!["config-unknown-word"]),
+            ("[rules]\nnonsense = \"off\"\nguard = \"bad\"\n", vec!["config-value", "config-unknown-rule"]),
+            ("folder = 1\n", vec!["config-value"]),
+            ("[[folder]]\ncontrol = \"a\"\n", vec!["config-value"]),
+            ("rules = 1\n", vec!["config-value"]),
+        ] {
+            assert_eq!(parsed(text).unwrap_err(), codes, "{text}");
+        }
+    }
+
+    #[test]
+    fn patterns() {
+        let check = |pattern: &str, path: &str| {
+            let config = parsed(&format!("[[folder]]\npath = \"{pattern}\"\ncontrol = \"a\"\n")).unwrap();
+            config.of(path).control.is_some()
+        };
+        assert!(check("*.h", "a.h") && check("**/*.h", "a/b.h") && check("**/*.h", "b.h") && check("a/?", "a/b/c.h"));
+        assert!(check("p*t*.h", "part.h") && check(".", "a.h") && check("a/**", "a/b/c.h"));
+        assert!(!check("*.h", "a.i") && !check("b", "a/b.h") && !check("a/?", "a/bc/c.h") && !check("p*t", "pat.h"));
+    }
+}

@@ -1,0 +1,76 @@
+//! `ciklo fmt`: programs laid out anew where they stand.
+use std::path::Path;
+
+use clap::ArgMatches;
+
+use super::session::Session;
+use super::{Command, Failure, Outcome, arguments, check, mend, program};
+use crate::check::{Against, LabelBook};
+use crate::diag::{Diagnostic, edited};
+use crate::layout::layout;
+use crate::locale::{Args, Ui};
+use crate::syntax::encoding;
+use crate::system;
+
+pub(super) const COMMAND: Command = Command { name: "fmt", usage: "PATH… [--check]", arguments: own, run };
+
+fn own(ui: &Ui) -> Vec<clap::Arg> {
+    vec![arguments::words(ui, "file", "PATH", "cli-fmt-path"), arguments::switch(ui, "check", "cli-fmt-check")]
+}
+
+fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
+    let (catalogue, locales) = (session.catalogue()?, session.locales()?);
+    // Labels stay as they are, so any control can tell whether the program stays the same.
+    let Some(on) = catalogue.controls.values().next() else { return Ok(Outcome::Clean) };
+    let labels = LabelBook::new(on, &locales);
+    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+    let (mut count, mut troubles) = (0, Vec::new());
+    for name in arguments::all(matches, "file") {
+        let paths = match system::files_below(Path::new(&name), &check::PROGRAMS) {
+            Ok(paths) => paths,
+            Err(trouble) => {
+                troubles.push(Diagnostic::from(trouble));
+                continue;
+            }
+        };
+        for path in paths {
+            match file(session, &path, &against, matches.get_flag("check")) {
+                Ok(changed) => count += usize::from(changed),
+                Err(Failure::Trouble(trouble)) => troubles.push(*trouble),
+                Err(failure) => return Err(failure),
+            }
+        }
+    }
+    let last = troubles.pop();
+    troubles.iter().for_each(|trouble| session.output.complain(trouble, &session.ui));
+    match last {
+        Some(trouble) => Err(trouble.into()),
+        None => Ok(if matches.get_flag("check") && count > 0 { Outcome::Errors } else { Outcome::Clean }),
+    }
+}
+
+/// Lays out a file, or says only whether it would change.
+fn file(session: &mut Session, path: &Path, against: &Against<'_>, only_check: bool) -> Result<bool, Failure> {
+    let bytes = system::read(path)?;
+    let decoded = encoding::decode(&bytes);
+    let old = mend::parsed(path, &decoded.text);
+    let edits = layout(&old);
+    if path == Path::new("-") && !only_check {
+        let text = edited(&decoded.text, &edits);
+        let bytes = decoded.encoding.encode(&text).map_err(|sign| program::unwritable(sign, old.source()))?;
+        session.output.write(&bytes)?;
+        return Ok(!edits.is_empty());
+    }
+    if edits.is_empty() {
+        return Ok(false);
+    }
+    if only_check {
+        session.output.print(&format!("{}\n", path.display()))?;
+    } else {
+        let new = mend::parsed(path, &edited(&decoded.text, &edits));
+        mend::store(path, &bytes, &decoded, &old, &new, against)?;
+        let line = session.ui.text("cli-written", &Args::new().text("path", path.display().to_string()));
+        session.output.remark(&line);
+    }
+    Ok(true)
+}

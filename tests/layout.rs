@@ -1,0 +1,90 @@
+//! The layout of programs: done twice it changes nothing more, and the program stays the same.
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use ciklo::check::{Against, LabelBook};
+use ciklo::compare::compare;
+use ciklo::data;
+use ciklo::diag::{Source, edited};
+use ciklo::layout::layout;
+use ciklo::locale::Locales;
+use ciklo::spec::Catalogue;
+use ciklo::syntax::{Program, parse};
+
+fn parsed(text: &str) -> Program {
+    parse(&Source::new("program.h", text))
+}
+
+fn laid_out(text: &str) -> String {
+    edited(text, &layout(&parsed(text)))
+}
+
+/// All programs among the tests' data.
+fn programs() -> Vec<PathBuf> {
+    let mut open = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("tests")];
+    let mut found = Vec::new();
+    while let Some(directory) = open.pop() {
+        for entry in fs::read_dir(directory).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                open.push(path);
+            } else if path.extension().is_some_and(|own| own.eq_ignore_ascii_case("h") || own == "nc") {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+#[test]
+fn a_layout_is_final_and_the_program_the_same() {
+    let files = data::embedded();
+    let (catalogue, _) = Catalogue::load(&files);
+    let (locales, _) = Locales::load(files);
+    let on = catalogue.on("tnc640").expect("the control");
+    let labels = LabelBook::new(on, &locales);
+    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+    let programs = programs();
+    assert!(programs.len() > 100);
+    for path in programs {
+        let Ok(text) = fs::read_to_string(&path) else { continue };
+        for text in [text.clone(), text.replace('\n', "\r\n")] {
+            let once = laid_out(&text);
+            assert_eq!(laid_out(&once), once, "{}", path.display());
+            let found = compare(&parsed(&text), &parsed(&once), &against);
+            assert!(found.is_empty(), "{}: {found:?}", path.display());
+        }
+    }
+}
+
+#[test]
+fn numbers_columns_and_signs() {
+    let before = "\
+5 BEGIN PGM A MM
+7 L X10 Y-5 IZ.5 R0 FMAX M3
+7 CYCL DEF 200 DRILLING ~
+ Q200=2;SET-UP CLEARANCE ~
+\tQ201=-15.25 \t;DEPTH ~
+  Q1234=+100.12345 ;LONG
+L XQ5 Y+Q6 ; no number
+3 ; X10
+2 Q1 = 5 + 3
+1 CYCL CALL POS X5 Y+5 Z0
+/ 9 END PGM A MM
+";
+    let after = "\
+5 BEGIN PGM A MM
+6 L X+10 Y-5 IZ+.5 R0 FMAX M3
+7 CYCL DEF 200 DRILLING ~
+    Q200=2           ;SET-UP CLEARANCE ~
+    Q201=-15.25      ;DEPTH ~
+    Q1234=+100.12345 ;LONG
+L X+Q5 Y+Q6 ; no number
+8 ; X10
+9 Q1 = 5 + 3
+10 CYCL CALL POS X+5 Y+5 Z+0
+/ 11 END PGM A MM
+";
+    assert_eq!(laid_out(before), after);
+}
