@@ -3,10 +3,8 @@
 //! Fields are known by their line, their shape and their order, never by the printed word, which is
 //! another one in each language. Invariant: nothing here judges a value.
 use crate::spec::{CycleKey, Field, Keyword, Shape};
-use crate::syntax::{Axis, CycleKeyword, OldCycleLine, OldWord, Program, ValueKind};
+use crate::syntax::{Axis, CycleKeyword, OldCycleLine, OldWord, Program, SHORTEST_LABEL, ValueKind};
 
-/// Letters of the shortest printed label without a colon, as in `KOT 180`.
-const SHORTEST_LABEL: usize = 3;
 
 /// The key of a cycle that a program writes.
 pub const fn key(keyword: CycleKeyword, number: u32) -> CycleKey {

@@ -37,6 +37,7 @@ cli-run-events = Print each event as a line of JSON
 cli-run-stock = File for the finished part (STL); what was machined is reported
 cli-run-skip-blocks = Leave out the blocks that begin with /
 cli-run-lang = Language of the logs (default: that of the labels in the program, or of the control's manual)
+cli-run-envelope = Show what each probing cycle would do in the worst case, instead of the results
 cli-plot = Draw the tool path and the part of a program as SVG
 cli-plot-view = From where to look: top, side, isometric (default)
 cli-plot-out = File for the drawing
@@ -81,6 +82,7 @@ cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
     ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --envelope
 cli-examples-plot =
     ciklo plot part.h --control tnc640 --scene part.scene.yaml --out part.svg
     ciklo plot part.h --control tnc640 --view top --out path.svg
@@ -159,6 +161,35 @@ cli-stock-more = { $count ->
         [one] { $count } more finding.
        *[other] { $count } more findings.
     }
+cli-envelope-cycle = Line { $line }: { $cycle } { $name }
+cli-envelope-still = Does not move.
+cli-envelope-lowest = Lowest point of the stylus tip: { $axis } = { $height } mm
+cli-envelope-highest = Highest point of the stylus tip: { $axis } = { $height } mm
+cli-envelope-travelled = Heights at which it travels across: { $axis } = { $heights } mm
+cli-envelope-probing = { $count ->
+        [one] { $count } probing
+       *[other] { $count } probings
+    }, the longest path { $length } mm
+cli-envelope-near = { $what ->
+        [stock] Raw material
+       *[part] Part { $number }
+    }: { $distance } mm away at the nearest, with the tip at X = { $x }, Y = { $y }, Z = { $z }; probing { $probed ->
+        [yes] can reach
+       *[no] does not reach
+    } it
+cli-envelope-touches = { $what ->
+        [stock] Raw material
+       *[part] Part { $number }
+    }: COLLISION with the tip at X = { $x }, Y = { $y }, Z = { $z }
+cli-envelope-near-unknown = { $what ->
+        [stock] Raw material
+       *[part] Part { $number }
+    }: how near it comes cannot be calculated; probing { $probed ->
+        [yes] can reach
+       *[no] does not reach
+    } it
+cli-envelope-fails = In this scene the cycle ends with the error { $code }.
+cli-envelope-none = No probing cycle is executed.
 cli-conform-pass = pass
 cli-conform-fail = FAIL
 cli-conform-out = out of subset

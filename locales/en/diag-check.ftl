@@ -3,6 +3,7 @@
 diag-call-of-def-active-cycle = { $cycle } acts as soon as it is defined; it must not be called.
 diag-called-but-not-defined = A cycle is called here, but none is defined before.
 diag-choice-not-offered = { $parameter }={ $value } is none of the choices: { $offered }.
+diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearance height { $parameter }={ $value } must lie above { $least }.
 diag-cycle-not-described = { $cycle } ({ $name }) is named by the manuals and not described: its parameters are not checked.
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
 diag-defined-but-never-called = { $cycle } is defined here and never called.

@@ -36,6 +36,7 @@ cli-run-out = Hakemisto taulukoille ja pöytäkirjoille, jotka ohjelma kirjoitta
 cli-run-events = Tulosta jokainen tapahtuma JSON-rivinä
 cli-run-skip-blocks = Ohita lauseet, jotka alkavat merkillä /
 cli-run-lang = Pöytäkirjojen kieli (oletus: ohjelman NC-tekstien kieli tai ohjauksen käsikirjan kieli)
+cli-run-envelope = Näytä tulosten asemesta, mitä kukin kosketustyökierto tekisi pahimmassa tapauksessa
 cli-conform = Suorita kuvausten esimerkit
 cli-export = Tulosta ohjauksen kaikki työkierrot yhdellä kielellä JSON-muodossa
 
@@ -75,6 +76,7 @@ cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
     ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --envelope
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
@@ -130,6 +132,35 @@ cli-run-status = Ohjelma { $status ->
         [unsupported] tarvitsee jotakin, mitä suoritin ei tue
        *[error] päättyi virheeseen
     }.
+cli-envelope-cycle = Rivi { $line }: { $cycle } { $name }
+cli-envelope-still = Ei liiku.
+cli-envelope-lowest = Kosketuspään alin kohta: { $axis } = { $height } mm
+cli-envelope-highest = Kosketuspään ylin kohta: { $axis } = { $height } mm
+cli-envelope-travelled = Korkeudet, joilla liikutaan sivusuunnassa: { $axis } = { $heights } mm
+cli-envelope-probing = { $count ->
+        [one] { $count } kosketus
+       *[other] { $count } kosketusta
+    }, pisin liikepituus { $length } mm
+cli-envelope-near = { $what ->
+        [stock] Aihio
+       *[part] Kappale { $number }
+    }: lähimmillään { $distance } mm:n päässä, kun kosketuspää on kohdassa X = { $x }, Y = { $y }, Z = { $z }; kosketusliike { $probed ->
+        [yes] voi ulottua
+       *[no] ei ulotu
+    } siihen
+cli-envelope-touches = { $what ->
+        [stock] Aihio
+       *[part] Kappale { $number }
+    }: TÖRMÄYS, kun kosketuspää on kohdassa X = { $x }, Y = { $y }, Z = { $z }
+cli-envelope-near-unknown = { $what ->
+        [stock] Aihio
+       *[part] Kappale { $number }
+    }: etäisyyttä ei voida laskea; kosketusliike { $probed ->
+        [yes] voi ulottua
+       *[no] ei ulotu
+    } siihen
+cli-envelope-fails = Tässä maailmassa työkierto päättyy virheeseen { $code }.
+cli-envelope-none = Yhtään kosketustyökiertoa ei suoriteta.
 cli-conform-pass = läpi
 cli-conform-fail = VIRHE
 cli-conform-out = ei tuettu

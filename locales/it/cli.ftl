@@ -36,6 +36,7 @@ cli-run-out = Cartella per le tabelle e i protocolli scritti dal programma
 cli-run-events = Stampa ogni evento come riga JSON
 cli-run-skip-blocks = Salta i blocchi che iniziano con /
 cli-run-lang = Lingua dei protocolli (predefinita: quella delle etichette del programma o del manuale del controllo numerico)
+cli-run-envelope = Mostra, al posto dei risultati, che cosa farebbe nel caso peggiore ogni ciclo di tastatura
 cli-conform = Esegue gli esempi delle specifiche
 cli-export = Stampa tutti i cicli di un controllo numerico in una lingua, come JSON
 
@@ -75,6 +76,7 @@ cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
     ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --envelope
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
@@ -130,6 +132,35 @@ cli-run-status = Il programma { $status ->
         [unsupported] richiede qualcosa che l’esecuzione non supporta
        *[error] è terminato con un errore
     }.
+cli-envelope-cycle = Riga { $line }: { $cycle } { $name }
+cli-envelope-still = Non si muove.
+cli-envelope-lowest = Punto più basso della punta dello stilo: { $axis } = { $height } mm
+cli-envelope-highest = Punto più alto della punta dello stilo: { $axis } = { $height } mm
+cli-envelope-travelled = Altezze degli spostamenti nel piano: { $axis } = { $heights } mm
+cli-envelope-probing = { $count ->
+        [one] { $count } tastatura
+       *[other] { $count } tastature
+    }, percorso più lungo { $length } mm
+cli-envelope-near = { $what ->
+        [stock] Pezzo grezzo
+       *[part] Corpo { $number }
+    }: distanza minima { $distance } mm, con la punta a X = { $x }, Y = { $y }, Z = { $z }; la tastatura { $probed ->
+        [yes] può raggiungerlo
+       *[no] non lo raggiunge
+    }
+cli-envelope-touches = { $what ->
+        [stock] Pezzo grezzo
+       *[part] Corpo { $number }
+    }: COLLISIONE con la punta a X = { $x }, Y = { $y }, Z = { $z }
+cli-envelope-near-unknown = { $what ->
+        [stock] Pezzo grezzo
+       *[part] Corpo { $number }
+    }: la distanza non è calcolabile; la tastatura { $probed ->
+        [yes] può raggiungerlo
+       *[no] non lo raggiunge
+    }
+cli-envelope-fails = In questa scena il ciclo termina con l’errore { $code }.
+cli-envelope-none = Non viene eseguito alcun ciclo di tastatura.
 cli-conform-pass = riuscito
 cli-conform-fail = FALLITO
 cli-conform-out = non supportato

@@ -3,6 +3,7 @@
 diag-call-of-def-active-cycle = { $cycle } è attivo appena viene definito; non deve essere chiamato.
 diag-called-but-not-defined = Qui viene chiamato un ciclo, ma prima non ne è definito alcuno.
 diag-choice-not-offered = { $parameter }={ $value } non è tra le scelte: { $offered }.
+diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di sicurezza { $parameter }={ $value } deve trovarsi sopra { $least }.
 diag-cycle-not-described = { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.

@@ -36,6 +36,7 @@ cli-run-out = Pasta para as tabelas e os registos que o programa escreve
 cli-run-events = Mostra cada evento como uma linha JSON
 cli-run-skip-blocks = Omite as frases que começam por /
 cli-run-lang = Idioma dos registos (predefinição: o das designações do programa ou do manual do comando)
+cli-run-envelope = Mostrar, em vez dos resultados, o que cada ciclo de apalpação faria no pior dos casos
 cli-conform = Executa os exemplos das especificações
 cli-export = Mostra todos os ciclos de um comando numérico num idioma, como JSON
 
@@ -75,6 +76,7 @@ cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
     ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --envelope
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
@@ -133,6 +135,35 @@ cli-run-status = O programa { $status ->
         [unsupported] precisa de algo que a execução não suporta
        *[error] terminou com um erro
     }.
+cli-envelope-cycle = Linha { $line }: { $cycle } { $name }
+cli-envelope-still = Não se move.
+cli-envelope-lowest = Ponto mais baixo da ponta da haste: { $axis } = { $height } mm
+cli-envelope-highest = Ponto mais alto da ponta da haste: { $axis } = { $height } mm
+cli-envelope-travelled = Alturas das deslocações no plano: { $axis } = { $heights } mm
+cli-envelope-probing = { $count ->
+        [one] { $count } apalpação
+       *[other] { $count } apalpações
+    }, o percurso mais longo { $length } mm
+cli-envelope-near = { $what ->
+        [stock] Peça em bruto
+       *[part] Corpo { $number }
+    }: distância mínima { $distance } mm, com a ponta em X = { $x }, Y = { $y }, Z = { $z }; a apalpação { $probed ->
+        [yes] pode alcançá-lo
+       *[no] não o alcança
+    }
+cli-envelope-touches = { $what ->
+        [stock] Peça em bruto
+       *[part] Corpo { $number }
+    }: COLISÃO com a ponta em X = { $x }, Y = { $y }, Z = { $z }
+cli-envelope-near-unknown = { $what ->
+        [stock] Peça em bruto
+       *[part] Corpo { $number }
+    }: a distância não pode ser calculada; a apalpação { $probed ->
+        [yes] pode alcançá-lo
+       *[no] não o alcança
+    }
+cli-envelope-fails = Nesta cena o ciclo termina com o erro { $code }.
+cli-envelope-none = Nenhum ciclo de apalpação é executado.
 cli-conform-pass = passou
 cli-conform-fail = FALHOU
 cli-conform-out = não suportado

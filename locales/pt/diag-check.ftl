@@ -3,6 +3,7 @@
 diag-call-of-def-active-cycle = { $cycle } atua logo que é definido; não deve ser chamado.
 diag-called-but-not-defined = Aqui é chamado um ciclo, mas antes não está definido nenhum.
 diag-choice-not-offered = { $parameter }={ $value } não está entre as opções: { $offered }.
+diag-clearance-height-too-low = { $cycle } apalpa em { $touched }: a altura segura { $parameter }={ $value } tem de ficar acima de { $least }.
 diag-cycle-not-described = { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.

@@ -36,6 +36,7 @@ cli-run-out = Mapa za preglednice in protokole, ki jih zapiše program
 cli-run-events = Vsak dogodek izpiše kot vrstico JSON
 cli-run-skip-blocks = Izpusti stavke, ki se začnejo z /
 cli-run-lang = Jezik protokolov (privzeto: jezik oznak v programu ali jezik priročnika krmiljenja)
+cli-run-envelope = Namesto rezultatov pokaži, kaj bi vsak cikel tipanja naredil v najslabšem primeru
 cli-conform = Izvede primere iz specifikacij
 cli-export = Izpiše vse cikle krmiljenja v enem jeziku kot JSON
 
@@ -75,6 +76,7 @@ cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
     ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
+    ciklo run part.h --control tnc640 --scene part.scene.yaml --envelope
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
@@ -150,6 +152,37 @@ cli-run-status = Program { $status ->
         [unsupported] potrebuje nekaj, česar izvajalnik ne podpira
        *[error] se je končal z napako
     }.
+cli-envelope-cycle = Vrstica { $line }: { $cycle } { $name }
+cli-envelope-still = Se ne premakne.
+cli-envelope-lowest = Najnižja točka konice: { $axis } = { $height } mm
+cli-envelope-highest = Najvišja točka konice: { $axis } = { $height } mm
+cli-envelope-travelled = Višine premikov v ravnini: { $axis } = { $heights } mm
+cli-envelope-probing = { $count ->
+        [one] { $count } tipanje
+        [two] { $count } tipanji
+        [few] { $count } tipanja
+       *[other] { $count } tipanj
+    }, najdaljša pot { $length } mm
+cli-envelope-near = { $what ->
+        [stock] Surovec
+       *[part] Del { $number }
+    }: najmanjša razdalja { $distance } mm, ko je konica pri X = { $x }, Y = { $y }, Z = { $z }; tipanje ga { $probed ->
+        [yes] lahko doseže
+       *[no] ne doseže
+    }
+cli-envelope-touches = { $what ->
+        [stock] Surovec
+       *[part] Del { $number }
+    }: TRK, ko je konica pri X = { $x }, Y = { $y }, Z = { $z }
+cli-envelope-near-unknown = { $what ->
+        [stock] Surovec
+       *[part] Del { $number }
+    }: razdalje ni mogoče izračunati; tipanje ga { $probed ->
+        [yes] lahko doseže
+       *[no] ne doseže
+    }
+cli-envelope-fails = V tem prizoru se cikel konča z napako { $code }.
+cli-envelope-none = Noben cikel tipanja se ne izvede.
 cli-conform-pass = uspešno
 cli-conform-fail = NAPAKA
 cli-conform-out = ni podprto

@@ -3,6 +3,7 @@
 diag-call-of-def-active-cycle = Cikel { $cycle } deluje takoj, ko je definiran; ni ga dovoljeno priklicati.
 diag-called-but-not-defined = Tu se prikliče cikel, pred tem pa ni definiran noben.
 diag-choice-not-offered = { $parameter }={ $value } ni med možnostmi: { $offered }.
+diag-clearance-height-too-low = { $cycle } se dotakne pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
 diag-cycle-not-described = Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.

@@ -5,8 +5,10 @@
 //! says nothing.
 use std::sync::Arc;
 
+use super::{Definition, Facts};
 use crate::expr::{Code, Env, EvalError, Expr, Node, QRef, Resolve, Type, Value, compile};
-use crate::spec::{Cycle, Entries, Formula, Guard, OnControl};
+use crate::spec::{Cycle, Entries, Formula, Guard, OnControl, Param};
+use crate::syntax::ValueKind;
 
 /// How deep names may stand for names; longer chains are circles, which the checks of the
 /// specifications report.
@@ -95,10 +97,45 @@ pub(super) struct Written {
 }
 
 impl Written {
+    /// The values that are known: those written as numbers or texts, and those that this control lacks.
+    pub(super) fn of(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle) -> Self {
+        let mut known = Self { numbers: cycle.lacking.clone(), texts: Vec::new() };
+        for item in &definition.items {
+            let (Some(q), Some(value)) = (item.param.and_then(read_as), item.value) else { continue };
+            match value.kind {
+                ValueKind::Number(number) => known.numbers.push((q, number)),
+                ValueKind::Text(inside) => known.texts.push((q, facts.text(inside).into())),
+                _ => {}
+            }
+        }
+        known
+    }
+
+    /// The number that is written for a parameter.
+    pub(super) fn number_of(&self, param: &Param) -> Option<f64> {
+        self.number(read_as(param)?).ok()
+    }
+
+    /// Whether a parameter acts; nothing if that cannot be said.
+    pub(super) fn acts(&self, cycle: &Cycle, param: &Param) -> Option<bool> {
+        let Some(name) = &param.effective else { return Some(true) };
+        let names = |path: &[String]| match path {
+            [name] => cycle.file.lets.get(name).map(|formula| formula.expr.clone()),
+            _ => None,
+        };
+        let condition = cycle.file.conditions.get(name.as_str())?;
+        compile(&replaced(&condition.expr, &names, 0), &OnlyParameters).ok()?.truth(self).ok()
+    }
+
     /// Whether a guard's condition holds; nothing if that cannot be said.
     pub(super) fn holds(&self, ready: &Ready<'_>) -> Option<bool> {
         ready.code.as_ref()?.truth(self).ok()
     }
+}
+
+/// The Q parameter under which the guards read a parameter or field.
+pub(super) fn read_as(param: &Param) -> Option<QRef> {
+    param.q.or_else(|| param.field.as_ref().and_then(|field| field.stands_for))
 }
 
 struct OnlyParameters;

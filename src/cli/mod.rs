@@ -15,6 +15,7 @@ mod conform;
 mod coverage;
 mod cycle;
 mod dialog;
+mod envelope;
 mod explain;
 mod export;
 mod fmt;

@@ -5,7 +5,7 @@ use std::path::Path;
 use clap::ArgMatches;
 
 use super::session::Session;
-use super::{Command, Failure, Outcome, arguments, cycle, program, stock};
+use super::{Command, Failure, Outcome, arguments, cycle, envelope, program, stock};
 use crate::check::{self, Against, LabelBook};
 use crate::conform::LogTexts;
 use crate::diag::{Diagnostic, Source};
@@ -18,7 +18,7 @@ use crate::text;
 
 pub(super) const COMMAND: Command = Command {
     name: "run",
-    usage: "FILE --control CONTROL --scene FILE [--out DIR] [--events] [--stock FILE] [--resolution MM] [--format FORMAT] [--skip-blocks] [--lang LANG]",
+    usage: "FILE --control CONTROL --scene FILE [--out DIR] [--events] [--envelope] [--stock FILE] [--resolution MM] [--format FORMAT] [--skip-blocks] [--lang LANG]",
     arguments: own,
     run,
 };
@@ -42,6 +42,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::format(ui, &["text", "json"]),
         arguments::switch(ui, "skip-blocks", "cli-run-skip-blocks"),
         arguments::valued(ui, "lang", "LANG", "cli-run-lang"),
+        arguments::switch(ui, "envelope", "cli-run-envelope").conflicts_with_all(["events", "out", "stock"]),
     ]
 }
 
@@ -61,6 +62,10 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     if matches.get_flag("skip-blocks") {
         engine = engine.skipping_blocks();
+    }
+    if matches.get_flag("envelope") {
+        let result = engine.with_envelope().run(&mut |_| {});
+        return envelope::show(session, on, &locales, &result, arguments::chosen_format(matches));
     }
     let mut teller = Teller { events: matches.get_flag("events"), set: BTreeMap::new(), failed: None, written: Ok(()) };
     let part = stock::wanted(matches);

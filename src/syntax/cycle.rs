@@ -2,6 +2,7 @@
 //!
 //! Invariant: a cycle is known by keyword and number only; names and labels are kept as they are
 //! printed and never decide anything.
+use super::SHORTEST_LABEL;
 use super::cursor::{Cursor, Read, skip_blanks, trim};
 use super::tree::{Amount, Axis, BlockKind, CycleDef, CycleKeyword, OldCycleLine, OldWord, Operand, Value, ValueKind};
 use crate::diag::Span;
@@ -176,7 +177,8 @@ fn name_part(cursor: &Cursor<'_>, start: usize) -> usize {
     cursor.end
 }
 
-/// A name: words up to a colon (included) or a value. The letter of an axis is a name of its own.
+/// A name: words up to a colon (included) or a value. The letter of an axis is a name of its own; behind a label at the
+/// end of the line it is the value of the label.
 fn field_name(cursor: &mut Cursor<'_>) -> Read<Span> {
     let bytes = cursor.text.as_bytes();
     let start = cursor.at;
@@ -190,6 +192,9 @@ fn field_name(cursor: &mut Cursor<'_>) -> Read<Span> {
             break;
         }
         let part_end = name_part(cursor, part);
+        if end > start && is_value_of_label(cursor, Span::new(start, end), Span::new(part, part_end)) {
+            break;
+        }
         if cursor.byte_at(part_end) == b':' {
             let path = cursor.byte_at(part_end + 1) == b'\\';
             end = if path { end } else { part_end + 1 };
@@ -206,6 +211,15 @@ fn field_name(cursor: &mut Cursor<'_>) -> Read<Span> {
     }
     cursor.at = end;
     Ok(Span::new(start, end))
+}
+
+/// Whether a word behind a label without a colon is its value: the letter of an axis that ends the line.
+fn is_value_of_label(cursor: &Cursor<'_>, label: Span, word: Span) -> bool {
+    let bytes = cursor.text.as_bytes();
+    let label = cursor.text.get(label.start..label.end).unwrap_or_default();
+    let letters = label.chars().filter(|c| c.is_alphabetic()).count();
+    let last = skip_blanks(bytes, word.end, cursor.end) >= cursor.end;
+    letters >= SHORTEST_LABEL && last && is_axis(bytes.get(word.start..word.end).unwrap_or_default())
 }
 
 fn is_axis(name: &[u8]) -> bool {
@@ -238,7 +252,8 @@ fn field_value(cursor: &mut Cursor<'_>, name: Span) -> Read<Value> {
     let span = Span::new(at, printed_end(cursor, at));
     let path =
         name.start == name.end || cursor.text.get(span.start..span.end).is_some_and(|printed| printed.contains(":\\"));
-    if (labelled || path) && span.start < span.end {
+    let of_label = is_value_of_label(cursor, name, span);
+    if (labelled || path || of_label) && span.start < span.end {
         cursor.at = span.end;
         return Ok(Value { span, kind: ValueKind::Word });
     }

@@ -22,6 +22,9 @@ use std::sync::Arc;
 
 use crate::diag::{Diagnostic, Place, Severity, Source, Span};
 
+/// Letters of the shortest printed label without a colon, as in `KOT 180`.
+pub const SHORTEST_LABEL: usize = 3;
+
 /// How many characters of the text an error quotes.
 const MAX_FOUND: usize = 40;
 

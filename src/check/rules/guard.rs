@@ -5,12 +5,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use crate::check::guards::{self, Ready, Written};
+use crate::check::guards::{self, Ready, Written, read_as};
 use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::expr::QRef;
 use crate::spec::{Cycle, CycleKey, Outcome};
-use crate::syntax::ValueKind;
 use crate::text;
 
 pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run };
@@ -18,7 +16,7 @@ pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, r
 fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut known: BTreeMap<CycleKey, Vec<Ready<'_>>> = BTreeMap::new();
     for (definition, cycle) in facts.described() {
-        let written = written(facts, definition, cycle);
+        let written = Written::of(facts, definition, cycle);
         let guards = known.entry(definition.key).or_insert_with(|| guards::of(facts.against.on, cycle));
         for ready in guards.iter() {
             if written.holds(ready) == Some(true) {
@@ -26,25 +24,6 @@ fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         }
     }
-}
-
-/// The values that are known: those written as numbers or texts, and those that this control lacks.
-fn written(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle) -> Written {
-    let mut known = Written { numbers: cycle.lacking.clone(), texts: Vec::new() };
-    for item in &definition.items {
-        let (Some(q), Some(value)) = (item.param.and_then(read_as), item.value) else { continue };
-        match value.kind {
-            ValueKind::Number(number) => known.numbers.push((q, number)),
-            ValueKind::Text(inside) => known.texts.push((q, facts.text(inside).into())),
-            _ => {}
-        }
-    }
-    known
-}
-
-/// The Q parameter under which the guards read a parameter or field.
-fn read_as(param: &crate::spec::Param) -> Option<QRef> {
-    param.q.or_else(|| param.field.as_ref().and_then(|field| field.stands_for))
 }
 
 fn finding(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle, ready: &Ready<'_>) -> Option<Diagnostic> {

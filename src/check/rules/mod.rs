@@ -2,6 +2,7 @@
 mod call_of_def_active_cycle;
 mod called_but_not_defined;
 mod choice_not_offered;
+mod clearance_height_too_low;
 mod cycle_not_described;
 mod cycle_not_on_control;
 mod defined_but_never_called;
@@ -26,6 +27,7 @@ pub const RULES: &[&Rule] = &[
     &call_of_def_active_cycle::RULE,
     &called_but_not_defined::RULE,
     &choice_not_offered::RULE,
+    &clearance_height_too_low::RULE,
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
     &defined_but_never_called::RULE,

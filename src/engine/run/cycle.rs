@@ -169,8 +169,16 @@ impl<'e> Run<'_, 'e> {
         self.guards(&plan.guards, Moment::Definition, &mut exec).map(|_| ())
     }
 
-    /// Executes a cycle.
+    /// Executes a cycle; one that probes is rehearsed before, if its envelope is asked for.
     pub(super) fn execute(&mut self, definition: &Definition<'e>) -> Done {
+        if self.engine.envelope && definition.plan.probes && self.inside == 0 && self.recorder.is_none() {
+            return self.with_envelope(definition);
+        }
+        self.execute_in_scene(definition)
+    }
+
+    /// Executes a cycle in the scene, or as a rehearsal.
+    pub(super) fn execute_in_scene(&mut self, definition: &Definition<'e>) -> Done {
         if self.inside >= MAX_NESTED {
             return Err(Fault::new(Class::Internal, "cycle-depth-limit").arg("limit", MAX_NESTED as f64).into());
         }
@@ -212,7 +220,7 @@ impl<'e> Run<'_, 'e> {
         match ended {
             Err(Leave::Fault(fault)) if !fault.of_cycle => self.world.restore(tables),
             Err(Leave::Stopped) => self.world.restore(tables),
-            _ => writing.into_iter().for_each(|event| (self.emit)(event)),
+            _ => writing.into_iter().for_each(|event| self.pass_on(event)),
         }
     }
 

@@ -11,6 +11,7 @@ mod code;
 mod coordinates;
 mod cycle;
 mod define;
+mod envelope;
 mod event;
 mod face;
 mod fault;
@@ -42,6 +43,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 pub use coordinates::System;
+pub use envelope::{Ended, Envelope, FORMAT as ENVELOPE_FORMAT, Near, Obstacle, Touching};
 pub use event::{At, Content, Coordinates, Event, EventKind, FORMAT, MessageKind, MoveKind, Probing, Status, Turned};
 pub use fault::{CODES, Class, Fault};
 pub use params::Params;
@@ -136,6 +138,8 @@ pub struct Outcome {
     pub angles: DVec3,
     /// What was executed of the cycles.
     pub shown: Shown,
+    /// What the probing cycles would do in the worst case, if that was asked for.
+    pub envelopes: Vec<Envelope>,
 }
 
 /// A program, a control and a world, ready to run.
@@ -147,6 +151,7 @@ pub struct Engine<'e> {
     texts: &'e dyn Texts,
     limits: Limits,
     skip_blocks: bool,
+    envelope: bool,
     /// Other controls, for cycles that the manual of this one only names.
     others_on: Vec<&'e OnControl>,
 }
@@ -155,7 +160,8 @@ impl<'e> Engine<'e> {
     /// A run of the program on the control in the world of the scene.
     pub fn new(program: &'e Program, on: &'e OnControl, scene: &'e Scene, texts: &'e dyn Texts) -> Self {
         let limits = Limits::default();
-        Self { program, others: BTreeMap::new(), on, scene, texts, limits, skip_blocks: false, others_on: Vec::new() }
+        let (others, others_on) = (BTreeMap::new(), Vec::new());
+        Self { program, others, on, scene, texts, limits, skip_blocks: false, envelope: false, others_on }
     }
 
     /// The same with other limits.
@@ -184,6 +190,14 @@ impl<'e> Engine<'e> {
     #[must_use]
     pub const fn skipping_blocks(mut self) -> Self {
         self.skip_blocks = true;
+        self
+    }
+
+    /// The same with an account of what each probing cycle would do in the worst case. A cycle that fails in the scene does
+    /// not end such a run, if it could be rehearsed.
+    #[must_use]
+    pub const fn with_envelope(mut self) -> Self {
+        self.envelope = true;
         self
     }
 
@@ -220,6 +234,7 @@ impl<'e> Engine<'e> {
             position: DVec3::ZERO,
             angles: DVec3::ZERO,
             shown: Shown::default(),
+            envelopes: Vec::new(),
         }
     }
 }
@@ -299,6 +314,11 @@ struct Run<'r, 'e> {
     probing: bool,
     /// What the cycle that is executed has written to tables: told when it ends well.
     writing: Vec<Event>,
+    /// What stops the probe.
+    touching: envelope::Touching,
+    /// The ways of the cycle whose envelope is looked for.
+    recorder: Option<envelope::Recorder>,
+    envelopes: Vec<Envelope>,
 }
 
 impl<'r, 'e> Run<'r, 'e> {
@@ -332,11 +352,22 @@ impl<'r, 'e> Run<'r, 'e> {
             moves: 0,
             probing: false,
             writing: Vec::new(),
+            touching: envelope::Touching::AsScene,
+            recorder: None,
+            envelopes: Vec::new(),
         }
     }
 
     fn tell(&mut self, kind: EventKind) {
-        (self.emit)(Event { at: self.at.clone(), kind });
+        let at = self.at.clone();
+        self.pass_on(Event { at, kind });
+    }
+
+    /// Tells an event, unless it only happens in a rehearsal.
+    fn pass_on(&mut self, event: Event) {
+        if self.touching == Touching::AsScene {
+            (self.emit)(event);
+        }
     }
 
     /// The plan of a cycle, compiled when it is needed first.
@@ -394,6 +425,7 @@ impl<'r, 'e> Run<'r, 'e> {
             position: self.world.here,
             angles: self.world.program_angles(),
             shown,
+            envelopes: self.envelopes,
         }
     }
 

@@ -9,7 +9,7 @@ use super::event::MoveKind;
 use super::fault::{Class, Fault};
 use super::probe::Pressed;
 use super::turn::rotary;
-use super::{Done, EventKind, Run};
+use super::{Done, EventKind, Run, Touching};
 use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis};
 use crate::engine::solid::Path as BallPath;
 use crate::expr::{atan2d, cosd, sind};
@@ -320,6 +320,7 @@ impl Run<'_, '_> {
                 return Err(fault.into());
             }
         }
+        self.note_way(path, false);
         self.collide(path)?;
         self.release(path);
         self.world.here = to;
@@ -356,7 +357,7 @@ impl Run<'_, '_> {
 
     /// A probe that touches something while it is not probing is an error.
     fn collide(&self, path: &BallPath) -> Done {
-        if !self.probing && !self.world.holds_probe() {
+        if self.touching != Touching::AsScene || (!self.probing && !self.world.holds_probe()) {
             return Ok(());
         }
         let Ok(probe) = self.world.probe() else { return Ok(()) };

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::event::{MoveKind, Probing};
 use super::fault::{Class, Fault};
 use super::stylus::ProbeData;
-use super::{Done, EventKind, Run};
+use super::{Done, EventKind, Run, Touching};
 use crate::engine::scene::Orientation;
 use crate::engine::solid::Path;
 
@@ -94,20 +94,15 @@ impl Run<'_, '_> {
         let target = from + approach.direction * approach.path;
         let start = self.world.ball_centre(self.world.machine, probe);
         let way = frame.vector(approach.direction);
-        let (body, at_start) = (&self.world.scene.body, self.world.at_parts(start));
-        if body.touches(probe.ball_radius, at_start)? {
-            return Err(Fault::control("probe-deflected").into());
-        }
-        let path_end = self.world.at_parts(start + way * approach.path);
-        let contact = body.first_contact(probe.ball_radius, at_start, path_end)?;
-        let mut found = None;
-        if let Some(contact) = contact {
-            let (ball, point) = (self.world.off_parts(contact.ball_centre), self.world.off_parts(contact.point));
-            let depth = self.world.pre_travel(probe, way) + self.world.scatter();
-            if (ball - start).length() + depth <= approach.path {
-                found = Some((self.world.machine + (ball - start) + way * depth, point, depth));
+        self.note_way(&Path::line(self.world.machine, self.world.machine + way * approach.path), true);
+        let found = match self.touching {
+            Touching::AsScene => self.found(probe, approach.path, start, way)?,
+            Touching::AtOnce => Some((self.world.machine, start + way * probe.ball_radius, 0.0)),
+            Touching::AtEnd => {
+                let gone = way * approach.path;
+                Some((self.world.machine + gone, start + gone + way * probe.ball_radius, 0.0))
             }
-        }
+        };
         let tip = found.map_or(self.world.machine + way * approach.path, |(tip, _, _)| tip);
         if let Some(fault) = self.world.beyond_limits(tip) {
             return Err(fault.into());
@@ -119,6 +114,27 @@ impl Run<'_, '_> {
         let pressed = |(_, _, depth)| Pressed { from: self.world.machine, direction: way, depth };
         self.world.pressed = found.map(pressed);
         Ok(Stop { tip, centre, touched: found.is_some() })
+    }
+
+    /// Where the ball touches the parts on a path from its centre at the start, if it does: the tool tip when the probe
+    /// triggers, the point touched, and how far the ball went on. In machine coordinates.
+    fn found(
+        &mut self,
+        probe: &ProbeData,
+        path: f64,
+        start: DVec3,
+        way: DVec3,
+    ) -> Done<Option<(DVec3, DVec3, f64)>> {
+        let (body, at_start) = (&self.world.scene.body, self.world.at_parts(start));
+        if body.touches(probe.ball_radius, at_start)? {
+            return Err(Fault::control("probe-deflected").into());
+        }
+        let path_end = self.world.at_parts(start + way * path);
+        let Some(contact) = body.first_contact(probe.ball_radius, at_start, path_end)? else { return Ok(None) };
+        let (ball, point) = (self.world.off_parts(contact.ball_centre), self.world.off_parts(contact.point));
+        let depth = self.world.pre_travel(probe, way) + self.world.scatter();
+        let reached = (ball - start).length() + depth <= path;
+        Ok(reached.then_some((self.world.machine + (ball - start) + way * depth, point, depth)))
     }
 
     /// Tells the return from where the probe stopped.

@@ -53,6 +53,7 @@ pub(super) struct Tables {
 }
 
 /// The virtual machine.
+#[derive(Clone)]
 pub(super) struct World<'s> {
     /// The scene.
     pub scene: &'s Scene,
