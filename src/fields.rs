@@ -5,7 +5,6 @@
 use crate::spec::{CycleKey, Field, Keyword, Shape};
 use crate::syntax::{Axis, CycleKeyword, OldCycleLine, OldWord, Program, SHORTEST_LABEL, ValueKind};
 
-
 /// The key of a cycle that a program writes.
 pub const fn key(keyword: CycleKeyword, number: u32) -> CycleKey {
     let keyword = match keyword {

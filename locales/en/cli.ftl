@@ -43,6 +43,9 @@ cli-plot-view = From where to look: top, side, isometric (default)
 cli-plot-out = File for the drawing
 cli-plot-scene = Scene file: machine, tools, workpiece (default: no tool table, so that only the path is known)
 cli-conform = Execute the examples of the specifications
+cli-conform-engine = Put the examples to another engine, a command that speaks the protocol of docs/conform-protocol.md
+cli-conform-time-limit = How long it may take for a case (default: 10)
+cli-conform-serve = Answer requests of that protocol from standard input
 cli-export = Print all cycles of a control in a language, as JSON
 
 cli-arg-cycle = Number of the cycle, such as 412 or TCH PROBE 412
@@ -89,6 +92,7 @@ cli-examples-plot =
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
+    ciklo conform --engine "my-engine --jsonl" --time-limit 5
 cli-examples-coverage =
     ciklo coverage
     ciklo coverage --format json
@@ -178,9 +182,9 @@ cli-envelope-near = { $what ->
        *[no] does not reach
     } it
 cli-envelope-touches = { $what ->
-        [stock] Raw material
-       *[part] Part { $number }
-    }: COLLISION with the tip at X = { $x }, Y = { $y }, Z = { $z }
+        [stock] Raw material, as it is before machining: its inside is entered,
+       *[part] Part { $number }: COLLISION,
+    } with the tip at X = { $x }, Y = { $y }, Z = { $z }
 cli-envelope-near-unknown = { $what ->
         [stock] Raw material
        *[part] Part { $number }

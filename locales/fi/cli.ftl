@@ -38,6 +38,9 @@ cli-run-skip-blocks = Ohita lauseet, jotka alkavat merkillä /
 cli-run-lang = Pöytäkirjojen kieli (oletus: ohjelman NC-tekstien kieli tai ohjauksen käsikirjan kieli)
 cli-run-envelope = Näytä tulosten asemesta, mitä kukin kosketustyökierto tekisi pahimmassa tapauksessa
 cli-conform = Suorita kuvausten esimerkit
+cli-conform-engine = Anna esimerkit toiselle suoritusohjelmalle, komennolle joka noudattaa asiakirjan docs/conform-protocol.md protokollaa
+cli-conform-time-limit = Kuinka kauan yksi tapaus saa kestää (oletus: 10)
+cli-conform-serve = Vastaa vakiosyötteestä luettaviin protokollan pyyntöihin
 cli-export = Tulosta ohjauksen kaikki työkierrot yhdellä kielellä JSON-muodossa
 
 cli-arg-cycle = Työkierron numero, esimerkiksi 412 tai TCH PROBE 412
@@ -80,6 +83,7 @@ cli-examples-run =
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
+    ciklo conform --engine "my-engine --jsonl" --time-limit 5
 cli-examples-coverage =
     ciklo coverage
     ciklo coverage --format json
@@ -149,9 +153,9 @@ cli-envelope-near = { $what ->
        *[no] ei ulotu
     } siihen
 cli-envelope-touches = { $what ->
-        [stock] Aihio
-       *[part] Kappale { $number }
-    }: TÖRMÄYS, kun kosketuspää on kohdassa X = { $x }, Y = { $y }, Z = { $z }
+        [stock] Aihio ennen koneistusta: kosketuspää on sen sisällä,
+       *[part] Kappale { $number }: TÖRMÄYS,
+    } kun kosketuspää on kohdassa X = { $x }, Y = { $y }, Z = { $z }
 cli-envelope-near-unknown = { $what ->
         [stock] Aihio
        *[part] Kappale { $number }

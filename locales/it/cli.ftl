@@ -38,6 +38,9 @@ cli-run-skip-blocks = Salta i blocchi che iniziano con /
 cli-run-lang = Lingua dei protocolli (predefinita: quella delle etichette del programma o del manuale del controllo numerico)
 cli-run-envelope = Mostra, al posto dei risultati, che cosa farebbe nel caso peggiore ogni ciclo di tastatura
 cli-conform = Esegue gli esempi delle specifiche
+cli-conform-engine = Sottopone gli esempi a un altro motore, un comando che parla il protocollo di docs/conform-protocol.md
+cli-conform-time-limit = Quanto può durare un caso (predefinito: 10)
+cli-conform-serve = Risponde alle richieste di tale protocollo dallo standard input
 cli-export = Stampa tutti i cicli di un controllo numerico in una lingua, come JSON
 
 cli-arg-cycle = Numero del ciclo, ad esempio 412 o TCH PROBE 412
@@ -80,6 +83,7 @@ cli-examples-run =
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
+    ciklo conform --engine "my-engine --jsonl" --time-limit 5
 cli-examples-coverage =
     ciklo coverage
     ciklo coverage --format json
@@ -149,9 +153,9 @@ cli-envelope-near = { $what ->
        *[no] non lo raggiunge
     }
 cli-envelope-touches = { $what ->
-        [stock] Pezzo grezzo
-       *[part] Corpo { $number }
-    }: COLLISIONE con la punta a X = { $x }, Y = { $y }, Z = { $z }
+        [stock] Pezzo grezzo, prima della lavorazione: la punta è al suo interno,
+       *[part] Corpo { $number }: COLLISIONE,
+    } con la punta a X = { $x }, Y = { $y }, Z = { $z }
 cli-envelope-near-unknown = { $what ->
         [stock] Pezzo grezzo
        *[part] Corpo { $number }

@@ -38,6 +38,9 @@ cli-run-skip-blocks = Omite as frases que começam por /
 cli-run-lang = Idioma dos registos (predefinição: o das designações do programa ou do manual do comando)
 cli-run-envelope = Mostrar, em vez dos resultados, o que cada ciclo de apalpação faria no pior dos casos
 cli-conform = Executa os exemplos das especificações
+cli-conform-engine = Submeter os exemplos a outro motor, um comando que fala o protocolo de docs/conform-protocol.md
+cli-conform-time-limit = Quanto tempo pode demorar um caso (predefinição: 10)
+cli-conform-serve = Responder aos pedidos desse protocolo da entrada padrão
 cli-export = Mostra todos os ciclos de um comando numérico num idioma, como JSON
 
 cli-arg-cycle = Número do ciclo, por exemplo 412 ou TCH PROBE 412
@@ -80,6 +83,7 @@ cli-examples-run =
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
+    ciklo conform --engine "my-engine --jsonl" --time-limit 5
 cli-examples-coverage =
     ciklo coverage
     ciklo coverage --format json
@@ -152,9 +156,9 @@ cli-envelope-near = { $what ->
        *[no] não o alcança
     }
 cli-envelope-touches = { $what ->
-        [stock] Peça em bruto
-       *[part] Corpo { $number }
-    }: COLISÃO com a ponta em X = { $x }, Y = { $y }, Z = { $z }
+        [stock] Peça em bruto, antes da maquinação: a ponta fica dentro dela,
+       *[part] Corpo { $number }: COLISÃO,
+    } com a ponta em X = { $x }, Y = { $y }, Z = { $z }
 cli-envelope-near-unknown = { $what ->
         [stock] Peça em bruto
        *[part] Corpo { $number }

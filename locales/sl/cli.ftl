@@ -38,6 +38,9 @@ cli-run-skip-blocks = Izpusti stavke, ki se začnejo z /
 cli-run-lang = Jezik protokolov (privzeto: jezik oznak v programu ali jezik priročnika krmiljenja)
 cli-run-envelope = Namesto rezultatov pokaži, kaj bi vsak cikel tipanja naredil v najslabšem primeru
 cli-conform = Izvede primere iz specifikacij
+cli-conform-engine = Preizkusi primere z drugim pogonom, ukazom, ki govori protokol iz docs/conform-protocol.md
+cli-conform-time-limit = Koliko časa sme trajati en primer (privzeto: 10)
+cli-conform-serve = Odgovarjaj na zahteve tega protokola s standardnega vhoda
 cli-export = Izpiše vse cikle krmiljenja v enem jeziku kot JSON
 
 cli-arg-cycle = Številka cikla, na primer 412 ali TCH PROBE 412
@@ -80,6 +83,7 @@ cli-examples-run =
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml
+    ciklo conform --engine "my-engine --jsonl" --time-limit 5
 cli-examples-coverage =
     ciklo coverage
     ciklo coverage --format json
@@ -171,9 +175,9 @@ cli-envelope-near = { $what ->
        *[no] ne doseže
     }
 cli-envelope-touches = { $what ->
-        [stock] Surovec
-       *[part] Del { $number }
-    }: TRK, ko je konica pri X = { $x }, Y = { $y }, Z = { $z }
+        [stock] Surovec pred obdelavo: konica je v njem,
+       *[part] Del { $number }: TRK,
+    } ko je konica pri X = { $x }, Y = { $y }, Z = { $z }
 cli-envelope-near-unknown = { $what ->
         [stock] Surovec
        *[part] Del { $number }

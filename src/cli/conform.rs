@@ -3,17 +3,32 @@ use clap::ArgMatches;
 
 use super::session::{self, Session};
 use super::{Command, Failure, Outcome, arguments, cycle};
-use crate::conform::{self, CaseReport, CycleReport, Report, Verdict, World};
+use std::time::Duration;
+
+use crate::conform::{self, CaseReport, CycleReport, Partner, Report, Silence, Verdict, World};
 use crate::diag::Severity;
 use crate::locale::{Args, Ui};
+use crate::system::{self, Answering, NoAnswer};
 
-pub(super) const COMMAND: Command =
-    Command { name: "conform", usage: "[--control CONTROL]… [--format FORMAT]", arguments: own, run };
+pub(super) const COMMAND: Command = Command {
+    name: "conform",
+    usage: "[--control CONTROL]… [--format FORMAT] [--engine CMD [--time-limit SECONDS]] [--serve]",
+    arguments: own,
+    run,
+};
+
+/// How long another engine may take for a case, in seconds.
+const TIME_LIMIT: f64 = 10.0;
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
         arguments::several(ui, "control", "CONTROL", "cli-build-control"),
         arguments::format(ui, &["text", "json", "junit"]).help(ui.text("cli-arg-report", &Args::new())),
+        arguments::valued(ui, "engine", "CMD", "cli-conform-engine"),
+        arguments::valued(ui, "time-limit", "SECONDS", "cli-conform-time-limit")
+            .requires("engine")
+            .value_parser(clap::value_parser!(f64)),
+        arguments::switch(ui, "serve", "cli-conform-serve").conflicts_with_all(["engine", "control"]),
     ]
 }
 
@@ -26,7 +41,17 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     let controls: Vec<&str> = controls.iter().map(String::as_str).collect();
     let world = World { catalogue: &catalogue, locales: &locales, files: &files };
-    let (report, found) = conform::run(&world, &controls);
+    if matches.get_flag("serve") {
+        return serve(session, &world);
+    }
+    let (report, found) = match matches.get_one::<String>("engine") {
+        None => conform::run(&world, &controls),
+        Some(command) => {
+            let limit = matches.get_one::<f64>("time-limit").copied().unwrap_or(TIME_LIMIT);
+            let limit = Duration::try_from_secs_f64(limit).unwrap_or(Duration::MAX);
+            conform::run_foreign(&world, &controls, &mut Foreign(Answering::new(command, limit)))
+        }
+    };
     let text = match arguments::chosen_format(matches) {
         "json" => session::json(&report)?,
         "junit" => conform::junit(&report),
@@ -38,6 +63,27 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     found.iter().for_each(|diagnostic| session.output.complain(diagnostic, &session.ui));
     let wrong = found.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
     Ok(if wrong || !report.is_clean() { Outcome::Errors } else { Outcome::Clean })
+}
+
+/// Another engine, in a process of its own.
+struct Foreign(Answering);
+
+impl Partner for Foreign {
+    fn ask(&mut self, line: &str) -> Result<String, Silence> {
+        self.0.ask(line).map_err(|silence| match silence {
+            NoAnswer::TimeLimit => Silence::TimeLimit,
+            NoAnswer::Ended(reason) => Silence::Ended(reason),
+        })
+    }
+}
+
+/// Answers requests of the protocol until there are no more.
+fn serve(session: &mut Session, world: &World<'_>) -> Result<Outcome, Failure> {
+    while let Some(line) = system::next_line()? {
+        session.output.print(&format!("{}\n", conform::serve(world, &line)))?;
+        session.output.finish()?;
+    }
+    Ok(Outcome::Clean)
 }
 
 fn counts(report: &Report) -> Args<'static> {

@@ -55,7 +55,8 @@ fn error_in(cycle: &Envelope, touching: Touching) -> Option<&str> {
 fn lines(cycle: &Envelope, on: &OnControl, locales: &Locales, ui: &Ui) -> String {
     let length = |value: f64| ui.numbers().nc(value, SHOWN).unwrap_or_default();
     let mut told = Vec::new();
-    let mut tell = |key: &str, args: Args<'_>| told.push(format!("  {}", ui.text(&format!("cli-envelope-{key}"), &args)));
+    let mut tell =
+        |key: &str, args: Args<'_>| told.push(format!("  {}", ui.text(&format!("cli-envelope-{key}"), &args)));
     let axis = cycle.axis.to_string();
     if let (Some(lowest), Some(highest)) = (cycle.lowest, cycle.highest) {
         tell("lowest", Args::new().text("axis", axis.as_str()).text("height", length(lowest)));
@@ -88,7 +89,8 @@ fn head(cycle: &Envelope, on: &OnControl, locales: &Locales, ui: &Ui) -> String 
         let id = format!("cycle-{}", described.name());
         Some(locales.language(ui.tag()).ok()?.text(&id, &scope, &Args::new()).ok()?.into_owned())
     });
-    let args = Args::new().number("line", cycle.line as f64).text("cycle", format!("{} {}", cycle.keyword, cycle.number));
+    let args =
+        Args::new().number("line", cycle.line as f64).text("cycle", format!("{} {}", cycle.keyword, cycle.number));
     ui.text("cli-envelope-cycle", &args.text("name", name.unwrap_or_default()))
 }
 

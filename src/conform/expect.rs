@@ -243,6 +243,11 @@ impl Expectation {
         }
     }
 
+    /// The same without movements, for engines that do not tell them.
+    pub(super) fn without_moves(&self) -> Self {
+        Self { actions: None, ..self.clone() }
+    }
+
     /// Whether the case expects that the engine refuses it.
     pub(super) fn wants_refusal(&self) -> bool {
         self.end == Some(Status::Unsupported)

@@ -4,6 +4,8 @@
 //! engine tells. Invariant: an expectation is never adapted to a result; what no example shows is reported.
 mod case;
 mod expect;
+mod foreign;
+mod protocol;
 mod report;
 mod texts;
 
@@ -11,6 +13,8 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+pub use foreign::{Partner, Silence, run as run_foreign};
+pub use protocol::{Answer, CellWritten, CycleName, Moved, PROTOCOL, Request, serve};
 pub use report::{CaseReport, Clause, CycleReport, FORMAT, Mismatch, Report, Verdict, junit};
 pub use texts::LogTexts;
 
@@ -38,16 +42,17 @@ struct Job<'w> {
     example: &'w Example,
 }
 
+impl Job<'_> {
+    fn report(&self, verdict: Verdict) -> CaseReport {
+        case::report(self.on, self.cycle, self.example, verdict)
+    }
+}
+
 /// Runs every example on the controls (all of them, if the list is empty). Mistakes in the examples themselves come
 /// back as diagnostics.
 pub fn run(world: &World<'_>, controls: &[&str]) -> (Report, Vec<Diagnostic>) {
     let chosen = |on: &&OnControl| controls.is_empty() || controls.contains(&on.id());
-    let mut jobs = Vec::new();
-    for on in world.catalogue.controls.values().filter(chosen) {
-        for cycle in on.cycles.values() {
-            jobs.extend(cycle.file.examples.iter().map(|example| Job { on, cycle, example }));
-        }
-    }
+    let jobs = jobs(world, controls);
     let results = execute(world, &jobs);
     let mut shown: BTreeMap<(String, CycleKey), Shown> = BTreeMap::new();
     let (mut cases, mut found) = (Vec::new(), Vec::new());
@@ -70,6 +75,18 @@ pub fn run(world: &World<'_>, controls: &[&str]) -> (Report, Vec<Diagnostic>) {
     }
     dedupe(&mut found);
     (Report { format: FORMAT, cases, cycles }, found)
+}
+
+/// The examples on the controls, or on all of them if the list is empty.
+fn jobs<'w>(world: &World<'w>, controls: &[&str]) -> Vec<Job<'w>> {
+    let chosen = |on: &&OnControl| controls.is_empty() || controls.contains(&on.id());
+    let mut jobs = Vec::new();
+    for on in world.catalogue.controls.values().filter(chosen) {
+        for cycle in on.cycles.values() {
+            jobs.extend(cycle.file.examples.iter().map(|example| Job { on, cycle, example }));
+        }
+    }
+    jobs
 }
 
 type Result = (CaseReport, Shown, Vec<Diagnostic>);

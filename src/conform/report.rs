@@ -121,6 +121,28 @@ pub struct CycleReport {
     pub unprovoked: Vec<String>,
 }
 
+impl CycleReport {
+    /// The report of the cycle of a case of which nothing else is known.
+    pub(super) fn unseen(case: &CaseReport) -> Self {
+        Self {
+            control: case.control.clone(),
+            keyword: case.keyword,
+            number: case.number,
+            name: case.cycle.clone(),
+            pending: Vec::new(),
+            executed: Vec::new(),
+            unexecuted: Vec::new(),
+            provoked: Vec::new(),
+            unprovoked: Vec::new(),
+        }
+    }
+
+    /// Whether a case is one of this cycle.
+    pub(super) fn is_of(&self, case: &CaseReport) -> bool {
+        self.control == case.control && self.keyword == case.keyword && self.number == case.number
+    }
+}
+
 fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

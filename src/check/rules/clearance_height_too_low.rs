@@ -24,7 +24,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (definition, cycle) in facts.described() {
         let written = Written::of(facts, definition, cycle);
         let is = |meaning: &str| cycle.params.iter().find(|param| param.is.as_str() == meaning);
-        let Some((param, height)) = is(CLEARANCE_HEIGHT).and_then(|param| Some((param, written.number_of(param)?))) else {
+        let Some((param, height)) = is(CLEARANCE_HEIGHT).and_then(|param| Some((param, written.number_of(param)?)))
+        else {
             continue;
         };
         let clearance = is(CLEARANCE).and_then(|param| written.number_of(param)).unwrap_or(0.0).max(0.0);
@@ -35,7 +36,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if let (Some((touched, least)), Some(item)) = (highest.filter(|(_, least)| height <= *least), item) {
             let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref());
             let finding = finding.arg("cycle", definition.key.to_string()).arg("value", item.printed.as_str());
-            found.push(finding.arg("touched", touched.label_in(definition.key.number)).arg("least", Arg::Number(least)));
+            found
+                .push(finding.arg("touched", touched.label_in(definition.key.number)).arg("least", Arg::Number(least)));
         }
     }
 }

@@ -288,7 +288,7 @@ fn near((to, body): (Obstacle, Result<Body, SolidError>), radius: f64, legs: &[L
     };
     Near {
         to,
-        distance: found.map(|(distance, _)| exact(distance)),
+        distance: found.map(|(distance, _)| libm::round(distance / STEP) * STEP).map(exact),
         tip: found.map(|(_, tip)| back.point(tip).to_array().map(exact)),
         probed: legs.iter().filter(|leg| leg.probing).any(reaches),
     }

@@ -32,6 +32,7 @@ mod stud;
 mod stylus;
 mod thread;
 mod tilt;
+mod told;
 mod trace;
 mod turn;
 mod unit;
@@ -47,6 +48,7 @@ pub use envelope::{Ended, Envelope, FORMAT as ENVELOPE_FORMAT, Near, Obstacle, T
 pub use event::{At, Content, Coordinates, Event, EventKind, FORMAT, MessageKind, MoveKind, Probing, Status, Turned};
 pub use fault::{CODES, Class, Fault};
 pub use params::Params;
+pub use told::Told;
 pub use trace::{Trace, Traced};
 pub use world::Tool;
 
