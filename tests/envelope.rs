@@ -47,10 +47,10 @@ fn examples() -> Vec<(String, String, String)> {
     let of = |path: &PathBuf| {
         let program = PathBuf::from(path.to_string_lossy().replace(".scene.yaml", ".h"));
         // Programs that are called are left out.
-        let text: String = read(&program).lines().filter(|line| !line.contains("CALL PGM")).fold(
-            String::new(),
-            |text, line| text + line + "\n",
-        );
+        let text: String = read(&program)
+            .lines()
+            .filter(|line| !line.contains("CALL PGM"))
+            .fold(String::new(), |text, line| text + line + "\n");
         (path.display().to_string(), text, read(path))
     };
     paths.iter().map(of).collect()
@@ -149,7 +149,9 @@ fn distances_are_those_of_the_geometry() {
     let (outcome, _) = data.run(&HOLE.replace("CLEAR", "16"), SCENE, true);
     assert_eq!(outcome.envelopes.len(), 1);
     let envelope = &outcome.envelopes[0];
-    let is = |found: Option<f64>, wanted: f64| assert!(found.is_some_and(|found| (found - wanted).abs() < 2e-6), "{found:?} {wanted}");
+    let is = |found: Option<f64>, wanted: f64| {
+        assert!(found.is_some_and(|found| (found - wanted).abs() < 2e-6), "{found:?} {wanted}")
+    };
     // The tip measures at -5 - 2.
     is(envelope.lowest, -7.0);
     is(envelope.highest, 60.0);

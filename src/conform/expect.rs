@@ -245,7 +245,7 @@ impl Expectation {
 
     /// The same without movements, for engines that do not tell them.
     pub(super) fn without_moves(&self) -> Self {
-        Self { actions: None, ..self.clone() }
+        Self { actions: MOVES.map(|_| None), ..self.clone() }
     }
 
     /// Whether the case expects that the engine refuses it.
@@ -364,18 +364,7 @@ impl Expectation {
 
     fn compare_spindle(&self, key: CycleKey, events: &[Event], differs: &mut Vec<Mismatch>) {
         let Some(wanted) = &self.spindle else { return };
-        let told: Vec<String> = of_cycle(key, events)
-            .filter_map(|kind| match kind {
-                EventKind::Spindle { orient: Some(angle), .. } => Some(format!("orient {angle}")),
-                EventKind::Spindle { direction: 0, .. } => Some("stop".to_owned()),
-                EventKind::Spindle { direction, speed, .. } => {
-                    let sense = if *direction > 0 { "clockwise" } else { "counter-clockwise" };
-                    Some(format!("{sense} {speed}"))
-                }
-                EventKind::Coolant(on) => Some(if *on { "coolant on" } else { "coolant off" }.to_owned()),
-                _ => None,
-            })
-            .collect();
+        let told: Vec<String> = of_cycle(key, events).filter_map(spindle_words).collect();
         if *wanted != told {
             differs.push(Mismatch::new("spindle", wanted.join(", "), told.join(", ")));
         }
@@ -407,6 +396,20 @@ impl Expectation {
 fn of_cycle(key: CycleKey, events: &[Event]) -> impl Iterator<Item = &EventKind> {
     let own = move |event: &&Event| event.at.cycle.as_ref().is_some_and(|(found, _)| *found == key);
     events.iter().filter(own).map(|event| &event.kind)
+}
+
+/// What cases call something that is done with the spindle or the coolant.
+pub(super) fn spindle_words(kind: &EventKind) -> Option<String> {
+    match kind {
+        EventKind::Spindle { orient: Some(angle), .. } => Some(format!("orient {angle}")),
+        EventKind::Spindle { direction: 0, .. } => Some("stop".to_owned()),
+        EventKind::Spindle { direction, speed, .. } => {
+            let sense = if *direction > 0 { "clockwise" } else { "counter-clockwise" };
+            Some(format!("{sense} {speed}"))
+        }
+        EventKind::Coolant(on) => Some(if *on { "coolant on" } else { "coolant off" }.to_owned()),
+        _ => None,
+    }
 }
 
 /// The verb of an event that cases list.

@@ -8,11 +8,13 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+use super::expect::spindle_words;
 use super::{LogTexts, World};
 use crate::diag::Source;
 use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
 use crate::engine::run::{Content, Engine, Event, EventKind, MoveKind, Outcome, Probing, Status, Told, Turned};
 use crate::engine::scene::Scene;
+use crate::engine::solid::Path;
 use crate::expr::QRef;
 use crate::spec::{CycleKey, Keyword, Kind, Node};
 use crate::syntax;
@@ -75,6 +77,8 @@ pub struct Answer {
     pub tables: Vec<CellWritten>,
     /// The texts of the logs.
     pub logs: Vec<String>,
+    /// What the cycle does with the spindle and the coolant, in order, in the words of the cases.
+    pub spindle: Vec<String>,
     /// The movements and pauses of the cycle, in order; without it they are not compared.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moves: Option<Vec<Moved>>,
@@ -208,7 +212,10 @@ fn told(id: u64, key: CycleKey, scene: &Scene, outcome: &Outcome, events: &[Even
                 };
                 answer.tables.push(CellWritten { file: file.clone(), row: *row, column: column.clone(), value });
             }
-            kind if event.at.cycle.as_ref().is_some_and(|(own, _)| *own == key) => moves.extend(moved(kind)),
+            kind if event.at.cycle.as_ref().is_some_and(|(own, _)| *own == key) => {
+                moves.extend(moved(kind));
+                answer.spindle.extend(spindle_words(kind));
+            }
             _ => {}
         }
     }
@@ -263,9 +270,25 @@ impl Answer {
         for moved in self.moves.iter().flatten() {
             actions.push(moved.event(plane).ok_or_else(|| format!("moves: {}", moved.verb))?);
         }
+        for words in &self.spindle {
+            actions.push(spindle(words).ok_or_else(|| format!("spindle: {words}"))?);
+        }
         let error = (!self.errors.is_empty()).then(|| self.errors.join(", "));
         let (position, angles) = (linear(&self.position), rotary(&self.position));
         Ok(Told { status, error, q, position, angles, messages: self.messages, cells, logs: self.logs, actions })
+    }
+}
+
+fn spindle(words: &str) -> Option<EventKind> {
+    let (word, number) = words.split_once(' ').unwrap_or((words, ""));
+    let turns = |direction, speed, orient| EventKind::Spindle { tool: None, direction, speed, orient };
+    match (word, number) {
+        ("stop", "") => Some(turns(0, 0.0, None)),
+        ("coolant", "on" | "off") => Some(EventKind::Coolant(number == "on")),
+        ("orient", number) => Some(turns(0, 0.0, Some(number.parse().ok()?))),
+        ("clockwise", number) => Some(turns(1, number.parse().ok()?, None)),
+        ("counter-clockwise", number) => Some(turns(-1, number.parse().ok()?, None)),
+        _ => None,
     }
 }
 
@@ -289,7 +312,10 @@ fn rotary(by_letter: &BTreeMap<String, f64>) -> DVec3 {
 impl Moved {
     fn event(&self, plane: WorkingPlane) -> Option<EventKind> {
         let (to, feed) = (linear(&self.to), self.feed.unwrap_or(f64::NAN));
-        let straight = |kind| EventKind::Move { kind, from: DVec3::NAN, to, machine: DVec3::NAN, feed };
+        let straight = |kind| {
+            let path = Path::line(DVec3::NAN, DVec3::NAN);
+            EventKind::Move { kind, from: DVec3::NAN, to, machine: DVec3::NAN, feed, path }
+        };
         Some(match self.verb.as_str() {
             "rapid" => straight(MoveKind::Rapid),
             "feed" => straight(MoveKind::Feed),

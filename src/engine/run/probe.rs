@@ -118,13 +118,7 @@ impl Run<'_, '_> {
 
     /// Where the ball touches the parts on a path from its centre at the start, if it does: the tool tip when the probe
     /// triggers, the point touched, and how far the ball went on. In machine coordinates.
-    fn found(
-        &mut self,
-        probe: &ProbeData,
-        path: f64,
-        start: DVec3,
-        way: DVec3,
-    ) -> Done<Option<(DVec3, DVec3, f64)>> {
+    fn found(&mut self, probe: &ProbeData, path: f64, start: DVec3, way: DVec3) -> Done<Option<(DVec3, DVec3, f64)>> {
         let (body, at_start) = (&self.world.scene.body, self.world.at_parts(start));
         if body.touches(probe.ball_radius, at_start)? {
             return Err(Fault::control("probe-deflected").into());
