@@ -3,7 +3,7 @@
 //! Fields are known by their line, their shape and their order, never by the printed word, which is
 //! another one in each language. Invariant: nothing here judges a value.
 use crate::spec::{CycleKey, Field, Keyword, Shape};
-use crate::syntax::{Axis, CycleKeyword, OldCycleLine, OldWord, Program, SHORTEST_LABEL, ValueKind};
+use crate::syntax::{Axis, CycleKeyword, NamedWord, OldCycleLine, Program, SHORTEST_LABEL, ValueKind};
 
 /// The key of a cycle that a program writes.
 pub const fn key(keyword: CycleKeyword, number: u32) -> CycleKey {
@@ -24,7 +24,7 @@ pub const fn stands_on(field: &Field, line: &OldCycleLine) -> bool {
 pub fn first<'f>(
     program: &Program,
     mut fields: impl Iterator<Item = &'f Field>,
-    words: &[OldWord],
+    words: &[NamedWord],
 ) -> Option<(usize, usize)> {
     let mut count = 0;
     let at = fields.position(|field| {
@@ -35,7 +35,7 @@ pub fn first<'f>(
 }
 
 /// How many of the words make up the field: 0 if the first one does not.
-fn width(program: &Program, field: &Field, words: &[OldWord]) -> usize {
+fn width(program: &Program, field: &Field, words: &[NamedWord]) -> usize {
     let Some(word) = words.first() else { return 0 };
     let name = program.slice(word.name);
     let fits = match field.shape {
@@ -59,7 +59,7 @@ fn width(program: &Program, field: &Field, words: &[OldWord]) -> usize {
         }
         Shape::Axes => {
             let alone =
-                |word: &&OldWord| word.value.kind == ValueKind::Missing && is_axis(program.slice(word.name), false);
+                |word: &&NamedWord| word.value.kind == ValueKind::Missing && is_axis(program.slice(word.name), false);
             return words.iter().take_while(alone).count();
         }
         Shape::Centre => return words.iter().take_while(|word| is_of_centre(program, word)).count(),
@@ -73,13 +73,13 @@ fn is_axis(name: &str, incremental: bool) -> bool {
     name.len() == 1 && Axis::by_name(name.as_bytes()).is_some()
 }
 
-fn is_of_centre(program: &Program, word: &OldWord) -> bool {
+fn is_of_centre(program: &Program, word: &NamedWord) -> bool {
     let valued = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
     let upper = program.slice(word.name).to_ascii_uppercase();
     valued && upper.strip_prefix("CC").is_some_and(|axis| is_axis(axis, false))
 }
 
-fn is_coordinate(program: &Program, word: &OldWord, incremental: bool) -> bool {
+fn is_coordinate(program: &Program, word: &NamedWord, incremental: bool) -> bool {
     let valued = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
     valued && is_axis(program.slice(word.name), incremental)
 }

@@ -86,8 +86,11 @@ fn the_programs_show_every_kind_of_block() {
         let decoded = decode(&fs::read(&path).expect("a program"));
         seen.extend(program(&decoded.text).blocks().iter().map(|block| block.kind.name()));
     }
-    let all = "begin-pgm blk-form c call-lbl call-pgm cc chf comment cp cr ct ctp cycl-call cycl-def empty end-pgm fn-assign \
-               fn-jump formula l lbl lp m other rnd sel stop string-formula structure tch-probe tool-call tool-def unknown";
+    let all = "appr begin-pgm blk-form c call-lbl call-pgm call-selected cc chf comment contour-def contour-formula \
+               cp cr ct ctp cycl-call cycl-def declare-contour dep empty end-pgm fc fct fl flt fn fn-assign \
+               fn-jump formula fpol fselect function global-def l lbl ln lp m pattern-def plane rnd sel \
+               set-undefined spl sql stop string-formula structure sysread tch-probe tool-call tool-def trans \
+               unknown";
     assert_eq!(seen.into_iter().collect::<Vec<_>>(), all.split_whitespace().collect::<Vec<_>>());
 }
 

@@ -8,7 +8,7 @@ syntax-expected =
         [word] a coordinate, R0, RL, RR, a feed or an M function
         [number] a number
         [m-function] an M function
-        [blk-form-part] 0.1 or 0.2
+        [blk-form-part] 0.1, 0.2, CYLINDER, ROTATION or FILE
         [tool-word] S, F, DL, DR or DR2, each once
         [tool] a tool number or a tool name in quotation marks
         [value] a number or a Q parameter
@@ -33,6 +33,14 @@ syntax-expected =
         [character] a character of the formula language
         [arguments] another number of arguments
         [in-spec-only] arithmetic only, since programs know no comparison here
+        [block-word] a word of this block
+        [approach] LT, LN, CT, LCT, PLT, PLN, PCT or PLCT
+        [plane-form] SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL or RESET
+        [function] the name of a function
+        [transformation] DATUM, MIRROR, ROTATION or SCALE
+        [pattern-item] POS, ROW, PAT, FRAME, CIRC or PITCHCIRC
+        [contour-name] a contour such as QC1
+        [contour-operator] &, |, ^ or \
        *[other] { $expected }
     }
 

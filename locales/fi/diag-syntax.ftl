@@ -8,7 +8,7 @@ syntax-expected =
         [word] koordinaatti, R0, RL, RR, syöttöarvo tai M-toiminto
         [number] luku
         [m-function] M-toiminto
-        [blk-form-part] 0.1 tai 0.2
+        [blk-form-part] 0.1, 0.2, CYLINDER, ROTATION tai FILE
         [tool-word] S, F, DL, DR tai DR2, kukin kerran
         [tool] työkalun numero tai työkalun nimi lainausmerkeissä
         [value] luku tai Q-parametri
@@ -33,6 +33,14 @@ syntax-expected =
         [character] kaavakielen merkki
         [arguments] eri määrä argumentteja
         [in-spec-only] vain laskutoimituksia, koska ohjelmissa ei tässä voi vertailla
+        [block-word] tämän lauseen sana
+        [approach] LT, LN, CT, LCT, PLT, PLN, PCT tai PLCT
+        [plane-form] SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL tai RESET
+        [function] toiminnon nimi
+        [transformation] DATUM, MIRROR, ROTATION tai SCALE
+        [pattern-item] POS, ROW, PAT, FRAME, CIRC tai PITCHCIRC
+        [contour-name] muoto, esimerkiksi QC1
+        [contour-operator] &, |, ^ tai \
        *[other] { $expected }
     }
 

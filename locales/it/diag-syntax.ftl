@@ -8,7 +8,7 @@ syntax-expected =
         [word] una coordinata, R0, RL, RR, un avanzamento o una funzione M
         [number] un numero
         [m-function] una funzione M
-        [blk-form-part] 0.1 o 0.2
+        [blk-form-part] 0.1, 0.2, CYLINDER, ROTATION o FILE
         [tool-word] S, F, DL, DR o DR2, ciascuno una sola volta
         [tool] un numero utensile o un nome utensile tra virgolette
         [value] un numero o un parametro Q
@@ -33,6 +33,14 @@ syntax-expected =
         [character] un carattere del linguaggio delle formule
         [arguments] un altro numero di argomenti
         [in-spec-only] solo operazioni aritmetiche, perché qui i programmi non ammettono confronti
+        [block-word] una parola di questo blocco
+        [approach] LT, LN, CT, LCT, PLT, PLN, PCT o PLCT
+        [plane-form] SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL o RESET
+        [function] il nome di una funzione
+        [transformation] DATUM, MIRROR, ROTATION o SCALE
+        [pattern-item] POS, ROW, PAT, FRAME, CIRC o PITCHCIRC
+        [contour-name] un profilo, ad esempio QC1
+        [contour-operator] &, |, ^ o \
        *[other] { $expected }
     }
 

@@ -8,7 +8,7 @@ syntax-expected =
         [word] uma coordenada, R0, RL, RR, um avanço ou uma função M
         [number] um número
         [m-function] uma função M
-        [blk-form-part] 0.1 ou 0.2
+        [blk-form-part] 0.1, 0.2, CYLINDER, ROTATION ou FILE
         [tool-word] S, F, DL, DR ou DR2, cada um só uma vez
         [tool] um número de ferramenta ou um nome de ferramenta entre aspas
         [value] um número ou um parâmetro Q
@@ -33,6 +33,14 @@ syntax-expected =
         [character] um carácter da linguagem de fórmulas
         [arguments] outro número de argumentos
         [in-spec-only] apenas operações aritméticas, pois aqui os programas não admitem comparações
+        [block-word] uma palavra desta frase
+        [approach] LT, LN, CT, LCT, PLT, PLN, PCT ou PLCT
+        [plane-form] SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL ou RESET
+        [function] o nome de uma função
+        [transformation] DATUM, MIRROR, ROTATION ou SCALE
+        [pattern-item] POS, ROW, PAT, FRAME, CIRC ou PITCHCIRC
+        [contour-name] um contorno, por exemplo QC1
+        [contour-operator] &, |, ^ ou \
        *[other] { $expected }
     }
 

@@ -8,7 +8,7 @@ syntax-expected =
         [word] koordinata, R0, RL, RR, pomik ali M-funkcija
         [number] število
         [m-function] M-funkcija
-        [blk-form-part] 0.1 ali 0.2
+        [blk-form-part] 0.1, 0.2, CYLINDER, ROTATION ali FILE
         [tool-word] S, F, DL, DR ali DR2, vsak po enkrat
         [tool] številka orodja ali ime orodja v narekovajih
         [value] število ali Q-parameter
@@ -33,6 +33,14 @@ syntax-expected =
         [character] znak jezika formul
         [arguments] drugačno število argumentov
         [in-spec-only] samo računske operacije, ker programi tu ne poznajo primerjav
+        [block-word] beseda tega stavka
+        [approach] LT, LN, CT, LCT, PLT, PLN, PCT ali PLCT
+        [plane-form] SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL ali RESET
+        [function] ime funkcije
+        [transformation] DATUM, MIRROR, ROTATION ali SCALE
+        [pattern-item] POS, ROW, PAT, FRAME, CIRC ali PITCHCIRC
+        [contour-name] kontura, na primer QC1
+        [contour-operator] &, |, ^ ali \
        *[other] { $expected }
     }
 

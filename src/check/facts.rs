@@ -10,7 +10,7 @@ use super::{Against, CycleLabels, values};
 use crate::diag::Span;
 use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, Refusal, TakesEffect};
-use crate::syntax::{BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Program, Value};
+use crate::syntax::{BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Program, StatementKind, Value};
 
 /// A program with its cycle definitions resolved for a control.
 pub struct Facts<'a> {
@@ -166,7 +166,11 @@ impl<'a> Facts<'a> {
                 BlockKind::BeginPgm(frame) => self.inch = frame.inch,
                 BlockKind::CallLbl(_) | BlockKind::FnJump(_) => self.flow.jumps = true,
                 BlockKind::CallPgm(_) => self.flow.programs = true,
-                BlockKind::Other(word) => self.other(*word),
+                BlockKind::Statement(statement) => match statement.kind {
+                    StatementKind::CallSelected => self.flow.programs = true,
+                    StatementKind::Function => self.flow.opaque = true,
+                    _ => {}
+                },
                 BlockKind::Unknown(_) => self.flow.opaque = true,
                 BlockKind::ToolCall(call) => {
                     self.events.push(Event::Tool { axis: call.axis.is_some() });
@@ -179,13 +183,6 @@ impl<'a> Facts<'a> {
                 _ => {}
             }
         }
-    }
-
-    /// Blocks known by their first word: a program may be called, or the machine be another one.
-    fn other(&mut self, word: Span) {
-        let word = self.program.slice(word).to_ascii_uppercase();
-        self.flow.programs |= word == "CALL";
-        self.flow.opaque |= word == "FUNCTION";
     }
 
     /// What M functions do: those at the start of the block, then the call, then those at its end.

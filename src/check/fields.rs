@@ -9,7 +9,7 @@ use super::labels::fold;
 use crate::diag::Span;
 use crate::fields::{first, stands_on};
 use crate::spec::{Cycle, Field, Param, Shape};
-use crate::syntax::{OldCycleLine, OldWord, Program};
+use crate::syntax::{NamedWord, OldCycleLine, Program};
 
 /// A definition of the old form with its fields found.
 pub(super) struct Matched<'a> {
@@ -68,8 +68,8 @@ fn item<'a>(
     program: &'a Program,
     cycle: &Cycle,
     line: &OldCycleLine,
-    words: &'a [OldWord],
-    first: &OldWord,
+    words: &'a [NamedWord],
+    first: &NamedWord,
     param: Option<(&'a Param, &'a Field)>,
 ) -> Item<'a> {
     let last = words.last().unwrap_or(first);
@@ -80,7 +80,7 @@ fn item<'a>(
     let printed = match shape {
         Some(Shape::Row) => format!("#{value}"),
         Some(Shape::Position | Shape::AxisDirection | Shape::AxisCoordinate | Shape::Axes | Shape::Centre) => {
-            let closed = |word: &OldWord| format!("{}{}", program.slice(word.name), program.slice(word.value.span));
+            let closed = |word: &NamedWord| format!("{}{}", program.slice(word.name), program.slice(word.value.span));
             words.iter().map(closed).collect::<Vec<_>>().join(" ")
         }
         Some(Shape::Word) if name.starts_with(['I', 'i']) => format!("I{value}"),

@@ -4,7 +4,8 @@
 //! bounded number of times, whatever the text.
 use super::cursor::{Cursor, Read, trim};
 use super::lines::{Line, line_at};
-use super::tree::{Block, BlockKind, CycleDef, Parameter, SyntaxError};
+use super::statement::{GlobalDef, StatementKind};
+use super::tree::{Block, BlockKind, CycleDef, CycleKeyword, Parameter, SyntaxError};
 use super::{blocks, cycle};
 use crate::diag::Span;
 
@@ -51,7 +52,7 @@ impl Assembler<'_> {
         if first.is_blank() {
             self.empty(first);
         } else if first.is_comment() {
-            self.push(&first, first.next, 1, BlockKind::Comment, None);
+            self.comment(first);
         } else if cycle::starts_definition(self.text, first.content) {
             self.cycle(first);
         } else {
@@ -85,17 +86,66 @@ impl Assembler<'_> {
         self.push(&first, end, lines, BlockKind::Empty, None);
     }
 
+    /// A comment, with the lines that `~` joins to it.
+    fn comment(&mut self, first: Line) {
+        let (mut last, mut lines) = (first, 1);
+        while last.joined
+            && let Some(next) = self.line_at(last.next)
+            && self.goes_on(&first, &next)
+        {
+            last = next;
+            lines += 1;
+        }
+        self.push(&first, last.next, lines, BlockKind::Comment, None);
+    }
+
+    /// Whether a line continues the text of a comment: where blocks have numbers, the next one begins with its own;
+    /// where they have none, a line that is a block is one.
+    fn goes_on(&self, first: &Line, next: &Line) -> bool {
+        let free = next.number.is_none() && !next.is_blank();
+        free && (first.number.is_some()
+            || next.is_comment()
+            || matches!(self.read(next.content).0, BlockKind::Unknown(_)))
+    }
+
+    /// Whether the comment of a block's first line goes on in the next one: an error begins with that line's text.
+    fn is_wrapped(&self, first: &Line, kind: &BlockKind) -> bool {
+        let BlockKind::Unknown(error) = kind else { return false };
+        let (Some(comment), Some((next, _))) = (first.comment, self.after_blanks(first.next)) else { return false };
+        let behind = self.text.get(comment.end..first.next).is_some_and(|rest| rest.contains('~'));
+        let words = self.text.get(next.content.start..next.content.end).unwrap_or_default();
+        let in_words = words.chars().take(3).filter(|c| c.is_alphabetic()).count() == 3 || words.contains(' ');
+        behind && in_words && error.span.start == next.content.start
+    }
+
     /// A block of one line or of several joined by `~`.
     fn joined(&mut self, first: Line) {
         let (last, lines) = self.join(first);
         let mut first = first;
+        let written = first;
         first.comment = last.comment.or(first.comment);
         let content = Span::new(first.content.start, last.content.end.max(first.content.start));
-        let (kind, remark) = self.read(content);
+        let (mut kind, mut remark) = self.read(content);
+        if lines > 1 && self.is_wrapped(&written, &kind) {
+            (kind, remark) = self.read(written.content);
+            first.comment = written.comment;
+        }
         if last.joined {
             self.dangling(&last);
         }
-        let (end, more) = if takes_lines(&kind) { self.own_lines(&first, last.next) } else { (last.next, 0) };
+        if !takes_lines(&kind) {
+            return self.push(&first, last.next, lines, kind, remark);
+        }
+        let (end, more) = self.own_lines(&first, content, last.next);
+        // Printed listings break a definition without a mark; its lines are read as one.
+        let whole = trim(self.text.as_bytes(), Span::new(content.start, end));
+        if more > 0
+            && self.is_definition(content)
+            && let (kind, None) = self.read(whole)
+            && !matches!(kind, BlockKind::Unknown(_))
+        {
+            return self.push(&first, end, lines + more, kind, None);
+        }
         self.push(&first, end, lines + more, kind, remark);
     }
 
@@ -162,15 +212,18 @@ impl Assembler<'_> {
     }
 
     /// Lines without a number that belong to the block before them: parameters and positions.
-    fn own_lines(&self, first: &Line, from: usize) -> (usize, usize) {
+    fn own_lines(&self, first: &Line, content: Span, from: usize) -> (usize, usize) {
         let (mut end, mut lines) = (from, 0);
+        let definition = self.is_definition(content);
         let (mut at, mut pending, mut listing) = (from, 0, first.number.is_some());
         while let Some(line) = self.line_at(at).filter(|line| line.number.is_none()) {
             at = line.next;
             pending += 1;
             let parameter =
                 cycle::starts_tight_parameter(self.text, line.content) && (listing || line.comment.is_some());
-            if parameter || self.is_position(line.content) || self.in_pattern(first, end, line.content) {
+            let open = definition && (self.is_part(line.content) || self.is_open(content.start, end));
+            let more = open || self.is_position(line.content);
+            if parameter || more {
                 listing |= parameter;
                 end = at;
                 lines += std::mem::take(&mut pending);
@@ -181,25 +234,43 @@ impl Assembler<'_> {
         (end, lines)
     }
 
+    /// Whether content begins a definition that listings break into lines.
+    fn is_definition(&self, content: Span) -> bool {
+        let word = Cursor::new(self.text, content).peek_word();
+        matches!(word.as_bytes(), b"PATTERN" | b"CONTOUR")
+    }
+
     /// `POS1(…)` and the other lines of a pattern definition.
     fn is_position(&self, content: Span) -> bool {
         let word = Cursor::new(self.text, content).peek_word();
         matches!(word.as_bytes(), b"POS" | b"ROW" | b"PAT" | b"FRAME" | b"CIRC" | b"PITCHCIRC")
     }
 
-    /// A line of a pattern definition that begins with `(`, or stands between parentheses.
-    fn in_pattern(&self, first: &Line, end: usize, content: Span) -> bool {
-        let before = self.text.get(first.content.start..end).unwrap_or_default();
-        let pattern = before.get(..7).is_some_and(|word| word.eq_ignore_ascii_case("PATTERN"));
-        let open = before.matches('(').count() > before.matches(')').count();
-        pattern && content.start < content.end && (open || self.text.as_bytes().get(content.start) == Some(&b'('))
+    /// `I2 = …` and the other lines of a contour definition, and brackets that begin a line.
+    fn is_part(&self, content: Span) -> bool {
+        let cursor = Cursor::new(self.text, content);
+        let word = cursor.peek_word();
+        match word.as_bytes() {
+            b"DEPTH" => true,
+            b"P" | b"I" => cursor.byte_at(word.span.end).is_ascii_digit(),
+            b"" => matches!(cursor.byte(), b'=' | b'('),
+            _ => false,
+        }
+    }
+
+    /// Whether a bracket stands open at the end of a part.
+    fn is_open(&self, start: usize, end: usize) -> bool {
+        let part = self.text.as_bytes().get(start..end).unwrap_or_default();
+        part.iter().rev().find(|b| matches!(b, b'(' | b')')) == Some(&b'(')
     }
 
     fn cycle(&mut self, first: Line) {
         let (kind, remark) = self.read(first.content);
-        let BlockKind::CycleDef(definition) = kind else {
-            self.joined(first);
-            return;
+        let (definition, global) = match kind {
+            BlockKind::CycleDef(definition) => (definition, false),
+            // It has the form of a cycle's definition, and is none.
+            BlockKind::GlobalDef(global) => (Box::new(as_cycle(*global)), true),
+            _ => return self.joined(first),
         };
         let mut body = CycleBody {
             first,
@@ -215,7 +286,13 @@ impl Assembler<'_> {
             self.dangling(&body.last);
         }
         let CycleBody { definition, end, lines, .. } = body;
-        self.push(&first, end, lines, BlockKind::CycleDef(Box::new(definition)), remark);
+        let kind = if global {
+            let CycleDef { number, head, name, parameters, errors, .. } = definition;
+            BlockKind::GlobalDef(Box::new(GlobalDef { number, head, name, parameters, errors }))
+        } else {
+            BlockKind::CycleDef(Box::new(definition))
+        };
+        self.push(&first, end, lines, kind, remark);
     }
 
     /// Takes the lines that belong to the cycle, as far as they go.
@@ -311,9 +388,18 @@ impl Assembler<'_> {
     }
 }
 
-/// Whether lines without a number that look like parameters belong to such a block.
+/// Whether lines without a number that look like its parts belong to such a block.
 fn takes_lines(kind: &BlockKind) -> bool {
-    matches!(kind, BlockKind::Other(_) | BlockKind::Unknown(_))
+    match kind {
+        BlockKind::PatternDef(_) | BlockKind::Unknown(_) => true,
+        BlockKind::Statement(statement) => statement.kind == StatementKind::ContourDef,
+        _ => false,
+    }
+}
+
+fn as_cycle(global: GlobalDef) -> CycleDef {
+    let GlobalDef { number, head, name, parameters, errors } = global;
+    CycleDef { keyword: CycleKeyword::CyclDef, number, head, name, parameters, errors }
 }
 
 /// A cycle definition in the making.

@@ -1,39 +1,14 @@
 //! The content of one block: which kind it is, and the kinds that are neither motions nor cycles.
 use super::cursor::{Cursor, Read, Word};
+use super::path::{Approach, Path};
+use super::statement::TextFormula;
 use super::tree::{
-    BlockKind, CallLbl, FnAssign, FnJump, FnOp, Formula, Frame, Label, LabelRef, Path, Relation, Selection, SyntaxError,
+    Amount, BlockKind, CallLbl, FnAssign, FnJump, FnOp, Formula, Frame, Label, LabelRef, Operand, Relation, Selection,
+    SyntaxError,
 };
-use super::{cycle, motion};
+use super::{cycle, motion, statements, texts};
 use crate::diag::Span;
 use crate::expr::{self, QKind, QRef};
-
-/// First words of blocks that exist but are not analysed.
-const OTHER: [&[u8]; 21] = [
-    b"ADP",
-    b"APPR",
-    b"CONTOUR",
-    b"DEP",
-    b"FC",
-    b"FCT",
-    b"FILE",
-    b"FL",
-    b"FLT",
-    b"FPOL",
-    b"FUNCTION",
-    b"GLOBAL",
-    b"LN",
-    b"OPEN",
-    b"PATTERN",
-    b"PLANE",
-    b"POLARKIN",
-    b"SPL",
-    b"TRANS",
-    b"TURNDATA",
-    b"SECTION",
-];
-
-/// Functions on texts; formulas with them are known and not analysed.
-const TEXT_FUNCTIONS: [&str; 8] = ["TOCHAR", "TONUMB", "SUBSTR", "INSTR", "STRLEN", "STRCOMP", "SYSSTR", "SYSREAD"];
 
 /// Reads the content of a block (without number and comment).
 pub(super) fn content(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
@@ -55,7 +30,7 @@ pub(super) fn content(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
         }
         b"LBL" => label_block(cursor),
         b"CALL" => call(cursor, word),
-        b"CYCL" | b"TCH" => {
+        b"CYCL" | b"TCH" | b"GLOBAL" => {
             *cursor = start;
             cycle_block(cursor)
         }
@@ -70,15 +45,32 @@ pub(super) fn content(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
             *cursor = start;
             assignment(cursor)
         }
+        b"QC" => {
+            *cursor = start;
+            texts::contour_formula(cursor)
+        }
+        b"APPR" => approach(cursor).and_then(|form| element(cursor, Path::Appr(form))),
+        b"DEP" => approach(cursor).and_then(|form| element(cursor, Path::Dep(form))),
         name => match Path::by_name(name) {
-            Some(path) => motion::motion(cursor, path).map(|motion| BlockKind::Motion(Box::new(motion))),
-            None if OTHER.contains(&name) => Ok(BlockKind::Other(word.span)),
-            None => {
+            Some(path) => element(cursor, path),
+            None => statements::opt_statement(cursor, name, start.at).unwrap_or_else(|| {
                 *cursor = start;
                 Err(SyntaxError { code: "syntax-unknown-block", ..cursor.expected("block") })
-            }
+            }),
         },
     }
+}
+
+fn element(cursor: &mut Cursor<'_>, path: Path) -> Read<BlockKind> {
+    motion::motion(cursor, path).map(|motion| BlockKind::Motion(Box::new(motion)))
+}
+
+fn approach(cursor: &mut Cursor<'_>) -> Read<Approach> {
+    cursor.blanks();
+    let word = cursor.peek_word();
+    let form = Approach::by_name(word.as_bytes()).ok_or_else(|| cursor.expected("approach"))?;
+    cursor.at = word.span.end;
+    Ok(form)
 }
 
 fn frame(cursor: &mut Cursor<'_>) -> Read<Frame> {
@@ -140,7 +132,7 @@ fn call(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
         return name(cursor).map(BlockKind::CallPgm);
     }
     if cursor.opt_keyword(b"SELECTED") {
-        return Ok(BlockKind::Other(word.span));
+        return statements::selected(cursor, word.span.start);
     }
     cursor.blanks();
     Err(cursor.expected("call"))
@@ -179,8 +171,14 @@ fn select(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
     cursor.blanks();
     let what = cursor.peek_word();
     match what.as_bytes() {
-        b"TABLE" | b"PATTERN" | b"CONTOUR" | b"PGM" | b"CYCLE" => {
+        b"TABLE" | b"PATTERN" | b"CONTOUR" | b"PGM" | b"CYCLE" | b"CORR" => {
             cursor.at = what.span.end;
+            if what.is(b"CORR") {
+                if !(cursor.opt_mark(b'-') && cursor.opt_keyword(b"TABLE")) {
+                    return Err(cursor.expected("selection"));
+                }
+                let _ = cursor.opt_keyword(b"TCS") || cursor.opt_keyword(b"WPL");
+            }
             Ok(BlockKind::Sel(Box::new(Selection { what: what.span, name: name(cursor)? })))
         }
         _ => Err(cursor.expected("selection")),
@@ -191,7 +189,7 @@ fn blank(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
     cursor.keyword("FORM")?;
     Ok(match motion::opt_blk_form(cursor)? {
         Some(form) => BlockKind::BlkForm(Box::new(form)),
-        None => BlockKind::Other(word.span),
+        None => statements::shape(cursor, word.span.start)?,
     })
 }
 
@@ -203,6 +201,7 @@ fn tool(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
     motion::tool_call(cursor).map(|call| BlockKind::ToolCall(Box::new(call)))
 }
 
+/// A cycle's call or definition, or `GLOBAL DEF`.
 fn cycle_block(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
     let start = *cursor;
     if cursor.opt_keyword(b"CYCL") && cursor.opt_keyword(b"CALL") {
@@ -225,7 +224,7 @@ fn declare(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
         };
     }
     cursor.keyword("CONTOUR")?;
-    Ok(BlockKind::Other(word.span))
+    statements::declare_contour(cursor, word.span.start)
 }
 
 /// A parameter that can be set, with its place and the `=` behind it.
@@ -241,18 +240,29 @@ fn target(cursor: &mut Cursor<'_>) -> Read<(QRef, Span)> {
 }
 
 fn assignment(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
+    if let Some(undefined) = statements::opt_undefined(cursor, cursor.at) {
+        return Ok(undefined);
+    }
     let (target, target_span) = target(cursor)?;
     let text = cursor.rest();
     let written = cursor.text.get(text.start..text.end).unwrap_or_default();
     let unjoined = without_joints(written);
-    match expr::parse_formula(unjoined.as_deref().unwrap_or(written)) {
-        Ok(expr) => Ok(BlockKind::Formula(Box::new(Formula { target, target_span, expr, text }))),
-        Err(_) if TEXT_FUNCTIONS.iter().any(|name| written.contains(name)) => Ok(BlockKind::Other(target_span)),
-        Err(error) => Err(SyntaxError {
-            code: "syntax-formula",
-            span: Span::new(text.start + error.span.start, text.start + error.span.end),
-            expected: error.expected,
-        }),
+    let written = unjoined.as_deref().unwrap_or(written);
+    let wrong = |error: expr::ExprError| SyntaxError {
+        code: "syntax-formula",
+        span: Span::new(text.start + error.span.start, text.start + error.span.end),
+        expected: error.expected,
+    };
+    let error = match expr::parse_formula(written) {
+        Ok(expr) => return Ok(BlockKind::Formula(Box::new(Formula { target, target_span, expr, text }))),
+        Err(error) => wrong(error),
+    };
+    match texts::opt_calls(cursor, text, written)? {
+        Some((operands, calls)) => {
+            expr::parse_formula(&operands).map_err(wrong)?;
+            Ok(BlockKind::TextFormula(Box::new(TextFormula { target, target_span, text, calls })))
+        }
+        None => Err(error),
     }
 }
 
@@ -281,6 +291,11 @@ fn function(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
     let at = *cursor;
     let Some(number) = cursor.opt_whole() else { return Err(at.expected("number")) };
     cursor.opt_mark(b':');
+    if number == 0
+        && let Some(undefined) = statements::opt_undefined(cursor, word.span.start)
+    {
+        return Ok(undefined);
+    }
     let op = match number {
         0 => FnOp::Set,
         1 => FnOp::Add,
@@ -296,7 +311,7 @@ fn function(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
             return jump(cursor, Some(number));
         }
         13 => FnOp::Ang,
-        14..=99 => return Ok(BlockKind::Other(word.span)),
+        14..=39 => return statements::fn_block(cursor, number, word.span.start),
         _ => return Err(at.expected("number")),
     };
     calculation(cursor, op).map(|assign| BlockKind::FnAssign(Box::new(assign)))
@@ -344,6 +359,10 @@ fn jump(cursor: &mut Cursor<'_>, number: Option<u32>) -> Read<BlockKind> {
     let a = cursor.operand()?;
     cursor.blanks();
     let word = cursor.peek_word();
+    if word.is(b"IS") && number.is_none_or(|number| number == 9) {
+        cursor.at = word.span.end;
+        return definedness(cursor, a);
+    }
     let (relation, its_number) = match word.as_bytes() {
         b"EQU" => (Relation::Equal, 9),
         b"NE" => (Relation::NotEqual, 10),
@@ -356,6 +375,22 @@ fn jump(cursor: &mut Cursor<'_>, number: Option<u32>) -> Read<BlockKind> {
     }
     cursor.at = word.span.end;
     let b = cursor.operand()?;
+    cursor.keyword("GOTO")?;
+    cursor.keyword("LBL")?;
+    let label = label(cursor, true)?;
+    cursor.finish()?;
+    Ok(BlockKind::FnJump(Box::new(FnJump { relation, a, b, label })))
+}
+
+/// `IS UNDEFINED GOTO LBL x`, the `IS` being read.
+fn definedness(cursor: &mut Cursor<'_>, a: Operand) -> Read<BlockKind> {
+    let relation = if cursor.opt_keyword(b"UNDEFINED") {
+        Relation::Undefined
+    } else {
+        cursor.keyword("DEFINED")?;
+        Relation::Defined
+    };
+    let b = Operand { span: Span::new(cursor.at, cursor.at), amount: Amount::Number(0.0) };
     cursor.keyword("GOTO")?;
     cursor.keyword("LBL")?;
     let label = label(cursor, true)?;

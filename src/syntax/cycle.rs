@@ -4,14 +4,24 @@
 //! printed and never decide anything.
 use super::SHORTEST_LABEL;
 use super::cursor::{Cursor, Read, skip_blanks, trim};
-use super::tree::{Amount, Axis, BlockKind, CycleDef, CycleKeyword, OldCycleLine, OldWord, Operand, Value, ValueKind};
+use super::statement::{GlobalDef, NamedWord};
+use super::tree::{Axis, BlockKind, CycleDef, CycleKeyword, OldCycleLine, Operand, Value, ValueKind};
+use super::words::from_operand;
 use crate::diag::Span;
 use crate::expr::QRef;
 
 /// Whether a block's content starts like a cycle definition.
 pub(super) fn starts_definition(text: &str, content: Span) -> bool {
     let mut cursor = Cursor::new(text, content);
-    matches!(cursor.byte(), b'C' | b'c' | b'T' | b't') && keyword(&mut cursor).is_some()
+    match cursor.byte() {
+        b'C' | b'c' | b'T' | b't' => keyword(&mut cursor).is_some(),
+        b'G' | b'g' => is_global(&mut cursor),
+        _ => false,
+    }
+}
+
+fn is_global(cursor: &mut Cursor<'_>) -> bool {
+    cursor.opt_keyword(b"GLOBAL") && cursor.opt_keyword(b"DEF")
 }
 
 fn keyword(cursor: &mut Cursor<'_>) -> Option<CycleKeyword> {
@@ -24,6 +34,16 @@ fn keyword(cursor: &mut Cursor<'_>) -> Option<CycleKeyword> {
 /// The first line of a definition, or a line of the old form.
 pub(super) fn head(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
     let start = cursor.at;
+    if is_global(cursor) {
+        cursor.blanks();
+        let here = *cursor;
+        let Some(number) = cursor.opt_whole() else { return Err(here.expected("cycle-number")) };
+        let head = Span::new(start, cursor.at);
+        let name = name(cursor)?;
+        let definition = GlobalDef { number, head, name, parameters: Vec::new(), errors: Vec::new() };
+        return Ok(BlockKind::GlobalDef(Box::new(definition)));
+    }
+    cursor.at = start;
     let Some(keyword) = keyword(cursor) else {
         cursor.blanks();
         return Err(cursor.expected("cycle-word"));
@@ -83,7 +103,7 @@ fn old_name(cursor: &mut Cursor<'_>) -> Read<Option<Span>> {
 }
 
 /// The fields up to the end of the block.
-fn words(cursor: &mut Cursor<'_>) -> Read<Vec<OldWord>> {
+fn words(cursor: &mut Cursor<'_>) -> Read<Vec<NamedWord>> {
     let mut found = Vec::new();
     loop {
         let before = cursor.at;
@@ -101,12 +121,12 @@ fn words(cursor: &mut Cursor<'_>) -> Read<Vec<OldWord>> {
     }
 }
 
-fn reads_as_field(text: &str, word: &OldWord) -> bool {
+fn reads_as_field(text: &str, word: &NamedWord) -> bool {
     let colon = text.get(word.name.start..word.name.end).is_some_and(|name| name.ends_with(':'));
     colon || (word.value.kind != ValueKind::Missing && word.value.span.start == word.name.end)
 }
 
-fn word(cursor: &mut Cursor<'_>) -> Read<OldWord> {
+fn word(cursor: &mut Cursor<'_>) -> Read<NamedWord> {
     let start = cursor.at;
     let (name, value) = if cursor.opt_mark(b'#') {
         let name = Span::new(start, cursor.at);
@@ -123,15 +143,7 @@ fn word(cursor: &mut Cursor<'_>) -> Read<OldWord> {
         let value = field_value(cursor, name)?;
         (name, value)
     };
-    Ok(OldWord { span: Span::new(start, cursor.at.max(name.end)), name, value })
-}
-
-fn from_operand(operand: Operand) -> Value {
-    let kind = match operand.amount {
-        Amount::Number(number) => ValueKind::Number(number),
-        Amount::Q { negative, q } => ValueKind::Q { negative, q },
-    };
-    Value { span: operand.span, kind }
+    Ok(NamedWord { span: Span::new(start, cursor.at.max(name.end)), name, value })
 }
 
 /// `1/2/3`: several numbers with bars are one value.

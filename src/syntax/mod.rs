@@ -12,9 +12,16 @@ pub mod encoding;
 pub mod json;
 mod lines;
 mod motion;
+mod path;
+mod statement;
+mod statements;
+mod texts;
 mod tree;
 mod view;
+mod words;
 
+pub use path::{Approach, Path};
+pub use statement::*;
 pub use tree::*;
 pub use view::{CycleForm, CycleView};
 
@@ -82,6 +89,7 @@ impl Program {
         self.blocks.iter().flat_map(|block| match &block.kind {
             BlockKind::Unknown(error) => std::slice::from_ref(&**error),
             BlockKind::CycleDef(cycle) => cycle.errors.as_slice(),
+            BlockKind::GlobalDef(definition) => definition.errors.as_slice(),
             _ => &[],
         })
     }

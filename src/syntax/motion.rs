@@ -1,14 +1,102 @@
 //! Contour elements, tool blocks and the words that several blocks share: coordinates, feed, M functions.
 use super::cursor::{Cursor, Read};
+use super::path::Path;
 use super::tree::{
-    Axis, BlkForm, CallForm, Compensation, Coord, CyclCall, Feed, FeedKind, MFunction, Motion, Path, ToolCall, ToolDef,
-    ToolRef,
+    Axis, BlkForm, CallForm, Compensation, Coord, CyclCall, Feed, FeedKind, MFunction, Motion, Operand, ToolCall,
+    ToolDef, ToolRef,
 };
+use super::words::{self, Takes, Vocabulary};
 use crate::diag::Span;
+
+/// Surface normal and tool direction.
+const VECTORS: Vocabulary = &[
+    ("NX", Takes::Value),
+    ("NY", Takes::Value),
+    ("NZ", Takes::Value),
+    ("TX", Takes::Value),
+    ("TY", Takes::Value),
+    ("TZ", Takes::Value),
+];
+/// The greatest angle of rounded corners.
+const TOLERANCE: Vocabulary = &[("A", Takes::Value)];
+const APPROACH: Vocabulary = &[("LEN", Takes::Value), ("CCA", Takes::Value)];
+/// What can be known of an element of a free contour.
+const FREE: Vocabulary = &[
+    ("AN", Takes::Value),
+    ("IAN", Takes::Value),
+    ("LEN", Takes::Value),
+    ("CCA", Takes::Value),
+    ("ICCA", Takes::Value),
+    ("CCX", Takes::Value),
+    ("CCY", Takes::Value),
+    ("CCZ", Takes::Value),
+    ("ICCX", Takes::Value),
+    ("ICCY", Takes::Value),
+    ("ICCZ", Takes::Value),
+    ("CCPR", Takes::Value),
+    ("CCPA", Takes::Value),
+    ("ICCPR", Takes::Value),
+    ("ICCPA", Takes::Value),
+    ("PDX", Takes::Value),
+    ("PDY", Takes::Value),
+    ("PDZ", Takes::Value),
+    ("PDPR", Takes::Value),
+    ("PDPA", Takes::Value),
+    ("D", Takes::Value),
+    ("P1X", Takes::Value),
+    ("P1Y", Takes::Value),
+    ("P1Z", Takes::Value),
+    ("P2X", Takes::Value),
+    ("P2Y", Takes::Value),
+    ("P2Z", Takes::Value),
+    ("P3X", Takes::Value),
+    ("P3Y", Takes::Value),
+    ("P3Z", Takes::Value),
+    ("PAR", Takes::Value),
+    ("DP", Takes::Value),
+    ("RX", Takes::Value),
+    ("RY", Takes::Value),
+    ("RZ", Takes::Value),
+    ("RPR", Takes::Value),
+    ("RPA", Takes::Value),
+    ("RAN", Takes::Value),
+    ("RCCX", Takes::Value),
+    ("RCCY", Takes::Value),
+    ("RCCZ", Takes::Value),
+    ("RCCPR", Takes::Value),
+    ("RCCPA", Takes::Value),
+    ("CLSD", Takes::Sign),
+];
+/// The coefficients of a spline.
+const SPLINE: Vocabulary = &[
+    ("K3X", Takes::Value),
+    ("K2X", Takes::Value),
+    ("K1X", Takes::Value),
+    ("K3Y", Takes::Value),
+    ("K2Y", Takes::Value),
+    ("K1Y", Takes::Value),
+    ("K3Z", Takes::Value),
+    ("K2Z", Takes::Value),
+    ("K1Z", Takes::Value),
+];
+
+/// The words that only a path of its kind has.
+const fn vocabulary(path: Path) -> Option<Vocabulary> {
+    match path {
+        Path::Ln => Some(VECTORS),
+        Path::Appr(_) | Path::Dep(_) => Some(APPROACH),
+        Path::Fl | Path::Flt | Path::Fc | Path::Fct => Some(FREE),
+        Path::Spl => Some(SPLINE),
+        _ => None,
+    }
+}
 
 /// A coordinate, if one starts here.
 fn opt_coord(cursor: &mut Cursor<'_>) -> Read<Option<Coord>> {
     cursor.blanks();
+    let start = cursor.at;
+    // An axis that the kinematics hide is printed with `&`.
+    cursor.at += usize::from(cursor.byte() == b'&');
     let word = cursor.peek_word();
     let (axis, incremental, length) = match word.as_bytes() {
         // `XQ1` is the axis and a parameter.
@@ -17,10 +105,13 @@ fn opt_coord(cursor: &mut Cursor<'_>) -> Read<Option<Coord>> {
         [b'I', axis @ ..] if !axis.is_empty() => (Axis::by_name(axis), true, axis.len() + 1),
         axis => (Axis::by_name(axis), false, axis.len()),
     };
-    let Some(axis) = axis else { return Ok(None) };
+    let Some(axis) = axis else {
+        cursor.at = start;
+        return Ok(None);
+    };
     cursor.at = word.span.start + length;
     let value = cursor.operand()?;
-    Ok(Some(Coord { span: Span::new(word.span.start, value.span.end), axis, incremental, value }))
+    Ok(Some(Coord { span: Span::new(start, value.span.end), axis, incremental, value }))
 }
 
 /// A feed word, if one starts here.
@@ -74,29 +165,44 @@ fn opt_function(cursor: &mut Cursor<'_>) -> Read<Option<MFunction>> {
         return Err(cursor.expected("number"));
     };
     let end = cursor.at;
-    let with = opt_function_tail(cursor)?;
+    let with = opt_function_tail(cursor, number)?;
     if with.is_none() {
         cursor.at = end;
     }
     Ok(Some(MFunction { span: Span::new(start, cursor.at), number, with }))
 }
 
-/// `MB MAX`, `MB50` (how far to retract) or `LA10` (how far to look ahead).
-fn opt_function_tail(cursor: &mut Cursor<'_>) -> Read<Option<Span>> {
+/// What belongs to an M function: how far to retract or to look ahead, a feed, a length, axes.
+fn opt_function_tail(cursor: &mut Cursor<'_>, number: u16) -> Read<Option<Span>> {
     cursor.blanks();
     let start = cursor.at;
     let word = cursor.peek_word();
-    match word.as_bytes() {
-        b"MBMAX" => cursor.at = word.span.end,
-        b"MB" | b"LA" => {
-            cursor.at = word.span.end;
+    match (number, word.as_bytes()) {
+        (_, b"MBMAX") => cursor.at = word.span.end,
+        (_, b"MB" | b"MBQ" | b"LA" | b"LAQ") => {
+            cursor.at = start + 2;
             if !cursor.opt_keyword(b"MAX") {
                 cursor.operand()?;
             }
         }
+        (103 | 128, _) => {
+            opt_feed(cursor)?;
+        }
+        (112 | 124, b"T" | b"TQ") => {
+            cursor.at = start + 1;
+            cursor.operand()?;
+            words::opt_named(cursor, &[TOLERANCE])?;
+        }
+        (197, b"DIST" | b"DISTQ") => {
+            cursor.at = start + 4;
+            cursor.operand()?;
+        }
+        // How far the hand wheel may go, in each axis.
+        (118, _) => while opt_coord(cursor)?.is_some() {},
+        (94 | 138, _) => while opt_axis(cursor).is_some() {},
         _ => return Ok(None),
     }
-    Ok(Some(Span::new(start, cursor.at)))
+    Ok((cursor.at > start).then(|| Span::new(start, cursor.at)))
 }
 
 /// M functions up to the end of the block.
@@ -122,6 +228,7 @@ pub(super) fn motion(cursor: &mut Cursor<'_>, path: Path) -> Read<Motion> {
         compensation: None,
         feed: None,
         functions: Vec::new(),
+        words: Vec::new(),
     };
     if path == Path::Chf {
         motion.radius = Some(cursor.operand()?);
@@ -145,13 +252,14 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
         b"RL" if motion.compensation.is_none() => motion.compensation = Some(Compensation::Rl),
         b"RR" if motion.compensation.is_none() => motion.compensation = Some(Compensation::Rr),
         b"DR" if motion.counter_clockwise.is_none() => {
-            let sign = cursor.byte_at(word.span.end);
+            cursor.at = word.span.end;
+            cursor.blanks();
+            let sign = cursor.byte();
             if !matches!(sign, b'+' | b'-') {
-                cursor.at = word.span.end;
                 return Err(cursor.expected("sign"));
             }
             motion.counter_clockwise = Some(sign == b'+');
-            cursor.at = word.span.end + 1;
+            cursor.at += 1;
             return Ok(true);
         }
         b"M" => {
@@ -159,6 +267,12 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
             return Ok(true);
         }
         _ => {
+            if let Some(own) = vocabulary(motion.path)
+                && let Some(word) = words::opt_named(cursor, &[own])?
+            {
+                motion.words.push(word);
+                return Ok(true);
+            }
             let feed = if motion.feed.is_none() { opt_feed(cursor)? } else { None };
             motion.feed = motion.feed.or(feed);
             return Ok(feed.is_some());
@@ -170,7 +284,7 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
 
 /// `R0`, or the radius of an element that has one.
 fn radius_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
-    let has_radius = matches!(motion.path, Path::Cr | Path::Rnd) && motion.radius.is_none();
+    let has_radius = motion.path.has_radius() && motion.radius.is_none();
     let zero = cursor.byte_at(cursor.at + 1) == b'0';
     let more = matches!(cursor.byte_at(cursor.at + 2), b'0'..=b'9' | b'.' | b',');
     if zero && !more && motion.path != Path::Rnd && motion.compensation.is_none() {
@@ -240,9 +354,15 @@ fn opt_tool(cursor: &mut Cursor<'_>) -> Read<Option<ToolRef>> {
 pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<ToolCall> {
     let tool = opt_tool(cursor)?;
     let axis = opt_axis(cursor);
-    let mut call = ToolCall { tool, axis, speed: None, feed: None, dl: None, dr: None, dr2: None };
+    let mut call = ToolCall { tool, axis, speed: None, cutting_speed: None, feed: None, dl: None, dr: None, dr2: None };
     while !cursor.done() {
         let word = cursor.peek_word();
+        if word.is(b"S") && call.speed.is_none() && call.cutting_speed.is_none() {
+            call.cutting_speed = opt_cutting_speed(cursor, word.span.end)?;
+            if call.cutting_speed.is_some() {
+                continue;
+            }
+        }
         let slot = match word.as_bytes() {
             b"S" | b"SQ" => &mut call.speed,
             b"DL" | b"DLQ" => &mut call.dl,
@@ -267,6 +387,25 @@ pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<ToolCall> {
         *slot = Some(cursor.operand()?);
     }
     Ok(call)
+}
+
+/// `S( VC=120 )` or `S VC120`, `S` being read up to a byte.
+fn opt_cutting_speed(cursor: &mut Cursor<'_>, at: usize) -> Read<Option<Operand>> {
+    let mut ahead = Cursor { at, ..*cursor };
+    let bracket = ahead.opt_mark(b'(');
+    ahead.blanks();
+    let word = ahead.peek_word();
+    if !matches!(word.as_bytes(), b"VC" | b"VCQ") {
+        return Ok(None);
+    }
+    ahead.at += 2;
+    let _ = ahead.opt_mark(b'=') || ahead.opt_mark(b':');
+    let speed = ahead.operand()?;
+    if bracket && !ahead.opt_mark(b')') {
+        return Err(ahead.expected("closing-bracket"));
+    }
+    *cursor = ahead;
+    Ok(Some(speed))
 }
 
 /// `DR2+0.1` and `DR2:+0.1` are another word than `DR2`, a radius oversize of 2.
@@ -305,6 +444,16 @@ pub(super) fn cycl_call(cursor: &mut Cursor<'_>, start: usize) -> Read<CyclCall>
     } else {
         CallForm::Plain
     };
-    let feed = opt_feed(cursor)?;
-    Ok(CyclCall { head, form, feed, functions: functions(cursor)? })
+    let mut call = CyclCall { head, form, feed: None, functions: Vec::new() };
+    while !cursor.done() {
+        if let Some(function) = opt_function(cursor)? {
+            call.functions.push(function);
+            continue;
+        }
+        match opt_feed(cursor)? {
+            Some(feed) if call.feed.is_none() => call.feed = Some(feed),
+            _ => return Err(cursor.expected("m-function")),
+        }
+    }
+    Ok(call)
 }

@@ -2,6 +2,8 @@
 //!
 //! Invariant: the spans of a program's blocks, line ends included, lie one behind the other and cover
 //! its text; nothing here knows what a cycle's number or parameter means.
+use super::path::Path;
+use super::statement::{ContourFormula, GlobalDef, NamedWord, PatternDef, Statement, TextFormula};
 use crate::diag::Span;
 use crate::expr::{Expr, QRef};
 
@@ -70,8 +72,16 @@ pub enum BlockKind {
     CyclCall(Box<CyclCall>),
     /// `STOP`, with its M functions.
     Stop(Vec<MFunction>),
-    /// A block known by its first word only; that word.
-    Other(Span),
+    /// A block of words behind its name: `PLANE`, `FUNCTION`, `TRANS` …
+    Statement(Box<Statement>),
+    /// `PATTERN DEF`.
+    PatternDef(Box<PatternDef>),
+    /// `GLOBAL DEF`.
+    GlobalDef(Box<GlobalDef>),
+    /// `QC1 = …`.
+    ContourFormula(Box<ContourFormula>),
+    /// An assignment with functions on texts.
+    TextFormula(Box<TextFormula>),
     /// What no rule reads.
     Unknown(Box<SyntaxError>),
 }
@@ -96,17 +106,25 @@ impl BlockKind {
             Self::Sel(_) => "sel",
             Self::FnAssign(_) => "fn-assign",
             Self::FnJump(_) => "fn-jump",
-            Self::Formula(formula) => match formula.target.kind {
-                crate::expr::QKind::Qs => "string-formula",
-                _ => "formula",
-            },
+            Self::Formula(formula) => formula_name(formula.target),
+            Self::TextFormula(formula) => formula_name(formula.target),
             Self::CycleDef(cycle) => cycle.keyword.kind_name(),
             Self::OldCycleLine(line) => line.keyword.kind_name(),
             Self::CyclCall(_) => "cycl-call",
             Self::Stop(_) => "stop",
-            Self::Other(_) => "other",
+            Self::Statement(statement) => statement.kind.name(),
+            Self::PatternDef(_) => "pattern-def",
+            Self::GlobalDef(_) => "global-def",
+            Self::ContourFormula(_) => "contour-formula",
             Self::Unknown(_) => "unknown",
         }
+    }
+}
+
+const fn formula_name(target: QRef) -> &'static str {
+    match target.kind {
+        crate::expr::QKind::Qs => "string-formula",
+        _ => "formula",
     }
 }
 
@@ -249,6 +267,8 @@ pub struct ToolCall {
     pub axis: Option<Axis>,
     /// Spindle speed, rev/min.
     pub speed: Option<Operand>,
+    /// Cutting speed in place of the spindle speed, m/min.
+    pub cutting_speed: Option<Operand>,
     /// Feed.
     pub feed: Option<Feed>,
     /// Oversize of the length.
@@ -270,65 +290,6 @@ pub struct ToolDef {
     pub radius: Option<Operand>,
 }
 
-/// The kind of a contour element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Path {
-    /// Straight line.
-    L,
-    /// Straight line, polar.
-    Lp,
-    /// Circle centre or pole.
-    Cc,
-    /// Circle about the centre.
-    C,
-    /// Circle of a radius.
-    Cr,
-    /// Tangential circle.
-    Ct,
-    /// Circle about the pole.
-    Cp,
-    /// Tangential circle, polar.
-    Ctp,
-    /// Rounding.
-    Rnd,
-    /// Chamfer.
-    Chf,
-}
-
-impl Path {
-    /// The path of an upper-case word.
-    pub fn by_name(name: &[u8]) -> Option<Self> {
-        Some(match name {
-            b"L" => Self::L,
-            b"LP" => Self::Lp,
-            b"CC" => Self::Cc,
-            b"C" => Self::C,
-            b"CR" => Self::Cr,
-            b"CT" => Self::Ct,
-            b"CP" => Self::Cp,
-            b"CTP" => Self::Ctp,
-            b"RND" => Self::Rnd,
-            b"CHF" => Self::Chf,
-            _ => return None,
-        })
-    }
-
-    const fn name(self) -> &'static str {
-        match self {
-            Self::L => "l",
-            Self::Lp => "lp",
-            Self::Cc => "cc",
-            Self::C => "c",
-            Self::Cr => "cr",
-            Self::Ct => "ct",
-            Self::Cp => "cp",
-            Self::Ctp => "ctp",
-            Self::Rnd => "rnd",
-            Self::Chf => "chf",
-        }
-    }
-}
-
 /// A contour element.
 #[derive(Clone, Debug)]
 pub struct Motion {
@@ -336,7 +297,7 @@ pub struct Motion {
     pub path: Path,
     /// The coordinates, in the order written.
     pub coords: Vec<Coord>,
-    /// The radius of `CR` and `RND`, the length of `CHF`; mm (or inch).
+    /// The radius of `CR`, `RND` and free contours, the length of `CHF`; mm (or inch).
     pub radius: Option<Operand>,
     /// The direction of rotation: true for `DR+`, counter-clockwise.
     pub counter_clockwise: Option<bool>,
@@ -346,6 +307,8 @@ pub struct Motion {
     pub feed: Option<Feed>,
     /// M functions.
     pub functions: Vec<MFunction>,
+    /// What only some paths have: lengths and angles of approaches, what is known of a free contour, vectors.
+    pub words: Vec<NamedWord>,
 }
 
 impl Motion {
@@ -490,6 +453,10 @@ pub enum Relation {
     Greater,
     /// FN 12, `LT`.
     Less,
+    /// FN 9, `IS UNDEFINED`; nothing stands right of it.
+    Undefined,
+    /// FN 9, `IS DEFINED`; nothing stands right of it.
+    Defined,
 }
 
 /// A conditional jump.
@@ -621,18 +588,7 @@ pub struct OldCycleLine {
     /// The printed name, on line 0.
     pub name: Option<Span>,
     /// The fields in the order written.
-    pub words: Vec<OldWord>,
-}
-
-/// A field of the old form: `X+60`, `#5`, `ROT+35`, `HEIGHT: +90`, `Q5`, `X-`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OldWord {
-    /// The whole field.
-    pub span: Span,
-    /// The name as printed, a colon included; empty where only a value stands.
-    pub name: Span,
-    /// The value.
-    pub value: Value,
+    pub words: Vec<NamedWord>,
 }
 
 /// `CYCL CALL`.

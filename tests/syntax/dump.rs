@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use ciklo::diag::Span;
 use ciklo::syntax::{
     Amount, Axis, Block, BlockKind, CallForm, Compensation, Coord, Feed, FeedKind, Label, LabelRef, MFunction, Motion,
-    Operand, Parameter, Program, ToolRef, Value, ValueKind,
+    NamedWord, Operand, Parameter, Path, Program, ToolRef, Value, ValueKind,
 };
 
 /// The blocks, one a line, with what hangs on them indented.
@@ -12,6 +12,9 @@ pub(crate) fn dump(program: &Program) -> String {
     let mut out = String::new();
     for block in program.blocks() {
         head(program, block, &mut out);
+        if let BlockKind::GlobalDef(definition) = &block.kind {
+            definition.parameters.iter().for_each(|parameter| self::parameter(program, parameter, &mut out));
+        }
         if let BlockKind::CycleDef(cycle) = &block.kind {
             cycle.parameters.iter().for_each(|parameter| self::parameter(program, parameter, &mut out));
             for error in &cycle.errors {
@@ -64,7 +67,7 @@ fn head(program: &Program, block: &Block, out: &mut String) {
 fn body(program: &Program, kind: &BlockKind) -> String {
     let text = |span: Span| program.slice(span);
     match kind {
-        BlockKind::Structure(span) | BlockKind::CallPgm(span) | BlockKind::Other(span) => format!("{:?}", text(*span)),
+        BlockKind::Structure(span) | BlockKind::CallPgm(span) => format!("{:?}", text(*span)),
         BlockKind::BeginPgm(frame) | BlockKind::EndPgm(frame) => {
             format!("{:?} {}", text(frame.name), if frame.inch { "inch" } else { "mm" })
         }
@@ -74,7 +77,9 @@ fn body(program: &Program, kind: &BlockKind) -> String {
         BlockKind::ToolCall(call) => {
             let tool = call.tool.map_or("-".to_owned(), |tool| self::tool(program, tool));
             let mut out = format!("{tool} {}", call.axis.map_or("-", Axis::name));
-            for (name, value) in [("S", call.speed), ("DL", call.dl), ("DR", call.dr), ("DR2", call.dr2)] {
+            for (name, value) in
+                [("S", call.speed), ("VC", call.cutting_speed), ("DL", call.dl), ("DR", call.dr), ("DR2", call.dr2)]
+            {
                 if let Some(value) = value {
                     let _ = write!(out, " {name}={}", operand(value));
                 }
@@ -122,6 +127,23 @@ fn body(program: &Program, kind: &BlockKind) -> String {
             };
             form + &feed(call.feed) + &functions(program, &call.functions)
         }
+        BlockKind::Statement(statement) => format!("{:?}{}", text(statement.head), named(program, &statement.words)),
+        BlockKind::PatternDef(pattern) => pattern.items.iter().fold(String::new(), |mut out, item| {
+            let _ = write!(out, "{}({}) ", text(item.name), named(program, &item.words).trim_start());
+            out
+        }),
+        BlockKind::GlobalDef(definition) => format!("{} {:?}", text(definition.head), definition.name.map_or("", text)),
+        BlockKind::ContourFormula(formula) => {
+            let reads: Vec<u32> = formula.reads.iter().map(|(number, _)| *number).collect();
+            format!("QC{} = {:?} reads {reads:?}", formula.target, text(formula.text))
+        }
+        BlockKind::TextFormula(formula) => {
+            let calls = formula.calls.iter().fold(String::new(), |mut out, call| {
+                let _ = write!(out, " {}({})", text(call.name), named(program, &call.words).trim_start());
+                out
+            });
+            format!("{} = {:?} calls{calls}", formula.target, text(formula.text))
+        }
         BlockKind::Unknown(error) => format!("{} {:?}, not {}", error.code, text(error.span), error.expected),
         _ => String::new(),
     }
@@ -141,6 +163,13 @@ fn value(program: &Program, value: Value) -> String {
         ValueKind::Sign(minus) => format!("sign {}", if minus { '-' } else { '+' }),
         ValueKind::Missing => "nothing".to_owned(),
     }
+}
+
+fn named(program: &Program, words: &[NamedWord]) -> String {
+    words.iter().fold(String::new(), |mut out, word| {
+        let _ = write!(out, " [{}={}]", program.slice(word.name), value(program, word.value));
+        out
+    })
 }
 
 fn operand(operand: Operand) -> String {
@@ -200,7 +229,12 @@ fn motion(program: &Program, motion: &Motion) -> String {
         Some(Compensation::Rl) => " RL",
         Some(Compensation::Rr) => " RR",
     });
-    (out + &feed(motion.feed) + &functions(program, &motion.functions)).trim_start().to_owned()
+    let form = match motion.path {
+        Path::Appr(form) | Path::Dep(form) => format!("{form:?}"),
+        _ => String::new(),
+    };
+    let words = named(program, &motion.words);
+    (form + &out + &words + &feed(motion.feed) + &functions(program, &motion.functions)).trim_start().to_owned()
 }
 
 fn label(program: &Program, label: LabelRef) -> String {

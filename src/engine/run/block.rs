@@ -5,6 +5,7 @@ use super::fault::Fault;
 use super::program::After;
 use super::world::LOCKED;
 use super::{Content, Done, EventKind, Run};
+use crate::diag::Span;
 use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::table::{Cell, TableKind};
 use crate::expr::{Env, EvalError, QKind, QRef, Value, atan2d, cosd, sind};
@@ -108,14 +109,12 @@ impl<'e> Run<'_, 'e> {
                 self.stop()?;
                 return self.after(functions, false);
             }
-            BlockKind::Other(_) if self.switches_mode(block) => {}
-            BlockKind::Other(word) if self.slice(*word).eq_ignore_ascii_case("PATTERN") => {
-                self.define_pattern(block)?
-            }
-            BlockKind::Other(word) if self.slice(*word).eq_ignore_ascii_case("GLOBAL") => self.predefine(block)?,
-            BlockKind::Other(word) => {
-                return Err(Fault::unsupported("unsupported-block").arg("word", self.slice(*word)).into());
-            }
+            BlockKind::Statement(_) if self.switches_mode(block) => {}
+            BlockKind::Statement(statement) => return Err(self.not_executed(statement.head).into()),
+            BlockKind::PatternDef(_) => self.define_pattern(block)?,
+            BlockKind::GlobalDef(_) => self.predefine(block)?,
+            BlockKind::ContourFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
+            BlockKind::TextFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
             BlockKind::Unknown(error) => {
                 let found = self.slice(error.span).trim().chars().take(40).collect::<String>();
                 return Err(Fault::program("block-unreadable").arg("found", found).into());
@@ -123,6 +122,11 @@ impl<'e> Run<'_, 'e> {
             _ => {}
         }
         Ok(After::GoOn)
+    }
+
+    fn not_executed(&self, head: Span) -> Fault {
+        let word = self.slice(head).split_ascii_whitespace().next().unwrap_or_default();
+        Fault::unsupported("unsupported-block").arg("word", word)
     }
 
     /// The value of an operand.
@@ -226,6 +230,9 @@ impl<'e> Run<'_, 'e> {
 
     fn tool_call(&mut self, call: &ToolCall) -> Done {
         let before = self.modal.spindle;
+        if call.cutting_speed.is_some() {
+            return Err(Fault::unsupported("unsupported-block").arg("word", "TOOL CALL VC").into());
+        }
         if let Some(axis) = call.axis {
             self.world.system.set_plane(linear(axis)?);
             self.world.renew();

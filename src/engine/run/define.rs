@@ -18,7 +18,7 @@ use crate::fields::{self, first, stands_on};
 use crate::spec::{
     self, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect, Transformation,
 };
-use crate::syntax::{Axis, CycleDef, CycleForm, CycleView, OldCycleLine, OldWord, Parameter, Value, ValueKind};
+use crate::syntax::{Axis, CycleDef, CycleForm, CycleView, NamedWord, OldCycleLine, Parameter, Value, ValueKind};
 
 /// A coordinate of an old-style field.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -305,7 +305,7 @@ impl<'e> Run<'_, 'e> {
                 Err(misfit) => first_misfit = first_misfit.or(Some(misfit)),
             }
         }
-        Err(unreadable(first_misfit.map_or("", |word: OldWord| self.slice(word.span))).into())
+        Err(unreadable(first_misfit.map_or("", |word: NamedWord| self.slice(word.span))).into())
     }
 
     /// The fields of the lines as that form reads them, or the first word that it cannot.
@@ -315,7 +315,7 @@ impl<'e> Run<'_, 'e> {
         cycle: &Cycle,
         form: usize,
         lines: &[&OldCycleLine],
-    ) -> Result<Result<Vec<(Arc<str>, FieldValue)>, OldWord>, Fault> {
+    ) -> Result<Result<Vec<(Arc<str>, FieldValue)>, NamedWord>, Fault> {
         let mut fields: Vec<(Arc<str>, FieldValue)> = Vec::new();
         let Some(prepared) = self.programs.get(self.flow.program) else { return Ok(Ok(fields)) };
         for line in lines {
@@ -344,7 +344,7 @@ impl<'e> Run<'_, 'e> {
         Ok(Ok(fields))
     }
 
-    fn field_value(&self, word: &OldWord, param: &Param, field: &spec::Field) -> Result<FieldValue, Fault> {
+    fn field_value(&self, word: &NamedWord, param: &Param, field: &spec::Field) -> Result<FieldValue, Fault> {
         let name = self.slice(word.name).trim().to_ascii_uppercase();
         let out_of_range = || Fault::program("parameter-out-of-range").arg("q", field.id.as_str());
         let in_range = |value: f64| {
@@ -405,7 +405,7 @@ impl<'e> Run<'_, 'e> {
 }
 
 /// Whether the value of a word, printed like that, is one that the field can hold.
-fn is_valued(word: &OldWord, printed: &str, param: &Param, field: &spec::Field) -> bool {
+fn is_valued(word: &NamedWord, printed: &str, param: &Param, field: &spec::Field) -> bool {
     match field.shape {
         Shape::Labelled if is_direction(param, field) || is_textual(param) => {
             let printed = if is_textual(param) { printed.to_owned() } else { printed.to_ascii_uppercase() };

@@ -74,6 +74,15 @@ impl Run<'_, '_> {
             Path::Rnd => return unsupported("RND"),
             Path::Chf => return unsupported("CHF"),
             Path::Cc => {}
+            Path::Ln => return unsupported("LN"),
+            Path::Appr(_) => return unsupported("APPR"),
+            Path::Dep(_) => return unsupported("DEP"),
+            Path::Fl => return unsupported("FL"),
+            Path::Flt => return unsupported("FLT"),
+            Path::Fc => return unsupported("FC"),
+            Path::Fct => return unsupported("FCT"),
+            Path::Fpol => return unsupported("FPOL"),
+            Path::Spl => return unsupported("SPL"),
         }
         Ok(true)
     }

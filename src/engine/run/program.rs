@@ -127,6 +127,9 @@ impl<'e> Run<'_, 'e> {
             Relation::NotEqual => a != b,
             Relation::Greater => a > b,
             Relation::Less => a < b,
+            Relation::Undefined | Relation::Defined => {
+                return Err(Fault::unsupported("unsupported-block").arg("word", "IF … IS UNDEFINED").into());
+            }
         };
         if holds {
             let target = self.label_block(&jump.label)?;

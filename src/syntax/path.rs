@@ -1,0 +1,147 @@
+//! The words that begin a contour element.
+
+/// The kind of a contour element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Path {
+    /// Straight line.
+    L,
+    /// Straight line, polar.
+    Lp,
+    /// Straight line with the surface normal, or the direction of the tool.
+    Ln,
+    /// Circle centre or pole.
+    Cc,
+    /// Circle about the centre.
+    C,
+    /// Circle of a radius.
+    Cr,
+    /// Tangential circle.
+    Ct,
+    /// Circle about the pole.
+    Cp,
+    /// Tangential circle, polar.
+    Ctp,
+    /// Rounding.
+    Rnd,
+    /// Chamfer.
+    Chf,
+    /// Approach to a contour.
+    Appr(Approach),
+    /// Departure from a contour.
+    Dep(Approach),
+    /// Straight line of a free contour.
+    Fl,
+    /// Tangential straight line of a free contour.
+    Flt,
+    /// Circle of a free contour.
+    Fc,
+    /// Tangential circle of a free contour.
+    Fct,
+    /// Pole of a free contour.
+    Fpol,
+    /// Spline.
+    Spl,
+}
+
+/// The form of an approach or a departure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Approach {
+    /// `LT`: tangential line.
+    Lt,
+    /// `LN`: line perpendicular to the contour.
+    Ln,
+    /// `CT`: tangential arc.
+    Ct,
+    /// `LCT`: tangential arc and line.
+    Lct,
+    /// `PLT`: `LT`, polar.
+    Plt,
+    /// `PLN`: `LN`, polar.
+    Pln,
+    /// `PCT`: `CT`, polar.
+    Pct,
+    /// `PLCT`: `LCT`, polar.
+    Plct,
+}
+
+impl Approach {
+    /// The form of an upper-case word.
+    pub fn by_name(name: &[u8]) -> Option<Self> {
+        Some(match name {
+            b"LT" => Self::Lt,
+            b"LN" => Self::Ln,
+            b"CT" => Self::Ct,
+            b"LCT" => Self::Lct,
+            b"PLT" => Self::Plt,
+            b"PLN" => Self::Pln,
+            b"PCT" => Self::Pct,
+            b"PLCT" => Self::Plct,
+            _ => return None,
+        })
+    }
+
+    /// Whether an arc belongs to it.
+    pub const fn has_arc(self) -> bool {
+        matches!(self, Self::Ct | Self::Lct | Self::Pct | Self::Plct)
+    }
+}
+
+impl Path {
+    /// The path of an upper-case word; of approach and departure another word gives the form.
+    pub fn by_name(name: &[u8]) -> Option<Self> {
+        Some(match name {
+            b"L" => Self::L,
+            b"LP" => Self::Lp,
+            b"LN" => Self::Ln,
+            b"CC" => Self::Cc,
+            b"C" => Self::C,
+            b"CR" => Self::Cr,
+            b"CT" => Self::Ct,
+            b"CP" => Self::Cp,
+            b"CTP" => Self::Ctp,
+            b"RND" => Self::Rnd,
+            b"CHF" => Self::Chf,
+            b"FL" => Self::Fl,
+            b"FLT" => Self::Flt,
+            b"FC" => Self::Fc,
+            b"FCT" => Self::Fct,
+            b"FPOL" => Self::Fpol,
+            b"SPL" => Self::Spl,
+            _ => return None,
+        })
+    }
+
+    /// The name of the kind of block.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::L => "l",
+            Self::Lp => "lp",
+            Self::Ln => "ln",
+            Self::Cc => "cc",
+            Self::C => "c",
+            Self::Cr => "cr",
+            Self::Ct => "ct",
+            Self::Cp => "cp",
+            Self::Ctp => "ctp",
+            Self::Rnd => "rnd",
+            Self::Chf => "chf",
+            Self::Appr(_) => "appr",
+            Self::Dep(_) => "dep",
+            Self::Fl => "fl",
+            Self::Flt => "flt",
+            Self::Fc => "fc",
+            Self::Fct => "fct",
+            Self::Fpol => "fpol",
+            Self::Spl => "spl",
+        }
+    }
+
+    /// Whether `R` with a value is its radius.
+    pub const fn has_radius(self) -> bool {
+        match self {
+            Self::Cr | Self::Rnd | Self::Fc | Self::Fct => true,
+            Self::Appr(form) | Self::Dep(form) => form.has_arc(),
+            _ => false,
+        }
+    }
+}
