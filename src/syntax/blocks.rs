@@ -123,8 +123,7 @@ fn label_block(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
 fn call(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
     if cursor.opt_keyword(b"LBL") {
         let label = label(cursor, true)?;
-        let repeat =
-            if cursor.opt_keyword(b"REP") || cursor.opt_keyword(b"REPQ") { Some(repeat(cursor)?) } else { None };
+        let repeat = opt_repeat(cursor)?;
         cursor.finish()?;
         return Ok(BlockKind::CallLbl(Box::new(CallLbl { label, repeat })));
     }
@@ -138,16 +137,19 @@ fn call(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
     Err(cursor.expected("call"))
 }
 
-/// `6` or `6/6`: the repetitions, and behind the bar those that are left.
-fn repeat(cursor: &mut Cursor<'_>) -> Read<super::tree::Operand> {
-    if cursor.byte_at(cursor.at.wrapping_sub(1)).eq_ignore_ascii_case(&b'Q') {
-        cursor.at -= 1;
+/// `REP 6` or `REP 6/6`: the repetitions, and behind the bar those that are left.
+fn opt_repeat(cursor: &mut Cursor<'_>) -> Read<Option<Operand>> {
+    cursor.blanks();
+    let word = cursor.peek_name();
+    if !word.is(b"REP") {
+        return Ok(None);
     }
+    cursor.at = word.span.end;
     let count = cursor.operand()?;
     if cursor.opt_mark(b'/') {
         cursor.operand()?;
     }
-    Ok(count)
+    Ok(Some(count))
 }
 
 /// A name with or without quotation marks, up to the end.

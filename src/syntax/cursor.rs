@@ -176,6 +176,24 @@ impl<'t> Cursor<'t> {
         word
     }
 
+    /// The word here without the letters of a parameter behind it: `F` of `FQL5`, `X` of `XQ1`.
+    pub(super) fn peek_name(&self) -> Word {
+        let mut word = self.peek_word();
+        if !self.byte_at(word.span.end).is_ascii_digit() {
+            return word;
+        }
+        let letters = match word.as_bytes() {
+            [.., b'Q', b'L' | b'R' | b'S'] => 2,
+            [.., b'Q'] => 1,
+            _ => 0,
+        };
+        if letters < word.len {
+            word.len -= letters;
+            word.span.end -= letters;
+        }
+        word
+    }
+
     /// Passes blanks and the keyword, if it stands here as a whole word.
     pub(super) fn opt_keyword(&mut self, keyword: &[u8]) -> bool {
         self.blanks();

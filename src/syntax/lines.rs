@@ -77,8 +77,11 @@ fn skip_mark(bytes: &[u8], at: usize, end: usize, line: &mut Line) -> usize {
     at
 }
 
-/// Digits are a block number if a blank or the start of a block follows them, and not if they are all there is.
+/// Digits are a block number if a blank or the start of a block follows them, and not if they are all there is. Some
+/// programs from elsewhere write `N` before them.
 fn block_number(bytes: &[u8], at: usize, end: usize) -> Option<(u32, usize)> {
+    let marked = matches!(bytes.get(at), Some(b'N' | b'n'));
+    let at = at + usize::from(marked && at + 1 < end);
     let mut value: u32 = 0;
     let mut after = at;
     while after < end && bytes[after].is_ascii_digit() {

@@ -97,11 +97,8 @@ fn opt_coord(cursor: &mut Cursor<'_>) -> Read<Option<Coord>> {
     let start = cursor.at;
     // An axis that the kinematics hide is printed with `&`.
     cursor.at += usize::from(cursor.byte() == b'&');
-    let word = cursor.peek_word();
+    let word = cursor.peek_name();
     let (axis, incremental, length) = match word.as_bytes() {
-        // `XQ1` is the axis and a parameter.
-        [b'I', axis @ .., b'Q'] if !axis.is_empty() => (Axis::by_name(axis), true, axis.len() + 1),
-        [axis @ .., b'Q'] if !axis.is_empty() => (Axis::by_name(axis), false, axis.len()),
         [b'I', axis @ ..] if !axis.is_empty() => (Axis::by_name(axis), true, axis.len() + 1),
         axis => (Axis::by_name(axis), false, axis.len()),
     };
@@ -118,7 +115,7 @@ fn opt_coord(cursor: &mut Cursor<'_>) -> Read<Option<Coord>> {
 fn opt_feed(cursor: &mut Cursor<'_>) -> Read<Option<Feed>> {
     cursor.blanks();
     let start = cursor.at;
-    let word = cursor.peek_word();
+    let word = cursor.peek_name();
     let kind = match word.as_bytes() {
         b"FMAX" => {
             cursor.at = word.span.end;
@@ -128,15 +125,15 @@ fn opt_feed(cursor: &mut Cursor<'_>) -> Read<Option<Feed>> {
             cursor.at = word.span.end;
             FeedKind::Auto
         }
-        b"FU" | b"FUQ" => {
+        b"FU" => {
             cursor.at = start + 2;
             FeedKind::PerRevolution(cursor.operand()?)
         }
-        b"FZ" | b"FZQ" => {
+        b"FZ" => {
             cursor.at = start + 2;
             FeedKind::PerTooth(cursor.operand()?)
         }
-        b"F" | b"FQ" => {
+        b"F" => {
             cursor.at = start + 1;
             if cursor.opt_keyword(b"MAX") {
                 FeedKind::Max
@@ -176,10 +173,10 @@ fn opt_function(cursor: &mut Cursor<'_>) -> Read<Option<MFunction>> {
 fn opt_function_tail(cursor: &mut Cursor<'_>, number: u16) -> Read<Option<Span>> {
     cursor.blanks();
     let start = cursor.at;
-    let word = cursor.peek_word();
+    let word = cursor.peek_name();
     match (number, word.as_bytes()) {
         (_, b"MBMAX") => cursor.at = word.span.end,
-        (_, b"MB" | b"MBQ" | b"LA" | b"LAQ") => {
+        (_, b"MB" | b"LA") => {
             cursor.at = start + 2;
             if !cursor.opt_keyword(b"MAX") {
                 cursor.operand()?;
@@ -188,12 +185,12 @@ fn opt_function_tail(cursor: &mut Cursor<'_>, number: u16) -> Read<Option<Span>>
         (103 | 128, _) => {
             opt_feed(cursor)?;
         }
-        (112 | 124, b"T" | b"TQ") => {
+        (112 | 124, b"T") => {
             cursor.at = start + 1;
             cursor.operand()?;
             words::opt_named(cursor, &[TOLERANCE])?;
         }
-        (197, b"DIST" | b"DISTQ") => {
+        (197, b"DIST") => {
             cursor.at = start + 4;
             cursor.operand()?;
         }
@@ -246,9 +243,9 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
         motion.coords.push(coord);
         return Ok(true);
     }
-    let word = cursor.peek_word();
+    let word = cursor.peek_name();
     match word.as_bytes() {
-        b"R" | b"RQ" => return radius_word(cursor, motion),
+        b"R" => return radius_word(cursor, motion),
         b"RL" if motion.compensation.is_none() => motion.compensation = Some(Compensation::Rl),
         b"RR" if motion.compensation.is_none() => motion.compensation = Some(Compensation::Rr),
         b"DR" if motion.counter_clockwise.is_none() => {
@@ -356,7 +353,7 @@ pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<ToolCall> {
     let axis = opt_axis(cursor);
     let mut call = ToolCall { tool, axis, speed: None, cutting_speed: None, feed: None, dl: None, dr: None, dr2: None };
     while !cursor.done() {
-        let word = cursor.peek_word();
+        let word = cursor.peek_name();
         if word.is(b"S") && call.speed.is_none() && call.cutting_speed.is_none() {
             call.cutting_speed = opt_cutting_speed(cursor, word.span.end)?;
             if call.cutting_speed.is_some() {
@@ -364,10 +361,10 @@ pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<ToolCall> {
             }
         }
         let slot = match word.as_bytes() {
-            b"S" | b"SQ" => &mut call.speed,
-            b"DL" | b"DLQ" => &mut call.dl,
-            b"DR" | b"DRQ" if is_second_radius(cursor, word.span.end) => &mut call.dr2,
-            b"DR" | b"DRQ" => &mut call.dr,
+            b"S" => &mut call.speed,
+            b"DL" => &mut call.dl,
+            b"DR" if is_second_radius(cursor, word.span.end) => &mut call.dr2,
+            b"DR" => &mut call.dr,
             _ => {
                 let feed = if call.feed.is_none() { opt_feed(cursor)? } else { None };
                 if feed.is_none() {
@@ -380,9 +377,7 @@ pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<ToolCall> {
         if slot.is_some() {
             return Err(cursor.expected("tool-word"));
         }
-        let q = usize::from(word.as_bytes().ends_with(b"Q"));
-        let second = usize::from(q == 0 && is_second_radius(cursor, word.span.end));
-        cursor.at = word.span.end - q + second;
+        cursor.at = word.span.end + usize::from(word.is(b"DR") && is_second_radius(cursor, word.span.end));
         cursor.opt_mark(b':');
         *slot = Some(cursor.operand()?);
     }
@@ -394,8 +389,8 @@ fn opt_cutting_speed(cursor: &mut Cursor<'_>, at: usize) -> Read<Option<Operand>
     let mut ahead = Cursor { at, ..*cursor };
     let bracket = ahead.opt_mark(b'(');
     ahead.blanks();
-    let word = ahead.peek_word();
-    if !matches!(word.as_bytes(), b"VC" | b"VCQ") {
+    let word = ahead.peek_name();
+    if !word.is(b"VC") {
         return Ok(None);
     }
     ahead.at += 2;
@@ -418,7 +413,7 @@ pub(super) fn tool_def(cursor: &mut Cursor<'_>) -> Read<ToolDef> {
     let Some(tool) = opt_tool(cursor)? else { return Err(cursor.expected("tool")) };
     let mut def = ToolDef { tool, length: None, radius: None };
     while !cursor.done() {
-        let word = cursor.peek_word();
+        let word = cursor.peek_name();
         let slot = match word.as_bytes() {
             b"L" if def.length.is_none() => &mut def.length,
             b"R" if def.radius.is_none() => &mut def.radius,
