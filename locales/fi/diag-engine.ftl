@@ -81,3 +81,10 @@ diag-arc-scaled-unequally = Koneistustason akseleilla on eri mittakertoimet: ymp
 diag-scaling-factor-zero = Mittakerroin { NUMBER($found) } ei jätä kappaleesta mitään jäljelle.
 diag-shape-impossible = Mikään tämän työkalun rata ei tuota muotoa: tarvitaan { NUMBER($least) } mm, käytettävissä on { NUMBER($found) } mm.
 diag-tilting-unreachable = Koneen kiertoakselit eivät voi kääntää työkalua kohtisuoraan tähän tasoon nähden.
+diag-pattern-missing = Työkierron kutsua varten ei ole kuviota eikä pistetaulukkoa{ $name ->
+        [none] .
+       *[other] : ”{ $name }” puuttuu.
+    }
+diag-pattern-unreadable = ”{ $found }” ei ole kuvion osa.
+diag-position-incomplete = CYCL CALL POS vaatii kaikkien kolmen akselin koordinaatit.
+diag-value-not-predefined = GLOBAL DEF ei ole antanut arvoa, jonka PREDEF voisi ottaa.

@@ -81,3 +81,10 @@ diag-word-not-offered = Il parametro non ammette la parola { $word }.
 diag-arc-scaled-unequally = Gli assi del piano di lavoro hanno fattori di scala diversi: un cerchio non sarebbe più un cerchio.
 diag-scaling-factor-zero = Un fattore di scala { NUMBER($found) } non lascia nulla del pezzo.
 diag-tilting-unreachable = Gli assi rotativi della macchina non possono portare l’utensile perpendicolare a questo piano.
+diag-pattern-missing = Non c’è alcuna sagoma né tabella punti su cui chiamare il ciclo{ $name ->
+        [none] .
+       *[other] : “{ $name }” non esiste.
+    }
+diag-pattern-unreadable = “{ $found }” non è parte di una sagoma.
+diag-position-incomplete = CYCL CALL POS richiede le coordinate di tutti e tre gli assi.
+diag-value-not-predefined = GLOBAL DEF non ha fornito alcun valore che PREDEF possa assumere.

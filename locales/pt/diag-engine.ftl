@@ -81,3 +81,10 @@ diag-arc-scaled-unequally = Os eixos do plano de maquinagem têm fatores de esca
 diag-scaling-factor-zero = Um fator de escala { NUMBER($found) } não deixa nada da peça.
 diag-shape-impossible = Nenhuma trajetória desta ferramenta produz a forma: são necessários { NUMBER($least) } mm, existem { NUMBER($found) } mm.
 diag-tilting-unreachable = Os eixos rotativos da máquina não conseguem pôr a ferramenta perpendicular a este plano.
+diag-pattern-missing = Não há figura nem tabela de pontos em que chamar o ciclo{ $name ->
+        [none] .
+       *[other] : “{ $name }” não existe.
+    }
+diag-pattern-unreadable = “{ $found }” não faz parte de uma figura.
+diag-position-incomplete = CYCL CALL POS precisa das coordenadas dos três eixos.
+diag-value-not-predefined = GLOBAL DEF não deu nenhum valor que PREDEF possa tomar.

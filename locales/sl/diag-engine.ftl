@@ -81,3 +81,10 @@ diag-arc-scaled-unequally = Osi obdelovalne ravnine imajo različne faktorje mer
 diag-scaling-factor-zero = Faktor merila { NUMBER($found) } od obdelovanca ne pusti ničesar.
 diag-shape-impossible = Nobena pot tega orodja ne izdela oblike: potrebnih je { NUMBER($least) } mm, na voljo je { NUMBER($found) } mm.
 diag-tilting-unreachable = Rotacijske osi stroja orodja ne morejo postaviti pravokotno na to ravnino.
+diag-pattern-missing = Za priklic cikla ni vzorca in ne preglednice točk{ $name ->
+        [none] .
+       *[other] : »{ $name }« ne obstaja.
+    }
+diag-pattern-unreadable = »{ $found }« ni del vzorca.
+diag-position-incomplete = CYCL CALL POS potrebuje koordinate vseh treh osi.
+diag-value-not-predefined = GLOBAL DEF ni podal vrednosti, ki bi jo PREDEF lahko prevzel.
