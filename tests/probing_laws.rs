@@ -59,6 +59,7 @@ struct Place {
     /// The probe axis: 0 X, 1 Y, 2 Z.
     tool: usize,
     ball: f64,
+    pre_travel: f64,
     offset: Flat,
     origin: (f64, f64, f64),
     basic: f64,
@@ -70,7 +71,7 @@ struct Place {
 
 prop_compose! {
     fn place()(
-        control in 0..3usize, tool in 0..3usize, ball in 0.5..3.0, offset in (-0.2..0.2, -0.2..0.2),
+        control in 0..3usize, tool in 0..3usize, ball in 0.5..3.0, pre_travel in 0.0..0.05, offset in (-0.2..0.2, -0.2..0.2),
         origin in (-200.0..200.0, -200.0..200.0, -100.0..100.0), basic in -170.0..170.0, plain in any::<bool>(),
         shift in (-50.0..50.0, -50.0..50.0, -20.0..20.0), rotation in -170.0..170.0, straight in any::<bool>(),
         centre in (-100.0..100.0, -100.0..100.0),
@@ -78,7 +79,7 @@ prop_compose! {
         let basic = if plain || CONTROLS[control] == "tnc426-430" { 0.0 } else { basic };
         // The manual of the oldest control knows no cycle that rotates.
         let rotation = if straight || CONTROLS[control] == "tnc426-430" { 0.0 } else { rotation };
-        Place { control: CONTROLS[control], tool, ball, offset, origin, basic, shift, rotation, centre }
+        Place { control: CONTROLS[control], tool, ball, pre_travel, offset, origin, basic, shift, rotation, centre }
     }
 }
 
@@ -120,8 +121,8 @@ impl Place {
             LETTERS.iter().map(|axis| format!("{{axis: {axis}, min: -5000, max: 5000, rapid: 9000}}")).collect();
         format!(
             "scene: 1\nmachine: {{spindle: {tool}, axes: [{}], rotary: [{{axis: {turns}, carries: workpiece, centre: {}, rapid: 3600}}]}}\n\
-             tools: [{{T: 1, L: 100, R: {ball}, TP_NO: 1}}]\n\
-             probe: {{NO: 1, ball_radius: {ball}, DIST: 40, SET_UP: 2, CAL_OF1: {}, CAL_OF2: {}}}\n\
+             tools: [{{T: 1, L: {length}, R: {effective}, TP_NO: 1}}]\n\
+             probe: {{NO: 1, ball_radius: {ball}, length: 100, pre_travel: {pre_travel}, DIST: 40, SET_UP: 2, CAL_OF1: {}, CAL_OF2: {}}}\n\
              presets: {{active: 1, rows: [{{NO: 1, {m}: {}, {n}: {}, {tool}: {}, SP{turns}: {}}}, {{NO: 12}}]}}\n\
              datums: [{{D: 12}}]\nstart: {}\n{more}parts:\n  - place: {{shift: {}, rotate: {{{turns}: {angle}}}}}\n    solid: {solid}\n",
             axes.join(", "),
@@ -139,6 +140,9 @@ impl Place {
             n = self.letter(1),
             turns = TURNS[self.tool],
             ball = self.ball,
+            pre_travel = self.pre_travel,
+            effective = self.ball - self.pre_travel,
+            length = 100.0 - self.pre_travel,
         )
     }
 

@@ -57,6 +57,7 @@ diag-repeat-count = REP needs a whole number from 0 to 65535, not { NUMBER($foun
 diag-rotary-axis-missing = The machine has no rotary axis { $axis }.
 diag-rotary-axis-unsuitable = The rotary axis { $axis } does not turn in the plane of the misalignment and cannot compensate it.
 diag-series-count = The number of repetitions must be whole and not negative: { NUMBER($found) }.
+diag-shaft-collision = The shaft of the stylus touches the workpiece at X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = No path of this tool makes the shape: { NUMBER($least) } mm are needed, { NUMBER($found) } mm are there.
 diag-arc-scaled-unequally = The axes of the working plane have different scaling factors: a circle would not be one.
 diag-scaling-factor-zero = A scaling factor of { NUMBER($found) } leaves nothing of the part.

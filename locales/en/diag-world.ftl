@@ -17,6 +17,7 @@ diag-scene-expected =
         [rotary-axis] The letter of a rotary axis (A, B or C) should stand here, not "{ $found }".
         [carried] What a rotary axis carries is workpiece or tool, not "{ $found }".
         [orientation] The orientation is fixed, two or any, not "{ $found }".
+        [shaft] The shaft must be thinner than the ball; its diameter is { $found }.
         [measurements] 1, 2 or 3 measurements are possible, not "{ $found }".
        *[solids] At least one solid should stand here.
     }

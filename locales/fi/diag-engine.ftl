@@ -79,6 +79,7 @@ diag-value-not-bound = Kuvauksen arvo luetaan, ennen kuin se on olemassa: { $pla
 diag-word-not-offered = Parametri ei salli sanaa { $word }.
 diag-arc-scaled-unequally = Koneistustason akseleilla on eri mittakertoimet: ympyrä ei olisi enää ympyrä.
 diag-scaling-factor-zero = Mittakerroin { NUMBER($found) } ei jätä kappaleesta mitään jäljelle.
+diag-shaft-collision = Kosketusvarren varsi osuu työkappaleeseen kohdassa X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Mikään tämän työkalun rata ei tuota muotoa: tarvitaan { NUMBER($least) } mm, käytettävissä on { NUMBER($found) } mm.
 diag-tilting-unreachable = Koneen kiertoakselit eivät voi kääntää työkalua kohtisuoraan tähän tasoon nähden.
 diag-pattern-missing = Työkierron kutsua varten ei ole kuviota eikä pistetaulukkoa{ $name ->

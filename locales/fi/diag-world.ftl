@@ -16,6 +16,7 @@ diag-scene-expected =
         [rotary-axis] Tässä pitäisi olla kiertoakselin kirjain (A, B tai C), ei ”{ $found }”.
         [carried] Kiertoakseli kantaa työkappaletta (workpiece) tai työkalua (tool), ei ”{ $found }”.
         [orientation] Suuntauksen on oltava fixed, two tai any eikä ”{ $found }”.
+        [shaft] Kosketusvarren varren on oltava kuulaa ohuempi; sen halkaisija on { $found }.
         [measurements] Mittauksia voi olla 1, 2 tai 3, ei ”{ $found }”.
        *[solids] Tässä pitäisi olla vähintään yksi kappale.
     }

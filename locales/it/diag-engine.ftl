@@ -56,6 +56,7 @@ diag-recursive-call = Una parte di programma chiama se stessa.
 diag-repeat-count = REP richiede un numero intero da 0 a 65535, non { NUMBER($found) }.
 diag-rotary-axis-missing = La macchina non ha un asse rotativo { $axis }.
 diag-rotary-axis-unsuitable = L’asse rotativo { $axis } non ruota nel piano della posizione obliqua e non può compensarla.
+diag-shaft-collision = Il gambo dello stilo tocca il pezzo in X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Nessuna traiettoria di questo utensile produce la forma: occorrono { NUMBER($least) } mm, sono disponibili { NUMBER($found) } mm.
 diag-series-count = Il numero di ripetizioni deve essere intero e non negativo: { NUMBER($found) }.
 diag-series-limit = Il ciclo ripeterebbe i suoi passi più di { NUMBER($limit) } volte.

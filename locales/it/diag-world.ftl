@@ -16,6 +16,7 @@ diag-scene-expected =
         [rotary-axis] Qui è prevista la lettera di un asse rotativo (A, B o C), non «{ $found }».
         [carried] Un asse rotativo porta il pezzo (workpiece) o l’utensile (tool), non «{ $found }».
         [orientation] L’orientamento è fixed, two o any, non «{ $found }».
+        [shaft] Il gambo dello stilo deve essere più sottile della sfera; il suo diametro è { $found }.
         [measurements] Sono possibili 1, 2 o 3 misurazioni, non «{ $found }».
        *[solids] Qui è previsto almeno un solido.
     }

@@ -79,6 +79,7 @@ diag-value-not-bound = Um valor da especificação é lido antes de existir: { $
 diag-word-not-offered = O parâmetro não admite a palavra { $word }.
 diag-arc-scaled-unequally = Os eixos do plano de maquinagem têm fatores de escala diferentes: um círculo deixaria de o ser.
 diag-scaling-factor-zero = Um fator de escala { NUMBER($found) } não deixa nada da peça.
+diag-shaft-collision = A haste de apalpação, e não a esfera, toca na peça em X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Nenhuma trajetória desta ferramenta produz a forma: são necessários { NUMBER($least) } mm, existem { NUMBER($found) } mm.
 diag-tilting-unreachable = Os eixos rotativos da máquina não conseguem pôr a ferramenta perpendicular a este plano.
 diag-pattern-missing = Não há figura nem tabela de pontos em que chamar o ciclo{ $name ->

@@ -16,6 +16,7 @@ diag-scene-expected =
         [rotary-axis] Aqui deve estar a letra de um eixo rotativo (A, B ou C), e não «{ $found }».
         [carried] Um eixo rotativo leva a peça (workpiece) ou a ferramenta (tool), e não «{ $found }».
         [orientation] A orientação é fixed, two ou any, e não «{ $found }».
+        [shaft] A haste de apalpação deve ser mais fina do que a esfera; o seu diâmetro é { $found }.
         [measurements] São possíveis 1, 2 ou 3 medições, e não «{ $found }».
        *[solids] Aqui deve estar pelo menos um sólido.
     }

@@ -79,6 +79,7 @@ diag-value-not-bound = Vrednost specifikacije je prebrana, preden obstaja: { $pl
 diag-word-not-offered = Parameter ne dovoljuje besede { $word }.
 diag-arc-scaled-unequally = Osi obdelovalne ravnine imajo različne faktorje merila: krog ne bi bil več krog.
 diag-scaling-factor-zero = Faktor merila { NUMBER($found) } od obdelovanca ne pusti ničesar.
+diag-shaft-collision = Steblo tipalne glave se dotakne obdelovanca pri X { NUMBER($x) } Y { NUMBER($y) } Z { NUMBER($z) }.
 diag-shape-impossible = Nobena pot tega orodja ne izdela oblike: potrebnih je { NUMBER($least) } mm, na voljo je { NUMBER($found) } mm.
 diag-tilting-unreachable = Rotacijske osi stroja orodja ne morejo postaviti pravokotno na to ravnino.
 diag-pattern-missing = Za priklic cikla ni vzorca in ne preglednice točk{ $name ->

@@ -16,6 +16,7 @@ diag-scene-expected =
         [rotary-axis] Tukaj mora stati črka rotacijske osi (A, B ali C), ne »{ $found }«.
         [carried] Rotacijska os nosi obdelovanec (workpiece) ali orodje (tool), ne »{ $found }«.
         [orientation] Usmeritev je fixed, two ali any, ne »{ $found }«.
+        [shaft] Steblo mora biti tanjše od kroglice; njegov premer je { $found }.
         [measurements] Mogoče so 1, 2 ali 3 meritve, ne »{ $found }«.
        *[solids] Tukaj bi moralo biti vsaj eno telo.
     }

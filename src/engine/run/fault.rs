@@ -96,6 +96,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("scaling-factor-zero", Class::Program),
     ("series-count", Class::Internal),
     ("series-limit", Class::Limit),
+    ("shaft-collision", Class::Control),
     ("shape-impossible", Class::Control),
     ("solid-cusp", Class::Unsupported),
     ("solid-edge-unsupported", Class::Unsupported),

@@ -59,6 +59,7 @@ use crate::spec::{Catalogue, Cycle, CycleKey, OnControl};
 use crate::syntax::Program;
 use code::Prepared;
 use define::Definition;
+use stylus::OfMachine;
 use world::World;
 
 /// Texts that a run needs for logs, in the language of the program.
@@ -205,7 +206,7 @@ impl<'e> Engine<'e> {
 
     /// Runs the program to its end and tells every event.
     pub fn run(&self, emit: &mut dyn FnMut(Event)) -> Outcome {
-        let world = match World::new(self.scene) {
+        let world = match World::new(self.scene, OfMachine::new(self.on, self.scene)) {
             Ok(world) => world,
             Err(error) => return self.not_started(error.into(), emit),
         };

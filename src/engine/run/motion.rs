@@ -8,6 +8,7 @@ use super::block::linear;
 use super::event::MoveKind;
 use super::fault::{Class, Fault};
 use super::probe::Pressed;
+use super::stylus::ProbeData;
 use super::turn::rotary;
 use super::{Done, EventKind, Run, Touching};
 use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis};
@@ -377,13 +378,28 @@ impl Run<'_, '_> {
                 if skipped > (to - from).length() {
                     return Ok(());
                 }
-                BallPath::line(from + (to - from).normalize_or_zero() * skipped + lift, to + lift)
+                BallPath::line(from + (to - from).normalize_or_zero() * skipped, to)
             }
-            BallPath::Arc { centre, axis, from, sweep, rise } => {
-                BallPath::Arc { centre: centre + lift, axis, from: from + lift, sweep, rise }
-            }
+            arc @ BallPath::Arc { .. } => arc,
         };
-        self.touches_on(probe.ball_radius, &path)
+        self.touches_on(probe.ball_radius, &path.moved(lift))?;
+        self.shaft_touches(&probe, &path.moved(lift))
+    }
+
+    /// An error if the shaft of the stylus touches the parts on a path of the ball centre.
+    pub(super) fn shaft_touches(&self, probe: &ProbeData, path: &BallPath) -> Done {
+        let Some(shaft) = probe.shaft else { return Ok(()) };
+        let axis = self.world.along_parts(self.world.shaft_axis(shaft));
+        let Some(contact) = self.world.scene.body.shaft_contact(shaft.radius, axis, &self.world.path_at_parts(path))? else {
+            return Ok(());
+        };
+        Err(self.at_point(Fault::control("shaft-collision"), contact.point).into())
+    }
+
+    /// A fault at a point of the parts.
+    fn at_point(&self, fault: Fault, at_parts: DVec3) -> Fault {
+        let point = self.world.system.back().point(self.world.off_parts(at_parts));
+        fault.arg("x", point.x).arg("y", point.y).arg("z", point.z)
     }
 
     /// How far a probe that still presses against what it touched must go on a line to come free; 0 if it is free, or if
@@ -411,11 +427,7 @@ impl Run<'_, '_> {
         let path = self.world.path_at_parts(path);
         match self.world.scene.body.first_contact_on(ball_radius, &path)? {
             None => Ok(()),
-            Some(contact) => {
-                let point = self.world.system.back().point(self.world.off_parts(contact.point));
-                let fault = Fault::control("collision").arg("x", point.x).arg("y", point.y).arg("z", point.z);
-                Err(fault.into())
-            }
+            Some(contact) => Err(self.at_point(Fault::control("collision"), contact.point).into()),
         }
     }
 }

@@ -9,10 +9,15 @@ use super::fault::{Class, Fault};
 use super::stylus::ProbeData;
 use super::{Done, EventKind, Run, Touching};
 use crate::engine::scene::Orientation;
-use crate::engine::solid::Path;
+use crate::engine::solid::{Contact, Path};
 
 /// Angles that differ by less, in degrees, are the same orientation.
 const SAME_ANGLE: f64 = 1e-9;
+
+/// A pre-travel that changes by less, in mm, is found.
+const PUSHED: f64 = 1e-12;
+/// A pre-travel that depends on the direction is found in so many steps.
+const PUSHES: usize = 16;
 
 /// A movement of the ball towards the workpiece.
 #[derive(Clone, Copy, Debug)]
@@ -116,19 +121,52 @@ impl Run<'_, '_> {
         Ok(Stop { tip, centre, touched: found.is_some() })
     }
 
-    /// Where the ball touches the parts on a path from its centre at the start, if it does: the tool tip when the probe
-    /// triggers, the point touched, and how far the ball went on. In machine coordinates.
+    /// Where the probe triggers on a path of the ball from its centre at the start, if it does: the tool tip then, the point
+    /// touched, and how far the ball went on after touching. In machine coordinates.
     fn found(&mut self, probe: &ProbeData, path: f64, start: DVec3, way: DVec3) -> Done<Option<(DVec3, DVec3, f64)>> {
         let (body, at_start) = (&self.world.scene.body, self.world.at_parts(start));
         if body.touches(probe.ball_radius, at_start)? {
             return Err(Fault::control("probe-deflected").into());
         }
         let path_end = self.world.at_parts(start + way * path);
-        let Some(contact) = body.first_contact(probe.ball_radius, at_start, path_end)? else { return Ok(None) };
-        let (ball, point) = (self.world.off_parts(contact.ball_centre), self.world.off_parts(contact.point));
-        let depth = self.world.pre_travel(probe, way) + self.world.scatter();
-        let reached = (ball - start).length() + depth <= path;
-        Ok(reached.then_some((self.world.machine + (ball - start) + way * depth, point, depth)))
+        let Some(contact) = body.first_contact(probe.ball_radius, at_start, path_end)? else {
+            self.shaft_touches(probe, &Path::line(start, start + way * path))?;
+            return Ok(None);
+        };
+        let trigger = self.trigger(probe, at_start, path_end, contact)?;
+        let reached = trigger.map(|trigger| {
+            let (ball, point) = (self.world.off_parts(trigger.ball_centre), self.world.off_parts(trigger.point));
+            let late = self.world.scatter();
+            let depth = (trigger.ball_centre - contact.ball_centre).length() + late;
+            (ball - start + way * late, point, depth)
+        });
+        let reached = reached.filter(|(gone, ..)| gone.length() <= path);
+        let end = reached.map_or(way * path, |(gone, ..)| gone);
+        self.shaft_touches(probe, &Path::line(start, start + end))?;
+        Ok(reached.map(|(gone, point, depth)| (self.world.machine + gone, point, depth)))
+    }
+
+    /// Where the surface has pushed the ball in so far that the probe triggers: where a ball that is smaller by the
+    /// pre-travel touches. That may depend on the direction into the material there.
+    fn trigger(&self, probe: &ProbeData, from: DVec3, to: DVec3, touched: Contact) -> Done<Option<Contact>> {
+        let (mut contact, mut pushed) = (touched, 0.0);
+        for _ in 0..PUSHES {
+            let into = self.world.vector_off_parts(-contact.normal);
+            let wanted = self.world.pre_travel(probe, into);
+            if (wanted - pushed).abs() < PUSHED {
+                break;
+            }
+            pushed = wanted;
+            // A ball that would be pushed in beyond its centre slips by.
+            if pushed >= probe.ball_radius {
+                return Ok(None);
+            }
+            match self.world.scene.body.first_contact(probe.ball_radius - pushed, from, to)? {
+                Some(found) => contact = found,
+                None => return Ok(None),
+            }
+        }
+        Ok(Some(contact))
     }
 
     /// Tells the return from where the probe stopped.

@@ -7,14 +7,47 @@ use glam::{DVec2, DVec3};
 use super::fault::Fault;
 use super::world::{Tool, World};
 use crate::engine::geometry::RotaryAxis;
-use crate::engine::scene::{Orientation, PreTravel};
+use crate::engine::scene::{Orientation, PreTravel, Scene, Shaft};
 use crate::engine::table::{TableError, TableKind};
 use crate::expr::{atan2d, cosd, sind};
+use crate::spec::OnControl;
 
 /// The word of the probe table for pre-positioning at the machine's rapid rate (TNC 320 manual, line 545).
 const MACHINE_RAPID: &str = "FMAX_MACHINE";
 /// The word that makes the control turn the probe into the probing direction (TNC 320 manual, lines 546-552).
 const TRACKING: &str = "ON";
+/// A control measures a point at least once and at most so often.
+const MEASUREMENTS: (f64, f64) = (1.0, 3.0);
+
+/// What machine parameters of the scene say of every touch probe, on controls that have it there and not in a table.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct OfMachine {
+    set_up: Option<f64>,
+    feed: Option<f64>,
+    fmax: Option<f64>,
+    dist: Option<f64>,
+    track: Option<f64>,
+    measurements: Option<f64>,
+    confidence: Option<f64>,
+}
+
+impl OfMachine {
+    pub(super) fn new(on: &OnControl, scene: &Scene) -> Self {
+        let value = |neutral: &str, column: &str| {
+            let printed = on.datum(neutral).filter(|printed| *printed != column)?;
+            scene.machine_number(printed)
+        };
+        Self {
+            set_up: value("set-up", "SET_UP"),
+            feed: value("probing-feed", "F"),
+            fmax: value("positioning-feed", "FMAX"),
+            dist: value("probing-distance", "DIST"),
+            track: value("track", "TRACK"),
+            measurements: value("multiple-measurement", ""),
+            confidence: value("confidence-range", ""),
+        }
+    }
+}
 
 /// The touch probe in use: what the control knows of it and what it really is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,8 +81,10 @@ pub(super) struct ProbeData {
     pub orientation: Orientation,
     /// Whether it is turned into every probing direction.
     pub track: bool,
-    /// The way between touching and triggering.
+    /// What lies between touching and triggering.
     pub pre_travel: PreTravel,
+    /// The shaft that carries the ball, where the scene has one.
+    pub shaft: Option<Shaft>,
     /// How often a point is measured.
     pub measurements: u32,
     /// How far these measurements may lie apart, mm.
@@ -71,12 +106,19 @@ impl World<'_> {
         };
         let table = self.table(TableKind::Probe)?;
         let value = |column| table.number(row, column).map(Option::unwrap_or_default);
+        let either = |known: Option<f64>, column| known.map_or_else(|| value(column), Ok);
+        let machine = self.of_machine;
+        let track = match machine.track {
+            Some(track) => track != 0.0,
+            None => table.text(row, "TRACK")?.eq_ignore_ascii_case(TRACKING),
+        };
+        let measurements = machine.measurements.map(|count| count.clamp(MEASUREMENTS.0, MEASUREMENTS.1) as u32);
         Ok(ProbeData {
             row,
-            set_up: value("SET_UP")?,
-            feed: value("F")?,
-            fmax: value("FMAX")?,
-            dist: value("DIST")?,
+            set_up: either(machine.set_up, "SET_UP")?,
+            feed: either(machine.feed, "F")?,
+            fmax: either(machine.fmax, "FMAX")?,
+            dist: either(machine.dist, "DIST")?,
             machine_rapid: table.text(row, "F_PREPOS")? == MACHINE_RAPID,
             ball_radius: truth.ball_radius,
             effective_radius: if self.has_radius(&tool)? { tool.radius } else { truth.ball_radius },
@@ -85,10 +127,11 @@ impl World<'_> {
             offset: truth.offset,
             angle: value("CAL_ANG")?,
             orientation: truth.orientation,
-            track: table.text(row, "TRACK")?.eq_ignore_ascii_case(TRACKING) && truth.orientation == Orientation::Any,
+            track: track && truth.orientation == Orientation::Any,
             pre_travel: truth.pre_travel,
-            measurements: truth.measurements,
-            confidence: truth.confidence,
+            shaft: truth.shaft,
+            measurements: truth.measurements.or(measurements).unwrap_or(1),
+            confidence: truth.confidence.or(machine.confidence),
         })
     }
 
@@ -159,7 +202,15 @@ impl World<'_> {
         self.system.back().vector(self.turned(probe.calibrated))
     }
 
-    /// How far the ball goes on after touching, in a direction of the machine of length 1.
+    /// The axis of the shaft in the machine, from the centre of the ball to the centre of its upper end, which is round.
+    pub(super) fn shaft_axis(&self, shaft: Shaft) -> DVec3 {
+        let tool = self.system.plane.tool.unit();
+        let up = self.head.map_or_else(|| self.system.frame().vector(tool), |head| head.vector(tool));
+        up * (shaft.length - shaft.radius).max(0.0)
+    }
+
+    /// How far a surface pushes the ball in until the probe triggers; the direction of the machine, of length 1, leads into
+    /// the material.
     pub(super) fn pre_travel(&self, probe: &ProbeData, direction: DVec3) -> f64 {
         let plane = self.system.plane;
         let flat = plane.flat(direction);

@@ -9,9 +9,9 @@ use glam::DVec3;
 use super::coordinates::System;
 use super::fault::Fault;
 use super::probe::Pressed;
-use super::stylus::ProbeData;
+use super::stylus::{OfMachine, ProbeData};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
-use crate::engine::scene::{Answers, ParameterValue, Preset, Scene};
+use crate::engine::scene::{Answers, Preset, Scene};
 use crate::engine::solid::Path as BallPath;
 use crate::engine::table::{Table, TableError, TableKind};
 
@@ -76,6 +76,8 @@ pub(super) struct World<'s> {
     pub(super) triggered: usize,
     /// The probe where it stopped after touching, until it moves.
     pub(super) pressed: Option<Pressed>,
+    /// What machine parameters say of touch probes.
+    pub(super) of_machine: OfMachine,
     /// What the operator will say.
     pub answers: Answers,
     tool: Option<Tool>,
@@ -88,7 +90,7 @@ pub(super) struct World<'s> {
 }
 
 impl<'s> World<'s> {
-    pub(super) fn new(scene: &'s Scene) -> Result<Self, TableError> {
+    pub(super) fn new(scene: &'s Scene, of_machine: OfMachine) -> Result<Self, TableError> {
         let mut tables = BTreeMap::new();
         tables.insert(TableKind::Tool, scene.tools.clone());
         tables.insert(TableKind::Probe, scene.probes.clone());
@@ -105,6 +107,7 @@ impl<'s> World<'s> {
             spindle_turned: 0.0,
             triggered: 0,
             pressed: None,
+            of_machine,
             answers: scene.answers.clone(),
             tool: None,
             probe: OnceCell::new(),
@@ -169,6 +172,11 @@ impl<'s> World<'s> {
     /// The direction of a vector of the machine as the parts see it.
     pub(super) fn along_parts(&self, vector: DVec3) -> DVec3 {
         self.parts.map_or(vector, |parts| parts.vector(vector))
+    }
+
+    /// The way back from [`World::along_parts`].
+    pub(super) fn vector_off_parts(&self, vector: DVec3) -> DVec3 {
+        self.parts.map_or(vector, |parts| parts.inverse().vector(vector))
     }
 
     /// The way back from [`World::at_parts`].
@@ -310,15 +318,7 @@ impl<'s> World<'s> {
 
     /// The number that a machine parameter has in the scene, by the name that the control prints.
     pub(super) fn machine_parameter(&self, printed: &str) -> Option<f64> {
-        match self.scene.machine_parameter(printed)? {
-            ParameterValue::Number(number) => Some(*number),
-            ParameterValue::Text(word) => match word.to_ascii_lowercase().as_str() {
-                "on" | "true" | "yes" => Some(1.0),
-                "off" | "false" | "no" => Some(0.0),
-                _ => None,
-            },
-            ParameterValue::List(_) => None,
-        }
+        self.scene.machine_number(printed)
     }
 
     /// The first axis that a position in machine coordinates takes beyond its limits.

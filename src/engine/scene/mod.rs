@@ -10,7 +10,7 @@ mod solid;
 
 pub use answers::Answers;
 pub use clock::Clock;
-pub use probe::{Orientation, PreTravel, Probe};
+pub use probe::{Orientation, PreTravel, Probe, Shaft};
 
 use super::geometry::{Frame, INCH, RotaryAxis};
 use super::machine::Machine;
@@ -208,6 +208,19 @@ impl Scene {
                 answers,
             }),
             _ => Err(reader.found),
+        }
+    }
+
+    /// The number that a machine parameter has, by its name; switches are 0 or 1.
+    pub fn machine_number(&self, name: &str) -> Option<f64> {
+        match self.machine_parameter(name)? {
+            ParameterValue::Number(number) => Some(*number),
+            ParameterValue::Text(word) => match word.to_ascii_lowercase().as_str() {
+                "on" | "true" | "yes" => Some(1.0),
+                "off" | "false" | "no" => Some(0.0),
+                _ => None,
+            },
+            ParameterValue::List(_) => None,
         }
     }
 

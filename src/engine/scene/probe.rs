@@ -11,7 +11,7 @@ use crate::spec::{Kind, Node};
 
 /// The keys of a probe that are no columns of the table.
 const OWN: &[&str] =
-    &["ball_radius", "offset", "length", "orientation", "pre_travel", "scatter", "measurements", "confidence"];
+    &["ball_radius", "offset", "length", "shaft", "orientation", "pre_travel", "scatter", "measurements", "confidence"];
 /// A control measures a point at most so often.
 const MOST_MEASUREMENTS: f64 = 3.0;
 
@@ -27,7 +27,16 @@ pub enum Orientation {
     Any,
 }
 
-/// How far the ball goes on after it touched until the probe triggers, mm.
+/// The shaft that carries the ball: a cylinder from the centre of the ball upwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shaft {
+    /// Its radius in mm, below that of the ball.
+    pub radius: f64,
+    /// How far it reaches from the centre of the ball, mm.
+    pub length: f64,
+}
+
+/// How far the surface pushes the ball in, along its normal, before the probe triggers, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PreTravel {
     /// Across the probe axis, on average.
@@ -43,10 +52,11 @@ pub struct PreTravel {
 }
 
 impl PreTravel {
-    /// In a direction: its angle about the probe axis as the stylus sees it, and its share along the probe axis.
+    /// In a direction into the material: its angle about the probe axis as the stylus sees it, and its share along the
+    /// probe axis. Never below 0.
     pub fn towards(&self, angle: f64, along: f64) -> f64 {
         let radial = self.radial + self.amplitude * cosd(self.lobes * (angle - self.phase));
-        radial + (self.axial - radial) * along * along
+        (radial + (self.axial - radial) * along * along).max(0.0)
     }
 }
 
@@ -62,14 +72,16 @@ pub struct Probe {
     pub offset: DVec2,
     /// The true length in mm, if it is not the one that the tool table has at the start.
     pub length: Option<f64>,
+    /// The shaft of the stylus, if anything is to be found out about it.
+    pub shaft: Option<Shaft>,
     /// How the spindle can turn it.
     pub orientation: Orientation,
-    /// The way between touching and triggering.
+    /// What lies between touching and triggering.
     pub pre_travel: PreTravel,
     /// By how much each trigger comes later than it should, mm, in turn.
     pub scatter: Vec<f64>,
-    /// How often the control measures a point.
-    pub measurements: u32,
+    /// How often the control measures a point, if no machine parameter says it.
+    pub measurements: Option<u32>,
     /// How far these measurements may lie apart, mm, if it is limited.
     pub confidence: Option<f64>,
 }
@@ -81,11 +93,12 @@ pub(super) fn probe(node: &Node, table: &mut Table, r: &mut Reader<'_>) -> Optio
     let row = rows::row(node, columns, Some(1.0), table, r);
     let ball_radius = r.need(node, "ball_radius").and_then(|node| r.positive(node));
     let length = node.get("length").map(|node| r.positive(node));
+    let shaft = node.get("shaft").map(|node| shaft(node, ball_radius, r));
     let orientation = node.get("orientation").map_or(Some(Orientation::default()), |node| orientation(node, r));
     let pre_travel = node.get("pre_travel").map_or(Some(PreTravel::default()), |node| pre_travel(node, r));
     let list = node.get("scatter").map_or(&[][..], |node| r.items(node));
     let scatter: Option<Vec<f64>> = list.iter().map(|item| r.length(item)).collect();
-    let measurements = node.get("measurements").map_or(Some(1), |node| measurements(node, r));
+    let measurements = node.get("measurements").map(|node| measurements(node, r));
     let confidence = node.get("confidence").map(|node| r.positive(node));
     let row = row?;
     for (column, value) in [("F", 300.0), ("FMAX", 3000.0), ("DIST", 10.0), ("SET_UP", 2.0)] {
@@ -110,20 +123,32 @@ pub(super) fn probe(node: &Node, table: &mut Table, r: &mut Reader<'_>) -> Optio
         ball_radius: ball_radius?,
         offset,
         length: given(length)?,
+        shaft: given(shaft)?,
         orientation: orientation?,
         pre_travel: pre_travel?,
         scatter: scatter?,
-        measurements: measurements?,
+        measurements: given(measurements)?,
         confidence: given(confidence)?,
     })
 }
 
 /// A value that may be missing but must not be wrong.
-fn given(value: Option<Option<f64>>) -> Option<Option<f64>> {
+fn given<T>(value: Option<Option<T>>) -> Option<Option<T>> {
     match value {
         None => Some(None),
         Some(value) => value.map(Some),
     }
+}
+
+fn shaft(node: &Node, ball_radius: Option<f64>, r: &mut Reader<'_>) -> Option<Shaft> {
+    r.only_keys(node, &["diameter", "length"]);
+    let diameter = r.need(node, "diameter")?;
+    let (radius, length) = (r.positive(diameter)? / 2.0, r.need(node, "length").and_then(|node| r.positive(node))?);
+    if ball_radius.is_some_and(|ball| radius >= ball) {
+        r.expected(diameter, "shaft");
+        return None;
+    }
+    Some(Shaft { radius, length })
 }
 
 fn orientation(node: &Node, r: &mut Reader<'_>) -> Option<Orientation> {

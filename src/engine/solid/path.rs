@@ -54,6 +54,17 @@ impl Path {
         }
     }
 
+    /// The same path elsewhere.
+    #[must_use]
+    pub fn moved(&self, by: DVec3) -> Self {
+        match *self {
+            Self::Line { from, to } => Self::line(from + by, to + by),
+            Self::Arc { centre, axis, from, sweep, rise } => {
+                Self::Arc { centre: centre + by, axis, from: from + by, sweep, rise }
+            }
+        }
+    }
+
     /// The length of the way in mm.
     pub fn length(&self) -> f64 {
         match *self {
