@@ -81,7 +81,6 @@ diag-unsupported-block = The engine does not execute { $word }.
 diag-unsupported-compensation = The engine does not execute radius compensation (RL, RR).
 diag-unsupported-cycle = { $cycle } is only named by the manual of { $control }: the engine cannot execute it.
 diag-unsupported-feed = The engine does not know this feed in a tool call: { $word }
-diag-unsupported-inch = The engine executes this cycle in millimetres only, not in programs in inches.
 diag-unsupported-m = The engine does not execute { $word }.
 diag-unsupported-path = The engine does not execute { $word } in this block.
 diag-unsupported-simultaneous = With a touch probe in the spindle, the engine turns one rotary axis at a time and moves no other axis meanwhile.

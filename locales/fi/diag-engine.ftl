@@ -69,7 +69,6 @@ diag-unsupported-block = Suoritin ei suorita lausetta { $word }.
 diag-unsupported-compensation = Suoritin ei suorita sädekorjausta (RL, RR).
 diag-unsupported-cycle = Ohjauksen { $control } käsikirja vain mainitsee työkierron { $cycle }: suoritin ei voi suorittaa sitä.
 diag-unsupported-feed = Suoritin ei tunne tätä työkalukutsun syöttöarvoa: { $word }
-diag-unsupported-inch = Suoritin suorittaa tämän työkierron vain millimetreissä, ei tuumaohjelmissa.
 diag-unsupported-m = Suoritin ei suorita toimintoa { $word }.
 diag-unsupported-path = Suoritin ei suorita tässä lauseessa toimintoa { $word }.
 diag-unsupported-simultaneous = Kun karassa on kosketusjärjestelmä, suoritin kääntää yhtä kiertoakselia kerrallaan eikä liikuta muita samalla.

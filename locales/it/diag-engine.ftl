@@ -71,7 +71,6 @@ diag-unsupported-block = Il motore di esecuzione non esegue { $word }.
 diag-unsupported-compensation = Il motore di esecuzione non esegue la correzione del raggio (RL, RR).
 diag-unsupported-cycle = Il manuale del controllo { $control } si limita a nominare { $cycle }: il motore di esecuzione non può eseguirlo.
 diag-unsupported-feed = Il motore di esecuzione non conosce questo avanzamento in una chiamata utensile: { $word }
-diag-unsupported-inch = Il motore di esecuzione esegue questo ciclo solo in millimetri, non nei programmi in pollici.
 diag-unsupported-m = Il motore di esecuzione non esegue { $word }.
 diag-unsupported-path = Il motore di esecuzione non esegue { $word } in questo blocco.
 diag-unsupported-simultaneous = Con un sistema di tastatura nel mandrino il motore di esecuzione ruota un asse rotativo alla volta e intanto non muove gli altri.

@@ -69,7 +69,6 @@ diag-unsupported-block = O motor de execução não executa { $word }.
 diag-unsupported-compensation = O motor de execução não executa a correção de raio (RL, RR).
 diag-unsupported-cycle = O manual do comando { $control } apenas menciona { $cycle }: o motor de execução não o pode executar.
 diag-unsupported-feed = O motor de execução não conhece este avanço numa chamada de ferramenta: { $word }
-diag-unsupported-inch = O motor de execução executa este ciclo apenas em milímetros, não em programas em polegadas.
 diag-unsupported-m = O motor de execução não executa { $word }.
 diag-unsupported-path = O motor de execução não executa { $word } nesta frase.
 diag-unsupported-simultaneous = Com um apalpador no cabeçote, o motor de execução roda um eixo rotativo de cada vez e entretanto não move os outros.

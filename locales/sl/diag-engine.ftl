@@ -69,7 +69,6 @@ diag-unsupported-block = Izvajalnik ne izvaja stavka { $word }.
 diag-unsupported-compensation = Izvajalnik ne izvaja popravka polmera (RL, RR).
 diag-unsupported-cycle = Priročnik za { $control } cikel { $cycle } le omenja: izvajalnik ga ne more izvesti.
 diag-unsupported-feed = Izvajalnik ne pozna tega pomika v priklicu orodja: { $word }
-diag-unsupported-inch = Izvajalnik ta cikel izvaja samo v milimetrih, ne v programih v palcih.
 diag-unsupported-m = Izvajalnik ne izvaja funkcije { $word }.
 diag-unsupported-path = Izvajalnik v tem stavku ne izvaja funkcije { $word }.
 diag-unsupported-simultaneous = S tipalnim sistemom v vretenu izvajalnik vrti naenkrat samo eno rotacijsko os in drugih medtem ne premika.

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use super::{Facts, Item};
 use crate::expr::QKind;
-use crate::spec::{Param, ParameterKind, Quantity, Refusal, refusal};
+use crate::spec::{MM_PER_INCH, Param, ParameterKind, Refusal, number_refusal_in, refusal};
 use crate::syntax::ValueKind;
 
 /// Why the value is refused; `inch` tells whether lengths of the program are inches.
@@ -23,11 +23,11 @@ pub(super) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
         Some(ValueKind::Number(_)) if kind == ParameterKind::Text && param.q.is_some() => return Some(Refusal::Kind),
         _ => {}
     }
-    let refusal = refusal(param, &single_signed(&item.printed))?;
     // The manuals print ranges in mm.
-    let length = inch && matches!(param.quantity, Quantity::Length | Quantity::Feed);
-    let ranged = matches!(refusal, Refusal::Below(_) | Refusal::Above(_));
-    (!(length && ranged)).then_some(refusal)
+    if let (true, true, Some(ValueKind::Number(number))) = (inch, param.is_measured(), item.value.map(|value| value.kind)) {
+        return number_refusal_in(param, number, MM_PER_INCH);
+    }
+    refusal(param, &single_signed(&item.printed))
 }
 
 /// What kind of value belongs where the parameter is written: of one that takes a number or a name, the Q parameter

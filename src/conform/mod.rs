@@ -11,16 +11,17 @@ mod texts;
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 pub use foreign::{Partner, Silence, run as run_foreign};
 pub use protocol::{Answer, CellWritten, CycleName, Moved, PROTOCOL, Request, serve};
 pub use report::{CaseReport, Clause, CycleReport, FORMAT, Mismatch, Report, Verdict, junit};
 pub use texts::LogTexts;
 
-use crate::diag::{Diagnostic, dedupe};
+use crate::diag::{Diagnostic, Source, dedupe};
 use crate::engine::plan;
 use crate::engine::run::Shown;
+use crate::engine::scene::Scene;
 use crate::locale::Locales;
 use crate::spec::{Catalogue, Cycle, CycleKey, Example, OnControl};
 
@@ -75,6 +76,32 @@ pub fn run(world: &World<'_>, controls: &[&str]) -> (Report, Vec<Diagnostic>) {
     }
     dedupe(&mut found);
     (Report { format: FORMAT, cases, cycles }, found)
+}
+
+/// An example on a control as what it executes.
+#[derive(Clone, Debug)]
+pub struct Executed<'w> {
+    /// The control.
+    pub on: &'w OnControl,
+    /// The cycle that has it.
+    pub cycle: &'w Cycle,
+    /// Its name.
+    pub name: &'w str,
+    /// The program.
+    pub program: Arc<Source>,
+    /// The scene.
+    pub scene: Scene,
+}
+
+/// The programs and scenes of all sound examples on the controls, or on all of them if the list is empty; those that
+/// are skipped are left out.
+pub fn executed<'w>(world: &World<'w>, controls: &[&str]) -> Vec<Executed<'w>> {
+    let ready = |job: Job<'w>| {
+        let Job { on, cycle, example } = job;
+        let case::Prepared { program, scene, .. } = case::prepare(world, on, cycle, example).ok()?;
+        Some(Executed { on, cycle, name: example.name.as_str(), program, scene })
+    };
+    jobs(world, controls).into_iter().filter(|job| job.example.skip.is_none()).filter_map(ready).collect()
 }
 
 /// The examples on the controls, or on all of them if the list is empty.

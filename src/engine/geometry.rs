@@ -7,7 +7,7 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 use crate::expr::{cosd, sind};
 
 /// mm in an inch.
-pub(in crate::engine) const INCH: f64 = 25.4;
+pub(in crate::engine) const INCH: f64 = crate::spec::MM_PER_INCH;
 
 /// A linear axis of the machine or of the workpiece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -109,6 +109,11 @@ impl Param {
         }
     }
 
+    /// Whether its value is a length or a feed, in the unit of the program.
+    pub const fn is_measured(&self) -> bool {
+        matches!(self.quantity, Quantity::Length | Quantity::Feed)
+    }
+
     /// The text parameter that holds a name, if the parameter takes a number or a name.
     pub fn q_of_name(&self) -> Option<QRef> {
         let q = self.q.filter(|_| self.kind == ParameterKind::NumberOrName)?;

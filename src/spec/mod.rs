@@ -22,6 +22,6 @@ pub use profile::{
 };
 pub use schema::schema;
 pub use texts::{Text, texts};
-pub use value::{Refusal, number_refusal, refusal};
+pub use value::{MM_PER_INCH, Refusal, number_refusal_in, refusal};
 pub use vocabulary::*;
 pub use yaml::{Key, Kind, Node, read as read_yaml};

@@ -5,6 +5,12 @@
 use super::catalogue::Param;
 use super::vocabulary::{ParameterKind, Shape};
 
+/// Lengths in mm that differ by less are the same: no control reads as many decimals.
+const ROUNDING: f64 = 1e-8;
+
+/// mm in an inch.
+pub const MM_PER_INCH: f64 = 25.4;
+
 /// Why a value is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
@@ -21,7 +27,7 @@ pub enum Refusal {
 }
 
 /// Why the parameter refuses a number; nothing if it takes it.
-pub fn number_refusal(param: &Param, value: f64) -> Option<Refusal> {
+fn number_refusal(param: &Param, value: f64) -> Option<Refusal> {
     let whole = matches!(
         param.kind,
         ParameterKind::Integer | ParameterKind::QNumber | ParameterKind::Row | ParameterKind::LabelList
@@ -43,6 +49,21 @@ pub fn number_refusal(param: &Param, value: f64) -> Option<Refusal> {
     }
     let below = param.min.filter(|min| value < *min).map(Refusal::Below);
     below.or(param.max.filter(|max| value > *max).map(Refusal::Above))
+}
+
+/// Why the parameter refuses a number of a program whose unit has so many mm. The ranges of lengths and feeds are those
+/// of the manuals, in mm; a limit is told in the unit of the program.
+pub fn number_refusal_in(param: &Param, value: f64, unit: f64) -> Option<Refusal> {
+    if unit == 1.0 || !param.is_measured() {
+        return number_refusal(param, value);
+    }
+    // A limit that was converted and comes back is still the limit.
+    let mm = libm::round(value * unit / ROUNDING) * ROUNDING;
+    Some(match number_refusal(param, mm)? {
+        Refusal::Below(min) => Refusal::Below(min / unit),
+        Refusal::Above(max) => Refusal::Above(max / unit),
+        other => other,
+    })
 }
 
 /// Why the parameter refuses a value as it is printed; nothing if it takes it.

@@ -341,7 +341,7 @@ pub struct Feed {
 /// The value of a feed word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FeedKind {
-    /// `F500`: mm/min (or 1/10 inch/min).
+    /// `F500`: mm/min (or inch/min).
     Value(Operand),
     /// `FMAX`: rapid.
     Max,

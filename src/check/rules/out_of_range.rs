@@ -1,6 +1,7 @@
 //! A number outside of the range that the control's manual prints, or a text or list longer than it may be.
 //!
-//! Silent where the manual prints no range, and for lengths and feeds of programs in inches.
+//! Silent where the manual prints no range. Ranges of lengths and feeds are in mm; in a program in inches the limit is
+//! told in inches.
 use crate::check::values::each_refused;
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};

@@ -70,6 +70,8 @@ pub struct Plan {
     pub builtins: Vec<(Slot, Builtin)>,
     /// Slots of old-style fields by their ids.
     pub fields: Vec<(Slot, Arc<str>)>,
+    /// Its parameters that are lengths or feeds, in the unit of the program.
+    pub measures: Vec<QRef>,
     /// Parameters that this control lacks, with the values that stand for them.
     pub constants: Vec<(QRef, f64)>,
     /// Q parameters of the shared run that old-style fields stand for.
@@ -113,6 +115,7 @@ pub fn compile(cycle: &Cycle, on: &OnControl) -> (Plan, Vec<Diagnostic>) {
         lists: compiler.lists,
         builtins,
         fields: compiler.fields,
+        measures: cycle.params.iter().filter(|param| param.is_measured()).filter_map(|param| param.q).collect(),
         constants: cycle.lacking.clone(),
         stands_for: compiler.stands_for,
         lets,

@@ -27,7 +27,7 @@ impl<'e> Run<'_, 'e> {
             }
             Act::Feed(target, feed) => {
                 let to = self.target_of(target, exec)?;
-                let feed = self.number(feed, exec)? * self.unit();
+                let feed = self.number(feed, exec)? * self.cycle_unit();
                 self.straight_to(to, None, Speed::of_feed(feed))
             }
             Act::Arc { centre, to, direction, feed } => self.arc_act(centre, to, direction, feed.as_ref(), exec),
@@ -161,11 +161,11 @@ impl<'e> Run<'_, 'e> {
         feed: Option<&Calc>,
         exec: &Exec<'_, 'e>,
     ) -> Done {
-        let centre = self.world.system.axes(self.point(centre, exec)?) * self.unit();
+        let centre = self.world.system.axes(self.point(centre, exec)?) * self.cycle_unit();
         let to = self.to_mm(self.point(to, exec)?);
         let direction = self.number(direction, exec)?;
         let speed = match feed {
-            Some(feed) => Speed::of_feed(self.number(feed, exec)? * self.unit()),
+            Some(feed) => Speed::of_feed(self.number(feed, exec)? * self.cycle_unit()),
             None => Ok(Speed::Rapid),
         };
         let near = (to - self.world.here).length() == 0.0;
@@ -250,7 +250,7 @@ impl<'e> Run<'_, 'e> {
                 }
             }
             Transform::Rotation(id) => {
-                if let Some(FieldValue::Number { value, incremental }) = exec.definition.field(id) {
+                if let Some(FieldValue::Number { value, incremental, .. }) = exec.definition.field(id) {
                     let from = if *incremental { self.world.system.rotation() } else { 0.0 };
                     self.world.system.set_rotation(from + value);
                 }

@@ -94,7 +94,7 @@ impl<'e> Run<'_, 'e> {
     pub(super) fn turn_basic_rotation(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
         let angle = self.number(Self::argument(call, 0)?, exec)?;
         let about = match call.with.get(1) {
-            Some(Some(about)) => Some(self.world.system.axes(self.point(about, exec)?) * self.unit()),
+            Some(Some(about)) => Some(self.world.system.axes(self.point(about, exec)?) * self.cycle_unit()),
             _ => None,
         };
         let before = self.world.system.told();

@@ -74,7 +74,7 @@ impl Env for View<'_, '_, '_> {
                 return Ok(*value);
             }
         }
-        self.params.number(q)
+        Ok(exec.definition.read(q, self.params.number(q)?))
     }
 
     fn text(&self, q: QRef) -> Result<Arc<str>, EvalError> {
@@ -164,9 +164,11 @@ impl<'e> Run<'_, 'e> {
         if !plan.guards.iter().any(|guard| guard.at == Moment::Definition) {
             return Ok(());
         }
-        let mut exec = self.exec(definition);
-        self.prepare(&mut exec);
-        self.guards(&plan.guards, Moment::Definition, &mut exec).map(|_| ())
+        self.in_unit_of(definition, |run| {
+            let mut exec = run.exec(definition);
+            run.prepare(&mut exec);
+            run.guards(&plan.guards, Moment::Definition, &mut exec).map(|_| ())
+        })
     }
 
     /// Executes a cycle; one that probes is rehearsed before, if its envelope is asked for.
@@ -179,6 +181,10 @@ impl<'e> Run<'_, 'e> {
 
     /// Executes a cycle in the scene, or as a rehearsal.
     pub(super) fn execute_in_scene(&mut self, definition: &Definition<'e>) -> Done {
+        self.in_unit_of(definition, |run| run.execute_plan(definition))
+    }
+
+    fn execute_plan(&mut self, definition: &Definition<'e>) -> Done {
         if self.inside >= MAX_NESTED {
             return Err(Fault::new(Class::Internal, "cycle-depth-limit").arg("limit", MAX_NESTED as f64).into());
         }
@@ -245,7 +251,9 @@ impl<'e> Run<'_, 'e> {
         for (slot, id) in &plan.fields {
             let value = match exec.definition.field(id) {
                 None => continue,
-                Some(FieldValue::Number { value, .. }) => Value::Number(*value),
+                Some(FieldValue::Number { value, length, .. }) => {
+                    Value::Number(if *length { exec.definition.into_run(*value) } else { *value })
+                }
                 Some(FieldValue::Q(q)) => Value::Number(f64::from(q.number)),
                 Some(FieldValue::Text(text)) => Value::Text(Arc::clone(text)),
                 Some(FieldValue::Direction(direction)) => Value::Point(self.in_plane(*direction)),
@@ -285,7 +293,7 @@ impl<'e> Run<'_, 'e> {
     fn builtin(&self, builtin: &Builtin, exec: &Exec<'_, 'e>) -> Value {
         let world = &self.world;
         let system = &world.system;
-        let unit = self.unit();
+        let unit = self.cycle_unit();
         let tool = world.tool().unwrap_or_default();
         let probe = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of));
         let length = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of) / unit);
@@ -500,7 +508,10 @@ impl<'e> Run<'_, 'e> {
             let Some(target) = exec.redirected(q, *number) else { return Ok(()) };
             return self.set(target, value);
         }
-        self.set(q, value)
+        match (value, exec.definition.scale_of(q)) {
+            (Content::Number(number), scale) if scale != 1.0 => self.set(q, Content::Number(number / scale)),
+            (value, _) => self.set(q, value),
+        }
     }
 }
 

@@ -35,8 +35,8 @@ pub(super) struct FieldCoord {
 /// The value of an old-style field.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum FieldValue {
-    /// A number; whether it counts from what is in effect.
-    Number { value: f64, incremental: bool },
+    /// A number; whether it counts from what is in effect, and whether it is a length or feed in the unit of the program.
+    Number { value: f64, incremental: bool, length: bool },
     /// Coordinates.
     Coords(Vec<FieldCoord>),
     /// An axis with the sense of a movement.
@@ -54,6 +54,8 @@ pub(super) struct Definition<'e> {
     /// The control whose manual describes it.
     pub(super) on: &'e OnControl,
     pub(super) plan: Arc<Plan>,
+    /// mm in the unit of the program that defines it.
+    pub(super) unit: f64,
     /// The form, if the cycle has several.
     pub(super) form: Option<usize>,
     /// Values of old-style fields by their ids.
@@ -100,7 +102,8 @@ impl<'e> Run<'_, 'e> {
             CycleForm::Lines(lines) => self.lines(cycle, &lines)?,
         };
         let Values { form, fields } = definition;
-        let definition = Definition { cycle, on, plan, form, fields };
+        let unit = self.unit();
+        let definition = Definition { cycle, on, plan, unit, form, fields };
         self.at_definition(&definition)?;
         if cycle.file.takes_effect == TakesEffect::OnDefinition {
             return self.execute(&definition);
@@ -236,7 +239,7 @@ impl<'e> Run<'_, 'e> {
         match &content {
             Content::Number(_) if textual => Err(Fault::program("text-or-number")),
             Content::Number(number)
-                if !matches!(value.kind, ValueKind::Word) && spec::number_refusal(param, *number).is_some() =>
+                if !matches!(value.kind, ValueKind::Word) && spec::number_refusal_in(param, *number, self.unit()).is_some() =>
             {
                 Err(Fault::program("parameter-out-of-range").arg("value", *number))
             }
@@ -348,7 +351,7 @@ impl<'e> Run<'_, 'e> {
         let name = self.slice(word.name).trim().to_ascii_uppercase();
         let out_of_range = || Fault::program("parameter-out-of-range").arg("q", field.id.as_str());
         let in_range = |value: f64| {
-            let refusal = spec::number_refusal(param, value);
+            let refusal = spec::number_refusal_in(param, value, self.unit());
             if refusal.is_none() { Ok(value) } else { Err(out_of_range().arg("value", value)) }
         };
         let value = self.slice(word.value.span).trim();
@@ -398,7 +401,8 @@ impl<'e> Run<'_, 'e> {
             }
             _ => {
                 let incremental = field.word.as_deref().is_some_and(|wanted| name != wanted);
-                Ok(FieldValue::Number { value: in_range(self.number_of(&word.value)?)?, incremental })
+                let length = param.is_measured();
+                Ok(FieldValue::Number { value: in_range(self.number_of(&word.value)?)?, incremental, length })
             }
         }
     }

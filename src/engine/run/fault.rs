@@ -119,7 +119,6 @@ pub const CODES: &[(&str, Class)] = &[
     ("unsupported-compensation", Class::Unsupported),
     ("unsupported-cycle", Class::Unsupported),
     ("unsupported-feed", Class::Unsupported),
-    ("unsupported-inch", Class::Unsupported),
     ("unsupported-m", Class::Unsupported),
     ("unsupported-path", Class::Unsupported),
     ("unsupported-simultaneous", Class::Unsupported),

@@ -31,7 +31,7 @@ impl<'e> Run<'_, 'e> {
     pub(super) fn probe_with_own_path(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
         let probe = self.world.probe()?;
         let direction = self.world.system.axes(self.point(Self::argument(call, 0)?, exec)?);
-        let number = |index| Ok::<_, Fault>(self.number(Self::argument(call, index)?, exec)? * self.unit());
+        let number = |index| Ok::<_, Fault>(self.number(Self::argument(call, index)?, exec)? * self.cycle_unit());
         let (path, feed) = (number(1)?, number(2)?);
         let flag = |index| Ok::<_, Fault>(self.optional(call, index, exec)?.unwrap_or(0.0) != 0.0);
         let (in_machine, tolerant, silent) = (flag(3)?, flag(4)?, flag(5)?);
@@ -62,7 +62,7 @@ impl<'e> Run<'_, 'e> {
 
     /// Back against the direction in which the probe touched, not beyond where that movement began.
     pub(super) fn retract_from_touch_point(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
-        let path = self.number(Self::argument(call, 0)?, exec)? * self.unit();
+        let path = self.number(Self::argument(call, 0)?, exec)? * self.cycle_unit();
         let Some(pressed) = self.world.pressed else { return Ok(()) };
         let way = (self.world.machine - pressed.from).dot(pressed.direction);
         let to = self.world.machine - pressed.direction * path.clamp(0.0, way.max(0.0));
@@ -121,12 +121,12 @@ impl<'e> Run<'_, 'e> {
                 // The oversizes of the table and of the tool call stay.
                 let delta = self.world.table(TableKind::Tool)?.number(tool.number, &format!("D{column}"))?;
                 let called = if index == 0 { tool.deltas.0 } else { tool.deltas.1 };
-                let cell = Cell::Number(value * self.unit() - delta.unwrap_or_default() - called);
+                let cell = Cell::Number(value * self.cycle_unit() - delta.unwrap_or_default() - called);
                 self.write_cell(TableKind::Tool, tool.number, column, &cell)?;
             }
         }
         if let Some(Some(calc)) = call.with.get(2) {
-            let change = self.world.system.axes(self.point(calc, exec)?) * self.unit();
+            let change = self.world.system.axes(self.point(calc, exec)?) * self.cycle_unit();
             let change = self.world.system.plane.flat(self.world.system.frame().vector(change));
             let offset = probe.calibrated + change;
             for (column, value) in [("CAL_OF1", offset.x), ("CAL_OF2", offset.y)] {

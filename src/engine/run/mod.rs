@@ -315,6 +315,8 @@ struct Run<'r, 'e> {
     moves: u64,
     /// Whether a cycle is executed that probes.
     probing: bool,
+    /// mm in the unit in which the cycle being executed calculates.
+    calculating_in: f64,
     /// What the cycle that is executed has written to tables: told when it ends well.
     writing: Vec<Event>,
     /// What stops the probe.
@@ -354,6 +356,7 @@ impl<'r, 'e> Run<'r, 'e> {
             inside: 0,
             moves: 0,
             probing: false,
+            calculating_in: 1.0,
             writing: Vec::new(),
             touching: envelope::Touching::AsScene,
             recorder: None,

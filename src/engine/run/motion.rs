@@ -18,6 +18,8 @@ use crate::syntax::{Axis, Compensation, Coord, Feed, FeedKind, Motion, Path};
 
 /// How far the end of a circle may lie off it, mm: what the controls' input step of 0.0001 mm can cause, with room.
 const OFF_CIRCLE: f64 = 0.001;
+/// What calculation may put between two positions that are the same, mm.
+const SAME: f64 = 1e-10;
 /// From this feed on a move is one at rapid traverse: the value that the word FMAX has as a parameter.
 pub(super) const RAPID_FEED: f64 = 99_999.999;
 
@@ -249,9 +251,10 @@ impl Run<'_, '_> {
 
     /// Moves straight; `machine` gives the target in machine coordinates where that is what is programmed.
     pub(super) fn straight_to(&mut self, to: DVec3, machine: Option<DVec3>, speed: Result<Speed, Fault>) -> Done {
+        let to = if machine.is_none() && self.unit() != 1.0 { self.unless_moved(to) } else { to };
         let machine = machine.unwrap_or_else(|| self.world.system.frame().point(to));
         let from = self.world.here;
-        if to == from {
+        if (to - from).abs().max_element() < SAME {
             return Ok(());
         }
         let path = BallPath::line(self.world.machine, machine);
@@ -318,7 +321,6 @@ impl Run<'_, '_> {
         let from = self.world.here;
         self.count_move()?;
         self.no_unexecuted()?;
-        self.in_its_unit()?;
         if let Some(axis) = LinearAxis::ALL
             .into_iter()
             .find(|axis| axis.of(machine) != axis.of(self.world.machine) && !self.world.has_axis(*axis))
@@ -337,14 +339,6 @@ impl Run<'_, '_> {
         self.world.machine = machine;
         self.tell(EventKind::Move { kind, from, to, machine, feed, path: *path });
         Ok(())
-    }
-
-    /// Moves of cycles that do not probe are executed in mm only: some of them have lengths of their own.
-    fn in_its_unit(&self) -> Result<(), Fault> {
-        if self.inside == 0 || self.probing || self.unit() == 1.0 {
-            return Ok(());
-        }
-        Err(Fault::unsupported("unsupported-inch"))
     }
 
     /// Nothing moves while a transformation is in effect that the engine cannot execute.

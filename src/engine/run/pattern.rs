@@ -195,12 +195,17 @@ impl<'e> Run<'_, 'e> {
 
     /// The surface of the last cycle, and its clearances if it has a surface.
     fn call_heights(&self) -> (f64, Option<(f64, f64)>) {
-        let number =
-            |is| self.called_parameter(is).and_then(|q| self.params.number(q).ok()).unwrap_or(0.0) * self.unit();
+        let unit = self.unit_of_last();
+        let number = |is| self.called_parameter(is).and_then(|q| self.params.number(q).ok()).unwrap_or(0.0) * unit;
         if self.called_parameter(SURFACE).is_none() {
             return (0.0, None);
         }
         (number(SURFACE), Some((number(CLEARANCE), number(SECOND_CLEARANCE))))
+    }
+
+    /// mm in the unit in which the last cycle was defined.
+    fn unit_of_last(&self) -> f64 {
+        self.last_cycle.as_ref().map_or(1.0, |definition| definition.unit)
     }
 
     /// The parameter of the last cycle with that meaning.
@@ -218,7 +223,7 @@ impl<'e> Run<'_, 'e> {
         self.go_in_plane(point.truncate().extend(here.z), speed)?;
         if let Some(surface) = self.called_parameter(SURFACE) {
             let before = self.params.number(surface)?;
-            self.params.set(surface, &Content::Number(before + point.z / self.unit()))?;
+            self.params.set(surface, &Content::Number(before + point.z / self.unit_of_last()))?;
             let done = self.call_last_cycle();
             self.params.set(surface, &Content::Number(before))?;
             return done;

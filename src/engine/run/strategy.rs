@@ -180,10 +180,10 @@ impl<'e> Run<'_, 'e> {
         let mut values = Vec::with_capacity(3);
         for (axis, calc) in [(plane.main, main), (plane.secondary, minor), (plane.tool, tool)] {
             if let Some(calc) = calc {
-                values.push((axis, self.number(calc, exec)? * self.unit()));
+                values.push((axis, self.number(calc, exec)? * self.cycle_unit()));
             }
         }
-        Ok(Wanted { point: self.world.system.axes(self.point(point, exec)?) * self.unit(), values })
+        Ok(Wanted { point: self.world.system.axes(self.point(point, exec)?) * self.cycle_unit(), values })
     }
 
     fn row(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {

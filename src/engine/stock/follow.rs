@@ -8,7 +8,7 @@ use super::pace::Pace;
 use super::report::{FindingKind, Place, Report};
 use super::{Batch, SKIN, Stock};
 use crate::diag::Diagnostic;
-use crate::engine::geometry::{Axis, Frame};
+use crate::engine::geometry::{Axis, Frame, INCH};
 use crate::engine::machine::Machine;
 use crate::engine::run::{Event, EventKind, MoveKind};
 use crate::engine::scene::Scene;
@@ -88,7 +88,11 @@ impl Blank {
         let mut corners: [Option<DVec3>; 2] = [None, None];
         let mut axis = scene.machine.spindle;
         let mut any = false;
+        let mut unit = 1.0;
         for block in program.blocks() {
+            if let BlockKind::BeginPgm(frame) = &block.kind {
+                unit = if frame.inch { INCH } else { 1.0 };
+            }
             let BlockKind::BlkForm(form) = &block.kind else { continue };
             any = true;
             if let Some(found) = form.axis.and_then(linear) {
@@ -101,6 +105,7 @@ impl Blank {
             for coord in &form.coords {
                 match (linear(coord.axis), coord.value.amount) {
                     (Some(axis), Amount::Number(value)) => {
+                        let value = value * unit;
                         let value = if coord.incremental { axis.of(start) + value } else { value };
                         corner = axis.with(corner, value);
                     }

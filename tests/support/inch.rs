@@ -1,0 +1,216 @@
+//! A program in mm told in inches: every length and feed that it writes, divided by 25.4.
+//!
+//! What a word is follows from the specifications for parameters and fields, and from the list here for other words.
+//! A program that calculates has lengths that only its run knows: it has no such twin here.
+use ciklo::diag::Span;
+use ciklo::fields::{self, first, stands_on};
+use ciklo::spec::{Catalogue, Cycle, OnControl, Shape};
+use ciklo::syntax::{
+    Amount, Axis, BlockKind, CallForm, Coord, CycleForm, Feed, FeedKind, NamedWord, Operand, Parameter, Program,
+    StatementKind, ToolCall, Value, ValueKind,
+};
+
+/// mm in an inch.
+pub(crate) const INCH: f64 = 25.4;
+
+/// Words of approaches, blanks, patterns and planes that are lengths.
+const LENGTHS: [&str; 25] = [
+    "X", "Y", "Z", "IX", "IY", "IZ", "CCX", "CCY", "CCZ", "D", "DX", "DY", "R", "L", "DI", "RI", "LEN", "DIST", "MB",
+    "P1X", "P1Y", "P2X", "P2Y", "P3X", "P3Y",
+];
+const MORE_LENGTHS: [&str; 4] = ["P1Z", "P2Z", "P3Z", "F"];
+
+struct Twin<'p> {
+    program: &'p Program,
+    edits: Vec<(Span, String)>,
+    /// Whether there is something whose unit cannot be told.
+    untold: bool,
+}
+
+impl Twin<'_> {
+    fn number(&mut self, span: Span, value: f64) {
+        let value = value / INCH;
+        let signed = self.program.slice(span).starts_with(['+', '-']);
+        self.edits.push((span, if signed { format!("{value:+}") } else { format!("{value}") }));
+    }
+
+    fn operand(&mut self, operand: &Operand) {
+        if let Amount::Number(value) = operand.amount {
+            self.number(operand.span, value);
+        }
+    }
+
+    fn value(&mut self, value: &Value) {
+        match value.kind {
+            ValueKind::Number(number) => self.number(value.span, number),
+            ValueKind::Word => {
+                let text = self.program.slice(value.span);
+                let number = text.strip_prefix("FU").or_else(|| text.strip_prefix("FZ"));
+                if let Some(number) = number.and_then(|number| number.replace(',', ".").parse::<f64>().ok()) {
+                    self.edits.push((value.span, format!("{}{}", &text[..2], number / INCH)));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// A tolerance as a text: `0.05-0.02`.
+    fn tolerance(&mut self, inside: Span) {
+        let text = self.program.slice(inside);
+        if let Some((first, second)) = text.split_once(['+', '-'])
+            && let (Ok(first), Ok(second)) = (first.parse::<f64>(), second.parse::<f64>())
+        {
+            let sign = text.chars().find(|c| matches!(c, '+' | '-')).unwrap_or('-');
+            self.edits.push((inside, format!("{}{sign}{}", first / INCH, second / INCH)));
+        }
+    }
+
+    fn coords(&mut self, coords: &[Coord]) {
+        for coord in coords.iter().filter(|coord| !matches!(coord.axis, Axis::A | Axis::B | Axis::C | Axis::Pa)) {
+            self.operand(&coord.value);
+        }
+    }
+
+    fn feed(&mut self, feed: Option<&Feed>) {
+        match feed.map(|feed| feed.kind) {
+            Some(FeedKind::Value(value) | FeedKind::PerRevolution(value) | FeedKind::PerTooth(value)) => {
+                self.operand(&value);
+            }
+            _ => {}
+        }
+    }
+
+    fn words(&mut self, words: &[NamedWord]) {
+        for word in words {
+            let name = self.program.slice(word.name).trim().to_ascii_uppercase();
+            if LENGTHS.contains(&&*name) || MORE_LENGTHS.contains(&&*name) {
+                self.value(&word.value);
+            }
+        }
+    }
+
+    fn tool_call(&mut self, call: &ToolCall) {
+        [&call.dl, &call.dr, &call.dr2].into_iter().flatten().for_each(|value| self.operand(value));
+        self.feed(call.feed.as_ref());
+    }
+
+    fn parameters(&mut self, parameters: &[Parameter], cycles: &[&Cycle]) {
+        for parameter in parameters {
+            let of = |cycle: &&Cycle| cycle.params.iter().find(|param| param.q == Some(parameter.q)).cloned();
+            match (cycles.iter().find_map(of), parameter.value.kind) {
+                (Some(param), _) if param.is_measured() => self.value(&parameter.value),
+                (_, ValueKind::Text(inside)) => self.tolerance(inside),
+                _ => {}
+            }
+        }
+    }
+
+    fn block(&mut self, kind: &BlockKind, all: &[&Cycle]) {
+        match kind {
+            BlockKind::BeginPgm(frame) | BlockKind::EndPgm(frame) => {
+                self.untold |= frame.inch;
+                let rest = Span::new(frame.name.end, frame.name.end + 3);
+                self.edits.push((rest, " INCH".to_owned()));
+            }
+            BlockKind::BlkForm(form) => self.coords(&form.coords),
+            BlockKind::ToolCall(call) => self.tool_call(call),
+            BlockKind::ToolDef(tool) => {
+                [&tool.length, &tool.radius].into_iter().flatten().for_each(|value| self.operand(value));
+            }
+            BlockKind::Motion(motion) => {
+                self.coords(&motion.coords);
+                self.feed(motion.feed.as_ref());
+                motion.radius.iter().for_each(|radius| self.operand(radius));
+                self.words(&motion.words);
+                self.untold |= motion.functions.iter().any(|function| function.with.is_some());
+            }
+            BlockKind::CyclCall(call) => {
+                self.feed(call.feed.as_ref());
+                if let CallForm::Position(coords) = &call.form {
+                    self.coords(coords);
+                }
+            }
+            BlockKind::PatternDef(pattern) => pattern.items.iter().for_each(|item| self.words(&item.words)),
+            BlockKind::GlobalDef(values) => self.parameters(&values.parameters, all),
+            BlockKind::Statement(statement) => match statement.kind {
+                StatementKind::BlkForm | StatementKind::Plane | StatementKind::Trans | StatementKind::Function => {
+                    self.words(&statement.words);
+                }
+                _ => self.untold = true,
+            },
+            BlockKind::FnAssign(_) | BlockKind::Formula(_) | BlockKind::FnJump(_) | BlockKind::CallPgm(_) => {
+                self.untold = true;
+            }
+            _ => {}
+        }
+    }
+
+    fn fields(&mut self, cycle: &Cycle, lines: &[&ciklo::syntax::OldCycleLine]) {
+        // The first form that reads every word.
+        for form in 0..cycle.file.forms.len() {
+            let before = self.edits.len();
+            if self.fields_of(cycle, form, lines) {
+                return;
+            }
+            self.edits.truncate(before);
+        }
+        self.untold = true;
+    }
+
+    fn fields_of(&mut self, cycle: &Cycle, form: usize, lines: &[&ciklo::syntax::OldCycleLine]) -> bool {
+        for line in lines {
+            let mut expected: Vec<_> = cycle.fields(form).filter(|(_, field)| stands_on(field, line)).collect();
+            let mut words = line.words.as_slice();
+            while !words.is_empty() {
+                let Some((at, count)) = first(self.program, expected.iter().map(|(_, field)| *field), words) else {
+                    return false;
+                };
+                let (param, field) = expected.drain(..=at).next_back().expect("the one found");
+                let (own, rest) = words.split_at(count);
+                for word in own {
+                    let name = self.program.slice(word.name).trim().to_ascii_uppercase();
+                    let rotary = name.trim_start_matches('I').starts_with(['A', 'B', 'C']) && name.len() < 3;
+                    let axes = matches!(field.shape, Shape::Position | Shape::AxisCoordinate | Shape::Centre);
+                    let factor = matches!(param.quantity, ciklo::spec::Quantity::Factor | ciklo::spec::Quantity::Angle);
+                    let centre = field.shape == Shape::Centre;
+                    if (axes && !rotary && (!factor || centre)) || (!axes && param.is_measured()) {
+                        self.value(&word.value);
+                    }
+                }
+                words = rest;
+            }
+        }
+        true
+    }
+}
+
+/// The same program in inches; nothing if it calculates lengths, or is in inches itself.
+pub(crate) fn in_inches(program: &Program, on: &OnControl, catalogue: &Catalogue) -> Option<String> {
+    let mut twin = Twin { program, edits: Vec::new(), untold: false };
+    let others = catalogue.controls.values().rev().filter(|other| other.id() != on.id());
+    let all: Vec<&Cycle> = std::iter::once(on).chain(others).flat_map(|on| on.cycles.values()).collect();
+    program.blocks().iter().for_each(|block| twin.block(&block.kind, &all));
+    for view in program.cycles() {
+        let key = fields::key(view.keyword, view.number);
+        let cycle = all.iter().find(|cycle| cycle.key == key);
+        match (&view.form, cycle) {
+            (CycleForm::Parameters(written), Some(cycle)) => twin.parameters(&written.parameters, &[cycle]),
+            (CycleForm::Lines(lines), Some(cycle)) if cycle.is_old_style() => twin.fields(cycle, lines),
+            _ => {}
+        }
+    }
+    if twin.untold {
+        return None;
+    }
+    let Twin { mut edits, .. } = twin;
+    edits.sort_by_key(|(span, _)| span.start);
+    let text = program.source().text();
+    let (mut told, mut at) = (String::new(), 0);
+    for (span, new) in edits {
+        told.push_str(&text[at..span.start]);
+        told.push_str(&new);
+        at = span.end;
+    }
+    told.push_str(&text[at..]);
+    Some(told)
+}
