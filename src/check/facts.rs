@@ -10,7 +10,7 @@ use super::{Against, CycleLabels, values};
 use crate::diag::Span;
 use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, Refusal, TakesEffect};
-use crate::syntax::{BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Program, StatementKind, Value};
+use crate::syntax::{Block, BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Program, StatementKind, Value};
 
 /// A program with its cycle definitions resolved for a control.
 pub struct Facts<'a> {
@@ -102,7 +102,7 @@ pub enum Event {
 pub struct Flow {
     /// Blocks are repeated, called or passed over.
     pub jumps: bool,
-    /// Other programs are called.
+    /// Other programs are called, or this is a part of one.
     pub programs: bool,
     /// The cycle is called at every position (M89).
     pub modal: bool,
@@ -152,6 +152,9 @@ impl<'a> Facts<'a> {
     /// Walks through the blocks and notes what happens.
     fn follow(&mut self) {
         let mut next = 0;
+        // A fragment is called from a program or copied into one: what comes before and behind it is not known.
+        let begins = |block: &Block| matches!(block.kind, BlockKind::BeginPgm(_));
+        self.flow.programs |= !self.program.blocks().iter().any(begins);
         for (index, block) in self.program.blocks().iter().enumerate() {
             if !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_)) {
                 self.events.push(Event::Block);

@@ -40,8 +40,12 @@ pub(super) fn kind(item: &Item<'_>, param: &Param) -> ParameterKind {
     }
 }
 
-/// Two signs stand for their product, as the control reads them.
+/// Two signs stand for their product, as the control reads them, and a blank may stand behind a sign.
 fn single_signed(printed: &str) -> Cow<'_, str> {
+    if printed.starts_with(['+', '-']) && printed.contains(char::is_whitespace) {
+        let closed: String = printed.split_whitespace().collect();
+        return Cow::Owned(single_signed(&closed).into_owned());
+    }
     let sign = |byte: u8| matches!(byte, b'+' | b'-');
     let doubled = printed.bytes().zip(printed.bytes().skip(1)).any(|(one, next)| sign(one) && sign(next));
     if !doubled {

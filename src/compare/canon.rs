@@ -102,7 +102,13 @@ fn value(program: &Program, value: &Value) -> String {
     let printed = program.slice(value.span);
     match value.kind {
         ValueKind::Number(_) | ValueKind::Q { .. } | ValueKind::Sign(_) => tokens(printed),
-        ValueKind::Word | ValueKind::Text(_) | ValueKind::Missing => closed_up(printed),
+        ValueKind::Word => match tokens(printed).as_str() {
+            "AUTO" => "FAUTO".to_owned(),
+            "MAX" => "FMAX".to_owned(),
+            word if word.starts_with('F') => word.to_owned(),
+            _ => closed_up(printed),
+        },
+        ValueKind::Text(_) | ValueKind::Missing => closed_up(printed),
     }
 }
 

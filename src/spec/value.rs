@@ -69,7 +69,7 @@ pub fn number_refusal_in(param: &Param, value: f64, unit: f64) -> Option<Refusal
 /// Why the parameter refuses a value as it is printed; nothing if it takes it.
 pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
     let text = text.trim();
-    if param.words.iter().any(|word| word == text || fed(word, text)) {
+    if param.words.iter().any(|word| word == text || fed(word, text) || feed_word(word, text)) {
         return None;
     }
     match (param.field.as_ref().map(|field| field.shape), param.kind) {
@@ -110,6 +110,12 @@ pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
 fn fed(word: &str, text: &str) -> bool {
     let value = (word == "FU" || word == "FZ").then(|| text.strip_prefix(word)).flatten().map(str::trim);
     value.is_some_and(|value| is_q(value) || parse(value).is_some())
+}
+
+/// The control shows `FAUTO` as `AUTO` behind the equals sign; `F AUTO` and `F MAX` are the same words.
+fn feed_word(word: &str, text: &str) -> bool {
+    let short = word.strip_prefix('F').filter(|short| matches!(*short, "AUTO" | "MAX"));
+    short.is_some_and(|short| text.strip_prefix('F').unwrap_or(text).trim_start() == short)
 }
 
 fn kind(right: bool) -> Option<Refusal> {

@@ -280,6 +280,7 @@ impl Assembler<'_> {
             lines: 1,
             tilde: first.joined,
             numbered: false,
+            in_comment: first.wraps,
         };
         self.parameters(&mut body);
         if body.last.joined {
@@ -327,6 +328,10 @@ impl Assembler<'_> {
                     body.tilde |= line.joined;
                     body.take(line, &mut lines);
                 }
+                Role::Text => {
+                    body.take(line, &mut lines);
+                    body.in_comment = line.joined;
+                }
             }
         }
     }
@@ -338,6 +343,7 @@ impl Assembler<'_> {
         }
         if !cycle::starts_parameter(self.text, line.content) {
             return match self.read(line.content).0 {
+                BlockKind::Unknown(_) if body.in_comment && self.is_comment_text(line) => Role::Text,
                 BlockKind::Unknown(error) if line.number.is_none() => Role::Torn(*error),
                 _ => Role::Ends,
             };
@@ -356,6 +362,19 @@ impl Assembler<'_> {
             }),
             Err(error) => Role::Unreadable(error),
         }
+    }
+
+    /// Whether a line that is no block can be what a comment before it goes on with: words, and no parameter that was
+    /// meant to be one.
+    fn is_comment_text(&self, line: &Line) -> bool {
+        let text = self.text.get(line.content.start..line.content.end).unwrap_or_default();
+        let in_words = text.starts_with(|c: char| c.is_alphanumeric() || matches!(c, '(' | '"'));
+        let mut cursor = Cursor::new(self.text, line.content);
+        let torn = cursor.opt_q().is_some() && {
+            cursor.blanks();
+            !cursor.byte().is_ascii_alphabetic()
+        };
+        line.number.is_none() && line.comment.is_none() && in_words && !torn && !text.contains('=')
     }
 
     fn parameter(&self, line: &Line) -> Read<cycle::Assignment> {
@@ -414,11 +433,14 @@ struct CycleBody {
     tilde: bool,
     /// Whether its parameters have block numbers.
     numbered: bool,
+    /// Whether the last line ends with a comment that goes on.
+    in_comment: bool,
 }
 
 impl CycleBody {
     /// Takes a line and the `lines` counted since the last one.
     fn take(&mut self, line: Line, lines: &mut usize) {
+        self.in_comment = line.wraps;
         self.last = line;
         self.end = line.next;
         self.lines += std::mem::take(lines);
@@ -454,4 +476,6 @@ enum Role {
     Torn(SyntaxError),
     /// A comment of it.
     Comment,
+    /// What a comment of it goes on with.
+    Text,
 }

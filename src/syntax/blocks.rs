@@ -3,7 +3,7 @@ use super::cursor::{Cursor, Read, Word};
 use super::path::{Approach, Path};
 use super::statement::TextFormula;
 use super::tree::{
-    Amount, BlockKind, CallLbl, FnAssign, FnJump, FnOp, Formula, Frame, Label, LabelRef, Operand, Relation, Selection,
+    Amount, Axis, BlockKind, CallLbl, FnAssign, FnJump, FnOp, Formula, Frame, Label, LabelRef, Operand, Relation, Selection,
     SyntaxError,
 };
 use super::{cycle, motion, statements, texts};
@@ -53,12 +53,28 @@ pub(super) fn content(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
         b"DEP" => approach(cursor).and_then(|form| element(cursor, Path::Dep(form))),
         name => match Path::by_name(name) {
             Some(path) => element(cursor, path),
-            None => statements::opt_statement(cursor, name, start.at).unwrap_or_else(|| {
-                *cursor = start;
-                Err(SyntaxError { code: "syntax-unknown-block", ..cursor.expected("block") })
-            }),
+            None => match closed_up(&word) {
+                Some((path, length)) if cursor.starts_value() => {
+                    cursor.at = start.at + length;
+                    element(cursor, path)
+                }
+                _ => statements::opt_statement(cursor, name, start.at).unwrap_or_else(|| {
+                    *cursor = start;
+                    Err(SyntaxError { code: "syntax-unknown-block", ..cursor.expected("block") })
+                }),
+            },
         },
     }
+}
+
+/// A path with the axis of its first coordinate directly behind it, as in `LX+10`; the path and its length.
+fn closed_up(word: &Word) -> Option<(Path, usize)> {
+    let name = word.as_bytes();
+    (1..name.len()).rev().find_map(|length| {
+        let (path, axis) = name.split_at(length);
+        let axis = axis.strip_prefix(b"I").filter(|axis| !axis.is_empty()).unwrap_or(axis);
+        Axis::by_name(axis).and_then(|_| Path::by_name(path)).map(|path| (path, length))
+    })
 }
 
 fn element(cursor: &mut Cursor<'_>, path: Path) -> Read<BlockKind> {

@@ -237,6 +237,11 @@ impl<'t> Cursor<'t> {
         byte.is_ascii_digit() || (matches!(byte, b'.' | b',') && self.byte_at(at + 1).is_ascii_digit())
     }
 
+    /// Whether a signed number starts here, or a sign before a parameter.
+    pub(super) fn starts_value(&self) -> bool {
+        self.number_at(self.at) || matches!(self.byte(), b'+' | b'-')
+    }
+
     /// A number without sign: `5`, `5.`, `.5`, `2,4`.
     pub(super) fn opt_number(&mut self) -> Option<f64> {
         if !self.number_at(self.at) {

@@ -51,6 +51,11 @@ pub(super) fn head(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
     cursor.blanks();
     let here = *cursor;
     let Some(number) = cursor.opt_whole() else { return Err(here.expected("cycle-number")) };
+    // Some post-processors leave a blank before the point: `CYCL DEF9 .0`.
+    let point = skip_blanks(cursor.bytes, cursor.at, cursor.end);
+    if cursor.byte_at(point) == b'.' && cursor.byte_at(point + 1).is_ascii_digit() {
+        cursor.at = point;
+    }
     let old = matches!(cursor.byte(), b'.' | b',') && cursor.byte_at(cursor.at + 1).is_ascii_digit();
     if !old && matches!(cursor.byte(), b'.' | b',') {
         return Err(cursor.expected("cycle-number"));
@@ -332,9 +337,12 @@ fn parameter_value(cursor: &mut Cursor<'_>) -> Read<Value> {
         return Err(cursor.expected("value"));
     }
     cursor.at = word.span.end;
-    // A feed per turn or per tooth has its number behind the word.
-    let feed = matches!(word.as_bytes(), b"FU" | b"FZ");
-    let end = if feed && cursor.opt_operand().is_some() { cursor.at } else { word.span.end };
+    let end = match word.as_bytes() {
+        // A feed per turn or per tooth has its number behind the word.
+        b"FU" | b"FZ" if cursor.opt_operand().is_some() => cursor.at,
+        b"F" if cursor.opt_keyword(b"AUTO") || cursor.opt_keyword(b"MAX") => cursor.at,
+        _ => word.span.end,
+    };
     cursor.at = end;
     Ok(Value { span: Span::new(word.span.start, end), kind: ValueKind::Word })
 }

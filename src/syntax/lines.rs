@@ -19,6 +19,8 @@ pub(super) struct Line {
     pub(super) comment: Option<Span>,
     /// Whether a `~` joins the next line.
     pub(super) joined: bool,
+    /// Whether it stands behind a comment: the next line may be text of the comment.
+    pub(super) wraps: bool,
 }
 
 impl Line {
@@ -52,6 +54,7 @@ pub(super) fn line_at(bytes: &[u8], start: usize) -> Option<Line> {
         content: Span::new(end, end),
         comment: None,
         joined: false,
+        wraps: false,
     };
     let at = head(bytes, end, &mut line);
     parts(bytes, Span::new(at, end), &mut line);
@@ -113,6 +116,7 @@ fn parts(bytes: &[u8], span: Span, line: &mut Line) {
     line.content = content;
     line.comment = comment;
     line.joined = joint_before || joint_behind;
+    line.wraps = joint_behind;
 }
 
 fn without_joint(bytes: &[u8], span: Span, never: bool) -> (Span, bool) {

@@ -117,8 +117,9 @@ fn opt_feed(cursor: &mut Cursor<'_>) -> Read<Option<Feed>> {
     let start = cursor.at;
     let word = cursor.peek_name();
     let kind = match word.as_bytes() {
-        b"FMAX" => {
-            cursor.at = word.span.end;
+        // Without a blank an M function may follow.
+        b"FMAX" | b"FMAXM" => {
+            cursor.at = start + 4;
             FeedKind::Max
         }
         b"FAUTO" => {

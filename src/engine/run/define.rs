@@ -266,6 +266,12 @@ impl<'e> Run<'_, 'e> {
         // The letter of a Q parameter is no part of the word.
         let letters = if written.get(..2).is_some_and(|word| matches!(word, "FU" | "FZ")) { 2 } else { letters };
         let (word, number) = written.split_at(letters);
+        // Controls show the word without its letter: `Q207= AUTO`.
+        let word = match (word, number.trim()) {
+            ("AUTO", _) | ("F", "AUTO") => "FAUTO",
+            ("MAX", _) | ("F", "MAX") => "FMAX",
+            _ => word,
+        };
         if !param.words.iter().any(|known| known == word) {
             return Err(Fault::program("word-not-offered").arg("word", word));
         }
