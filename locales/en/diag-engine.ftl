@@ -78,7 +78,6 @@ diag-tool-locked = Tool { $tool } is locked.
 diag-tool-not-in-table = Tool { $tool } is not in the tool table.
 diag-unsupported-axis = The engine does not move the axis { $axis }.
 diag-unsupported-block = The engine does not execute { $word }.
-diag-unsupported-compensation = The engine does not execute radius compensation (RL, RR).
 diag-unsupported-cycle = { $cycle } is only named by the manual of { $control }: the engine cannot execute it.
 diag-unsupported-feed = The engine does not know this feed in a tool call: { $word }
 diag-unsupported-m = The engine does not execute { $word }.

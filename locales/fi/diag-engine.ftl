@@ -66,7 +66,6 @@ diag-tool-locked = Työkalulle { $tool } on asetettu esto.
 diag-tool-not-in-table = Työkalua { $tool } ei ole työkalutaulukossa.
 diag-unsupported-axis = Suoritin ei liikuta akselia { $axis }.
 diag-unsupported-block = Suoritin ei suorita lausetta { $word }.
-diag-unsupported-compensation = Suoritin ei suorita sädekorjausta (RL, RR).
 diag-unsupported-cycle = Ohjauksen { $control } käsikirja vain mainitsee työkierron { $cycle }: suoritin ei voi suorittaa sitä.
 diag-unsupported-feed = Suoritin ei tunne tätä työkalukutsun syöttöarvoa: { $word }
 diag-unsupported-m = Suoritin ei suorita toimintoa { $word }.

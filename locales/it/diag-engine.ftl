@@ -68,7 +68,6 @@ diag-tool-locked = L’utensile { $tool } è bloccato.
 diag-tool-not-in-table = L’utensile { $tool } non è nella tabella utensili.
 diag-unsupported-axis = Il motore di esecuzione non muove l’asse { $axis }.
 diag-unsupported-block = Il motore di esecuzione non esegue { $word }.
-diag-unsupported-compensation = Il motore di esecuzione non esegue la correzione del raggio (RL, RR).
 diag-unsupported-cycle = Il manuale del controllo { $control } si limita a nominare { $cycle }: il motore di esecuzione non può eseguirlo.
 diag-unsupported-feed = Il motore di esecuzione non conosce questo avanzamento in una chiamata utensile: { $word }
 diag-unsupported-m = Il motore di esecuzione non esegue { $word }.

@@ -66,7 +66,6 @@ diag-tool-locked = A ferramenta { $tool } está bloqueada.
 diag-tool-not-in-table = A ferramenta { $tool } não está na tabela de ferramentas.
 diag-unsupported-axis = O motor de execução não move o eixo { $axis }.
 diag-unsupported-block = O motor de execução não executa { $word }.
-diag-unsupported-compensation = O motor de execução não executa a correção de raio (RL, RR).
 diag-unsupported-cycle = O manual do comando { $control } apenas menciona { $cycle }: o motor de execução não o pode executar.
 diag-unsupported-feed = O motor de execução não conhece este avanço numa chamada de ferramenta: { $word }
 diag-unsupported-m = O motor de execução não executa { $word }.

@@ -66,7 +66,6 @@ diag-tool-locked = Orodje { $tool } je blokirano.
 diag-tool-not-in-table = Orodja { $tool } ni v preglednici orodij.
 diag-unsupported-axis = Izvajalnik ne premika osi { $axis }.
 diag-unsupported-block = Izvajalnik ne izvaja stavka { $word }.
-diag-unsupported-compensation = Izvajalnik ne izvaja popravka polmera (RL, RR).
 diag-unsupported-cycle = Priročnik za { $control } cikel { $cycle } le omenja: izvajalnik ga ne more izvesti.
 diag-unsupported-feed = Izvajalnik ne pozna tega pomika v priklicu orodja: { $word }
 diag-unsupported-m = Izvajalnik ne izvaja funkcije { $word }.

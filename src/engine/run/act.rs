@@ -222,6 +222,10 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn transform(&mut self, transform: &Transform, exec: &Exec<'_, 'e>) -> Done {
+        match transform {
+            Transform::Cancel(ended) if ended.contains(&Cancel::RadiusCompensation) => self.end_contour()?,
+            _ => self.not_beside_contour(exec.definition.cycle.key.to_string())?,
+        }
         let before = self.world.system.told();
         match transform {
             Transform::DatumShift(id) => {
@@ -305,7 +309,7 @@ impl<'e> Run<'_, 'e> {
                             self.world.system.set_datum(DVec3::ZERO);
                         }
                         Cancel::Rotation => self.world.system.set_rotation(0.0),
-                        // Programs with radius compensation are refused.
+                        // Done before anything changes.
                         Cancel::RadiusCompensation => {}
                         Cancel::Mirroring => {
                             self.ends(Transformation::Mirroring);

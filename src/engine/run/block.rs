@@ -29,6 +29,8 @@ pub(super) enum Effect {
     CallOnce,
     /// Coordinates of the block are machine coordinates.
     MachineCoordinates,
+    /// Corners of the block are gone round in another way.
+    Corner,
     /// It changes nothing that events tell (tool change at the machine, display, look-ahead).
     Nothing,
 }
@@ -48,6 +50,7 @@ pub(super) fn effect(number: u16) -> Option<Effect> {
         89 => Effect::CallAlways,
         99 => Effect::CallOnce,
         91 => Effect::MachineCoordinates,
+        97 | 98 => Effect::Corner,
         6 | 90 | 101 | 102 | 107 | 108 | 120 | 127 | 137 => Effect::Nothing,
         _ => return None,
     })
@@ -74,6 +77,9 @@ impl Env for ProgramEnv<'_> {
 
 impl<'e> Run<'_, 'e> {
     pub(super) fn block(&mut self, block: &'e Block) -> Done<After> {
+        if self.contour.is_under_way() {
+            self.no_more_waits()?;
+        }
         match &block.kind {
             BlockKind::Empty
             | BlockKind::Comment
@@ -229,6 +235,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn tool_call(&mut self, call: &ToolCall) -> Done {
+        self.not_beside_contour("TOOL CALL")?;
         let before = self.modal.spindle;
         if call.cutting_speed.is_some() {
             return Err(Fault::unsupported("unsupported-block").arg("word", "TOOL CALL VC").into());
@@ -333,6 +340,9 @@ impl<'e> Run<'_, 'e> {
             self.modal.call_always = false;
         }
         let ends = has(Effect::End);
+        if ends {
+            self.end_contour()?;
+        }
         if has(Effect::Spindle(0)) || (ends && self.modal.spindle.direction != 0) {
             self.spindle(0);
         }

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use super::fault::Fault;
 use crate::engine::geometry::INCH;
 use crate::expr::{self, Code};
-use crate::syntax::{Block, BlockKind, CycleView, Formula, Label, Program};
+use crate::syntax::{Block, BlockKind, CycleView, Formula, Label, Path, Program};
 
 /// Names are unknown in programs: only Q parameters have values.
 struct NoNames;
@@ -34,6 +34,8 @@ pub(super) struct Prepared<'p> {
     definitions: Vec<Option<usize>>,
     /// By block: the compiled formula.
     formulas: Vec<Option<Code>>,
+    /// By block: whether a rounding or chamfer follows directly.
+    rounded: Vec<bool>,
     /// mm in its unit.
     pub(super) unit: f64,
     /// The block of each label; nothing if the label stands twice.
@@ -51,6 +53,7 @@ impl<'p> Prepared<'p> {
             }
         }
         let formulas = blocks.iter().map(|block| formula(&block.kind)).collect();
+        let rounded = rounded(blocks);
         let mut labels = HashMap::new();
         for (index, block) in blocks.iter().enumerate() {
             let BlockKind::Lbl(label) = &block.kind else { continue };
@@ -59,7 +62,7 @@ impl<'p> Prepared<'p> {
         }
         let inch = blocks.iter().any(|block| matches!(&block.kind, BlockKind::BeginPgm(frame) if frame.inch));
         let unit = if inch { INCH } else { 1.0 };
-        Self { program, cycles, definitions, formulas, unit, labels }
+        Self { program, cycles, definitions, formulas, rounded, unit, labels }
     }
 
     /// The block of that index.
@@ -70,6 +73,11 @@ impl<'p> Prepared<'p> {
     /// The definition that begins at a block.
     pub(super) fn definition(&self, block: usize) -> Option<usize> {
         self.definitions.get(block).copied().flatten()
+    }
+
+    /// Whether the corner at the end of a block is rounded or broken by the next one.
+    pub(super) fn is_rounded(&self, block: usize) -> bool {
+        self.rounded.get(block).copied().unwrap_or(false)
     }
 
     /// The compiled formula of a block.
@@ -111,6 +119,26 @@ fn key(program: &Program, label: Label) -> Option<Key> {
         Label::Name(span) => Some(Key::Name(program.slice(span).to_owned())),
         Label::Q(_) => None,
     }
+}
+
+/// By block: whether a rounding or chamfer follows, but for comments and M functions.
+fn rounded(blocks: &[Block]) -> Vec<bool> {
+    let mut follows = false;
+    let mut rounded: Vec<bool> = blocks
+        .iter()
+        .rev()
+        .map(|block| {
+            let here = follows;
+            follows = match &block.kind {
+                BlockKind::Motion(motion) => matches!(motion.path, Path::Rnd | Path::Chf),
+                BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => follows,
+                _ => false,
+            };
+            here
+        })
+        .collect();
+    rounded.reverse();
+    rounded
 }
 
 fn formula(kind: &BlockKind) -> Option<Code> {

@@ -154,6 +154,7 @@ impl<'d, 'e> Exec<'d, 'e> {
 impl<'e> Run<'_, 'e> {
     /// Calls the last call-active cycle.
     pub(super) fn call_last_cycle(&mut self) -> Done {
+        self.not_beside_contour("CYCL CALL")?;
         let Some(definition) = self.last_cycle.clone() else { return Err(Fault::program("no-cycle-to-call").into()) };
         self.execute(&definition)
     }

@@ -248,7 +248,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The number of a value that is not a word.
-    fn number_of(&self, value: &Value) -> Result<f64, Fault> {
+    pub(super) fn number_of(&self, value: &Value) -> Result<f64, Fault> {
         match value.kind {
             ValueKind::Number(number) => Ok(number),
             ValueKind::Q { negative, q } => {

@@ -5,12 +5,15 @@
 //! events.
 mod act;
 mod align;
+mod approach;
 mod block;
 mod clear;
 mod code;
+mod contour;
 mod coordinates;
 mod cycle;
 mod define;
+mod element;
 mod envelope;
 mod event;
 mod face;
@@ -282,6 +285,8 @@ struct Modal {
     pole: Option<DVec3>,
     /// Whether every positioning block calls the last cycle (M89).
     call_always: bool,
+    /// Whether the last positioning block went at rapid traverse.
+    rapid: bool,
 }
 
 /// A run.
@@ -301,6 +306,8 @@ struct Run<'r, 'e> {
     /// Values of GLOBAL DEF by the parameter that takes them.
     predefined: BTreeMap<u16, f64>,
     flow: flow::Flow,
+    /// The contour that radius compensation, a rounding or an approach has begun.
+    contour: contour::Contour,
     at: At,
     /// Guards that applied.
     guards: BTreeSet<(CycleKey, Arc<str>)>,
@@ -348,6 +355,7 @@ impl<'r, 'e> Run<'r, 'e> {
             last_cycle: None,
             pattern: None,
             predefined: BTreeMap::new(),
+            contour: contour::Contour::default(),
             at,
             guards: BTreeSet::new(),
             executed: BTreeMap::new(),
@@ -371,7 +379,9 @@ impl<'r, 'e> Run<'r, 'e> {
 
     /// Tells an event, unless it only happens in a rehearsal.
     fn pass_on(&mut self, event: Event) {
-        if self.touching == Touching::AsScene {
+        if self.contour.holds_events() {
+            self.contour.hold(event);
+        } else if self.touching == Touching::AsScene {
             (self.emit)(event);
         }
     }
@@ -403,6 +413,9 @@ impl<'r, 'e> Run<'r, 'e> {
     }
 
     fn finish(mut self, end: Done) -> Outcome {
+        for event in self.contour.abandon() {
+            (self.emit)(event);
+        }
         let (status, fault) = match end {
             Ok(()) => (Status::Done, None),
             Err(Leave::Stopped) => (Status::Stopped, None),
@@ -412,7 +425,8 @@ impl<'r, 'e> Run<'r, 'e> {
             }
         };
         let diagnostic = fault.as_ref().map(|fault| {
-            let mut diagnostic = fault.diagnostic(self.place());
+            let blamed = self.contour.blamed().and_then(|(program, block)| self.place_of(program, block));
+            let mut diagnostic = fault.diagnostic(blamed.or_else(|| self.place()));
             let calls = self.flow.calls().filter_map(|(program, block)| self.place_of(program, block));
             diagnostic.related.extend(calls.map(|place| ("called-here", place)));
             diagnostic

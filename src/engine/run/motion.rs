@@ -1,10 +1,11 @@
-//! Motion blocks without radius compensation: lines, circles, polar forms, helices.
+//! Motion blocks: lines, circles, polar forms, helices. What they do beside a contour is in `contour`.
 //!
 //! Invariant: a position is known both in program and machine coordinates after every move; a motion that
 //! cannot be executed exactly is a fault.
 use glam::{DVec2, DVec3};
 
 use super::block::linear;
+use super::element::tangential;
 use super::event::MoveKind;
 use super::fault::{Class, Fault};
 use super::probe::Pressed;
@@ -14,7 +15,7 @@ use super::{Done, EventKind, Run, Touching};
 use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis};
 use crate::engine::solid::Path as BallPath;
 use crate::expr::{atan2d, cosd, sind};
-use crate::syntax::{Axis, Compensation, Coord, Feed, FeedKind, Motion, Path};
+use crate::syntax::{Approach, Axis, Coord, Feed, FeedKind, Motion, Path};
 
 /// How far the end of a circle may lie off it, mm: what the controls' input step of 0.0001 mm can cause, with room.
 const OFF_CIRCLE: f64 = 0.001;
@@ -50,36 +51,54 @@ impl Speed {
 impl Run<'_, '_> {
     /// Executes a motion block. Whether it positions the tool.
     pub(super) fn motion(&mut self, motion: &Motion, in_machine: bool) -> Done<bool> {
-        if let Some(Compensation::Rl | Compensation::Rr) = motion.compensation {
-            return Err(Fault::unsupported("unsupported-compensation").into());
+        match motion.path {
+            Path::Cc => {
+                self.set_pole(motion)?;
+                return Ok(false);
+            }
+            Path::Rnd | Path::Chf => {
+                self.rounding(motion, motion.path == Path::Chf)?;
+                return Ok(false);
+            }
+            _ => {}
         }
-        if motion.path == Path::Cc {
-            self.set_pole(motion)?;
-            return Ok(false);
-        }
+        let before = self.modal.rapid;
+        let feed_before = self.modal.feed;
         let speed = self.speed(motion.feed.as_ref());
+        self.modal.rapid = speed == Ok(Speed::Rapid);
         let unsupported = |word: &'static str| Err(Fault::unsupported("unsupported-path").arg("word", word).into());
         match motion.path {
             Path::L => self.line(motion, in_machine, speed)?,
             _ if in_machine => return unsupported("M91"),
             Path::Lp => {
                 let to = self.polar_target(motion)?;
-                self.straight_to(to, None, speed)?;
+                self.straight_block(motion, to, speed)?;
             }
             Path::C => {
-                let to = self.target(&motion.coords, self.world.here)?;
+                let to = self.target(&motion.coords, self.programmed())?;
                 self.circle_block(motion, to, speed)?;
             }
             Path::Cp => self.polar_circle(motion, speed)?,
             Path::Cr => self.radius_circle(motion, speed)?,
-            Path::Ct => return unsupported("CT"),
-            Path::Ctp => return unsupported("CTP"),
-            Path::Rnd => return unsupported("RND"),
-            Path::Chf => return unsupported("CHF"),
-            Path::Cc => {}
+            Path::Ct => {
+                let to = self.target(&motion.coords, self.programmed())?;
+                self.tangential_circle(motion, to, speed)?;
+            }
+            Path::Ctp => {
+                let to = self.polar_target(motion)?;
+                self.tangential_circle(motion, to, speed)?;
+            }
+            Path::Cc | Path::Rnd | Path::Chf => {}
+            Path::Appr(form) => {
+                let to = self.point_of_approach(motion, form)?;
+                let before = if before { Ok(Speed::Rapid) } else { Speed::of_feed(feed_before.unwrap_or_default()) };
+                self.approach_contour(motion, form, to, before, speed)?;
+            }
+            Path::Dep(form) => {
+                let to = self.point_of_approach(motion, form)?;
+                self.leave_by(motion, form, to, speed)?;
+            }
             Path::Ln => return unsupported("LN"),
-            Path::Appr(_) => return unsupported("APPR"),
-            Path::Dep(_) => return unsupported("DEP"),
             Path::Fl => return unsupported("FL"),
             Path::Flt => return unsupported("FLT"),
             Path::Fc => return unsupported("FC"),
@@ -88,6 +107,54 @@ impl Run<'_, '_> {
             Path::Spl => return unsupported("SPL"),
         }
         Ok(true)
+    }
+
+    /// The point that an approach or a departure names.
+    fn point_of_approach(&self, motion: &Motion, form: Approach) -> Result<DVec3, Fault> {
+        let is_polar = motion.coords.iter().any(|coord| matches!(coord.axis, Axis::Pr | Axis::Pa));
+        match form {
+            Approach::Plt | Approach::Pln | Approach::Pct | Approach::Plct if is_polar => self.polar_target(motion),
+            _ => self.target(&motion.coords, self.programmed()),
+        }
+    }
+
+    /// A straight block: at once, or as an element of a contour.
+    fn straight_block(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
+        if self.is_in_contour(motion) {
+            return self.contour_line(motion, to, speed);
+        }
+        let plane = self.world.system.plane;
+        self.contour.passed(plane.flat(self.world.here), plane.flat(to));
+        self.straight_to(to, None, speed)
+    }
+
+    /// A circular block: at once, or as an element of a contour.
+    fn arc_block(
+        &mut self,
+        motion: &Motion,
+        centre: DVec3,
+        to: DVec3,
+        direction: f64,
+        sweep: Option<f64>,
+        speed: Result<Speed, Fault>,
+    ) -> Done {
+        let (plane, from) = (self.world.system.plane, self.programmed());
+        let sweep = self.sweep(from, centre, to, direction, sweep)?;
+        if self.is_in_contour(motion) {
+            return self.contour_arc(centre, to, sweep, motion, speed);
+        }
+        self.passed_arc(plane.flat(from), plane.flat(to), plane.flat(centre), sweep);
+        self.arc_to(centre, to, direction, Some(sweep), speed)
+    }
+
+    /// An arc that goes on in the direction of the element before it.
+    fn tangential_circle(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
+        let plane = self.world.system.plane;
+        let (from, heading) = (self.programmed(), self.heading()?);
+        let found = tangential(plane.flat(from), heading, plane.flat(to));
+        let Some((centre, sweep)) = found else { return Err(Fault::program("tangent-missing").into()) };
+        let centre = plane.lift(centre, plane.tool.of(from));
+        self.arc_block(motion, centre, to, sweep.signum(), Some(sweep), speed)
     }
 
     /// The speed of a block; a feed word stays in force. What is missing shows only if the tool moves.
@@ -129,6 +196,15 @@ impl Run<'_, '_> {
 
     /// A straight line, with rotary axes that turn at the same time.
     fn line(&mut self, motion: &Motion, in_machine: bool, speed: Result<Speed, Fault>) -> Done {
+        if !in_machine && motion.coords.iter().all(|coord| rotary(coord.axis).is_none()) {
+            let to = self.target(&motion.coords, self.programmed())?;
+            return self.straight_block(motion, to, speed);
+        }
+        if self.is_in_contour(motion) {
+            let word = motion.coords.iter().find(|coord| rotary(coord.axis).is_some());
+            let word = word.filter(|_| !in_machine).map_or("M91", |coord| coord.axis.name());
+            return Err(Fault::unsupported("unsupported-compensation").arg("word", word).into());
+        }
         let (turning, coords): (Vec<Coord>, Vec<Coord>) =
             motion.coords.iter().copied().partition(|coord| rotary(coord.axis).is_some());
         let turns = self.turn_target(&turning, in_machine)?;
@@ -161,14 +237,14 @@ impl Run<'_, '_> {
 
     fn set_pole(&mut self, motion: &Motion) -> Done {
         if motion.coords.is_empty() {
-            self.modal.pole = Some(self.world.here);
+            self.modal.pole = Some(self.programmed());
             return Ok(());
         }
-        let from = self.modal.pole.unwrap_or(self.world.here);
+        let from = self.modal.pole.unwrap_or(self.programmed());
         let mut pole = from;
         for coord in &motion.coords {
             let axis = linear(coord.axis)?;
-            pole = axis.with(pole, self.coordinate(coord, axis.of(self.world.here))?);
+            pole = axis.with(pole, self.coordinate(coord, axis.of(self.programmed()))?);
         }
         self.modal.pole = Some(pole);
         Ok(())
@@ -178,12 +254,12 @@ impl Run<'_, '_> {
     fn pole(&self) -> Result<DVec3, Fault> {
         let pole = self.modal.pole.ok_or_else(|| Fault::program("pole-missing"))?;
         let tool = self.world.system.plane.tool;
-        Ok(tool.with(pole, tool.of(self.world.here)))
+        Ok(tool.with(pole, tool.of(self.programmed())))
     }
 
     /// Angle and radius of the present position about the pole.
     fn polar_now(&self, pole: DVec3) -> (f64, f64) {
-        let arm = self.world.system.plane.flat(self.world.here - pole);
+        let arm = self.world.system.plane.flat(self.programmed() - pole);
         (libm::hypot(arm.x, arm.y), atan2d(arm.y, arm.x))
     }
 
@@ -194,7 +270,7 @@ impl Run<'_, '_> {
         let angle = motion.coord(Axis::Pa).map_or(Ok(angle), |coord| self.coordinate(coord, angle))?;
         let plane = self.world.system.plane;
         let flat = plane.flat(pole) + DVec2::new(radius * cosd(angle), radius * sind(angle));
-        let height = plane.tool.of(self.world.here);
+        let height = plane.tool.of(self.programmed());
         self.target(&motion.coords, plane.lift(flat, height))
     }
 
@@ -209,7 +285,7 @@ impl Run<'_, '_> {
     fn circle_block(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
         let direction = Self::direction(motion)?;
         let centre = self.pole()?;
-        self.arc_to(centre, to, direction, None, speed)
+        self.arc_block(motion, centre, to, direction, None, speed)
     }
 
     fn polar_circle(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
@@ -221,18 +297,18 @@ impl Run<'_, '_> {
         let sweep = if angle.incremental { Some(self.operand(&angle.value)?) } else { None };
         let end = self.coordinate(angle, now)?;
         let flat = plane.flat(pole) + DVec2::new(radius * cosd(end), radius * sind(end));
-        let to = self.target(&motion.coords, plane.lift(flat, plane.tool.of(self.world.here)))?;
+        let to = self.target(&motion.coords, plane.lift(flat, plane.tool.of(self.programmed())))?;
         if sweep.is_some_and(|sweep| sweep * direction < 0.0) {
             return Err(Fault::program("direction-contradicts").into());
         }
-        self.arc_to(pole, to, direction, sweep, speed)
+        self.arc_block(motion, pole, to, direction, sweep, speed)
     }
 
     fn radius_circle(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
         let direction = Self::direction(motion)?;
         let Some(radius) = &motion.radius else { return Err(Fault::program("radius-missing").into()) };
         let radius = self.operand(radius)? * self.unit();
-        let here = self.world.here;
+        let here = self.programmed();
         let to = self.target(&motion.coords, here)?;
         let plane = self.world.system.plane;
         let chord = plane.flat(to - here);
@@ -246,7 +322,7 @@ impl Run<'_, '_> {
         let side = direction * if radius > 0.0 { 1.0 } else { -1.0 };
         let left = DVec2::new(-chord.y, chord.x) / (2.0 * half);
         let centre = plane.lift(plane.flat(here) + chord / 2.0 + left * (height * side), plane.tool.of(here));
-        self.arc_to(centre, to, direction, None, speed)
+        self.arc_block(motion, centre, to, direction, None, speed)
     }
 
     /// Moves straight; `machine` gives the target in machine coordinates where that is what is programmed.
@@ -276,17 +352,7 @@ impl Run<'_, '_> {
         speed: Result<Speed, Fault>,
     ) -> Done {
         let (plane, from) = (self.world.system.plane, self.world.here);
-        let (a, b) = (plane.flat(from - centre), plane.flat(to - centre));
-        let (start, end) = (libm::hypot(a.x, a.y), libm::hypot(b.x, b.y));
-        if (start - end).abs() > OFF_CIRCLE || start == 0.0 {
-            let fault = Fault::program("end-off-circle").arg("start_radius", start).arg("end_radius", end);
-            return Err(fault.into());
-        }
-        let angle = sweep.unwrap_or_else(|| {
-            let turn = (atan2d(b.y, b.x) - atan2d(a.y, a.x)) * direction;
-            let turn = turn.rem_euclid(360.0);
-            direction * if a == b || turn == 0.0 { 360.0 } else { turn }
-        });
+        let angle = self.sweep(from, centre, to, direction, sweep)?;
         let rise = plane.tool.of(to) - plane.tool.of(from);
         let frame = *self.world.system.frame();
         let centre = plane.lift(plane.flat(centre), plane.tool.of(from));
@@ -312,6 +378,21 @@ impl Run<'_, '_> {
         self.go(kind, feed, to, machine, &path)
     }
 
+    /// The signed angle of an arc: that which is programmed, else what follows from its end.
+    fn sweep(&self, from: DVec3, centre: DVec3, to: DVec3, direction: f64, sweep: Option<f64>) -> Result<f64, Fault> {
+        let plane = self.world.system.plane;
+        let (a, b) = (plane.flat(from - centre), plane.flat(to - centre));
+        let (start, end) = (libm::hypot(a.x, a.y), libm::hypot(b.x, b.y));
+        if (start - end).abs() > OFF_CIRCLE || start == 0.0 {
+            return Err(Fault::program("end-off-circle").arg("start_radius", start).arg("end_radius", end));
+        }
+        Ok(sweep.unwrap_or_else(|| {
+            let turn = (atan2d(b.y, b.x) - atan2d(a.y, a.x)) * direction;
+            let turn = turn.rem_euclid(360.0);
+            direction * if a == b || turn == 0.0 { 360.0 } else { turn }
+        }))
+    }
+
     /// The rapid rate that every axis can keep.
     fn slowest_rapid(&self) -> f64 {
         self.world.scene.machine.axes.iter().map(|axis| axis.rapid).fold(f64::INFINITY, f64::min)
@@ -320,6 +401,10 @@ impl Run<'_, '_> {
     fn go(&mut self, kind: MoveKind, feed: f64, to: DVec3, machine: DVec3, path: &BallPath) -> Done {
         let from = self.world.here;
         self.count_move()?;
+        if self.contour.is_disturbed() {
+            let word = self.at.cycle.as_ref().map_or_else(String::new, |(key, _)| key.to_string());
+            self.not_beside_contour(word)?;
+        }
         self.no_unexecuted()?;
         if let Some(axis) = LinearAxis::ALL
             .into_iter()

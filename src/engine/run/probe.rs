@@ -57,6 +57,7 @@ impl Run<'_, '_> {
     /// contact in program coordinates. `turned` is by how much the spindle is turned from the calibration angle;
     /// without it a probe that is tracked is turned into the direction.
     pub(super) fn probe(&mut self, towards: DVec3, turned: Option<f64>) -> Done<DVec3> {
+        self.not_beside_contour("TCH PROBE")?;
         let probe = self.world.probe()?;
         let from = self.world.here + self.world.system.plane.tool.unit() * probe.effective_radius;
         let way = towards - from;

@@ -21,7 +21,8 @@ pub(super) enum After {
 impl<'e> Run<'_, 'e> {
     /// Executes the program to its end.
     pub(super) fn program(&mut self) -> Done {
-        self.blocks(0)
+        self.blocks(0)?;
+        self.end_contour()
     }
 
     /// Executes a program that a cycle calls, to its end.
@@ -114,6 +115,8 @@ impl<'e> Run<'_, 'e> {
     }
 
     pub(super) fn call_program(&mut self, name: &str) -> Done {
+        // A program call ends radius compensation.
+        self.end_contour()?;
         let Some(program) = self.names.get(&program_key(name)).copied() else {
             return Err(Fault::program("program-missing").arg("name", name).into());
         };

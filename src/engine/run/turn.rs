@@ -53,6 +53,7 @@ impl Run<'_, '_> {
             return Ok(());
         }
         self.count_move()?;
+        self.not_beside_contour(moving.iter().map(|axis| axis.letter()).collect::<String>())?;
         self.no_unexecuted()?;
         let ways: Vec<(f64, f64)> = moving
             .iter()
