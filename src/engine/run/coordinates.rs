@@ -142,6 +142,12 @@ impl System {
         round.then_some(if (long - 1.0).abs() <= SAME { 1.0 } else { long })
     }
 
+    /// By how much lengths along the tool axis are scaled.
+    pub fn depth_scale(&self) -> f64 {
+        let long = self.frame.vector(self.plane.tool.unit()).length();
+        if (long - 1.0).abs() <= SAME { 1.0 } else { long }
+    }
+
     /// What lies outside the datum shift, as a frame, and what lies inside it: the preset with what was defined before
     /// it, and what was defined after it. A shift that is not in effect would come last.
     pub fn around_datum(&self) -> (Frame, Frame) {

@@ -305,7 +305,7 @@ impl<'e> Run<'_, 'e> {
             Builtin::ToolRadius => Value::Number(tool.radius / system.plane_scale().unwrap_or(1.0) / unit),
             Builtin::ToolLength => Value::Number(tool.length / unit),
             Builtin::ToolAngle => Value::Number(tool.angle),
-            Builtin::ToolLcuts => Value::Number(tool.lcuts / unit),
+            Builtin::ToolLcuts => Value::Number(tool.lcuts / system.depth_scale() / unit),
             Builtin::ToolCornerRadius => Value::Number(tool.corner_radius / system.plane_scale().unwrap_or(1.0) / unit),
             Builtin::ToolNumber => Value::Number(tool.number),
             Builtin::ToolCalled => Value::Bool(world.tool().is_some()),
