@@ -11,6 +11,7 @@ use crate::conform::LogTexts;
 use crate::diag::{Diagnostic, Source};
 use crate::engine::run::{Content, Engine, Event, EventKind, Status};
 use crate::engine::scene::Scene;
+use crate::engine::stock::Watch;
 use crate::locale::{Args, Digits, Language, Locales, Ui};
 use crate::spec::{Catalogue, CycleKey, OnControl};
 use crate::system;
@@ -69,21 +70,22 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     let mut teller = Teller { events: matches.get_flag("events"), set: BTreeMap::new(), failed: None, written: Ok(()) };
     let part = stock::wanted(matches);
-    let mut machining = part.map(|_| stock::begin(&file.program, &scene, matches)).transpose()?;
+    let followed = part.is_some() || scene.stock.is_some();
+    let mut watch = followed.then(|| stock::begin(&file.program, &scene, matches)).transpose()?.map(Watch::new);
     let output = &mut *session.output;
-    let result = engine.run(&mut |event| {
-        if let Some(machining) = &mut machining {
-            machining.see(&event);
-        }
-        teller.tell(&event, output);
+    let result = engine.run(&mut |event| match &mut watch {
+        Some(watch) => watch.see(event, &mut |event| teller.tell(&event, output)),
+        None => teller.tell(&event, output),
     });
     teller.written?;
     let format = arguments::chosen_format(matches);
     if !teller.events && format != "json" {
         summary(session, &teller.set, result.status)?;
     }
-    if let (Some(path), Some(machining)) = (part, machining) {
-        stock::end(session, path, machining.finish(), format)?;
+    match (part, watch) {
+        (Some(path), Some(watch)) => stock::end(session, path, watch.finish(), format)?,
+        (None, Some(watch)) if !teller.events && format != "json" => stock::findings(session, &watch.finish().1)?,
+        _ => {}
     }
     if let Some(out) = matches.get_one::<String>("out") {
         save(session, Path::new(out), result.tables.iter().chain(&result.logs))?;

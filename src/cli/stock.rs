@@ -94,6 +94,17 @@ fn told(session: &mut Session, report: &Report) -> Result<(), Failure> {
             text += &line(id, args);
         }
     }
+    session.output.print(&text)?;
+    findings(session, report)
+}
+
+/// What was found in the material, a line each.
+pub(super) fn findings(session: &mut Session, report: &Report) -> Result<(), Failure> {
+    let ui = session.ui;
+    let numbers = ui.numbers();
+    let short = |value| numbers.nc(value, SHOWN).unwrap_or_default();
+    let line = |id: &str, args: Args| format!("{}\n", ui.text(id, &args));
+    let mut text = String::new();
     for Finding { kind, line: at, program, amount, count } in &report.findings {
         let args = Args::new()
             .text("kind", kind.as_str())

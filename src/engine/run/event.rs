@@ -115,6 +115,59 @@ pub struct Turned {
     pub machine: f64,
 }
 
+/// A thread as the ways of the tool have cut it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Threaded {
+    /// Whether it was milled; else it was tapped.
+    pub milled: bool,
+    /// Whether it lies around a stud.
+    pub outside: bool,
+    /// Whether it is a right-hand thread.
+    pub right: bool,
+    /// The diameter that the cutting edge reached, mm.
+    pub diameter: f64,
+    /// The way along the axis in a turn, mm.
+    pub pitch: f64,
+    /// The end nearer to the spindle, on the axis, in the active coordinate system.
+    pub top: DVec3,
+    /// The other end.
+    pub bottom: DVec3,
+    /// Helices, or ways in.
+    pub passes: u32,
+}
+
+/// What is found about a move in the material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FindingKind {
+    /// A move at rapid traverse went through material; the amount is the greatest height of it in mm.
+    Rapid,
+    /// A tool went through material while the spindle stood; the amount as above.
+    SpindleStands,
+    /// Material was cut above the cutting edges; the amount is the length that the edges would need, mm.
+    EdgesTooShort,
+    /// A rotary axis turned while the tool moved: the stock knows where they ended, and not the way between.
+    TurnsTogether,
+    /// The tool has no radius, so what it removes is not known; the amount is its number.
+    NoRadius,
+}
+
+impl FindingKind {
+    /// All kinds.
+    pub const ALL: [Self; 5] =
+        [Self::Rapid, Self::SpindleStands, Self::EdgesTooShort, Self::TurnsTogether, Self::NoRadius];
+
+    /// The word for it in JSON, and in the id of its message (`stock-<word>`).
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Rapid => "rapid-in-material",
+            Self::SpindleStands => "spindle-stands",
+            Self::EdgesTooShort => "edges-too-short",
+            Self::TurnsTogether => "turns-together",
+            Self::NoRadius => "no-radius",
+        }
+    }
+}
+
 /// The kinds of messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MessageKind {
@@ -274,6 +327,15 @@ pub enum EventKind {
         /// What the operator said, if he was asked.
         answer: Option<bool>,
     },
+    /// A thread was cut.
+    Thread(Threaded),
+    /// The move before did something in the material that it should not, or that is not known (`engine::stock`).
+    Finding {
+        /// What.
+        kind: FindingKind,
+        /// By how much.
+        amount: f64,
+    },
     /// The program ends with an error.
     Error(Fault),
     /// The run ends.
@@ -394,6 +456,8 @@ impl EventKind {
             Self::Table { .. } => "table",
             Self::Log { .. } => "log",
             Self::Message { .. } => "message",
+            Self::Thread(_) => "thread",
+            Self::Finding { .. } => "finding",
             Self::Error(_) => "error",
             Self::End(_) => "end",
         }
@@ -505,6 +569,11 @@ impl EventKind {
                 map.serialize_entry("id", &**id)?;
                 map.serialize_entry("answer", answer)
             }
+            Self::Thread(thread) => threaded(map, thread),
+            Self::Finding { kind, amount } => {
+                map.serialize_entry("finding", kind.as_str())?;
+                map.serialize_entry("amount", &number(*amount))
+            }
             Self::Error(fault) => {
                 map.serialize_entry("code", &*fault.code)?;
                 map.serialize_entry("class", fault.class.as_str())?;
@@ -513,6 +582,17 @@ impl EventKind {
             Self::End(status) => map.serialize_entry("status", status.as_str()),
         }
     }
+}
+
+fn threaded<M: SerializeMap>(map: &mut M, thread: &Threaded) -> Result<(), M::Error> {
+    map.serialize_entry("way", if thread.milled { "milled" } else { "tapped" })?;
+    map.serialize_entry("side", if thread.outside { "outside" } else { "inside" })?;
+    map.serialize_entry("hand", if thread.right { "right" } else { "left" })?;
+    map.serialize_entry("diameter", &number(thread.diameter))?;
+    map.serialize_entry("pitch", &number(thread.pitch))?;
+    map.serialize_entry("top", &point(thread.top))?;
+    map.serialize_entry("bottom", &point(thread.bottom))?;
+    map.serialize_entry("passes", &thread.passes)
 }
 
 fn moved<M: SerializeMap>(map: &mut M, kind: MoveKind, points: [DVec3; 3], feed: f64) -> Result<(), M::Error> {

@@ -34,6 +34,7 @@ mod strategy;
 mod stud;
 mod stylus;
 mod thread;
+mod threads;
 mod tilt;
 mod told;
 mod trace;
@@ -48,7 +49,10 @@ use glam::DVec3;
 
 pub use coordinates::System;
 pub use envelope::{Ended, Envelope, FORMAT as ENVELOPE_FORMAT, Near, Obstacle, Touching};
-pub use event::{At, Content, Coordinates, Event, EventKind, FORMAT, MessageKind, MoveKind, Probing, Status, Turned};
+pub use event::{
+    At, Content, Coordinates, Event, EventKind, FORMAT, FindingKind, MessageKind, MoveKind, Probing, Status, Threaded,
+    Turned,
+};
 pub use fault::{CODES, Class, Fault};
 pub use params::Params;
 pub use told::Told;
@@ -331,6 +335,8 @@ struct Run<'r, 'e> {
     /// The ways of the cycle whose envelope is looked for.
     recorder: Option<envelope::Recorder>,
     envelopes: Vec<Envelope>,
+    /// The threads that are being cut.
+    threads: threads::Threads,
 }
 
 impl<'r, 'e> Run<'r, 'e> {
@@ -369,6 +375,7 @@ impl<'r, 'e> Run<'r, 'e> {
             touching: envelope::Touching::AsScene,
             recorder: None,
             envelopes: Vec::new(),
+            threads: threads::Threads::default(),
         }
     }
 
@@ -382,6 +389,9 @@ impl<'r, 'e> Run<'r, 'e> {
         if self.contour.holds_events() {
             self.contour.hold(event);
         } else if self.touching == Touching::AsScene {
+            if let Some(thread) = self.threads.see(&event) {
+                (self.emit)(thread);
+            }
             (self.emit)(event);
         }
     }

@@ -5,12 +5,12 @@ use glam::DVec3;
 
 use super::cutter::{Cutter, Neck, Tip};
 use super::pace::Pace;
-use super::report::{FindingKind, Place, Report};
-use super::{Batch, SKIN, Stock};
+use super::report::{Place, Report};
+use super::{Batch, Cut, SKIN, Stock};
 use crate::diag::Diagnostic;
 use crate::engine::geometry::{Axis, Frame, INCH};
 use crate::engine::machine::Machine;
-use crate::engine::run::{Event, EventKind, MoveKind};
+use crate::engine::run::{Event, EventKind, FindingKind, MoveKind};
 use crate::engine::scene::Scene;
 use crate::engine::solid::{Path, Shape, SolidError};
 use crate::syntax::{self, Amount, BlockKind, Program};
@@ -153,8 +153,18 @@ fn seen(frame: &Frame, path: &Path) -> Path {
     }
 }
 
+/// Something that was found about the move of an event.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found {
+    /// The number of the event, from 1.
+    pub event: u64,
+    pub kind: FindingKind,
+    pub amount: f64,
+}
+
 /// What is known of a move that waits for its cut.
 struct Noted {
+    event: u64,
     at: Place,
     rapid: bool,
     stands: bool,
@@ -172,8 +182,8 @@ pub struct Machining {
     report: Report,
     necks: Vec<(f64, Neck)>,
     cutter: Option<Cutter>,
-    /// The tool in the spindle that has no radius.
-    unknown: Option<f64>,
+    /// The tool in the spindle that has no radius, and whether that was told.
+    unknown: Option<(f64, bool)>,
     axis: Axis,
     turning: bool,
     machine: Machine,
@@ -181,6 +191,10 @@ pub struct Machining {
     angles: [DVec3; 2],
     /// From the machine to where the parts were at the start, if the table has turned.
     parts: Option<Frame>,
+    /// How many events were seen.
+    seen: u64,
+    /// What was found and not asked for yet, if somebody asks.
+    found: Option<Vec<Found>>,
 }
 
 impl Machining {
@@ -209,17 +223,20 @@ impl Machining {
             machine: scene.machine.clone(),
             angles: [scene.start_angles; 2],
             parts: None,
+            seen: 0,
+            found: None,
         })
     }
 
     /// Takes an event of the run.
     pub fn see(&mut self, event: &Event) {
+        self.seen += 1;
         match &event.kind {
             EventKind::Spindle { tool, direction, .. } => {
                 if let Some((tool, axis)) = tool {
                     let neck = self.necks.iter().find(|(number, _)| *number == tool.number).map(|(_, neck)| *neck);
                     self.cutter = Cutter::of_tool(tool, neck);
-                    self.unknown = (self.cutter.is_none() && tool.probe.is_none()).then_some(tool.number);
+                    self.unknown = (self.cutter.is_none() && tool.probe.is_none()).then_some((tool.number, false));
                     self.axis = *axis;
                     self.pace.stop();
                 }
@@ -235,7 +252,7 @@ impl Machining {
                 let (before, after) = (self.machine.table(*start), self.machine.table(*now));
                 self.parts = (before != after).then(|| before.of(after.inverse()));
                 if *together {
-                    self.report.find(FindingKind::TurnsTogether, &Place::of(&event.at), 0.0);
+                    self.find(FindingKind::TurnsTogether, &Place::of(&event.at), 0.0, self.seen);
                 }
                 self.pace.stop();
             }
@@ -247,8 +264,12 @@ impl Machining {
                 *(if rapid { &mut self.report.length_rapid } else { &mut self.report.length_feed }) += length;
                 self.pace.go(path, *feed, rapid);
                 let at = Place::of(&event.at);
-                if let (Some(number), false) = (self.unknown, rapid) {
+                if let (Some((number, told)), false) = (self.unknown, rapid) {
                     self.report.find(FindingKind::NoRadius, &at, number);
+                    if let (Some(found), false) = (&mut self.found, told) {
+                        found.push(Found { event: self.seen, kind: FindingKind::NoRadius, amount: number });
+                        self.unknown = Some((number, true));
+                    }
                 }
                 let Some(cutter) = self.in_effect() else { return };
                 let (stands, edges) = (!self.turning, cutter.edges);
@@ -259,14 +280,14 @@ impl Machining {
                     (axis, path) = (parts.vector(axis), seen(parts, &path));
                 }
                 self.stock.add(&mut self.batch, &path, axis, &cutter, rapid || stands);
-                self.noted.push(Noted { at, rapid, stands, length, feed: *feed, edges });
+                self.noted.push(Noted { event: self.seen, at, rapid, stands, length, feed: *feed, edges });
                 if self.batch.len() >= TOGETHER {
-                    self.flush();
+                    self.settle();
                 }
             }
             EventKind::End(_) => {
                 self.pace.stop();
-                self.flush();
+                self.settle();
             }
             _ => {}
         }
@@ -282,32 +303,60 @@ impl Machining {
         }
     }
 
-    fn flush(&mut self) {
+    /// Puts a finding into the report, and keeps it for those who watch.
+    fn find(&mut self, kind: FindingKind, at: &Place, amount: f64, event: u64) {
+        self.report.find(kind, at, amount);
+        if let Some(found) = &mut self.found {
+            found.push(Found { event, kind, amount });
+        }
+    }
+
+    /// Whether no move waits for its cut.
+    pub(super) const fn settled(&self) -> bool {
+        self.batch.is_empty()
+    }
+
+    /// What was found since this was asked last; the first question makes findings be kept.
+    pub(super) fn found(&mut self) -> Vec<Found> {
+        let mut found = self.found.replace(Vec::new()).unwrap_or_default();
+        found.sort_by_key(|found| found.event);
+        found
+    }
+
+    /// Carries out the moves that wait.
+    pub(super) fn settle(&mut self) {
         let cuts = self.stock.carry_out(&mut self.batch);
-        for (cut, noted) in cuts.iter().zip(self.noted.drain(..)) {
-            if cut.volume <= NOTHING {
-                continue;
-            }
-            let report = &mut self.report;
-            report.removed += cut.volume;
-            if noted.rapid {
-                report.find(FindingKind::Rapid, &noted.at, cut.depth + SKIN);
-            } else if noted.stands {
-                report.find(FindingKind::SpindleStands, &noted.at, cut.depth + SKIN);
-            }
-            if noted.edges > 0.0 && cut.reach > noted.edges + SKIN {
-                report.find(FindingKind::EdgesTooShort, &noted.at, cut.reach);
-            }
-            if noted.rapid {
-                continue;
-            }
-            report.cuts += 1;
-            report.length_cut += noted.length;
-            report.depth.note(cut.depth, noted.at.line);
-            report.width.note(cut.width, noted.at.line);
-            if noted.length > 0.0 {
-                report.rate.note(cut.volume / noted.length * noted.feed, noted.at.line);
-            }
+        let noted = std::mem::take(&mut self.noted);
+        for (cut, noted) in cuts.iter().zip(&noted) {
+            self.carried_out(cut, noted);
+        }
+        self.noted = noted;
+        self.noted.clear();
+    }
+
+    fn carried_out(&mut self, cut: &Cut, noted: &Noted) {
+        if cut.volume <= NOTHING {
+            return;
+        }
+        self.report.removed += cut.volume;
+        if noted.rapid {
+            self.find(FindingKind::Rapid, &noted.at, cut.depth + SKIN, noted.event);
+        } else if noted.stands {
+            self.find(FindingKind::SpindleStands, &noted.at, cut.depth + SKIN, noted.event);
+        }
+        if noted.edges > 0.0 && cut.reach > noted.edges + SKIN {
+            self.find(FindingKind::EdgesTooShort, &noted.at, cut.reach, noted.event);
+        }
+        if noted.rapid {
+            return;
+        }
+        let report = &mut self.report;
+        report.cuts += 1;
+        report.length_cut += noted.length;
+        report.depth.note(cut.depth, noted.at.line);
+        report.width.note(cut.width, noted.at.line);
+        if noted.length > 0.0 {
+            report.rate.note(cut.volume / noted.length * noted.feed, noted.at.line);
         }
     }
 
@@ -319,7 +368,7 @@ impl Machining {
     /// What is left, and the report.
     pub fn finish(mut self) -> (Stock, Report) {
         self.pace.stop();
-        self.flush();
+        self.settle();
         (self.report.time_feed, self.report.time_rapid) = (self.pace.feed, self.pace.rapid);
         (self.stock, self.report)
     }

@@ -23,12 +23,16 @@ mod outline;
 mod pace;
 mod report;
 mod sweep;
+mod watch;
 
 pub use compare::Deviation;
 pub use cutter::{Cutter, Neck, Tip};
 pub use follow::{Blank, Machining, StockTrouble};
 pub use outline::Plateau;
-pub use report::{Finding, FindingKind, Greatest, Report};
+pub use report::{Finding, Greatest, Report};
+pub use watch::Watch;
+
+pub use super::run::FindingKind;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 

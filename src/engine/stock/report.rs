@@ -3,44 +3,12 @@
 //! Invariant: the report does not grow with the number of moves.
 use serde_json::{Map, Value, json};
 
-use crate::engine::run::At;
+use crate::engine::run::{At, FindingKind};
 
 /// The version of the JSON form.
 pub(super) const FORMAT: &str = "ciklo-stock/1";
 /// Findings that are kept one by one; further ones are counted.
 const KEPT: usize = 100;
-
-/// What was found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FindingKind {
-    /// A move at rapid traverse went through material; the amount is the greatest height of it in mm.
-    Rapid,
-    /// A tool went through material while the spindle stood; the amount as above.
-    SpindleStands,
-    /// Material was cut above the cutting edges; the amount is the length that the edges would need, mm.
-    EdgesTooShort,
-    /// A rotary axis turned while the tool moved: the stock knows where they ended, and not the way between.
-    TurnsTogether,
-    /// The tool has no radius, so what it removes is not known; the amount is its number.
-    NoRadius,
-}
-
-impl FindingKind {
-    /// All kinds.
-    pub const ALL: [Self; 5] =
-        [Self::Rapid, Self::SpindleStands, Self::EdgesTooShort, Self::TurnsTogether, Self::NoRadius];
-
-    /// The word for it in JSON, and in the id of its message (`stock-<word>`).
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Rapid => "rapid-in-material",
-            Self::SpindleStands => "spindle-stands",
-            Self::EdgesTooShort => "edges-too-short",
-            Self::TurnsTogether => "turns-together",
-            Self::NoRadius => "no-radius",
-        }
-    }
-}
 
 /// Something that was found at a place of the program; repetitions there are counted.
 #[derive(Clone, Debug, PartialEq)]
