@@ -2,6 +2,7 @@
 //!
 //! - `tests/engine/run/*.h` beside `*.scene.yaml` and `*.events`; the first line of a program names its control.
 //!   `UPDATE=1 cargo test --test engine` rewrites the events; a file that no program uses is a failure.
+//! - `tests/engine/contours.txt`: contours and the moves that geometry asks for.
 //! - `tests/engine/faults.txt`: sections `=== CODE`, each a program (and `--- scene` with a scene) that must end with
 //!   that code; every code of the engine has a section.
 use std::collections::BTreeSet;
@@ -10,7 +11,7 @@ use std::{env, fs};
 
 use ciklo::conform::LogTexts;
 use ciklo::diag::Source;
-use ciklo::engine::run::{CODES, Class, Engine, Event, Limits, Outcome, Status};
+use ciklo::engine::run::{CODES, Class, Engine, Event, EventKind, Limits, MoveKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::locale::Locales;
 use ciklo::spec::Catalogue;
@@ -189,4 +190,47 @@ fn every_code_has_a_text_in_every_language() {
             assert!(language.ids().any(|known| known == id), "{}: {id} is missing", language.tag());
         }
     }
+}
+
+/// The moves at feed of a program, as `contours.txt` has them.
+fn feeds(events: &[Event]) -> Vec<(char, glam::DVec3, f64, f64)> {
+    let of = |event: &Event| match &event.kind {
+        EventKind::Move { kind: MoveKind::Feed, to, feed, .. } => Some(('L', *to, 0.0, *feed)),
+        EventKind::Move { kind: MoveKind::Arc { angle, .. }, to, feed, .. } => Some(('A', *to, *angle, *feed)),
+        _ => None,
+    };
+    events.iter().filter_map(of).collect()
+}
+
+#[test]
+fn contours_go_where_geometry_says() {
+    let world = World::new();
+    let text = fs::read_to_string(folder().join("contours.txt")).expect("the contours");
+    let mut failures = Vec::new();
+    for section in text.split("=== ").skip(1) {
+        let (head, body) = section.split_once('\n').expect("a head");
+        let (program, wanted) = body.split_once("--- moves\n").expect("moves");
+        let sizes: Vec<f64> = head.split(' ').rev().map_while(|word| word.parse().ok()).collect();
+        let (radius, over) = if let [over, radius] = sizes[..] { (radius, over) } else { (5.0, 0.0) };
+        let scene = format!("scene: 1\ntools: [{{T: 1, L: 100, R: {radius}, DR: {over}}}]\nstart: [0, 0, 0]\n");
+        let program = format!("; control: tnc640\nTOOL CALL 1 Z S1000 F100\n{program}");
+        let (outcome, events) = world.run(head, &program, &scene, Limits::default());
+        let found = feeds(&events);
+        let wanted: Vec<&str> = wanted.lines().filter(|line| !line.starts_with(';')).collect();
+        let same = |line: &str, (kind, to, angle, feed): &(char, glam::DVec3, f64, f64)| {
+            let mut words = line.split(' ');
+            let is_kind = words.next() == Some(&kind.to_string());
+            let rest: Vec<&str> = words.collect();
+            let number = |n: usize| rest.get(n).and_then(|word| word.parse::<f64>().ok());
+            let near = |n: usize, value: f64| number(n).is_some_and(|wanted: f64| (wanted - value).abs() < 1e-6);
+            let is_angle = *kind == 'L' || near(3, *angle);
+            let fed = rest.iter().find_map(|word| word.strip_prefix('F')?.parse::<f64>().ok());
+            is_kind && near(0, to.x) && near(1, to.y) && near(2, to.z) && is_angle && fed.is_none_or(|fed| fed == *feed)
+        };
+        let fits = wanted.len() == found.len() && wanted.iter().zip(&found).all(|(line, found)| same(line, found));
+        if !fits || outcome.status != Status::Done {
+            failures.push(format!("{head}: {:?}\n{found:#?}", outcome.fault));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

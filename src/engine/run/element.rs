@@ -286,13 +286,18 @@ fn inside(before: &Element, behind: &Element, offset: f64) -> Option<Meeting> {
     let (a, b) = (before.curve(offset, before.to)?, behind.curve(offset, behind.from)?);
     let meeting = |point: DVec2| {
         let (cut, other) = (before.cut_before(point, offset), behind.cut_behind(point, offset));
-        let fits = |cut: f64, element: &Element| cut >= -ROUNDING && cut <= element.extent() + ROUNDING;
+        // A line may be left with less than nothing here: its other end decides, for M97 goes on beyond it.
+        let over = |cut: f64, element: &Element| cut > element.extent() + ROUNDING;
+        let fits = |cut: f64, element: &Element| {
+            cut >= -ROUNDING && (element.shape == Shape::Line || !over(cut, element))
+        };
         let way = before.way(cut, offset) + behind.way(other, offset);
         let meeting = Meeting { point, before: cut.max(0.0), behind: other.max(0.0) };
-        (fits(cut, before) && fits(other, behind)).then_some((way, meeting))
+        let is_over = over(cut, before) || over(other, behind);
+        (fits(cut, before) && fits(other, behind)).then_some((is_over, way, meeting))
     };
     let found = crossings(a, b).into_iter().filter_map(meeting);
-    found.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, meeting)| meeting)
+    found.min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))).map(|(_, _, meeting)| meeting)
 }
 
 /// Where two elements meet beside an outside corner if they go on.
@@ -339,6 +344,9 @@ pub(super) fn rounded(before: &Element, behind: &Element, radius: f64) -> Option
     }
     let direction = bend.signum();
     let Meeting { point: centre, before: cut, behind: other } = inside(before, behind, radius * direction)?;
+    if cut > before.extent() + ROUNDING || other > behind.extent() + ROUNDING {
+        return None;
+    }
     let (from, to) = (before.before_end(cut), behind.behind_start(other));
     let sweep = turn_between(from - centre, to - centre, direction) * direction;
     let arc = Element::arc(from, to, centre, sweep);

@@ -93,10 +93,12 @@ impl Table {
         self.unit
     }
 
-    /// Whether a path in a program means this table: drives and directories do not matter, nor does case.
+    /// Whether a path in a program means this table: drives and directories do not matter, nor does case. A name without
+    /// an extension means a table of its kind.
     pub fn is_named(&self, path: &str) -> bool {
         let last = |name: &str| name.rsplit(['\\', '/', ':']).next().unwrap_or_default().to_ascii_uppercase();
-        last(path) == last(&self.file)
+        let (asked, own) = (last(path), last(&self.file));
+        asked == own || (!asked.contains('.') && own.rsplit_once('.').is_some_and(|(stem, _)| stem == asked))
     }
 
     /// The numbers of the rows in the order of the file.
