@@ -66,6 +66,8 @@ diag-pattern-missing = There is no pattern and no point table to call the cycle 
     [none] .
    *[other] : “{ $name }” does not exist.
 }
+diag-pattern-too-long = A pattern has at most { $limit } positions that are written one by one; here are { $count }.
+diag-pattern-tool-axis = Patterns are only defined for the tool axis Z; now it is { $axis }.
 diag-pattern-unreadable = “{ $found }” is no part of a pattern.
 diag-position-incomplete = CYCL CALL POS needs the coordinates of all three axes.
 diag-value-not-predefined = GLOBAL DEF has given no value that PREDEF could take.

@@ -84,6 +84,8 @@ diag-pattern-missing = Työkierron kutsua varten ei ole kuviota eikä pistetaulu
         [none] .
        *[other] : ”{ $name }” puuttuu.
     }
+diag-pattern-too-long = Kuviossa voi olla enintään { $limit } yksitellen kirjoitettua asemaa; tässä niitä on { $count }.
+diag-pattern-tool-axis = Kuvioita määritellään vain työkaluakselille Z; nyt akseli on { $axis }.
 diag-pattern-unreadable = ”{ $found }” ei ole kuvion osa.
 diag-position-incomplete = CYCL CALL POS vaatii kaikkien kolmen akselin koordinaatit.
 diag-value-not-predefined = GLOBAL DEF ei ole antanut arvoa, jonka PREDEF voisi ottaa.

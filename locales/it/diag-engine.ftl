@@ -84,6 +84,8 @@ diag-pattern-missing = Non c’è alcuna sagoma né tabella punti su cui chiamar
         [none] .
        *[other] : “{ $name }” non esiste.
     }
+diag-pattern-too-long = Una sagoma ha al massimo { $limit } posizioni scritte una a una; qui sono { $count }.
+diag-pattern-tool-axis = Le sagome si definiscono solo con l’asse utensile Z; ora è { $axis }.
 diag-pattern-unreadable = “{ $found }” non è parte di una sagoma.
 diag-position-incomplete = CYCL CALL POS richiede le coordinate di tutti e tre gli assi.
 diag-value-not-predefined = GLOBAL DEF non ha fornito alcun valore che PREDEF possa assumere.

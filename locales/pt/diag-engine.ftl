@@ -84,6 +84,8 @@ diag-pattern-missing = Não há figura nem tabela de pontos em que chamar o cicl
         [none] .
        *[other] : “{ $name }” não existe.
     }
+diag-pattern-too-long = Uma figura tem no máximo { $limit } posições escritas uma a uma; aqui há { $count }.
+diag-pattern-tool-axis = As figuras só se definem com o eixo da ferramenta Z; agora é { $axis }.
 diag-pattern-unreadable = “{ $found }” não faz parte de uma figura.
 diag-position-incomplete = CYCL CALL POS precisa das coordenadas dos três eixos.
 diag-value-not-predefined = GLOBAL DEF não deu nenhum valor que PREDEF possa tomar.

@@ -84,6 +84,8 @@ diag-pattern-missing = Za priklic cikla ni vzorca in ne preglednice točk{ $name
         [none] .
        *[other] : »{ $name }« ne obstaja.
     }
+diag-pattern-too-long = Vzorec ima največ { $limit } posamič zapisanih položajev; tukaj jih je { $count }.
+diag-pattern-tool-axis = Vzorci se definirajo samo za orodno os Z; zdaj je { $axis }.
 diag-pattern-unreadable = »{ $found }« ni del vzorca.
 diag-position-incomplete = CYCL CALL POS potrebuje koordinate vseh treh osi.
 diag-value-not-predefined = GLOBAL DEF ni podal vrednosti, ki bi jo PREDEF lahko prevzel.

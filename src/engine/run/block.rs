@@ -11,8 +11,8 @@ use crate::engine::table::{Cell, TableKind};
 use crate::expr::{Env, EvalError, QKind, QRef, Value, atan2d, cosd, sind};
 use crate::spec::Transformation;
 use crate::syntax::{
-    Amount, Axis, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Operand, ToolCall,
-    ToolDef, ToolRef,
+    Amount, Axis, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Operand, StatementKind,
+    ToolCall, ToolDef, ToolRef,
 };
 
 /// What an M function does.
@@ -116,9 +116,12 @@ impl<'e> Run<'_, 'e> {
                 return self.after(functions, false);
             }
             BlockKind::Statement(_) if self.switches_mode(block) => {}
+            BlockKind::Statement(statement) if statement.kind == StatementKind::Plane => self.plane(statement)?,
+            BlockKind::Statement(statement) if statement.kind == StatementKind::Trans => self.shift_datum(statement)?,
+            BlockKind::Statement(statement) if statement.kind == StatementKind::BlkForm => {}
             BlockKind::Statement(statement) => return Err(self.not_executed(statement.head).into()),
             BlockKind::PatternDef(_) => self.define_pattern(block)?,
-            BlockKind::GlobalDef(_) => self.predefine(block)?,
+            BlockKind::GlobalDef(values) => self.predefine(values)?,
             BlockKind::ContourFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
             BlockKind::TextFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
             BlockKind::Unknown(error) => {
@@ -265,12 +268,20 @@ impl<'e> Run<'_, 'e> {
             self.modal.spindle.speed = self.operand(speed)?;
         }
         if let Some(feed) = &call.feed {
+            let turns = match feed.kind {
+                FeedKind::Value(_) => 1.0,
+                FeedKind::PerRevolution(_) => self.modal.spindle.speed,
+                FeedKind::PerTooth(_) => self.modal.spindle.speed * self.world.tool().map_or(0.0, |tool| tool.teeth),
+                FeedKind::Max | FeedKind::Auto => 0.0,
+            };
             match feed.kind {
-                FeedKind::Value(value) => {
-                    let value = self.operand(&value)? * self.unit();
+                FeedKind::Value(value) | FeedKind::PerRevolution(value) | FeedKind::PerTooth(value) => {
+                    let value = self.operand(&value)? * self.unit() * turns;
                     (self.modal.feed, self.modal.tool_feed) = (Some(value), Some(value));
                 }
-                _ => return Err(Fault::unsupported("unsupported-feed").arg("word", self.slice(feed.span)).into()),
+                FeedKind::Max | FeedKind::Auto => {
+                    return Err(Fault::unsupported("unsupported-feed").arg("word", self.slice(feed.span)).into());
+                }
             }
         }
         let called = call.tool.as_ref().and(self.world.tool());

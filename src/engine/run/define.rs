@@ -284,8 +284,14 @@ impl<'e> Run<'_, 'e> {
             "FU" => Ok(self.written_number(number)? * speed),
             "FZ" => Ok(self.written_number(number)? * speed * self.world.tool().map_or(0.0, |tool| tool.teeth)),
             "PREDEF" => {
-                let value = param.q.and_then(|q| self.predefined.get(&q.number));
-                value.copied().ok_or_else(|| Fault::program("value-not-predefined"))
+                let known = param.q.and_then(|q| self.predefined.get(&q.number));
+                let (value, unit) = known.copied().ok_or_else(|| Fault::program("value-not-predefined"))?;
+                // A program called by another one may be in the other unit.
+                let value = if unit == self.unit() || !param.is_measured() { value } else { value * unit / self.unit() };
+                match spec::number_refusal_in(param, value, self.unit()) {
+                    None => Ok(value),
+                    Some(_) => Err(Fault::program("parameter-out-of-range").arg("value", value)),
+                }
             }
             _ => Err(Fault::program("word-not-offered").arg("word", word)),
         }

@@ -83,6 +83,8 @@ pub const CODES: &[(&str, Class)] = &[
     ("parameter-undefined", Class::Program),
     ("parameter-unknown", Class::Program),
     ("pattern-missing", Class::Program),
+    ("pattern-too-long", Class::Program),
+    ("pattern-tool-axis", Class::Program),
     ("pattern-unreadable", Class::Program),
     ("plan-mistake", Class::Internal),
     ("plane-through-line", Class::Control),

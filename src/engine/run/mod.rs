@@ -25,6 +25,7 @@ mod motion;
 mod outline;
 mod params;
 mod pattern;
+mod plane;
 mod plunge;
 mod probe;
 mod program;
@@ -307,8 +308,12 @@ struct Run<'r, 'e> {
     last_cycle: Option<Arc<Definition<'e>>>,
     /// The points of the last pattern definition or point table.
     pattern: Option<pattern::Pattern>,
-    /// Values of GLOBAL DEF by the parameter that takes them.
-    predefined: BTreeMap<u16, f64>,
+    /// Whether it was written in the program, and not read from a point table.
+    pattern_is_defined: bool,
+    /// Values of GLOBAL DEF by the parameter that takes them, with mm in the unit of their program.
+    predefined: BTreeMap<u16, (f64, f64)>,
+    /// How high the tool is retracted on patterns.
+    retraction: pattern::Retraction,
     flow: flow::Flow,
     /// The contour that radius compensation, a rounding or an approach has begun.
     contour: contour::Contour,
@@ -360,8 +365,10 @@ impl<'r, 'e> Run<'r, 'e> {
             modal: Modal::default(),
             last_cycle: None,
             pattern: None,
+            pattern_is_defined: false,
             predefined: BTreeMap::new(),
             contour: contour::Contour::default(),
+            retraction: pattern::Retraction::default(),
             at,
             guards: BTreeSet::new(),
             executed: BTreeMap::new(),

@@ -10,7 +10,7 @@ use super::motion::Speed;
 use super::{Content, Done, EventKind, Run};
 use crate::engine::geometry::Axis;
 use crate::expr::{QRef, cosd, sind};
-use crate::syntax::{Block, Coord, Feed};
+use crate::syntax::{Block, Coord, Feed, FeedKind, GlobalDef, ValueKind};
 
 /// Points by main, minor and tool axis.
 pub(super) type Pattern = Vec<DVec3>;
@@ -20,12 +20,26 @@ const SURFACE: &str = "surface-coordinate";
 const CLEARANCE: &str = "set-up-clearance";
 const SECOND_CLEARANCE: &str = "second-set-up-clearance";
 /// The number of the definition that says how the tool is retracted on patterns.
-const POSITIONING: &str = "125";
+const POSITIONING: u32 = 125;
+/// Positions of a pattern that are written one by one.
+const MOST_POSITIONS: f64 = 9.0;
 /// Positions of one pattern: more are refused.
 const MAX_POINTS: f64 = 100_000.0;
 /// The words of patterns; longer ones first.
 const WORDS: [&str; 15] =
     ["START", "NUMX", "NUMY", "ROTX", "ROTY", "STEP", "NUM", "ROT", "END", "DX", "DY", "X", "Y", "Z", "D"];
+
+/// How high the tool is retracted on a pattern.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Retraction {
+    /// To the greater of the two heights below, as a program says that says nothing.
+    #[default]
+    Greater,
+    /// To the second set-up clearance.
+    Second,
+    /// To where the tool was when the pattern was called.
+    Start,
+}
 
 /// The values of one pattern by word.
 struct Values(Vec<(&'static str, f64)>);
@@ -86,7 +100,8 @@ impl<'e> Run<'_, 'e> {
     pub(super) fn define_pattern(&mut self, block: &Block) -> Done {
         let text = self.uncommented(block);
         let body = text.find("DEF").and_then(|at| text.get(at + 3..)).unwrap_or_default();
-        let mut points = Pattern::new();
+        self.pattern_axis()?;
+        let (mut points, mut positions) = (Pattern::new(), 0.0);
         let mut rest = body.trim_start();
         while !rest.is_empty() {
             let found = || unreadable(rest.get(..20).unwrap_or(rest));
@@ -95,13 +110,23 @@ impl<'e> Run<'_, 'e> {
             let kind = head.trim().trim_end_matches(|c: char| c.is_ascii_digit());
             let values = self.pattern_values(inside)?;
             pattern_points(kind, &values, &mut points)?;
+            positions += f64::from(u8::from(kind == "POS"));
             rest = behind.trim_start();
         }
-        if self.world.system.plane.tool != Axis::Z {
-            return Err(Fault::unsupported("unsupported-block").arg("word", "PATTERN DEF").into());
+        if positions > MOST_POSITIONS {
+            return Err(Fault::program("pattern-too-long").arg("count", positions).arg("limit", MOST_POSITIONS).into());
         }
-        self.pattern = Some(points);
+        (self.pattern, self.pattern_is_defined) = (Some(points), true);
         Ok(())
+    }
+
+    /// The manual allows pattern definitions with the tool axis Z only.
+    fn pattern_axis(&self) -> Result<(), Fault> {
+        let tool = self.world.system.plane.tool;
+        if tool == Axis::Z {
+            return Ok(());
+        }
+        Err(Fault::program("pattern-tool-axis").arg("axis", tool.letter().to_string()))
     }
 
     /// The text of a block without comments and joins, in capitals.
@@ -135,27 +160,49 @@ impl<'e> Run<'_, 'e> {
                 points.push(self.in_plane(DVec3::new(number("X")?, number("Y")?, number("Z")?)));
             }
         }
-        self.pattern = Some(points);
+        (self.pattern, self.pattern_is_defined) = (Some(points), false);
         Ok(())
     }
 
     /// `CYCL CALL PAT`: on every point; between two of them the tool goes to the greater of the height at the call and
-    /// the second set-up clearance of the cycle.
+    /// the second set-up clearance of the cycle, unless the program chooses one of them.
     pub(super) fn call_on_pattern(&mut self, feed: Option<&Feed>) -> Done {
         let missing = || Fault::program("pattern-missing").arg("name", "none");
         let points = self.pattern.clone().ok_or_else(missing)?;
+        if self.pattern_is_defined {
+            self.pattern_axis()?;
+        }
+        // The manual excludes rapid traverse between the points by this word.
+        if matches!(feed.map(|feed| feed.kind), Some(FeedKind::Max)) {
+            return Err(Fault::program("word-not-offered").arg("word", "FMAX").into());
+        }
         let speed = self.speed(feed);
         let called_at = self.in_plane(self.world.here).z;
         for point in points {
-            let (surface, clearances) = self.call_heights();
-            let height = clearances.map_or(called_at, |(_, second)| called_at.max(surface + point.z + second));
-            let here = self.in_plane(self.world.here);
-            if here.z < height {
-                self.go_in_plane(here.truncate().extend(height), Ok(Speed::Rapid))?;
-            }
+            let height = self.height_on_pattern(point, called_at);
+            self.lift_to(height)?;
             self.call_shifted(point, speed.clone())?;
+            if self.retraction != Retraction::Greater {
+                self.lift_to(height)?;
+            }
         }
         Ok(())
+    }
+
+    /// How high the tool goes to and from a point of a pattern.
+    fn height_on_pattern(&self, point: DVec3, called_at: f64) -> f64 {
+        let (surface, clearances) = self.call_heights();
+        let second = clearances.map(|(first, second)| surface + point.z + if second == 0.0 { first } else { second });
+        match (self.retraction, second) {
+            (Retraction::Start, _) | (_, None) => called_at,
+            (Retraction::Second, Some(second)) => second,
+            (Retraction::Greater, Some(second)) => called_at.max(second),
+        }
+    }
+
+    fn lift_to(&mut self, height: f64) -> Done {
+        let here = self.in_plane(self.world.here);
+        if here.z < height { self.go_in_plane(here.truncate().extend(height), Ok(Speed::Rapid)) } else { Ok(()) }
     }
 
     /// `CYCL CALL POS`: below the surface the tool goes to the clearance first. The coordinate of the tool axis shifts
@@ -242,19 +289,28 @@ impl<'e> Run<'_, 'e> {
         self.tell(EventKind::Transform(told));
     }
 
-    /// `GLOBAL DEF`: values for parameters that say PREDEF.
-    pub(super) fn predefine(&mut self, block: &Block) -> Done {
-        let text = self.uncommented(block);
-        let mut words = text.split_whitespace();
-        if words.any(|word| word == "DEF") && words.next() == Some(POSITIONING) {
-            let word = format!("GLOBAL DEF {POSITIONING}");
-            return Err(Fault::unsupported("unsupported-block").arg("word", word).into());
+    /// `GLOBAL DEF`: values for parameters that say PREDEF, and how the tool is retracted on patterns.
+    pub(super) fn predefine(&mut self, values: &GlobalDef) -> Done {
+        if let Some(error) = values.errors.first() {
+            let found = self.slice(error.span).trim().to_owned();
+            return Err(Fault::program("block-unreadable").arg("found", found).into());
         }
-        for part in text.split_whitespace() {
-            let Some((q, value)) = part.split_once('=') else { continue };
-            let q = QRef::parse(q).ok_or_else(|| Fault::program("block-unreadable").arg("found", part))?;
-            let value = self.written_number(value)?;
-            self.predefined.insert(q.number, value);
+        for parameter in &values.parameters {
+            if parameter.value.kind == ValueKind::Missing {
+                return Err(Fault::program("value-missing").into());
+            }
+            let value = self.number_of(&parameter.value)?;
+            if values.number == POSITIONING {
+                self.retraction = match value {
+                    0.0 => Retraction::Second,
+                    1.0 => Retraction::Start,
+                    _ => {
+                        let fault = Fault::program("parameter-out-of-range").arg("q", parameter.q.to_string());
+                        return Err(fault.arg("value", value).into());
+                    }
+                };
+            }
+            self.predefined.insert(parameter.q.number, (value, self.unit()));
         }
         Ok(())
     }

@@ -63,7 +63,8 @@ impl<'e> Run<'_, 'e> {
         Ok(())
     }
 
-    fn rotary_positions(&self) -> Result<DVec3, Fault> {
+    /// Where the rotary axes must stand for the tilted plane, in program coordinates.
+    pub(super) fn rotary_positions(&self) -> Result<DVec3, Fault> {
         let (system, machine) = (&self.world.system, &self.world.scene.machine);
         let datum = system.angle_datum();
         let tool = machine.spindle.unit();
@@ -104,19 +105,6 @@ impl<'e> Run<'_, 'e> {
     /// Turns the axes; a point that far before the tip keeps its place on the workpiece, and the tool returns to it.
     pub(super) fn position_rotary_axes(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
         let [a, b, c, feed, clearance] = self.all_given(call, 0, exec)?;
-        let (datum, signs) = (self.world.system.angle_datum(), self.world.system.mirror().1);
-        let wanted = DVec3::new(a, b, c) * signs + datum;
-        let turns: Vec<(RotaryAxis, f64)> = RotaryAxis::ALL
-            .into_iter()
-            .filter(|axis| self.world.scene.machine.rotary(*axis).is_some())
-            .map(|axis| (axis, axis.of(wanted)))
-            .collect();
-        let machine = &self.world.scene.machine;
-        let direction = machine.head(self.world.angles).vector(machine.spindle.unit());
-        let system = &self.world.system;
-        let held = self.world.here - system.back().vector(direction).normalize() * clearance;
-        let to = held + system.plane.tool.unit() * clearance;
-        self.turn_to(&turns, Speed::of_feed(feed), false)?;
-        self.straight_to(to, None, Speed::of_feed(feed))
+        self.turn_about_point(DVec3::new(a, b, c), clearance, Speed::of_feed(feed))
     }
 }
