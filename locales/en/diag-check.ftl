@@ -1,20 +1,50 @@
 # Findings of the program checker and of the translation of programs.
 
+diag-arc-wrong =
+    The arc cannot end here: its { $what ->
+        [radius] radius is { $first }, and start and end are { $second } apart
+       *[centre] start is { $first } from the centre, its end { $second }
+    }.
+diag-axis-twice = The axis { $axis } stands twice in this block.
+diag-behind-end = Blocks stand here behind END PGM.
+diag-blank-wrong =
+    { $what ->
+        [first] BLK FORM 0.2 has no BLK FORM 0.1 before it.
+        [second] BLK FORM 0.1 has no BLK FORM 0.2 behind it.
+       *[order] In the axis { $axis } the second corner of the blank does not lie above the first one.
+    }
+diag-block-numbers = The block number { $number } follows { $before }.
 diag-call-of-def-active-cycle = { $cycle } acts as soon as it is defined; it must not be called.
 diag-called-but-not-defined = A cycle is called here, but none is defined before.
 diag-choice-not-offered = { $parameter }={ $value } is none of the choices: { $offered }.
 diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearance height { $parameter }={ $value } must lie above { $least }.
-diag-cycle-not-described = { $cycle } ({ $name }) is named by the manuals and not described: its parameters are not checked.
+diag-compensation-at-cycle =
+    { $cycle } is executed here while radius compensation is active.
+diag-compensation-left-on = Radius compensation is still active here.
+diag-contour-unnamed =
+    { $cycle } is called here, but no contour has been named before.
+diag-cutting-without-tool = The tool moves at feed here, but no tool call stands before.
+diag-cycle-not-described =
+    { $manual ->
+        [other] { $cycle } is described in none of the manuals here: its parameters are not checked.
+       *[named] { $cycle } ({ $name }) is named by the manuals and not described: its parameters are not checked.
+    }
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
 diag-defined-but-never-called = { $cycle } is defined here and never called.
 diag-duplicate-parameter = { $parameter } stands twice in { $cycle }.
+diag-frame-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
 diag-guard = The control objects to these values.
+diag-label-duplicate = The label { $label } is set a second time here.
 diag-label-missing = The language “{ $language }” has no label for { $parameter } of { $cycle }.
 diag-label-not-encodable = “{ $label }” has the character “{ $character }”, which the file's encoding cannot write.
 diag-label-of-another-language = “{ $label }” is a label in another language ({ $language }); most of the program calls { $parameter } “{ $right }”.
 diag-label-of-another-parameter = “{ $label }” is the label of { $other }, not of { $parameter }.
+diag-label-undefined = No block sets the label { $label }.
+diag-main-runs-into-subprogram = The main part runs into the subprogram { $label } here: neither M2 nor M30 stands before it.
+diag-metric-values-in-inch = The program is in inches, and { $value } looks like millimetres.
 diag-misordered-parameter = In { $cycle } the control shows { $parameter } before { $before }.
 diag-missing-parameter = { $cycle } lacks { $parameter }.
+diag-not-a-program = This file is no NC program.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } is too small: the least value is { $limit }.
@@ -22,10 +52,30 @@ diag-out-of-range =
         [many] { $parameter } lists too many labels: it may list { $limit }.
        *[above] { $parameter }={ $value } is too great: the greatest value is { $limit }.
     }
-diag-spindle-off = A machining cycle is called here while the spindle stands.
+diag-parameter-unassigned =
+    { $parameter } is read here, but nothing gives it a value before.
+diag-plane-not-reset = The program ends here with a tilted working plane.
+diag-program-begin-missing = The program does not begin with BEGIN PGM.
+diag-program-calls-itself = The program calls itself: { $name }.
+diag-program-end-missing = The program ends here without END PGM.
+diag-repeat-of-later-label = The label { $label } stands behind this repeat.
+diag-reserved-parameter =
+    { $parameter } is written here, but the control itself writes Q100 to Q199.
+diag-speed-missing = The spindle is turned on here, but no speed has been programmed.
+diag-spindle-off = Material is removed here while the spindle stands.
+diag-subprogram-recursive = The subprogram { $label } calls itself here.
+diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: no LBL 0 stands between them.
+diag-subprogram-without-end = The subprogram { $label } comes to the end of the program without LBL 0.
 diag-tool-missing = A cycle moves here, but no tool call has named the tool axis before.
+diag-transfer-parameter-overwritten =
+    { $parameter } belongs to { $cycle }, which is called later: the call takes the value that is written here.
 diag-unknown-cycle = { $cycle } is a cycle of no control known here.
 diag-unknown-parameter = { $cycle } has no { $parameter } on this control.
+diag-unreachable =
+    { $part ->
+        [label] Nothing leads to this label.
+       *[block] The run never comes to this block.
+    }
 diag-wrong-value-kind =
     { $parameter } of { $cycle } takes { $kind ->
         [integer] a whole number

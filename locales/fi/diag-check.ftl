@@ -1,20 +1,50 @@
 # Ohjelmien tarkastuksen ja kääntämisen löydökset; ks. englanninkielinen tiedosto.
 
+diag-arc-wrong =
+    Kaari ei voi päättyä tähän: { $what ->
+        [radius] säde on { $first }, ja alku- ja loppupisteen väli on { $second }
+       *[centre] alkupiste on etäisyydellä { $first } keskipisteestä, loppupiste etäisyydellä { $second }
+    }.
+diag-axis-twice = Akseli { $axis } on tässä lauseessa kahdesti.
+diag-behind-end = Tässä on lauseita END PGM -lauseen perässä.
+diag-blank-wrong =
+    { $what ->
+        [first] Lauseen BLK FORM 0.2 edellä ei ole lausetta BLK FORM 0.1.
+        [second] Lauseen BLK FORM 0.1 perässä ei ole lausetta BLK FORM 0.2.
+       *[order] Akselilla { $axis } aihion toinen kulma ei ole ensimmäisen yläpuolella.
+    }
+diag-block-numbers = Lausenumero { $number } seuraa numeroa { $before }.
 diag-call-of-def-active-cycle = Työkierto { $cycle } vaikuttaa heti määrittelyn jälkeen; sitä ei saa kutsua.
 diag-called-but-not-defined = Tässä kutsutaan työkiertoa, mutta sitä ennen ei ole määritelty yhtään.
 diag-choice-not-offered = { $parameter }={ $value } ei ole mikään vaihtoehdoista: { $offered }.
 diag-clearance-height-too-low = { $cycle } koskettaa korkeudella { $touched }: varmuuskorkeuden { $parameter }={ $value } on oltava suurempi kuin { $least }.
-diag-cycle-not-described = Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sen parametreja ei tarkasteta.
+diag-compensation-at-cycle =
+    { $cycle } suoritetaan tässä sädekorjauksen ollessa voimassa.
+diag-compensation-left-on = Sädekorjaus on tässä vielä voimassa.
+diag-contour-unnamed =
+    { $cycle } kutsutaan tässä, mutta sitä ennen ei ole nimetty muotoa.
+diag-cutting-without-tool = Työkalu liikkuu tässä syötöllä, mutta ennen sitä ei ole työkalukutsua.
+diag-cycle-not-described =
+    { $manual ->
+        [other] Työkiertoa { $cycle } ei ole kuvattu missään tässä käytetyssä käsikirjassa: sen parametreja ei tarkasteta.
+       *[named] Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sen parametreja ei tarkasteta.
+    }
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
+diag-frame-mismatch = END PGM -lauseessa on { $end }, BEGIN PGM -lauseessa { $begin }.
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
+diag-label-duplicate = Label { $label } asetetaan tässä toisen kerran.
 diag-label-missing = Kielellä ”{ $language }” ei ole NC-tekstiä työkierron { $cycle } parametrille { $parameter }.
 diag-label-not-encodable = NC-tekstissä ”{ $label }” on merkki ”{ $character }”, jota tiedoston merkistössä ei ole.
 diag-label-of-another-language = ”{ $label }” on toisen kielen NC-teksti ({ $language }); ohjelman kielellä parametrin { $parameter } teksti on ”{ $right }”.
 diag-label-of-another-parameter = ”{ $label }” on parametrin { $other } NC-teksti, ei parametrin { $parameter }.
+diag-label-undefined = Mikään lause ei aseta labelia { $label }.
+diag-main-runs-into-subprogram = Pääohjelma jatkuu tässä suoraan aliohjelmaan { $label }: ennen sitä ei ole M2- eikä M30-toimintoa.
+diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää millimetreiltä.
 diag-misordered-parameter = Työkierrossa { $cycle } ohjaus näyttää parametrin { $parameter } ennen parametria { $before }.
 diag-missing-parameter = Työkierrosta { $cycle } puuttuu { $parameter }.
+diag-not-a-program = Tämä tiedosto ei ole NC-ohjelma.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } on liian pieni: pienin arvo on { $limit }.
@@ -22,10 +52,29 @@ diag-out-of-range =
         [long] Parametrin { $parameter } teksti on liian pitkä: siinä saa olla enintään { $limit } merkkiä.
        *[above] { $parameter }={ $value } on liian suuri: suurin arvo on { $limit }.
     }
-diag-spindle-off = Tässä kutsutaan koneistustyökiertoa, kun kara on pysähdyksissä.
+diag-parameter-unassigned =
+    { $parameter } luetaan tässä, mutta mikään ei anna sille arvoa ennen sitä.
+diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
+diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
+diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.
+diag-program-end-missing = Ohjelma loppuu tähän ilman END PGM -lausetta.
+diag-repeat-of-later-label = Label { $label } on tämän toiston perässä.
+diag-reserved-parameter = Tässä kirjoitetaan parametriin { $parameter }, mutta parametreihin Q100–Q199 kirjoittaa ohjaus itse.
+diag-speed-missing = Kara käynnistetään tässä, mutta kierroslukua ei ole ohjelmoitu.
+diag-spindle-off = Tässä lastutaan, kun kara on pysähdyksissä.
+diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
+diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
+diag-subprogram-without-end = Aliohjelma { $label } päätyy ohjelman loppuun ilman LBL 0 -lausetta.
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään aiempi työkalukutsu ei ole määritellyt työkaluakselia.
+diag-transfer-parameter-overwritten =
+    { $parameter } kuuluu työkiertoon { $cycle }, jota kutsutaan myöhemmin: kutsu käyttää tässä kirjoitettavaa arvoa.
 diag-unknown-cycle = { $cycle } ei ole minkään tässä tunnetun ohjauksen työkierto.
 diag-unknown-parameter = Työkierrossa { $cycle } ei ole tässä ohjauksessa parametria { $parameter }.
+diag-unreachable =
+    { $part ->
+        [label] Mikään ei johda tähän labeliin.
+       *[block] Suoritus ei koskaan tule tähän lauseeseen.
+    }
 diag-wrong-value-kind =
     Työkierron { $cycle } parametrin { $parameter } arvoksi kelpaa { $kind ->
         [integer] kokonaisluku

@@ -1,20 +1,50 @@
 # Segnalazioni della verifica e della traduzione di programmi; vedere il file inglese.
 
+diag-arc-wrong =
+    L’arco non può terminare qui: { $what ->
+        [radius] il raggio è { $first } e la distanza tra inizio e fine è { $second }
+       *[centre] l’inizio dista { $first } dal centro, la fine { $second }
+    }.
+diag-axis-twice = L’asse { $axis } compare due volte in questo blocco.
+diag-behind-end = Qui ci sono blocchi dopo END PGM.
+diag-blank-wrong =
+    { $what ->
+        [first] Prima di BLK FORM 0.2 non c’è BLK FORM 0.1.
+        [second] Dopo BLK FORM 0.1 non c’è BLK FORM 0.2.
+       *[order] Nell’asse { $axis } il secondo vertice del pezzo grezzo non si trova sopra il primo.
+    }
+diag-block-numbers = Il numero di blocco { $number } segue { $before }.
 diag-call-of-def-active-cycle = { $cycle } è attivo appena viene definito; non deve essere chiamato.
 diag-called-but-not-defined = Qui viene chiamato un ciclo, ma prima non ne è definito alcuno.
 diag-choice-not-offered = { $parameter }={ $value } non è tra le scelte: { $offered }.
 diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di sicurezza { $parameter }={ $value } deve trovarsi sopra { $least }.
-diag-cycle-not-described = { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
+diag-compensation-at-cycle =
+    { $cycle } viene eseguito qui con la compensazione del raggio attiva.
+diag-compensation-left-on = Qui la compensazione del raggio è ancora attiva.
+diag-contour-unnamed =
+    { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
+diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
+diag-cycle-not-described =
+    { $manual ->
+        [other] { $cycle } non è descritto in alcuno dei manuali qui utilizzati: i suoi parametri non vengono verificati.
+       *[named] { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
+    }
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
+diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-guard = Il controllo non accetta questi valori.
+diag-label-duplicate = Il label { $label } viene impostato qui per la seconda volta.
 diag-label-missing = La lingua «{ $language }» non ha un’etichetta per { $parameter } di { $cycle }.
 diag-label-not-encodable = «{ $label }» contiene il carattere «{ $character }», che la codifica del file non può scrivere.
 diag-label-of-another-language = «{ $label }» è un’etichetta in un’altra lingua ({ $language }); nel resto del programma { $parameter } si chiama «{ $right }».
 diag-label-of-another-parameter = «{ $label }» è l’etichetta di { $other }, non di { $parameter }.
+diag-label-undefined = Nessun blocco imposta il label { $label }.
+diag-main-runs-into-subprogram = La parte principale prosegue qui nel sottoprogramma { $label }: prima non c’è né M2 né M30.
+diag-metric-values-in-inch = Il programma è in pollici e { $value } sembra espresso in millimetri.
 diag-misordered-parameter = In { $cycle } il controllo visualizza { $parameter } prima di { $before }.
 diag-missing-parameter = In { $cycle } manca { $parameter }.
+diag-not-a-program = Questo file non è un programma NC.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } è troppo piccolo: il valore minimo è { $limit }.
@@ -22,10 +52,29 @@ diag-out-of-range =
         [many] { $parameter } elenca troppi label: ne sono ammessi { $limit }.
        *[above] { $parameter }={ $value } è troppo grande: il valore massimo è { $limit }.
     }
-diag-spindle-off = Qui viene chiamato un ciclo di lavorazione a mandrino fermo.
+diag-parameter-unassigned =
+    { $parameter } viene letto qui, ma prima nulla gli assegna un valore.
+diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
+diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
+diag-program-calls-itself = Il programma chiama sé stesso: { $name }.
+diag-program-end-missing = Il programma finisce qui senza END PGM.
+diag-repeat-of-later-label = Il label { $label } si trova dopo questa ripetizione.
+diag-reserved-parameter = Qui viene scritto { $parameter }, ma i parametri da Q100 a Q199 li scrive il controllo stesso.
+diag-speed-missing = Qui viene avviato il mandrino, ma non è stato programmato alcun numero di giri.
+diag-spindle-off = Qui viene asportato materiale a mandrino fermo.
+diag-subprogram-recursive = Il sottoprogramma { $label } chiama qui sé stesso.
+diag-subprogram-runs-on = Il sottoprogramma { $label } prosegue nel sottoprogramma { $next }: tra i due non c’è LBL 0.
+diag-subprogram-without-end = Il sottoprogramma { $label } arriva alla fine del programma senza LBL 0.
 diag-tool-missing = Qui un ciclo esegue movimenti, ma prima nessuna chiamata utensile ha indicato l’asse utensile.
+diag-transfer-parameter-overwritten =
+    { $parameter } appartiene a { $cycle }, che viene chiamato più avanti: la chiamata usa il valore scritto qui.
 diag-unknown-cycle = { $cycle } non è un ciclo di alcun controllo qui noto.
 diag-unknown-parameter = Su questo controllo { $cycle } non ha il parametro { $parameter }.
+diag-unreachable =
+    { $part ->
+        [label] Nulla conduce a questo label.
+       *[block] L’esecuzione non arriva mai a questo blocco.
+    }
 diag-wrong-value-kind =
     Il parametro { $parameter } di { $cycle } accetta { $kind ->
         [integer] un numero intero

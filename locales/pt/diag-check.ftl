@@ -1,20 +1,50 @@
 # Mensagens da verificação e da tradução de programas; ver o ficheiro inglês.
 
+diag-arc-wrong =
+    O arco não pode terminar aqui: { $what ->
+        [radius] o raio é { $first } e a distância entre o início e o fim é { $second }
+       *[centre] o início fica a { $first } do centro e o fim a { $second }
+    }.
+diag-axis-twice = O eixo { $axis } aparece duas vezes nesta frase.
+diag-behind-end = Há aqui frases depois de END PGM.
+diag-blank-wrong =
+    { $what ->
+        [first] Antes de BLK FORM 0.2 não há BLK FORM 0.1.
+        [second] Depois de BLK FORM 0.1 não há BLK FORM 0.2.
+       *[order] No eixo { $axis }, o segundo vértice do bloco não fica acima do primeiro.
+    }
+diag-block-numbers = O número de frase { $number } vem depois de { $before }.
 diag-call-of-def-active-cycle = { $cycle } atua logo que é definido; não deve ser chamado.
 diag-called-but-not-defined = Aqui é chamado um ciclo, mas antes não está definido nenhum.
 diag-choice-not-offered = { $parameter }={ $value } não está entre as opções: { $offered }.
 diag-clearance-height-too-low = { $cycle } apalpa em { $touched }: a altura segura { $parameter }={ $value } tem de ficar acima de { $least }.
-diag-cycle-not-described = { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
+diag-compensation-at-cycle =
+    { $cycle } é executado aqui com a correção de raio ativa.
+diag-compensation-left-on = A correção de raio ainda está aqui ativa.
+diag-contour-unnamed =
+    { $cycle } é chamado aqui, mas antes não foi indicado nenhum contorno.
+diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
+diag-cycle-not-described =
+    { $manual ->
+        [other] { $cycle } não está descrito em nenhum dos manuais aqui utilizados: os seus parâmetros não são verificados.
+       *[named] { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
+    }
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
+diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-guard = O comando não aceita estes valores.
+diag-label-duplicate = O label { $label } é definido aqui pela segunda vez.
 diag-label-missing = O idioma «{ $language }» não tem designação para { $parameter } de { $cycle }.
 diag-label-not-encodable = «{ $label }» tem o carácter «{ $character }», que a codificação do ficheiro não pode escrever.
 diag-label-of-another-language = «{ $label }» é uma designação noutro idioma ({ $language }); a maior parte do programa designa { $parameter } por «{ $right }».
 diag-label-of-another-parameter = «{ $label }» é a designação de { $other }, não de { $parameter }.
+diag-label-undefined = Nenhuma frase define o label { $label }.
+diag-main-runs-into-subprogram = A parte principal continua aqui para dentro do subprograma { $label }: antes não há M2 nem M30.
+diag-metric-values-in-inch = O programa está em polegadas e { $value } parece estar em milímetros.
 diag-misordered-parameter = Em { $cycle }, o comando visualiza { $parameter } antes de { $before }.
 diag-missing-parameter = Em { $cycle } falta { $parameter }.
+diag-not-a-program = Este ficheiro não é um programa NC.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } é demasiado pequeno: o valor mínimo é { $limit }.
@@ -22,10 +52,29 @@ diag-out-of-range =
         [many] { $parameter } indica labels a mais: são permitidos { $limit }.
        *[above] { $parameter }={ $value } é demasiado grande: o valor máximo é { $limit }.
     }
-diag-spindle-off = Aqui é chamado um ciclo de maquinação com o cabeçote parado.
+diag-parameter-unassigned =
+    { $parameter } é lido aqui, mas antes nada lhe atribui um valor.
+diag-plane-not-reset = O programa termina aqui com o plano de maquinação inclinado.
+diag-program-begin-missing = O programa não começa com BEGIN PGM.
+diag-program-calls-itself = O programa chama-se a si próprio: { $name }.
+diag-program-end-missing = O programa acaba aqui sem END PGM.
+diag-repeat-of-later-label = O label { $label } fica depois desta repetição.
+diag-reserved-parameter = Aqui escreve-se em { $parameter }, mas é o próprio comando que escreve em Q100 a Q199.
+diag-speed-missing = Aqui liga-se o cabeçote, mas não foi programado nenhum número de rotações.
+diag-spindle-off = Aqui remove-se material com o cabeçote parado.
+diag-subprogram-recursive = O subprograma { $label } chama-se aqui a si próprio.
+diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subprograma { $next }: entre eles não há LBL 0.
+diag-subprogram-without-end = O subprograma { $label } chega ao fim do programa sem LBL 0.
 diag-tool-missing = Aqui um ciclo executa movimentos, mas antes nenhuma chamada da ferramenta indicou o eixo da ferramenta.
+diag-transfer-parameter-overwritten =
+    { $parameter } pertence a { $cycle }, que é chamado mais adiante: a chamada usa o valor aqui escrito.
 diag-unknown-cycle = { $cycle } não é um ciclo de nenhum comando aqui conhecido.
 diag-unknown-parameter = Neste comando, { $cycle } não tem o parâmetro { $parameter }.
+diag-unreachable =
+    { $part ->
+        [label] Nada conduz a este label.
+       *[block] A execução nunca chega a esta frase.
+    }
 diag-wrong-value-kind =
     O parâmetro { $parameter } de { $cycle } aceita { $kind ->
         [integer] um número inteiro

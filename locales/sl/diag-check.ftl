@@ -1,20 +1,50 @@
 # Findings of the program checker and of the translation of programs.
 
+diag-arc-wrong =
+    Lok se tu ne more končati: { $what ->
+        [radius] polmer je { $first }, razdalja med začetkom in koncem pa { $second }
+       *[centre] začetek je od središča oddaljen { $first }, konec pa { $second }
+    }.
+diag-axis-twice = Os { $axis } je v tem stavku navedena dvakrat.
+diag-behind-end = Tu so stavki za END PGM.
+diag-blank-wrong =
+    { $what ->
+        [first] Pred BLK FORM 0.2 ni BLK FORM 0.1.
+        [second] Za BLK FORM 0.1 ni BLK FORM 0.2.
+       *[order] Na osi { $axis } drugo oglišče surovca ni nad prvim.
+    }
+diag-block-numbers = Številka stavka { $number } sledi številki { $before }.
 diag-call-of-def-active-cycle = Cikel { $cycle } deluje takoj, ko je definiran; ni ga dovoljeno priklicati.
 diag-called-but-not-defined = Tu se prikliče cikel, pred tem pa ni definiran noben.
 diag-choice-not-offered = { $parameter }={ $value } ni med možnostmi: { $offered }.
 diag-clearance-height-too-low = { $cycle } se dotakne pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
-diag-cycle-not-described = Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
+diag-compensation-at-cycle =
+    { $cycle } se tu izvede, ko je korekcija polmera aktivna.
+diag-compensation-left-on = Korekcija polmera je tu še aktivna.
+diag-contour-unnamed =
+    { $cycle } se tu prikliče, pred tem pa ni navedena nobena kontura.
+diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
+diag-cycle-not-described =
+    { $manual ->
+        [other] Cikel { $cycle } ni opisan v nobenem od uporabljenih priročnikov: njegovi parametri se ne preverijo.
+       *[named] Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
+    }
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
+diag-frame-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
+diag-label-duplicate = Oznaka LBL { $label } je tu postavljena drugič.
 diag-label-missing = Jezik »{ $language }« nima oznake za { $parameter } cikla { $cycle }.
 diag-label-not-encodable = V oznaki »{ $label }« je znak »{ $character }«, ki ga kodiranje datoteke ne pozna.
 diag-label-of-another-language = »{ $label }« je oznaka v drugem jeziku ({ $language }); v jeziku programa je oznaka parametra { $parameter } »{ $right }«.
 diag-label-of-another-parameter = »{ $label }« je oznaka parametra { $other }, ne parametra { $parameter }.
+diag-label-undefined = Noben stavek ne postavi oznake LBL { $label }.
+diag-main-runs-into-subprogram = Glavni del se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
+diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot milimetri.
 diag-misordered-parameter = V ciklu { $cycle } krmiljenje prikaže { $parameter } pred { $before }.
 diag-missing-parameter = V ciklu { $cycle } manjka { $parameter }.
+diag-not-a-program = Ta datoteka ni NC-program.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } je premajhno: najmanjša vrednost je { $limit }.
@@ -22,10 +52,29 @@ diag-out-of-range =
         [many] { $parameter } navaja preveč oznak: največje število oznak je { $limit }.
        *[above] { $parameter }={ $value } je preveliko: največja vrednost je { $limit }.
     }
-diag-spindle-off = Tu se prikliče obdelovalni cikel, ko vreteno miruje.
+diag-parameter-unassigned =
+    { $parameter } se tu bere, pred tem pa mu nič ne določi vrednosti.
+diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
+diag-program-begin-missing = Program se ne začne z BEGIN PGM.
+diag-program-calls-itself = Program prikliče samega sebe: { $name }.
+diag-program-end-missing = Program se tu konča brez END PGM.
+diag-repeat-of-later-label = Oznaka LBL { $label } stoji za to ponovitvijo.
+diag-reserved-parameter = Tu se zapiše { $parameter }, parametre od Q100 do Q199 pa zapisuje krmiljenje samo.
+diag-speed-missing = Vreteno se tu vklopi, število vrtljajev pa ni programirano.
+diag-spindle-off = Tu se odvzema material, ko vreteno miruje.
+diag-subprogram-recursive = Podprogram { $label } tu prikliče samega sebe.
+diag-subprogram-runs-on = Podprogram { $label } se nadaljuje v podprogram { $next }: med njima ni LBL 0.
+diag-subprogram-without-end = Podprogram { $label } pride do konca programa brez LBL 0.
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
+diag-transfer-parameter-overwritten =
+    { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic vzame tu zapisano vrednost.
 diag-unknown-cycle = { $cycle } ni cikel nobenega od znanih krmiljenj.
 diag-unknown-parameter = Cikel { $cycle } na tem krmiljenju nima parametra { $parameter }.
+diag-unreachable =
+    { $part ->
+        [label] Nič ne vodi do te oznake LBL.
+       *[block] Izvajanje nikoli ne pride do tega stavka.
+    }
 diag-wrong-value-kind =
     Parameter { $parameter } cikla { $cycle } sprejme { $kind ->
         [integer] celo število

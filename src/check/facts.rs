@@ -5,12 +5,13 @@
 use std::borrow::Cow;
 
 use super::fields;
+use super::flow::{Run, stops};
 use super::labels::fold;
 use super::{Against, CycleLabels, values};
 use crate::diag::Span;
 use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, Refusal, TakesEffect};
-use crate::syntax::{Block, BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Program, StatementKind, Value};
+use crate::syntax::{Block, BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Program, StatementKind, Value, ValueKind};
 
 /// A program with its cycle definitions resolved for a control.
 pub struct Facts<'a> {
@@ -26,6 +27,8 @@ pub struct Facts<'a> {
     pub flow: Flow,
     /// Whether lengths are inches.
     pub inch: bool,
+    /// What is known of its run.
+    pub run: Run,
     /// The language of its labels, if any of them is known.
     pub language: Option<String>,
 }
@@ -60,6 +63,8 @@ pub struct Item<'a> {
     pub printed: String,
     /// The value, if it is a single one.
     pub value: Option<Value>,
+    /// The number that the parameter written for it certainly has.
+    pub number: Option<f64>,
     /// The printed label, or the printed word of an old-style field.
     pub label: Option<Span>,
     /// The place of its specification among the cycle's parameters.
@@ -73,11 +78,6 @@ pub struct Item<'a> {
 /// Something that happens in a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
-    /// A tool call; whether it names the tool axis.
-    Tool {
-        /// Whether it names the tool axis.
-        axis: bool,
-    },
     /// A cycle definition, by index.
     Define(usize),
     /// A call of the last cycle.
@@ -89,12 +89,6 @@ pub enum Event {
     },
     /// The block that follows, which is neither comment nor blank.
     Block,
-    /// The spindle turns from here on.
-    SpindleOn,
-    /// The spindle stands from here on.
-    SpindleOff,
-    /// Nobody can say from the program whether the spindle turns.
-    SpindleUnknown,
 }
 
 /// What is known of the order of the run.
@@ -108,6 +102,8 @@ pub struct Flow {
     pub modal: bool,
     /// There are blocks that are not analysed, such as a change to turning.
     pub opaque: bool,
+    /// There are blocks that may be skipped.
+    pub skips: bool,
 }
 
 impl<'a> Facts<'a> {
@@ -121,10 +117,17 @@ impl<'a> Facts<'a> {
             events: Vec::new(),
             flow: Flow::default(),
             inch: false,
+            run: Run::default(),
             language: None,
         };
         facts.follow();
+        facts.run = Run::of(program, &facts.definitions);
         for item in facts.definitions.iter_mut().flat_map(|definition| &mut definition.items) {
+            if let Some(ValueKind::Q { negative, .. }) = item.value.map(|value| value.kind)
+                && let Some(number) = facts.run.number_at(item.value_span)
+            {
+                item.number = Some(if negative { -number } else { number });
+            }
             item.refusal = values::refused(item, facts.inch);
         }
         facts.language = against.language.map(str::to_owned).or_else(|| super::labels::language_of(&facts));
@@ -134,6 +137,53 @@ impl<'a> Facts<'a> {
     /// The text at a place.
     pub fn text(&self, span: Span) -> &'a str {
         self.program.slice(span)
+    }
+
+    /// Whether the program begins with BEGIN PGM: it is a whole one.
+    pub fn begins(&self) -> bool {
+        self.program.blocks().iter().any(|block| matches!(block.kind, BlockKind::BeginPgm(_)))
+    }
+
+    /// Whether a block that cannot be read holds the word.
+    pub fn unread(&self, word: &str) -> bool {
+        let unread = |block: &&Block| matches!(block.kind, BlockKind::Unknown(_));
+        let mut unread = self.program.blocks().iter().filter(unread);
+        unread.any(|block| self.text(block.span).to_ascii_uppercase().contains(word))
+    }
+
+    /// The blocks that are more than comments.
+    pub fn acting(&self) -> impl Iterator<Item = &'a Block> {
+        let silent = |block: &&Block| matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_));
+        self.program.blocks().iter().filter(move |block| !silent(block))
+    }
+
+    /// The M functions of a block.
+    pub fn functions(&self, block: &'a Block) -> &'a [MFunction] {
+        match &block.kind {
+            BlockKind::Motion(motion) => &motion.functions,
+            BlockKind::Functions(list) | BlockKind::Stop(list) => list,
+            BlockKind::CyclCall(call) => &call.functions,
+            _ => &[],
+        }
+    }
+
+    /// Whether the program ends with the block.
+    pub fn ends(&self, block: &Block) -> bool {
+        stops(block)
+    }
+
+    /// What the first line of a block says, without its number and the blanks around it.
+    pub fn content(&self, block: &Block) -> Span {
+        let text = self.text(block.span);
+        let line = text.split(['\n', '\r']).next().unwrap_or_default();
+        let mut from = line.len() - line.trim_start_matches(['/', ' ', '\t']).len();
+        if block.number.is_some() {
+            let rest = line.get(from..).unwrap_or_default();
+            let rest = rest.trim_start_matches(['N', 'n']).trim_start_matches(|c: char| c.is_ascii_digit());
+            from = line.len() - rest.trim_start_matches(['/', ' ', '\t']).len();
+        }
+        let end = line.trim_end().len().max(from);
+        Span::new(block.span.start + from, block.span.start + end)
     }
 
     /// The labels of a definition's cycle.
@@ -161,6 +211,7 @@ impl<'a> Facts<'a> {
             }
             // A block that may be skipped may not happen.
             self.flow.jumps |= block.skip;
+            self.flow.skips |= block.skip;
             while self.definitions.get(next).is_some_and(|definition| definition.view.first == index) {
                 self.events.push(Event::Define(next));
                 next += 1;
@@ -175,43 +226,27 @@ impl<'a> Facts<'a> {
                     _ => {}
                 },
                 BlockKind::Unknown(_) => self.flow.opaque = true,
-                BlockKind::ToolCall(call) => {
-                    self.events.push(Event::Tool { axis: call.axis.is_some() });
-                }
-                BlockKind::Motion(motion) => self.functions(&motion.functions, None),
-                BlockKind::Functions(list) | BlockKind::Stop(list) => self.functions(list, None),
+                BlockKind::Motion(motion) => self.note(&motion.functions, None),
+                BlockKind::Functions(list) | BlockKind::Stop(list) => self.note(list, None),
                 BlockKind::CyclCall(call) => {
-                    self.functions(&call.functions, Some(call.head));
+                    self.note(&call.functions, Some(call.head));
                 }
                 _ => {}
             }
         }
     }
 
-    /// What M functions do: those at the start of the block, then the call, then those at its end.
-    fn functions(&mut self, list: &[MFunction], call: Option<Span>) {
+    /// The calls that a block makes.
+    fn note(&mut self, list: &[MFunction], call: Option<Span>) {
         let mut calls: Vec<Span> = call.into_iter().collect();
         for function in list {
-            match function.number {
-                3 | 4 | 13 | 14 => self.events.push(Event::SpindleOn),
-                89 => {
-                    self.flow.modal = true;
-                    calls.push(function.span);
-                }
-                99 => calls.push(function.span),
-                _ => {}
+            self.flow.modal |= function.number == 89;
+            if matches!(function.number, 89 | 99) {
+                calls.push(function.span);
             }
         }
         let alone = call.is_some();
         self.events.extend(calls.into_iter().map(|span| Event::Call { span, alone }));
-        for function in list {
-            match function.number {
-                0 | 2 | 5 | 6 | 30 => self.events.push(Event::SpindleOff),
-                1 | 3 | 4 | 8 | 9 | 13 | 14 | 89..=199 => {}
-                // What else an M function does is the machine builder's affair.
-                _ => self.events.push(Event::SpindleUnknown),
-            }
-        }
     }
 }
 
@@ -248,6 +283,7 @@ impl<'a> Definition<'a> {
                 value_span: parameter.value.span,
                 printed: if quoted { printed.to_owned() } else { printed.to_uppercase() },
                 value: Some(parameter.value),
+                number: None,
                 label: parameter.label,
                 refusal: None,
             });

@@ -100,6 +100,7 @@ fn item<'a>(
         },
         printed: printed.to_uppercase(),
         value: (words.len() == 1 && shape != Some(Shape::Axes)).then_some(first.value),
+        number: None,
         label,
         refusal: None,
     }

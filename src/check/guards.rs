@@ -1,11 +1,11 @@
 //! The guards of specifications, evaluated with what a program writes.
 //!
 //! Names are replaced by the formulas that they stand for until only numbers and Q parameters are
-//! left. Invariant: a guard that needs anything else (a parameter calculated, the tool, the machine)
-//! says nothing.
+//! left. Invariant: a guard that needs anything else (a parameter that is not certain, the tool, the machine)
+//! says nothing; of the state of the control it hears what is certain.
 use std::sync::Arc;
 
-use super::{Definition, Facts};
+use super::{Aspect, Definition, Facts};
 use crate::expr::{Code, Env, EvalError, Expr, Node, QRef, Resolve, Type, Value, compile};
 use crate::spec::{Cycle, Entries, Formula, Guard, OnControl, Param};
 use crate::syntax::ValueKind;
@@ -22,12 +22,16 @@ pub(super) struct Ready<'c> {
     pub(super) condition: Expr,
     /// The condition compiled; nothing if it needs more than parameters.
     code: Option<Code>,
+    /// Whether it asks for the state of the control.
+    asks_state: bool,
 }
 
 impl<'c> Ready<'c> {
     fn new(guard: &'c Guard, condition: Expr) -> Self {
         let code = compile(&condition, &OnlyParameters).ok();
-        Self { guard, condition, code }
+        let mut asks_state = false;
+        condition.walk(&mut |expr| asks_state |= matches!(&expr.node, Node::Name(path) if state(path).is_some()));
+        Self { guard, condition, code, asks_state }
     }
 }
 
@@ -89,21 +93,37 @@ fn replaced(expr: &Expr, names: &dyn Fn(&[String]) -> Option<Expr>, depth: usize
     Expr { node, span: expr.span }
 }
 
-/// The values that a definition writes as numbers or texts.
+/// The values that a definition writes as numbers or texts, and the state of the control as far as it is certain.
 #[derive(Default)]
 pub(super) struct Written {
     pub(super) numbers: Vec<(QRef, f64)>,
     pub(super) texts: Vec<(QRef, Arc<str>)>,
+    /// What guards ask about the state, in the order of [`STATES`].
+    states: [Option<Value>; STATES.len()],
 }
+
+/// What guards may ask about the state of the control, besides the parameters. The machine builder may have other ways
+/// into turning mode, and that a tool is missing is told by itself.
+const STATES: [(&str, Aspect); 6] = [
+    ("mirror", Aspect::Mirroring),
+    ("scaling", Aspect::Scaling),
+    ("axis_scaling", Aspect::AxisScaling),
+    ("rotation", Aspect::Rotation),
+    ("datum_shift", Aspect::DatumShift),
+    ("tilting", Aspect::Tilting),
+];
 
 impl Written {
     /// The values that are known: those written as numbers or texts, and those that this control lacks.
     pub(super) fn of(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle) -> Self {
-        let mut known = Self { numbers: cycle.lacking.clone(), texts: Vec::new() };
+        let modal = facts.run.before(definition.view.first);
+        let states = STATES.map(|(_, aspect)| Some(Value::Bool(modal?.is(aspect).known()?)));
+        let mut known = Self { numbers: cycle.lacking.clone(), texts: Vec::new(), states };
         for item in &definition.items {
             let (Some(q), Some(value)) = (item.param.and_then(read_as), item.value) else { continue };
             match value.kind {
                 ValueKind::Number(number) => known.numbers.push((q, number)),
+                ValueKind::Q { .. } => known.numbers.extend(item.number.map(|number| (q, number))),
                 ValueKind::Text(inside) => known.texts.push((q, facts.text(inside).into())),
                 _ => {}
             }
@@ -129,13 +149,35 @@ impl Written {
 
     /// Whether a guard's condition holds; nothing if that cannot be said.
     pub(super) fn holds(&self, ready: &Ready<'_>) -> Option<bool> {
-        ready.code.as_ref()?.truth(self).ok()
+        if let Some(code) = &ready.code {
+            return code.truth(self).ok();
+        }
+        if !ready.asks_state {
+            return None;
+        }
+        compile(&ready.condition, &WithState(self)).ok()?.truth(self).ok()
     }
 }
 
 /// The Q parameter under which the guards read a parameter or field.
 pub(super) fn read_as(param: &Param) -> Option<QRef> {
     param.q.or_else(|| param.field.as_ref().and_then(|field| field.stands_for))
+}
+
+/// Which state a name asks for.
+fn state(path: &[String]) -> Option<usize> {
+    let [first, second] = path else { return None };
+    STATES.iter().position(|(word, _)| first == "active" && word == second)
+}
+
+/// Names of what is certain about the state.
+struct WithState<'w>(&'w Written);
+
+impl Resolve for WithState<'_> {
+    fn name(&self, path: &[String]) -> Option<(usize, Type)> {
+        let at = state(path)?;
+        self.0.states.get(at)?.as_ref().map(|_| (at, Type::Bool))
+    }
 }
 
 struct OnlyParameters;
@@ -147,10 +189,10 @@ impl Resolve for OnlyParameters {
 }
 
 impl Env for Written {
-    fn slot(&self, _: usize) -> &Value {
-        // No name has a slot here, so nothing asks for one.
+    fn slot(&self, slot: usize) -> &Value {
+        // Only names of what is known have a slot.
         const NONE: &Value = &Value::Number(f64::NAN);
-        NONE
+        self.states.get(slot).and_then(Option::as_ref).unwrap_or(NONE)
     }
 
     fn number(&self, q: QRef) -> Result<f64, EvalError> {

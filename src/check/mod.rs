@@ -7,6 +7,7 @@ mod allow;
 mod config;
 mod facts;
 mod fields;
+mod flow;
 mod guards;
 mod labels;
 mod rules;
@@ -15,6 +16,7 @@ mod values;
 pub use allow::CODES as ALLOW_CODES;
 pub use config::{Config, Known, Settings};
 pub use facts::{Definition, Event, Facts, Flow, Item};
+pub use flow::{Aspect, CycleCall, Graph, Mark, Modal, Pending, Run, Tri, Use, Way};
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels};
 pub use rules::RULES;
 

@@ -1,6 +1,6 @@
 //! Why a parameter refuses what is written: found once, told by several rules.
 //!
-//! Parameters whose value is another parameter are never refused: it is known when the program runs.
+//! A value that is another parameter is refused only if its number is certain wherever the run comes from.
 use std::borrow::Cow;
 
 use super::{Facts, Item};
@@ -18,7 +18,11 @@ pub(super) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
             let takes_text = matches!(kind, ParameterKind::Text | ParameterKind::NumberOrName);
             return (!takes_text).then_some(Refusal::Kind);
         }
-        Some(ValueKind::Q { .. }) => return None,
+        Some(ValueKind::Q { .. }) => {
+            // What takes only a text or another parameter is not refused by a number that a parameter happens to have.
+            let number = item.number.filter(|_| !matches!(kind, ParameterKind::Text | ParameterKind::QNumber))?;
+            return number_refusal_in(param, number, if inch && param.is_measured() { MM_PER_INCH } else { 1.0 });
+        }
         Some(ValueKind::Text(_)) if kind == ParameterKind::Number => return Some(Refusal::Kind),
         Some(ValueKind::Number(_)) if kind == ParameterKind::Text && param.q.is_some() => return Some(Refusal::Kind),
         _ => {}
@@ -55,6 +59,14 @@ fn single_signed(printed: &str) -> Cow<'_, str> {
         .iter()
         .fold(printed.to_owned(), |text, (two, one)| text.replace(two, one))
         .into()
+}
+
+/// How messages show a value: what is written, with the number that it certainly has.
+pub(super) fn shown(item: &Item<'_>) -> String {
+    match item.number {
+        Some(number) => format!("{} ({number})", item.printed),
+        None => item.printed.clone(),
+    }
 }
 
 /// Runs through all values and the reasons to refuse them.

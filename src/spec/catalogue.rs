@@ -31,7 +31,7 @@ impl CycleKey {
 
     /// Whether the number is reserved for cycles of the machine builder.
     pub const fn is_builders(self) -> bool {
-        matches!((self.keyword, self.number), (Keyword::CyclDef, 300..=399 | 500..=599))
+        matches!((self.keyword, self.number), (Keyword::CyclDef, 300..=399) | (_, 500..=599))
     }
 }
 
@@ -215,6 +215,12 @@ impl OnControl {
     /// What the overviews of its manuals say of a cycle, described or not.
     pub fn named(&self, key: CycleKey) -> Option<&Named> {
         self.control.named.iter().find(|named| named.keyword == key.keyword && named.number == key.number)
+    }
+
+    /// Whether such controls have a cycle of that number although no manual here speaks of it.
+    pub fn has_elsewhere(&self, key: CycleKey) -> bool {
+        let mut others = self.control.others.iter();
+        others.any(|own| own.keyword == key.keyword && (own.from..=own.to).contains(&key.number))
     }
 
     /// The cycle of that name.

@@ -32,7 +32,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                     found.push(rule.at(facts, *span).arg("cycle", last.key.to_string()));
                 }
             }
-            _ => {}
         }
     }
 }

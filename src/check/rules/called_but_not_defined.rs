@@ -1,21 +1,18 @@
-//! A cycle call (CYCL CALL, M99, M89) with no cycle defined before it.
+//! A cycle call (CYCL CALL, M99, M89) with no cycle defined before it, on any way that the run can take.
 //!
-//! Where blocks are repeated, called or skipped, only a program that defines no cycle at all is
-//! objected to; where other programs are called, none: they may define one.
-use crate::check::{Event, Facts, Rule};
+//! Silent behind calls of other programs, which may define one, and in programs that name neither blank nor tool:
+//! others call them and may have defined the cycle.
+use crate::check::{Facts, Pending, Rule};
 use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "called-but-not-defined", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    if facts.flow.programs || (facts.flow.jumps && !facts.definitions.is_empty()) {
-        return;
-    }
-    for event in &facts.events {
-        match event {
-            Event::Define(_) => return,
-            Event::Call { span, .. } => found.push(rule.at(facts, *span)),
-            _ => {}
-        }
+    // A call of what must not be called is told by itself.
+    let told = !facts.flow.jumps && !facts.flow.programs;
+    let first = facts.definitions.first().map_or(usize::MAX, |definition| definition.view.first);
+    let calls = facts.run.calls.iter().filter(|call| call.modal.pending == Pending::None);
+    for call in calls.filter(|call| !(told && first < call.block)) {
+        found.push(rule.at(facts, call.span));
     }
 }

@@ -1,5 +1,5 @@
 //! A number that is none of the choices which the parameter offers.
-use crate::check::values::each_refused;
+use crate::check::values::{each_refused, shown};
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::Refusal;
@@ -11,7 +11,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if *refusal == Refusal::NotOffered {
             let offered: Vec<&str> = param.choices.iter().map(|choice| choice.value.as_str()).collect();
             let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref()).arg("cycle", cycle);
-            found.push(finding.arg("offered", offered.join(", ")).arg("value", item.printed.as_str()));
+            found.push(finding.arg("offered", offered.join(", ")).arg("value", shown(item)));
         }
     });
 }

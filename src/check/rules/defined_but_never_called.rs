@@ -1,9 +1,8 @@
-//! A cycle that acts when it is called, and is not called before the next one is defined.
+//! A cycle that acts when it is called, and is not called on any way that the run can take.
 //!
-//! A pattern behind it calls it. Where blocks are repeated, called or skipped, only a program without
-//! any call is objected to; where other programs are called, none: they may call it.
+//! A pattern behind it calls it. Silent in programs that call others, which may call it, and with M89.
 use super::call_of_def_active_cycle::calls_last;
-use crate::check::{Definition, Event, Facts, Rule};
+use crate::check::{Definition, Facts, Modal, Pending, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::{Known, TakesEffect};
 
@@ -13,30 +12,27 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if facts.flow.programs || facts.flow.modal {
         return;
     }
-    let calls = |event: &Event| match event {
-        Event::Call { .. } => true,
-        Event::Define(index) => facts.definitions.get(*index).is_some_and(calls_by_itself),
-        _ => false,
-    };
-    if facts.flow.jumps && facts.events.iter().any(calls) {
+    // The states in which something calls the last cycle.
+    let patterns = facts.definitions.iter().filter(|own| calls_by_itself(own));
+    let patterns = patterns.filter_map(|own| facts.run.before(own.view.first));
+    let calls: Vec<Modal> = facts.run.calls.iter().map(|call| call.modal).chain(patterns).collect();
+    if calls.iter().any(|modal| modal.pending == Pending::Unknown) {
         return;
     }
-    let mut waiting: Option<&Definition<'_>> = None;
-    let mut uncalled = Vec::new();
-    for event in &facts.events {
-        if calls(event) {
-            waiting = None;
-        } else if let Event::Define(index) = event
-            && let Some(definition) = facts.definitions.get(*index)
-            && definition.takes_effect() != Some(TakesEffect::OnDefinition)
+    let mut called = vec![false; facts.definitions.len()];
+    for modal in &calls {
+        if let Pending::Definition(index) = modal.pending
+            && let Some(called) = called.get_mut(index as usize)
         {
-            uncalled.extend(waiting.take());
-            // Of a cycle that is not described nobody knows when it acts.
-            waiting = Some(definition).filter(|definition| definition.takes_effect().is_some());
+            *called = true;
         }
     }
-    for definition in uncalled.into_iter().chain(waiting) {
-        found.push(rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string()));
+    for (definition, called) in facts.definitions.iter().zip(called) {
+        let waits = definition.takes_effect() == Some(TakesEffect::OnCall);
+        let reached = facts.run.before(definition.view.first).is_some();
+        if waits && reached && !called {
+            found.push(rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string()));
+        }
     }
 }
 

@@ -1,22 +1,53 @@
 //! The rules, one file each.
+mod arc_wrong;
+mod axis_twice;
+mod behind_end;
+mod blank_wrong;
+mod block_numbers;
 mod call_of_def_active_cycle;
 mod called_but_not_defined;
 mod choice_not_offered;
 mod clearance_height_too_low;
+mod compensation_at_cycle;
+mod compensation_left_on;
+mod contour_unnamed;
+mod cutting_without_tool;
 mod cycle_not_described;
 mod cycle_not_on_control;
 mod defined_but_never_called;
 mod duplicate_parameter;
+mod feed_missing;
+mod frame_mismatch;
 mod guard;
+mod label_duplicate;
 mod label_of_another_language;
 mod label_of_another_parameter;
+mod label_undefined;
+mod main_runs_into_subprogram;
+mod metric_values_in_inch;
 mod misordered_parameter;
 mod missing_parameter;
+mod not_a_program;
 mod out_of_range;
+mod parameter_unassigned;
+mod pattern_missing;
+mod plane_not_reset;
+mod pole_missing;
+mod program_begin_missing;
+mod program_calls_itself;
+mod program_end_missing;
+mod repeat_of_later_label;
+mod reserved_parameter;
+mod speed_missing;
 mod spindle_off;
+mod subprogram_recursive;
+mod subprogram_runs_on;
+mod subprogram_without_end;
 mod tool_missing;
+mod transfer_parameter_overwritten;
 mod unknown_cycle;
 mod unknown_parameter;
+mod unreachable;
 mod wrong_value_kind;
 
 use super::Rule;
@@ -24,23 +55,54 @@ use super::Rule;
 /// All rules, in the order of their codes. The findings of `guard` have the codes of the
 /// specifications' guards.
 pub const RULES: &[&Rule] = &[
+    &arc_wrong::RULE,
+    &axis_twice::RULE,
+    &behind_end::RULE,
+    &blank_wrong::RULE,
+    &block_numbers::RULE,
     &call_of_def_active_cycle::RULE,
     &called_but_not_defined::RULE,
     &choice_not_offered::RULE,
     &clearance_height_too_low::RULE,
+    &compensation_at_cycle::RULE,
+    &compensation_left_on::RULE,
+    &contour_unnamed::RULE,
+    &cutting_without_tool::RULE,
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
     &defined_but_never_called::RULE,
     &duplicate_parameter::RULE,
+    &feed_missing::RULE,
+    &frame_mismatch::RULE,
     &guard::RULE,
+    &label_duplicate::RULE,
     &label_of_another_language::RULE,
     &label_of_another_parameter::RULE,
+    &label_undefined::RULE,
+    &main_runs_into_subprogram::RULE,
+    &metric_values_in_inch::RULE,
     &misordered_parameter::RULE,
     &missing_parameter::RULE,
+    &not_a_program::RULE,
     &out_of_range::RULE,
+    &parameter_unassigned::RULE,
+    &pattern_missing::RULE,
+    &plane_not_reset::RULE,
+    &pole_missing::RULE,
+    &program_begin_missing::RULE,
+    &program_calls_itself::RULE,
+    &program_end_missing::RULE,
+    &repeat_of_later_label::RULE,
+    &reserved_parameter::RULE,
+    &speed_missing::RULE,
     &spindle_off::RULE,
+    &subprogram_recursive::RULE,
+    &subprogram_runs_on::RULE,
+    &subprogram_without_end::RULE,
     &tool_missing::RULE,
+    &transfer_parameter_overwritten::RULE,
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,
+    &unreachable::RULE,
     &wrong_value_kind::RULE,
 ];

@@ -2,7 +2,7 @@
 //!
 //! Silent where the manual prints no range. Ranges of lengths and feeds are in mm; in a program in inches the limit is
 //! told in inches.
-use crate::check::values::each_refused;
+use crate::check::values::{each_refused, shown};
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
 use crate::spec::{ParameterKind, Refusal};
@@ -19,6 +19,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             Refusal::Kind | Refusal::NotOffered => return,
         };
         let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref()).arg("cycle", cycle);
-        found.push(finding.arg("side", side).arg("limit", Arg::Number(limit)).arg("value", item.printed.as_str()));
+        found.push(finding.arg("side", side).arg("limit", Arg::Number(limit)).arg("value", shown(item)));
     });
 }

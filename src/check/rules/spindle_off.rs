@@ -1,41 +1,42 @@
-//! A machining cycle called while the spindle stands.
+//! A machining cycle called, or a movement with radius compensation, while the spindle certainly stands.
 //!
 //! Said once a program. The spindle stands at the beginning and behind M0, M2, M5, M6 and M30; behind a tool
-//! call and M functions of the machine builder nobody knows. Where blocks are repeated, called or
-//! skipped, only a program that never turns the spindle on is objected to.
-use crate::check::{Event, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::spec::{Cycle, Group, Known, TakesEffect};
+//! call and M functions of the machine builder nobody knows.
+use crate::check::{Aspect, Facts, Pending, Rule, Tri};
+use crate::diag::{Diagnostic, Severity, Span};
+use crate::spec::{Cycle, Group, Known};
+use crate::syntax::{BlockKind, Compensation};
 
 pub(super) const RULE: Rule = Rule { code: "spindle-off", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let turns = |event: &Event| matches!(event, Event::SpindleOn | Event::SpindleUnknown);
-    let uncertain = facts.flow.jumps && facts.events.iter().any(turns);
-    if facts.flow.programs || facts.flow.opaque || uncertain {
-        return;
+    let calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Spindle) == Tri::No).filter(|call| {
+        let Pending::Definition(index) = call.modal.pending else { return false };
+        let definition = facts.definitions.get(index as usize);
+        definition.is_some_and(|own| matches!(own.known, Known::Described(cycle) if removes_material(cycle)))
+    });
+    let first = calls.map(|call| call.span).chain(contour(facts)).min_by_key(|span| span.start);
+    if let Some(span) = first {
+        found.push(rule.at(facts, span));
     }
-    // Nothing: nobody knows whether it turns.
-    let (mut on, mut machining) = (Some(false), false);
-    for event in &facts.events {
-        match event {
-            Event::SpindleOn => on = Some(true),
-            Event::SpindleOff => on = Some(false),
-            Event::SpindleUnknown => on = None,
-            Event::Tool { .. } if on == Some(true) => on = None,
-            Event::Define(index) => {
-                let Some(definition) = facts.definitions.get(*index) else { continue };
-                if definition.takes_effect() != Some(TakesEffect::OnDefinition) {
-                    machining = matches!(definition.known, Known::Described(cycle) if removes_material(cycle));
-                }
+}
+
+/// The first movement that begins a compensation while the spindle stands.
+fn contour(facts: &Facts<'_>) -> Option<Span> {
+    for (from, to, modal) in facts.run.stretches() {
+        if modal.is_none_or(|modal| modal.is(Aspect::Spindle) != Tri::No || modal.is(Aspect::Tool) != Tri::Yes) {
+            continue;
+        }
+        for block in facts.program.blocks().get(from..to).unwrap_or_default() {
+            let BlockKind::Motion(motion) = &block.kind else { continue };
+            let compensated = matches!(motion.compensation, Some(Compensation::Rl | Compensation::Rr));
+            // M functions of the machine builder may turn it on.
+            if compensated && !motion.coords.is_empty() && motion.functions.is_empty() {
+                return Some(facts.content(block));
             }
-            Event::Call { span, .. } if machining && on == Some(false) => {
-                found.push(rule.at(facts, *span));
-                return;
-            }
-            _ => {}
         }
     }
+    None
 }
 
 fn removes_material(cycle: &Cycle) -> bool {

@@ -1,35 +1,20 @@
-//! A cycle that moves before any tool call has named the tool axis.
+//! A cycle that moves before any tool call has named the tool axis, on any way that the run can take.
 //!
-//! Said once a program. Where blocks are repeated, called or skipped, only a program without any such
-//! tool call is objected to; where other programs are called or blocks are not analysed (turning has
-//! no tool axis), none.
-use crate::check::{Event, Facts, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
+//! Said once a program. Silent behind calls of other programs and blocks that are not analysed (turning has no tool
+//! axis), and in programs that name neither blank nor tool: others call them.
+use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::diag::{Diagnostic, Severity};
 use crate::spec::Keyword;
 
 pub(super) const RULE: Rule = Rule { code: "tool-missing", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let called = |event: &Event| *event == Event::Tool { axis: true };
-    let uncertain = facts.flow.jumps && facts.events.iter().any(called);
-    if facts.flow.programs || facts.flow.opaque || uncertain {
-        return;
-    }
-    let first =
-        facts.events.iter().find_map(|event| if called(event) { Some(None) } else { moves(facts, event).map(Some) });
-    if let Some(Some(span)) = first {
+    let missing = |modal: crate::check::Modal| modal.is(Aspect::Tool) == Tri::No;
+    let calls = facts.run.calls.iter().filter(|call| missing(call.modal) && !facts.definitions.is_empty());
+    let probes = facts.definitions.iter().filter(|own| own.key.keyword == Keyword::TchProbe);
+    let probes = probes.filter(|own| facts.run.before(own.view.first).is_some_and(missing)).map(|own| own.view.head);
+    let first = calls.map(|call| call.span).chain(probes).min_by_key(|span| span.start);
+    if let Some(span) = first {
         found.push(rule.at(facts, span));
-    }
-}
-
-/// The place of a cycle that moves the tool: one that is called, or a touch-probe cycle.
-fn moves(facts: &Facts<'_>, event: &Event) -> Option<Span> {
-    match event {
-        Event::Call { span, .. } if !facts.definitions.is_empty() => Some(*span),
-        Event::Define(index) => {
-            let definition = facts.definitions.get(*index)?;
-            (definition.key.keyword == Keyword::TchProbe).then_some(definition.view.head)
-        }
-        _ => None,
     }
 }

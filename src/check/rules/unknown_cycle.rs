@@ -1,4 +1,5 @@
-//! A cycle that no control of the specifications knows, and that is not the machine builder's.
+//! A cycle that no control of the specifications knows, that is not the machine builder's, and that is none of those
+//! which the profile of the control knows from other manuals.
 use super::cycle_not_on_control::elsewhere;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
@@ -8,7 +9,8 @@ pub(super) const RULE: Rule = Rule { code: "unknown-cycle", severity: Severity::
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in &facts.definitions {
-        if matches!(definition.known, Known::Unknown) && elsewhere(facts, definition.key).is_empty() {
+        let unknown = matches!(definition.known, Known::Unknown) && !facts.against.on.has_elsewhere(definition.key);
+        if unknown && elsewhere(facts, definition.key).is_empty() {
             found.push(rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string()));
         }
     }

@@ -1,0 +1,282 @@
+//! The ways that a run can take: where blocks begin that something leads to, and where it leads.
+//!
+//! Invariant: nothing is executed here; labels that parameters choose may be any label.
+use std::collections::BTreeMap;
+
+use crate::check::Definition;
+use crate::diag::Span;
+use crate::spec::ParameterKind;
+use crate::syntax::{Amount, Block, BlockKind, Label, LabelRef, MFunction, Program, ValueKind};
+
+/// Which label: a number or a name.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Mark {
+    /// Its number.
+    Number(u16),
+    /// Its name.
+    Name(String),
+}
+
+impl std::fmt::Display for Mark {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Name(name) => write!(f, "\"{name}\""),
+        }
+    }
+}
+
+/// How something leads to a label.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// A subprogram is called.
+    Call,
+    /// A part is repeated.
+    Repeat,
+    /// A jump.
+    Jump,
+    /// A cycle reads the contour there, or something else names the label.
+    Named,
+}
+
+/// Something that leads to a label.
+#[derive(Clone, Debug)]
+pub struct Use {
+    /// The block.
+    pub block: usize,
+    /// Where the label is named.
+    pub span: Span,
+    /// The label; nothing if a parameter chooses it.
+    pub mark: Option<Mark>,
+    /// How.
+    pub way: Way,
+}
+
+/// What a block does to the way of the run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    /// The next block follows.
+    Next,
+    /// LBL 0.
+    Return,
+    /// M2, M30, END PGM.
+    Stop,
+    /// The use of that index.
+    Use(usize),
+}
+
+/// Labels of a program and what leads to them.
+#[derive(Debug, Default)]
+pub struct Graph {
+    /// The blocks that set a label, label 0 left out, in the order of the text.
+    pub labels: BTreeMap<Mark, Vec<usize>>,
+    /// What leads to labels, in the order of the text.
+    pub uses: Vec<Use>,
+    /// The first block of each run of blocks that nothing leads out of or into.
+    pub(super) leaders: Vec<usize>,
+    /// How many blocks there are.
+    pub(super) blocks: usize,
+}
+
+impl Graph {
+    pub(super) fn of(program: &Program, definitions: &[Definition<'_>]) -> Self {
+        let mut graph = Self { leaders: vec![0], blocks: program.blocks().len(), ..Self::default() };
+        let mut lists = contour_labels(program, definitions);
+        for (index, block) in program.blocks().iter().enumerate() {
+            for (span, mark) in lists.remove(&index).into_iter().flatten() {
+                graph.uses.push(Use { block: index, span, mark: Some(mark), way: Way::Named });
+            }
+            match &block.kind {
+                BlockKind::Lbl(label) => {
+                    match mark_of(program, label) {
+                        Some(Mark::Number(0)) => graph.lead(index + 1),
+                        Some(mark) => {
+                            graph.labels.entry(mark).or_default().push(index);
+                            graph.lead(index);
+                        }
+                        None => {}
+                    }
+                }
+                BlockKind::CallLbl(call) => {
+                    // A part that is repeated no times is none that is called.
+                    let way = if call.repeat.is_some() { Way::Repeat } else { Way::Call };
+                    graph.leads(program, index, &call.label, way);
+                }
+                BlockKind::FnJump(jump) => graph.leads(program, index, &jump.label, Way::Jump),
+                BlockKind::Statement(statement) => {
+                    for word in &statement.words {
+                        if program.slice(word.name).eq_ignore_ascii_case("LBL") {
+                            let mark = match word.value.kind {
+                                ValueKind::Number(number) if (0.0..65536.0).contains(&number) => {
+                                    Some(Mark::Number(number as u16))
+                                }
+                                ValueKind::Text(name) => Some(Mark::Name(program.slice(name).to_owned())),
+                                _ => None,
+                            };
+                            graph.uses.push(Use { block: index, span: word.span, mark, way: Way::Named });
+                        }
+                    }
+                }
+                _ if stops(block) => graph.lead(index + 1),
+                _ => {}
+            }
+        }
+        graph
+    }
+
+    fn lead(&mut self, index: usize) {
+        if self.leaders.last() != Some(&index) && index < self.blocks {
+            self.leaders.push(index);
+        }
+    }
+
+    fn leads(&mut self, program: &Program, index: usize, label: &LabelRef, way: Way) {
+        self.uses.push(Use { block: index, span: label.span, mark: mark_of(program, label), way });
+        self.lead(index + 1);
+    }
+
+    /// What the block does to the way.
+    pub(super) fn end(&self, index: usize, block: &Block) -> End {
+        match &block.kind {
+            BlockKind::Lbl(label) if label.target == Label::Number(0) => End::Return,
+            BlockKind::CallLbl(_) | BlockKind::FnJump(_) => {
+                let at = self.uses.partition_point(|own| own.block < index);
+                match self.uses.get(at) {
+                    Some(own) if own.block == index => End::Use(at),
+                    _ => End::Next,
+                }
+            }
+            _ if stops(block) => End::Stop,
+            _ => End::Next,
+        }
+    }
+
+    /// The block after the last one of the run of blocks that begins there.
+    pub(super) fn run_end(&self, run: usize) -> usize {
+        self.leaders.get(run + 1).copied().unwrap_or(self.blocks)
+    }
+
+    /// The run of blocks that holds a block.
+    pub(super) fn run_of(&self, block: usize) -> usize {
+        self.leaders.partition_point(|leader| *leader <= block).saturating_sub(1)
+    }
+
+    /// The block of a label, if it is set once.
+    pub fn block_of(&self, mark: &Mark) -> Option<usize> {
+        match self.labels.get(mark)?.as_slice() {
+            [only] => Some(*only),
+            _ => None,
+        }
+    }
+}
+
+/// Whether the program ends with the block.
+pub(in crate::check) fn stops(block: &Block) -> bool {
+    let ends = |list: &[MFunction]| list.iter().any(|function| matches!(function.number, 2 | 30));
+    match &block.kind {
+        BlockKind::EndPgm(_) => true,
+        BlockKind::Motion(motion) => ends(&motion.functions),
+        BlockKind::Functions(list) | BlockKind::Stop(list) => ends(list),
+        BlockKind::CyclCall(call) => ends(&call.functions),
+        _ => false,
+    }
+}
+
+/// Which label is named; nothing if a parameter chooses it.
+pub(super) fn mark_of(program: &Program, label: &LabelRef) -> Option<Mark> {
+    match label.target {
+        Label::Number(number) => Some(Mark::Number(number)),
+        Label::Name(name) => Some(Mark::Name(program.slice(name).to_owned())),
+        Label::Q(_) => None,
+    }
+}
+
+/// The labels that definitions list, by the last block of each definition.
+fn contour_labels(program: &Program, definitions: &[Definition<'_>]) -> BTreeMap<usize, Vec<(Span, Mark)>> {
+    let mut all: BTreeMap<usize, Vec<(Span, Mark)>> = BTreeMap::new();
+    for definition in definitions {
+        for item in &definition.items {
+            if item.param.is_none_or(|param| param.kind != ParameterKind::LabelList) {
+                continue;
+            }
+            let printed = program.slice(item.value_span);
+            let mut at = item.value_span.start;
+            for part in printed.split('/') {
+                let name = part.trim();
+                let from = at + (part.len() - part.trim_start().len());
+                at += part.len() + 1;
+                if let Ok(number) = name.parse() {
+                    let place = Span::new(from, from + name.len());
+                    all.entry(definition.view.last).or_default().push((place, Mark::Number(number)));
+                }
+            }
+        }
+    }
+    all
+}
+
+/// The parameters that a block reads, with their places.
+pub(super) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef, Span)>) {
+    let operand = |operand: &crate::syntax::Operand, found: &mut Vec<_>| {
+        if let Amount::Q { q, .. } = operand.amount {
+            found.push((q, operand.span));
+        }
+    };
+    match &block.kind {
+        BlockKind::Motion(motion) => {
+            motion.coords.iter().for_each(|coord| operand(&coord.value, found));
+            motion.radius.iter().for_each(|radius| operand(radius, found));
+            motion.feed.iter().for_each(|feed| feed_reads(feed, found));
+        }
+        BlockKind::CyclCall(call) => {
+            if let crate::syntax::CallForm::Position(coords) = &call.form {
+                coords.iter().for_each(|coord| operand(&coord.value, found));
+            }
+        }
+        BlockKind::FnAssign(assign) => {
+            operand(&assign.a, found);
+            assign.b.iter().for_each(|b| operand(b, found));
+        }
+        BlockKind::FnJump(jump) if !matches!(jump.relation, crate::syntax::Relation::Undefined | crate::syntax::Relation::Defined) => {
+            operand(&jump.a, found);
+            operand(&jump.b, found);
+        }
+        BlockKind::Formula(formula) => {
+            formula.expr.walk(&mut |expr| {
+                if let crate::expr::Node::Q(q) = expr.node {
+                    let start = formula.text.start;
+                    found.push((q, Span::new(start + expr.span.start, start + expr.span.end)));
+                }
+            });
+        }
+        BlockKind::ToolCall(call) => {
+            [&call.speed, &call.cutting_speed, &call.dl, &call.dr].into_iter().flatten().for_each(|own| operand(own, found));
+            call.feed.iter().for_each(|feed| feed_reads(feed, found));
+        }
+        BlockKind::CycleDef(cycle) => {
+            for parameter in &cycle.parameters {
+                if let ValueKind::Q { q, .. } = parameter.value.kind {
+                    found.push((q, parameter.value.span));
+                }
+            }
+        }
+        BlockKind::OldCycleLine(line) if line.keyword == crate::syntax::CycleKeyword::CyclDef => {
+            for word in &line.words {
+                if let ValueKind::Q { q, .. } = word.value.kind {
+                    found.push((q, word.value.span));
+                }
+            }
+        }
+        BlockKind::CallLbl(call) => call.repeat.iter().for_each(|repeat| operand(repeat, found)),
+        _ => {}
+    }
+}
+
+fn feed_reads(feed: &crate::syntax::Feed, found: &mut Vec<(crate::expr::QRef, Span)>) {
+    use crate::syntax::FeedKind;
+    if let FeedKind::Value(operand) | FeedKind::PerRevolution(operand) | FeedKind::PerTooth(operand) = &feed.kind
+        && let Amount::Q { q, .. } = operand.amount
+    {
+        found.push((q, operand.span));
+    }
+}

@@ -1,0 +1,497 @@
+//! What can be known of a program's run without running it: an abstract interpretation over its labels, calls,
+//! repeats and jumps.
+//!
+//! Every way that the run can take is followed with what is certain on it; where ways meet, what differs is
+//! unknown. Invariant: certain means certain on every way. A program that takes too long to follow is one of
+//! which nothing is known.
+mod effect;
+mod graph;
+mod state;
+mod step;
+
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+
+pub use graph::{Graph, Mark, Use, Way};
+pub(super) use graph::stops;
+use state::Known;
+pub use state::{Aspect, Modal, Pending, Tri};
+
+use super::Definition;
+use crate::diag::Span;
+use crate::expr::QRef;
+use crate::syntax::{BlockKind, MFunction, Program};
+use effect::Effect;
+use graph::{End, reads};
+use state::{State, Touched};
+use step::Steps;
+
+/// How often a block may be looked at on average.
+const PATIENCE: usize = 48;
+
+/// A call of a cycle.
+#[derive(Clone, Copy, Debug)]
+pub struct CycleCall {
+    /// Its place.
+    pub span: Span,
+    /// The block.
+    pub block: usize,
+    /// The state in which it happens.
+    pub modal: Modal,
+}
+
+/// What is known of the run.
+#[derive(Debug, Default)]
+pub struct Run {
+    /// Labels and what leads to them.
+    pub graph: Graph,
+    /// The blocks from which on another state holds before each block; nothing where the run never comes.
+    changes: Vec<(usize, Option<Modal>)>,
+    /// The calls of cycles that the run can come to.
+    pub calls: Vec<CycleCall>,
+    /// Parameters that are read and have no value on any way, with their places.
+    pub unset: Vec<(QRef, Span)>,
+    /// Numbers of the parameters that definitions read, by the place of the value.
+    numbers: BTreeMap<usize, f64>,
+    /// Where the program ends, with the state there.
+    pub ends: Vec<(usize, Modal)>,
+    /// The blocks behind a label, a call or a jump that the main part comes to, without being called.
+    pub main: BTreeSet<usize>,
+    /// What is called: the block of its label, where it returns, and the calls in it.
+    parts: BTreeMap<usize, Outline>,
+}
+
+/// A part that is called.
+#[derive(Debug, Default)]
+struct Outline {
+    returns: bool,
+    /// Whether it comes to M2 or M30.
+    stops: bool,
+    /// The uses of labels in it that are calls.
+    calls: Vec<usize>,
+}
+
+impl Run {
+    /// Follows a program.
+    pub(super) fn of(program: &Program, definitions: &[Definition<'_>]) -> Self {
+        let effects = definitions.iter().map(|own| (own.view.first, Effect::of(own))).collect();
+        let steps = Steps { program, effects };
+        let graph = Graph::of(program, definitions);
+        let mut walk = Walk::new(&steps, graph);
+        walk.start(program);
+        let finished = walk.follow();
+        walk.result(finished)
+    }
+
+    /// The state before a block; nothing if the run never comes there.
+    pub fn before(&self, block: usize) -> Option<Modal> {
+        let at = self.changes.partition_point(|(from, _)| *from <= block);
+        self.changes.get(at.checked_sub(1)?)?.1
+    }
+
+    /// Stretches of blocks with the same state before each: first block, the block behind the last one, state.
+    pub fn stretches(&self) -> impl Iterator<Item = (usize, usize, Option<Modal>)> {
+        let ends = self.changes.iter().skip(1).map(|(from, _)| *from).chain([self.graph.blocks]);
+        self.changes.iter().zip(ends).map(|((from, modal), end)| (*from, end, *modal))
+    }
+
+    /// The calls, by index of use, by which a subprogram calls itself, be it through others.
+    pub fn recursive_calls(&self) -> impl Iterator<Item = usize> {
+        let target = |call: usize| self.graph.block_of(self.graph.uses.get(call)?.mark.as_ref()?);
+        let returns_to = move |from: usize, to: usize| {
+            let (mut seen, mut open) = (BTreeSet::from([from]), vec![from]);
+            while let Some(part) = open.pop() {
+                if part == to {
+                    return true;
+                }
+                let calls = self.parts.get(&part).map_or(&[] as &[usize], |own| &own.calls);
+                open.extend(calls.iter().filter_map(|call| target(*call)).filter(|next| seen.insert(*next)));
+            }
+            false
+        };
+        let calls = self.parts.iter().flat_map(|(part, own)| own.calls.iter().map(move |call| (*part, *call)));
+        let found: BTreeSet<usize> = calls
+            .filter(|(part, call)| target(*call).is_some_and(|to| returns_to(to, *part)))
+            .map(|(_, call)| call)
+            .collect();
+        found.into_iter()
+    }
+
+    /// Called labels from which the run comes to the end of the program and never to LBL 0, with their blocks.
+    pub fn endless_parts(&self) -> Vec<(Mark, usize)> {
+        let endless = |block: &usize| self.parts.get(block).is_some_and(|own| !own.returns && !own.stops);
+        let marks = self.graph.labels.iter().filter_map(|(mark, blocks)| match blocks.as_slice() {
+            [only] => Some((mark.clone(), *only)),
+            _ => None,
+        });
+        marks.filter(|(_, block)| endless(block)).collect()
+    }
+
+    /// The number of a parameter that a definition reads there.
+    pub fn number_at(&self, place: Span) -> Option<f64> {
+        self.numbers.get(&place.start).copied()
+    }
+}
+
+/// The main part of a program, and what is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Level {
+    Main,
+    Called,
+}
+
+type Node = (usize, Level);
+
+struct Walk<'w, 'p> {
+    steps: &'w Steps<'p>,
+    graph: Graph,
+    entries: BTreeMap<Node, State>,
+    /// What each called label may change, and where it returns.
+    parts: BTreeMap<usize, Part>,
+    /// States at the blocks LBL 0 of called parts.
+    exits: BTreeMap<usize, State>,
+    waiting: VecDeque<Node>,
+    queued: BTreeSet<Node>,
+}
+
+/// A part that is called, by the run of blocks where it begins.
+#[derive(Debug, Default)]
+struct Part {
+    outline: Outline,
+    touched: Touched,
+    returns: BTreeSet<usize>,
+    /// Who waits for its end.
+    callers: BTreeSet<Node>,
+}
+
+impl<'w, 'p> Walk<'w, 'p> {
+    fn new(steps: &'w Steps<'p>, graph: Graph) -> Self {
+        Self {
+            steps,
+            graph,
+            entries: BTreeMap::new(),
+            parts: BTreeMap::new(),
+            exits: BTreeMap::new(),
+            waiting: VecDeque::new(),
+            queued: BTreeSet::new(),
+        }
+    }
+
+    fn start(&mut self, program: &Program) {
+        if program.blocks().is_empty() {
+            return;
+        }
+        self.parts();
+        let (main, blank) = kind(program);
+        let state = State::begin(main, blank);
+        self.enter((0, Level::Main), &state);
+        // Contours that cycles read, and labels that a parameter chooses, are come to from anywhere.
+        let named = |own: &&Use| own.way == Way::Named;
+        let outside: Vec<usize> =
+            self.graph.uses.iter().filter(named).filter_map(|own| self.graph.block_of(own.mark.as_ref()?)).collect();
+        let chosen = |way: Way| self.graph.uses.iter().any(|own| own.mark.is_none() && own.way == way);
+        let (called, jumped) = (chosen(Way::Call), chosen(Way::Jump) || chosen(Way::Repeat));
+        let mut nodes: Vec<Node> = outside.iter().map(|block| (*block, Level::Called)).collect();
+        for block in self.graph.labels.values().flatten() {
+            nodes.extend((called || jumped).then_some((*block, Level::Called)));
+            nodes.extend(jumped.then_some((*block, Level::Main)));
+        }
+        for (block, level) in nodes {
+            self.enter((self.graph.run_of(block), level), &State::unknown());
+        }
+    }
+
+    /// Joins a state into what is known at a node.
+    fn enter(&mut self, node: Node, state: &State) {
+        if node.0 >= self.graph.leaders.len() {
+            return;
+        }
+        let joined = match self.entries.get(&node) {
+            Some(known) => known.join(state),
+            None => state.clone(),
+        };
+        if self.entries.get(&node) != Some(&joined) {
+            self.entries.insert(node, joined);
+            self.queue(node);
+        }
+    }
+
+    fn queue(&mut self, node: Node) {
+        if self.queued.insert(node) {
+            self.waiting.push_back(node);
+        }
+    }
+
+    /// Follows until nothing changes; false if that takes too long.
+    fn follow(&mut self) -> bool {
+        let mut budget = self.graph.blocks.saturating_mul(PATIENCE).saturating_add(100_000);
+        while let Some(node) = self.waiting.pop_front() {
+            self.queued.remove(&node);
+            let cost = self.graph.run_end(node.0) - self.graph.leaders.get(node.0).copied().unwrap_or(0);
+            let Some(rest) = budget.checked_sub(cost + 1) else { return false };
+            budget = rest;
+            self.advance(node);
+        }
+        true
+    }
+
+    fn advance(&mut self, (run, level): Node) {
+        let Some(mut state) = self.entries.get(&(run, level)).cloned() else { return };
+        let blocks = self.steps.program.blocks();
+        let (first, end) = (self.graph.leaders.get(run).copied().unwrap_or(0), self.graph.run_end(run));
+        for index in first..end {
+            let Some(block) = blocks.get(index) else { break };
+            self.steps.step(index, block, &mut state);
+            let last = index + 1 == end;
+            match self.graph.end(index, block) {
+                End::Stop if !block.skip => return,
+                End::Return if level == Level::Called => {
+                    let joined = self.exits.get(&index).map_or_else(|| state.clone(), |known| known.join(&state));
+                    if self.exits.get(&index) != Some(&joined) {
+                        self.exits.insert(index, joined);
+                        let callers: Vec<Node> = self
+                            .parts
+                            .values()
+                            .filter(|part| part.returns.contains(&index))
+                            .flat_map(|part| part.callers.iter().copied())
+                            .collect();
+                        callers.into_iter().for_each(|caller| self.queue(caller));
+                    }
+                    if !block.skip {
+                        return;
+                    }
+                }
+                End::Use(at) => self.lead_on((run, level), at, &state, block.skip),
+                _ => {}
+            }
+            if last && !matches!(self.graph.end(index, block), End::Use(_)) {
+                self.enter((run + 1, level), &state);
+            }
+        }
+    }
+
+    /// Goes where a call, a repeat or a jump leads.
+    fn lead_on(&mut self, (run, level): Node, at: usize, state: &State, skip: bool) {
+        let Some(own) = self.graph.uses.get(at).cloned() else { return };
+        let target = own.mark.as_ref().and_then(|mark| self.graph.block_of(mark));
+        let Some(target) = target.map(|block| self.graph.run_of(block)) else {
+            // It leads nobody knows where, or nowhere.
+            self.enter((run + 1, level), &State::unknown());
+            return;
+        };
+        match own.way {
+            Way::Call => {
+                self.enter((target, Level::Called), state);
+                let part = self.parts.entry(target).or_default();
+                part.callers.insert((run, level));
+                let exits: Vec<&State> = part.returns.iter().filter_map(|exit| self.exits.get(exit)).collect();
+                let joined = exits.split_first().map(|(first, rest)| rest.iter().fold((*first).clone(), |all, own| all.join(own)));
+                let behind = joined.map(|exit| State::behind(state, &exit, &part.touched));
+                if let Some(behind) = behind {
+                    self.enter((run + 1, level), &behind);
+                }
+                if skip {
+                    self.enter((run + 1, level), state);
+                }
+            }
+            _ => {
+                self.enter((target, level), state);
+                self.enter((run + 1, level), state);
+            }
+        }
+    }
+
+    /// Finds out what called parts may change and where they return.
+    fn parts(&mut self) {
+        let called: BTreeSet<usize> = self
+            .graph
+            .uses
+            .iter()
+            .filter(|own| own.way == Way::Call)
+            .filter_map(|own| self.graph.block_of(own.mark.as_ref()?))
+            .map(|block| self.graph.run_of(block))
+            .collect();
+        let mut calls: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
+        let mut patience = self.graph.blocks.saturating_mul(PATIENCE).saturating_add(100_000);
+        for start in called {
+            let mut part = Part::default();
+            let mut inner = BTreeSet::new();
+            let (mut seen, mut open) = (BTreeSet::from([start]), vec![start]);
+            while let Some(run) = open.pop() {
+                patience = patience.saturating_sub(self.graph.run_end(run) - self.graph.leaders[run]);
+                if patience == 0 {
+                    part.touched = Touched::everything();
+                }
+                let mut follow = |run: usize| {
+                    if run < self.graph.leaders.len() && seen.insert(run) {
+                        open.push(run);
+                    }
+                };
+                self.within(run, &mut part, &mut inner, &mut follow, patience > 0);
+            }
+            calls.insert(start, inner);
+            self.parts.insert(start, part);
+        }
+        // What a part calls changes what it changes.
+        let mut changed = true;
+        while changed {
+            changed = false;
+            for (start, inner) in &calls {
+                for callee in inner {
+                    let add = self.parts.get(callee).map(|part| part.touched.clone()).unwrap_or_default();
+                    if let Some(part) = self.parts.get_mut(start) {
+                        changed |= part.touched.add(&add);
+                    }
+                }
+            }
+        }
+    }
+
+    /// One run of blocks of a part: what it changes, what it calls, and where it goes on.
+    fn within(
+        &self,
+        run: usize,
+        part: &mut Part,
+        inner: &mut BTreeSet<usize>,
+        follow: &mut dyn FnMut(usize),
+        probe: bool,
+    ) {
+        let blocks = self.steps.program.blocks();
+        for index in self.graph.leaders[run]..self.graph.run_end(run) {
+            let Some(block) = blocks.get(index) else { return };
+            if probe {
+                let before = Touched::probes();
+                let mut after = before.clone();
+                after.iter_mut().for_each(|state| self.steps.step(index, block, state));
+                part.touched.note(&before, &after);
+            }
+            match self.graph.end(index, block) {
+                End::Stop => {
+                    part.outline.stops |= !matches!(block.kind, BlockKind::EndPgm(_));
+                    if !block.skip {
+                        return;
+                    }
+                }
+                End::Return => {
+                    part.outline.returns = true;
+                    part.returns.insert(index);
+                    if !block.skip {
+                        return;
+                    }
+                }
+                End::Use(at) => {
+                    let Some(own) = self.graph.uses.get(at) else { continue };
+                    match own.mark.as_ref().and_then(|mark| self.graph.block_of(mark)) {
+                        None => part.touched = Touched::everything(),
+                        Some(target) if own.way == Way::Call => {
+                            part.outline.calls.push(at);
+                            inner.insert(self.graph.run_of(target));
+                        }
+                        Some(target) => follow(self.graph.run_of(target)),
+                    }
+                }
+                _ => {}
+            }
+        }
+        follow(run + 1);
+    }
+
+    /// Walks once more through everything that was reached and notes what the rules ask for.
+    fn result(self, finished: bool) -> Run {
+        let mut run = Run::default();
+        if !finished {
+            run.changes.push((0, Some(Modal::UNKNOWN)));
+            run.graph = self.graph;
+            return run;
+        }
+        for (start, part) in self.parts {
+            if let Some(block) = self.graph.leaders.get(start) {
+                run.parts.insert(*block, part.outline);
+            }
+        }
+        let blocks = self.steps.program.blocks();
+        let mut read = Vec::new();
+        for (at, first) in self.graph.leaders.iter().enumerate() {
+            let mut states: Vec<State> =
+                [Level::Main, Level::Called].iter().filter_map(|level| self.entries.get(&(at, *level)).cloned()).collect();
+            if self.entries.contains_key(&(at, Level::Main)) {
+                run.main.insert(*first);
+            }
+            let mut stopped = false;
+            for index in *first..self.graph.run_end(at) {
+                let Some(block) = blocks.get(index) else { break };
+                if stopped {
+                    states.clear();
+                }
+                let modal = states.iter().map(|state| state.modal).reduce(|one, other| one.join(&other));
+                if run.changes.last().is_none_or(|(_, last)| *last != modal) {
+                    run.changes.push((index, modal));
+                }
+                if states.is_empty() {
+                    continue;
+                }
+                read.clear();
+                reads(block, &mut read);
+                for (q, span) in &read {
+                    let known: Vec<Known> = states.iter().map(|state| state.get(*q)).collect();
+                    match known.as_slice() {
+                        all if all.iter().all(|known| *known == Known::Unset) => run.unset.push((*q, *span)),
+                        [Known::Number(number)] => {
+                            run.numbers.insert(span.start, *number);
+                        }
+                        [Known::Number(one), Known::Number(other)] if one == other => {
+                            run.numbers.insert(span.start, *one);
+                        }
+                        _ => {}
+                    }
+                }
+                let mut calls = Vec::new();
+                calls_in(&block.kind, &mut calls);
+                if !calls.is_empty() {
+                    let modal = states.iter().map(|state| self.steps.at_call(block, state).modal).reduce(|one, other| one.join(&other));
+                    let modal = modal.unwrap_or(Modal::UNKNOWN);
+                    run.calls.extend(calls.into_iter().map(|span| CycleCall { span, block: index, modal }));
+                }
+                states.iter_mut().for_each(|state| self.steps.step(index, block, state));
+                stopped = stops(block) && !block.skip;
+                if stops(block)
+                    && let Some(modal) = states.iter().map(|state| state.modal).reduce(|one, other| one.join(&other))
+                {
+                    run.ends.push((index, modal));
+                }
+            }
+        }
+        run.graph = self.graph;
+        run
+    }
+}
+
+/// The places where a block calls a cycle.
+fn calls_in(kind: &BlockKind, found: &mut Vec<Span>) {
+    let list: &[MFunction] = match kind {
+        BlockKind::Motion(motion) => &motion.functions,
+        BlockKind::Functions(list) | BlockKind::Stop(list) => list,
+        BlockKind::CyclCall(call) => {
+            found.push(call.head);
+            &call.functions
+        }
+        _ => return,
+    };
+    found.extend(list.iter().filter(|function| matches!(function.number, 89 | 99)).map(|function| function.span));
+}
+
+/// Whether a program is one that is started, not one that others call: it names its blank or its tools or ends with
+/// M2 or M30; and whether it names its blank.
+fn kind(program: &Program) -> (bool, bool) {
+    let (mut begins, mut main, mut blank) = (false, false, false);
+    for block in program.blocks() {
+        match &block.kind {
+            BlockKind::BeginPgm(_) => begins = true,
+            BlockKind::BlkForm(_) => blank = true,
+            BlockKind::Statement(statement) => blank |= statement.kind == crate::syntax::StatementKind::BlkForm,
+            BlockKind::ToolCall(_) => main = true,
+            BlockKind::EndPgm(_) => {}
+            _ => main |= stops(block),
+        }
+    }
+    (begins && (main || blank), begins && blank)
+}

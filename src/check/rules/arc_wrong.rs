@@ -1,0 +1,136 @@
+//! An arc whose end does not lie on it: farther from the centre than its start, or farther from its start than its
+//! radius allows.
+//!
+//! Only said where start, end and centre are written as numbers, one behind the other, in the plane of X and Y.
+//! Controls allow for rounding, each as its machine is set; what is told here is more than any of that.
+use crate::check::{Facts, Rule};
+use crate::diag::{Arg, Diagnostic, Severity};
+use crate::syntax::{Amount, Axis, Block, BlockKind, Motion, Path};
+
+pub(super) const RULE: Rule = Rule { code: "arc-wrong", severity: Severity::Error, run };
+
+/// What an arc may be off, mm.
+const TOLERANCE: f64 = 0.05;
+const MM_PER_INCH: f64 = 25.4;
+
+type Point = [Option<f64>; 2];
+
+/// Where the program is, as far as its numbers tell.
+#[derive(Default)]
+struct Way {
+    at: Point,
+    centre: Point,
+    /// Whether X and Y are the plane.
+    plane: bool,
+}
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let tolerance = if facts.inch { TOLERANCE / MM_PER_INCH } else { TOLERANCE };
+    let mut way = Way::default();
+    for block in facts.program.blocks() {
+        let wrong = way.follow(block, tolerance);
+        if let Some((what, first, second)) = wrong {
+            let finding = rule.at(facts, facts.content(block)).arg("what", what);
+            found.push(finding.arg("first", rounded(first)).arg("second", rounded(second)));
+        }
+    }
+}
+
+fn rounded(value: f64) -> Arg {
+    Arg::Number(libm::round(value * 1e4) / 1e4)
+}
+
+impl Way {
+    /// Follows a block: what is wrong with its arc.
+    fn follow(&mut self, block: &Block, tolerance: f64) -> Option<(&'static str, f64, f64)> {
+        if block.skip {
+            self.forget();
+            return None;
+        }
+        match &block.kind {
+            BlockKind::Motion(motion) => self.motion(motion, tolerance),
+            BlockKind::ToolCall(call) => {
+                if call.tool.is_some() || call.axis.is_some() {
+                    self.plane = call.axis == Some(Axis::Z);
+                }
+                None
+            }
+            BlockKind::Empty
+            | BlockKind::Comment
+            | BlockKind::Structure(_)
+            | BlockKind::Functions(_)
+            | BlockKind::BeginPgm(_)
+            | BlockKind::BlkForm(_)
+            | BlockKind::FnAssign(_)
+            | BlockKind::Formula(_) => None,
+            _ => {
+                self.forget();
+                None
+            }
+        }
+    }
+
+    fn forget(&mut self) {
+        (self.at, self.centre) = (Point::default(), Point::default());
+    }
+
+    fn motion(&mut self, motion: &Motion, tolerance: f64) -> Option<(&'static str, f64, f64)> {
+        // What moves in other coordinates, or moves the coordinates.
+        if motion.functions.iter().any(|function| !matches!(function.number, 0..=9 | 13 | 14 | 30)) {
+            self.forget();
+            return None;
+        }
+        let others = motion.coords.iter().any(|coord| !matches!(coord.axis, Axis::X | Axis::Y));
+        let flat = !others && self.plane;
+        let end = self.end(motion);
+        match motion.path {
+            Path::L | Path::Ct => self.at = end,
+            Path::Cc => self.centre = if motion.coords.is_empty() { self.at } else { end },
+            Path::Rnd | Path::Chf => {}
+            Path::C => {
+                let (start, centre) = (self.at, self.centre);
+                self.at = end;
+                let (first, second) = (distance(start, centre)?, distance(end, centre)?);
+                if flat && (first - second).abs() > tolerance {
+                    return Some(("centre", first, second));
+                }
+            }
+            Path::Cr => {
+                let start = self.at;
+                self.at = end;
+                let radius = match motion.radius?.amount {
+                    Amount::Number(radius) => radius.abs(),
+                    Amount::Q { .. } => return None,
+                };
+                let apart = distance(start, end)?;
+                if flat && apart > 2.0 * radius + tolerance {
+                    return Some(("radius", radius, apart));
+                }
+            }
+            _ => self.forget(),
+        }
+        None
+    }
+
+    /// Where a motion leads; a coordinate that is not written stays.
+    fn end(&self, motion: &Motion) -> Point {
+        let mut end = self.at;
+        for coord in &motion.coords {
+            let index = match coord.axis {
+                Axis::X => 0,
+                Axis::Y => 1,
+                _ => continue,
+            };
+            end[index] = match coord.value.amount {
+                Amount::Number(number) if coord.incremental => self.at[index].map(|from| from + number),
+                Amount::Number(number) => Some(number),
+                Amount::Q { .. } => None,
+            };
+        }
+        end
+    }
+}
+
+fn distance(one: Point, other: Point) -> Option<f64> {
+    Some(libm::hypot(one[0]? - other[0]?, one[1]? - other[1]?))
+}

@@ -1,0 +1,45 @@
+//! A blank whose corners do not make a body: the second one is not greater than the first one in an axis, an axis is
+//! missing, or one of the two lines is.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{Amount, BlkForm, Block, BlockKind, Coord};
+
+pub(super) const RULE: Rule = Rule { code: "blank-wrong", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut first: Option<(&Block, &BlkForm)> = None;
+    for block in facts.program.blocks() {
+        match &block.kind {
+            BlockKind::BlkForm(form) if form.part == 1 => {
+                if let Some((alone, _)) = first.replace((block, form)) {
+                    found.push(rule.at(facts, facts.content(alone)).arg("what", "second"));
+                }
+            }
+            BlockKind::BlkForm(form) => match first.take() {
+                Some((_, corner)) => corners(rule, facts, corner, form, found),
+                None => found.push(rule.at(facts, facts.content(block)).arg("what", "first")),
+            },
+            // A line that cannot be read may be the missing one.
+            BlockKind::Unknown(_) => return,
+            _ => {}
+        }
+    }
+    if let Some((alone, _)) = first {
+        found.push(rule.at(facts, facts.content(alone)).arg("what", "second"));
+    }
+}
+
+fn corners(rule: &Rule, facts: &Facts<'_>, first: &BlkForm, second: &BlkForm, found: &mut Vec<Diagnostic>) {
+    let number = |coord: &Coord| match coord.value.amount {
+        Amount::Number(number) => Some(number),
+        Amount::Q { .. } => None,
+    };
+    for high in &second.coords {
+        let Some(low) = first.coords.iter().find(|low| low.axis == high.axis) else { continue };
+        let (Some(from), Some(to)) = (number(low), number(high)) else { continue };
+        let to = if high.incremental { from + to } else { to };
+        if to <= from {
+            found.push(rule.at(facts, high.span).arg("what", "order").arg("axis", high.axis.name()));
+        }
+    }
+}

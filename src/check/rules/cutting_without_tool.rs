@@ -1,0 +1,27 @@
+//! A movement at feed before any tool call.
+//!
+//! Said once a program, and only in programs that name their blank or their tools; movements in machine coordinates
+//! (M91, M92) are left alone.
+use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{BlockKind, FeedKind, Path};
+
+pub(super) const RULE: Rule = Rule { code: "cutting-without-tool", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (from, to, modal) in facts.run.stretches() {
+        if modal.is_none_or(|modal| modal.is(Aspect::Tool) != Tri::No) {
+            continue;
+        }
+        for block in facts.program.blocks().get(from..to).unwrap_or_default() {
+            let BlockKind::Motion(motion) = &block.kind else { continue };
+            let machine = motion.functions.iter().any(|function| matches!(function.number, 91 | 92));
+            let rapid = motion.feed.is_some_and(|feed| feed.kind == FeedKind::Max);
+            let moves = !matches!(motion.path, Path::Cc | Path::Fpol) && !motion.coords.is_empty();
+            if moves && !machine && !rapid {
+                found.push(rule.at(facts, facts.content(block)));
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! A movement at feed before any block has programmed a feed.
+//!
+//! Said once a program, and only in programs that name their blank or their tools. Behind cycles, other programs and
+//! functions that may bring a feed nothing is said.
+use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{BlockKind, Path};
+
+pub(super) const RULE: Rule = Rule { code: "feed-missing", severity: Severity::Error, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (from, to, modal) in facts.run.stretches() {
+        if modal.is_none_or(|modal| modal.is(Aspect::Feed) != Tri::No) {
+            continue;
+        }
+        for block in facts.program.blocks().get(from..to).unwrap_or_default() {
+            let BlockKind::Motion(motion) = &block.kind else { continue };
+            let moves = !matches!(motion.path, Path::Cc | Path::Fpol) && !motion.coords.is_empty();
+            if moves && motion.feed.is_none() {
+                found.push(rule.at(facts, facts.content(block)));
+                return;
+            }
+        }
+    }
+}

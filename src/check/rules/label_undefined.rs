@@ -1,0 +1,28 @@
+//! A call, a repeat, a jump or a list of contours that names a label which no block sets.
+//!
+//! Silent in pieces of programs, and where a block that cannot be read may be the label.
+use crate::check::{Facts, Rule, Way};
+use crate::diag::{Diagnostic, Severity};
+
+pub(super) const RULE: Rule = Rule { code: "label-undefined", severity: Severity::Error, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if !facts.begins() || facts.unread("LBL") {
+        return;
+    }
+    // Of a list that names several, the first one is told.
+    let mut list = None;
+    for own in &facts.run.graph.uses {
+        let Some(mark) = &own.mark else { continue };
+        if facts.run.graph.labels.contains_key(mark) {
+            continue;
+        }
+        let finding = rule.at(facts, own.span).arg("label", mark.to_string());
+        // What names a label in another way may mean one of another program.
+        let severity = if own.way == Way::Named { Severity::Warning } else { finding.severity };
+        if own.way == Way::Named && list.replace(own.block) == Some(own.block) {
+            continue;
+        }
+        found.push(Diagnostic { severity, ..finding });
+    }
+}

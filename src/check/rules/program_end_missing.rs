@@ -1,0 +1,16 @@
+//! A program that begins with BEGIN PGM and has no END PGM: its end is missing, or more than its end.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::BlockKind;
+
+pub(super) const RULE: Rule = Rule { code: "program-end-missing", severity: Severity::Error, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let ends = facts.program.blocks().iter().any(|block| matches!(block.kind, BlockKind::EndPgm(_)));
+    if ends || !facts.begins() || facts.unread("END") {
+        return;
+    }
+    if let Some(last) = facts.acting().last() {
+        found.push(rule.at(facts, facts.content(last)));
+    }
+}

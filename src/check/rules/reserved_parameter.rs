@@ -1,0 +1,27 @@
+//! A parameter that the control itself writes: Q100 to Q199 hold tool data, results of cycles and the like.
+//!
+//! Said once for each parameter.
+use std::collections::BTreeSet;
+
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+use crate::expr::QKind;
+use crate::syntax::BlockKind;
+
+pub(super) const RULE: Rule = Rule { code: "reserved-parameter", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut told = BTreeSet::new();
+    for block in facts.program.blocks() {
+        let (target, span) = match &block.kind {
+            BlockKind::FnAssign(assign) => (assign.target, assign.target_span),
+            BlockKind::Formula(formula) => (formula.target, formula.target_span),
+            BlockKind::TextFormula(formula) => (formula.target, formula.target_span),
+            _ => continue,
+        };
+        let reserved = matches!(target.kind, QKind::Q | QKind::Qs) && (100..200).contains(&target.number);
+        if reserved && told.insert(target) {
+            found.push(rule.at(facts, span).arg("parameter", target.to_string()));
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Blocks that the run never comes to: behind the end of the main part, and no label leads there.
+//!
+//! A subprogram that nothing calls may wait for its call, so that is a note. Silent where a subprogram does not
+//! return, which is told by itself, and in pieces of programs.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{BlockKind, Label};
+
+pub(super) const RULE: Rule = Rule { code: "unreachable", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if !facts.begins() || !facts.run.endless_parts().is_empty() || facts.run.recursive_calls().next().is_some() {
+        return;
+    }
+    let blocks = facts.program.blocks();
+    let mut ended = false;
+    // One part in one piece is told once.
+    let mut told = false;
+    for (from, to, modal) in facts.run.stretches() {
+        for block in blocks.get(from..to).unwrap_or_default() {
+            ended |= matches!(block.kind, BlockKind::EndPgm(_));
+            if modal.is_some() || ended {
+                told = false;
+                continue;
+            }
+            let label = match &block.kind {
+                BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) => continue,
+                BlockKind::Lbl(label) if label.target == Label::Number(0) => {
+                    told = false;
+                    continue;
+                }
+                BlockKind::Lbl(_) => true,
+                // An end behind an end does no harm.
+                _ if facts.ends(block) => continue,
+                _ => false,
+            };
+            if !told {
+                told = true;
+                let finding = rule.at(facts, facts.content(block)).arg("part", if label { "label" } else { "block" });
+                found.push(Diagnostic { severity: if label { Severity::Note } else { finding.severity }, ..finding });
+            }
+        }
+    }
+}

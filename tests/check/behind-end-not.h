@@ -1,0 +1,11 @@
+; control: tnc640
+0 BEGIN PGM A MM
+1 BLK FORM 0.1 Z X+0 Y+0 Z-20
+2 BLK FORM 0.2 X+100 Y+100 Z+0
+3 TOOL CALL 1 Z S2000 F500
+4 L Z+100 R0 FMAX M3
+5 L X+1 FMAX
+6 ; nothing
+7 L Z+1 FMAX M2
+8 END PGM A MM
+9 ; a comment behind the end
