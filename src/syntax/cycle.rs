@@ -208,6 +208,10 @@ fn field_name(cursor: &mut Cursor<'_>) -> Read<Span> {
         if tab || !starts || (end > start && value_at(cursor, part)) {
             break;
         }
+        // What stands behind the word for a program is its name, letters and digits as they come.
+        if end > start && is_program(cursor, Span::new(start, end)) {
+            break;
+        }
         let part_end = name_part(cursor, part);
         if end > start && is_value_of_label(cursor, Span::new(start, end), Span::new(part, part_end)) {
             break;
@@ -244,6 +248,13 @@ fn is_axis(name: &[u8]) -> bool {
     name.len() == 1 && Axis::by_name(&name.to_ascii_uppercase()).is_some()
 }
 
+/// Whether a label is the word for a program, the same in all languages, and not the first one of a label with a colon.
+fn is_program(cursor: &Cursor<'_>, label: Span) -> bool {
+    let own = cursor.text.get(label.start..label.end).is_some_and(|label| label.trim().eq_ignore_ascii_case("PGM"));
+    let rest = cursor.text.get(label.end..cursor.end).unwrap_or_default();
+    own && !rest.match_indices(':').any(|(at, _)| !rest.get(at + 1..).is_some_and(|after| after.starts_with('\\')))
+}
+
 /// The value of a field, its name being read.
 fn field_value(cursor: &mut Cursor<'_>, name: Span) -> Read<Value> {
     let here = cursor.at;
@@ -251,6 +262,11 @@ fn field_value(cursor: &mut Cursor<'_>, name: Span) -> Read<Value> {
     let labelled = matches!(last, Some(b':' | b'/'));
     let missing = Value { span: Span::new(here, here), kind: ValueKind::Missing };
     let at = skip_blanks(cursor.text.as_bytes(), here, cursor.end);
+    let named = Span::new(at, printed_end(cursor, at));
+    if is_program(cursor, name) && named.start < named.end && !matches!(cursor.byte_at(at), b'"' | b'\'') {
+        cursor.at = named.end;
+        return Ok(Value { span: named, kind: ValueKind::Word });
+    }
     if let sign @ (b'+' | b'-') = cursor.byte_at(at)
         && !value_at(cursor, skip_blanks(cursor.text.as_bytes(), at + 1, cursor.end))
     {

@@ -31,7 +31,12 @@ impl<'e> Run<'_, 'e> {
         let (at, inside, probing) = (self.at.clone(), self.inside, self.probing);
         self.call_program(name)?;
         (self.inside, self.probing) = (0, false);
+        // M89 is for the positions of the program that calls.
+        let always = std::mem::take(&mut self.modal.call_always);
+        let cycle = self.last_cycle.clone();
         self.blocks(depth + 1)?;
+        let same = matches!((&cycle, &self.last_cycle), (Some(before), Some(now)) if Arc::ptr_eq(before, now));
+        self.modal.call_always |= always && same;
         (self.at, self.inside, self.probing) = (at, inside, probing);
         Ok(())
     }
