@@ -105,6 +105,10 @@ pub enum Strategy {
     ComputeRotaryPositions,
     /// Turns the rotary axes and brings the tool back to where it was over the workpiece.
     PositionRotaryAxes,
+    /// Whether the spindle stands at right angles to the rotary axis that turns the workpiece.
+    CheckSpindleAcrossRotaryAxis,
+    /// The size of the insert of a turning tool.
+    TurningInsert,
     /// Executes a whole program.
     CallProgram,
     /// The angle to which an M function orients the spindle.
@@ -278,6 +282,8 @@ impl Strategy {
             "execute-m-function" => Self::ExecuteMFunction,
             "compute-rotary-positions" => Self::ComputeRotaryPositions,
             "position-rotary-axes" => Self::PositionRotaryAxes,
+            "check-spindle-across-rotary-axis" => Self::CheckSpindleAcrossRotaryAxis,
+            "turning-insert" => Self::TurningInsert,
             "call-program" => Self::CallProgram,
             "keep-orientation-angle" => Self::KeepOrientationAngle,
             "keep-tolerance" => Self::KeepTolerance,
@@ -336,7 +342,7 @@ impl Strategy {
             Self::ReverseSpindle | Self::RestoreSpindleAndCoolant => &[],
             Self::TurnSpindle => &[FUNCTION, SPEED],
             Self::ExecuteMFunction => &[FUNCTION],
-            Self::ComputeRotaryPositions => &[],
+            Self::ComputeRotaryPositions | Self::CheckSpindleAcrossRotaryAxis | Self::TurningInsert => &[],
             Self::PositionRotaryAxes => &POSITIONS,
             Self::CallProgram => &[PROGRAM],
             Self::KeepOrientationAngle => &[ANGLE],
@@ -360,6 +366,8 @@ impl Strategy {
             Self::ProbeWithOwnPath => &["main", "minor", "tool", "status"],
             Self::PlaneAngles => &["section_a", "section_b", "rotary_a", "rotary_b", "a", "b", "c"],
             Self::ComputeRotaryPositions => &["a", "b", "c"],
+            Self::CheckSpindleAcrossRotaryAxis => &["across"],
+            Self::TurningInsert => &["width", "radius"],
             Self::ToleranceBand => &["upper", "lower", "monitored"],
             _ => &[],
         }

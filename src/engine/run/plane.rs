@@ -56,6 +56,7 @@ impl Run<'_, '_> {
         if !matches!(form, "SPATIAL" | "RESET") {
             return Err(Fault::unsupported("unsupported-block").arg("word", format!("PLANE {form}")).into());
         }
+        self.not_beside_contour("PLANE")?;
         let words = self.words_of_plane(&statement.words)?;
         let angles = match (form, words.angles) {
             ("RESET", _) => DVec3::ZERO,
@@ -161,6 +162,7 @@ impl Run<'_, '_> {
         if !head.ends_with("DATUM") {
             return Err(Fault::unsupported("unsupported-block").arg("word", head).into());
         }
+        self.not_beside_contour("TRANS DATUM")?;
         let system = &self.world.system;
         let (mut shift, mut angles) = (system.datum(), system.angle_shift);
         for word in &statement.words {

@@ -109,6 +109,12 @@ impl<'e> Run<'_, 'e> {
             Strategy::ExecuteMFunction => self.execute_m_function(call, exec),
             Strategy::ComputeRotaryPositions => self.compute_rotary_positions(call, exec),
             Strategy::PositionRotaryAxes => self.position_rotary_axes(call, exec),
+            Strategy::CheckSpindleAcrossRotaryAxis => {
+                let across = f64::from(u8::from(self.spindle_is_across()));
+                call.results.iter().for_each(|slot| exec.put(*slot, Value::Number(across)));
+                Ok(())
+            }
+            Strategy::TurningInsert => self.turning_insert(call, exec),
             Strategy::CallProgram => {
                 let Value::Text(name) = self.value(Self::argument(call, 0)?, exec)? else { return Ok(()) };
                 self.execute_program(&name)
@@ -140,6 +146,17 @@ impl<'e> Run<'_, 'e> {
                 Ok(())
             }
         }
+    }
+
+    /// Cutting width and cutting radius of the tool, as the tool table has them; 0 where it has none.
+    fn turning_insert(&self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
+        let table = self.world.table(TableKind::Tool)?;
+        let number = self.world.tool().map(|tool| tool.number).filter(|number| table.has_row(*number));
+        for (slot, column) in call.results.iter().zip(["CUTWIDTH", "RS"]) {
+            let value = number.map_or(Ok(None), |number| table.number(number, column))?.unwrap_or_default();
+            exec.put(*slot, Value::Number(value / self.unit_of(TableKind::Tool, column)));
+        }
+        Ok(())
     }
 
     /// An argument that must be there.

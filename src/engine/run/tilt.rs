@@ -15,6 +15,8 @@ use crate::expr::{Value, atan2d};
 
 /// Directions that differ by less are the same.
 const SAME: f64 = 1e-9;
+/// A direction whose part along another one is less stands at right angles to it.
+const STRAIGHT: f64 = 1e-6;
 
 /// The direction about which an axis turns what it carries, right-handed for growing coordinates.
 fn about(axis: &RotaryMachineAxis) -> DVec3 {
@@ -100,6 +102,15 @@ impl<'e> Run<'_, 'e> {
         });
         let nearer = reached.reduce(|a, b| if b.length_squared() < a.length_squared() - SAME { b } else { a });
         nearer.ok_or_else(|| Fault::control("tilting-unreachable"))
+    }
+
+    /// Whether the spindle stands at right angles to the rotary axis on which the workpiece is clamped; not where there is
+    /// none.
+    pub(super) fn spindle_is_across(&self) -> bool {
+        let (world, machine) = (&self.world, &self.world.scene.machine);
+        let spindle = machine.head(world.angles).vector(machine.spindle.unit()).normalize();
+        let clamped = machine.rotary.iter().rev().find(|axis| axis.carries == Carried::Workpiece);
+        clamped.is_some_and(|axis| machine.turning(axis, world.angles).direction.dot(spindle).abs() < STRAIGHT)
     }
 
     /// Turns the axes; a point that far before the tip keeps its place on the workpiece, and the tool returns to it.

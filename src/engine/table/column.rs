@@ -72,7 +72,7 @@ const fn number(name: &'static str) -> Column {
     Column { name, width: 9, quantity: Quantity::Number }
 }
 
-/// Tool measurement: TNC 320 manual lines 6916-6955; LCUTS, ANGLE: TNC 640 4704; T-ANGLE: 1750; TP_NO: 10661; TL: 12624.
+/// Tool measurement: TNC 320 manual lines 6916-6955; LCUTS, ANGLE: TNC 640 4704; T-ANGLE: 1750; RS, the cutting width: 7304, 8821; TP_NO: 10661; TL: 12624.
 const TOOL: &[Column] = &[
     key("T"),
     text("NAME", 33),
@@ -94,6 +94,8 @@ const TOOL: &[Column] = &[
     length("LCUTS"),
     angle("ANGLE"),
     angle("T-ANGLE"),
+    length("RS"),
+    length("CUTWIDTH"),
     number("TP_NO"),
     text("DOC", 33),
 ];
