@@ -11,6 +11,7 @@ mod findings;
 mod groove;
 mod infeeds;
 mod milled;
+mod scaled;
 mod setup;
 mod signs;
 mod tapped;
