@@ -15,6 +15,7 @@ pub mod engine;
 pub mod export;
 pub mod expr;
 pub mod fields;
+pub mod iso;
 pub mod label;
 pub mod layout;
 pub mod locale;

@@ -1,6 +1,6 @@
 //! The parser on programs with all kinds of blocks, and its laws on any input.
 //!
-//! Programs stand in `tests/syntax/*.h`, the trees expected beside them in `*.tree`;
+//! Programs stand in `tests/syntax/*.h` and `*.i`, the trees expected beside them in `*.tree`;
 //! `UPDATE=1 cargo test --test syntax` writes them anew.
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -16,6 +16,19 @@ mod dump;
 
 fn program(text: &str) -> Program {
     parse(&Source::new("test.h", text))
+}
+
+fn iso(text: &str) -> Program {
+    parse(&Source::new("test.i", text))
+}
+
+/// The programs of both languages.
+fn programs() -> Vec<PathBuf> {
+    [files("h"), files("i")].concat()
+}
+
+fn read(path: &Path, text: &str) -> Program {
+    if path.extension().is_some_and(|extension| extension == "i") { iso(text) } else { program(text) }
 }
 
 fn files(extension: &str) -> Vec<PathBuf> {
@@ -51,7 +64,7 @@ fn assert_tiled(program: &Program) {
 #[test]
 fn programs_have_the_expected_trees() {
     let mut wrong = Vec::new();
-    for path in files("h") {
+    for path in programs() {
         let bytes = fs::read(&path).expect("a program");
         let decoded = decode(&bytes);
         assert_eq!(
@@ -60,7 +73,7 @@ fn programs_have_the_expected_trees() {
             "{}",
             path.display()
         );
-        let program = program(&decoded.text);
+        let program = read(&path, &decoded.text);
         assert_tiled(&program);
         let tree = dump::dump(&program);
         let beside = path.with_extension("tree");
@@ -75,20 +88,20 @@ fn programs_have_the_expected_trees() {
 
 #[test]
 fn every_expectation_has_its_program() {
-    let stems = |extension: &str| -> BTreeSet<_> { files(extension).iter().map(|p| p.with_extension("")).collect() };
-    assert_eq!(stems("tree"), stems("h"));
+    let stems = |paths: Vec<PathBuf>| -> BTreeSet<_> { paths.iter().map(|p| p.with_extension("")).collect() };
+    assert_eq!(stems(files("tree")), stems(programs()));
 }
 
 #[test]
 fn the_programs_show_every_kind_of_block() {
     let mut seen = BTreeSet::new();
-    for path in files("h") {
+    for path in programs() {
         let decoded = decode(&fs::read(&path).expect("a program"));
-        seen.extend(program(&decoded.text).blocks().iter().map(|block| block.kind.name()));
+        seen.extend(read(&path, &decoded.text).blocks().iter().map(|block| block.kind.name()));
     }
     let all = "appr begin-pgm blk-form c call-lbl call-pgm call-selected cc chf comment contour-def contour-formula \
                cp cr ct ctp cycl-call cycl-def declare-contour dep empty end-pgm fc fct fl flt fn fn-assign \
-               fn-jump formula fpol fselect function global-def l lbl ln lp m pattern-def plane rnd sel \
+               fn-jump formula fpol fselect function global-def iso-blend iso-cycle iso-modal iso-paraxial l lbl ln lp m pattern-def plane rnd sel \
                set-undefined spl sql stop string-formula structure sysread tch-probe tool-call tool-def trans \
                unknown";
     assert_eq!(seen.into_iter().collect::<Vec<_>>(), all.split_whitespace().collect::<Vec<_>>());
@@ -124,9 +137,9 @@ fn the_document_lists_cycles_and_unreadable_lines() {
 #[test]
 fn the_documented_kinds_are_those_of_the_programs() {
     let page = include_str!("../docs/parse.md");
-    for path in files("h") {
+    for path in programs() {
         let decoded = decode(&fs::read(&path).expect("a program"));
-        for block in program(&decoded.text).blocks() {
+        for block in read(&path, &decoded.text).blocks() {
             assert!(page.contains(&format!("`{}`", block.kind.name())), "{} is not documented", block.kind.name());
         }
     }
@@ -256,6 +269,20 @@ fn pieces() -> impl Strategy<Value = String> {
         "é",
         "\u{a0}",
         "#5",
+        "%A G71 *",
+        "N10 G01 G91 X+5 ",
+        "*",
+        "(",
+        ")",
+        "N20 G200 DRILLING ",
+        "Q201=-20",
+        "P01 X-",
+        "D18 Q1 ",
+        "D16 ",
+        "L1,",
+        "G98 ",
+        "%:TAB: ",
+        "G79:",
     ];
     proptest::collection::vec(
         prop_oneof![8 => proptest::sample::select(lines.to_vec()).prop_map(str::to_owned), 1 => ".{0,4}"],
@@ -270,21 +297,28 @@ proptest! {
         let decoded = decode(&bytes);
         let parsed = program(&decoded.text);
         assert_tiled(&parsed);
+        assert_tiled(&iso(&decoded.text));
         let text = parsed.text();
         prop_assert_eq!(decoded.encoding.encode(&text).expect("what was read").into_owned(), bytes);
     }
 
     #[test]
     fn any_text_is_tiled_and_every_place_is_inside(text in pieces()) {
-        let parsed = program(&text);
-        assert_tiled(&parsed);
-        for finding in parsed.diagnostics() {
-            let span = finding.place.expect("a place").span;
-            prop_assert!(span.start <= span.end && text.get(span.start..span.end).is_some());
+        for parsed in [program(&text), iso(&text)] {
+            assert_tiled(&parsed);
+            for finding in parsed.diagnostics() {
+                let span = finding.place.expect("a place").span;
+                prop_assert!(span.start <= span.end && text.get(span.start..span.end).is_some());
+            }
+            for block in parsed.blocks() {
+                let content = parsed.content(block);
+                prop_assert!(block.span.start <= content.start && content.start <= content.end && content.end <= block.span.end);
+                prop_assert!(text.get(content.start..content.end).is_some());
+            }
+            let unknown = json::document(&parsed).unknown;
+            prop_assert_eq!(unknown.len(), parsed.errors().count());
+            prop_assert!(dump::dump(&parsed).len() >= text.len() / 100);
         }
-        let unknown = json::document(&parsed).unknown;
-        prop_assert_eq!(unknown.len(), parsed.errors().count());
-        prop_assert!(dump::dump(&parsed).len() >= text.len() / 100);
     }
 }
 

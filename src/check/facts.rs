@@ -225,7 +225,7 @@ impl<'a> Facts<'a> {
                     StatementKind::Function => self.flow.opaque = true,
                     _ => {}
                 },
-                BlockKind::Unknown(_) => self.flow.opaque = true,
+                BlockKind::Unknown(_) | BlockKind::Iso(_) => self.flow.opaque = true,
                 BlockKind::Motion(motion) => self.note(&motion.functions, None),
                 BlockKind::Functions(list) | BlockKind::Stop(list) => self.note(list, None),
                 BlockKind::CyclCall(call) => {

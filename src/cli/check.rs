@@ -62,7 +62,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         let (mut found, fixed) = if fix {
             mend::file(&job.path, &against, &job.settings)?
         } else {
-            (check::check(&program::read(&job.path)?.program, &against), 0)
+            let file = program::understand(&job.path, &catalogue)?;
+            (file.findings(check::check(&file.program, &against)), 0)
         };
         job.settings.apply(&mut found);
         Ok((found, fixed))

@@ -89,7 +89,8 @@ struct Step {
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let names = [arguments::text(matches, "a"), arguments::text(matches, "b")];
-    let files = [program::read(Path::new(&names[0]))?, program::read(Path::new(&names[1]))?];
+    let understand = |name: &String| program::understand(Path::new(name), &catalogue);
+    let files = [understand(&names[0])?, understand(&names[1])?];
     let on = match matches.get_one::<String>("control") {
         Some(id) => Some(cycle::control(&catalogue, id)?),
         None => cycle::likeliest(&files[0].program, &catalogue, &locales),
@@ -105,7 +106,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let [a, b] = names;
     let place = |side: usize, own: &Statement| Place {
         line: own.line,
-        text: files[side].program.slice(own.span).lines().map(|line| line.trim_end().to_owned()).collect(),
+        text: files[side].slice(own.span).lines().map(|line| line.trim_end().to_owned()).collect(),
     };
     let sides = |difference: &Difference| Sides {
         a: difference.a.iter().map(|own| place(0, own)).collect(),
@@ -129,7 +130,7 @@ fn execute(
     catalogue: &Catalogue,
     on: &OnControl,
     names: &[String; 2],
-    files: &[program::File; 2],
+    files: &[program::Understood; 2],
     scene: &str,
 ) -> Result<Execution, Failure> {
     let data = session.files()?;
@@ -139,7 +140,7 @@ fn execute(
     let texts = LogTexts::new(cycle::language(&locales, on.control.language.as_str())?, on.id(), &data);
     let mut traces = Vec::new();
     for (name, file) in names.iter().zip(files) {
-        let neighbours = runs::neighbours(Path::new(name), file.program.source().text())?;
+        let neighbours = runs::neighbours(Path::new(name), file.program.source().text(), catalogue)?;
         let mut engine = Engine::new(&file.program, on, &scene, &texts).with_catalogue(catalogue);
         for (name, other) in &neighbours {
             engine = engine.with_program(name, &other.program);
@@ -147,7 +148,7 @@ fn execute(
         let mut trace = Trace::default();
         let outcome = engine.run(&mut |event| trace.push(event));
         if let Some(diagnostic) = &outcome.diagnostic {
-            session.output.complain(diagnostic, &session.ui);
+            session.output.complain(&file.at_home(diagnostic.clone()), &session.ui);
         }
         traces.push((trace, outcome.status));
     }

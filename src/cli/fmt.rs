@@ -9,7 +9,7 @@ use crate::check::{Against, LabelBook};
 use crate::diag::{Diagnostic, edited};
 use crate::layout::layout;
 use crate::locale::{Args, Ui};
-use crate::syntax::encoding;
+use crate::syntax::encoding::{self, Decoded};
 use crate::system;
 
 pub(super) const COMMAND: Command = Command { name: "fmt", usage: "PATH… [--check]", arguments: own, run };
@@ -53,11 +53,11 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
 fn file(session: &mut Session, path: &Path, against: &Against<'_>, only_check: bool) -> Result<bool, Failure> {
     let bytes = system::read(path)?;
     let decoded = encoding::decode(&bytes);
-    let old = mend::parsed(path, &decoded.text);
-    let edits = layout(&old);
+    let old = program::understood(path, &decoded, against.catalogue);
+    let edits = layout(old.written());
     if path == Path::new("-") && !only_check {
         let text = edited(&decoded.text, &edits);
-        let bytes = decoded.encoding.encode(&text).map_err(|sign| program::unwritable(sign, old.source()))?;
+        let bytes = decoded.encoding.encode(&text).map_err(|sign| program::unwritable(sign, old.written().source()))?;
         session.output.write(&bytes)?;
         return Ok(!edits.is_empty());
     }
@@ -67,7 +67,8 @@ fn file(session: &mut Session, path: &Path, against: &Against<'_>, only_check: b
     if only_check {
         session.output.print(&format!("{}\n", path.display()))?;
     } else {
-        let new = mend::parsed(path, &edited(&decoded.text, &edits));
+        let text = Decoded { text: edited(&decoded.text, &edits), encoding: decoded.encoding };
+        let new = program::understood(path, &text, against.catalogue);
         mend::store(path, &bytes, &decoded, &old, &new, against)?;
         let line = session.ui.text("cli-written", &Args::new().text("path", path.display().to_string()));
         session.output.remark(&line);

@@ -4,12 +4,12 @@
 //! all characters, and if nobody has changed the file meanwhile; then all at once.
 use std::path::Path;
 
-use super::{Failure, program};
+use super::Failure;
+use super::program::{self, Understood};
 use crate::check::{self, Against, Settings};
 use crate::compare;
-use crate::diag::{Diagnostic, Edit, Source, edited};
+use crate::diag::{Diagnostic, Edit, edited};
 use crate::syntax::encoding::{self, Decoded};
-use crate::syntax::{self, Program};
 use crate::system;
 
 /// Fixes a file as far as that is safe: what is found in it then, and how many fixes were made.
@@ -23,8 +23,8 @@ pub(super) fn file(
     }
     let bytes = system::read(path)?;
     let decoded = encoding::decode(&bytes);
-    let program = parsed(path, &decoded.text);
-    let mut found = check::check(&program, against);
+    let program = program::understood(path, &decoded, against.catalogue);
+    let mut found = program.findings(check::check(&program.program, against));
     // What is switched off is not mended either.
     settings.apply(&mut found);
     let edits: Vec<Edit> = found.iter().filter_map(|diagnostic| diagnostic.fix.clone()).collect();
@@ -33,13 +33,10 @@ pub(super) fn file(
     if edits.is_empty() {
         return Ok((found, 0));
     }
-    let mended = parsed(path, &edited(&decoded.text, &edits));
+    let text = Decoded { text: edited(&decoded.text, &edits), encoding: decoded.encoding };
+    let mended = program::understood(path, &text, against.catalogue);
     store(path, &bytes, &decoded, &program, &mended, against)?;
-    Ok((check::check(&mended, against), edits.len()))
-}
-
-pub(super) fn parsed(path: &Path, text: &str) -> Program {
-    syntax::parse(&Source::new(path.display().to_string(), text))
+    Ok((mended.findings(check::check(&mended.program, against)), edits.len()))
 }
 
 /// Puts the new program in the place of the old one.
@@ -47,16 +44,16 @@ pub(super) fn store(
     path: &Path,
     bytes: &[u8],
     decoded: &Decoded,
-    old: &Program,
-    new: &Program,
+    old: &Understood,
+    new: &Understood,
     against: &Against<'_>,
 ) -> Result<(), Failure> {
-    if !compare::compare(old, new, against).is_empty() {
+    if !compare::compare(&old.program, &new.program, against).is_empty() {
         let diagnostic = Diagnostic::global("fix-changes-program").arg("path", path.display().to_string());
         return Err(diagnostic.into());
     }
-    let text = new.source().text();
-    let whole = decoded.encoding.encode(text).map_err(|sign| program::unwritable(sign, old.source()))?;
+    let text = new.written().source().text();
+    let whole = decoded.encoding.encode(text).map_err(|sign| program::unwritable(sign, old.written().source()))?;
     if system::read(path)? != bytes {
         return Err(Diagnostic::global("fix-file-changed").arg("path", path.display().to_string()).into());
     }

@@ -12,6 +12,7 @@ mod check;
 mod compare;
 mod completions;
 mod conform;
+mod convert;
 mod coverage;
 mod cycle;
 mod dialog;
@@ -99,6 +100,7 @@ static COMMANDS: &[Command] = &[
     check::COMMAND,
     translate::COMMAND,
     compare::COMMAND,
+    convert::COMMAND,
     fmt::COMMAND,
     run::COMMAND,
     plot::COMMAND,

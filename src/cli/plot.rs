@@ -39,8 +39,8 @@ fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure>
     let catalogue = session.catalogue()?;
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
     let path = arguments::text(matches, "file");
-    let file = program::read(Path::new(&path))?;
-    let neighbours = run::neighbours(Path::new(&path), file.program.source().text())?;
+    let file = program::understand(Path::new(&path), &catalogue)?;
+    let neighbours = run::neighbours(Path::new(&path), file.program.source().text(), &catalogue)?;
     let files = session.files()?;
     let scene = match matches.get_one::<String>("scene") {
         Some(path) => run::scene(path, &files)?,
@@ -63,7 +63,8 @@ fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure>
     system::write(Path::new(&out), drawing.as_bytes())?;
     let line = session.ui.text("cli-written", &Args::new().text("path", out));
     session.output.remark(&line);
-    if let Some(diagnostic) = &result.diagnostic {
+    if let Some(diagnostic) = result.diagnostic.clone().map(|diagnostic| file.at_home(diagnostic)) {
+        let diagnostic = &diagnostic;
         session.output.complain(diagnostic, &session.ui);
     }
     Ok(match result.status {

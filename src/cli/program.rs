@@ -5,15 +5,85 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::Failure;
-use crate::diag::{Diagnostic, Place, Source};
-use crate::syntax::encoding::{self, Encoding};
-use crate::syntax::{self, Program};
+use crate::diag::{Diagnostic, Place, Source, Span};
+use crate::iso::{Codes, Lowered, to_klartext};
+use crate::spec::Catalogue;
+use crate::syntax::encoding::{self, Decoded, Encoding};
+use crate::syntax::{self, Dialect, Program};
 use crate::system;
 
 /// A program file.
 pub(super) struct File {
     pub(super) program: Program,
     pub(super) encoding: Encoding,
+}
+
+/// A program file to be understood: one in DIN/ISO is told in Klartext.
+pub(super) struct Understood {
+    /// The program in Klartext.
+    pub(super) program: Program,
+    pub(super) encoding: Encoding,
+    /// Of a program in DIN/ISO: as it is written, and where the Klartext comes from.
+    iso: Option<(Program, Lowered)>,
+}
+
+impl Understood {
+    fn new(program: Program, encoding: Encoding, catalogue: &Catalogue) -> Self {
+        if program.dialect() == Dialect::Klartext {
+            return Self { program, encoding, iso: None };
+        }
+        let lowered = to_klartext(&program, &Codes::new(catalogue), None);
+        Self { program: lowered.program.clone(), encoding, iso: Some((program, lowered)) }
+    }
+
+    /// The program as it is written.
+    pub(super) fn written(&self) -> &Program {
+        self.iso.as_ref().map_or(&self.program, |(written, _)| written)
+    }
+
+    /// What the file says at a place of the Klartext.
+    pub(super) fn slice(&self, span: Span) -> &str {
+        match &self.iso {
+            Some((written, lowered)) => written.slice(lowered.home(span)),
+            None => self.program.slice(span),
+        }
+    }
+
+    /// The findings of the checker where they are in the file.
+    pub(super) fn findings(&self, found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        match &self.iso {
+            Some((_, lowered)) => lowered.findings(found, lowered.diagnostics.clone()),
+            None => found,
+        }
+    }
+
+    /// A finding about the Klartext where it is in the file.
+    pub(super) fn at_home(&self, diagnostic: Diagnostic) -> Diagnostic {
+        match &self.iso {
+            Some((_, lowered)) => lowered.at_home(diagnostic),
+            None => diagnostic,
+        }
+    }
+
+    /// The place in the file of something that stands there letter by letter.
+    pub(super) fn exact(&self, span: Span) -> Option<Span> {
+        match &self.iso {
+            Some((_, lowered)) => lowered.exact(span),
+            None => Some(span),
+        }
+    }
+}
+
+/// Reads a program to be understood; `-` is standard input.
+pub(super) fn understand(path: &Path, catalogue: &Catalogue) -> Result<Understood, Failure> {
+    let File { program, encoding } = read(path)?;
+    Ok(Understood::new(program, encoding, catalogue))
+}
+
+/// The same of a text.
+pub(super) fn understood(path: &Path, decoded: &Decoded, catalogue: &Catalogue) -> Understood {
+    let source = Source::new(path.display().to_string(), decoded.text.as_str());
+    Understood::new(syntax::parse(&source), decoded.encoding, catalogue)
 }
 
 /// Reads a program; `-` is standard input.

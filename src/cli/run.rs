@@ -51,9 +51,9 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
     let path = arguments::text(matches, "file");
-    let file = program::read(Path::new(&path))?;
+    let file = program::understand(Path::new(&path), &catalogue)?;
     let language = language(&file, &catalogue, &locales, on, matches)?;
-    let neighbours = neighbours(Path::new(&path), file.program.source().text())?;
+    let neighbours = neighbours(Path::new(&path), file.program.source().text(), &catalogue)?;
     let files = session.files()?;
     let scene = scene(&arguments::text(matches, "scene"), &files)?;
     let texts = LogTexts::new(language, on.id(), &files);
@@ -90,7 +90,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     if let Some(out) = matches.get_one::<String>("out") {
         save(session, Path::new(out), result.tables.iter().chain(&result.logs))?;
     }
-    if let Some(diagnostic) = &result.diagnostic {
+    if let Some(diagnostic) = result.diagnostic.clone().map(|diagnostic| file.at_home(diagnostic)) {
+        let diagnostic = &diagnostic;
         let sentence = result.fault.as_ref().filter(|fault| fault.of_cycle).and_then(|fault| {
             let cycle = on.cycles.get(&teller.failed?)?;
             let readers = [locales.language(session.ui.tag()).ok()?];
@@ -109,7 +110,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
 
 /// The language of the logs: that of `--lang`, or of the program's labels, or of the control's manual.
 fn language<'l>(
-    file: &program::File,
+    file: &program::Understood,
     catalogue: &Catalogue,
     locales: &'l Locales,
     on: &OnControl,
@@ -133,14 +134,20 @@ pub(super) fn scene(path: &str, files: &[(String, String)]) -> Result<Scene, Fai
 }
 
 /// The programs beside this one, by name, if it calls any.
-pub(super) fn neighbours(path: &Path, text: &str) -> Result<Vec<(String, program::File)>, Failure> {
+pub(super) fn neighbours(
+    path: &Path,
+    text: &str,
+    catalogue: &Catalogue,
+) -> Result<Vec<(String, program::Understood)>, Failure> {
     if !CALLS.iter().any(|call| text.to_uppercase().contains(call)) {
         return Ok(Vec::new());
     }
     let mut programs = Vec::new();
-    for other in system::beside(path, "h")? {
-        let name = other.file_name().map(|name| name.to_string_lossy().into_owned());
-        programs.push((name.unwrap_or_default(), program::read(&other)?));
+    for extension in super::check::PROGRAMS {
+        for other in system::beside(path, extension)? {
+            let name = other.file_name().map(|name| name.to_string_lossy().into_owned());
+            programs.push((name.unwrap_or_default(), program::understand(&other, catalogue)?));
+        }
     }
     Ok(programs)
 }

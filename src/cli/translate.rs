@@ -6,7 +6,7 @@ use clap::ArgMatches;
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, program};
 use crate::check::{Against, LabelBook};
-use crate::diag::Severity;
+use crate::diag::{Edit, Severity, edited};
 use crate::locale::Ui;
 use crate::system;
 use crate::translate::{self, Translation};
@@ -31,7 +31,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let to = cycle::language(&locales, &arguments::text(matches, "to"))?.tag();
-    let file = program::read(Path::new(&arguments::text(matches, "file")))?;
+    let file = program::understand(Path::new(&arguments::text(matches, "file")), &catalogue)?;
     let on = match matches.get_one::<String>("control") {
         Some(id) => Some(cycle::control(&catalogue, id)?),
         None => cycle::likeliest(&file.program, &catalogue, &locales),
@@ -40,18 +40,22 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let labels = LabelBook::new(on, &locales);
     let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
     let write = if matches.get_flag("relabel") { translate::relabel } else { translate::translate };
-    let Translation { text, changes, diagnostics } = write(&file.program, &against, to, file.encoding);
-    let bytes = file.encoding.encode(&text).map_err(|sign| program::not_encodable(sign, &file))?;
+    let Translation { changes, diagnostics, .. } = write(&file.program, &against, to, file.encoding);
+    let edit = |change: &translate::Change| Some(Edit { span: file.exact(change.span)?, text: change.to.clone() });
+    let edits: Vec<Edit> = changes.iter().filter_map(edit).collect();
+    let text = edited(file.written().source().text(), &edits);
+    let bytes = file.encoding.encode(&text).map_err(|sign| program::unwritable(sign, file.written().source()))?;
     match matches.get_one::<String>("out") {
         Some(out) => {
             system::write(Path::new(out), &bytes)?;
-            let args = crate::locale::Args::new().number("count", changes.len() as f64).text("path", out.as_str());
+            let args = crate::locale::Args::new().number("count", edits.len() as f64).text("path", out.as_str());
             let line = session.ui.text("cli-translated", &args);
             session.output.remark(&line);
         }
         None => session.output.write(&bytes)?,
     }
     // What could not be said in the language stays as it was, and that is told.
+    let diagnostics: Vec<_> = diagnostics.into_iter().map(|diagnostic| file.at_home(diagnostic)).collect();
     diagnostics.iter().for_each(|diagnostic| session.output.complain(diagnostic, &session.ui));
     let errors = diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
     Ok(if errors { Outcome::Errors } else { Outcome::Clean })

@@ -6,7 +6,10 @@ use std::collections::BTreeMap;
 
 use crate::check::{Against, Facts};
 use crate::diag::Span;
-use crate::syntax::{Block, BlockKind, CycleDef, OldCycleLine, Program, Value, ValueKind};
+use crate::syntax::{
+    Block, BlockKind, CycleDef, Motion, NamedWord, OldCycleLine, Path, Program, Statement as Worded, ToolCall, ToolRef, Value,
+    ValueKind,
+};
 
 /// Kinds of blocks whose words are all known: no name stands in them outside of quotation marks.
 const PLAIN: &[&str] = &[
@@ -68,6 +71,15 @@ fn spelled(program: &Program, block: &Block, fields: &BTreeMap<usize, usize>) ->
     match &block.kind {
         BlockKind::CycleDef(cycle) if cycle.errors.is_empty() => definition(program, cycle),
         BlockKind::OldCycleLine(line) => old_line(program, line, fields),
+        BlockKind::Motion(own) => motion(program, own),
+        BlockKind::ToolCall(call) => tool_call(program, call),
+        BlockKind::CallLbl(call) => {
+            let times = call.repeat.map_or(String::new(), |times| format!(" REP {}", tokens(program.slice(times.span))));
+            format!("CALL LBL {}{times}", tokens(program.slice(call.label.span)))
+        }
+        BlockKind::Statement(own) => statement(program, own),
+        // What Klartext has no equivalent of stands in a comment.
+        BlockKind::Iso(_) => closed_up(program.slice(block.comment.unwrap_or(block.span))),
         kind => {
             let content = content(program, block);
             let first: String = content.chars().take_while(char::is_ascii_alphabetic).collect();
@@ -75,6 +87,47 @@ fn spelled(program: &Program, block: &Block, fields: &BTreeMap<usize, usize>) ->
             if plain { tokens(&content) } else { closed_up(&content) }
         }
     }
+}
+
+/// The words of a contour element in one order; a control reads them in any.
+fn motion(program: &Program, motion: &Motion) -> String {
+    let mut parts = vec![motion.path.name().to_ascii_uppercase()];
+    if let Path::Appr(form) | Path::Dep(form) = motion.path {
+        parts.push(format!("{form:?}"));
+    }
+    parts.extend(motion.coords.iter().map(|coord| tokens(program.slice(coord.span))));
+    parts.extend(motion.radius.map(|radius| format!("R {}", tokens(program.slice(radius.span)))));
+    parts.extend(motion.words.iter().map(|word| named(program, word)));
+    parts.extend(motion.counter_clockwise.map(|counter| if counter { "DR +" } else { "DR -" }.to_owned()));
+    parts.extend(motion.compensation.map(|own| format!("{own:?}").to_ascii_uppercase()));
+    parts.extend(motion.feed.map(|feed| tokens(program.slice(feed.span))));
+    parts.extend(motion.functions.iter().map(|function| tokens(program.slice(function.span))));
+    parts.join(" ")
+}
+
+fn tool_call(program: &Program, call: &ToolCall) -> String {
+    let mut parts = vec!["TOOL CALL".to_owned()];
+    parts.extend(call.tool.map(|tool| match tool {
+        ToolRef::Number(number) => tokens(program.slice(number.span)),
+        ToolRef::Name(name) => format!("\"{}\"", program.slice(name)),
+    }));
+    parts.extend(call.axis.map(|axis| axis.name().to_owned()));
+    parts.extend(call.feed.map(|feed| tokens(program.slice(feed.span))));
+    let words = [("S", call.speed), ("VC", call.cutting_speed), ("DL", call.dl), ("DR", call.dr), ("DR2", call.dr2)];
+    for (name, value) in words {
+        parts.extend(value.map(|value| format!("{name} {}", tokens(program.slice(value.span)))));
+    }
+    parts.join(" ")
+}
+
+fn statement(program: &Program, own: &Worded) -> String {
+    let words = own.words.iter().map(|word| format!(" {}", named(program, word)));
+    tokens(program.slice(own.head)) + &words.collect::<String>()
+}
+
+fn named(program: &Program, word: &NamedWord) -> String {
+    let name = closed_up(program.slice(word.name)).to_ascii_uppercase();
+    format!("{name} {}", value(program, &word.value))
 }
 
 fn definition(program: &Program, cycle: &CycleDef) -> String {

@@ -37,6 +37,19 @@ record! {
     pub struct Iso {
         /// The code, such as `G251`.
         code: String,
+        /// How DIN/ISO writes the fields of an old-style form, in its order; without it the form has no words there.
+        words: Vec<IsoWord>,
+    }
+}
+
+record! {
+    /// A word of a DIN/ISO block.
+    pub struct IsoWord {
+        /// The field that it stands for.
+        field: Name,
+        /// The letter, or `P01`; nothing for fields that are written as in Klartext: coordinates, axes. A field of several
+        /// values takes `P01` and those that follow.
+        word: Option<String>,
     }
 }
 

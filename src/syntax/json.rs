@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::{CycleForm, CycleView, Program, Value};
+use super::{BlockKind, CycleForm, CycleView, IsoKind, Parameter, Program, Value};
 
 /// The document.
 #[derive(Clone, Debug, Serialize)]
@@ -69,7 +69,7 @@ pub fn document(program: &Program) -> ParseDocument<'_> {
         blocks: program.blocks().len(),
         kinds,
         unknown: unknown(program),
-        cycles: program.cycles().iter().map(|cycle| self::cycle(program, cycle)).collect(),
+        cycles: cycles(program),
     }
 }
 
@@ -84,16 +84,44 @@ fn unknown(program: &Program) -> Vec<UnknownLine<'_>> {
     program.errors().map(|error| at(error.span.start)).collect()
 }
 
+/// The definitions of Klartext, or the codes of cycles in a DIN/ISO program.
+fn cycles(program: &Program) -> Vec<Cycle<'_>> {
+    let written = program.blocks().iter().filter_map(|block| match &block.kind {
+        BlockKind::Iso(own) => match own.kind {
+            IsoKind::Cycle(code) => Some((block.line, code, own)),
+            _ => None,
+        },
+        _ => None,
+    });
+    let written = written.map(|(line, code, block)| {
+        let words = block.words.iter().skip(1).map(|word| CycleParameter {
+            q: program.slice(word.name).to_owned(),
+            value: program.slice(word.value.span),
+            label: None,
+        });
+        let parameters = words.chain(block.parameters.iter().map(|own| parameter(program, own))).collect();
+        Cycle { keyword: "G", number: u32::from(code), line, parameters }
+    });
+    let defined: Vec<Cycle<'_>> = program.cycles().iter().map(|cycle| self::cycle(program, cycle)).collect();
+    let mut all: Vec<Cycle<'_>> = defined.into_iter().chain(written).collect();
+    all.sort_by_key(|cycle| cycle.line);
+    all
+}
+
+fn parameter<'p>(program: &'p Program, parameter: &Parameter) -> CycleParameter<'p> {
+    CycleParameter {
+        q: parameter.q.to_string(),
+        value: printed(program, &parameter.value),
+        label: parameter.label.map(|label| program.slice(label)),
+    }
+}
+
 fn cycle<'p>(program: &'p Program, view: &CycleView<'p>) -> Cycle<'p> {
     let parameters = match &view.form {
         CycleForm::Parameters(definition) => definition
             .parameters
             .iter()
-            .map(|parameter| CycleParameter {
-                q: parameter.q.to_string(),
-                value: printed(program, &parameter.value),
-                label: parameter.label.map(|label| program.slice(label)),
-            })
+            .map(|own| parameter(program, own))
             .collect(),
         CycleForm::Lines(lines) => lines
             .iter()

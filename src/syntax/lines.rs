@@ -61,6 +61,18 @@ pub(super) fn line_at(bytes: &[u8], start: usize) -> Option<Line> {
     Some(line)
 }
 
+/// What a block says, without number and comment.
+pub(super) fn content_of(bytes: &[u8], block: Span) -> Span {
+    let Some(first) = line_at(bytes, block.start) else { return Span::new(block.start, block.start) };
+    let mut last = first;
+    while last.next < block.end
+        && let Some(line) = line_at(bytes, last.next)
+    {
+        last = line;
+    }
+    Span::new(first.content.start, last.content.end.max(first.content.start))
+}
+
 /// Reads skip mark and number; the start of the content.
 fn head(bytes: &[u8], end: usize, line: &mut Line) -> usize {
     let mut at = skip_blanks(bytes, line.start, end);

@@ -1,4 +1,4 @@
-//! Klartext programs: a lossless parser that never fails.
+//! Klartext and DIN/ISO programs: a lossless parser that never fails.
 //!
 //! [`parse`] divides a text into blocks; their spans lie one behind the other and cover it, so
 //! printing an untouched program gives the same text back, and [`encoding`] the same bytes. What no
@@ -9,6 +9,8 @@ mod blocks;
 mod cursor;
 mod cycle;
 pub mod encoding;
+mod iso;
+mod iso_read;
 pub mod json;
 mod lines;
 mod motion;
@@ -20,6 +22,7 @@ mod tree;
 mod view;
 mod words;
 
+pub use iso::{Dialect, IsoBlock, IsoKind, is_of_language, is_older, is_path};
 pub use path::{Approach, Path};
 pub use statement::*;
 pub use tree::*;
@@ -41,20 +44,31 @@ pub struct Program {
     source: Arc<Source>,
     blocks: Vec<Block>,
     warnings: Vec<SyntaxError>,
+    dialect: Dialect,
 }
 
 /// Reads a program. Any text is one; unreadable blocks are [`BlockKind::Unknown`].
 pub fn parse(source: &Arc<Source>) -> Program {
-    let assembled = assemble::assemble(source.text());
+    let iso = iso_read::is_iso(source.text(), source.name());
+    let dialect = if iso { Dialect::Iso } else { Dialect::Klartext };
+    let assembled = match dialect {
+        Dialect::Klartext => assemble::assemble(source.text()),
+        Dialect::Iso => iso_read::assemble(source.text()),
+    };
     let mut warnings = assembled.warnings;
     warnings.sort_by_key(|warning| warning.span.start);
-    Program { source: Arc::clone(source), blocks: assembled.blocks, warnings }
+    Program { source: Arc::clone(source), blocks: assembled.blocks, warnings, dialect }
 }
 
 impl Program {
     /// The source.
     pub fn source(&self) -> &Arc<Source> {
         &self.source
+    }
+
+    /// The language that it is written in, known by its first block and the name of its file.
+    pub const fn dialect(&self) -> Dialect {
+        self.dialect
     }
 
     /// The blocks, in order.
@@ -70,6 +84,22 @@ impl Program {
     /// The text at a place.
     pub fn slice(&self, span: Span) -> &str {
         self.source.text().get(span.start..span.end).unwrap_or_default()
+    }
+
+    /// What a block says, without its number, its end and a comment behind it; the joints of its lines and comments
+    /// between them stay.
+    pub fn content(&self, block: &Block) -> Span {
+        match self.dialect {
+            Dialect::Iso => iso_read::content_of(self.source.text(), block.span),
+            Dialect::Klartext => lines::content_of(self.source.text().as_bytes(), block.span),
+        }
+    }
+
+    /// The same program with what `each` writes into its blocks: where they stand in the program that this one was made from,
+    /// and what could not be said here.
+    pub fn with_blocks(mut self, each: &mut dyn FnMut(&mut Block)) -> Self {
+        self.blocks.iter_mut().for_each(each);
+        self
     }
 
     /// How many physical lines the text has.
@@ -90,6 +120,7 @@ impl Program {
             BlockKind::Unknown(error) => std::slice::from_ref(&**error),
             BlockKind::CycleDef(cycle) => cycle.errors.as_slice(),
             BlockKind::GlobalDef(definition) => definition.errors.as_slice(),
+            BlockKind::Iso(block) => block.errors.as_slice(),
             _ => &[],
         })
     }

@@ -150,7 +150,7 @@ fn opt_feed(cursor: &mut Cursor<'_>) -> Read<Option<Feed>> {
 }
 
 /// An M function with what belongs to it, if one starts here.
-fn opt_function(cursor: &mut Cursor<'_>) -> Read<Option<MFunction>> {
+pub(super) fn opt_function(cursor: &mut Cursor<'_>) -> Read<Option<MFunction>> {
     cursor.blanks();
     let start = cursor.at;
     let word = cursor.peek_word();

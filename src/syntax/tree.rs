@@ -2,6 +2,7 @@
 //!
 //! Invariant: the spans of a program's blocks, line ends included, lie one behind the other and cover
 //! its text; nothing here knows what a cycle's number or parameter means.
+use super::iso::IsoBlock;
 use super::path::Path;
 use super::statement::{ContourFormula, GlobalDef, NamedWord, PatternDef, Statement, TextFormula};
 use crate::diag::Span;
@@ -82,6 +83,8 @@ pub enum BlockKind {
     ContourFormula(Box<ContourFormula>),
     /// An assignment with functions on texts.
     TextFormula(Box<TextFormula>),
+    /// A block of DIN/ISO that Klartext writes in other words.
+    Iso(Box<IsoBlock>),
     /// What no rule reads.
     Unknown(Box<SyntaxError>),
 }
@@ -116,6 +119,7 @@ impl BlockKind {
             Self::PatternDef(_) => "pattern-def",
             Self::GlobalDef(_) => "global-def",
             Self::ContourFormula(_) => "contour-formula",
+            Self::Iso(block) => block.kind.name(),
             Self::Unknown(_) => "unknown",
         }
     }

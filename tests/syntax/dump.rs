@@ -3,7 +3,7 @@ use std::fmt::Write as _;
 
 use ciklo::diag::Span;
 use ciklo::syntax::{
-    Amount, Axis, Block, BlockKind, CallForm, Compensation, Coord, Feed, FeedKind, Label, LabelRef, MFunction, Motion,
+    Amount, Axis, Block, BlockKind, CallForm, Compensation, Coord, Feed, FeedKind, IsoBlock, IsoKind, Label, LabelRef, MFunction, Motion,
     NamedWord, Operand, Parameter, Path, Program, ToolRef, Value, ValueKind,
 };
 
@@ -14,6 +14,12 @@ pub(crate) fn dump(program: &Program) -> String {
         head(program, block, &mut out);
         if let BlockKind::GlobalDef(definition) = &block.kind {
             definition.parameters.iter().for_each(|parameter| self::parameter(program, parameter, &mut out));
+        }
+        if let BlockKind::Iso(own) = &block.kind {
+            own.parameters.iter().for_each(|parameter| self::parameter(program, parameter, &mut out));
+            for error in &own.errors {
+                let _ = writeln!(out, "    ! {} {:?}, not {}", error.code, program.slice(error.span), error.expected);
+            }
         }
         if let BlockKind::CycleDef(cycle) = &block.kind {
             cycle.parameters.iter().for_each(|parameter| self::parameter(program, parameter, &mut out));
@@ -67,6 +73,7 @@ fn head(program: &Program, block: &Block, out: &mut String) {
 fn body(program: &Program, kind: &BlockKind) -> String {
     let text = |span: Span| program.slice(span);
     match kind {
+        BlockKind::Iso(block) => iso(program, block),
         BlockKind::Structure(span) | BlockKind::CallPgm(span) => format!("{:?}", text(*span)),
         BlockKind::BeginPgm(frame) | BlockKind::EndPgm(frame) => {
             format!("{:?} {}", text(frame.name), if frame.inch { "inch" } else { "mm" })
@@ -243,4 +250,23 @@ fn label(program: &Program, label: LabelRef) -> String {
         Label::Name(name) => format!("{:?}", program.slice(name)),
         Label::Q(q) => format!("{q}"),
     }
+}
+
+fn iso(program: &Program, block: &IsoBlock) -> String {
+    let mut out = match block.kind {
+        IsoKind::Path(Some(code)) => format!("G{code:02}"),
+        IsoKind::Select { what, name } => format!("{} {:?}", program.slice(what), program.slice(name)),
+        _ => String::new(),
+    };
+    for word in &block.words {
+        let _ = write!(out, " {}={}", program.slice(word.name), value(program, word.value));
+    }
+    out.push_str(&functions(program, &block.functions));
+    if let Some(name) = block.name {
+        let _ = write!(out, " {:?}", program.slice(name));
+    }
+    for remark in &block.remarks {
+        let _ = write!(out, " {}", program.slice(*remark));
+    }
+    out.trim_start().to_owned()
 }

@@ -124,6 +124,11 @@ impl<'e> Run<'_, 'e> {
             BlockKind::GlobalDef(values) => self.predefine(values)?,
             BlockKind::ContourFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
             BlockKind::TextFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
+            // What Klartext has no equivalent of is left over, and stands in a comment.
+            BlockKind::Iso(_) => {
+                let span = block.comment.unwrap_or(block.span);
+                return Err(self.not_executed(Span::new(span.start + 1, span.end)).into());
+            }
             BlockKind::Unknown(error) => {
                 let found = self.slice(error.span).trim().chars().take(40).collect::<String>();
                 return Err(Fault::program("block-unreadable").arg("found", found).into());

@@ -1,0 +1,80 @@
+//! Codes of cycles: which cycle and which form a code is, and the other way round.
+//!
+//! Invariant: what is known of a code comes from the specifications and profiles of all controls; a code from 200 on that none
+//! of them has is the number of a cycle, as with all others.
+use std::collections::BTreeMap;
+
+use crate::spec::{Catalogue, Cycle, CycleKey, IsoWord, Keyword};
+
+/// The least code that is itself the number of its cycle.
+const FIRST_NUMBER: u32 = 200;
+
+/// A form of a cycle that a code stands for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Coded<'c> {
+    pub(super) cycle: &'c Cycle,
+    /// The index of the form; nothing for cycles with Q parameters.
+    pub(super) form: Option<usize>,
+    /// The words of the form.
+    pub(super) words: &'c [IsoWord],
+}
+
+/// The codes of all controls.
+#[derive(Debug)]
+pub struct Codes<'c> {
+    by_code: BTreeMap<u32, Coded<'c>>,
+    /// Cycles with their codes as printed.
+    printed: BTreeMap<(CycleKey, Option<usize>), (&'c str, Coded<'c>)>,
+    /// Families of cycles that a manual names only.
+    named: BTreeMap<u32, Keyword>,
+}
+
+impl<'c> Codes<'c> {
+    /// The codes that a catalogue knows.
+    pub fn new(catalogue: &'c Catalogue) -> Self {
+        let mut codes = Self { by_code: BTreeMap::new(), printed: BTreeMap::new(), named: BTreeMap::new() };
+        for on in catalogue.controls.values() {
+            for cycle in on.cycles.values() {
+                codes.named.entry(cycle.key.number).or_insert(cycle.key.keyword);
+                let whole = cycle.file.iso.iter().map(|iso| (None, iso));
+                let forms = cycle.file.forms.iter().zip(0..);
+                let forms = forms.flat_map(|(form, at)| form.iso.iter().map(move |iso| (Some(at), iso)));
+                for (form, iso) in whole.chain(forms) {
+                    let coded = Coded { cycle, form, words: &iso.words };
+                    let Some(number) = iso.code.strip_prefix('G').and_then(|digits| digits.parse().ok()) else { continue };
+                    codes.by_code.entry(number).or_insert(coded);
+                    codes.printed.entry((cycle.key, form)).or_insert((iso.code.as_str(), coded));
+                }
+            }
+            for named in &on.control.named {
+                codes.named.entry(named.number).or_insert(named.keyword);
+            }
+        }
+        codes
+    }
+
+    /// What a code stands for.
+    pub(super) fn of(&self, code: u32) -> Option<Coded<'c>> {
+        self.by_code.get(&code).copied()
+    }
+
+    /// The cycle of a code that is its number.
+    pub(super) fn numbered(&self, code: u32) -> Option<CycleKey> {
+        let keyword = self.named.get(&code).copied().unwrap_or(Keyword::CyclDef);
+        (code >= FIRST_NUMBER).then(|| CycleKey::new(keyword, code))
+    }
+
+    /// The code of a cycle with Q parameters.
+    pub(super) fn code(&self, key: CycleKey) -> Option<String> {
+        if let Some((code, _)) = self.printed.get(&(key, None)) {
+            return Some((*code).to_owned());
+        }
+        let described = self.by_code.contains_key(&key.number);
+        (self.numbered(key.number) == Some(key) && !described).then(|| format!("G{}", key.number))
+    }
+
+    /// The codes of the forms of a cycle.
+    pub(super) fn forms(&self, key: CycleKey) -> impl Iterator<Item = (&'c str, Coded<'c>)> {
+        self.printed.range((key, Some(0))..=(key, Some(usize::MAX))).map(|(_, found)| *found)
+    }
+}

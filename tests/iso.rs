@@ -1,0 +1,366 @@
+//! DIN/ISO: programs told in Klartext and back, what is refused, and where everything comes from.
+//!
+//! `tests/iso/*.i` are told in Klartext in the `*.h` beside them, findings at the end; `UPDATE=1 cargo test --test iso` writes them.
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use ciklo::check::{Against, LabelBook, check};
+use ciklo::compare::compare;
+use ciklo::conform::{self, LogTexts, Partner, Request, Silence, World};
+use ciklo::data::{self, Files};
+use ciklo::diag::{Diagnostic, Source};
+use ciklo::engine::run::{Engine, Trace};
+use ciklo::engine::scene::Scene;
+use ciklo::iso::{Codes, to_iso, to_klartext};
+use ciklo::locale::Locales;
+use ciklo::spec::Catalogue;
+use ciklo::syntax::{Dialect, Program, parse};
+use proptest::prelude::*;
+
+struct Data {
+    files: Files,
+    catalogue: Catalogue,
+    locales: Locales,
+}
+
+impl Data {
+    fn new() -> Self {
+        let files = data::embedded();
+        let (catalogue, _) = Catalogue::load(&files);
+        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+        Self { files, catalogue, locales }
+    }
+
+    fn with<T>(&self, control: &str, then: impl FnOnce(&Against<'_>) -> T) -> T {
+        let on = self.catalogue.on(control).expect("the control");
+        let labels = LabelBook::new(on, &self.locales);
+        then(&Against { catalogue: &self.catalogue, on, labels: &labels, language: None, readers: &[] })
+    }
+
+    /// The differences of two programs.
+    fn differences(&self, control: &str, a: &Program, b: &Program) -> Vec<String> {
+        let found = self.with(control, |against| compare(a, b, against));
+        found.iter().map(|difference| format!("{difference:?}")).collect()
+    }
+}
+
+fn read(name: &str, text: &str) -> Program {
+    parse(&Source::new(name, text))
+}
+
+/// A Klartext program by way of DIN/ISO; nothing if a block of it is refused.
+fn by_way_of_iso(codes: &Codes<'_>, program: &Program) -> Option<(String, Program)> {
+    let raised = to_iso(program, codes);
+    raised.diagnostics.is_empty().then(|| {
+        let iso = read(program.source().name(), &raised.text);
+        assert_eq!(iso.dialect(), Dialect::Iso, "{}", raised.text);
+        let lowered = to_klartext(&iso, codes, None);
+        assert!(lowered.diagnostics.is_empty(), "{}\n{:?}", raised.text, lowered.diagnostics);
+        (raised.text, lowered.program)
+    })
+}
+
+fn files(extension: &str) -> Vec<PathBuf> {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso");
+    let mut found: Vec<PathBuf> = fs::read_dir(directory).expect("a folder").map(|e| e.expect("an entry").path()).collect();
+    found.retain(|path| path.extension().is_some_and(|own| own == extension));
+    found.sort();
+    found
+}
+
+fn told(finding: &Diagnostic) -> String {
+    let place = finding.place.as_ref().expect("a place").start();
+    format!("; {}:{} {} {:?}\n", place.line, place.column, finding.code, finding.args)
+}
+
+#[test]
+fn programs_are_told_in_klartext() {
+    let data = Data::new();
+    let codes = Codes::new(&data.catalogue);
+    let mut wrong = Vec::new();
+    for path in files("i") {
+        let text = fs::read_to_string(&path).expect("a program");
+        let program = read("part.i", &text);
+        let lowered = to_klartext(&program, &codes, None);
+        let mut expected = lowered.program.source().text().to_owned();
+        for finding in &lowered.diagnostics {
+            let _ = write!(expected, "{}", told(finding));
+        }
+        let beside = path.with_extension("h");
+        if env::var_os("UPDATE").is_some() {
+            fs::write(&beside, expected).expect("written");
+        } else if fs::read_to_string(&beside).unwrap_or_default() != expected {
+            wrong.push(format!("{} should be\n{expected}", beside.display()));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What the checker finds in the Klartext is told where it stands in the file.
+#[test]
+fn findings_stand_in_the_file() {
+    let data = Data::new();
+    let codes = Codes::new(&data.catalogue);
+    let text = "%A G71 *\nN10 T1 G17 S1000 M3*\nN20 G200 Q200=2 Q201=-20 Q206=0 Q202=5 Q210=0 Q203=+0 Q204=50 Q211=0*\n\
+                N30 G79*\nN40 G201 Q200=+2 ;SET-UP CLEARANCE\nQ201=-15 ;DEPTH\nQ206=99999999\nQ208=200*\nN50 G26 R2*\nN60 G333*\n\
+                N70 G81 X*\nN99999999 %A G71*\n";
+    let program = read("part.i", text);
+    let lowered = to_klartext(&program, &codes, None);
+    let found = data.with("tnc640", |against| check(&lowered.program, against));
+    let found = lowered.findings(found, lowered.diagnostics.clone());
+    let said: Vec<String> = found.iter().map(told).collect();
+    let expected = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso/findings.txt")).unwrap_or_default();
+    if env::var_os("UPDATE").is_some() {
+        fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso/findings.txt"), said.concat()).expect("written");
+        return;
+    }
+    assert_eq!(said.concat(), expected);
+}
+
+/// Every place of the Klartext has its place in the file, and what was copied is there letter by letter.
+#[test]
+fn copies_know_where_they_come_from() {
+    let data = Data::new();
+    let codes = Codes::new(&data.catalogue);
+    let mut copies = 0;
+    for path in files("i") {
+        let text = fs::read_to_string(&path).expect("a program");
+        let program = read("part.i", &text);
+        let lowered = to_klartext(&program, &codes, None);
+        let klartext = lowered.program.source().text();
+        for at in 0..klartext.len() {
+            for length in [0, 1, 3] {
+                let span = ciklo::diag::Span::new(at, (at + length).min(klartext.len()));
+                let home = lowered.home(span);
+                assert!(home.start <= home.end && home.end <= text.len());
+                if let Some(exact) = lowered.exact(span) {
+                    assert_eq!(text.get(exact.start..exact.end), klartext.get(span.start..span.end));
+                    copies += 1;
+                }
+            }
+        }
+    }
+    assert!(copies > 1000);
+}
+
+/// The blocks that the manuals print, by way of DIN/ISO, say the same; those that have no code are few and named.
+#[test]
+fn printed_blocks_come_back() {
+    let data = Data::new();
+    let codes = Codes::new(&data.catalogue);
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/printed");
+    let (mut count, mut refused) = (0, BTreeMap::<String, usize>::new());
+    for entry in fs::read_dir(directory).expect("the blocks") {
+        let path = entry.expect("an entry").path();
+        let text = fs::read_to_string(&path).expect("a block");
+        let control = text.split("control:").nth(1).and_then(|rest| rest.split_whitespace().next()).expect("a control");
+        let body = text.split_once('\n').expect("a head").1;
+        let program = read("part.h", &format!("0 BEGIN PGM A MM\n{body}\n99 END PGM A MM\n"));
+        let Some((iso, back)) = by_way_of_iso(&codes, &program) else {
+            let raised = to_iso(&program, &codes);
+            for finding in raised.diagnostics {
+                *refused.entry(format!("{} {:?}", finding.code, finding.get("found"))).or_default() += 1;
+            }
+            continue;
+        };
+        count += 1;
+        let differences = data.differences(control, &program, &back);
+        assert!(differences.is_empty(), "{}:\n{iso}\n{differences:#?}", path.display());
+    }
+    let list: String = refused.iter().map(|(what, count)| format!("{count} {what}\n")).collect();
+    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso/refused.txt");
+    if env::var_os("UPDATE").is_some() {
+        fs::write(&beside, &list).expect("written");
+    }
+    assert_eq!(fs::read_to_string(&beside).unwrap_or_default(), list);
+    assert!(count > 300, "{count}");
+}
+
+/// Executes every example as it is and by way of DIN/ISO.
+struct ByWayOfIso<'d> {
+    data: &'d Data,
+    codes: Codes<'d>,
+    executed: usize,
+    refused: usize,
+}
+
+impl ByWayOfIso<'_> {
+    fn trace(&self, request: &Request, program: &Program) -> (String, usize, &'static str) {
+        let on = self.data.catalogue.on(&request.control).expect("the control");
+        let scene = Scene::parse(&Source::new("scene", request.scene.to_string()), &self.data.files).expect("a scene");
+        let language = self.data.locales.language(&request.language).expect("the language");
+        let texts = LogTexts::new(language, on.id(), &self.data.files);
+        let mut trace = Trace::default();
+        let engine = Engine::new(program, on, &scene, &texts).with_catalogue(&self.data.catalogue);
+        let outcome = engine.run(&mut |event| trace.push(event));
+        (trace.fingerprint(), trace.events.len(), outcome.status.as_str())
+    }
+}
+
+impl Partner for ByWayOfIso<'_> {
+    fn ask(&mut self, line: &str) -> Result<String, Silence> {
+        let request: Request = serde_json::from_str(line).expect("a request");
+        let program = read("case.h", &request.program);
+        match by_way_of_iso(&self.codes, &program) {
+            Some((iso, back)) => {
+                let differences = self.data.differences(&request.control, &program, &back);
+                assert!(differences.is_empty(), "{} {}:\n{iso}\n{differences:#?}", request.control, request.case);
+                let (there, here) = (self.trace(&request, &back), self.trace(&request, &program));
+                assert_eq!(there, here, "{} {}:\n{}\n{iso}", request.control, request.case, request.program);
+                self.executed += 1;
+            }
+            None => self.refused += 1,
+        }
+        Err(Silence::Ended(String::new()))
+    }
+}
+
+#[test]
+fn examples_do_the_same_by_way_of_iso() {
+    let data = Data::new();
+    let world = World { catalogue: &data.catalogue, locales: &data.locales, files: &data.files };
+    let mut partner = ByWayOfIso { data: &data, codes: Codes::new(&data.catalogue), executed: 0, refused: 0 };
+    let _ = conform::run_foreign(&world, &["tnc640", "tnc320"], &mut partner);
+    println!("{} executed, {} refused", partner.executed, partner.refused);
+    assert!(partner.executed > 10 * partner.refused, "{} executed, {} refused", partner.executed, partner.refused);
+}
+
+fn number() -> impl Strategy<Value = String> {
+    prop_oneof![
+        (-999..999_i32).prop_map(|n| format!("{n:+}")),
+        (-9999..9999_i32).prop_map(|n| format!("{:+}", f64::from(n) / 100.0)),
+        (0..99_i32).prop_map(|n| n.to_string()),
+        (1..99_u8).prop_map(|n| format!("+Q{n}")),
+        (1..9_u8).prop_map(|n| format!("-QL{n}")),
+    ]
+}
+
+fn coordinates(axes: &'static [&'static str]) -> impl Strategy<Value = String> {
+    proptest::collection::vec((proptest::sample::select(axes), any::<bool>(), number()), 1..4).prop_map(|words| {
+        words.iter().map(|(axis, inc, n)| format!(" {}{axis}{n}", if *inc { "I" } else { "" })).collect()
+    })
+}
+
+fn tail() -> impl Strategy<Value = String> {
+    let compensation = proptest::sample::select(vec!["", " R0", " RL", " RR"]);
+    let feed = proptest::sample::select(vec!["", " F500", " FAUTO", " F+Q5"]);
+    let functions = proptest::sample::select(vec!["", " M3", " M8 M13", " M99", " M140 MB MAX", " M91"]);
+    (compensation, feed, functions).prop_map(|(a, b, c)| format!("{a}{b}{c}"))
+}
+
+const LINEAR: &[&str] = &["X", "Y", "Z", "A", "B", "C", "U", "V", "W"];
+const PLANE: &[&str] = &["X", "Y"];
+
+/// A block of Klartext that DIN/ISO has an equivalent of.
+fn block() -> impl Strategy<Value = String> {
+    let direction = || proptest::sample::select(vec!["DR+", "DR-"]);
+    prop_oneof![
+        6 => (coordinates(LINEAR), tail()).prop_map(|(at, tail)| format!("L{at}{tail}")),
+        2 => coordinates(LINEAR).prop_map(|at| format!("L{at} FMAX M3")),
+        1 => coordinates(PLANE).prop_map(|at| format!("CC{at}")),
+        1 => Just("CC".to_owned()),
+        1 => (coordinates(PLANE), direction(), tail()).prop_map(|(at, d, tail)| format!("C{at} {d}{tail}")),
+        1 => (coordinates(PLANE), number(), direction()).prop_map(|(at, r, d)| format!("CR{at} R{r} {d}")),
+        1 => (coordinates(PLANE), tail()).prop_map(|(at, tail)| format!("CT{at}{tail}")),
+        1 => (coordinates(&["PR", "PA", "Z"]), tail()).prop_map(|(at, tail)| format!("LP{at}{tail}")),
+        1 => (coordinates(&["PA", "Z"]), direction()).prop_map(|(at, d)| format!("CP{at} {d}")),
+        1 => coordinates(&["PR", "PA"]).prop_map(|at| format!("CTP{at}")),
+        1 => number().prop_map(|r| format!("RND R{r} F100")),
+        1 => number().prop_map(|r| format!("CHF {r}")),
+        1 => (1..99_u8, number()).prop_map(|(t, dl)| format!("TOOL CALL {t} Z S2000 F100 DL{dl} DR2+0.1")),
+        1 => Just("TOOL CALL \"A B\" Y S+Q3".to_owned()),
+        1 => Just("TOOL CALL S1000".to_owned()),
+        1 => number().prop_map(|l| format!("TOOL DEF 5 L{l} R+3")),
+        1 => Just("TOOL DEF 12".to_owned()),
+        1 => (1..99_u8).prop_map(|n| format!("LBL {n}")),
+        1 => Just("LBL \"A 1\"".to_owned()),
+        1 => (1..99_u8).prop_map(|n| format!("CALL LBL {n} REP {n}/{n}")),
+        1 => Just("CALL LBL \"A 1\"".to_owned()),
+        1 => Just("CALL LBL QS5 REP +Q6".to_owned()),
+        1 => (0..5_u8, number(), number()).prop_map(|(op, a, b)| match op {
+            0 => format!("FN 0: Q5 = {a}"),
+            1 => format!("FN 1: Q5 = {a} + {b}"),
+            2 => format!("FN 5: Q5 = SQRT {a}"),
+            3 => format!("FN 13: Q5 = {a} ANG {b}"),
+            _ => format!("FN 11: IF {a} GT {b} GOTO LBL 7"),
+        }),
+        1 => Just("FN 14: ERROR = 1000".to_owned()),
+        1 => Just("FN 18: SYSREAD Q5 = ID210 NR4 IDX+Q3".to_owned()),
+        1 => Just("FN 26: TABOPEN TNC:\\A.TAB".to_owned()),
+        1 => number().prop_map(|a| format!("Q1 = ( Q2 + 3 ) * SIN {a}")),
+        1 => Just("QS1 = \"a;b\" || QS2".to_owned()),
+        1 => Just("CALL PGM TNC:\\A\\B.H".to_owned()),
+        1 => Just("SEL TABLE \"A.D\"".to_owned()),
+        1 => Just("CALL SELECTED PGM".to_owned()),
+        1 => Just("CYCL CALL M3".to_owned()),
+        1 => coordinates(&["X", "Y", "Z"]).prop_map(|at| format!("CYCL CALL POS{at} F300")),
+        1 => Just("CYCL CALL PAT FMAX".to_owned()),
+        1 => number().prop_map(|n| format!("CYCL DEF 200 DRILLING ~\n Q200={n} ;CLEARANCE ~\n Q201=-20 ~\n Q206=FAUTO")),
+        1 => number().prop_map(|n| format!("TCH PROBE 400 X ~\n Q263={n} ;A ~\n Q264=+5")),
+        1 => number().prop_map(|n| format!("CYCL DEF 7.0 DATUM\nCYCL DEF 7.1 X{n}\nCYCL DEF 7.2 IY+5")),
+        1 => Just("CYCL DEF 7.0 DATUM\nCYCL DEF 7.1 #5".to_owned()),
+        1 => Just("CYCL DEF 8.0 MIRROR\nCYCL DEF 8.1 X Z".to_owned()),
+        1 => Just("CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 IROT-5".to_owned()),
+        1 => Just("CYCL DEF 11.0 SCALING\nCYCL DEF 11.1 SCL 0.75".to_owned()),
+        1 => Just("CYCL DEF 9.0 DWELL\nCYCL DEF 9.1 V.ZEIT 1.5".to_owned()),
+        1 => Just("CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 KONTUR 1/2/3".to_owned()),
+        1 => Just("CYCL DEF 19.0 PLANE\nCYCL DEF 19.1 A+0 B+45 F500".to_owned()),
+        1 => Just("CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.05\nCYCL DEF 32.2 HSC-MODE:1 TA5".to_owned()),
+        1 => Just("TCH PROBE 0.0 PLANE Q5 X-\nTCH PROBE 0.1 X+5 Y+0 Z-5".to_owned()),
+        1 => Just("PLANE SPATIAL SPA+0 SPB+45 SPC+0 STAY".to_owned()),
+        1 => Just("PATTERN DEF POS1( X+10 Y+20 Z+0 )".to_owned()),
+        1 => Just("; a comment * with stars **".to_owned()),
+        1 => Just("* - a heading".to_owned()),
+        1 => Just("STOP M8".to_owned()),
+        1 => Just("M30".to_owned()),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+
+    /// Klartext by way of DIN/ISO is the same program.
+    #[test]
+    fn klartext_comes_back(blocks in proptest::collection::vec(block(), 1..12), inch in any::<bool>()) {
+        thread_local! { static DATA: &'static Data = Box::leak(Box::new(Data::new())); }
+        let data = DATA.with(|data| *data);
+        let codes = Codes::new(&data.catalogue);
+        let unit = if inch { "INCH" } else { "MM" };
+        let text = format!("0 BEGIN PGM A {unit}\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 BLK FORM 0.2 IX+100 Y+50 Z+0\n{}\nEND PGM A {unit}\n", blocks.join("\n"));
+        let program = read("part.h", &text);
+        prop_assert_eq!(program.errors().count(), 0, "{}", text);
+        let raised = to_iso(&program, &codes);
+        prop_assert!(raised.diagnostics.is_empty(), "{}\n{:?}", text, raised.diagnostics);
+        let (iso, back) = by_way_of_iso(&codes, &program).expect("nothing is refused");
+        let differences = data.differences("tnc640", &program, &back);
+        prop_assert!(differences.is_empty(), "{}\n{}\n{}\n{:#?}", text, iso, back.source().text(), differences);
+        // DIN/ISO by way of Klartext is the same text from then on.
+        let again = to_iso(&back, &codes);
+        prop_assert_eq!(again.text, iso);
+    }
+
+    /// Any text is told in Klartext without a hitch.
+    #[test]
+    fn any_text_is_told(lines in proptest::collection::vec(proptest::sample::select(vec![
+        "%A G71 *", "N10 G01 X+5 F100*", "G91", "G12 H", "G02 X+5 I+3", "G05 X1", "T5", "L1,5", "G98 L2", "D00 Q1 P01", "D09 P01 1 P02 2 P03 3",
+        "G200 Q200=", "Q201=-5 ;DEPTH", "G83 P01 2", "G28", "G73 H", "G37 P01 1 P03 2", "( a", "G26 R5", "* - x", "~", "é", "N5 /G1", "M3", "S5 X1",
+        "G55 P01 5 P02 X-", "G79:G01", "%:TAB:\"A\"", "%X", "G04", "G00 F5", "X1 ; c", "\"", "D16 x", "D18 Q1 ID5", "G30 X1", "G31 X1",
+    ]), 0..12)) {
+        thread_local! { static DATA: &'static Data = Box::leak(Box::new(Data::new())); }
+        let data = DATA.with(|data| *data);
+        let codes = Codes::new(&data.catalogue);
+        let text = lines.join("\n");
+        let lowered = to_klartext(&read("part.i", &text), &codes, None);
+        for block in lowered.program.blocks() {
+            let home = lowered.home(block.span);
+            prop_assert!(text.get(home.start..home.end).is_some());
+        }
+        for finding in &lowered.diagnostics {
+            let span = finding.place.as_ref().expect("a place").span;
+            prop_assert!(text.get(span.start..span.end).is_some());
+        }
+        let _ = to_iso(&lowered.program, &codes);
+    }
+}
