@@ -26,7 +26,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &["diag", "expr", "spec", "locale", "text", "syntax", "label", "dialog", "export", "check", "translate"],
     ),
     ("compare", &["diag", "syntax", "check"]),
-    ("iso", &["diag", "spec", "syntax", "fields"]),
+    ("iso", &["diag", "expr", "spec", "syntax", "fields"]),
     ("layout", &["diag", "syntax"]),
     ("engine", &["diag", "expr", "spec", "syntax", "fields"]),
     ("conform", &["diag", "expr", "spec", "locale", "text", "label", "syntax", "engine"]),

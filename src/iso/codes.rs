@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 
 use crate::spec::{Catalogue, Cycle, CycleKey, IsoWord, Keyword};
 
-/// The least code that is itself the number of its cycle.
-const FIRST_NUMBER: u32 = 200;
+/// The greatest code that is not itself the number of its cycle.
+const LAST_OF_ITS_OWN: u32 = 199;
 
 /// A form of a cycle that a code stands for.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +61,7 @@ impl<'c> Codes<'c> {
     /// The cycle of a code that is its number.
     pub(super) fn numbered(&self, code: u32) -> Option<CycleKey> {
         let keyword = self.named.get(&code).copied().unwrap_or(Keyword::CyclDef);
-        (code >= FIRST_NUMBER).then(|| CycleKey::new(keyword, code))
+        (code > LAST_OF_ITS_OWN).then(|| CycleKey::new(keyword, code))
     }
 
     /// The code of a cycle with Q parameters.
