@@ -64,7 +64,8 @@ fn by_way_of_iso(codes: &Codes<'_>, program: &Program) -> Option<(String, Progra
 
 fn files(extension: &str) -> Vec<PathBuf> {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso");
-    let mut found: Vec<PathBuf> = fs::read_dir(directory).expect("a folder").map(|e| e.expect("an entry").path()).collect();
+    let mut found: Vec<PathBuf> =
+        fs::read_dir(directory).expect("a folder").map(|e| e.expect("an entry").path()).collect();
     found.retain(|path| path.extension().is_some_and(|own| own == extension));
     found.sort();
     found
@@ -145,9 +146,11 @@ fn findings_stand_in_the_file() {
     let found = data.with("tnc640", |against| check(&lowered.program, against));
     let found = lowered.findings(found, lowered.diagnostics.clone());
     let said: Vec<String> = found.iter().map(told).collect();
-    let expected = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso/findings.txt")).unwrap_or_default();
+    let expected =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso/findings.txt")).unwrap_or_default();
     if env::var_os("UPDATE").is_some() {
-        fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso/findings.txt"), said.concat()).expect("written");
+        fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso/findings.txt"), said.concat())
+            .expect("written");
         return;
     }
     assert_eq!(said.concat(), expected);

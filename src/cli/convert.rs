@@ -7,9 +7,9 @@ use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, program};
 use crate::check::LabelBook;
 use crate::diag::{Diagnostic, Severity};
+use crate::expr::QRef;
 use crate::iso::{Codes, Labels, to_iso, to_klartext};
 use crate::locale::{Args, Ui};
-use crate::expr::QRef;
 use crate::spec::{CycleKey, Field, OnControl, Param};
 use crate::syntax::Dialect;
 use crate::system;
@@ -24,7 +24,9 @@ pub(super) const COMMAND: Command = Command {
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
         arguments::file(ui),
-        arguments::switch(ui, "to-iso", "cli-convert-to-iso").conflicts_with("to-klartext").required_unless_present("to-klartext"),
+        arguments::switch(ui, "to-iso", "cli-convert-to-iso")
+            .conflicts_with("to-klartext")
+            .required_unless_present("to-klartext"),
         arguments::switch(ui, "to-klartext", "cli-convert-to-klartext"),
         arguments::valued(ui, "control", "CONTROL", "cli-convert-control"),
         arguments::valued(ui, "lang", "LANG", "cli-convert-lang"),

@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use crate::check::{Against, Facts};
 use crate::diag::Span;
 use crate::syntax::{
-    Block, BlockKind, CycleDef, Motion, NamedWord, OldCycleLine, Path, Program, Statement as Worded, ToolCall, ToolRef, Value,
-    ValueKind,
+    Block, BlockKind, CycleDef, Motion, NamedWord, OldCycleLine, Path, Program, Statement as Worded, ToolCall, ToolRef,
+    Value, ValueKind,
 };
 
 /// Kinds of blocks whose words are all known: no name stands in them outside of quotation marks.
@@ -74,7 +74,8 @@ fn spelled(program: &Program, block: &Block, fields: &BTreeMap<usize, usize>) ->
         BlockKind::Motion(own) => motion(program, own),
         BlockKind::ToolCall(call) => tool_call(program, call),
         BlockKind::CallLbl(call) => {
-            let times = call.repeat.map_or(String::new(), |times| format!(" REP {}", tokens(program.slice(times.span))));
+            let times =
+                call.repeat.map_or(String::new(), |times| format!(" REP {}", tokens(program.slice(times.span))));
             format!("CALL LBL {}{times}", tokens(program.slice(call.label.span)))
         }
         BlockKind::Statement(own) => statement(program, own),

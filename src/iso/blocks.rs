@@ -146,7 +146,8 @@ impl Lowering<'_, '_> {
         let missing = Refusal::NoEquivalent(words.span());
         words.take("D");
         let target = words.take("");
-        let values: Vec<Value> = ["P01", "P02", "P03"].into_iter().filter_map(|name| Some(words.take(name)?.value)).collect();
+        let values: Vec<Value> =
+            ["P01", "P02", "P03"].into_iter().filter_map(|name| Some(words.take(name)?.value)).collect();
         self.begin(block);
         self.out.put(&format!("FN {number}: "));
         match (number, target, values.as_slice()) {
@@ -261,7 +262,8 @@ impl Lowering<'_, '_> {
         }
         let key = coded.map(|coded| coded.cycle.key).or_else(|| self.codes.numbered(u32::from(code)));
         let span = words.find("G").map_or(words.span(), |word| word.span);
-        let unknown = if syntax::is_older(code) { Refusal::NoEquivalent(words.span()) } else { Refusal::UnknownCode(span) };
+        let unknown =
+            if syntax::is_older(code) { Refusal::NoEquivalent(words.span()) } else { Refusal::UnknownCode(span) };
         let key = key.ok_or(unknown)?;
         if !own.functions.is_empty() {
             return Err(Refusal::NoEquivalent(words.span()));

@@ -41,7 +41,9 @@ impl<'c> Codes<'c> {
                 let forms = forms.flat_map(|(form, at)| form.iso.iter().map(move |iso| (Some(at), iso)));
                 for (form, iso) in whole.chain(forms) {
                     let coded = Coded { cycle, form, words: &iso.words };
-                    let Some(number) = iso.code.strip_prefix('G').and_then(|digits| digits.parse().ok()) else { continue };
+                    let Some(number) = iso.code.strip_prefix('G').and_then(|digits| digits.parse().ok()) else {
+                        continue;
+                    };
                     codes.by_code.entry(number).or_insert(coded);
                     codes.printed.entry((cycle.key, form)).or_insert((iso.code.as_str(), coded));
                 }

@@ -65,7 +65,8 @@ impl Lowered {
     }
 
     fn touched(&self, span: Span) -> &[Piece] {
-        let first = self.pieces.partition_point(|piece| piece.end <= span.start).min(self.pieces.len().saturating_sub(1));
+        let first =
+            self.pieces.partition_point(|piece| piece.end <= span.start).min(self.pieces.len().saturating_sub(1));
         let last = self.pieces.partition_point(|piece| piece.end < span.end).min(self.pieces.len().saturating_sub(1));
         self.pieces.get(first..=last.max(first)).unwrap_or_default()
     }

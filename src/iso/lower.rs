@@ -68,9 +68,10 @@ pub fn to_klartext(program: &Program, codes: &Codes<'_>, labels: Option<&dyn Lab
         (own.line, own.number) = (home.line, home.number.or(own.number));
         if *refused {
             own.kind = match (&home.kind, own.comment) {
-                (BlockKind::Unknown(error), Some(comment)) => {
-                    BlockKind::Unknown(Box::new(SyntaxError { span: Span::new(comment.start + 1, comment.end), ..**error }))
-                }
+                (BlockKind::Unknown(error), Some(comment)) => BlockKind::Unknown(Box::new(SyntaxError {
+                    span: Span::new(comment.start + 1, comment.end),
+                    ..**error
+                })),
                 (kind, _) => kind.clone(),
             };
         }
@@ -142,7 +143,9 @@ impl Lowering<'_, '_> {
         self.begin(block);
         self.out.put("; ");
         let content = self.program.content(block);
-        for (turn, line) in self.program.slice(content).split(['\r', '\n']).filter(|line| !line.trim().is_empty()).enumerate() {
+        for (turn, line) in
+            self.program.slice(content).split(['\r', '\n']).filter(|line| !line.trim().is_empty()).enumerate()
+        {
             let at = line.as_ptr() as usize - self.program.source().text().as_ptr() as usize;
             self.out.put(if turn > 0 { " " } else { "" });
             self.out.copy(Span::new(at, at + line.trim_end().trim_end_matches('~').len()));
@@ -172,7 +175,9 @@ impl Lowering<'_, '_> {
         };
         let has_labels = matches!(&block.kind, BlockKind::Iso(own) if !own.parameters.is_empty())
             || matches!(&block.kind, BlockKind::CycleDef(_) | BlockKind::GlobalDef(_));
-        let comment = block.comment.filter(|_| !has_labels && !matches!(block.kind, BlockKind::Comment | BlockKind::Structure(_)));
+        let comment = block
+            .comment
+            .filter(|_| !has_labels && !matches!(block.kind, BlockKind::Comment | BlockKind::Structure(_)));
         if comment.is_none() && remarks.is_empty() {
             return;
         }

@@ -1,7 +1,7 @@
 //! Cycles of the old form: their fields as words of DIN/ISO, and the words as fields.
 //!
 //! Invariant: which word is which field stands in the specification; nothing here knows a cycle.
-use super::codes::{Codes, Coded};
+use super::codes::{Coded, Codes};
 use super::lower::{Lowering, Written};
 use super::words::{AXES, PLAIN, Words};
 use crate::diag::Span;
@@ -24,7 +24,8 @@ pub(super) fn lower(
     words.take("G");
     let lines = coded.cycle.file.forms.get(form).map_or(&[][..], |form| form.lines.as_slice());
     for line in lines {
-        let fields: Vec<(&Param, &Field)> = coded.cycle.fields(form).filter(|(_, field)| field.line == line.line).collect();
+        let fields: Vec<(&Param, &Field)> =
+            coded.cycle.fields(form).filter(|(_, field)| field.line == line.line).collect();
         let mut number = line.line;
         loop {
             let start = lowering.out.text.len();

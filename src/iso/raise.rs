@@ -8,8 +8,8 @@ use super::old::{self, coordinate};
 use crate::diag::{Diagnostic, Place, Span};
 use crate::fields;
 use crate::syntax::{
-    Axis, Block, BlockKind, CallForm, Compensation, Coord, CycleDef, CycleForm, CycleView, FeedKind,
-    FnAssign, FnJump, FnOp, GlobalDef, Label, LabelRef, MFunction, Motion, Operand, Parameter, Path, Program, Relation, Statement,
+    Axis, Block, BlockKind, CallForm, Compensation, Coord, CycleDef, CycleForm, CycleView, FeedKind, FnAssign, FnJump,
+    FnOp, GlobalDef, Label, LabelRef, MFunction, Motion, Operand, Parameter, Path, Program, Relation, Statement,
     StatementKind, ToolCall, ToolRef,
 };
 
@@ -71,9 +71,7 @@ fn is_incremental(program: &Program, block: &Block) -> bool {
         BlockKind::CyclCall(call) => {
             matches!(&call.form, CallForm::Position(coords) if coords.iter().any(|coord| coord.incremental))
         }
-        BlockKind::OldCycleLine(line) => {
-            line.words.iter().any(|word| program.slice(word.name).starts_with(['I', 'i']))
-        }
+        BlockKind::OldCycleLine(line) => line.words.iter().any(|word| program.slice(word.name).starts_with(['I', 'i'])),
         _ => false,
     }
 }
@@ -129,7 +127,8 @@ impl Raising<'_, '_> {
         match block.comment.filter(|_| !labelled) {
             Some(comment) => {
                 let blank = if content.is_empty() { "" } else { " " };
-                let comment = self.text(comment).split(['\r', '\n']).map(|line| line.trim().trim_end_matches('~').trim_end());
+                let comment =
+                    self.text(comment).split(['\r', '\n']).map(|line| line.trim().trim_end_matches('~').trim_end());
                 let comment: Vec<&str> = comment.filter(|line| !line.is_empty()).collect();
                 let comment = format!("{blank}{}*", comment.join(" "));
                 self.text.push_str(&comment);
@@ -274,24 +273,32 @@ impl Raising<'_, '_> {
             return Err(refused());
         }
         let plain = |axis: Axis| (!matches!(axis, Axis::Pr | Axis::Pa)).then(|| axis.name());
-        let polar = |axis: Axis| Some(match axis {
-            Axis::Pr => "R",
-            Axis::Pa => "H",
-            axis => axis.name(),
-        });
+        let polar = |axis: Axis| {
+            Some(match axis {
+                Axis::Pr => "R",
+                Axis::Pa => "H",
+                axis => axis.name(),
+            })
+        };
         let angle = |axis: Axis| (axis != Axis::Pr).then(|| polar(axis)).flatten();
         let mut out = match motion.path {
             Path::L => if rapid { "G00" } else { "G01" }.to_owned() + &self.renamed(&motion.coords, plain, whole)?,
             Path::Lp => if rapid { "G10" } else { "G11" }.to_owned() + &self.renamed(&motion.coords, polar, whole)?,
             Path::Cc => return self.centre(motion, whole),
-            Path::C => direction(["G02", "G03"]).ok_or_else(refused)?.to_owned() + &self.renamed(&motion.coords, plain, whole)?,
+            Path::C => {
+                direction(["G02", "G03"]).ok_or_else(refused)?.to_owned()
+                    + &self.renamed(&motion.coords, plain, whole)?
+            }
             Path::Cr => {
                 let radius = motion.radius.ok_or_else(refused)?;
                 let code = direction(["G02", "G03"]).ok_or_else(refused)?;
                 format!("{code}{} R{}", self.renamed(&motion.coords, plain, whole)?, self.text(radius.span))
             }
             Path::Ct => "G06".to_owned() + &self.renamed(&motion.coords, plain, whole)?,
-            Path::Cp => direction(["G12", "G13"]).ok_or_else(refused)?.to_owned() + &self.renamed(&motion.coords, angle, whole)?,
+            Path::Cp => {
+                direction(["G12", "G13"]).ok_or_else(refused)?.to_owned()
+                    + &self.renamed(&motion.coords, angle, whole)?
+            }
             Path::Ctp => "G16".to_owned() + &self.renamed(&motion.coords, polar, whole)?,
             Path::Rnd | Path::Chf if motion.coords.is_empty() => {
                 let code = if motion.path == Path::Rnd { "G25" } else { "G24" };
@@ -381,7 +388,9 @@ impl Raising<'_, '_> {
 
     fn tool_call(&self, call: &ToolCall, whole: Span) -> Written {
         let more = call.feed.is_some() || call.dl.is_some() || call.dr.is_some() || call.dr2.is_some();
-        if call.cutting_speed.is_some() || (call.tool.is_none() && (more || call.axis.is_some() || call.speed.is_none())) {
+        if call.cutting_speed.is_some()
+            || (call.tool.is_none() && (more || call.axis.is_some() || call.speed.is_none()))
+        {
             return Err(no_equivalent(whole));
         }
         let mut out = String::new();
@@ -520,7 +529,9 @@ impl Raising<'_, '_> {
                 format!("D{number}: {rest}")
             }
             StatementKind::Fselect => return Err(no_equivalent(whole)),
-            StatementKind::SetUndefined if !self.flat(whole).starts_with(['Q', 'q']) => return Err(no_equivalent(whole)),
+            StatementKind::SetUndefined if !self.flat(whole).starts_with(['Q', 'q']) => {
+                return Err(no_equivalent(whole));
+            }
             _ => self.flat(whole),
         })
     }
@@ -535,4 +546,3 @@ const fn plane(axis: Axis) -> Option<&'static str> {
         _ => None,
     }
 }
-

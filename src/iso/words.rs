@@ -6,17 +6,8 @@ use crate::diag::Span;
 use crate::syntax::{IsoBlock, NamedWord, Program, ValueKind};
 
 pub(super) const AXES: [&str; 9] = ["X", "Y", "Z", "A", "B", "C", "U", "V", "W"];
-pub(super) const PLAIN: [(&str, &str); 9] = [
-    ("X", "X"),
-    ("Y", "Y"),
-    ("Z", "Z"),
-    ("A", "A"),
-    ("B", "B"),
-    ("C", "C"),
-    ("U", "U"),
-    ("V", "V"),
-    ("W", "W"),
-];
+pub(super) const PLAIN: [(&str, &str); 9] =
+    [("X", "X"), ("Y", "Y"), ("Z", "Z"), ("A", "A"), ("B", "B"), ("C", "C"), ("U", "U"), ("V", "V"), ("W", "W")];
 pub(super) const CENTRE: [(&str, &str); 3] = [("I", "X"), ("J", "Y"), ("K", "Z")];
 pub(super) const POLAR: [(&str, &str); 11] = [
     ("R", "PR"),
@@ -64,9 +55,11 @@ impl<'p> Words<'p> {
     }
 
     fn at(&self, name: &str) -> Option<usize> {
-        self.own.words.iter().enumerate().position(|(at, word)| {
-            !self.used[at] && self.program.slice(word.name).eq_ignore_ascii_case(name)
-        })
+        self.own
+            .words
+            .iter()
+            .enumerate()
+            .position(|(at, word)| !self.used[at] && self.program.slice(word.name).eq_ignore_ascii_case(name))
     }
 
     pub(super) fn find(&self, name: &str) -> Option<NamedWord> {

@@ -29,7 +29,9 @@ pub fn layout(program: &Program) -> Vec<Edit> {
             next = Some(number.saturating_add(1));
         }
         match &block.kind {
-            BlockKind::CycleDef(cycle) if cycle.errors.is_empty() => columns(program, block, &cycle.parameters, &mut edits),
+            BlockKind::CycleDef(cycle) if cycle.errors.is_empty() => {
+                columns(program, block, &cycle.parameters, &mut edits)
+            }
             BlockKind::Motion(motion) => signs(program, &motion.coords, &mut edits),
             BlockKind::BlkForm(form) => signs(program, &form.coords, &mut edits),
             BlockKind::CyclCall(call) => {

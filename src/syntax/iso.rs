@@ -119,8 +119,8 @@ impl IsoKind {
 
 /// Codes of the language that are no cycles, in ascending order.
 const LANGUAGE: [u16; 38] = [
-    0, 1, 2, 3, 5, 6, 7, 10, 11, 12, 13, 15, 16, 17, 18, 19, 20, 24, 25, 26, 27, 29, 30, 31, 38, 40, 41, 42, 43, 44, 51, 70,
-    71, 79, 90, 91, 98, 99,
+    0, 1, 2, 3, 5, 6, 7, 10, 11, 12, 13, 15, 16, 17, 18, 19, 20, 24, 25, 26, 27, 29, 30, 31, 38, 40, 41, 42, 43, 44,
+    51, 70, 71, 79, 90, 91, 98, 99,
 ];
 
 /// Codes of cycles of older software, which the controls still read and no manual here describes.

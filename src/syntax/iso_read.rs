@@ -78,7 +78,8 @@ impl Reader<'_> {
         }
         let ended = self.without_end(&mut first);
         if first.content.start == first.content.end {
-            let kind = if first.comment.is_some() || first.number.is_none() { BlockKind::Comment } else { BlockKind::Empty };
+            let kind =
+                if first.comment.is_some() || first.number.is_none() { BlockKind::Comment } else { BlockKind::Empty };
             let (start, end) = (first.start, first.next);
             return self.push(&first, Span::new(start, end), 1, kind);
         }
@@ -137,7 +138,10 @@ impl Reader<'_> {
         line.number = Some(number);
         line.content.start = line.content.end - (rest.len() - digits);
         line.content = trim(self.text.as_bytes(), line.content);
-        if !line.skip && self.text.as_bytes().get(line.content.start) == Some(&b'/') && line.content.start < line.content.end {
+        if !line.skip
+            && self.text.as_bytes().get(line.content.start) == Some(&b'/')
+            && line.content.start < line.content.end
+        {
             line.skip = true;
             line.content.start += 1;
             line.content = trim(self.text.as_bytes(), line.content);
@@ -161,7 +165,8 @@ impl Reader<'_> {
     fn join(&self, first: Line) -> (Line, usize, bool) {
         let (mut last, mut lines, mut ended) = (first, 1, false);
         while last.joined && !ended {
-            let next = line_at(self.text.as_bytes(), last.next).filter(|next| next.number.is_none() && !next.is_blank());
+            let next =
+                line_at(self.text.as_bytes(), last.next).filter(|next| next.number.is_none() && !next.is_blank());
             let Some(mut next) = next.filter(|next| !cycle::starts_parameter(self.text, next.content)) else { break };
             ended = self.without_end(&mut next);
             last = next;
@@ -193,7 +198,10 @@ impl Reader<'_> {
                     last.label = line.comment.and_then(|comment| cycle::label(self.text, comment));
                 }
             } else if cycle::starts_parameter(self.text, line.content)
-                && (first.number.is_some() || before.joined || line.comment.is_some() || cycle::starts_tight_parameter(self.text, line.content))
+                && (first.number.is_some()
+                    || before.joined
+                    || line.comment.is_some()
+                    || cycle::starts_tight_parameter(self.text, line.content))
             {
                 let count = parameters.len();
                 if let Err(error) = self.parameter_line(line, parameters) {
@@ -378,7 +386,9 @@ impl Reader<'_> {
 /// The list that parameters on lines of their own go to, if a block is a definition.
 fn parameters_of(kind: &mut BlockKind) -> Option<(&mut Vec<Parameter>, &mut Vec<SyntaxError>)> {
     match kind {
-        BlockKind::Iso(block) if matches!(block.kind, IsoKind::Cycle(_)) => Some((&mut block.parameters, &mut block.errors)),
+        BlockKind::Iso(block) if matches!(block.kind, IsoKind::Cycle(_)) => {
+            Some((&mut block.parameters, &mut block.errors))
+        }
         BlockKind::GlobalDef(definition) => Some((&mut definition.parameters, &mut definition.errors)),
         BlockKind::CycleDef(definition) => Some((&mut definition.parameters, &mut definition.errors)),
         _ => None,
@@ -412,7 +422,11 @@ fn word(cursor: &mut Cursor<'_>, block: &mut IsoBlock) -> Read<()> {
     }
     if cursor.opt_mark(b',') {
         let value = from_operand(cursor.operand()?);
-        block.words.push(NamedWord { span: Span::new(start, value.span.end), name: Span::new(start, start + 1), value });
+        block.words.push(NamedWord {
+            span: Span::new(start, value.span.end),
+            name: Span::new(start, start + 1),
+            value,
+        });
         return Ok(());
     }
     if cursor.opt_mark(b':') || ends_before_remark(cursor) {
@@ -461,7 +475,11 @@ fn word(cursor: &mut Cursor<'_>, block: &mut IsoBlock) -> Read<()> {
             block.words.push(NamedWord { span: Span::new(start, value.span.end), name, value });
             return Ok(());
         }
-        b"DR" if cursor.byte_at(start + 2) == b'2' && matches!(cursor.byte_at(start + 3), b'+' | b'-' | b'Q' | b'q') => 3,
+        b"DR"
+            if cursor.byte_at(start + 2) == b'2' && matches!(cursor.byte_at(start + 3), b'+' | b'-' | b'Q' | b'q') =>
+        {
+            3
+        }
         b"DL" | b"DR" | b"ID" | b"NR" => 2,
         b"IDX" => 3,
         b"FMAX" | b"FAUTO" => 1,
@@ -472,7 +490,8 @@ fn word(cursor: &mut Cursor<'_>, block: &mut IsoBlock) -> Read<()> {
             return Ok(());
         }
         [
-            b'A' | b'B' | b'C' | b'E' | b'F' | b'H' | b'I' | b'J' | b'K' | b'L' | b'R' | b'S' | b'T' | b'U' | b'V' | b'W' | b'X' | b'Y' | b'Z',
+            b'A' | b'B' | b'C' | b'E' | b'F' | b'H' | b'I' | b'J' | b'K' | b'L' | b'R' | b'S' | b'T' | b'U' | b'V'
+            | b'W' | b'X' | b'Y' | b'Z',
         ] => 1,
         _ => {
             // A value alone: the parameter that a D function sets, a name.
