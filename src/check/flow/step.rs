@@ -99,7 +99,7 @@ impl Steps<'_> {
                 state.modal.set(Aspect::Contour, Tri::Unknown);
             }
             BlockKind::Statement(statement) => self.statement(statement, state),
-            BlockKind::CallPgm(_) | BlockKind::Unknown(_) => state.forget(),
+            BlockKind::CallPgm(_) | BlockKind::Unknown(_) | BlockKind::Iso(_) => state.forget(),
             _ => {}
         }
     }
