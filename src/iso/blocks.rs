@@ -269,7 +269,10 @@ impl Lowering<'_, '_> {
             return Err(Refusal::NoEquivalent(words.span()));
         }
         self.begin(block);
+        // Findings about the definition stand at its code.
+        let home = std::mem::replace(&mut self.out.home, span);
         self.out.put(&key.to_string());
+        self.out.home = home;
         let name = self.labels.and_then(|labels| labels.name(key));
         match (own.name, name) {
             (Some(name), _) => {
