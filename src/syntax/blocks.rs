@@ -60,6 +60,10 @@ pub(super) fn content(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
                 }
                 _ => statements::opt_statement(cursor, name, start.at).unwrap_or_else(|| {
                     *cursor = start;
+                    if let Some(block) = along_axis(cursor) {
+                        return Ok(block);
+                    }
+                    *cursor = start;
                     Err(SyntaxError { code: "syntax-unknown-block", ..cursor.expected("block") })
                 }),
             },
@@ -75,6 +79,15 @@ fn closed_up(word: &Word) -> Option<(Path, usize)> {
         let axis = axis.strip_prefix(b"I").filter(|axis| !axis.is_empty()).unwrap_or(axis);
         Axis::by_name(axis).and_then(|_| Path::by_name(path)).map(|path| (path, length))
     })
+}
+
+/// A block that positions one axis: `X+40 R+ F100`.
+fn along_axis(cursor: &mut Cursor<'_>) -> Option<BlockKind> {
+    let start = cursor.at;
+    let motion = motion::motion(cursor, Path::Axis).ok()?;
+    let [coord] = motion.coords.as_slice() else { return None };
+    let begins = coord.span.start == start;
+    (begins && !matches!(coord.axis, Axis::Pr | Axis::Pa)).then(|| BlockKind::Motion(Box::new(motion)))
 }
 
 fn element(cursor: &mut Cursor<'_>, path: Path) -> Read<BlockKind> {

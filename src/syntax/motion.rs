@@ -283,6 +283,18 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
 /// `R0`, or the radius of an element that has one.
 fn radius_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
     let has_radius = motion.path.has_radius() && motion.radius.is_none();
+    if motion.path == Path::Axis && motion.compensation.is_none() {
+        let along = match cursor.byte_at(cursor.at + 1) {
+            b'+' => Some(Compensation::Longer),
+            b'-' => Some(Compensation::Shorter),
+            _ => None,
+        };
+        if along.is_some() {
+            motion.compensation = along;
+            cursor.at += 2;
+            return Ok(true);
+        }
+    }
     let zero = cursor.byte_at(cursor.at + 1) == b'0';
     let more = matches!(cursor.byte_at(cursor.at + 2), b'0'..=b'9' | b'.' | b',');
     if zero && !more && motion.path != Path::Rnd && motion.compensation.is_none() {

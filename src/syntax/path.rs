@@ -9,6 +9,8 @@ pub enum Path {
     Lp,
     /// Straight line with the surface normal, or the direction of the tool.
     Ln,
+    /// Positioning along one axis, without a word of its own: `X+40 R+`.
+    Axis,
     /// Circle centre or pole.
     Cc,
     /// Circle about the centre.
@@ -117,6 +119,7 @@ impl Path {
             Self::L => "l",
             Self::Lp => "lp",
             Self::Ln => "ln",
+            Self::Axis => "axis",
             Self::Cc => "cc",
             Self::C => "c",
             Self::Cr => "cr",

@@ -331,6 +331,10 @@ pub enum Compensation {
     Rl,
     /// `RR`: tool to the right of the contour.
     Rr,
+    /// `R+`: the way along one axis is longer by the tool radius.
+    Longer,
+    /// `R-`: the way along one axis is shorter by the tool radius.
+    Shorter,
 }
 
 /// A feed word.

@@ -235,6 +235,8 @@ fn motion(program: &Program, motion: &Motion) -> String {
         Some(Compensation::R0) => " R0",
         Some(Compensation::Rl) => " RL",
         Some(Compensation::Rr) => " RR",
+        Some(Compensation::Longer) => " R+",
+        Some(Compensation::Shorter) => " R-",
     });
     let form = match motion.path {
         Path::Appr(form) | Path::Dep(form) => format!("{form:?}"),

@@ -9,6 +9,7 @@ use std::collections::VecDeque;
 use glam::{DVec2, DVec3};
 
 use super::approach::{Lead, Leg};
+use super::block::linear;
 use super::element::{Corner, Element, Manner, Shape, broken, corner, direction, rounded};
 use super::event::{At, Event};
 use super::fault::{Class, Fault};
@@ -87,6 +88,10 @@ pub(super) struct Contour {
     side: i8,
     /// The programmed position, while the tool is somewhere else.
     nominal: Option<DVec3>,
+    /// The programmed position and where the tool stands after a block with `R+` or `R-`.
+    beside: Option<(DVec3, DVec3)>,
+    /// + blocks along one axis are longer by the tool radius, - shorter.
+    along: i8,
     piece: Option<Box<Piece>>,
     waiting: VecDeque<Waiting>,
     between: Option<Box<Between>>,
@@ -155,7 +160,12 @@ impl Contour {
 impl Run<'_, '_> {
     /// The programmed position: that of the contour while the tool runs beside it.
     pub(super) fn programmed(&self) -> DVec3 {
-        self.contour.nominal.unwrap_or(self.world.here)
+        match self.contour {
+            Contour { nominal: Some(nominal), .. } => nominal,
+            // Whatever else has moved the tool since counts.
+            Contour { beside: Some((nominal, here)), .. } if here == self.world.here => nominal,
+            _ => self.world.here,
+        }
     }
 
     /// Whether a block belongs to a contour that waits, or begins one.
@@ -188,6 +198,36 @@ impl Run<'_, '_> {
         let scale = self.world.system.plane_scale().ok_or_else(|| Fault::program("arc-scaled-unequally"))?;
         let radius = self.world.tool().map_or(0.0, |tool| tool.radius) / scale;
         Ok(if radius.abs() < NO_RADIUS { 0.0 } else { radius * f64::from(side) })
+    }
+
+    /// A block that positions one axis: with `R+` the way is longer by the tool radius, with `R-` shorter.
+    pub(super) fn along_axis(&mut self, motion: &Motion, in_machine: bool, speed: Result<Speed, Fault>) -> Done {
+        match motion.compensation {
+            Some(Compensation::Longer) => self.contour.along = 1,
+            Some(Compensation::Shorter) => self.contour.along = -1,
+            Some(_) => self.contour.along = 0,
+            None => {}
+        }
+        let axis = motion.coords.first().and_then(|coord| linear(coord.axis).ok());
+        let Some(axis) = axis.filter(|_| !in_machine) else { return self.line(motion, in_machine, speed) };
+        if self.contour.along != 0 {
+            self.not_beside_contour("R+, R-")?;
+        }
+        if self.is_in_contour(motion) {
+            return self.line(motion, in_machine, speed);
+        }
+        let from = self.programmed();
+        let nominal = self.target(&motion.coords, from)?;
+        let way = axis.of(nominal - from);
+        let radius = self.offset(1)? * f64::from(self.contour.along);
+        let tool = self.world.system.plane.tool;
+        // Along its own axis the tool has no radius, and no way has no end.
+        let longer = if axis == tool || way == 0.0 { 0.0 } else { radius * way.signum() };
+        let to = axis.with(self.world.here, axis.of(nominal) + longer);
+        self.contour.forget();
+        self.straight_to(to, None, speed)?;
+        self.contour.beside = Some((nominal, self.world.here));
+        Ok(())
     }
 
     /// A straight block of a contour. Nothing is left of the old contour where it ends.
@@ -528,10 +568,11 @@ impl Run<'_, '_> {
 
 /// The side that a block names.
 fn side_of(motion: &Motion) -> Option<i8> {
-    motion.compensation.map(|compensation| match compensation {
-        Compensation::R0 => 0,
-        Compensation::Rl => 1,
-        Compensation::Rr => -1,
+    motion.compensation.and_then(|compensation| match compensation {
+        Compensation::R0 => Some(0),
+        Compensation::Rl => Some(1),
+        Compensation::Rr => Some(-1),
+        Compensation::Longer | Compensation::Shorter => None,
     })
 }
 

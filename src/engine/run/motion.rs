@@ -69,6 +69,7 @@ impl Run<'_, '_> {
         let unsupported = |word: &'static str| Err(Fault::unsupported("unsupported-path").arg("word", word).into());
         match motion.path {
             Path::L => self.line(motion, in_machine, speed)?,
+            Path::Axis => self.along_axis(motion, in_machine, speed)?,
             _ if in_machine => return unsupported("M91"),
             Path::Lp => {
                 let to = self.polar_target(motion)?;
@@ -124,7 +125,8 @@ impl Run<'_, '_> {
             return self.contour_line(motion, to, speed);
         }
         let plane = self.world.system.plane;
-        self.contour.passed(plane.flat(self.world.here), plane.flat(to));
+        let from = self.programmed();
+        self.contour.passed(plane.flat(from), plane.flat(to));
         self.straight_to(to, None, speed)
     }
 
@@ -182,7 +184,7 @@ impl Run<'_, '_> {
     }
 
     /// The position with the coordinates of the block, others as they are.
-    fn target(&self, coords: &[Coord], from: DVec3) -> Result<DVec3, Fault> {
+    pub(super) fn target(&self, coords: &[Coord], from: DVec3) -> Result<DVec3, Fault> {
         let mut to = from;
         for coord in coords {
             if matches!(coord.axis, Axis::Pr | Axis::Pa) {
@@ -195,7 +197,7 @@ impl Run<'_, '_> {
     }
 
     /// A straight line, with rotary axes that turn at the same time.
-    fn line(&mut self, motion: &Motion, in_machine: bool, speed: Result<Speed, Fault>) -> Done {
+    pub(super) fn line(&mut self, motion: &Motion, in_machine: bool, speed: Result<Speed, Fault>) -> Done {
         if !in_machine && motion.coords.iter().all(|coord| rotary(coord.axis).is_none()) {
             let to = self.target(&motion.coords, self.programmed())?;
             return self.straight_block(motion, to, speed);
