@@ -115,6 +115,9 @@ impl<'e> Run<'_, 'e> {
                 self.stop()?;
                 return self.after(functions, false);
             }
+            BlockKind::Statement(statement) if self.contour.is_disturbed() => {
+                self.not_beside_contour(self.slice(statement.head).trim())?;
+            }
             BlockKind::Statement(_) if self.switches_mode(block) => {}
             BlockKind::Statement(statement) if statement.kind == StatementKind::Plane => self.plane(statement)?,
             BlockKind::Statement(statement) if statement.kind == StatementKind::Trans => self.shift_datum(statement)?,

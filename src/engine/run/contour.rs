@@ -35,6 +35,8 @@ struct Between {
     what: Break,
     speed: Result<Speed, Fault>,
     at: At,
+    /// How much waited before it.
+    waiting: usize,
 }
 
 /// What is known of a piece of a contour before its end is.
@@ -353,11 +355,13 @@ impl Run<'_, '_> {
         before.kind = Kind::Element(first);
         let height = before.height;
         self.contour.piece = Some(before);
+        let later = self.contour.waiting.split_off(between.waiting.min(self.contour.waiting.len()));
         if let Some(corner) = corner {
             let at = between.at;
             let piece = self.piece(Kind::Element(corner), next.offset, height, between.speed);
             self.follow(Piece { at, ..piece })?;
         }
+        self.contour.waiting.extend(later);
         self.follow(Piece { kind: Kind::Element(last), ..next })
     }
 
@@ -553,7 +557,8 @@ impl Run<'_, '_> {
         let speed = self.speed(motion.feed.as_ref());
         self.modal.feed = feed;
         let what = if chamfer { Break::Chamfer(size) } else { Break::Rounding(size) };
-        self.contour.between = Some(Box::new(Between { what, speed, at: self.at.clone() }));
+        self.contour.between =
+            Some(Box::new(Between { what, speed, at: self.at.clone(), waiting: self.contour.waiting.len() }));
         Ok(())
     }
 

@@ -288,9 +288,8 @@ fn inside(before: &Element, behind: &Element, offset: f64) -> Option<Meeting> {
         let (cut, other) = (before.cut_before(point, offset), behind.cut_behind(point, offset));
         // A line may be left with less than nothing here: its other end decides, for M97 goes on beyond it.
         let over = |cut: f64, element: &Element| cut > element.extent() + ROUNDING;
-        let fits = |cut: f64, element: &Element| {
-            cut >= -ROUNDING && (element.shape == Shape::Line || !over(cut, element))
-        };
+        let fits =
+            |cut: f64, element: &Element| cut >= -ROUNDING && (element.shape == Shape::Line || !over(cut, element));
         let way = before.way(cut, offset) + behind.way(other, offset);
         let meeting = Meeting { point, before: cut.max(0.0), behind: other.max(0.0) };
         let is_over = over(cut, before) || over(other, behind);
