@@ -314,6 +314,7 @@ impl Raising<'_, '_> {
             Some(Compensation::R0) => " G40",
             Some(Compensation::Rl) => " G41",
             Some(Compensation::Rr) => " G42",
+            Some(Compensation::Longer | Compensation::Shorter) => return Err(refused()),
         });
         if let Some(feed) = motion.feed.filter(|_| !rapid) {
             out.push_str(&self.feed(feed.kind, feed.span)?);
