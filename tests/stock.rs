@@ -4,9 +4,12 @@
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use ciklo::diag::Source;
 use ciklo::engine::geometry::{Axis, Frame};
+use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::{Path, Shape};
-use ciklo::engine::stock::{Batch, Cut, Cutter, Neck, Stock, StockTrouble, Tip};
+use ciklo::engine::stock::{Batch, Blank, Cut, Cutter, Neck, Stock, StockTrouble, Tip};
+use ciklo::syntax;
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -314,4 +317,35 @@ fn meshes_are_closed() {
         assert!(edges.values().all(|count| *count == 0), "{axis:?}: open edges");
         assert!((volume - stock.volume()).abs() < 1e-4 * volume, "{axis:?}: {volume} {}", stock.volume());
     }
+}
+
+/// The blank of a program: a cuboid in its unit, its second corner also in increments; of other forms a plain word.
+#[test]
+fn the_blank_of_a_program_is_a_cuboid_in_its_unit() {
+    let files = ciklo::data::embedded();
+    let find = |lines: &str, scene: &str| {
+        let program = syntax::parse(&Source::new("A.H", lines));
+        let scene = Scene::parse(&Source::new("scene.yaml", scene), &files).expect("a scene");
+        Blank::find(&program, &scene).map(|blank| (blank.bounds, blank.axis))
+    };
+    let plain = "scene: 1\n";
+    let near = |found: Result<([DVec3; 2], Axis), StockTrouble>, min: DVec3, max: DVec3, axis: Axis| {
+        let (bounds, own) = found.expect("a blank");
+        assert!(bounds[0].distance(min) < 1e-9 && bounds[1].distance(max) < 1e-9 && own == axis, "{bounds:?} {own:?}");
+    };
+    let cuboid = "BLK FORM 0.1 Z X+0 Y-1 Z-2\nBLK FORM 0.2 X+10 Y+4 Z+0.5\n";
+    let mm = |text: &str| format!("BEGIN PGM A MM\n{text}END PGM A MM\n");
+    near(find(&mm(cuboid), plain), DVec3::new(0.0, -1.0, -2.0), DVec3::new(10.0, 4.0, 0.5), Axis::Z);
+    // 10 inches are 254 mm, 4 are 101.6, a half is 12.7.
+    let inches = format!("BEGIN PGM A INCH\n{cuboid}END PGM A INCH\n");
+    near(find(&inches, plain), DVec3::new(0.0, -25.4, -50.8), DVec3::new(254.0, 101.6, 12.7), Axis::Z);
+    let increments = "BLK FORM 0.1 Y X+5 Y-20 Z+1\nBLK FORM 0.2 IX+10 IY+20 IZ+3\n";
+    near(find(&mm(increments), plain), DVec3::new(5.0, -20.0, 1.0), DVec3::new(15.0, 0.0, 4.0), Axis::Y);
+    let round = mm("BLK FORM CYLINDER Z R50 L100\n");
+    assert_eq!(find(&round, plain).err(), Some(StockTrouble::Form { word: "CYLINDER".to_owned() }));
+    // The stock of the scene goes before whatever the program says.
+    let with_stock = "scene: 1\nstock: {box: {min: [0, 0, 0], max: [1, 2, 3]}}\n";
+    near(find(&round, with_stock), DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0), Axis::Z);
+    assert_eq!(find(&mm("BLK FORM 0.1 Z X+0 Y+0 Z+0\nBLK FORM 0.2 X+10 Y+0 Z+5\n"), plain).err(), Some(StockTrouble::Blank));
+    assert_eq!(find(&mm(""), plain).err(), Some(StockTrouble::Missing));
 }

@@ -51,6 +51,7 @@ diag-table-too-wide = { $file }, row { $row }: the value does not fit into colum
 diag-table-text-in-numbers = { $file }, row { $row }: column { $column } takes numbers only.
 diag-table-key-column = { $file }, row { $row }: the row number in column { $column } cannot be changed.
 
+diag-stock-form = BLK FORM { $word } is not described in the manuals: give the stock in the scene, or a cuboid by BLK FORM 0.1 and 0.2.
 diag-stock-missing = There is no blank: neither does the scene have a stock, nor the program a BLK FORM.
 diag-stock-blank = The corners of BLK FORM must be numbers, and each minimum must be smaller than its maximum.
 diag-stock-resolution = { $found } cannot be the distance between the columns of the stock: it must be greater than zero, and there may be at most 150 million columns.

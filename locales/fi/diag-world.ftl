@@ -50,6 +50,7 @@ diag-table-too-wide = { $file }, rivi { $row }: arvo ei mahdu sarakkeeseen { $co
 diag-table-text-in-numbers = { $file }, rivi { $row }: sarakkeeseen { $column } voi syöttää vain lukuja.
 diag-table-key-column = { $file }, rivi { $row }: sarakkeen { $column } rivinumeroa ei voi muuttaa.
 diag-stock-blank = BLK FORM -lauseen kulmien on oltava lukuja, ja jokaisen minimin on oltava pienempi kuin maksimin.
+diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: anna aihio tilanteessa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.
 diag-stock-missing = Aihiota ei ole: tilanteessa ei ole aihiota eikä ohjelmassa BLK FORM -lausetta.
 diag-stock-resolution = { $found } ei kelpaa aihion sarakkeiden väliksi: sen on oltava suurempi kuin nolla, ja sarakkeita saa olla enintään 150 miljoonaa.
 diag-stock-resolution-mesh = Kappaleessa on enemmän kolmioita kuin STL-tiedostoon mahtuu; suurempi sarakkeiden väli auttaa.

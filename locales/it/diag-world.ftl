@@ -50,6 +50,7 @@ diag-table-too-wide = { $file }, riga { $row }: il valore è troppo lungo per la
 diag-table-text-in-numbers = { $file }, riga { $row }: nella colonna { $column } sono ammessi solo numeri.
 diag-table-key-column = { $file }, riga { $row }: il numero di riga nella colonna { $column } non può essere modificato.
 diag-stock-blank = Gli spigoli di BLK FORM devono essere numeri e ogni minimo deve essere inferiore al suo massimo.
+diag-stock-form = BLK FORM { $word } non è descritto nei manuali: indicare il pezzo grezzo nella scena, oppure un parallelepipedo con BLK FORM 0.1 e 0.2.
 diag-stock-missing = Manca il pezzo grezzo: non lo contengono né la scena né il programma con un BLK FORM.
 diag-stock-resolution = { $found } non può essere la distanza tra le colonne del pezzo grezzo: deve essere maggiore di zero e le colonne possono essere al massimo 150 milioni.
 diag-stock-resolution-mesh = Il pezzo ha più triangoli di quanti ne può contenere un file STL; è utile una distanza maggiore tra le colonne.

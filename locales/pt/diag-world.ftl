@@ -50,6 +50,7 @@ diag-table-too-wide = { $file }, linha { $row }: o valor não cabe na coluna { $
 diag-table-text-in-numbers = { $file }, linha { $row }: a coluna { $column } só aceita números.
 diag-table-key-column = { $file }, linha { $row }: o número da linha na coluna { $column } não pode ser alterado.
 diag-stock-blank = Os cantos de BLK FORM têm de ser números e cada mínimo tem de ser inferior ao seu máximo.
+diag-stock-form = BLK FORM { $word } não está descrito nos manuais: indique o bloco na cena, ou um paralelepípedo com BLK FORM 0.1 e 0.2.
 diag-stock-missing = Não há bloco: nem a cena o contém, nem o programa tem um BLK FORM.
 diag-stock-resolution = { $found } não pode ser a distância entre as colunas do bloco: tem de ser superior a zero e pode haver, no máximo, 150 milhões de colunas.
 diag-stock-resolution-mesh = A peça tem mais triângulos do que cabem num ficheiro STL; uma distância maior entre as colunas ajuda.

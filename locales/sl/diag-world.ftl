@@ -50,6 +50,7 @@ diag-table-too-wide = { $file }, vrstica { $row }: vrednost je predolga za stolp
 diag-table-text-in-numbers = { $file }, vrstica { $row }: v stolpec { $column } je mogoče vnesti samo števila.
 diag-table-key-column = { $file }, vrstica { $row }: številke vrstice v stolpcu { $column } ni mogoče spremeniti.
 diag-stock-blank = Oglišča v stavku BLK FORM morajo biti števila in vsak minimum mora biti manjši od maksimuma.
+diag-stock-form = Stavka BLK FORM { $word } priročniki ne opisujejo: surovec navedite v prizoru ali kot kvader s stavkoma BLK FORM 0.1 in 0.2.
 diag-stock-missing = Surovca ni: nima ga niti prizor niti program s stavkom BLK FORM.
 diag-stock-resolution = { $found } ne more biti razdalja med stolpci surovca: biti mora večja od nič, stolpcev pa je lahko največ 150 milijonov.
 diag-stock-resolution-mesh = Obdelovanec ima več trikotnikov, kot jih lahko vsebuje datoteka STL; pomaga večja razdalja med stolpci.

@@ -20,16 +20,18 @@ const LENGTHS: [&str; 25] = [
 ];
 const MORE_LENGTHS: [&str; 4] = ["P1Z", "P2Z", "P3Z", "F"];
 
-struct Twin<'p> {
+struct Twin<'p, 'f> {
     program: &'p Program,
+    /// What the next length or feed is multiplied with.
+    factor: &'f mut dyn FnMut() -> f64,
     edits: Vec<(Span, String)>,
     /// Whether there is something whose unit cannot be told.
     untold: bool,
 }
 
-impl Twin<'_> {
+impl Twin<'_, '_> {
     fn number(&mut self, span: Span, value: f64) {
-        let value = value / INCH;
+        let value = value * (self.factor)();
         let signed = self.program.slice(span).starts_with(['+', '-']);
         self.edits.push((span, if signed { format!("{value:+}") } else { format!("{value}") }));
     }
@@ -47,7 +49,8 @@ impl Twin<'_> {
                 let text = self.program.slice(value.span);
                 let number = text.strip_prefix("FU").or_else(|| text.strip_prefix("FZ"));
                 if let Some(number) = number.and_then(|number| number.replace(',', ".").parse::<f64>().ok()) {
-                    self.edits.push((value.span, format!("{}{}", &text[..2], number / INCH)));
+                    let number = number * (self.factor)();
+                    self.edits.push((value.span, format!("{}{number}", &text[..2])));
                 }
             }
             _ => {}
@@ -61,7 +64,8 @@ impl Twin<'_> {
             && let (Ok(first), Ok(second)) = (first.parse::<f64>(), second.parse::<f64>())
         {
             let sign = text.chars().find(|c| matches!(c, '+' | '-')).unwrap_or('-');
-            self.edits.push((inside, format!("{}{sign}{}", first / INCH, second / INCH)));
+            let factor = (self.factor)();
+            self.edits.push((inside, format!("{}{sign}{}", first * factor, second * factor)));
         }
     }
 
@@ -109,8 +113,6 @@ impl Twin<'_> {
         match kind {
             BlockKind::BeginPgm(frame) | BlockKind::EndPgm(frame) => {
                 self.untold |= frame.inch;
-                let rest = Span::new(frame.name.end, frame.name.end + 3);
-                self.edits.push((rest, " INCH".to_owned()));
             }
             BlockKind::BlkForm(form) => self.coords(&form.coords),
             BlockKind::ToolCall(call) => self.tool_call(call),
@@ -186,7 +188,22 @@ impl Twin<'_> {
 
 /// The same program in inches; nothing if it calculates lengths, or is in inches itself.
 pub(crate) fn in_inches(program: &Program, on: &OnControl, catalogue: &Catalogue) -> Option<String> {
-    let mut twin = Twin { program, edits: Vec::new(), untold: false };
+    let text = with_lengths(program, on, catalogue, &mut || 1.0 / INCH)?;
+    let frames = text.lines().map(|line| match line.contains(" PGM ") {
+        true => line.strip_suffix(" MM").map_or_else(|| line.to_owned(), |name| format!("{name} INCH")),
+        false => line.to_owned(),
+    });
+    Some(frames.fold(String::new(), |all, line| all + &line + "\n"))
+}
+
+/// The same program with every length and feed multiplied; nothing if it calculates lengths, or is in inches.
+pub(crate) fn with_lengths(
+    program: &Program,
+    on: &OnControl,
+    catalogue: &Catalogue,
+    factor: &mut dyn FnMut() -> f64,
+) -> Option<String> {
+    let mut twin = Twin { program, factor, edits: Vec::new(), untold: false };
     let others = catalogue.controls.values().rev().filter(|other| other.id() != on.id());
     let all: Vec<&Cycle> = std::iter::once(on).chain(others).flat_map(|on| on.cycles.values()).collect();
     program.blocks().iter().for_each(|block| twin.block(&block.kind, &all));

@@ -13,7 +13,7 @@ use crate::engine::machine::Machine;
 use crate::engine::run::{Event, EventKind, FindingKind, MoveKind};
 use crate::engine::scene::Scene;
 use crate::engine::solid::{Path, Shape, SolidError};
-use crate::syntax::{self, Amount, BlockKind, Program};
+use crate::syntax::{self, Amount, BlockKind, Program, StatementKind};
 
 /// Moves that are carried out together.
 const TOGETHER: usize = 4096;
@@ -27,6 +27,11 @@ pub enum StockTrouble {
     Missing,
     /// The blank of the program has no extent, or its corners are no numbers.
     Blank,
+    /// The program has a blank of a form that no manual describes.
+    Form {
+        /// Its word.
+        word: String,
+    },
     /// The resolution is not positive or makes too many columns.
     Resolution {
         /// What was asked for.
@@ -42,6 +47,7 @@ impl StockTrouble {
         match self {
             Self::Missing => Diagnostic::global("stock-missing"),
             Self::Blank => Diagnostic::global("stock-blank"),
+            Self::Form { word } => Diagnostic::global("stock-form").arg("word", word.as_str()),
             Self::Resolution { found } => Diagnostic::global("stock-resolution").arg("found", *found),
             Self::Solid(error) => Diagnostic::global(error.code()),
         }
@@ -92,6 +98,12 @@ impl Blank {
         for block in program.blocks() {
             if let BlockKind::BeginPgm(frame) = &block.kind {
                 unit = if frame.inch { INCH } else { 1.0 };
+            }
+            if let BlockKind::Statement(statement) = &block.kind
+                && statement.kind == StatementKind::BlkForm
+            {
+                let word = program.slice(statement.head).split_whitespace().last().unwrap_or_default();
+                return Some(Err(StockTrouble::Form { word: word.to_ascii_uppercase() }));
             }
             let BlockKind::BlkForm(form) = &block.kind else { continue };
             any = true;
