@@ -133,6 +133,36 @@ fn lines(points: &[DVec3]) -> Vec<Path> {
     points.windows(2).filter_map(|pair| Some(Path::line(*pair.first()?, *pair.last()?))).collect()
 }
 
+/// A tool that goes down along circles in short arcs.
+fn ramps(radius: f64, length: f64, count: usize) -> Vec<Path> {
+    let (middle, fall) = (DVec3::new(PART / 2.0, PART / 2.0, 0.0), length / 40.0);
+    let turn = length / radius;
+    let arc = |n: usize| {
+        let (angle, z) = (turn * n as f64, -fall * n as f64 % 20.0);
+        let centre = middle + DVec3::Z * z;
+        let from = centre + DVec3::new(libm::cos(angle), libm::sin(angle), 0.0) * radius;
+        Path::Arc { centre, axis: DVec3::Z, from, sweep: turn.to_degrees(), rise: -fall }
+    };
+    (0..count).map(arc).collect()
+}
+
+/// Seconds that all processors together have spent on this program, where the system tells it.
+fn spent() -> f64 {
+    let ticks = fs::read_to_string("/proc/self/stat").ok().and_then(|text| {
+        let fields: Vec<f64> =
+            text.rsplit(')').next()?.split_whitespace().skip(11).take(2).flat_map(str::parse).collect();
+        Some(fields.iter().sum::<f64>())
+    });
+    ticks.unwrap_or(f64::NAN) / 100.0
+}
+
+/// The greatest memory of this program so far, where the system tells it.
+fn peak() -> String {
+    let text = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    line.map_or_else(|| "unknown".into(), |line| line.trim().into())
+}
+
 /// Full helices side by side.
 fn helices() -> Vec<Path> {
     let at = |n: usize| DVec3::new((n % 10) as f64 * 9.0 + 5.0, (n / 10 % 10) as f64 * 9.0 + 5.0, -((n / 100) as f64));
@@ -153,29 +183,48 @@ fn removal() {
         ("roughing, flat 10 mm, 0.25 mm moves", flat, levels(0.25, 5.0)),
         ("finishing, ball 6 mm, 0.25 mm moves", ball, lines(&meander(0.25, 0.2, wave))),
         ("levelling, ball 6 mm, 0.25 mm moves", ball, lines(&meander(0.25, 0.2, |_, _| -8.0))),
-        ("helices of 14 mm, flat 10 mm", flat, helices()),
+        ("helix of 60 mm, flat 10 mm, 0.25 mm", flat, ramps(30.0, 0.25, 40_000)),
+        ("helix of 60 mm, ball 6 mm, 0.25 mm", ball, ramps(30.0, 0.25, 40_000)),
+        ("helix of 6 mm, flat 10 mm, 0.25 mm", flat, ramps(3.0, 0.25, 20_000)),
+        ("full helices of 14 mm, flat 10 mm", flat, helices()),
     ];
     let bounds = [DVec3::new(0.0, 0.0, -30.0), DVec3::new(PART, PART, 0.0)];
     let [min, max] = bounds;
     let Ok(blank) = Stock::new(&Shape::Box { min, max }, bounds, Frame::IDENTITY, Axis::Z, RESOLUTION) else { return };
     for (name, cutter, paths) in works {
-        let mut best = Duration::MAX;
+        let (mut best, mut work) = (Duration::MAX, f64::INFINITY);
         for _ in 0..ROUNDS {
             let mut stock = blank.clone();
             let mut batch = Batch::default();
-            let start = Instant::now();
+            let (start, before) = (Instant::now(), spent());
             for paths in paths.chunks(TOGETHER) {
                 paths.iter().for_each(|path| stock.add(&mut batch, path, DVec3::Z, &cutter, false));
                 black_box(stock.carry_out(&mut batch));
             }
             best = best.min(start.elapsed());
+            work = work.min(spent() - before);
         }
-        println!("{name:36} stock {:>9.0} moves/s ({} moves)", paths.len() as f64 / best.as_secs_f64(), paths.len());
+        let (count, time) = (paths.len() as f64, best.as_secs_f64());
+        let rate = count / work.max(0.01);
+        println!("{name:37} stock {:>9.0} moves/s, {rate:>9.0} in a second of one processor", count / time);
+    }
+    // The same way again and again: nothing may be kept of it.
+    let (mut stock, mut batch) = (blank, Batch::default());
+    for rounds in [1, 10, 50] {
+        for path in lines(&meander(0.25, 2.0, |_, _| -1.0)).repeat(rounds).chunks(TOGETHER) {
+            path.iter().for_each(|path| stock.add(&mut batch, path, DVec3::Z, &flat, false));
+            black_box(stock.carry_out(&mut batch));
+        }
+        println!("memory after {:>7} moves more       {}", 20_000 * rounds, peak());
     }
 }
 
 fn main() {
     removal();
+    // `cargo bench --bench engine -- stock` stops here.
+    if env::args().any(|arg| arg == "stock") {
+        return;
+    }
     let files = data::embedded();
     let (catalogue, _) = Catalogue::load(&files);
     let Some(on) = catalogue.on("tnc640") else { return };

@@ -138,6 +138,36 @@ proptest! {
         prop_assert!(off <= 2, "{off} columns differ");
     }
 
+    /// The same on arcs and helices, whose pieces are passed over where the tool has stood.
+    #[test]
+    fn pieces_of_arcs_leave_what_the_whole_leaves(
+        tip in tip(), radius in 0.5..14.0, start in 0.0..360.0_f64, sweep in -300.0..300.0_f64, fall in prop_oneof![Just(0.0), -3.0..3.0],
+        parts in 2..40_u8,
+    ) {
+        let cutter = tool(4.0, tip);
+        let centre = DVec3::new(30.0, 20.0, -6.0);
+        let arm = |degrees: f64| DVec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0) * radius;
+        let part = |from: f64, sweep: f64, low: f64, rise: f64| Path::Arc {
+            centre: centre + DVec3::Z * low, axis: DVec3::Z, from: centre + DVec3::Z * low + arm(from), sweep, rise,
+        };
+        let share = 1.0 / f64::from(parts);
+        let at = |n: u8| f64::from(n) * share;
+        let pieces: Vec<Path> =
+            (0..parts).map(|n| part(start + sweep * at(n), sweep * share, fall * at(n), fall * share)).collect();
+        let (mut one, mut many) = (block(0.7), block(0.7));
+        cut(&mut one, &cutter, DVec3::Z, &[part(start, sweep, 0.0, fall)]);
+        cut(&mut many, &cutter, DVec3::Z, &pieces);
+        let (columns, rows) = one.size();
+        let mut off = 0;
+        for row in 0..rows {
+            for column in 0..columns {
+                let (a, b) = (one.top(column, row).unwrap_or(MIN.z), many.top(column, row).unwrap_or(MIN.z));
+                off += usize::from((a - b).abs() > 1e-6);
+            }
+        }
+        prop_assert!(off <= 2, "{off} columns differ");
+    }
+
     /// A tool that lies across the columns, against one that stands along them.
     #[test]
     fn columns_may_stand_otherwise(tip in tip(), from in (10.0..50.0, 10.0..30.0), to in (10.0..50.0, 10.0..30.0), z in 1..10_i8) {

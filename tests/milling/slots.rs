@@ -107,7 +107,7 @@ proptest! {
     #[test]
     fn circular_slots(
         job in job(), finish in finish(), share in prop_oneof![Just(0.0), 0.02..1.0_f64], more in mm(0.5..20.0), position in 0..4_u8,
-        begin in mm(-360.0..360.0), opening in mm(10.0..200.0), count in 1..4_u8, plunge in 0..3_u8,
+        begin in mm(-360.0..360.0), opening in prop_oneof![5 => mm(10.0..200.0), 1 => mm(200.0..360.0), 1 => Just(360.0)], count in 1..4_u8, plunge in 0..3_u8,
         at in (mm(-10.0..10.0), mm(-10.0..10.0)),
     ) {
         let width = Width::new(&job, &finish, share);

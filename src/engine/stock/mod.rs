@@ -13,6 +13,7 @@
 //! depend on their number to the last bit. Memory depends on the grid and not on the number of moves.
 //!
 //! Invariant: nothing here knows a control or a program; `follow` alone reads events.
+mod bend;
 mod compare;
 mod cutter;
 mod follow;
@@ -303,7 +304,9 @@ impl Stock {
         // Rounding of turned coordinates is no inclination.
         let upright = (tool - DVec3::Z).length() < 1e-12;
         let up = DVec3::Z * lift;
-        let joins = batch.last.take();
+        let before = batch.last.take();
+        // Coordinates that were calculated on two ways differ by their rounding.
+        let joins = |at: DVec3| before.is_some_and(|(end, tool)| tool == cutter && (end - at).length() < 1e-10);
         let mut across = true;
         let mut high = f64::NEG_INFINITY;
         match *path {
@@ -313,7 +316,7 @@ impl Stock {
                 across = libm::hypot(to.x - from.x, to.y - from.y) > SLIVER;
                 if upright {
                     let mut line = Sweep::line(from + up, to + up, cutter);
-                    line.joined = joins.is_some_and(|(at, before)| at == from + up && before == cutter);
+                    line.joined = joins(from + up);
                     batch.last = cutter.neck.is_none().then_some((to + up, cutter));
                     upright_jobs(batch, owner, line);
                 } else {
@@ -335,12 +338,18 @@ impl Stock {
                         pieces = f64::max(pieces, (rise.abs() / neck.head).ceil());
                     }
                     let centre = DVec2::new(centre.x, centre.y);
+                    let mut joined = joins(start + up);
                     for piece in 0..pieces as usize {
                         let share = piece as f64 / pieces;
                         let (angle, z) = (angle + sweep * share, start.z + lift + rise * share);
-                        let arc = Sweep::arc(centre, radius, angle, sweep / pieces, z, rise / pieces, cutter);
+                        let mut arc = Sweep::arc(centre, radius, angle, sweep / pieces, z, rise / pieces, cutter);
+                        arc.joined = joined;
+                        joined = cutter.neck.is_none();
                         upright_jobs(batch, owner, arc);
                     }
+                    let (s, c) = (libm::sin(angle + sweep), libm::cos(angle + sweep));
+                    let end = (centre + radius * DVec2::new(c, s)).extend(start.z + lift + rise);
+                    batch.last = joined.then_some((end, cutter));
                 } else {
                     let bottom = self.grid.min.z;
                     oblique_jobs(batch, owner, &Oblique::new(path, &self.grid, cutter, tool, lift, bottom));

@@ -2,8 +2,8 @@
 //!
 //! Coordinates are those of the stock: columns stand along z, and so does the tool. Everything here is exact for
 //! each column: a line sweeps a convex body, so the lowest point over a column is where the slope of the path
-//! and the slope of the tool's end balance, or an end of the path. Only a bull nose on a ramp and round or
-//! pointed ends on a helix have no closed form; there the balance is found by bisection down to rounding.
+//! and the slope of the tool's end balance, or an end of the path. Only a bull nose on a ramp has no closed form; there the
+//! balance is found by bisection down to rounding. Arcs are in `bend`.
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
@@ -12,11 +12,12 @@ use super::cutter::{Cutter, Tip};
 use super::lane::BLOCK;
 
 /// Steps of a bisection; each halves an interval of some mm or radians.
-const BISECTIONS: usize = 50;
-/// Parts of a turn among which the lowest is looked for before the search closes in on it.
-const PARTS: usize = 16;
+pub(super) const BISECTIONS: usize = 50;
 /// What is left to rounding, mm.
-const HAIR: f64 = 1e-9;
+pub(super) const HAIR: f64 = 1e-9;
+
+/// No part of a row.
+pub(super) const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 /// A way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,11 +141,9 @@ impl Sweep {
         }
     }
 
-    /// The part of a row of that y that it covers; the whole rectangle for arcs.
+    /// The part of a row of that y that it covers; what lies within the rectangle and the outer rim for arcs.
     pub(super) fn span(&self, y: f64) -> Option<[f64; 2]> {
-        let Way::Line { from, along, length, .. } = self.way else {
-            return (y >= self.min.y && y <= self.max.y).then_some([self.min.x, self.max.x]);
-        };
+        let Way::Line { from, along, length, .. } = self.way else { return self.arc_span(y) };
         let radius = self.cutter.radius;
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         let mut disc = |centre: DVec2| {
@@ -177,8 +176,7 @@ impl Sweep {
     /// stood at the start, that is what the path leads it to: beyond the first place for a flat tool that does not go
     /// down, and before the tool otherwise.
     pub(super) fn fresh(&self, y: f64, [low, high]: [f64; 2]) -> [[f64; 2]; 2] {
-        const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
-        let Way::Line { from, along, length, rise } = self.way else { return [[low, high], NONE] };
+        let Way::Line { from, along, length, rise } = self.way else { return self.arc_fresh(y, [low, high]) };
         if !self.joined || length == 0.0 {
             return [[low, high], NONE];
         }
@@ -223,6 +221,10 @@ impl Sweep {
                 let far = (beyond * beyond + v * v).sqrt() - half;
                 if far > self.cutter.radius { f64::INFINITY } else { self.low + self.cutter.rise(far.max(0.0)) }
             }
+            Way::Arc { centre, radius, .. } if self.cutter.tip != Tip::Flat => {
+                let far = ((p - centre).length() - radius).abs() - half;
+                if far > self.cutter.radius { f64::INFINITY } else { self.low + self.cutter.rise(far.max(0.0)) }
+            }
             _ => self.low,
         }
     }
@@ -242,11 +244,7 @@ impl Sweep {
     pub(super) fn heights(&self, x: f64, step: f64, y: f64, out: &mut [f64; BLOCK]) {
         match self.way {
             Way::Line { from, along, length, rise } => self.line_heights(from, along, length, rise, [x, step, y], out),
-            Way::Arc { .. } => {
-                for (n, out) in out.iter_mut().enumerate() {
-                    *out = self.arc_height(DVec2::new(x + n as f64 * step, y));
-                }
-            }
+            Way::Arc { .. } => self.arc_heights([x, step, y], out),
         }
     }
 
@@ -370,79 +368,5 @@ impl Sweep {
                 -slope.signum() * near
             }
         }
-    }
-
-    fn arc_height(&self, p: DVec2) -> f64 {
-        let Way::Arc { centre, radius, start, end, turn, sweep, z, rise } = self.way else { return f64::INFINITY };
-        let square = self.cutter.radius * self.cutter.radius;
-        let arm = p - centre;
-        if rise == 0.0 {
-            let beside = sweep >= TAU || {
-                let (after, before) = (start.perp_dot(arm) * turn >= 0.0, arm.perp_dot(end) * turn >= 0.0);
-                if sweep <= PI { after && before } else { after || before }
-            };
-            let far = if beside {
-                let off = arm.length() - radius;
-                off * off
-            } else {
-                (arm - start * radius).length_squared().min((arm - end * radius).length_squared())
-            };
-            return if far <= square { z + self.cutter.rise(far.sqrt()) } else { f64::INFINITY };
-        }
-        let lowest = if rise < 0.0 { end } else { start };
-        if self.cutter.tip == Tip::Flat && (arm - lowest * radius).length_squared() <= square {
-            return z + rise.min(0.0);
-        }
-        let out = arm.length();
-        if (out - radius).abs() > self.cutter.radius {
-            return f64::INFINITY;
-        }
-        if sweep <= PI && (start.perp_dot(arm) * turn < 0.0 || arm.perp_dot(end) * turn < 0.0) {
-            let near = (arm - start * radius).length_squared().min((arm - end * radius).length_squared());
-            if near > square {
-                return f64::INFINITY;
-            }
-        }
-        // How far the tool may be turned away from the column and still be over it.
-        let share = if out > 0.0 { (out * out + radius * radius - square) / (2.0 * out * radius) } else { -1.0 };
-        let reach = if share <= -1.0 { PI } else { libm::acos(share.min(1.0)) };
-        let own = turn * libm::atan2(start.perp_dot(arm), start.dot(arm));
-        let slope = rise / sweep;
-        let turns = (sweep / TAU).ceil();
-        let mut lowest = f64::INFINITY;
-        let mut angle = own - TAU;
-        while angle <= TAU * turns + PI {
-            let (first, last) = ((angle - reach).max(0.0), (angle + reach).min(sweep));
-            if first <= last {
-                lowest = lowest.min(z + self.lowest_on_turn(slope, angle, [first, last], out, radius));
-            }
-            angle += TAU;
-        }
-        lowest
-    }
-
-    /// The lowest height on the part of a helix that passes over a column whose angle is `angle`.
-    fn lowest_on_turn(&self, slope: f64, angle: f64, [first, last]: [f64; 2], out: f64, radius: f64) -> f64 {
-        let height = |at: f64| {
-            let far = (out * out + radius * radius - 2.0 * out * radius * libm::cos(at - angle)).max(0.0).sqrt();
-            slope * at + self.cutter.rise(far.min(self.cutter.radius))
-        };
-        let (down, up) = if slope < 0.0 { (last, first) } else { (first, last) };
-        if self.cutter.tip == Tip::Flat {
-            return height(down);
-        }
-        // Up to the column's own angle both slopes go down; from there to the lower end they work against each other.
-        let begin = angle.clamp(first, last);
-        let at = |n: usize| begin + (down - begin) * (n as f64 / PARTS as f64);
-        let lowest = (0..=PARTS).min_by(|a, b| height(at(*a)).total_cmp(&height(at(*b)))).unwrap_or(0);
-        let (mut near, mut far) = (at(lowest.saturating_sub(1)), at((lowest + 1).min(PARTS)));
-        let mut best = height(up).min(height(at(lowest)));
-        for _ in 0..BISECTIONS {
-            let (a, b) = (near + (far - near) * 0.382, near + (far - near) * 0.618);
-            let (low, high) = (height(a), height(b));
-            best = best.min(low).min(high);
-            if low < high { far = b } else { near = a }
-        }
-        best
     }
 }
