@@ -175,14 +175,17 @@ pub(super) fn widest(pieces: &[Piece], index: usize, radius: f64, step: f64) -> 
         if left <= 0.0 { 2.0 * radius } else { radius - radius * cos.clamp(-1.0, 1.0) }
     };
     let mut allowed = step;
+    let (mut sharp, mut round) = (false, false);
     let mut look = |indices: &mut dyn Iterator<Item = usize>| {
         let mut way = 0.0;
         for n in indices {
             let piece = &pieces[n];
             if piece.length == 0.0 || piece.turn.to_degrees() > 25.0 {
                 allowed = allowed.max(corner);
+                sharp = true;
             }
             if piece.bend.is_finite() {
+                round = round || piece.bend < 3.0 * radius;
                 allowed = allowed.max(bent(piece.bend).min(corner));
             }
             way += piece.length;
@@ -193,5 +196,6 @@ pub(super) fn widest(pieces: &[Piece], index: usize, radius: f64, step: f64) -> 
     };
     look(&mut (0..=index).rev());
     look(&mut (index + 1..pieces.len()));
-    allowed
+    // Straight towards a wall that is bent nearly as the tool is, all of its front meets the strip.
+    if sharp && round { 2.0 * radius } else { allowed }
 }
