@@ -41,6 +41,7 @@ diag-label-of-another-language = “{ $label }” is a label in another language
 diag-label-of-another-parameter = “{ $label }” is the label of { $other }, not of { $parameter }.
 diag-label-undefined = No block sets the label { $label }.
 diag-main-runs-into-subprogram = The main part runs into the subprogram { $label } here: neither M2 nor M30 stands before it.
+diag-measuring-height-below-floor = { $cycle } measures at { $parameter }={ $value }, below the floor that { $milling } leaves there, { $floor }.
 diag-metric-values-in-inch = The program is in inches, and { $value } looks like millimetres.
 diag-misordered-parameter = In { $cycle } the control shows { $parameter } before { $before }.
 diag-missing-parameter = { $cycle } lacks { $parameter }.

@@ -41,6 +41,7 @@ diag-label-of-another-language = ”{ $label }” on toisen kielen NC-teksti ({ 
 diag-label-of-another-parameter = ”{ $label }” on parametrin { $other } NC-teksti, ei parametrin { $parameter }.
 diag-label-undefined = Mikään lause ei aseta labelia { $label }.
 diag-main-runs-into-subprogram = Pääohjelma jatkuu tässä suoraan aliohjelmaan { $label }: ennen sitä ei ole M2- eikä M30-toimintoa.
+diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }={ $value }, joka on työkierron { $milling } sinne jättämän pohjan { $floor } alapuolella.
 diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää millimetreiltä.
 diag-misordered-parameter = Työkierrossa { $cycle } ohjaus näyttää parametrin { $parameter } ennen parametria { $before }.
 diag-missing-parameter = Työkierrosta { $cycle } puuttuu { $parameter }.

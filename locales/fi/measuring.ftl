@@ -89,6 +89,7 @@ result-position-tool-deviation = Työkaluakselin mitattu poikkeama
 result-deviation-3d = Mitattu 3D-poikkeama; pienempi kuin 0: alimitta, suurempi kuin 0: ylimitta
 result-workpiece-status = Työkappaleen tila: −1 = ei määritelty, 0 = hyväksytty, 1 = jälkityöstö, 2 = hylätty
 guard-zero-normal-vector = Normaalivektorin kaikki komponentit ovat 0.
+guard-rotary-axes-askew = Kiertoakselien asemat eivät vastaa koneistustason kääntökulmia.
 guard-mill-mode-only = Työkierto voidaan suorittaa vain koneistustilassa FUNCTION MODE MILL.
 guard-surface-below-nominal = Piste on asetuskoordinaattinsa alapuolella ja toleranssin ulkopuolella.
 note-function-must-be-enabled = Koneen valmistajan on vapautettava ja mukautettava tämä toiminto. Katso koneen käyttöohjekirjaa.

@@ -41,6 +41,7 @@ diag-label-of-another-language = «{ $label }» è un’etichetta in un’altra 
 diag-label-of-another-parameter = «{ $label }» è l’etichetta di { $other }, non di { $parameter }.
 diag-label-undefined = Nessun blocco imposta il label { $label }.
 diag-main-runs-into-subprogram = La parte principale prosegue qui nel sottoprogramma { $label }: prima non c’è né M2 né M30.
+diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value }, sotto il fondo lasciato in quel punto da { $milling }, { $floor }.
 diag-metric-values-in-inch = Il programma è in pollici e { $value } sembra espresso in millimetri.
 diag-misordered-parameter = In { $cycle } il controllo visualizza { $parameter } prima di { $before }.
 diag-missing-parameter = In { $cycle } manca { $parameter }.

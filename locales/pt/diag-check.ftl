@@ -41,6 +41,7 @@ diag-label-of-another-language = «{ $label }» é uma designação noutro idiom
 diag-label-of-another-parameter = «{ $label }» é a designação de { $other }, não de { $parameter }.
 diag-label-undefined = Nenhuma frase define o label { $label }.
 diag-main-runs-into-subprogram = A parte principal continua aqui para dentro do subprograma { $label }: antes não há M2 nem M30.
+diag-measuring-height-below-floor = { $cycle } mede em { $parameter }={ $value }, abaixo do fundo que { $milling } aí deixa, { $floor }.
 diag-metric-values-in-inch = O programa está em polegadas e { $value } parece estar em milímetros.
 diag-misordered-parameter = Em { $cycle }, o comando visualiza { $parameter } antes de { $before }.
 diag-missing-parameter = Em { $cycle } falta { $parameter }.

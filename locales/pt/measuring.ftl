@@ -90,6 +90,7 @@ result-position-tool-deviation = Desvio medido no eixo da ferramenta
 result-deviation-3d = Desvio 3D medido; menor do que 0: medida insuficiente, maior do que 0: medida excedente
 result-workpiece-status = Estado da peça: −1 = não definido, 0 = bom, 1 = trabalho de acabamento, 2 = desperdício
 guard-zero-normal-vector = Todas as componentes do vetor normal são 0.
+guard-rotary-axes-askew = As posições dos eixos rotativos não correspondem aos ângulos de inclinação do plano de maquinação.
 guard-mill-mode-only = O ciclo só pode ser executado no modo FUNCTION MODE MILL.
 guard-surface-below-nominal = O ponto fica abaixo da sua coordenada nominal e fora da tolerância.
 note-function-must-be-enabled = O fabricante da máquina tem de ativar e adaptar esta função. Consulte o manual da máquina.

@@ -41,6 +41,7 @@ diag-label-of-another-language = »{ $label }« je oznaka v drugem jeziku ({ $la
 diag-label-of-another-parameter = »{ $label }« je oznaka parametra { $other }, ne parametra { $parameter }.
 diag-label-undefined = Noben stavek ne postavi oznake LBL { $label }.
 diag-main-runs-into-subprogram = Glavni del se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
+diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ $value }, ki je pod dnom { $floor }, ki ga tam pusti { $milling }.
 diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot milimetri.
 diag-misordered-parameter = V ciklu { $cycle } krmiljenje prikaže { $parameter } pred { $before }.
 diag-missing-parameter = V ciklu { $cycle } manjka { $parameter }.

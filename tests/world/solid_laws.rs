@@ -183,6 +183,35 @@ proptest! {
         }
     }
 
+    /// A shaft is all balls along its axis: it touches where one of them does, and is free where none comes near.
+    #[test]
+    fn a_shaft_touches_where_a_ball_of_it_does(
+        shape in shape(), path in path(), radius in round_number(1, 3), axis in point(20), turned in any::<bool>(),
+    ) {
+        prop_assume!(axis.length() > 1.0);
+        let body = Body::new(&shape).expect("a sound shape");
+        let way = |share: f64| match path {
+            // All points of the shaft turn about the same axis, or all move alike.
+            Path::Arc { centre, axis: about, from, sweep, rise } if turned => {
+                let from = from + axis * share;
+                Path::Arc { centre: centre + about * (from - centre).dot(about), axis: about, from, sweep, rise }
+            }
+            _ => path.moved(axis * share),
+        };
+        let Ok(found) = body.shaft_contact(radius, axis.length(), &way) else { return Ok(()) };
+        if let Some(contact) = found {
+            // The point belongs to the solid and lies on the shaft at some moment of the movement.
+            let gap = (contact.ball_centre - contact.point).length() - radius;
+            prop_assert!(contact.deflected || gap.abs() < 1e-5, "{gap}");
+            prop_assert!(body.contains(contact.point).unwrap_or(true));
+        } else {
+            for k in 0..=60 {
+                let one = body.first_contact_on(radius, &way(f64::from(k) / 60.0));
+                prop_assert!(matches!(one, Ok(None)), "at {k}: {one:?}");
+            }
+        }
+    }
+
     #[test]
     fn distance_changes_no_faster_than_the_point(shape in shape(), a in point(25), b in point(25)) {
         let body = Body::new(&shape).expect("a sound shape");

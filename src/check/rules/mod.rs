@@ -24,6 +24,7 @@ mod label_of_another_language;
 mod label_of_another_parameter;
 mod label_undefined;
 mod main_runs_into_subprogram;
+mod measuring_height_below_floor;
 mod metric_values_in_inch;
 mod misordered_parameter;
 mod missing_parameter;
@@ -80,6 +81,7 @@ pub const RULES: &[&Rule] = &[
     &label_of_another_parameter::RULE,
     &label_undefined::RULE,
     &main_runs_into_subprogram::RULE,
+    &measuring_height_below_floor::RULE,
     &metric_values_in_inch::RULE,
     &misordered_parameter::RULE,
     &missing_parameter::RULE,

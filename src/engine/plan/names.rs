@@ -73,6 +73,8 @@ pub enum Builtin {
     ActiveReversed,
     /// Turning is active.
     ActiveTurning,
+    /// Whether the rotary axes do not stand where the tilted working plane wants them.
+    ActiveAskew,
     /// A machine datum by its neutral name.
     Machine(Arc<str>),
     /// Whether the definition has the form of that number.
@@ -113,6 +115,7 @@ impl Builtin {
                 | Self::ActiveTilting
                 | Self::ActiveReversed
                 | Self::ActiveTurning
+                | Self::ActiveAskew
         )
     }
 }
@@ -148,6 +151,7 @@ const FIXED: &[(&str, Builtin, Type)] = &[
     ("active.tilting", Builtin::ActiveTilting, Type::Bool),
     ("active.reversed", Builtin::ActiveReversed, Type::Bool),
     ("active.turning", Builtin::ActiveTurning, Type::Bool),
+    ("active.askew", Builtin::ActiveAskew, Type::Bool),
 ];
 
 struct Known {

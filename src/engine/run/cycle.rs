@@ -330,6 +330,7 @@ impl<'e> Run<'_, 'e> {
             Builtin::ActiveAxisScaling => Value::Bool(system.has(Transformation::AxisScaling)),
             Builtin::ActiveTilting => Value::Bool(system.has(Transformation::Tilting)),
             Builtin::ActiveReversed => Value::Bool(system.frame().mirrors()),
+            Builtin::ActiveAskew => Value::Bool(self.world.is_askew()),
             Builtin::ActiveTurning => Value::Bool(system.has(Transformation::Turning)),
             Builtin::MachinePoint(name) => {
                 let point = self.machine_point(name, exec).unwrap_or(DVec3::ZERO);

@@ -470,11 +470,16 @@ impl Run<'_, '_> {
     /// An error if the shaft of the stylus touches the parts on a path of the ball centre.
     pub(super) fn shaft_touches(&self, probe: &ProbeData, path: &BallPath) -> Done {
         let Some(shaft) = probe.shaft else { return Ok(()) };
-        let axis = self.world.along_parts(self.world.shaft_axis(shaft));
-        let Some(contact) = self.world.scene.body.shaft_contact(shaft.radius, axis, &self.world.path_at_parts(path))? else {
-            return Ok(());
-        };
-        Err(self.at_point(Fault::control("shaft-collision"), contact.point).into())
+        let (path, axis) = (self.world.path_at_parts(path), self.world.along_parts(self.world.shaft_axis(shaft)));
+        self.shaft_touches_on(shaft.radius, axis.length(), &|share| path.moved(axis * share))
+    }
+
+    /// The same for any movement; `way` tells how a point of the axis moves, as the parts see it.
+    pub(super) fn shaft_touches_on(&self, radius: f64, length: f64, way: &dyn Fn(f64) -> BallPath) -> Done {
+        match self.world.scene.body.shaft_contact(radius, length, way)? {
+            None => Ok(()),
+            Some(contact) => Err(self.at_point(Fault::control("shaft-collision"), contact.point).into()),
+        }
     }
 
     /// A fault at a point of the parts.

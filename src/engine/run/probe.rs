@@ -74,6 +74,9 @@ impl Run<'_, '_> {
         for _ in 0..probe.measurements {
             let stop = self.approach(&probe, &approach)?;
             if !stop.touched {
+                // It stands where the path ended.
+                self.world.machine = stop.tip;
+                self.world.renew();
                 return Err(Fault::control("probe-no-contact").arg("distance", probe.dist).into());
             }
             self.back_from(stop.tip);

@@ -19,6 +19,9 @@ const TRACKING: &str = "ON";
 /// A control measures a point at least once and at most so often.
 const MEASUREMENTS: (f64, f64) = (1.0, 3.0);
 
+/// Directions that differ by less are the same: what a coordinate of a rotary axis that is written with three decimals leaves.
+const STRAIGHT: f64 = 2e-5;
+
 /// What machine parameters of the scene say of every touch probe, on controls that have it there and not in a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct OfMachine {
@@ -176,6 +179,14 @@ impl World<'_> {
         }
         let (s, c) = (sind(self.spindle_turned), cosd(self.spindle_turned));
         plane.lift(DVec2::new(offset.x * c - offset.y * s, offset.x * s + offset.y * c), 0.0)
+    }
+
+    /// Whether the tool does not stand at right angles to the tilted working plane.
+    pub(super) fn is_askew(&self) -> bool {
+        let tool = self.system.plane.tool.unit();
+        let tool = self.head.map_or(tool, |head| head.vector(tool));
+        let wanted = self.system.frame().vector(self.system.plane.tool.unit()).normalize_or_zero();
+        self.system.tilt().is_some() && (wanted - tool).length() > STRAIGHT
     }
 
     /// The true centre of the ball, in machine coordinates, when the tool tip is believed to be there. A head that is

@@ -107,11 +107,20 @@ impl Run<'_, '_> {
             Carried::Workpiece => (turning.centre, -way),
             Carried::Tool => (self.world.pivot(self.world.machine), way),
         };
-        let centre = centre + turning.direction * (from - centre).dot(turning.direction);
-        if (from - centre).length() < ON_AXIS {
-            return Ok(());
+        let around = |from: DVec3| {
+            let centre = centre + turning.direction * (from - centre).dot(turning.direction);
+            if (from - centre).length() < ON_AXIS {
+                return BallPath::line(from, from);
+            }
+            BallPath::Arc { centre, axis: turning.direction, from, sweep, rise: 0.0 }
+        };
+        let path = around(from);
+        if path.length() > 0.0 {
+            self.touches_on(probe.ball_radius, &path)?;
         }
-        let path = BallPath::Arc { centre, axis: turning.direction, from, sweep, rise: 0.0 };
-        self.touches_on(probe.ball_radius, &path)
+        let Some(shaft) = probe.shaft else { return Ok(()) };
+        let axis = self.world.shaft_axis(shaft);
+        let way = |share: f64| self.world.path_at_parts(&around(from + axis * share));
+        self.shaft_touches_on(shaft.radius, axis.length(), &way)
     }
 }

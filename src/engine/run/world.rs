@@ -3,6 +3,7 @@
 //! Invariant: the scene is never changed; what a program writes is kept here and handed out as texts.
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -47,8 +48,8 @@ pub struct Tool {
 
 /// The tables at a moment, to return to.
 pub(super) struct Tables {
-    tables: BTreeMap<TableKind, Table>,
-    datums: Vec<Table>,
+    tables: BTreeMap<TableKind, Arc<Table>>,
+    datums: Vec<Arc<Table>>,
     written: Vec<String>,
 }
 
@@ -83,8 +84,8 @@ pub(super) struct World<'s> {
     tool: Option<Tool>,
     /// The touch probe as the tables describe it, read when it is asked for first; see [`World::probe`].
     probe: OnceCell<Result<ProbeData, Fault>>,
-    tables: BTreeMap<TableKind, Table>,
-    datums: Vec<Table>,
+    tables: BTreeMap<TableKind, Arc<Table>>,
+    datums: Vec<Arc<Table>>,
     datum: usize,
     written: Vec<String>,
 }
@@ -92,9 +93,11 @@ pub(super) struct World<'s> {
 impl<'s> World<'s> {
     pub(super) fn new(scene: &'s Scene, of_machine: OfMachine) -> Result<Self, TableError> {
         let mut tables = BTreeMap::new();
-        tables.insert(TableKind::Tool, scene.tools.clone());
-        tables.insert(TableKind::Probe, scene.probes.clone());
-        tables.insert(TableKind::Preset, scene.presets.clone());
+        for (kind, table) in
+            [(TableKind::Tool, &scene.tools), (TableKind::Probe, &scene.probes), (TableKind::Preset, &scene.presets)]
+        {
+            tables.insert(kind, Arc::new(table.clone()));
+        }
         let system = System::new(WorkingPlane::of_tool_axis(scene.machine.spindle));
         let mut world = Self {
             scene,
@@ -112,7 +115,7 @@ impl<'s> World<'s> {
             tool: None,
             probe: OnceCell::new(),
             tables,
-            datums: scene.datums.clone(),
+            datums: scene.datums.iter().cloned().map(Arc::new).collect(),
             datum: 0,
             written: Vec::new(),
         };
@@ -205,7 +208,7 @@ impl<'s> World<'s> {
             TableKind::Datum => self.datums.get(self.datum),
             _ => self.tables.get(&kind),
         };
-        table.ok_or_else(|| TableError::NoTable { file: kind.file_name().to_owned() })
+        table.map(Arc::as_ref).ok_or_else(|| TableError::NoTable { file: kind.file_name().to_owned() })
     }
 
     /// The table of a kind, to be written; it counts as written from now on.
@@ -215,6 +218,7 @@ impl<'s> World<'s> {
             TableKind::Datum => self.datums.get_mut(self.datum),
             _ => self.tables.get_mut(&kind),
         };
+        let table = table.map(Arc::make_mut);
         let table = table.ok_or_else(|| TableError::NoTable { file: kind.file_name().to_owned() })?;
         self.probe.take();
         if !self.written.iter().any(|file| file == table.file()) {
@@ -226,7 +230,7 @@ impl<'s> World<'s> {
     /// A table that the program itself fills: it does not count as written.
     pub(super) fn tools_of_program(&mut self) -> Option<&mut Table> {
         self.probe.take();
-        self.tables.get_mut(&TableKind::Tool)
+        self.tables.get_mut(&TableKind::Tool).map(Arc::make_mut)
     }
 
     /// Makes a datum table the active one.

@@ -75,12 +75,17 @@ impl Body {
     /// # Errors
     /// [`SolidError::Cusp`] at a point where surfaces touch without crossing and leave no thickness.
     pub fn contains(&self, p: DVec3) -> Result<bool, SolidError> {
-        let sides: Vec<i8> = self.surfaces.iter().map(|surface| side(surface, p, ON)).collect();
-        let side_of = |k: usize| sides.get(k).copied().unwrap_or(1);
-        if let Some(known) = self.tree.holds(&side_of) {
+        let looked = |k: usize| self.surfaces.get(k).map_or(1, |surface| side(surface, p, ON));
+        if let Some(known) = self.tree.holds(&looked) {
             return Ok(known);
         }
+        let sides: Vec<i8> = (0..self.surfaces.len()).map(looked).collect();
+        let side_of = |k: usize| sides.get(k).copied().unwrap_or(1);
         let active: Vec<usize> = (0..sides.len()).filter(|k| side_of(*k) == 0).collect();
+        if let [only] = *active {
+            let next_to = |sign: i8| self.tree.holds(&|k| if k == only { sign } else { side_of(k) }) == Some(true);
+            return Ok(next_to(-1) || next_to(1));
+        }
         let normals: Vec<DVec3> =
             active.iter().filter_map(|k| self.surfaces.get(*k)).map(|surface| surface.normal(p)).collect();
         let material = cells(&normals).iter().any(|cell| {

@@ -45,6 +45,9 @@ const MAX_CELLS: usize = 200_000;
 /// A helix is proven free in steps not shorter than this, in mm.
 const MIN_STEP: f64 = 1e-3;
 
+/// Pieces are looked at in so many stretches before their features are calculated with.
+const STRETCHES: usize = 6;
+
 /// A moment at which the ball is at the right distance from a feature.
 struct Candidate {
     t: f64,
@@ -149,10 +152,9 @@ impl Body {
     fn candidates(&self, radius: f64, pieces: &[Piece]) -> Vec<Candidate> {
         let mut all = Vec::new();
         for piece in pieces {
-            let middle = piece.at(0.5 * (piece.low + piece.high));
-            let reach = (piece.at(piece.high) - middle).length() + radius + TOUCH;
+            let stretches = Stretch::of(piece);
             for feature in &self.features {
-                if (feature.foot(middle) - middle).length() > reach {
+                if stretches.iter().all(|stretch| stretch.is_clear(feature, radius)) {
                     continue;
                 }
                 let Some(poly) = feature.at_distance(piece, radius) else { continue };
@@ -270,6 +272,29 @@ impl Body {
         }
         self.helix_is_free(radius, path, from, middle)?;
         self.helix_is_free(radius, path, middle, to)
+    }
+}
+
+/// A stretch of a piece: all of it lies within `reach` of `middle`.
+struct Stretch {
+    middle: DVec3,
+    reach: f64,
+}
+
+impl Stretch {
+    /// A piece in stretches: many features are too far from each of them, and need not be calculated with.
+    fn of(piece: &Piece) -> [Self; STRETCHES] {
+        let step = (piece.high - piece.low) / STRETCHES as f64;
+        core::array::from_fn(|k| {
+            let low = piece.low + step * k as f64;
+            let (from, middle, to) = (piece.at(low), piece.at(low + 0.5 * step), piece.at(low + step));
+            // No arc of a piece is so long that it goes farther from its middle than its ends.
+            Self { middle, reach: (from - middle).length().max((to - middle).length()) }
+        })
+    }
+
+    fn is_clear(&self, feature: &Feature, radius: f64) -> bool {
+        (feature.foot(self.middle) - self.middle).length() > self.reach + radius + TOUCH
     }
 }
 

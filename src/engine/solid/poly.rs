@@ -41,11 +41,10 @@ impl Poly {
     /// The product; powers above [`MAX_DEGREE`] do not occur and are dropped.
     pub(super) fn mul(self, other: Self) -> Self {
         let mut out = Self::ZERO;
-        for (i, a) in self.0.iter().enumerate() {
-            for (j, b) in other.0.iter().enumerate() {
-                if let Some(slot) = out.0.get_mut(i + j) {
-                    *slot += a * b;
-                }
+        let (own, others) = (self.0.iter().take(self.degree() + 1), other.0.iter().take(other.degree() + 1));
+        for (i, a) in own.enumerate() {
+            for (slot, b) in out.0.iter_mut().skip(i).zip(others.clone()) {
+                *slot += a * b;
             }
         }
         out
@@ -53,10 +52,6 @@ impl Poly {
 
     pub(super) fn square(self) -> Self {
         self.mul(self)
-    }
-
-    pub(super) fn at(&self, u: f64) -> f64 {
-        self.0.iter().rev().fold(0.0, |sum, c| sum * u + c)
     }
 
     fn derivative(&self) -> Self {
@@ -81,15 +76,32 @@ impl Poly {
                 let root = -self.0[0] / self.0[1];
                 if (low..=high).contains(&root) { vec![root] } else { Vec::new() }
             }
+            2 => self.quadratic_roots(low, high),
             _ => self.roots_between(&self.derivative().roots(low, high), low, high),
         }
+    }
+
+    /// The roots of a polynomial of the second degree, without cancellation.
+    fn quadratic_roots(&self, low: f64, high: f64) -> Vec<f64> {
+        let [c, b, a, ..] = self.0;
+        let discriminant = b * b - 4.0 * a * c;
+        if discriminant < 0.0 {
+            return Vec::new();
+        }
+        let sum = -0.5 * (b + libm::copysign(libm::sqrt(discriminant), b));
+        let (one, other) = if sum == 0.0 { (0.0, 0.0) } else { (sum / a, c / sum) };
+        let mut roots = vec![one.min(other), one.max(other)];
+        roots.dedup();
+        roots.retain(|root| (low..=high).contains(root));
+        roots
     }
 
     /// The roots, and the places where it turns: an equation that was squared touches zero there (a ball that
     /// moves along the axis of a cone) without changing its sign.
     pub(super) fn roots_and_extrema(&self, low: f64, high: f64) -> Vec<f64> {
         let mut all = self.derivative().roots(low, high);
-        all.extend(self.roots_between(&all, low, high));
+        let roots = if self.degree() == 2 { self.quadratic_roots(low, high) } else { self.roots_between(&all, low, high) };
+        all.extend(roots);
         all
     }
 
@@ -110,7 +122,9 @@ impl Poly {
 
     /// The root of a monotone stretch: bisection, sped up by secants that stay inside (Illinois).
     fn root_in(&self, low: f64, high: f64) -> Option<f64> {
-        let (mut a, mut b, mut fa, mut fb) = (low, high, self.at(low), self.at(high));
+        let known = self.0.get(..=self.degree()).unwrap_or(&self.0);
+        let at = |u: f64| known.iter().rev().fold(0.0, |sum, c| sum * u + c);
+        let (mut a, mut b, mut fa, mut fb) = (low, high, at(low), at(high));
         if fa == 0.0 {
             return Some(a);
         }
@@ -128,7 +142,7 @@ impl Poly {
             if middle <= a || middle >= b {
                 break;
             }
-            let fm = self.at(middle);
+            let fm = at(middle);
             if fm == 0.0 {
                 return Some(middle);
             }

@@ -1,32 +1,41 @@
-//! The contact of a stylus shaft: a cylinder with round ends that moves without turning.
+//! The contact of a stylus shaft: a cylinder with round ends that moves along a path or turns about an axis.
 //!
-//! Invariant: the shaft is all balls of its radius whose centres lie on its axis. A stretch of the axis is free if one ball
-//! that holds the whole stretch is; it touches if the ball in its middle does. What is decided is exact; a shaft that comes
-//! closer than [`NEAR`] without a ball of it touching counts as touching, so that no contact is ever missed.
+//! Invariant: the shaft is all balls of its radius whose centres lie on its axis: a cylinder and the balls at its ends. A
+//! stretch of the cylinder is free if one ball that holds the whole stretch is; it touches if the ball in its middle does.
+//! What is decided is exact; a shaft that comes closer than [`NEAR`] without a ball of it touching counts as touching, so that
+//! no contact is ever missed.
 use super::SolidError;
 use super::body::Body;
 use super::contact::Contact;
 use super::path::Path;
-use glam::DVec3;
 
 /// A shaft that comes closer than this, in mm, counts as touching.
 const NEAR: f64 = 1e-6;
 
 impl Body {
-    /// A place where a shaft touches while the lower end of its axis moves along a path; nothing if it stays free. It need
-    /// not be the first one. `axis` leads from the lower end to the upper one.
+    /// A place where a shaft touches while it moves; nothing if it stays free. It need not be the first one. `way` tells how
+    /// a point of its axis moves: the one at 0 is the lower end, the one at 1 the upper end, `length` away from it.
     ///
     /// # Errors
     /// As for [`Body::first_contact_on`].
-    pub fn shaft_contact(&self, radius: f64, axis: DVec3, path: &Path) -> Result<Option<Contact>, SolidError> {
-        if !(radius.is_finite() && radius > 0.0 && axis.is_finite() && path.is_finite()) {
+    pub fn shaft_contact(
+        &self,
+        radius: f64,
+        length: f64,
+        way: &dyn Fn(f64) -> Path,
+    ) -> Result<Option<Contact>, SolidError> {
+        if !(radius.is_finite() && radius > 0.0 && length.is_finite()) {
             return Err(SolidError::NotFinite);
         }
-        let length = axis.length();
+        for end in [0.0, 1.0] {
+            if let Some(contact) = self.first_contact_on(radius, &way(end))? {
+                return Ok(Some(contact));
+            }
+        }
         let mut open = vec![(0.0, 1.0)];
         while let Some((low, high)) = open.pop() {
             let middle = f64::midpoint(low, high);
-            let way = path.moved(axis * middle);
+            let way = way(middle);
             let around = libm::hypot(radius, 0.5 * (high - low) * length);
             let around = match self.first_contact_on(around, &way) {
                 Ok(None) => continue,

@@ -1,0 +1,75 @@
+//! A measuring height below the floor that the program itself mills where it measures.
+//!
+//! A cycle that mills around or inside a centre leaves a floor at the surface and the depth; a ball whose centre is measured
+//! below that floor stands in the workpiece. Only cycles that name a centre, a surface and a depth are compared, by the
+//! numbers that mean these in every cycle (003:117), so that cycles which the manuals show and do not describe count, too.
+//! Silent where anything else may have cut deeper there or moved the coordinates, and where a value is a parameter.
+use crate::check::guards::Written;
+use crate::check::{Definition, Facts, Rule};
+use crate::diag::{Arg, Diagnostic, Severity};
+use crate::spec::{Cycle, Group, Known};
+use crate::syntax::ValueKind;
+
+pub(super) const RULE: Rule = Rule { code: "measuring-height-below-floor", severity: Severity::Warning, run };
+
+/// What a probing cycle measures, by the meanings of its parameters: where, and how deep.
+const MEASURED: [&str; 3] = ["probing-centre-main", "probing-centre-minor", "measuring-height"];
+/// The parameters by which a cycle says where it mills: centre, surface, depth.
+const MILLED: [&str; 4] = ["Q216", "Q217", "Q203", "Q201"];
+
+/// A floor about a centre.
+struct Floor {
+    centre: [f64; 2],
+    height: f64,
+    cycle: String,
+}
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if facts.flow.programs || facts.flow.opaque {
+        return;
+    }
+    let mut floors: Vec<Floor> = Vec::new();
+    for definition in &facts.definitions {
+        match definition.known {
+            Known::Described(cycle) if is_harmless(cycle) => {}
+            Known::Described(_) => return,
+            _ => match floor(definition) {
+                Some(floor) => floors.push(floor),
+                None => return,
+            },
+        }
+    }
+    for (definition, cycle) in facts.described() {
+        let written = Written::of(facts, definition, cycle);
+        let is = |meaning: &&str| cycle.params.iter().find(|param| param.is.as_str() == *meaning);
+        let [Some(main), Some(minor), Some(height)] = MEASURED.each_ref().map(is) else { continue };
+        let value = |param| written.number_of(param);
+        let (Some(main), Some(minor), Some(measured)) = (value(main), value(minor), value(height)) else { continue };
+        let here = floors.iter().filter(|floor| floor.centre == [main, minor]);
+        let Some(floor) = here.min_by(|one, other| one.height.total_cmp(&other.height)) else { continue };
+        let item = definition.items.iter().find(|item| item.param.is_some_and(|own| std::ptr::eq(own, height)));
+        if let (Some(item), true) = (item, measured < floor.height) {
+            let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref());
+            let finding = finding.arg("cycle", definition.key.to_string()).arg("value", item.printed.as_str());
+            found.push(finding.arg("milling", floor.cycle.as_str()).arg("floor", Arg::Number(floor.height)));
+        }
+    }
+}
+
+/// Whether a cycle neither takes material nor moves the coordinates.
+fn is_harmless(cycle: &Cycle) -> bool {
+    matches!(cycle.file.group, Group::Measuring | Group::Calibration | Group::ToolMeasurement)
+}
+
+/// The floor of a cycle that says where it mills.
+fn floor(definition: &Definition<'_>) -> Option<Floor> {
+    let number = |name: &&str| {
+        let item = definition.items.iter().find(|item| item.name.as_ref() == *name)?;
+        match item.value?.kind {
+            ValueKind::Number(number) => Some(number),
+            _ => None,
+        }
+    };
+    let [main, minor, surface, depth] = MILLED.each_ref().map(number);
+    Some(Floor { centre: [main?, minor?], height: surface? + depth?, cycle: definition.key.to_string() })
+}
