@@ -264,6 +264,26 @@ fn examples_do_the_same_by_way_of_iso() {
     assert!(partner.executed > 10 * partner.refused, "{} executed, {} refused", partner.executed, partner.refused);
 }
 
+/// Long programs take no longer than their length.
+#[test]
+fn long_programs_are_told_in_linear_time() {
+    let data = Data::new();
+    let codes = Codes::new(&data.catalogue);
+    for unit in [
+        "G70\n",
+        "N10 G01 G91 X+5 F100 M3*\n",
+        "N10 G200 Q200=2\nQ201=3 ;A*\n",
+        "N10 G26 R2*\n",
+        "G54 X+5*\n",
+        "G91",
+        "(a)",
+    ] {
+        let text = unit.repeat(20_000);
+        let lowered = to_klartext(&read("part.i", &text), &codes, None);
+        assert!(lowered.program.blocks().len() <= 4 * 20_000 + 4);
+    }
+}
+
 fn number() -> impl Strategy<Value = String> {
     prop_oneof![
         (-999..999_i32).prop_map(|n| format!("{n:+}")),

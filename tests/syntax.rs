@@ -211,8 +211,29 @@ fn huge_and_hostile_texts_are_read_in_linear_time() {
         texts.push("5 CYCL DEF 7.0 ".to_owned() + &unit.repeat(20_000));
         texts.push("5 L X+1 ".to_owned() + &unit.repeat(20_000));
     }
+    for unit in [
+        "G200 A\n",
+        "Q200=1\n",
+        "(",
+        ")",
+        "N1",
+        "G91",
+        "%",
+        "*",
+        "%A G71\n",
+        "L1,",
+        "P01 X",
+        "D16 ",
+        "G70\n",
+        "N5 G200 A ~\n",
+    ] {
+        texts.push(unit.repeat(20_000));
+        texts.push("N5 G200 A ".to_owned() + &unit.repeat(20_000));
+        texts.push("%A G71 *\nN10 G01 X+5 ".to_owned() + &unit.repeat(20_000));
+    }
     for text in texts {
         assert_tiled(&program(&text));
+        assert_tiled(&iso(&text));
     }
 }
 

@@ -109,8 +109,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         text: files[side].slice(own.span).lines().map(|line| line.trim_end().to_owned()).collect(),
     };
     let sides = |difference: &Difference| Sides {
-        a: difference.a.iter().map(|own| place(0, own)).collect(),
-        b: difference.b.iter().map(|own| place(1, own)).collect(),
+        a: places(difference.a.iter().map(|own| place(0, own))),
+        b: places(difference.b.iter().map(|own| place(1, own))),
     };
     let same = execution.as_ref().map_or(differences.is_empty(), |execution| execution.same);
     let differences = differences.iter().map(sides).collect();
@@ -122,6 +122,13 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         tell(session, &report)?;
     }
     Ok(if report.same { Outcome::Clean } else { Outcome::Errors })
+}
+
+/// Each block once: a block of DIN/ISO may be several of Klartext.
+fn places(all: impl Iterator<Item = Place>) -> Vec<Place> {
+    let mut places: Vec<Place> = all.collect();
+    places.dedup_by(|next, before| next.line == before.line && next.text == before.text);
+    places
 }
 
 /// Executes both programs in the same scene, each with its neighbours.

@@ -41,10 +41,10 @@ impl Understood {
         self.iso.as_ref().map_or(&self.program, |(written, _)| written)
     }
 
-    /// What the file says at a place of the Klartext.
+    /// The blocks of the file that a block of the Klartext comes from.
     pub(super) fn slice(&self, span: Span) -> &str {
         match &self.iso {
-            Some((written, lowered)) => written.slice(lowered.home(span)),
+            Some((written, lowered)) => written.slice(lowered.blocks(span)),
             None => self.program.slice(span),
         }
     }

@@ -20,6 +20,8 @@ pub(super) struct Piece {
 
 /// Findings of the checker about how a program is written begin so; those of the program itself are told instead.
 const SYNTAX: &str = "syntax-";
+/// The note about numbers that do not rise.
+const NUMBERS: &str = "block-numbers";
 /// A block that Klartext has no equivalent of is no mistake.
 const NO_EQUIVALENT: &str = "klartext-no-equivalent";
 
@@ -32,6 +34,8 @@ pub struct Lowered {
     pub diagnostics: Vec<Diagnostic>,
     pub(super) source: Arc<Source>,
     pub(super) pieces: Vec<Piece>,
+    /// Whether the block numbers of the file rise.
+    pub(super) rising: bool,
 }
 
 impl Lowered {
@@ -58,6 +62,12 @@ impl Lowered {
             let inside = start <= span.start && span.end <= piece.end;
             inside.then(|| Span::new(piece.home.start + (span.start - start), piece.home.start + (span.end - start)))
         })
+    }
+
+    /// The blocks that a place of the Klartext was made from, whole.
+    pub fn blocks(&self, span: Span) -> Span {
+        let join = |a: Span, b: Span| Span::new(a.start.min(b.start), a.end.max(b.end));
+        self.touched(span).iter().map(|piece| piece.home).reduce(join).unwrap_or_default()
     }
 
     fn start(&self, at: usize) -> usize {
@@ -89,7 +99,9 @@ impl Lowered {
 
     /// The findings of the checker at home, with what is wrong in the DIN/ISO program itself.
     pub fn findings(&self, found: Vec<Diagnostic>, own: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        // Several blocks of Klartext have the number of the block that they were made from.
         let theirs = found.into_iter().filter(|finding| !finding.code.starts_with(SYNTAX));
+        let theirs = theirs.filter(|finding| !(self.rising && finding.code == NUMBERS));
         let own = own.into_iter().filter(|finding| finding.code != NO_EQUIVALENT);
         let mut all: Vec<Diagnostic> = theirs.map(|finding| self.at_home(finding)).chain(own).collect();
         all.sort_by_key(|finding| finding.place.as_ref().map(|place| (place.span.start, place.span.end)));

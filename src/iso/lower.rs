@@ -53,6 +53,10 @@ pub fn to_klartext(program: &Program, codes: &Codes<'_>, labels: Option<&dyn Lab
         axis: None,
         feed: None,
         direction: None,
+        inch: program.blocks().iter().find_map(|block| match &block.kind {
+            BlockKind::BeginPgm(frame) => Some(frame.inch),
+            _ => None,
+        }),
         homes: Vec::new(),
         diagnostics: program.diagnostics(),
     };
@@ -76,8 +80,10 @@ pub fn to_klartext(program: &Program, codes: &Codes<'_>, labels: Option<&dyn Lab
             };
         }
     });
+    let numbers: Vec<u32> = program.blocks().iter().filter_map(|block| block.number).collect();
+    let rising = numbers.is_sorted_by(|before, number| before < number);
     diagnostics.sort_by_key(|finding| finding.place.as_ref().map(|place| place.span.start));
-    Lowered { program: klartext, diagnostics, source: program.source().clone(), pieces: out.pieces }
+    Lowered { program: klartext, diagnostics, source: program.source().clone(), pieces: out.pieces, rising }
 }
 
 /// The place of a name with the quotation marks that it has.
@@ -103,6 +109,8 @@ pub(super) struct Lowering<'p, 'c> {
     pub(super) feed: Option<Span>,
     /// The direction of the last circle: true for counter-clockwise.
     direction: Option<bool>,
+    /// Whether the program is in inches, if it says so.
+    inch: Option<bool>,
     /// Where the text of each block begins, the block, and whether it was refused.
     homes: Vec<(usize, usize, bool)>,
     diagnostics: Vec<Diagnostic>,
@@ -326,11 +334,7 @@ impl Lowering<'_, '_> {
 
     /// Whether a code says again what the first block says.
     fn is_unit(&self, code: u16) -> bool {
-        let unit = self.program.blocks().iter().find_map(|block| match &block.kind {
-            BlockKind::BeginPgm(frame) => Some(frame.inch),
-            _ => None,
-        });
-        unit == Some(code == 70)
+        self.inch == Some(code == 70)
     }
 
     /// Writes the words of a list of names as coordinates, `G90` and `G91` between them being followed.
@@ -365,8 +369,8 @@ impl Lowering<'_, '_> {
 
     /// Whether `G90` acts at the end of a block.
     pub(super) fn absolute_in(&self, words: &Words<'_>) -> bool {
-        let codes = words.own.words.iter().filter_map(|word| words.code(word));
-        codes.filter(|code| matches!(code, 90 | 91)).last().map_or(self.absolute, |code| code == 90)
+        let mut codes = words.own.words.iter().filter_map(|word| words.code(word));
+        codes.rfind(|code| matches!(code, 90 | 91)).map_or(self.absolute, |code| code == 90)
     }
 
     /// Takes back a block of Klartext that begins at a byte.

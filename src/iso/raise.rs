@@ -50,6 +50,7 @@ pub fn to_iso(program: &Program, codes: &Codes<'_>) -> Raised {
         explicit,
         eol: if text.contains("\r\n") { "\r\n" } else { "\n" },
         number: 0,
+        refused: None,
         text: String::with_capacity(text.len() * 2),
         diagnostics: Vec::new(),
     };
@@ -83,6 +84,8 @@ struct Raising<'p, 'c> {
     explicit: bool,
     eol: &'static str,
     number: u32,
+    /// The index of the last block that was refused.
+    refused: Option<usize>,
     text: String,
     diagnostics: Vec<Diagnostic>,
 }
@@ -101,6 +104,7 @@ impl Raising<'_, '_> {
             BlockKind::Comment => Ok(String::new()),
             BlockKind::OldCycleLine(_) => match view.filter(|view| view.first == index) {
                 Some(view) => self.old(view),
+                None if view.is_some_and(|view| self.refused == Some(view.first)) => return self.left_out(block),
                 // The line has been written with the first one of its definition.
                 None => return self.lone_comment(block),
             },
@@ -108,7 +112,13 @@ impl Raising<'_, '_> {
         };
         match written {
             Ok(content) => self.put(block, &content),
-            Err(refusal) => self.refuse(block, &refusal),
+            Err(refusal) => {
+                self.refused = Some(index);
+                let found = self.text(refusal.span).trim().to_owned();
+                let place = Place::new(self.program.source(), refusal.span);
+                self.diagnostics.push(Diagnostic::error(refusal.code, place).arg("found", found));
+                self.left_out(block);
+            }
         }
     }
 
@@ -146,10 +156,8 @@ impl Raising<'_, '_> {
         }
     }
 
-    fn refuse(&mut self, block: &Block, refusal: &Refusal) {
-        let found = self.text(refusal.span).trim().to_owned();
-        let place = Place::new(self.program.source(), refusal.span);
-        self.diagnostics.push(Diagnostic::error(refusal.code, place).arg("found", found));
+    /// Writes a block as a comment.
+    fn left_out(&mut self, block: &Block) {
         let printed = self.flat(self.program.content(block));
         let comment = Block { comment: None, kind: BlockKind::Comment, ..block.clone() };
         self.put(&comment, &format!("; {printed}"));
