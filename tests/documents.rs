@@ -5,6 +5,7 @@ use std::path::Path;
 
 use ciklo::conform::{self, World};
 use ciklo::data;
+use ciklo::engine::run::CODES;
 use ciklo::engine::stock::{FindingKind, Report};
 use ciklo::locale::Locales;
 use ciklo::spec::{Catalogue, schema};
@@ -117,4 +118,17 @@ fn the_conformance_report_is_described() {
     let mut found = BTreeSet::new();
     keys(&serde_json::to_value(report).expect("it is JSON"), &mut found);
     assert_described(&found, "conform.md");
+}
+
+#[test]
+fn faults_of_contours_are_described() {
+    let ours = |code: &str| {
+        ["compensation-", "contour-", "rounding-", "approach-", "tangent-"].iter().any(|head| code.starts_with(head))
+    };
+    let found: BTreeSet<String> = CODES
+        .iter()
+        .map(|(code, _)| (*code).to_owned())
+        .filter(|code| ours(code) || code == "unsupported-compensation")
+        .collect();
+    assert_described(&found, "contours.md");
 }
