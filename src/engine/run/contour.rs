@@ -73,7 +73,7 @@ enum Waiting {
         speed: Result<Speed, Fault>,
         at: At,
     },
-    Event(Event),
+    Event(Box<Event>),
 }
 
 /// The end of the last move in the working plane and the direction there.
@@ -127,7 +127,7 @@ impl Contour {
 
     /// An event waits.
     pub(super) fn hold(&mut self, event: Event) {
-        self.waiting.push_back(Waiting::Event(event));
+        self.waiting.push_back(Waiting::Event(Box::new(event)));
     }
 
     /// The block that is to blame for a fault, by program and index.
@@ -140,7 +140,7 @@ impl Contour {
         self.piece = None;
         let waiting = std::mem::take(&mut self.waiting);
         let events = waiting.into_iter().filter_map(|waiting| match waiting {
-            Waiting::Event(event) => Some(event),
+            Waiting::Event(event) => Some(*event),
             Waiting::Plunge { .. } => None,
         });
         events.collect()
@@ -422,7 +422,7 @@ impl Run<'_, '_> {
         }
         for waiting in std::mem::take(&mut self.contour.waiting) {
             match waiting {
-                Waiting::Event(event) => self.pass_on(event),
+                Waiting::Event(event) => self.pass_on(*event),
                 Waiting::Plunge { height, speed, at } => {
                     self.at = at;
                     self.straight_to(plane.tool.with(self.world.here, height), None, speed)?;
