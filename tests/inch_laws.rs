@@ -176,6 +176,17 @@ fn machining() -> Vec<&'static Cycle> {
     on.cycles.values().filter(own).collect()
 }
 
+/// The ways to call a cycle: here, at the end of a block, at a position, on every form of a pattern.
+const CALLS: [&str; 5] = [
+    "CYCL CALL\n",
+    "L X+12.5 Y-7.25 R0 FMAX M99\n",
+    "CYCL CALL POS X+31.2 Y+4 Z+1.5 F700\n",
+    "PATTERN DEF POS1 (X+25 Y+33,5 Z+2) ROW1 (X+5 Y+6 D+8.25 NUM2 ROT+20 Z+0)\nCYCL CALL PAT F900\n",
+    "PATTERN DEF PAT1 (X+5 Y+3 DX+8.1 DY+9.7 NUMX2 NUMY2 ROT+15 ROTX+5 ROTY-8 Z+1) FRAME1 (X+0 Y+0 DX+7 DY+6 NUMX2 NUMY3 \
+     ROT+0 ROTX+0 ROTY+0 Z+0) CIRC1 (X+25 Y+33 D80 START+45 NUM2 Z+0) PITCHCIRC1 (X+2 Y+3 D30.5 START+45 STEP+30 NUM2 Z-1)\n\
+     CYCL CALL PAT F900\n",
+];
+
 const TOOLS: &str = "scene: 1\nmachine: mill-3-axis\nstart: {Z: 200}\n\
     tools: [{T: 1, L: 80, R: 3, CUT: 4, ANGLE: 30, LCUTS: 40}, {T: 2, L: 80, R: 1.5, CUT: 2, ANGLE: 90, T-ANGLE: 118}]\n";
 
@@ -185,6 +196,7 @@ fn every_machining_cycle_does_the_same_in_inches() {
     proptest!(ProptestConfig::with_cases(800), |(
         which in 0_usize..1000, tool in 1_u8..3, shares in prop::collection::vec(0.5..1.6_f64, 40),
         picks in prop::collection::vec(0_usize..6, 40), mirrored in any::<bool>(), scale in prop::option::of(0.5..2.0_f64),
+        way in 0_usize..CALLS.len(), global in any::<bool>(),
     )| {
         let all = machining();
         let cycle = all[which % all.len()];
@@ -197,12 +209,13 @@ fn every_machining_cycle_does_the_same_in_inches() {
             let Some(example) = param.example.as_deref().or(example) else { continue };
             definition += &format!("{q}={}\n", written(param, example, shares[index % 40], picks[index % 40]));
         }
-        let call = if cycle.file.takes_effect == TakesEffect::OnCall { "CYCL CALL\n" } else { "" };
+        let call = if cycle.file.takes_effect == TakesEffect::OnCall { CALLS[way] } else { "" };
+        let global = if global { "GLOBAL DEF 125 P\nQ345=0\n" } else { "" };
         let mirror = if mirrored { "CYCL DEF 8.0 M\nCYCL DEF 8.1 X\n" } else { "" };
         let scaling = scale.map_or_else(String::new, |f| format!("CYCL DEF 11.0 S\nCYCL DEF 11.1 SCL {f:.4}\n"));
         let drilling = "CYCL DEF 200\nQ200=2\nQ201=-15\nQ206=250\nQ202=5\nQ210=0\nQ203=+0\nQ204=50\nQ211=0\n";
         let program = format!(
-            "BEGIN PGM LAW MM\nTOOL CALL {tool} Z S1000 F500 DR+0.1\n{drilling}{mirror}{scaling}L X+10 Y+20 Z+100 R0 FMAX M3\n\
+            "BEGIN PGM LAW MM\nTOOL CALL {tool} Z S1000 F500 DR+0.1\n{global}{drilling}{mirror}{scaling}L X+10 Y+20 Z+100 R0 FMAX M3\n\
              {definition}{call}END PGM LAW MM\n"
         );
         let scene = Scene::parse(&Source::new("scene.yaml", TOOLS), &world().files).expect("a scene");

@@ -375,3 +375,29 @@ proptest! {
         prop_assert_eq!(whole, Some(360.0));
     }
 }
+
+/// What ends the system of a program: M2 and M30, and a preset (TNC 640 manual, lines 6251-6259 and 6478). A program that is
+/// called leaves its system to the caller; a new tool axis turns the rotation with it.
+#[test]
+fn systems_end_where_the_manual_says() {
+    let shift = "CYCL DEF 7.0 D\nCYCL DEF 7.1 X+10\nCYCL DEF 10.0 R\nCYCL DEF 10.1 ROT+90\n";
+    let last = |body: &str| {
+        let (outcome, events) = run(&program(body), &table());
+        assert!(outcome.fault.is_none(), "{:?}", outcome.fault);
+        let told = events.iter().rev().find_map(|event| match event {
+            EventKind::Transform(system) => Some((system.datum.to_array(), system.rotation, system.preset)),
+            _ => None,
+        });
+        (told.expect("a system"), outcome.position.to_array().map(|value| value.round()))
+    };
+    let begin = "L X+1 Y+2 Z+3 R0 FMAX\n";
+    // 1, 2 from the datum at 10, turned back by 90°: 2, 9.
+    assert_eq!(last(&format!("{begin}{shift}")), (([10.0, 0.0, 0.0], 90.0, 0.0), [2.0, 9.0, 3.0]));
+    for end in ["M2\n", "M30\n", "L Z+3 FMAX M2\n"] {
+        assert_eq!(last(&format!("{begin}{shift}{end}")), (([0.0; 3], 0.0, 0.0), [1.0, 2.0, 3.0]), "{end}");
+    }
+    assert_eq!(last(&format!("{begin}{shift}CYCL DEF 247 P\nQ339=0\n")), (([0.0; 3], 0.0, 0.0), [1.0, 2.0, 3.0]));
+    // With the tool axis Y the rotation is one about Y: 1 - 10 along X and 3 along Z become -3 and -9.
+    let (_, position) = last(&format!("{begin}{shift}TOOL CALL 1 Y S1000\n"));
+    assert_eq!(position, [-3.0, 2.0, -9.0]);
+}
