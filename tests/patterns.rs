@@ -1,5 +1,6 @@
 //! Patterns, point tables and calls at positions: where and how high the called cycle works, by numbers that were
 //! calculated by hand from the manual's rules (TNC 640, lines 1216-1700).
+#![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::sync::OnceLock;
 
 use ciklo::diag::Source;
@@ -191,7 +192,9 @@ fn points_of_tables_are_those_of_the_tool_axis() {
     for tool in ["Z", "Y", "X"] {
         // Main 11, minor 22, surface 3 above the 1 of the cycle: the hole ends 5 deeper.
         let [x, y, z] = by_axis(tool, [11.0, 22.0, 3.0]);
-        let scene = format!("scene: 1\ntools: [{{T: 1, L: 80, R: 5}}]\npoints: {{H.PNT: [{{NR: 0, X: {x}, Y: {y}, Z: {z}}}]}}\n");
+        let scene = format!(
+            "scene: 1\ntools: [{{T: 1, L: 80, R: 5}}]\npoints: {{H.PNT: [{{NR: 0, X: {x}, Y: {y}, Z: {z}}}]}}\n"
+        );
         let program = format!(
             "BEGIN PGM A MM\nTOOL CALL 1 {tool} S1000 F500\n{DRILL}SEL PATTERN \"H.PNT\"\nCYCL CALL PAT F900 M3\nEND PGM A MM\n"
         );
@@ -304,8 +307,8 @@ fn a_called_program_selects_a_table() {
     let body = format!("{DRILL}CALL PGM SUB\nCYCL CALL PAT F5000 M3\n");
     let (outcome, events) = run(&body, Some("BEGIN PGM SUB MM\nSEL PATTERN \"HOLES.PNT\"\nEND PGM SUB MM\n"));
     assert!(outcome.fault.is_none(), "{:?}", outcome.fault);
-    let bottoms = events.iter().filter(
-        |event| matches!(event, EventKind::Move { kind: MoveKind::Feed, from, to, .. } if to.z < from.z),
-    );
+    let bottoms = events
+        .iter()
+        .filter(|event| matches!(event, EventKind::Move { kind: MoveKind::Feed, from, to, .. } if to.z < from.z));
     assert_eq!(bottoms.count(), 2);
 }

@@ -99,7 +99,11 @@ fn a_preset_is_as_good_as_the_value() {
                 let name = format!("{} {} {q}", on.id(), cycle.key);
                 assert_eq!(told(&plain.1), told(&by_preset.1), "{name}");
                 let without = run_on(on, &program("PREDEF", "")).0;
-                assert_eq!(without.fault.map(|f| f.code.to_string()).as_deref(), Some("value-not-predefined"), "{name}");
+                assert_eq!(
+                    without.fault.map(|f| f.code.to_string()).as_deref(),
+                    Some("value-not-predefined"),
+                    "{name}"
+                );
                 compared += 1;
                 done += usize::from(plain.0.status == Status::Done && cycle.key.keyword == Keyword::CyclDef);
             }
@@ -138,7 +142,8 @@ fn feeds_by_words_are_those_of_the_definition() {
     assert_eq!(all.iter().map(|(_, feed)| *feed).collect::<Vec<_>>(), [700.0, 700.0, 500.0, 300.0, 800.0]);
     // FMAX as the feed of a retraction is the rapid traverse of the machine, as of a block with FMAX.
     let out = |feed: &str| {
-        let drill = "Q200=2\nQ201=-5\nQ206=150\nQ202=5\nQ210=0\nQ203=+0\nQ204=10\nQ212=0\nQ213=0\nQ205=0\nQ211=0\nQ256=0.2\n";
+        let drill =
+            "Q200=2\nQ201=-5\nQ206=150\nQ202=5\nQ210=0\nQ203=+0\nQ204=10\nQ212=0\nQ213=0\nQ205=0\nQ211=0\nQ256=0.2\n";
         let all = moves(&format!("CYCL DEF 203\n{drill}Q208={feed}\nCYCL CALL M3\n"));
         all.windows(2).find(|pair| pair[0].0[2] == -5.0).map(|pair| pair[1].1)
     };
@@ -164,7 +169,8 @@ fn values_are_frozen_when_the_cycle_is_defined() {
 /// parameters that they share with it are theirs from then on.
 #[test]
 fn cycles_that_act_at_once_change_what_they_share() {
-    let row = "CYCL DEF 221\nQ225=10\nQ226=0\nQ237=8\nQ238=5\nQ242=2\nQ243=1\nQ224=0\nQ200=3\nQ203=+6\nQ204=20\nQ301=1\n";
+    let row =
+        "CYCL DEF 221\nQ225=10\nQ226=0\nQ237=8\nQ238=5\nQ242=2\nQ243=1\nQ224=0\nQ200=3\nQ203=+6\nQ204=20\nQ301=1\n";
     let circle = "CYCL DEF 220\nQ216=50\nQ217=50\nQ244=80\nQ245=0\nQ246=360\nQ247=0\nQ241=1\nQ200=3\nQ203=+6\nQ204=20\nQ301=1\nQ365=0\n";
     for pattern in [row, circle] {
         let all = moves(&format!("{DRILL}M3\n{pattern}"));
@@ -180,7 +186,8 @@ fn cycles_that_act_at_once_change_what_they_share() {
         assert_eq!(anew.iter().rev().map(|(to, _)| to[2]).find(|z| *z < 5.0), Some(-4.0));
     }
     // A datum shift and a dwell change neither what is called nor its values.
-    let body = format!("{DRILL}CYCL DEF 7.0 D\nCYCL DEF 7.1 Z+10\nCYCL DEF 9.0 D\nCYCL DEF 9.1 V.ZEIT 2\nCYCL CALL M3\n");
+    let body =
+        format!("{DRILL}CYCL DEF 7.0 D\nCYCL DEF 7.1 Z+10\nCYCL DEF 9.0 D\nCYCL DEF 9.1 V.ZEIT 2\nCYCL CALL M3\n");
     assert_eq!(moves(&body).iter().map(|(to, _)| to[2]).fold(f64::MAX, f64::min), -4.0);
 }
 
@@ -193,7 +200,12 @@ fn presets_are_in_the_unit_of_their_program() {
         format!(
             "CYCL DEF 252 P\nQ215=1\nQ223={}\nQ368=0\nQ207={}\nQ351=+1\nQ201={}\nQ202={}\nQ369=0\nQ206={}\nQ338=0\n\
              Q200=PREDEF\nQ203=0\nQ204=PREDEF\nQ370=1\nQ366=0\nQ385={}\nCYCL CALL M3\n",
-            len(30.0), len(500.0), len(-5.0), len(5.0), len(100.0), len(500.0)
+            len(30.0),
+            len(500.0),
+            len(-5.0),
+            len(5.0),
+            len(100.0),
+            len(500.0)
         )
     };
     let run = |main: &str, sub: &str| {
@@ -210,13 +222,16 @@ fn presets_are_in_the_unit_of_their_program() {
         ends
     };
     let presets = |unit: f64| format!("GLOBAL DEF 100 P\nQ200={}\nQ204={}\n", 3.0 / unit, 20.0 / unit);
-    let mm = run(&format!("BEGIN PGM A MM\nTOOL CALL 1 Z S1000 F500\n{}{}END PGM A MM\n", presets(1.0), pocket(1.0)), "");
+    let mm =
+        run(&format!("BEGIN PGM A MM\nTOOL CALL 1 Z S1000 F500\n{}{}END PGM A MM\n", presets(1.0), pocket(1.0)), "");
     let called = run(
         &format!("BEGIN PGM A INCH\nTOOL CALL 1 Z S1000 F20\n{}CALL PGM SUB\nEND PGM A INCH\n", presets(25.4)),
         &format!("BEGIN PGM SUB MM\n{}END PGM SUB MM\n", pocket(1.0)),
     );
-    let inches =
-        run(&format!("BEGIN PGM A INCH\nTOOL CALL 1 Z S1000 F20\n{}{}END PGM A INCH\n", presets(25.4), pocket(25.4)), "");
+    let inches = run(
+        &format!("BEGIN PGM A INCH\nTOOL CALL 1 Z S1000 F20\n{}{}END PGM A INCH\n", presets(25.4), pocket(25.4)),
+        "",
+    );
     assert_eq!(mm, called);
     assert_eq!(mm, inches);
     assert!(mm.iter().any(|point| point[2] == 3.0) && mm.iter().any(|point| point[2] == 20.0));

@@ -376,6 +376,9 @@ fn the_blank_of_a_program_is_a_cuboid_in_its_unit() {
     // The stock of the scene goes before whatever the program says.
     let with_stock = "scene: 1\nstock: {box: {min: [0, 0, 0], max: [1, 2, 3]}}\n";
     near(find(&round, with_stock), DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0), Axis::Z);
-    assert_eq!(find(&mm("BLK FORM 0.1 Z X+0 Y+0 Z+0\nBLK FORM 0.2 X+10 Y+0 Z+5\n"), plain).err(), Some(StockTrouble::Blank));
+    assert_eq!(
+        find(&mm("BLK FORM 0.1 Z X+0 Y+0 Z+0\nBLK FORM 0.2 X+10 Y+0 Z+5\n"), plain).err(),
+        Some(StockTrouble::Blank)
+    );
     assert_eq!(find(&mm(""), plain).err(), Some(StockTrouble::Missing));
 }

@@ -28,7 +28,9 @@ pub(super) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
         _ => {}
     }
     // The manuals print ranges in mm.
-    if let (true, true, Some(ValueKind::Number(number))) = (inch, param.is_measured(), item.value.map(|value| value.kind)) {
+    if let (true, true, Some(ValueKind::Number(number))) =
+        (inch, param.is_measured(), item.value.map(|value| value.kind))
+    {
         return number_refusal_in(param, number, MM_PER_INCH);
     }
     refusal(param, &single_signed(&item.printed))

@@ -253,7 +253,7 @@ impl<'e> Run<'_, 'e> {
             let value = match exec.definition.field(id) {
                 None => continue,
                 Some(FieldValue::Number { value, length, .. }) => {
-                    Value::Number(if *length { exec.definition.into_run(*value) } else { *value })
+                    Value::Number(if *length { exec.definition.in_run(*value) } else { *value })
                 }
                 Some(FieldValue::Q(q)) => Value::Number(f64::from(q.number)),
                 Some(FieldValue::Text(text)) => Value::Text(Arc::clone(text)),

@@ -239,7 +239,8 @@ impl<'e> Run<'_, 'e> {
         match &content {
             Content::Number(_) if textual => Err(Fault::program("text-or-number")),
             Content::Number(number)
-                if !matches!(value.kind, ValueKind::Word) && spec::number_refusal_in(param, *number, self.unit()).is_some() =>
+                if !matches!(value.kind, ValueKind::Word)
+                    && spec::number_refusal_in(param, *number, self.unit()).is_some() =>
             {
                 Err(Fault::program("parameter-out-of-range").arg("value", *number))
             }
@@ -287,7 +288,8 @@ impl<'e> Run<'_, 'e> {
                 let known = param.q.and_then(|q| self.predefined.get(&q.number));
                 let (value, unit) = known.copied().ok_or_else(|| Fault::program("value-not-predefined"))?;
                 // A program called by another one may be in the other unit.
-                let value = if unit == self.unit() || !param.is_measured() { value } else { value * unit / self.unit() };
+                let value =
+                    if unit == self.unit() || !param.is_measured() { value } else { value * unit / self.unit() };
                 match spec::number_refusal_in(param, value, self.unit()) {
                     None => Ok(value),
                     Some(_) => Err(Fault::program("parameter-out-of-range").arg("value", value)),

@@ -26,7 +26,7 @@ fn calculated_in(plan: &Plan, key: CycleKey, unit: f64) -> f64 {
 impl Definition<'_> {
     /// A length or feed of the program as the run of the cycle calculates with it. What was a round number of mm before
     /// the program wrote it in inches is one again: guards compare sizes.
-    pub(super) fn into_run(&self, value: f64) -> f64 {
+    pub(super) fn in_run(&self, value: f64) -> f64 {
         Self::scaled(value, self.scale())
     }
 
