@@ -460,6 +460,7 @@ fn above(grid: &Grid, own: &mut Row, row: usize, sweep: &Sweep, tally: &mut Tall
 /// The same between two columns.
 fn above_part(grid: &Grid, own: &mut Row, y: f64, (first, last): (usize, usize), sweep: &Sweep, tally: &mut Tally) {
     let level = sweep.level();
+    let settled = if level.is_none() { sweep.settled(y) } else { None };
     let half = 0.5 * (BLOCK - 1) as f64 * grid.cell.x;
     let mut heights = [f64::INFINITY; BLOCK];
     for block in first / BLOCK..=last / BLOCK {
@@ -471,7 +472,8 @@ fn above_part(grid: &Grid, own: &mut Row, y: f64, (first, last): (usize, usize),
         if level.is_none() && highest <= sweep.least_near(DVec2::new(grid.x(begin) + half, y), half) {
             continue;
         }
-        match level {
+        let within = |[from, to]: [f64; 2]| grid.x(begin) >= from && grid.x(begin + BLOCK - 1) <= to;
+        match level.or(settled.filter(|(part, _)| within(*part)).map(|(_, height)| height)) {
             Some(level) => heights.fill(level),
             None => sweep.heights(grid.x(begin), grid.cell.x, y, &mut heights),
         }

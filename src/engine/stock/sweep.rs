@@ -240,6 +240,26 @@ impl Sweep {
         }
     }
 
+    /// The part of a row over which a flat tool stands at the lower end of its ramp, and that height.
+    pub(super) fn settled(&self, y: f64) -> Option<([f64; 2], f64)> {
+        let (at, height) = match self.way {
+            Way::Line { from, along, length, rise } if rise != 0.0 => {
+                let start = DVec2::new(from.x, from.y);
+                (if rise < 0.0 { start + along * length } else { start }, from.z + rise.min(0.0))
+            }
+            Way::Arc { centre, radius, start, end, z, rise, .. } if rise != 0.0 => {
+                (centre + if rise < 0.0 { end } else { start } * radius, z + rise.min(0.0))
+            }
+            _ => return None,
+        };
+        let square = self.cutter.radius * self.cutter.radius - (y - at.y) * (y - at.y);
+        if self.cutter.tip != Tip::Flat || square <= 0.0 {
+            return None;
+        }
+        let half = square.sqrt() - HAIR;
+        (half > 0.0).then_some(([at.x - half, at.x + half], height))
+    }
+
     /// The lowest heights of the envelope at the points `(x + n step, y)`; infinity where it does not come.
     pub(super) fn heights(&self, x: f64, step: f64, y: f64, out: &mut [f64; BLOCK]) {
         match self.way {
