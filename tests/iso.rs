@@ -215,6 +215,26 @@ fn printed_blocks_come_back() {
     assert!(count > 250, "{count}");
 }
 
+/// The programs of the manuals that lie with their scenes in `examples/` come back whole.
+#[test]
+fn programs_of_the_manuals_come_back() {
+    let data = Data::new();
+    let codes = Codes::new(&data.catalogue);
+    let mut count = 0;
+    for entry in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples")).expect("the programs") {
+        let path = entry.expect("an entry").path();
+        if path.extension().is_none_or(|extension| extension != "h") {
+            continue;
+        }
+        let program = read("part.h", &fs::read_to_string(&path).expect("a program"));
+        let (iso, back) = by_way_of_iso(&codes, &program).expect("nothing is refused");
+        let differences = data.differences("tnc640", &program, &back);
+        assert!(differences.is_empty(), "{}:\n{iso}\n{differences:#?}", path.display());
+        count += 1;
+    }
+    assert!(count >= 15, "{count}");
+}
+
 /// Executes every example as it is and by way of DIN/ISO.
 struct ByWayOfIso<'d> {
     data: &'d Data,
