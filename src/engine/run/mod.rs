@@ -19,6 +19,7 @@ mod event;
 mod face;
 mod fault;
 mod flow;
+mod json;
 mod log;
 mod measure;
 mod motion;
