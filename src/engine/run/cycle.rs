@@ -28,6 +28,13 @@ enum Cell {
     Failed(Box<Fault>),
 }
 
+/// Memory of executions that are over, for the next one.
+#[derive(Default)]
+pub(super) struct Spare {
+    cells: Vec<Cell>,
+    sentences: Vec<bool>,
+}
+
 /// One execution of a plan.
 pub(super) struct Exec<'d, 'e> {
     pub(super) definition: &'d Definition<'e>,
@@ -88,17 +95,22 @@ impl<'d, 'e> Exec<'d, 'e> {
         start: DVec3,
         probe: Option<ProbeData>,
         switched: (super::Spindle, bool),
+        Spare { mut cells, mut sentences }: Spare,
     ) -> Self {
         let plan = &definition.plan;
+        cells.clear();
+        cells.resize(plan.slots, Cell::Empty);
+        sentences.clear();
+        sentences.resize(plan.sentences.len(), false);
         Self {
             definition,
-            cells: vec![Cell::Empty; plan.slots],
+            cells,
             lists: vec![Vec::new(); plan.lists],
             start,
             shadows: Vec::new(),
             switched,
             probe,
-            sentences: vec![false; plan.sentences.len()],
+            sentences,
         }
     }
 
@@ -213,6 +225,7 @@ impl<'e> Run<'_, 'e> {
         if let Some(tables) = tables {
             self.conclude(&ended, tables);
         }
+        self.spare = Spare { cells: exec.cells, sentences: exec.sentences };
         ended?;
         self.inside -= 1;
         self.probing = outer_probing;
@@ -237,9 +250,10 @@ impl<'e> Run<'_, 'e> {
         all.iter_mut().zip(sentences).for_each(|(known, shown)| *known |= shown);
     }
 
-    fn exec<'d>(&self, definition: &'d Definition<'e>) -> Exec<'d, 'e> {
+    fn exec<'d>(&mut self, definition: &'d Definition<'e>) -> Exec<'d, 'e> {
         let switched = (self.modal.spindle, self.modal.coolant);
-        Exec::new(definition, self.to_program(self.world.here), self.world.probe().ok(), switched)
+        let spare = std::mem::take(&mut self.spare);
+        Exec::new(definition, self.to_program(self.world.here), self.world.probe().ok(), switched, spare)
     }
 
     /// Main, minor and tool coordinates of a point given by axes.

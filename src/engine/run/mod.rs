@@ -341,6 +341,8 @@ struct Run<'r, 'e> {
     /// The ways of the cycle whose envelope is looked for.
     recorder: Option<envelope::Recorder>,
     envelopes: Vec<Envelope>,
+    /// Memory for the next execution of a cycle.
+    spare: cycle::Spare,
     /// The threads that are being cut.
     threads: threads::Threads,
 }
@@ -383,6 +385,7 @@ impl<'r, 'e> Run<'r, 'e> {
             touching: envelope::Touching::AsScene,
             recorder: None,
             envelopes: Vec::new(),
+            spare: cycle::Spare::default(),
             threads: threads::Threads::default(),
         }
     }
