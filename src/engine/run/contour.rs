@@ -306,9 +306,6 @@ impl Run<'_, '_> {
         motion: &Motion,
         speed: Result<Speed, Fault>,
     ) -> Done {
-        if self.is_rounded_next() {
-            return Err(Fault::program("rounding-misplaced").into());
-        }
         let offset = self.offset(side)?;
         let piece = self.piece(Kind::Lead(lead), offset, self.world.system.plane.tool.of(to), speed);
         self.contour.side = side;
