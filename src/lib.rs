@@ -7,6 +7,7 @@ pub mod check;
 pub mod cli;
 pub mod compare;
 pub mod conform;
+pub mod convert;
 pub mod coverage;
 pub mod data;
 pub mod diag;

@@ -155,7 +155,8 @@ fn every_misprint_is_found() {
         assert!(written.contains(&(at.clone(), text.clone())), "{at} does not print {text}");
         // The line itself, or the definition that it belongs to.
         let fragment = of(at);
-        let found = fragment.abridged || found.contains(at) || fragment.lines.iter().any(|(own, _)| found.contains(own));
+        let found =
+            fragment.abridged || found.contains(at) || fragment.lines.iter().any(|(own, _)| found.contains(own));
         assert!(found, "nothing is said of {at}: {text}");
     }
 }

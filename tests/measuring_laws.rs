@@ -769,22 +769,49 @@ fn a_program_in_inches_writes_the_same_tables() {
                  - solid: {difference: [{box: {min: [-150, -150, -30], max: [150, 150, 0]}}, {cylinder: {centre: [40.3, 30.2], diameter: 50.1, from: -40, to: 10}}]}\n";
     let cells = |inch: bool, row: u8, transfer: u8| {
         let len = |mm: f64| if inch { mm / 25.4 } else { mm };
-        let lengths = [(321, 40.0), (322, 30.0), (262, 50.0), (261, -5.0), (320, 1.0), (260, 20.0), (331, 3.0), (332, -4.0), (382, 0.0), (383, 0.0), (384, 0.0), (333, 0.0)];
+        let lengths = [
+            (321, 40.0),
+            (322, 30.0),
+            (262, 50.0),
+            (261, -5.0),
+            (320, 1.0),
+            (260, 20.0),
+            (331, 3.0),
+            (332, -4.0),
+            (382, 0.0),
+            (383, 0.0),
+            (384, 0.0),
+            (333, 0.0),
+        ];
         let mut program = format!("BEGIN PGM A {}\nTOOL CALL 1 Z\nTCH PROBE 412\n", if inch { "INCH" } else { "MM" });
         lengths.iter().for_each(|(number, value)| drop(writeln!(program, "Q{number}={}", len(*value))));
         let _ = writeln!(program, "Q325=0\nQ247=90\nQ301=1\nQ305={row}\nQ303={transfer}\nQ381=0\nQ423=4\nQ365=1");
         program += "TCH PROBE 421\n";
-        let lengths = [(273, 40.0), (274, 30.0), (262, 50.0), (261, -5.0), (320, 1.0), (260, 20.0), (275, 0.0), (276, 0.0), (279, 0.0), (280, 0.0)];
+        let lengths = [
+            (273, 40.0),
+            (274, 30.0),
+            (262, 50.0),
+            (261, -5.0),
+            (320, 1.0),
+            (260, 20.0),
+            (275, 0.0),
+            (276, 0.0),
+            (279, 0.0),
+            (280, 0.0),
+        ];
         lengths.iter().for_each(|(number, value)| drop(writeln!(program, "Q{number}={}", len(*value))));
         program += "Q325=0\nQ247=90\nQ301=0\nQ281=1\nQ309=0\nQ330=5\nQ423=4\nQ365=1\n";
         let (outcome, events) = run("tnc640", &program, scene);
         // The second cycle looks for the hole where it is no more once the display has changed.
         let done = outcome.status == Status::Done;
         let log = outcome.logs.first().map(|(_, log)| log.clone());
-        let written: Vec<(String, f64)> = events.iter().filter_map(|event| match event {
-            EventKind::Table { column, value: Content::Number(value), .. } => Some((column.clone(), *value)),
-            _ => None,
-        }).collect();
+        let written: Vec<(String, f64)> = events
+            .iter()
+            .filter_map(|event| match event {
+                EventKind::Table { column, value: Content::Number(value), .. } => Some((column.clone(), *value)),
+                _ => None,
+            })
+            .collect();
         (done, written, log)
     };
     for (row, transfer) in [(4, 1), (2, 0), (0, 1)] {
@@ -797,7 +824,10 @@ fn a_program_in_inches_writes_the_same_tables() {
         if row != 0 {
             assert!(mm.1.iter().any(|(column, _)| column == "DR"));
             // The log has the values of the program.
-            assert!(mm.2.expect("a log").contains("Diameter: 50.1000") && inch.2.expect("a log").contains("Diameter: 1.9724"));
+            assert!(
+                mm.2.expect("a log").contains("Diameter: 50.1000")
+                    && inch.2.expect("a log").contains("Diameter: 1.9724")
+            );
         }
     }
 }

@@ -1,14 +1,9 @@
 # DIN/ISO: converting programs, and what has no equivalent.
 
-cli-convert = Write a program in DIN/ISO or in Klartext
 cli-convert-to-iso = From Klartext to DIN/ISO
 cli-convert-to-klartext = From DIN/ISO to Klartext
 cli-convert-control = Control whose names and labels are written (default: the one whose cycles the program has)
 cli-convert-lang = Language of the names and labels (default: that of the control’s manual)
-cli-convert-out = File to write (default: standard output)
-cli-examples-convert =
-    ciklo convert part.h --to-iso > part.i
-    ciklo convert part.i --to-klartext --lang it --out pezzo.h
 
 diag-iso-no-equivalent = DIN/ISO has no equivalent of “{ $found }”; the block is left as a comment.
 diag-iso-no-code = No manual prints a DIN/ISO code of { $found }; the block is left as a comment.

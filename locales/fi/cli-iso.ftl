@@ -1,14 +1,9 @@
 # DIN/ISO: ohjelmien muuntaminen ja se, mille ei ole vastinetta.
 
-cli-convert = Kirjoita ohjelma DIN/ISO-kielellä tai Klartext-kielellä
 cli-convert-to-iso = Klartext-kielestä DIN/ISO-kielelle
 cli-convert-to-klartext = DIN/ISO-kielestä Klartext-kielelle
 cli-convert-control = Ohjaus, jonka nimet ja NC-tekstit kirjoitetaan (oletus: se, jonka työkiertoja ohjelmassa on)
 cli-convert-lang = Nimien ja NC-tekstien kieli (oletus: ohjauksen käsikirjan kieli)
-cli-convert-out = Kirjoitettava tiedosto (oletus: vakiotuloste)
-cli-examples-convert =
-    ciklo convert part.h --to-iso > part.i
-    ciklo convert part.i --to-klartext --lang it --out pezzo.h
 
 diag-iso-no-equivalent = DIN/ISO-kielessä ei ole vastinetta: ”{ $found }”; lause jää kommentiksi.
 diag-iso-no-code = Mikään käsikirja ei mainitse DIN/ISO-koodia työkierrolle { $found }; lause jää kommentiksi.

@@ -1,14 +1,9 @@
 # DIN/ISO: conversione dei programmi e ciò che non ha equivalente.
 
-cli-convert = Scrive un programma in DIN/ISO o in Klartext
 cli-convert-to-iso = Da Klartext a DIN/ISO
 cli-convert-to-klartext = Da DIN/ISO a Klartext
 cli-convert-control = Controllo numerico di cui si scrivono i nomi e le etichette (predefinito: quello di cui il programma contiene i cicli)
 cli-convert-lang = Lingua dei nomi e delle etichette (predefinita: quella del manuale del controllo numerico)
-cli-convert-out = File da scrivere (predefinito: uscita standard)
-cli-examples-convert =
-    ciklo convert part.h --to-iso > part.i
-    ciklo convert part.i --to-klartext --lang it --out pezzo.h
 
 diag-iso-no-equivalent = In DIN/ISO non c’è equivalente di «{ $found }»; il blocco resta come commento.
 diag-iso-no-code = Nessun manuale riporta un codice DIN/ISO di { $found }; il blocco resta come commento.

@@ -1,14 +1,9 @@
 # DIN/ISO: conversão de programas e o que não tem equivalente.
 
-cli-convert = Escreve um programa em DIN/ISO ou em Klartext
 cli-convert-to-iso = De Klartext para DIN/ISO
 cli-convert-to-klartext = De DIN/ISO para Klartext
 cli-convert-control = Comando numérico cujos nomes e designações se escrevem (predefinição: aquele cujos ciclos o programa contém)
 cli-convert-lang = Idioma dos nomes e designações (predefinição: o do manual do comando)
-cli-convert-out = Ficheiro a escrever (predefinição: saída padrão)
-cli-examples-convert =
-    ciklo convert part.h --to-iso > part.i
-    ciklo convert part.i --to-klartext --lang it --out pezzo.h
 
 diag-iso-no-equivalent = Em DIN/ISO não há equivalente de «{ $found }»; a frase fica como comentário.
 diag-iso-no-code = Nenhum manual indica um código DIN/ISO de { $found }; a frase fica como comentário.

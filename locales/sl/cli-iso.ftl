@@ -1,14 +1,9 @@
 # DIN/ISO: pretvarjanje programov in kar nima ustreznice.
 
-cli-convert = Zapiše program v jeziku DIN/ISO ali Klartext
 cli-convert-to-iso = Iz jezika Klartext v DIN/ISO
 cli-convert-to-klartext = Iz jezika DIN/ISO v Klartext
 cli-convert-control = Krmiljenje, katerega imena in oznake se zapišejo (privzeto: tisto, katerega cikle vsebuje program)
 cli-convert-lang = Jezik imen in oznak (privzeto: jezik priročnika krmiljenja)
-cli-convert-out = Datoteka za zapis (privzeto: standardni izhod)
-cli-examples-convert =
-    ciklo convert part.h --to-iso > part.i
-    ciklo convert part.i --to-klartext --lang it --out pezzo.h
 
 diag-iso-no-equivalent = DIN/ISO nima ustreznice za »{ $found }«; stavek ostane kot komentar.
 diag-iso-no-code = Noben priročnik ne navaja kode DIN/ISO za { $found }; stavek ostane kot komentar.

@@ -11,7 +11,9 @@ use super::{Against, CycleLabels, values};
 use crate::diag::Span;
 use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, Refusal, TakesEffect};
-use crate::syntax::{Block, BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Program, StatementKind, Value, ValueKind};
+use crate::syntax::{
+    Block, BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Program, StatementKind, Value, ValueKind,
+};
 
 /// A program with its cycle definitions resolved for a control.
 pub struct Facts<'a> {
@@ -153,7 +155,8 @@ impl<'a> Facts<'a> {
 
     /// The blocks that are more than comments.
     pub fn acting(&self) -> impl Iterator<Item = &'a Block> {
-        let silent = |block: &&Block| matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_));
+        let silent =
+            |block: &&Block| matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_));
         self.program.blocks().iter().filter(move |block| !silent(block))
     }
 

@@ -1,106 +1,154 @@
-//! `ciklo convert`: a program in the words of the other language of the controls.
+//! `ciklo convert`: programs of one control for another one, or in the other language of the controls.
 use std::path::Path;
 
 use clap::ArgMatches;
+use clap::builder::PossibleValuesParser;
+use serde::Serialize;
 
-use super::session::Session;
-use super::{Command, Failure, Outcome, arguments, cycle, program};
-use crate::check::LabelBook;
+use super::session::{Session, json};
+use super::{Command, Failure, Outcome, arguments, cycle, dialect, program};
+use crate::check::{Against, LabelBook};
+use crate::convert::{self, Conversion, Form, Request};
 use crate::diag::{Diagnostic, Severity};
-use crate::expr::QRef;
-use crate::iso::{Codes, Labels, to_iso, to_klartext};
 use crate::locale::{Args, Ui};
-use crate::spec::{CycleKey, Field, OnControl, Param};
-use crate::syntax::Dialect;
-use crate::system;
+use crate::syntax::{Dialect, encoding};
+use crate::{syntax, system};
 
 pub(super) const COMMAND: Command = Command {
     name: "convert",
-    usage: "FILE (--to-iso | --to-klartext) [--control CONTROL] [--lang LANG] [--out FILE]",
+    usage: "FILE… (--from CONTROL --to CONTROL [--form FORM] | --to-iso | --to-klartext [--control CONTROL] [--lang LANG])\
+            \n       [--out FILE | --in-place] [--format FORMAT]",
     arguments: own,
     run,
 };
 
+/// The format of the document.
+const FORMAT: &str = "ciklo-convert/1";
+
 fn own(ui: &Ui) -> Vec<clap::Arg> {
-    vec![
-        arguments::file(ui),
-        arguments::switch(ui, "to-iso", "cli-convert-to-iso")
-            .conflicts_with("to-klartext")
-            .required_unless_present("to-klartext"),
-        arguments::switch(ui, "to-klartext", "cli-convert-to-klartext"),
-        arguments::valued(ui, "control", "CONTROL", "cli-convert-control"),
-        arguments::valued(ui, "lang", "LANG", "cli-convert-lang"),
-        arguments::valued(ui, "out", "FILE", "cli-convert-out"),
-    ]
+    let mut arguments = vec![
+        arguments::words(ui, "file", "FILE", "cli-convert-file"),
+        arguments::valued(ui, "from", "CONTROL", "cli-convert-from").requires("to"),
+        arguments::valued(ui, "to", "CONTROL", "cli-convert-to")
+            .requires("from")
+            .required_unless_present_any(["to-iso", "to-klartext"]),
+        arguments::valued(ui, "form", "FORM", "cli-convert-form")
+            .value_parser(PossibleValuesParser::new(["new", "old"]))
+            .hide_possible_values(true)
+            .requires("to"),
+        arguments::valued(ui, "out", "FILE", "cli-convert-out").conflicts_with("in-place"),
+        arguments::switch(ui, "in-place", "cli-convert-in-place").requires("to"),
+        arguments::format(ui, &["text", "json"]).requires("to"),
+    ];
+    arguments.splice(4..4, dialect::own(ui));
+    arguments
 }
 
-/// The names and labels of a control in a language.
-struct Words<'a> {
-    on: &'a OnControl,
-    book: LabelBook<'a>,
-    language: &'a str,
+/// What the document says of a program.
+#[derive(Serialize)]
+struct Report<'r> {
+    format: &'static str,
+    file: &'r str,
+    from: &'r str,
+    to: &'r str,
+    rewritten: usize,
+    findings: Vec<Finding>,
+    text: &'r str,
 }
 
-impl Words<'_> {
-    fn label(&self, key: CycleKey, is_it: &dyn Fn(&Param) -> bool) -> Option<String> {
-        let at = self.on.cycles.get(&key)?.params.iter().position(is_it)?;
-        self.book.cycle(key)?.language(self.language)?.params.get(at)?.label.clone()
-    }
-}
-
-impl Labels for Words<'_> {
-    fn name(&self, key: CycleKey) -> Option<String> {
-        self.book.cycle(key)?.language(self.language)?.name.label.clone()
-    }
-
-    fn parameter(&self, key: CycleKey, q: QRef) -> Option<String> {
-        self.label(key, &|own| own.q == Some(q) || own.q_of_name() == Some(q))
-    }
-
-    fn field(&self, key: CycleKey, field: &Field) -> Option<String> {
-        let is_it = |own: &Field| own.form == field.form && own.id.as_str() == field.id.as_str();
-        self.label(key, &|own| own.field.as_ref().is_some_and(is_it))
-    }
+#[derive(Serialize)]
+struct Finding {
+    line: usize,
+    column: usize,
+    severity: &'static str,
+    code: &'static str,
+    message: String,
 }
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
+    let names = arguments::all(matches, "file");
+    let in_place = matches.get_flag("in-place");
+    if names.len() > 1 && !in_place {
+        return Err(Diagnostic::global("convert-one-file").into());
+    }
+    if !matches.contains_id("to") {
+        return dialect::write(session, matches, names.first().map_or("-", String::as_str));
+    }
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
-    let path = arguments::text(matches, "file");
-    let file = program::understand(Path::new(&path), &catalogue)?;
-    let codes = Codes::new(&catalogue);
-    let wanted = if matches.get_flag("to-iso") { Dialect::Iso } else { Dialect::Klartext };
-    let (text, diagnostics) = if file.written().dialect() == wanted {
-        (file.written().source().text().to_owned(), Vec::new())
-    } else if wanted == Dialect::Iso {
-        let raised = to_iso(&file.program, &codes);
-        let mut diagnostics = file.program.diagnostics();
-        diagnostics.retain(|finding| finding.severity == Severity::Error);
-        diagnostics.extend(raised.diagnostics);
-        (raised.text, diagnostics)
-    } else {
-        let on = match matches.get_one::<String>("control") {
-            Some(id) => Some(cycle::control(&catalogue, id)?),
-            None => cycle::likeliest(&file.program, &catalogue, &locales),
-        };
-        let Some(on) = on else { return Ok(Outcome::Clean) };
-        let language = cycle::language_for(&locales, on, matches)?.tag();
-        let words = Words { on, book: LabelBook::new(on, &locales), language };
-        let lowered = to_klartext(file.written(), &codes, Some(&words));
-        (lowered.program.source().text().to_owned(), lowered.diagnostics)
+    let from = cycle::control(&catalogue, &arguments::text(matches, "from"))?;
+    let to = cycle::control(&catalogue, &arguments::text(matches, "to"))?;
+    let form = match matches.get_one::<String>("form").map(String::as_str) {
+        Some("new") => Form::New,
+        Some("old") => Form::Old,
+        _ => Form::AsWritten,
     };
-    let source = file.written().source();
-    let bytes = file.encoding.encode(&text).map_err(|sign| program::unwritable(sign, source))?;
-    match matches.get_one::<String>("out") {
-        Some(out) => {
-            system::write(Path::new(out), &bytes)?;
-            let line = session.ui.text("cli-written", &Args::new().text("path", out.as_str()));
+    let books = (LabelBook::new(from, &locales), LabelBook::new(to, &locales));
+    let against = |on, labels| Against { catalogue: &catalogue, on, labels, language: None, readers: &[] };
+    let (from, to) = (against(from, &books.0), against(to, &books.1));
+    let mut errors = false;
+    for name in &names {
+        let path = Path::new(name);
+        let bytes = system::read(path)?;
+        let decoded = encoding::decode(&bytes);
+        let source = crate::diag::Source::new(name.as_str(), decoded.text.as_str());
+        let program = syntax::parse(&source);
+        if program.dialect() == Dialect::Iso {
+            return Err(Diagnostic::global("convert-klartext-first").arg("path", name.as_str()).into());
+        }
+        let request = Request { from, to, locales: &locales, form, encoding: decoded.encoding };
+        let conversion = convert::convert(&program, &request);
+        errors |= conversion.found.iter().any(|found| found.severity == Severity::Error);
+        let whole = decoded.encoding.encode(&conversion.text).map_err(|sign| program::unwritable(sign, &source))?;
+        let written = match matches.get_one::<String>("out").map(String::as_str) {
+            Some(out) => Some(out),
+            None => in_place.then_some(name.as_str()),
+        };
+        if let Some(written) = written {
+            // Nobody may have changed the file between reading and writing.
+            if in_place && system::read(path)? != bytes {
+                return Err(Diagnostic::global("fix-file-changed").arg("path", name.as_str()).into());
+            }
+            system::write(Path::new(written), &whole)?;
+            let args = Args::new().number("count", conversion.edits.len() as f64).text("path", written);
+            let line = session.ui.text("cli-converted", &args);
             session.output.remark(&line);
         }
-        None => session.output.write(&bytes)?,
+        if arguments::chosen_format(matches) == "json" {
+            let document = json(&report(session, name, (from.on.id(), to.on.id()), &conversion))?;
+            session.output.print(&document)?;
+            continue;
+        }
+        if written.is_none() {
+            session.output.write(&whole)?;
+        }
+        conversion.found.iter().for_each(|found| session.output.complain(found, &session.ui));
     }
-    // Every block that was left out is told.
-    let refused: Vec<Diagnostic> =
-        diagnostics.into_iter().map(|finding| Diagnostic { severity: Severity::Error, ..finding }).collect();
-    refused.iter().for_each(|diagnostic| session.output.complain(diagnostic, &session.ui));
-    Ok(if refused.is_empty() { Outcome::Clean } else { Outcome::Errors })
+    Ok(if errors { Outcome::Errors } else { Outcome::Clean })
+}
+
+fn report<'r>(
+    session: &Session<'_>,
+    file: &'r str,
+    controls: (&'r str, &'r str),
+    conversion: &'r Conversion,
+) -> Report<'r> {
+    let finding = |found: &Diagnostic| {
+        let start = found.place.as_ref().map(crate::diag::Place::start);
+        Finding {
+            line: start.map_or(0, |start| start.line),
+            column: start.map_or(0, |start| start.column),
+            severity: found.severity.as_str(),
+            code: found.code,
+            message: session.ui.diagnostic(found),
+        }
+    };
+    Report {
+        format: FORMAT,
+        file,
+        from: controls.0,
+        to: controls.1,
+        rewritten: conversion.edits.len(),
+        findings: conversion.found.iter().map(finding).collect(),
+        text: &conversion.text,
+    }
 }

@@ -15,6 +15,7 @@ mod conform;
 mod convert;
 mod coverage;
 mod cycle;
+mod dialect;
 mod dialog;
 mod envelope;
 mod explain;
@@ -99,8 +100,8 @@ static COMMANDS: &[Command] = &[
     parse::COMMAND,
     check::COMMAND,
     translate::COMMAND,
-    compare::COMMAND,
     convert::COMMAND,
+    compare::COMMAND,
     fmt::COMMAND,
     run::COMMAND,
     plot::COMMAND,

@@ -186,7 +186,7 @@ fn refused(name: &str, value: &str, param: &Param, refusal: &Refusal, text: &Cyc
 
 /// A given value as the control shows it: with signs where the printed example has them, texts in
 /// quotation marks.
-fn as_printed(param: &Param, value: &str) -> String {
+pub fn as_printed(param: &Param, value: &str) -> String {
     let example = param.example.as_deref().unwrap_or_default();
     if param.kind == ParameterKind::Text {
         return in_quotation_marks(value).into_owned();
@@ -231,8 +231,8 @@ fn print_block(text: &CycleText, number: Option<u32>, values: &Values) -> Result
     if !faults.is_empty() {
         return Err(faults);
     }
-    let mut end = continuation(text);
-    end.push('\n');
+    let mark = continuation(text.on, text.cycle).map(|mark| format!(" {mark}"));
+    let end = mark.unwrap_or_default() + "\n";
     let mut block = lines.join(&end);
     block.push('\n');
     Ok(block)
@@ -240,11 +240,11 @@ fn print_block(text: &CycleText, number: Option<u32>, values: &Values) -> Result
 
 /// What stands at the end of every line that the block goes on behind, in cycles of the manuals whose
 /// controls print it.
-fn continuation(text: &CycleText) -> String {
-    let Some(layout) = &text.on.control.block else { return String::new() };
-    let sources = &text.cycle.described.sources;
+pub fn continuation<'o>(on: &'o OnControl, cycle: &Cycle) -> Option<&'o str> {
+    let layout = on.control.block.as_ref()?;
+    let sources = &cycle.described.sources;
     let applies = sources.iter().all(|source| layout.manuals.contains(&source.manual));
-    if applies { format!(" {}", layout.continuation) } else { String::new() }
+    applies.then_some(layout.continuation.as_str())
 }
 
 fn print_lines(text: &CycleText, form: usize, number: Option<u32>, values: &Values) -> Result<String, Vec<Diagnostic>> {

@@ -6,6 +6,6 @@ mod block;
 mod lint;
 mod table;
 
-pub use block::{Request, block, block_of, example, example_of};
+pub use block::{Request, as_printed, block, block_of, continuation, example, example_of};
 pub use lint::check;
 pub use table::{LabelRow, csv, table};

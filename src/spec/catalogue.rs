@@ -93,6 +93,8 @@ pub struct Param {
     pub effective: Option<Name>,
     /// Its value on controls that lack it.
     pub neutral: Option<f64>,
+    /// Its value in programs of older controls, where that is not the neutral one.
+    pub imported: Option<f64>,
     /// The printed example value.
     pub example: Option<String>,
     /// Where it stands in the file.
@@ -487,6 +489,7 @@ fn resolve(
         choices: parameter.choices.as_ref().unwrap_or(&meaning.choices).clone(),
         effective: parameter.effective.clone(),
         neutral: parameter.neutral,
+        imported: parameter.imported,
         example: parameter.example.clone(),
         place: parameter.place.clone(),
     })

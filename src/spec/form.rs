@@ -124,6 +124,8 @@ record! {
         effective: Option<Name>,
         /// Its value on controls that lack it.
         neutral: Option<f64>,
+        /// Its value in programs of older controls that the control itself reads in, where that is not the neutral one.
+        imported: Option<f64>,
         /// Overrides the dictionary.
         kind: Option<ParameterKind>,
         /// Overrides the dictionary.

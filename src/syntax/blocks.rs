@@ -3,8 +3,8 @@ use super::cursor::{Cursor, Read, Word};
 use super::path::{Approach, Path};
 use super::statement::TextFormula;
 use super::tree::{
-    Amount, Axis, BlockKind, CallLbl, FnAssign, FnJump, FnOp, Formula, Frame, Label, LabelRef, Operand, Relation, Selection,
-    SyntaxError,
+    Amount, Axis, BlockKind, CallLbl, FnAssign, FnJump, FnOp, Formula, Frame, Label, LabelRef, Operand, Relation,
+    Selection, SyntaxError,
 };
 use super::{cycle, motion, statements, texts};
 use crate::diag::Span;

@@ -3,8 +3,8 @@ use std::fmt::Write as _;
 
 use ciklo::diag::Span;
 use ciklo::syntax::{
-    Amount, Axis, Block, BlockKind, CallForm, Compensation, Coord, Feed, FeedKind, IsoBlock, IsoKind, Label, LabelRef, MFunction, Motion,
-    NamedWord, Operand, Parameter, Path, Program, ToolRef, Value, ValueKind,
+    Amount, Axis, Block, BlockKind, CallForm, Compensation, Coord, Feed, FeedKind, IsoBlock, IsoKind, Label, LabelRef,
+    MFunction, Motion, NamedWord, Operand, Parameter, Path, Program, ToolRef, Value, ValueKind,
 };
 
 /// The blocks, one a line, with what hangs on them indented.

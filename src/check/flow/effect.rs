@@ -5,7 +5,9 @@ use super::state::{Aspect, Known, State, Tri};
 use super::step::pend;
 use crate::check::Definition;
 use crate::expr::{QKind, QRef};
-use crate::spec::{Action, Argument, Body, Cycle, Item, Keyword, Known as Of, ParameterKind, TakesEffect, Transformation, Verb};
+use crate::spec::{
+    Action, Argument, Body, Cycle, Item, Keyword, Known as Of, ParameterKind, TakesEffect, Transformation, Verb,
+};
 use crate::syntax::{CycleForm, CycleView, OldCycleLine, ValueKind};
 
 /// What a definition does.
@@ -44,7 +46,9 @@ impl Effect {
                         let aspect = aspect(transformation);
                         effect.aspects.push((aspect, changed(aspect, &definition.view)));
                     }
-                    None => effect.aspects.extend([(Aspect::DatumShift, Tri::Unknown), (Aspect::Rotation, Tri::Unknown)]),
+                    None => {
+                        effect.aspects.extend([(Aspect::DatumShift, Tri::Unknown), (Aspect::Rotation, Tri::Unknown)])
+                    }
                 }
             }
             Of::Builders | Of::Unknown => effect.anything = true,
@@ -99,7 +103,8 @@ impl Effect {
             "axis-scaling" => Aspect::AxisScaling,
             "tilting" => Aspect::Tilting,
             "cancel" => {
-                let cancels = |word: &Argument| matches!(word, Argument::One(name) if name.as_str() == "radius-compensation");
+                let cancels =
+                    |word: &Argument| matches!(word, Argument::One(name) if name.as_str() == "radius-compensation");
                 if matches!(argument, Argument::List(words) if words.iter().any(cancels)) {
                     self.aspects.push((Aspect::Compensation, Tri::No));
                 }

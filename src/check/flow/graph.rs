@@ -87,16 +87,14 @@ impl Graph {
                 graph.uses.push(Use { block: index, span, mark: Some(mark), way: Way::Named });
             }
             match &block.kind {
-                BlockKind::Lbl(label) => {
-                    match mark_of(program, label) {
-                        Some(Mark::Number(0)) => graph.lead(index + 1),
-                        Some(mark) => {
-                            graph.labels.entry(mark).or_default().push(index);
-                            graph.lead(index);
-                        }
-                        None => {}
+                BlockKind::Lbl(label) => match mark_of(program, label) {
+                    Some(Mark::Number(0)) => graph.lead(index + 1),
+                    Some(mark) => {
+                        graph.labels.entry(mark).or_default().push(index);
+                        graph.lead(index);
                     }
-                }
+                    None => {}
+                },
                 BlockKind::CallLbl(call) => {
                     // A part that is repeated no times is none that is called.
                     let way = if call.repeat.is_some() { Way::Repeat } else { Way::Call };
@@ -237,7 +235,9 @@ pub(super) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef, Span)>) {
             operand(&assign.a, found);
             assign.b.iter().for_each(|b| operand(b, found));
         }
-        BlockKind::FnJump(jump) if !matches!(jump.relation, crate::syntax::Relation::Undefined | crate::syntax::Relation::Defined) => {
+        BlockKind::FnJump(jump)
+            if !matches!(jump.relation, crate::syntax::Relation::Undefined | crate::syntax::Relation::Defined) =>
+        {
             operand(&jump.a, found);
             operand(&jump.b, found);
         }
@@ -250,7 +250,10 @@ pub(super) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef, Span)>) {
             });
         }
         BlockKind::ToolCall(call) => {
-            [&call.speed, &call.cutting_speed, &call.dl, &call.dr].into_iter().flatten().for_each(|own| operand(own, found));
+            [&call.speed, &call.cutting_speed, &call.dl, &call.dr]
+                .into_iter()
+                .flatten()
+                .for_each(|own| operand(own, found));
             call.feed.iter().for_each(|feed| feed_reads(feed, found));
         }
         BlockKind::CycleDef(cycle) => {

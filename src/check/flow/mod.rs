@@ -11,8 +11,8 @@ mod step;
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-pub use graph::{Graph, Mark, Use, Way};
 pub(super) use graph::stops;
+pub use graph::{Graph, Mark, Use, Way};
 use state::Known;
 pub use state::{Aspect, Modal, Pending, Tri};
 
@@ -284,7 +284,9 @@ impl<'w, 'p> Walk<'w, 'p> {
                 let part = self.parts.entry(target).or_default();
                 part.callers.insert((run, level));
                 let exits: Vec<&State> = part.returns.iter().filter_map(|exit| self.exits.get(exit)).collect();
-                let joined = exits.split_first().map(|(first, rest)| rest.iter().fold((*first).clone(), |all, own| all.join(own)));
+                let joined = exits
+                    .split_first()
+                    .map(|(first, rest)| rest.iter().fold((*first).clone(), |all, own| all.join(own)));
                 let behind = joined.map(|exit| State::behind(state, &exit, &part.touched));
                 if let Some(behind) = behind {
                     self.enter((run + 1, level), &behind);
@@ -411,8 +413,10 @@ impl<'w, 'p> Walk<'w, 'p> {
         let blocks = self.steps.program.blocks();
         let mut read = Vec::new();
         for (at, first) in self.graph.leaders.iter().enumerate() {
-            let mut states: Vec<State> =
-                [Level::Main, Level::Called].iter().filter_map(|level| self.entries.get(&(at, *level)).cloned()).collect();
+            let mut states: Vec<State> = [Level::Main, Level::Called]
+                .iter()
+                .filter_map(|level| self.entries.get(&(at, *level)).cloned())
+                .collect();
             if self.entries.contains_key(&(at, Level::Main)) {
                 run.main.insert(*first);
             }
@@ -447,7 +451,10 @@ impl<'w, 'p> Walk<'w, 'p> {
                 let mut calls = Vec::new();
                 calls_in(&block.kind, &mut calls);
                 if !calls.is_empty() {
-                    let modal = states.iter().map(|state| self.steps.at_call(block, state).modal).reduce(|one, other| one.join(&other));
+                    let modal = states
+                        .iter()
+                        .map(|state| self.steps.at_call(block, state).modal)
+                        .reduce(|one, other| one.join(&other));
                     let modal = modal.unwrap_or(Modal::UNKNOWN);
                     run.calls.extend(calls.into_iter().map(|span| CycleCall { span, block: index, modal }));
                 }

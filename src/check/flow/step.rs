@@ -140,7 +140,9 @@ impl Steps<'_> {
                     state.modal.set(aspect, Tri::Unknown);
                 }
             }
-            StatementKind::Function if word(0) == "FUNCTION" && matches!(word(1), "TCPM" | "RESET" | "DWELL" | "FEED") => {
+            StatementKind::Function
+                if word(0) == "FUNCTION" && matches!(word(1), "TCPM" | "RESET" | "DWELL" | "FEED") =>
+            {
                 state.modal.set(Aspect::Feed, Tri::Unknown);
             }
             StatementKind::Function => {

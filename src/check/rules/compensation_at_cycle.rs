@@ -8,10 +8,11 @@ use crate::spec::Keyword;
 pub(super) const RULE: Rule = Rule { code: "compensation-at-cycle", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Compensation) == Tri::Yes).filter_map(|call| {
-        let Pending::Definition(index) = call.modal.pending else { return None };
-        Some((call.span, facts.definitions.get(index as usize)?))
-    });
+    let calls =
+        facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Compensation) == Tri::Yes).filter_map(|call| {
+            let Pending::Definition(index) = call.modal.pending else { return None };
+            Some((call.span, facts.definitions.get(index as usize)?))
+        });
     let probes = facts.definitions.iter().filter(|own| own.key.keyword == Keyword::TchProbe).filter_map(|own| {
         let active = facts.run.before(own.view.first)?.is(Aspect::Compensation) == Tri::Yes;
         active.then_some((own.view.head, own))

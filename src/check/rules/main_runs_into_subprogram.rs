@@ -40,7 +40,9 @@ fn last_part(facts: &Facts<'_>, blocks: &[Block], at: usize) -> bool {
     }
     match rest.next() {
         None => true,
-        Some(next) => matches!(next.kind, BlockKind::Lbl(_) | BlockKind::EndPgm(_)) && !facts.text(next.span).is_empty(),
+        Some(next) => {
+            matches!(next.kind, BlockKind::Lbl(_) | BlockKind::EndPgm(_)) && !facts.text(next.span).is_empty()
+        }
     }
 }
 

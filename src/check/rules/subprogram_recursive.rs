@@ -12,7 +12,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let conditional = facts.flow.skips || run.graph.uses.iter().any(|own| own.way == Way::Jump);
     for at in run.recursive_calls() {
         let Some(own) = run.graph.uses.get(at) else { continue };
-        let finding = rule.at(facts, own.span).arg("label", own.mark.as_ref().map(ToString::to_string).unwrap_or_default());
+        let finding =
+            rule.at(facts, own.span).arg("label", own.mark.as_ref().map(ToString::to_string).unwrap_or_default());
         found.push(Diagnostic { severity: if conditional { Severity::Warning } else { finding.severity }, ..finding });
     }
 }

@@ -19,7 +19,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 _ => continue,
             };
             let own = definition.items.iter().any(|item| item.param.is_some_and(|param| param.q == Some(target)));
-            let called = |call: &crate::check::CycleCall| call.block > at && call.modal.pending == Pending::Definition(index);
+            let called =
+                |call: &crate::check::CycleCall| call.block > at && call.modal.pending == Pending::Definition(index);
             if own && facts.run.calls.iter().any(called) {
                 let finding = rule.at(facts, span).arg("parameter", target.to_string());
                 found.push(finding.arg("cycle", definition.key.to_string()));

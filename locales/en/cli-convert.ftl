@@ -1,0 +1,40 @@
+# The command “convert” and what it tells.
+cli-convert = Rewrite programs for another control, or in DIN/ISO or Klartext
+cli-convert-file = NC programs; several only with --in-place
+cli-convert-from = Control that the programs were written for
+cli-convert-to = Control that they shall run on
+cli-convert-form = Form of cycles that have two: new (Q parameters) or old (a block a line); default: as in the program
+cli-convert-out = File to write (default: standard output)
+cli-convert-in-place = Put the new programs in the place of the old ones
+cli-converted = { $count ->
+        [one] { $count } definition rewritten: { $path }
+       *[other] { $count } definitions rewritten: { $path }
+    }
+cli-examples-convert =
+    ciklo convert part.h --from tnc426-430 --to tnc640 > new.h
+    ciklo convert part.h --from tnc640 --to tnc320 --format json
+    ciklo convert measuring.h --from itnc530 --to itnc530 --form new --in-place
+    ciklo convert part.h --to-iso > part.i
+    ciklo convert part.i --to-klartext --lang it --out pezzo.h
+diag-convert-one-file = Several programs are only rewritten with --in-place.
+diag-convert-klartext-first = { $path } is in DIN/ISO: write it in Klartext first (--to-klartext).
+diag-convert-cycle-lacking = { $control } does not have { $cycle }; the definition stays as it is.
+diag-convert-cycle-not-described = The manual of { $control } names { $cycle } but does not describe it: its parameters stay as they are.
+diag-convert-parameter-added =
+    { $import ->
+        [yes] { $parameter } = { $value } is added to { $cycle }, as { $control } does with older programs: set it to what is wanted.
+       *[no] { $parameter } = { $value } is added to { $cycle }, which does the same.
+    }
+diag-convert-parameter-dropped =
+    { $neutral ->
+        [yes] { $parameter } = { $value } of { $cycle } is dropped: { $control } does the same without it.
+       *[no] { $parameter } = { $value } of { $cycle } is dropped: { $control } does not have it.
+    }
+diag-convert-parameter-renamed = { $parameter } of { $cycle } becomes { $new } on { $control }.
+diag-convert-no-value = { $cycle } needs { $parameter } on { $control }, and nothing says which value does the same.
+diag-convert-value-refused = { $parameter } = { $value } of { $cycle } is not accepted on { $control }; the value stays.
+diag-convert-value-means-else = { $parameter } = { $value } of { $cycle } means something else on { $control }.
+diag-convert-field-lacking = { $parameter } of { $cycle } does not exist on { $control }; the definition stays as it is.
+diag-convert-form = { $cycle } becomes { $new }.
+diag-convert-form-stays = { $cycle } stays in its form: comments or other blocks stand between its lines.
+diag-convert-not-line-by-line = { $cycle } stays as it is: its parameters do not stand on lines of their own.

@@ -1,0 +1,41 @@
+# O comando «convert» e as suas mensagens.
+cli-convert = Reescreve programas para outro comando, ou em DIN/ISO ou em Klartext
+cli-convert-file = Programas NC; vários só com --in-place
+cli-convert-from = Comando para o qual os programas foram escritos
+cli-convert-to = Comando em que devem funcionar
+cli-convert-form = Forma dos ciclos que têm duas: new (parâmetros Q) ou old (uma frase por linha); predefinição: como no programa
+cli-convert-out = Ficheiro a escrever (predefinição: saída padrão)
+cli-convert-in-place = Põe os novos programas no lugar dos antigos
+cli-converted = { $count ->
+        [0] Nenhuma definição reescrita: { $path }
+        [one] { $count } definição reescrita: { $path }
+       *[other] { $count } definições reescritas: { $path }
+    }
+cli-examples-convert =
+    ciklo convert peca.h --from tnc426-430 --to tnc640 > nova.h
+    ciklo convert peca.h --from tnc640 --to tnc320 --format json
+    ciklo convert medicao.h --from itnc530 --to itnc530 --form new --in-place
+    ciklo convert part.h --to-iso > part.i
+    ciklo convert part.i --to-klartext --lang it --out pezzo.h
+diag-convert-one-file = Vários programas só são reescritos com --in-place.
+diag-convert-klartext-first = { $path } está em DIN/ISO: escreva-o primeiro em Klartext (--to-klartext).
+diag-convert-cycle-lacking = { $control } não tem { $cycle }; a definição fica como está.
+diag-convert-cycle-not-described = O manual de { $control } menciona { $cycle } mas não o descreve: os parâmetros ficam como estão.
+diag-convert-parameter-added =
+    { $import ->
+        [yes] Em { $cycle } é acrescentado { $parameter } = { $value }, como { $control } faz com programas mais antigos: defina o valor pretendido.
+       *[no] Em { $cycle } é acrescentado { $parameter } = { $value }, que não altera o comportamento.
+    }
+diag-convert-parameter-dropped =
+    { $neutral ->
+        [yes] { $parameter } = { $value } de { $cycle } é retirado: { $control } comporta-se da mesma forma sem ele.
+       *[no] { $parameter } = { $value } de { $cycle } é retirado: { $control } não o tem.
+    }
+diag-convert-parameter-renamed = { $parameter } de { $cycle } passa a { $new } em { $control }.
+diag-convert-no-value = { $cycle } precisa de { $parameter } em { $control }, e nada diz que valor mantém o comportamento.
+diag-convert-value-refused = { $control } não aceita { $parameter } = { $value } de { $cycle }; o valor fica.
+diag-convert-value-means-else = { $parameter } = { $value } de { $cycle } significa outra coisa em { $control }.
+diag-convert-field-lacking = { $parameter } de { $cycle } não existe em { $control }; a definição fica como está.
+diag-convert-form = { $cycle } passa a { $new }.
+diag-convert-form-stays = { $cycle } mantém a sua forma: entre as suas linhas há comentários ou outras frases.
+diag-convert-not-line-by-line = { $cycle } fica como está: os seus parâmetros não ocupam cada um a sua linha.

@@ -1,0 +1,96 @@
+//! `ciklo convert --to-iso`, `--to-klartext`: a program in the words of the other language of the controls.
+use std::path::Path;
+
+use clap::ArgMatches;
+
+use super::session::Session;
+use super::{Failure, Outcome, arguments, cycle, program};
+use crate::check::LabelBook;
+use crate::diag::{Diagnostic, Severity};
+use crate::expr::QRef;
+use crate::iso::{Codes, Labels, to_iso, to_klartext};
+use crate::locale::{Args, Ui};
+use crate::spec::{CycleKey, Field, OnControl, Param};
+use crate::syntax::Dialect;
+use crate::system;
+
+/// The arguments that ask for it.
+pub(super) fn own(ui: &Ui) -> Vec<clap::Arg> {
+    vec![
+        arguments::switch(ui, "to-iso", "cli-convert-to-iso").conflicts_with_all(["to-klartext", "to"]),
+        arguments::switch(ui, "to-klartext", "cli-convert-to-klartext").conflicts_with("to"),
+        arguments::valued(ui, "control", "CONTROL", "cli-convert-control").conflicts_with("to"),
+        arguments::valued(ui, "lang", "LANG", "cli-convert-lang").conflicts_with("to"),
+    ]
+}
+
+/// The names and labels of a control in a language.
+struct Words<'a> {
+    on: &'a OnControl,
+    book: LabelBook<'a>,
+    language: &'a str,
+}
+
+impl Words<'_> {
+    fn label(&self, key: CycleKey, is_it: &dyn Fn(&Param) -> bool) -> Option<String> {
+        let at = self.on.cycles.get(&key)?.params.iter().position(is_it)?;
+        self.book.cycle(key)?.language(self.language)?.params.get(at)?.label.clone()
+    }
+}
+
+impl Labels for Words<'_> {
+    fn name(&self, key: CycleKey) -> Option<String> {
+        self.book.cycle(key)?.language(self.language)?.name.label.clone()
+    }
+
+    fn parameter(&self, key: CycleKey, q: QRef) -> Option<String> {
+        self.label(key, &|own| own.q == Some(q) || own.q_of_name() == Some(q))
+    }
+
+    fn field(&self, key: CycleKey, field: &Field) -> Option<String> {
+        let is_it = |own: &Field| own.form == field.form && own.id.as_str() == field.id.as_str();
+        self.label(key, &|own| own.field.as_ref().is_some_and(is_it))
+    }
+}
+
+/// Writes a program in the other language.
+pub(super) fn write(session: &mut Session, matches: &ArgMatches, path: &str) -> Result<Outcome, Failure> {
+    let (catalogue, locales) = (session.catalogue()?, session.locales()?);
+    let file = program::understand(Path::new(path), &catalogue)?;
+    let codes = Codes::new(&catalogue);
+    let wanted = if matches.get_flag("to-iso") { Dialect::Iso } else { Dialect::Klartext };
+    let (text, diagnostics) = if file.written().dialect() == wanted {
+        (file.written().source().text().to_owned(), Vec::new())
+    } else if wanted == Dialect::Iso {
+        let raised = to_iso(&file.program, &codes);
+        let mut diagnostics = file.program.diagnostics();
+        diagnostics.retain(|finding| finding.severity == Severity::Error);
+        diagnostics.extend(raised.diagnostics);
+        (raised.text, diagnostics)
+    } else {
+        let on = match matches.get_one::<String>("control") {
+            Some(id) => Some(cycle::control(&catalogue, id)?),
+            None => cycle::likeliest(&file.program, &catalogue, &locales),
+        };
+        let Some(on) = on else { return Ok(Outcome::Clean) };
+        let language = cycle::language_for(&locales, on, matches)?.tag();
+        let words = Words { on, book: LabelBook::new(on, &locales), language };
+        let lowered = to_klartext(file.written(), &codes, Some(&words));
+        (lowered.program.source().text().to_owned(), lowered.diagnostics)
+    };
+    let source = file.written().source();
+    let bytes = file.encoding.encode(&text).map_err(|sign| program::unwritable(sign, source))?;
+    match matches.get_one::<String>("out") {
+        Some(out) => {
+            system::write(Path::new(out), &bytes)?;
+            let line = session.ui.text("cli-written", &Args::new().text("path", out.as_str()));
+            session.output.remark(&line);
+        }
+        None => session.output.write(&bytes)?,
+    }
+    // Every block that was left out is told.
+    let refused: Vec<Diagnostic> =
+        diagnostics.into_iter().map(|finding| Diagnostic { severity: Severity::Error, ..finding }).collect();
+    refused.iter().for_each(|diagnostic| session.output.complain(diagnostic, &session.ui));
+    Ok(if refused.is_empty() { Outcome::Clean } else { Outcome::Errors })
+}
