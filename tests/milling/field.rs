@@ -33,7 +33,6 @@ pub(super) struct Piece {
     /// The middle of the piece and its direction, as seen along the tool axis.
     pub(super) at: DVec2,
     pub(super) heading: DVec2,
-    pub(super) height: f64,
     /// Way over ground.
     pub(super) length: f64,
     /// Radius of the path; infinity on a line.
@@ -149,7 +148,6 @@ pub(super) fn follow(
             pieces.push(Piece {
                 feed: if *rapid { f64::INFINITY } else { *feed },
                 at: middle.truncate(),
-                height: to.z,
                 heading,
                 length: if way.length() < 1e-9 { 0.0 } else { way.length() },
                 bend,

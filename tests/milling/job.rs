@@ -322,6 +322,13 @@ impl Job {
         Ok(())
     }
 
+    /// No cut at all is deeper, by the columns of the stock.
+    pub(super) fn deepest(&self, done: &Done, deepest: f64) -> Result<(), TestCaseError> {
+        let (found, deepest) = (done.report.depth.value, deepest * self.view.scale);
+        prop_assert!(found <= deepest + 1e-6, "{} is deeper than {}{}", found, deepest, done.both);
+        Ok(())
+    }
+
     /// No piece at that feed is deeper.
     pub(super) fn depth_at(&self, done: &Done, feed: f64, deepest: f64) -> Result<(), TestCaseError> {
         let deepest = deepest * self.view.scale;

@@ -136,6 +136,7 @@ pub(super) fn rectangular(job: &Job, finish: &Finish, pocket: &Rectangle) -> Res
     job.depth_at(&done, PLUNGE, step)?;
     job.depth_at(&done, MILL, step)?;
     job.depth_at(&done, FINISH, finish.deepest(job.depth))?;
+    job.deepest(&done, step.max(finish.deepest(job.depth)))?;
     // The first cut of a level runs along the middle and is as wide as the tool.
     let half = size / 2.0 - DVec2::splat(finish.side + r);
     let core = half - DVec2::splat(half.min_element());
@@ -193,6 +194,7 @@ proptest! {
         job.depth_at(&done, PLUNGE, step)?;
         job.depth_at(&done, MILL, step)?;
         job.depth_at(&done, FINISH, finish.deepest(job.depth))?;
+        job.deepest(&done, step.max(finish.deepest(job.depth)))?;
         let middle = job.view.point(centre);
         let core = |at: DVec2| (at - middle).length() < job.radius * overlap;
         job.width_at(&done, MILL, overlap * r, &core)?;

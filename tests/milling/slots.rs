@@ -43,6 +43,7 @@ fn keeps(
     job.depth_at(&done, PLUNGE, step)?;
     job.depth_at(&done, MILL, step)?;
     job.depth_at(&done, FINISH, finish.deepest(job.depth))?;
+    job.deepest(&done, step.max(finish.deepest(job.depth)))?;
     job.width_at(&done, MILL, job.tool(), core)?;
     let wrong = job.climbs_at(&done, MILL, job.tool(), core)?;
     prop_assert!(wrong <= job.radius, "more the wrong way round: {}{}", wrong, done.both);

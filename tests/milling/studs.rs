@@ -25,6 +25,7 @@ fn keeps(job: &Job, body: &str, stud: Shape, overlap: f64) -> Result<super::job:
     let step = job.step().min(job.depth);
     job.depth_at(&done, PLUNGE, step)?;
     job.depth_at(&done, MILL, step)?;
+    job.deepest(&done, step)?;
     let step = overlap * job.tool();
     let k = job.view.scale;
     if !job.round {
