@@ -69,6 +69,11 @@ impl Source {
         &self.text
     }
 
+    /// How many lines it has.
+    pub fn lines(&self) -> usize {
+        self.lines.len()
+    }
+
     /// The number (from 1) of the line that holds the byte.
     pub fn line_of(&self, byte: usize) -> usize {
         self.lines.partition_point(|&start| start <= byte).max(1)

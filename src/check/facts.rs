@@ -163,7 +163,7 @@ impl<'a> Facts<'a> {
     /// The M functions of a block.
     pub fn functions(&self, block: &'a Block) -> &'a [MFunction] {
         match &block.kind {
-            BlockKind::Motion(motion) => &motion.functions,
+            BlockKind::Motion(motion) if motion.has_functions() => &motion.functions,
             BlockKind::Functions(list) | BlockKind::Stop(list) => list,
             BlockKind::CyclCall(call) => &call.functions,
             _ => &[],
@@ -229,7 +229,7 @@ impl<'a> Facts<'a> {
                     _ => {}
                 },
                 BlockKind::Unknown(_) | BlockKind::Iso(_) => self.flow.opaque = true,
-                BlockKind::Motion(motion) => self.note(&motion.functions, None),
+                BlockKind::Motion(motion) if motion.has_functions() => self.note(&motion.functions, None),
                 BlockKind::Functions(list) | BlockKind::Stop(list) => self.note(list, None),
                 BlockKind::CyclCall(call) => {
                     self.note(&call.functions, Some(call.head));

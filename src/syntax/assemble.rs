@@ -2,12 +2,16 @@
 //!
 //! Invariant: the blocks' spans lie one behind the other and cover the text; each line is looked at a
 //! bounded number of times, whatever the text.
+use std::cell::RefCell;
+use std::sync::Arc;
+
 use super::cursor::{Cursor, Read, trim};
+use super::element::Checker;
 use super::lines::{Line, line_at};
 use super::statement::{GlobalDef, StatementKind};
 use super::tree::{Block, BlockKind, CycleDef, CycleKeyword, Parameter, SyntaxError};
 use super::{blocks, cycle};
-use crate::diag::Span;
+use crate::diag::{Source, Span};
 
 /// How many unreadable lines may stand between two parameters of one cycle.
 const MAX_TORN: usize = 8;
@@ -21,16 +25,23 @@ pub(super) struct Assembled {
     pub(super) warnings: Vec<SyntaxError>,
 }
 
-pub(super) fn assemble(text: &str) -> Assembled {
-    let mut assembler = Assembler { text, at: 0, line: 1, blocks: Vec::new(), warnings: Vec::new() };
+pub(super) fn assemble(source: &Arc<Source>) -> Assembled {
+    let text = source.text();
+    // As many as lines are too many where definitions have many lines; what is too much is given back.
+    let blocks = Vec::with_capacity(source.lines());
+    let checker = RefCell::new(Checker::new(source));
+    let mut assembler = Assembler { text, at: 0, line: 1, blocks, warnings: Vec::new(), checker };
     while let Some(line) = line_at(text.as_bytes(), assembler.at) {
         assembler.block(line);
     }
-    Assembled { blocks: assembler.blocks, warnings: assembler.warnings }
+    let mut blocks = assembler.blocks;
+    blocks.shrink_to_fit();
+    Assembled { blocks, warnings: assembler.warnings }
 }
 
 struct Assembler<'t> {
     text: &'t str,
+    checker: RefCell<Checker<'t>>,
     /// The first byte that belongs to no block yet, and the number of its line.
     at: usize,
     line: usize,
@@ -44,7 +55,7 @@ impl Assembler<'_> {
     }
 
     fn content(&self, span: Span) -> Read<BlockKind> {
-        blocks::content(&mut Cursor::new(self.text, span))
+        blocks::content(&mut Cursor::new(self.text, span), &mut self.checker.borrow_mut())
     }
 
     /// Makes the block that starts with `first`.

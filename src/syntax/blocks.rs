@@ -1,5 +1,6 @@
 //! The content of one block: which kind it is, and the kinds that are neither motions nor cycles.
 use super::cursor::{Cursor, Read, Word};
+use super::element::Checker;
 use super::path::{Approach, Path};
 use super::statement::TextFormula;
 use super::tree::{
@@ -11,7 +12,7 @@ use crate::diag::Span;
 use crate::expr::{self, QKind, QRef};
 
 /// Reads the content of a block (without number and comment).
-pub(super) fn content(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
+pub(super) fn content(cursor: &mut Cursor<'_>, checker: &mut Checker<'_>) -> Read<BlockKind> {
     cursor.blanks();
     if cursor.byte() == b'*' {
         cursor.at += 1;
@@ -49,18 +50,18 @@ pub(super) fn content(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
             *cursor = start;
             texts::contour_formula(cursor)
         }
-        b"APPR" => approach(cursor).and_then(|form| element(cursor, Path::Appr(form))),
-        b"DEP" => approach(cursor).and_then(|form| element(cursor, Path::Dep(form))),
+        b"APPR" => approach(cursor).and_then(|form| element(cursor, Path::Appr(form), checker)),
+        b"DEP" => approach(cursor).and_then(|form| element(cursor, Path::Dep(form), checker)),
         name => match Path::by_name(name) {
-            Some(path) => element(cursor, path),
+            Some(path) => element(cursor, path, checker),
             None => match closed_up(&word) {
                 Some((path, length)) if cursor.starts_value() => {
                     cursor.at = start.at + length;
-                    element(cursor, path)
+                    element(cursor, path, checker)
                 }
                 _ => statements::opt_statement(cursor, name, start.at).unwrap_or_else(|| {
                     *cursor = start;
-                    if let Some(block) = along_axis(cursor) {
+                    if let Some(block) = along_axis(cursor, checker) {
                         return Ok(block);
                     }
                     *cursor = start;
@@ -82,16 +83,16 @@ fn closed_up(word: &Word) -> Option<(Path, usize)> {
 }
 
 /// A block that positions one axis: `X+40 R+ F100`.
-fn along_axis(cursor: &mut Cursor<'_>) -> Option<BlockKind> {
+fn along_axis(cursor: &mut Cursor<'_>, checker: &mut Checker<'_>) -> Option<BlockKind> {
     let start = cursor.at;
-    let motion = motion::motion(cursor, Path::Axis).ok()?;
-    let [coord] = motion.coords.as_slice() else { return None };
+    let element = checker.element(cursor, Path::Axis).ok()?;
+    let [coord] = checker.words().coords.as_slice() else { return None };
     let begins = coord.span.start == start;
-    (begins && !matches!(coord.axis, Axis::Pr | Axis::Pa)).then(|| BlockKind::Motion(Box::new(motion)))
+    (begins && !matches!(coord.axis, Axis::Pr | Axis::Pa)).then_some(BlockKind::Motion(element))
 }
 
-fn element(cursor: &mut Cursor<'_>, path: Path) -> Read<BlockKind> {
-    motion::motion(cursor, path).map(|motion| BlockKind::Motion(Box::new(motion)))
+fn element(cursor: &mut Cursor<'_>, path: Path, checker: &mut Checker<'_>) -> Read<BlockKind> {
+    checker.element(cursor, path).map(BlockKind::Motion)
 }
 
 fn approach(cursor: &mut Cursor<'_>) -> Read<Approach> {

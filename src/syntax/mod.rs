@@ -8,6 +8,7 @@ mod assemble;
 mod blocks;
 mod cursor;
 mod cycle;
+mod element;
 pub mod encoding;
 mod iso;
 mod iso_read;
@@ -22,6 +23,7 @@ mod tree;
 mod view;
 mod words;
 
+pub use element::Element;
 pub use iso::{Dialect, IsoBlock, IsoKind, is_of_language, is_older, is_path};
 pub use path::{Approach, Path};
 pub use statement::*;
@@ -52,7 +54,7 @@ pub fn parse(source: &Arc<Source>) -> Program {
     let iso = iso_read::is_iso(source.text(), source.name());
     let dialect = if iso { Dialect::Iso } else { Dialect::Klartext };
     let assembled = match dialect {
-        Dialect::Klartext => assemble::assemble(source.text()),
+        Dialect::Klartext => assemble::assemble(source),
         Dialect::Iso => iso_read::assemble(source.text()),
     };
     let mut warnings = assembled.warnings;

@@ -215,28 +215,17 @@ pub(super) fn functions(cursor: &mut Cursor<'_>) -> Read<Vec<MFunction>> {
     Ok(found)
 }
 
-/// The words of a contour element, its first word being read.
-pub(super) fn motion(cursor: &mut Cursor<'_>, path: Path) -> Read<Motion> {
-    let mut motion = Motion {
-        path,
-        // Most elements have two; one that has more makes room for itself.
-        coords: Vec::with_capacity(2),
-        radius: None,
-        counter_clockwise: None,
-        compensation: None,
-        feed: None,
-        functions: Vec::new(),
-        words: Vec::new(),
-    };
-    if path == Path::Chf {
+/// The words of a contour element, its first word being read; they are added to those of a new one.
+pub(super) fn motion(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<()> {
+    if motion.path == Path::Chf {
         motion.radius = Some(cursor.operand()?);
     }
     while !cursor.done() {
-        if !motion_word(cursor, &mut motion)? {
+        if !motion_word(cursor, motion)? {
             return Err(cursor.expected("word"));
         }
     }
-    Ok(motion)
+    Ok(())
 }
 
 fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {

@@ -2,6 +2,7 @@
 //!
 //! Invariant: the spans of a program's blocks, line ends included, lie one behind the other and cover
 //! its text; nothing here knows what a cycle's number or parameter means.
+use super::element::Element;
 use super::iso::IsoBlock;
 use super::path::Path;
 use super::statement::{ContourFormula, GlobalDef, NamedWord, PatternDef, Statement, TextFormula};
@@ -48,7 +49,7 @@ pub enum BlockKind {
     /// `TOOL DEF`.
     ToolDef(Box<ToolDef>),
     /// A contour element or positioning: `L`, `C`, `CC` and so on.
-    Motion(Box<Motion>),
+    Motion(Element),
     /// M functions only.
     Functions(Vec<MFunction>),
     /// `LBL`.
@@ -101,7 +102,7 @@ impl BlockKind {
             Self::BlkForm(_) => "blk-form",
             Self::ToolCall(_) => "tool-call",
             Self::ToolDef(_) => "tool-def",
-            Self::Motion(motion) => motion.path.name(),
+            Self::Motion(element) => element.path().name(),
             Self::Functions(_) => "m",
             Self::Lbl(_) => "lbl",
             Self::CallLbl(_) => "call-lbl",
@@ -316,6 +317,32 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// An element without words.
+    pub(super) const fn new(path: Path) -> Self {
+        Self {
+            path,
+            coords: Vec::new(),
+            radius: None,
+            counter_clockwise: None,
+            compensation: None,
+            feed: None,
+            functions: Vec::new(),
+            words: Vec::new(),
+        }
+    }
+
+    /// Makes it one without words that keeps its room.
+    pub(super) fn clear(&mut self, path: Path) {
+        self.coords.clear();
+        self.functions.clear();
+        self.words.clear();
+        self.path = path;
+        self.radius = None;
+        self.counter_clockwise = None;
+        self.compensation = None;
+        self.feed = None;
+    }
+
     /// The coordinate of an axis, the last one if it is written twice.
     pub fn coord(&self, axis: Axis) -> Option<&Coord> {
         self.coords.iter().rev().find(|coord| coord.axis == axis)
