@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use ciklo::diag::Source;
+use ciklo::diag::Span;
 use ciklo::syntax::encoding::{Charset, decode};
-use ciklo::syntax::{BlockKind, Program, json, parse};
+use ciklo::syntax::{Block, BlockKind, Document, Program, json, parse};
 use proptest::prelude::*;
 
 #[path = "syntax/dump.rs"]
@@ -377,6 +378,141 @@ fn one_malformed_line_is_one_unknown() {
                 let unknown: Vec<_> = json::document(&program).unknown.iter().map(|u| (u.line, u.text)).collect();
                 assert_eq!(unknown, [(index + 1, torn.as_str())], "{name}, line {}", index + 1);
             }
+        }
+    }
+}
+
+/// What a document says of its blocks: place and line in the whole text, and what the block is.
+fn told(document: &Document) -> Vec<(usize, usize, usize, String)> {
+    let mut all = Vec::new();
+    for piece in document.pieces() {
+        let shown = shown(piece.program);
+        assert_eq!(shown.len(), piece.program.blocks().len());
+        let place = |block: &Block| (block.span.start + piece.start, block.line + piece.lines_before, block.lines);
+        all.extend(piece.program.blocks().iter().zip(shown).map(|(block, text)| {
+            let (start, line, lines) = place(block);
+            (start, line, lines, text)
+        }));
+    }
+    all
+}
+
+/// The blocks of a program as text, without their lines.
+fn shown(program: &Program) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    for line in dump::dump(program).lines().take_while(|line| !line.starts_with("= ")) {
+        let digits = line.trim_start_matches(|c: char| c.is_ascii_digit() || c == '-');
+        match digits.strip_prefix(": ") {
+            Some(block) if digits.len() < line.len() => all.push(block.to_owned()),
+            // What is found stands behind the blocks, with line and column.
+            _ if digits.starts_with(':') => break,
+            _ => all.last_mut().expect("a block").push_str(line),
+        }
+    }
+    all
+}
+
+fn assert_as_whole(document: &Document) {
+    let text = document.text();
+    let whole = program(&text);
+    let expected: Vec<_> =
+        whole.blocks().iter().map(|it| (it.span.start, it.line, it.lines)).zip(shown(&whole)).collect();
+    let expected: Vec<_> =
+        expected.into_iter().map(|((start, line, lines), text)| (start, line, lines, text)).collect();
+    assert_eq!(told(document), expected, "{text:?}");
+    let cycles: usize = document.pieces().map(|piece| piece.program.cycles().len()).sum();
+    assert_eq!(cycles, whole.cycles().len());
+    let (mut findings, mut of_pieces) = (Vec::new(), Vec::new());
+    for finding in whole.diagnostics() {
+        findings.push((finding.place.as_ref().expect("a place").span.start, finding.code));
+    }
+    for piece in document.pieces() {
+        for finding in piece.program.diagnostics() {
+            of_pieces.push((finding.place.as_ref().expect("a place").span.start + piece.start, finding.code));
+        }
+    }
+    assert_eq!(of_pieces, findings);
+}
+
+#[test]
+fn a_document_is_edited_in_micro_seconds() {
+    let lines: Vec<String> = (0..100_000).map(|n| format!("{n} L X+{}.125 Y-{}.5 R0 F500\n", n % 97, n % 31)).collect();
+    let mut document = Document::new("long.h", &lines.concat());
+    let middle: usize = lines.iter().take(50_000).map(String::len).sum();
+    let start = std::time::Instant::now();
+    let rounds = 200;
+    for round in 0..rounds {
+        let read =
+            document.edit(Span::new(middle, middle), &format!("L Z+{round}\n")).expect("a place between characters");
+        assert!(read.end - read.start < 20_000, "{read:?}");
+    }
+    // Debug builds are slow; what matters is that it is not the whole file.
+    let each = start.elapsed() / rounds;
+    assert!(each.as_micros() < 20_000, "{each:?}");
+    assert_as_whole(&document);
+}
+
+#[test]
+fn a_document_refuses_places_that_are_none() {
+    let mut document = Document::new("a.h", "L X+1 ;\u{e9}\n");
+    assert_eq!(document.edit(Span::new(8, 8), "x"), None);
+    assert_eq!(document.edit(Span::new(5, 99), "x"), None);
+    assert_eq!(document.edit(Span::new(5, 4), "x"), None);
+    assert_eq!(document.text(), "L X+1 ;\u{e9}\n");
+    assert!(document.edit(Span::new(0, 10), "").is_some());
+    assert!(document.is_empty());
+    assert_eq!(document.edit(Span::new(0, 0), "M30"), Some(Span::new(0, 3)));
+    assert_as_whole(&document);
+}
+
+/// A program of several pieces, with and without numbers.
+fn long() -> impl Strategy<Value = String> {
+    let blocks = [
+        "L X+10 R0 FMAX M99",
+        "L X+1 ~\n  Y+2",
+        "CYCL DEF 7.0 DATUM\nCYCL DEF 7.1 X+5",
+        "CYCL DEF 200 DRILLING ~\n Q200=2 ;CLEARANCE ~\n Q201=-5 ;DEPTH",
+        "CYCL DEF 200 DRILLING\nQ200=2 ;CLEARANCE\nQ201=-5 ;DEPTH",
+        "PATTERN DEF\nPOS1( X+10 Y+10 )\nPOS2( X+20 Y+10 )",
+        "PATTERN DEF POS1( X+10",
+        "Y+20 Z+0 )",
+        "Q5 = 3",
+        "Q5=3 ;TOP",
+        "; a comment",
+        "; a long comment ~\n goes on",
+        "",
+        "* - structure",
+        "what is this",
+        "FN 0: ~\n Q1 = +5",
+        "M30",
+    ];
+    let block = (proptest::sample::select(blocks.to_vec()), any::<bool>());
+    (proptest::collection::vec(block, 0..400), any::<bool>()).prop_map(|(blocks, numbers)| {
+        let line = |(index, (text, own)): (usize, (&str, bool))| {
+            if numbers && own { format!("{index} {text}\n") } else { format!("{text}\n") }
+        };
+        blocks.into_iter().enumerate().map(line).collect()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+    #[test]
+    fn an_edited_document_is_what_the_whole_text_is(
+        text in long(),
+        edits in proptest::collection::vec((any::<prop::sample::Index>(), 0..60_usize, pieces()), 1..6),
+    ) {
+        let mut document = Document::new("test.h", &text);
+        let mut expected = text;
+        assert_as_whole(&document);
+        for (at, length, new) in edits {
+            let places: Vec<usize> = (0..=expected.len()).filter(|at| expected.is_char_boundary(*at)).collect();
+            let start = at.index(places.len());
+            let (start, end) = (places[start], places[(start + length).min(places.len() - 1)]);
+            prop_assert!(document.edit(Span::new(start, end), &new).is_some());
+            expected.replace_range(start..end, &new);
+            prop_assert_eq!(document.text(), expected.as_str());
+            assert_as_whole(&document);
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::diag::Span;
 use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, Refusal, TakesEffect};
 use crate::syntax::{
-    Block, BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Program, StatementKind, Value, ValueKind,
+    Block, BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Parameter, Program, StatementKind, Value, ValueKind,
 };
 
 /// A program with its cycle definitions resolved for a control.
@@ -72,7 +72,7 @@ pub struct Item<'a> {
     /// The place of its specification among the cycle's parameters.
     pub index: Option<usize>,
     /// The label made ready for comparison.
-    pub(super) folded: Option<String>,
+    pub(super) folded: Option<Cow<'a, str>>,
     /// Why its parameter refuses the value.
     pub(super) refusal: Option<Refusal>,
 }
@@ -206,6 +206,7 @@ impl<'a> Facts<'a> {
     fn follow(&mut self) {
         let mut next = 0;
         // A fragment is called from a program or copied into one: what comes before and behind it is not known.
+        self.events.reserve(self.program.blocks().len() + self.definitions.len());
         let begins = |block: &Block| matches!(block.kind, BlockKind::BeginPgm(_));
         self.flow.programs |= !self.program.blocks().iter().any(begins);
         for (index, block) in self.program.blocks().iter().enumerate() {
@@ -273,6 +274,7 @@ impl<'a> Definition<'a> {
     }
 
     fn parameters(&mut self, program: &'a Program, written: &'a crate::syntax::CycleDef, cycle: Option<&'a Cycle>) {
+        self.items.reserve_exact(written.parameters.len());
         for parameter in &written.parameters {
             let printed = program.slice(parameter.value.span);
             let quoted = printed.starts_with('"');
@@ -281,7 +283,7 @@ impl<'a> Definition<'a> {
                 index: index_of(cycle, param),
                 folded: parameter.label.map(|label| fold(program.slice(label))),
                 param,
-                name: Cow::Owned(parameter.q.to_string()),
+                name: name_of(program, parameter),
                 span: parameter.span,
                 value_span: parameter.value.span,
                 printed: if quoted { printed.to_owned() } else { printed.to_uppercase() },
@@ -313,6 +315,17 @@ impl<'a> Definition<'a> {
             _ => None,
         }
     }
+}
+
+/// The parameter as messages call it: as it is written, if that is how controls write it.
+fn name_of<'a>(program: &'a Program, parameter: &Parameter) -> Cow<'a, str> {
+    let written = program.slice(parameter.q_span);
+    let usual = match written.as_bytes() {
+        [b'Q', b'1'..=b'9', ..] => true,
+        [b'Q', b'L' | b'R' | b'S', b'1'..=b'9', ..] => true,
+        _ => false,
+    };
+    if usual { Cow::Borrowed(written) } else { Cow::Owned(parameter.q.to_string()) }
 }
 
 /// The place of a parameter in its cycle.

@@ -118,7 +118,9 @@ impl Written {
     pub(super) fn of(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle) -> Self {
         let modal = facts.run.before(definition.view.first);
         let states = STATES.map(|(_, aspect)| Some(Value::Bool(modal?.is(aspect).known()?)));
-        let mut known = Self { numbers: cycle.lacking.clone(), texts: Vec::new(), states };
+        let mut numbers = Vec::with_capacity(cycle.lacking.len() + definition.items.len());
+        numbers.extend_from_slice(&cycle.lacking);
+        let mut known = Self { numbers, texts: Vec::new(), states };
         for item in &definition.items {
             let (Some(q), Some(value)) = (item.param.and_then(read_as), item.value) else { continue };
             match value.kind {

@@ -2,6 +2,7 @@
 //!
 //! Invariant: a text that a language lacks matches nothing; labels are compared without regard to
 //! case and blanks, as programs come from many hands.
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
@@ -47,7 +48,7 @@ pub struct ParamLabels {
 impl ParamLabels {
     fn new(label: Option<String>, aliases: Vec<String>) -> Self {
         let label = label.filter(|label| !label.is_empty());
-        let folded = label.iter().chain(&aliases).map(|label| fold(label)).collect();
+        let folded = label.iter().chain(&aliases).map(|label| fold(label).into_owned()).collect();
         Self { label, folded }
     }
 
@@ -63,7 +64,24 @@ impl ParamLabels {
 }
 
 /// A label for comparison: capitals, single blanks, no colon at the end.
-pub(super) fn fold(label: &str) -> String {
+pub(super) fn fold(label: &str) -> Cow<'_, str> {
+    if is_folded(label) { Cow::Borrowed(label) } else { Cow::Owned(folded(label)) }
+}
+
+/// Whether nothing has to change: most labels are printed in capitals, with single blanks.
+fn is_folded(label: &str) -> bool {
+    let mut before = b' ';
+    for &byte in label.as_bytes() {
+        if byte.is_ascii_lowercase() || byte.is_ascii_control() || (byte == b' ' && before == b' ') {
+            return false;
+        }
+        before = byte;
+    }
+    !matches!(before, b' ' | b':')
+        && (label.is_ascii() || label.chars().all(|c| c.is_ascii() || !(c.is_lowercase() || c.is_whitespace())))
+}
+
+fn folded(label: &str) -> String {
     let mut folded = String::with_capacity(label.len());
     for word in label.split_whitespace() {
         if !folded.is_empty() {
@@ -120,8 +138,9 @@ pub(super) fn language_of(facts: &Facts<'_>) -> Option<String> {
     let mut votes: BTreeMap<&str, usize> = BTreeMap::new();
     for (definition, _) in facts.described() {
         let Some(labels) = facts.labels(definition) else { continue };
+        let name = definition.view.name.map(|name| fold(facts.text(name)));
         for language in &labels.languages {
-            let named = definition.view.name.is_some_and(|name| language.name.matches(facts.text(name)));
+            let named = name.as_ref().is_some_and(|name| language.name.matches_folded(name));
             let labelled = definition.items.iter().filter(|item| {
                 let own = item.index.and_then(|index| language.params.get(index));
                 item.folded.as_ref().zip(own).is_some_and(|(label, own)| own.matches_folded(label))

@@ -95,6 +95,11 @@ impl<'t> Cursor<'t> {
 
     /// Passes blanks and the joints of lines.
     pub(super) fn blanks(&mut self) {
+        // Most words follow directly or behind one blank.
+        self.at += usize::from(self.byte() == b' ');
+        if self.byte().is_ascii_alphanumeric() || matches!(self.byte(), b'+' | b'-') {
+            return;
+        }
         loop {
             self.at = skip_blanks(self.bytes, self.at, self.end);
             match self.byte() {
@@ -159,9 +164,13 @@ impl<'t> Cursor<'t> {
     pub(super) fn peek_word(&self) -> Word {
         let mut word = Word { letters: [0; 16], len: 0, span: Span::new(self.at, self.at) };
         let mut at = self.at;
-        while self.byte_at(at).is_ascii_alphabetic() {
+        let rest = self.bytes.get(at..self.end).unwrap_or_default();
+        for &byte in rest {
+            if !byte.is_ascii_alphabetic() {
+                break;
+            }
             if word.len < word.letters.len() {
-                word.letters[word.len] = self.byte_at(at).to_ascii_uppercase();
+                word.letters[word.len] = byte.to_ascii_uppercase();
                 word.len += 1;
             } else {
                 word.letters[0] = NO_KEYWORD;
@@ -169,7 +178,10 @@ impl<'t> Cursor<'t> {
             at += 1;
         }
         // A keyword does not go on with other letters: `CÍRCULO` is no circle.
-        if word.len > 0 && self.text.get(at..self.end).is_some_and(|rest| rest.starts_with(foreign_letter)) {
+        if word.len > 0
+            && self.byte_at(at) >= 0x80
+            && self.text.get(at..self.end).is_some_and(|rest| rest.starts_with(foreign_letter))
+        {
             word.letters[0] = NO_KEYWORD;
         }
         word.span.end = at;

@@ -8,6 +8,7 @@ mod assemble;
 mod blocks;
 mod cursor;
 mod cycle;
+mod document;
 mod element;
 pub mod encoding;
 mod iso;
@@ -23,6 +24,7 @@ mod tree;
 mod view;
 mod words;
 
+pub use document::{Document, Piece};
 pub use element::Element;
 pub use iso::{Dialect, IsoBlock, IsoKind, is_of_language, is_older, is_path};
 pub use path::{Approach, Path};

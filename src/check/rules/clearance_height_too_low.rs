@@ -22,12 +22,10 @@ const ABOVE: [&str; 4] = ["first-point-tool", "second-point-tool", "third-point-
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (definition, cycle) in facts.described() {
-        let written = Written::of(facts, definition, cycle);
         let is = |meaning: &str| cycle.params.iter().find(|param| param.is.as_str() == meaning);
-        let Some((param, height)) = is(CLEARANCE_HEIGHT).and_then(|param| Some((param, written.number_of(param)?)))
-        else {
-            continue;
-        };
+        let Some(param) = is(CLEARANCE_HEIGHT) else { continue };
+        let written = Written::of(facts, definition, cycle);
+        let Some(height) = written.number_of(param) else { continue };
         let clearance = is(CLEARANCE).and_then(|param| written.number_of(param)).unwrap_or(0.0).max(0.0);
         let beside = BESIDE.iter().filter_map(|meaning| needed(&written, cycle, is(meaning)?, 0.0));
         let above = ABOVE.iter().filter_map(|meaning| needed(&written, cycle, is(meaning)?, clearance));

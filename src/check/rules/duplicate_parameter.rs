@@ -3,16 +3,18 @@ use std::collections::HashMap;
 
 use crate::check::{Facts, Item, Rule};
 use crate::diag::{Diagnostic, Place, Severity};
+use crate::expr::QRef;
 
 pub(super) const RULE: Rule = Rule { code: "duplicate-parameter", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in &facts.definitions {
-        let mut seen: HashMap<String, &Item<'_>> = HashMap::new();
+        let mut seen = Seen::default();
         for item in &definition.items {
             let repeats = item.param.is_some_and(|param| param.field.as_ref().is_some_and(|field| field.repeat));
             let q = item.param.and_then(|param| param.q);
-            let first = *seen.entry(q.map_or_else(|| item.name.to_string(), |q| q.to_string())).or_insert(item);
+            let key = q.map_or(Key::Name(&item.name), Key::Q);
+            let first = seen.first(key, item);
             // Fields without a printed word have no name to tell them apart by.
             let named = item.name.starts_with('Q') || item.name.ends_with(':');
             if named && !repeats && !std::ptr::eq(first, item) {
@@ -21,5 +23,39 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 found.push(finding.arg("cycle", definition.key.to_string()).related("first-place", place));
             }
         }
+    }
+}
+
+/// What tells items apart.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Key<'i> {
+    Q(QRef),
+    Name(&'i str),
+}
+
+/// The items that were seen; most definitions have so few that looking through them is quickest.
+#[derive(Default)]
+struct Seen<'i, 'a> {
+    few: Vec<(Key<'i>, &'i Item<'a>)>,
+    many: HashMap<Key<'i>, &'i Item<'a>>,
+}
+
+/// How many are few.
+const FEW: usize = 48;
+
+impl<'i, 'a> Seen<'i, 'a> {
+    /// The first item of that key: this one, if there was none before.
+    fn first(&mut self, key: Key<'i>, item: &'i Item<'a>) -> &'i Item<'a> {
+        if self.few.len() < FEW {
+            if let Some((_, first)) = self.few.iter().find(|(own, _)| *own == key) {
+                return first;
+            }
+            self.few.push((key, item));
+            return item;
+        }
+        if self.many.is_empty() {
+            self.many.extend(self.few.iter().copied());
+        }
+        self.many.entry(key).or_insert(item)
     }
 }

@@ -10,6 +10,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(labels) = facts.labels(definition) else { continue };
         for item in &definition.items {
             let (Some(own), Some(span), Some(folded)) = (item.index, item.label, &item.folded) else { continue };
+            // Most labels are those of the program's language.
+            let right = labels.language(language).and_then(|language| language.params.get(own));
+            if right.is_some_and(|labels| labels.matches_folded(folded)) {
+                continue;
+            }
             let printed = facts.text(span);
             let speaking: Vec<&str> = labels
                 .languages
@@ -20,7 +25,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             if speaking.is_empty() || speaking.contains(&language.as_str()) {
                 continue;
             }
-            let right = labels.language(language).and_then(|language| language.params.get(own));
             let Some(right) = right.and_then(|labels| labels.label.as_deref()) else { continue };
             let finding = rule.at(facts, span).arg("label", printed).arg("parameter", item.name.as_ref());
             found.push(finding.arg("language", speaking.join(", ")).arg("right", right).fix(span, right));
