@@ -24,5 +24,6 @@ pub mod manual;
 pub mod spec;
 pub mod syntax;
 pub mod system;
+pub mod table;
 pub mod text;
 pub mod translate;

@@ -245,6 +245,52 @@ fn windows_1252_refuses_what_it_cannot_write() {
     assert_eq!(decoded.encoding.encode("KOT Č"), Err('Č'));
 }
 
+/// Code pages are told by their bytes, and every file comes back.
+#[test]
+fn code_pages_are_told_by_their_bytes() {
+    use encoding_rs::{GBK, WINDOWS_1250, WINDOWS_1251, WINDOWS_1252};
+    let line = |label: &str| format!("5 CYCL DEF 200 X\r\nQ210=0 ;{label}\r\n");
+    let samples = [
+        (WINDOWS_1252, Charset::Windows1252, "PROFUNDIDADE DE PASSO, POSIÇÃO, ÂNGULO, N.º"),
+        (WINDOWS_1252, Charset::Windows1252, "SYVYYS, KÄÄNTÖ, TYÖKALUN ÖÄÅ"),
+        (WINDOWS_1252, Charset::Windows1252, "PROFONDITÀ, VELOCITÀ, È, QUOTA Ø 12"),
+        (WINDOWS_1252, Charset::Windows1252, "KOOR. OBERFLÄCHE, MÜLLER, Größe, ÄÖÜ"),
+        (WINDOWS_1250, Charset::Windows1250, "ČAS ZADRŽ. ZGORAJ, POVRŠINE, ŽEP, GLOBINA"),
+        (WINDOWS_1250, Charset::Windows1250, "WARTOŚĆ POSUWU, GŁĘBOKOŚĆ"),
+        (WINDOWS_1251, Charset::Windows1251, "ГЛУБИНА, БЕЗОПАСНОЕ РАССТОЯНИЕ, фреза"),
+        (GBK, Charset::Gbk, "\u{5B89}\u{5168}\u{95F4}\u{9699}, \u{8FDB}\u{7ED9}\u{91CF} F"),
+    ];
+    for (page, charset, text) in samples {
+        let text = line(text);
+        let (bytes, _, replaced) = page.encode(&text);
+        assert!(!replaced, "{text}");
+        let decoded = decode(&bytes);
+        assert_eq!((decoded.encoding.charset, decoded.text.as_str()), (charset, text.as_str()));
+        assert_eq!(decoded.encoding.encode(&decoded.text).as_deref(), Ok(bytes.as_ref()));
+    }
+    for bom in [true, false] {
+        let text = line("SYVYYS \u{e4}");
+        let bytes = [if bom { &b"\xEF\xBB\xBF"[..] } else { &[] }, text.as_bytes()].concat();
+        let decoded = decode(&bytes);
+        assert_eq!(
+            (decoded.encoding.charset, decoded.encoding.bom, decoded.text.as_str()),
+            (Charset::Utf8, bom, &*text)
+        );
+        assert_eq!(decoded.encoding.encode(&decoded.text).as_deref(), Ok(bytes.as_slice()));
+    }
+}
+
+/// What transfers and old editors leave in a file is blank.
+#[test]
+fn nul_and_control_z_are_blanks() {
+    let text = "\0\0\0\n0 BEGIN PGM A MM\0\n1 L X+1\0R0 FMAX\n\r2 M30\n3 END PGM A MM\n\x1a\0\0";
+    let program = program(text);
+    assert_tiled(&program);
+    let kinds: Vec<_> = program.blocks().iter().map(|block| block.kind.name()).collect();
+    assert_eq!(kinds, ["empty", "begin-pgm", "l", "empty", "m", "end-pgm", "empty"]);
+    assert!(program.diagnostics().is_empty());
+}
+
 #[test]
 fn utf_16_is_read_and_written_back() {
     let text = "0 BEGIN PGM T\u{ca}TE MM\r\n; \u{1F527}\r\n";

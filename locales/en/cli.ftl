@@ -32,6 +32,7 @@ cli-translate-to = Language of the names and labels
 cli-translate-control = Control of the program (default: the one whose cycles it has)
 cli-translate-out = File to write (default: standard output)
 cli-run = Execute a program in a scene
+cli-run-tool-table = Tool table to use in place of the scene’s
 cli-run-out = Directory for the tables and logs that the program writes
 cli-run-events = Print each event as a line of JSON
 cli-run-stock = File for the finished part (STL); what was machined is reported

@@ -50,6 +50,9 @@ diag-table-no-column = The table { $file } has no column { $column }.
 diag-table-too-wide = { $file }, row { $row }: the value does not fit into column { $column }.
 diag-table-text-in-numbers = { $file }, row { $row }: column { $column } takes numbers only.
 diag-table-key-column = { $file }, row { $row }: the row number in column { $column } cannot be changed.
+diag-table-duplicate-column = The column { $column } stands twice.
+diag-table-unknown-column = No manual describes the column { $column } here: its cells are not checked.
+diag-table-value-not-taken = Row { $row }: column { $column } does not take “{ $found }”.
 
 diag-stock-form = BLK FORM { $word } is not described in the manuals: give the stock in the scene, or a cuboid by BLK FORM 0.1 and 0.2.
 diag-stock-missing = There is no blank: neither does the scene have a stock, nor the program a BLK FORM.

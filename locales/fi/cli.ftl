@@ -32,6 +32,7 @@ cli-translate-to = Nimien ja NC-tekstien kieli
 cli-translate-control = Ohjelman ohjaus (oletus: se, jonka työkiertoja ohjelmassa on)
 cli-translate-out = Kirjoitettava tiedosto (oletus: vakiotuloste)
 cli-run = Suorita ohjelma asetelmassa
+cli-run-tool-table = Työkalutaulukko, jota käytetään asetelman oman sijasta
 cli-run-out = Hakemisto taulukoille ja pöytäkirjoille, jotka ohjelma kirjoittaa
 cli-run-events = Tulosta jokainen tapahtuma JSON-rivinä
 cli-run-skip-blocks = Ohita lauseet, jotka alkavat merkillä /

@@ -32,6 +32,7 @@ cli-translate-to = Lingua dei nomi e delle etichette
 cli-translate-control = Controllo numerico del programma (predefinito: quello di cui contiene i cicli)
 cli-translate-out = File da scrivere (predefinito: uscita standard)
 cli-run = Esegue un programma in una scena
+cli-run-tool-table = Tabella utensili da usare al posto di quella della scena
 cli-run-out = Cartella per le tabelle e i protocolli scritti dal programma
 cli-run-events = Stampa ogni evento come riga JSON
 cli-run-skip-blocks = Salta i blocchi che iniziano con /

@@ -32,6 +32,7 @@ cli-translate-to = Idioma dos nomes e designações
 cli-translate-control = Comando numérico do programa (predefinição: aquele cujos ciclos contém)
 cli-translate-out = Ficheiro a escrever (predefinição: saída padrão)
 cli-run = Executa um programa num cenário
+cli-run-tool-table = Tabela de ferramentas a usar em vez da do cenário
 cli-run-out = Pasta para as tabelas e os registos que o programa escreve
 cli-run-events = Mostra cada evento como uma linha JSON
 cli-run-skip-blocks = Omite as frases que começam por /

@@ -32,6 +32,7 @@ cli-translate-to = Jezik imen in oznak
 cli-translate-control = Krmiljenje programa (privzeto: tisto, katerega cikle vsebuje)
 cli-translate-out = Datoteka za zapis (privzeto: standardni izhod)
 cli-run = Izvede program v prizorišču
+cli-run-tool-table = Preglednica orodij, ki se uporabi namesto tiste iz prizorišča
 cli-run-out = Mapa za preglednice in protokole, ki jih zapiše program
 cli-run-events = Vsak dogodek izpiše kot vrstico JSON
 cli-run-skip-blocks = Izpusti stavke, ki se začnejo z /

@@ -12,7 +12,8 @@ use crate::diag::Span;
 use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, Refusal, TakesEffect};
 use crate::syntax::{
-    Block, BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Parameter, Program, StatementKind, Value, ValueKind,
+    Block, BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Parameter, Program, StatementKind, Value,
+    ValueKind,
 };
 
 /// A program with its cycle definitions resolved for a control.

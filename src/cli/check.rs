@@ -14,6 +14,7 @@ use crate::diag::{Diagnostic, Severity, Source};
 use crate::locale::{Args, Language, Locales, Scope, Ui};
 use crate::spec::{Catalogue, OnControl};
 use crate::system;
+use crate::table::{self, TableKind};
 
 pub(super) const COMMAND: Command = Command {
     name: "check",
@@ -24,6 +25,8 @@ pub(super) const COMMAND: Command = Command {
 
 /// Extensions of the programs that are looked for in folders.
 pub(super) const PROGRAMS: [&str; 2] = ["h", "i"];
+/// Extensions of the tables that are looked for in folders.
+pub(super) const TABLES: [&str; 5] = ["t", "tp", "pr", "d", "pnt"];
 /// The file with settings, looked for in the folder of each program and above it.
 const CONFIG: &str = "ciklo.toml";
 
@@ -43,6 +46,8 @@ struct Job<'c> {
     path: PathBuf,
     on: &'c OnControl,
     settings: Settings,
+    /// Whether it is named itself, not found in a folder.
+    named: bool,
 }
 
 /// What came of it.
@@ -59,7 +64,12 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         let labels = books.entry(job.on.id().to_owned()).or_insert_with(|| LabelBook::new(job.on, &locales));
         let language = job.settings.language.as_deref();
         let against = Against { catalogue: &catalogue, on: job.on, labels, language, readers: &readers };
-        let (mut found, fixed) = if fix {
+        let table = TableKind::of_file(&job.path.to_string_lossy());
+        let (mut found, fixed) = if let Some(kind) = table {
+            let file = program::source(&job.path)?;
+            let other = !job.named && !program::is_table(&file);
+            (if other { Vec::new() } else { table::check(kind, &file.source) }, 0)
+        } else if fix {
             mend::file(&job.path, &against, &job.settings)?
         } else {
             let file = program::understand(&job.path, &catalogue)?;
@@ -130,19 +140,20 @@ fn jobs<'c>(
     };
     let (mut jobs, mut troubles) = (Vec::new(), Vec::new());
     for name in arguments::all(matches, "file") {
-        let paths = match system::files_below(Path::new(&name), &PROGRAMS) {
+        let paths = match system::files_below(Path::new(&name), &[&PROGRAMS[..], &TABLES[..]].concat()) {
             Ok(paths) => paths,
             Err(trouble) => {
                 troubles.push(Diagnostic::from(trouble));
                 continue;
             }
         };
+        let single = paths == [PathBuf::from(&name)];
         for path in paths {
             let mut settings = configs.of(&path, session, catalogue, locales)?;
             settings.language = language.map(|own| own.tag().to_owned()).or(settings.language);
             let named = settings.control.as_deref().and_then(|id| catalogue.on(id));
             match asked.or(named) {
-                Some(on) => jobs.push(Job { path, on, settings }),
+                Some(on) => jobs.push(Job { path, on, settings, named: single }),
                 None => {
                     troubles.push(Diagnostic::global("check-no-control").arg("path", path.display().to_string()));
                     return Ok((jobs, troubles));

@@ -11,6 +11,7 @@ use crate::layout::layout;
 use crate::locale::{Args, Ui};
 use crate::syntax::encoding::{self, Decoded};
 use crate::system;
+use crate::table::{Table, TableKind};
 
 pub(super) const COMMAND: Command = Command { name: "fmt", usage: "PATH… [--check]", arguments: own, run };
 
@@ -26,7 +27,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
     let (mut count, mut troubles) = (0, Vec::new());
     for name in arguments::all(matches, "file") {
-        let paths = match system::files_below(Path::new(&name), &check::PROGRAMS) {
+        let paths = match system::files_below(Path::new(&name), &[&check::PROGRAMS[..], &check::TABLES[..]].concat()) {
             Ok(paths) => paths,
             Err(trouble) => {
                 troubles.push(Diagnostic::from(trouble));
@@ -34,9 +35,16 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
             }
         };
         for path in paths {
-            match file(session, &path, &against, matches.get_flag("check")) {
+            let only_check = matches.get_flag("check");
+            let done = match TableKind::of_file(&path.to_string_lossy()) {
+                Some(kind) => table(session, &path, kind, only_check),
+                None => file(session, &path, &against, only_check),
+            };
+            match done {
                 Ok(changed) => count += usize::from(changed),
                 Err(Failure::Trouble(trouble)) => troubles.push(*trouble),
+                // A table that cannot be read; the other files are laid out all the same.
+                Err(Failure::Data(found)) => troubles.extend(found),
                 Err(failure) => return Err(failure),
             }
         }
@@ -47,6 +55,27 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         Some(trouble) => Err(trouble.into()),
         None => Ok(if matches.get_flag("check") && count > 0 { Outcome::Errors } else { Outcome::Clean }),
     }
+}
+
+/// Lays out a table; what is none stays as it is.
+fn table(session: &mut Session, path: &Path, kind: TableKind, only_check: bool) -> Result<bool, Failure> {
+    let file = program::source(path)?;
+    if !program::is_table(&file) {
+        return Ok(false);
+    }
+    let new = Table::parse(kind, &file.source).map_err(Failure::Data)?.laid_out();
+    if new == file.source.text() {
+        return Ok(false);
+    }
+    if only_check {
+        session.output.print(&format!("{}\n", path.display()))?;
+        return Ok(true);
+    }
+    let bytes = file.encoding.encode(&new).map_err(|sign| program::unwritable(sign, &file.source))?;
+    system::write(path, &bytes)?;
+    let line = session.ui.text("cli-written", &Args::new().text("path", path.display().to_string()));
+    session.output.remark(&line);
+    Ok(true)
 }
 
 /// Lays out a file, or says only whether it would change.

@@ -88,9 +88,26 @@ pub(super) fn understood(path: &Path, decoded: &Decoded, catalogue: &Catalogue) 
 
 /// Reads a program; `-` is standard input.
 pub(super) fn read(path: &Path) -> Result<File, Failure> {
-    let decoded = encoding::decode(&system::read(path)?);
+    let decoded = encoding::decode_owned(system::read(path)?);
     let source = Source::new(path.display().to_string(), decoded.text);
     Ok(File { program: syntax::parse(&source), encoding: decoded.encoding })
+}
+
+/// The text of a file with its encoding.
+pub(super) struct Text {
+    pub(super) source: Arc<Source>,
+    pub(super) encoding: Encoding,
+}
+
+/// Whether it begins as tables do: other programs have files of these names as well.
+pub(super) fn is_table(file: &Text) -> bool {
+    file.source.text().trim_start_matches('\u{feff}').starts_with("BEGIN")
+}
+
+/// Reads the text of a file that is no program.
+pub(super) fn source(path: &Path) -> Result<Text, Failure> {
+    let decoded = encoding::decode_owned(system::read(path)?);
+    Ok(Text { source: Source::new(path.display().to_string(), decoded.text), encoding: decoded.encoding })
 }
 
 /// What to say of a character that the file's encoding does not have.

@@ -15,11 +15,12 @@ use crate::engine::stock::Watch;
 use crate::locale::{Args, Digits, Language, Locales, Ui};
 use crate::spec::{Catalogue, CycleKey, OnControl};
 use crate::system;
+use crate::table::{Table, TableKind};
 use crate::text;
 
 pub(super) const COMMAND: Command = Command {
     name: "run",
-    usage: "FILE --control CONTROL --scene FILE [--out DIR] [--events] [--envelope] [--stock FILE] [--resolution MM] [--format FORMAT] [--skip-blocks] [--lang LANG]",
+    usage: "FILE --control CONTROL --scene FILE [--tool-table FILE] [--out DIR] [--events] [--envelope] [--stock FILE] [--resolution MM] [--format FORMAT] [--skip-blocks] [--lang LANG]",
     arguments: own,
     run,
 };
@@ -36,6 +37,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::file(ui),
         arguments::control(ui),
         arguments::valued(ui, "scene", "FILE", "cli-arg-scene").required(true),
+        arguments::valued(ui, "tool-table", "FILE", "cli-run-tool-table"),
         arguments::valued(ui, "out", "DIR", "cli-run-out"),
         arguments::switch(ui, "events", "cli-run-events"),
         of_part,
@@ -55,7 +57,11 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let language = language(&file, &catalogue, &locales, on, matches)?;
     let neighbours = neighbours(Path::new(&path), file.program.source().text(), &catalogue)?;
     let files = session.files()?;
-    let scene = scene(&arguments::text(matches, "scene"), &files)?;
+    let mut scene = scene(&arguments::text(matches, "scene"), &files)?;
+    if let Some(tools) = matches.get_one::<String>("tool-table") {
+        scene.tools = table(Path::new(tools), TableKind::Tool)?;
+    }
+    selected(Path::new(&path), file.program.source().text(), &mut scene)?;
     let texts = LogTexts::new(language, on.id(), &files);
     let mut engine = Engine::new(&file.program, on, &scene, &texts).with_catalogue(&catalogue);
     for (name, other) in &neighbours {
@@ -131,6 +137,30 @@ pub(super) fn scene(path: &str, files: &[(String, String)]) -> Result<Scene, Fai
     let bytes = system::read(Path::new(path))?;
     let text = String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", path))?;
     Scene::parse(&Source::new(path, text), files).map_err(Failure::Data)
+}
+
+fn table(path: &Path, kind: TableKind) -> Result<Table, Failure> {
+    let file = program::source(path)?;
+    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    Table::parse(kind, &Source::new(name, file.source.text())).map_err(Failure::Data)
+}
+
+/// Adds the tables beside the program that the scene does not have, if the program selects any.
+fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
+    let text = text.to_uppercase();
+    for (call, kind) in [("SEL TABLE", TableKind::Datum), ("SEL PATTERN", TableKind::Points)] {
+        if !text.contains(call) {
+            continue;
+        }
+        for other in system::beside(path, kind.extension().trim_start_matches('.'))? {
+            let own = if kind == TableKind::Datum { &mut scene.datums } else { &mut scene.points };
+            let known = own.iter().any(|known| known.is_named(&other.to_string_lossy()));
+            if !known && program::is_table(&program::source(&other)?) {
+                own.push(table(&other, kind)?);
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The programs beside this one, by name, if it calls any.

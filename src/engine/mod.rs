@@ -10,4 +10,5 @@ pub mod run;
 pub mod scene;
 pub mod solid;
 pub mod stock;
-pub mod table;
+
+pub use crate::table;

@@ -44,6 +44,19 @@ fn a_change_touches_its_cell_only() {
 }
 
 #[test]
+fn a_table_is_laid_out_in_its_columns() {
+    let laid_out = |text: &str| {
+        let table = Table::parse(TableKind::Preset, &Source::new("PRESET.PR", text)).expect("a sound table");
+        table.laid_out()
+    };
+    let crooked = PRESETS.replace("+1.5       -20,25", "  +1.5         -20,25").replace("    100", "      100   ");
+    let crooked = crooked.replace("  +1.5         -20,25     -", "  +1.5      -20,25      -  ");
+    assert_ne!(crooked, PRESETS);
+    assert_eq!(laid_out(&crooked), PRESETS);
+    assert_eq!(laid_out(PRESETS), PRESETS);
+}
+
+#[test]
 fn rows_are_added_in_order() {
     let mut table = presets();
     table.add_row(3.0).expect("room");

@@ -9,17 +9,21 @@
 //!
 //! Invariant: a table that nobody changed gives back the very text it was read from; a change touches the
 //! characters of its cell only. Numbers go in and out in mm, mm/min and degrees, whatever the table's unit.
+mod check;
 mod column;
 mod error;
 mod text;
 
+pub use check::check;
 pub use column::{Column, Quantity, TableKind};
 pub use error::TableError;
 
 use crate::diag::{Diagnostic, Source};
-use crate::engine::geometry::INCH;
 use std::sync::Arc;
 use text::{Heading, Line};
+
+/// mm of an inch.
+const INCH: f64 = 25.4;
 
 /// The unit of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +80,23 @@ impl Table {
     /// The text of the file.
     pub fn to_text(&self) -> String {
         self.lines.iter().flat_map(|line| [line.text.as_str(), line.end.as_str()]).collect()
+    }
+
+    /// The text of the file with every cell at the beginning of its column and no blanks behind the last one.
+    pub fn laid_out(&self) -> String {
+        let mut lines = self.lines.clone();
+        for (_, at) in &self.rows {
+            let Some(line) = lines.get_mut(*at) else { continue };
+            let mut new = String::new();
+            for heading in &self.headings {
+                let text = heading.cell(&line.text).trim();
+                if !text.is_empty() {
+                    heading.put(&mut new, text);
+                }
+            }
+            line.text = new.trim_end().to_owned();
+        }
+        lines.iter().flat_map(|line| [line.text.as_str(), line.end.as_str()]).collect()
     }
 
     /// Its kind.

@@ -4,6 +4,7 @@
 //! the next one; the last reaches to the end of the line.
 use super::{Quantity, Table, TableKind, TableUnit};
 use crate::diag::{Arg, Diagnostic, Place, Source};
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// A line and what ends it.
@@ -43,7 +44,7 @@ impl Heading {
     }
 
     /// The bytes of the cell in its line.
-    fn bytes(&self, line: &str) -> (usize, usize) {
+    pub(super) fn bytes(&self, line: &str) -> (usize, usize) {
         let byte = |char: usize| line.char_indices().nth(char).map_or(line.len(), |(at, _)| at);
         (byte(self.start), self.width.map_or(line.len(), |width| byte(self.start + width)))
     }
@@ -203,6 +204,7 @@ fn rows(
     key: &Heading,
 ) -> Vec<(f64, usize)> {
     let mut rows: Vec<(f64, usize)> = Vec::new();
+    let mut seen: HashSet<u64> = HashSet::new();
     for (index, (start, line)) in lines.iter().enumerate().take(end).skip(2) {
         if line.text.trim().is_empty() {
             continue;
@@ -212,7 +214,8 @@ fn rows(
             reader.error("table-no-row-number", *start, start + line.text.len(), vec![("found", text.into())]);
             continue;
         };
-        if rows.iter().any(|(known, _)| *known == row) {
+        // 0 and -0 are one row.
+        if !seen.insert((row + 0.0).to_bits()) {
             reader.error("table-duplicate-row", *start, start + line.text.len(), vec![("row", row.into())]);
         }
         rows.push((row, index));

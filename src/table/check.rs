@@ -1,0 +1,72 @@
+//! What a control or a reader would object to in a table file.
+//!
+//! Invariant: only what a manual prints is asked for; a column that no manual describes is told and left alone.
+use super::text::{self, Heading};
+use super::{Quantity, Table, TableKind, TableUnit, column};
+use crate::diag::{Diagnostic, Place, Severity, Source};
+use std::sync::Arc;
+
+/// Everything that can be said against a table: what cannot be read, columns that stand twice or that no manual describes,
+/// numbers out of their range, words that a column does not take.
+pub fn check(kind: TableKind, source: &Arc<Source>) -> Vec<Diagnostic> {
+    let mut found = match Table::parse(kind, source) {
+        Ok(table) => [columns(&table, source), cells(&table, source)].concat(),
+        Err(found) => found,
+    };
+    found.sort_by_key(|finding| finding.place.as_ref().map(|place| place.span));
+    found
+}
+
+fn columns(table: &Table, source: &Arc<Source>) -> Vec<Diagnostic> {
+    let at = table.lines.first().map_or(0, |line| line.text.len() + line.end.len());
+    let text = table.lines.get(1).map_or("", |line| line.text.as_str());
+    let mut found = Vec::new();
+    for (index, heading) in table.headings.iter().enumerate() {
+        let (from, _) = heading.bytes(text);
+        let place = Place::new(source, at + from..at + from + heading.name.len());
+        let same = |own: &Heading| column::same_name(&own.name, &heading.name);
+        if table.headings.iter().take(index).any(same) {
+            found.push(Diagnostic::error("table-duplicate-column", place).arg("column", heading.name.as_str()));
+        } else if table.kind.column(&heading.name).is_none() {
+            let finding = Diagnostic::error("table-unknown-column", place).arg("column", heading.name.as_str());
+            found.push(Diagnostic { severity: Severity::Note, ..finding });
+        }
+    }
+    found
+}
+
+fn cells(table: &Table, source: &Arc<Source>) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    let mut start = 0;
+    let mut rows = table.rows.iter().peekable();
+    for (index, line) in table.lines.iter().enumerate() {
+        if let Some((row, _)) = rows.next_if(|(_, at)| *at == index) {
+            for heading in &table.headings {
+                let cell = heading.cell(&line.text);
+                let written = cell.trim();
+                if written.is_empty() || takes(table, heading, written) {
+                    continue;
+                }
+                let from = start + heading.bytes(&line.text).0 + (cell.len() - cell.trim_start().len());
+                let place = Place::new(source, from..from + written.len());
+                let finding = Diagnostic::error("table-value-not-taken", place).arg("column", heading.name.as_str());
+                found.push(finding.arg("row", *row).arg("found", written));
+            }
+        }
+        start += line.text.len() + line.end.len();
+    }
+    found
+}
+
+/// Whether a column takes what is written in it, as far as manuals say.
+fn takes(table: &Table, heading: &Heading, written: &str) -> bool {
+    let Some(column) = table.kind.column(&heading.name) else { return true };
+    if let Some(words) = table.kind.words(column.name) {
+        return words.iter().any(|word| word.eq_ignore_ascii_case(written));
+    }
+    let (Some((least, most)), Some(number)) = (table.kind.range(column.name), text::number(written)) else {
+        return true;
+    };
+    let inch = table.unit == TableUnit::Inch && column.quantity == Quantity::Length;
+    inch || (least..=most).contains(&number)
+}

@@ -1,0 +1,2 @@
+module part;
+int main() { return 0; }
