@@ -4,7 +4,7 @@
 //! with a block that no block before it can take as a part, so reading it alone gives what reading the whole gives.
 //! Invariant: the blocks of the pieces, one behind the other, are those of the whole text.
 use super::tree::{Block, BlockKind};
-use super::{Program, cycle, parse};
+use super::{Dialect, Program, cycle, iso_read, parse};
 use crate::diag::{Source, Span};
 use crate::syntax::statement::StatementKind;
 
@@ -18,6 +18,8 @@ const MOST: usize = 4 * USUAL;
 pub struct Document {
     name: String,
     pieces: Vec<Program>,
+    /// A program in DIN/ISO is one piece.
+    dialect: Dialect,
 }
 
 /// A part of a document.
@@ -34,7 +36,9 @@ pub struct Piece<'d> {
 impl Document {
     /// Reads a text.
     pub fn new(name: impl Into<String>, text: &str) -> Self {
-        let mut document = Self { name: name.into(), pieces: Vec::new() };
+        let name = name.into();
+        let dialect = if iso_read::is_iso(text, &name) { Dialect::Iso } else { Dialect::Klartext };
+        let mut document = Self { name, pieces: Vec::new(), dialect };
         document.pieces = document.read(text);
         document
     }
@@ -80,7 +84,7 @@ impl Document {
             if range != Span::default() {
                 return None;
             }
-            self.pieces = self.read(text);
+            *self = Self::new(std::mem::take(&mut self.name), text);
             return Some(Span::new(0, text.len()));
         };
         let mut last = first;
@@ -111,8 +115,21 @@ impl Document {
                 continue;
             }
             self.pieces.splice(first..=last, new);
+            if self.dialect != self.dialect_of_head() {
+                let text = self.text();
+                *self = Self::new(std::mem::take(&mut self.name), &text);
+                return Some(Span::new(0, text.len()));
+            }
             return Some(Span::new(start, start + old.len()));
         }
+    }
+
+    /// The dialect that the text begins with: its first line that is neither blank nor a comment tells.
+    fn dialect_of_head(&self) -> Dialect {
+        let speaks = |line: &str| !line.trim_start().is_empty() && !line.trim_start().starts_with(';');
+        let texts = || self.pieces.iter().map(|program| program.source().text());
+        let head = texts().find(|text| text.lines().any(speaks)).unwrap_or_default();
+        if iso_read::is_iso(head, &self.name) { Dialect::Iso } else { Dialect::Klartext }
     }
 
     /// The piece that holds a byte, and where it begins. The end of a piece belongs to it.
@@ -141,8 +158,9 @@ impl Document {
         if text.is_empty() {
             return Vec::new();
         }
-        let whole = parse(&Source::new(self.name.as_str(), text));
-        if whole.lines() < MOST {
+        let parse = |text: &str| super::read(&Source::new(self.name.as_str(), text), self.dialect);
+        let whole = parse(text);
+        if whole.lines() < MOST || self.dialect == Dialect::Iso {
             return vec![whole];
         }
         let (mut cuts, mut lines) = (Vec::new(), 0);
@@ -159,7 +177,7 @@ impl Document {
         let part = |end: usize| {
             let text = text.get(start..end).unwrap_or_default();
             start = end;
-            parse(&Source::new(self.name.as_str(), text))
+            parse(text)
         };
         cuts.into_iter().map(part).collect()
     }

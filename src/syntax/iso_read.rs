@@ -3,15 +3,18 @@
 //! A block is a line; a cycle goes on in the lines behind it that are its Q parameters and have no number of their own, and `~`
 //! joins lines as in Klartext. Invariant: the blocks' spans lie one behind the other and cover the text, and each line is
 //! looked at a bounded number of times, whatever the text.
+use std::sync::Arc;
+
 use super::assemble::Assembled;
 use super::cursor::{Cursor, Read, trim};
+use super::element::Checker;
 use super::iso::{IsoBlock, IsoKind, is_of_language, is_path};
 use super::lines::{Line, line_at};
 use super::statement::NamedWord;
 use super::tree::{Axis, Block, BlockKind, Frame, Parameter, SyntaxError, Value, ValueKind};
 use super::words::{from_operand, nameless, opt_value};
 use super::{blocks, cycle, motion};
-use crate::diag::Span;
+use crate::diag::{Source, Span};
 
 /// The number that the controls give to a program's last block.
 const LAST_NUMBER: u32 = 99_999_999;
@@ -33,9 +36,9 @@ pub(super) fn is_iso(text: &str, name: &str) -> bool {
 }
 
 /// The blocks of a text.
-pub(super) fn assemble(text: &str) -> Assembled {
-    let mut reader =
-        Reader { text, at: 0, line: 1, blocks: Vec::new(), warnings: Vec::new(), path: None, begun: false };
+pub(super) fn assemble(source: &Arc<Source>) -> Assembled {
+    let text = source.text();
+    let mut reader = Reader { checker: Some(Checker::new(source)), ..Reader::new(text) };
     while let Some(line) = line_at(text.as_bytes(), reader.at) {
         reader.block(line);
     }
@@ -44,7 +47,7 @@ pub(super) fn assemble(text: &str) -> Assembled {
 
 /// What a block says, without number, end and comment; the joints of its lines stay.
 pub(super) fn content_of(text: &str, block: Span) -> Span {
-    let reader = Reader { text, at: 0, line: 1, blocks: Vec::new(), warnings: Vec::new(), path: None, begun: false };
+    let reader = Reader::new(text);
     let Some(mut first) = line_at(text.as_bytes(), block.start) else { return Span::new(block.start, block.start) };
     reader.number(&mut first);
     reader.without_end(&mut first);
@@ -60,6 +63,8 @@ pub(super) fn content_of(text: &str, block: Span) -> Span {
 
 struct Reader<'t> {
     text: &'t str,
+    /// Checks contour elements of Klartext; not needed where only the parts of lines are looked for.
+    checker: Option<Checker<'t>>,
     at: usize,
     line: usize,
     blocks: Vec<Block>,
@@ -70,7 +75,26 @@ struct Reader<'t> {
     begun: bool,
 }
 
-impl Reader<'_> {
+impl<'t> Reader<'t> {
+    const fn new(text: &'t str) -> Self {
+        Self {
+            text,
+            checker: None,
+            at: 0,
+            line: 1,
+            blocks: Vec::new(),
+            warnings: Vec::new(),
+            path: None,
+            begun: false,
+        }
+    }
+
+    fn klartext(&mut self, cursor: &mut Cursor<'_>) -> Read<BlockKind> {
+        match &mut self.checker {
+            Some(checker) => blocks::content(cursor, checker),
+            None => Err(cursor.expected("block")),
+        }
+    }
     fn block(&mut self, mut first: Line) {
         self.number(&mut first);
         if first.is_blank() {
@@ -243,11 +267,11 @@ impl Reader<'_> {
         cursor.blanks();
         match cursor.byte() {
             b'%' => return self.percent(&mut cursor, number),
-            b'*' => return blocks::content(&mut cursor),
+            b'*' => return self.klartext(&mut cursor),
             _ => {}
         }
         if is_klartext(&cursor) {
-            return blocks::content(&mut cursor);
+            return self.klartext(&mut cursor);
         }
         let mut block = IsoBlock {
             kind: IsoKind::Modal,

@@ -54,10 +54,14 @@ pub struct Program {
 /// Reads a program. Any text is one; unreadable blocks are [`BlockKind::Unknown`].
 pub fn parse(source: &Arc<Source>) -> Program {
     let iso = iso_read::is_iso(source.text(), source.name());
-    let dialect = if iso { Dialect::Iso } else { Dialect::Klartext };
+    read(source, if iso { Dialect::Iso } else { Dialect::Klartext })
+}
+
+/// Reads a program of a dialect that is known.
+fn read(source: &Arc<Source>, dialect: Dialect) -> Program {
     let assembled = match dialect {
         Dialect::Klartext => assemble::assemble(source),
-        Dialect::Iso => iso_read::assemble(source.text()),
+        Dialect::Iso => iso_read::assemble(source),
     };
     let mut warnings = assembled.warnings;
     warnings.sort_by_key(|warning| warning.span.start);
