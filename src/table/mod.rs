@@ -152,7 +152,11 @@ impl Table {
     /// # Errors
     /// No such row or column, or a column of numbers holds something else.
     pub fn get(&self, row: f64, column: &str) -> Result<Cell, TableError> {
-        let heading = self.heading(column)?;
+        let heading = match self.heading(column) {
+            // Files of a control need not have every column: nothing was entered there.
+            Err(_) if self.kind.column(column).is_some() => return self.line_of(row).map(|_| Cell::Empty),
+            heading => heading?,
+        };
         let line = self.lines.get(self.line_of(row)?).map_or("", |line| line.text.as_str());
         let text = heading.cell(line).trim();
         if text.is_empty() || text == "-" {
