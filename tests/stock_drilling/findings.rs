@@ -13,8 +13,10 @@ fn events(body: &str) -> Vec<Event> {
     events
 }
 
-/// Line, kind and amount of each finding.
-fn found(events: &[Event]) -> Vec<(usize, FindingKind, f64)> {
+/// Line, kind and amount of a finding.
+type Found = (usize, FindingKind, f64);
+
+fn found(events: &[Event]) -> Vec<Found> {
     let finding = |event: &Event| match event.kind {
         EventKind::Finding { kind, amount } => Some((event.at.line, kind, amount)),
         _ => None,
@@ -24,7 +26,7 @@ fn found(events: &[Event]) -> Vec<(usize, FindingKind, f64)> {
 
 #[test]
 fn moves_in_the_material_are_told_behind_them() {
-    let cases: [(&str, &[(usize, FindingKind, f64)]); 8] = [
+    let cases: [(&str, &[Found]); 8] = [
         // Down at feed, and through the part at rapid traverse.
         ("L Z-4 F200\nL X+60 FMAX\n", &[(5, FindingKind::Rapid, 4.0)]),
         // Down at rapid traverse.
