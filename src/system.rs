@@ -194,6 +194,20 @@ pub fn beside(path: &Path, extension: &str) -> Result<Vec<PathBuf>, Trouble> {
     Ok(paths)
 }
 
+/// Where this program may keep what it can find out again: the place that the platform names for that.
+pub fn cache_directory() -> Option<PathBuf> {
+    let named = |name: &str| env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
+    let absolute = |path: &PathBuf| path.is_absolute();
+    let base = if cfg!(windows) {
+        named("LOCALAPPDATA")?
+    } else if cfg!(target_os = "macos") {
+        named("HOME")?.join("Library/Caches")
+    } else {
+        named("XDG_CACHE_HOME").filter(absolute).or_else(|| Some(named("HOME")?.join(".cache")))?
+    };
+    Some(base.join("ciklo")).filter(absolute)
+}
+
 /// Makes a directory, unless it is there.
 ///
 /// # Errors

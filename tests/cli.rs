@@ -323,3 +323,52 @@ fn the_document_of_a_comparison_is_described() {
         assert!(page.contains(&format!("`{key}`")), "docs/compare.md does not say what {key} is");
     }
 }
+
+/// What was found before is found again without checking, whatever became of the file that remembers it.
+#[test]
+fn programs_that_have_not_changed_are_remembered() {
+    let scratch = tempfile::tempdir().unwrap();
+    let (folder, place) = (scratch.path().join("programs"), scratch.path().join("cache"));
+    std::fs::create_dir(&folder).unwrap();
+    let good = std::fs::read_to_string(root().join("tests/check/planted/drilling.h")).unwrap();
+    for number in 0..20 {
+        let bad = good.replace("Q202=+5", &format!("Q202=-{number}"));
+        std::fs::write(folder.join(format!("{number:02}.h")), bad).unwrap();
+    }
+    let check = |more: &[&str]| {
+        let words = ["check", folder.to_str().unwrap(), "--control", "tnc640", "--format", "json"];
+        let mut command = ciklo(&[&words, more].concat());
+        // Each platform names the place in its own way.
+        ["XDG_CACHE_HOME", "LOCALAPPDATA", "HOME"].map(|name| command.env(name, &place));
+        let output = command.output().unwrap();
+        assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let found = check(&["--no-cache"]);
+    assert_eq!(found.lines().count(), 19);
+    assert!(!place.exists(), "nothing is kept that was not asked for");
+    assert_eq!(check(&[]), found);
+    let mut files = vec![place.clone()];
+    let file = loop {
+        let next = files.pop().expect("a file is kept");
+        if next.is_file() {
+            break next;
+        }
+        files.extend(std::fs::read_dir(&next).unwrap().map(|entry| entry.unwrap().path()));
+    };
+    assert_eq!(check(&[]), found);
+    let kept = std::fs::read(&file).unwrap();
+    for damaged in [&b""[..], b"\xff\xfe nonsense", &kept[..kept.len() / 2], &kept[1..]] {
+        std::fs::write(&file, damaged).unwrap();
+        assert_eq!(check(&[]), found);
+    }
+    // A finding that no program has shows that the file is read at all.
+    let text = String::from_utf8(std::fs::read(&file).unwrap()).unwrap();
+    std::fs::write(&file, text.replace("\"-7\"", "\"-7777\"")).unwrap();
+    assert!(check(&[]).contains("-7777"));
+    assert_eq!(check(&["--no-cache"]), found);
+    // What has changed is checked again, and in other words for another reader.
+    std::fs::write(folder.join("07.h"), &good).unwrap();
+    assert_eq!(check(&[]).lines().count(), 18);
+    assert!(check(&["--ui-lang", "fi"]).contains("liian pieni"));
+}

@@ -26,6 +26,7 @@ cli-check-path = NC programs, or folders whose programs (.h, .i) are checked; â€
 cli-check-control = Control of the programs (default: that of ciklo.toml)
 cli-check-config = File with settings (default: ciklo.toml in the folder of each program or above it)
 cli-check-fix = Mend what can be mended without changing what a program does: labels
+cli-check-no-cache = Check every program again, even those that have not changed since the last time
 cli-check-format = Form of the output: text (default), json, sarif, github
 cli-checking = Programs
 cli-checked = { $files } programs checked, { $wrong ->

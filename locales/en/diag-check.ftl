@@ -24,6 +24,7 @@ diag-compensation-left-on = Radius compensation is still active here.
 diag-contour-unnamed =
     { $cycle } is called here, but no contour has been named before.
 diag-cutting-without-tool = The tool moves at feed here, but no tool call stands before.
+diag-cycle-line-alone = The line { $line } has no line { $head } before it.
 diag-cycle-not-described =
     { $manual ->
         [other] { $cycle } is described in none of the manuals here: its parameters are not checked.

@@ -26,6 +26,7 @@ cli-check-path = NC-ohjelmat tai hakemistot, joiden ohjelmat (.h, .i) tarkasteta
 cli-check-control = Ohjelmien ohjaus (oletus: ciklo.toml-tiedoston mukainen)
 cli-check-config = Asetustiedosto (oletus: ciklo.toml kunkin ohjelman hakemistossa tai sen yläpuolella)
 cli-check-fix = Korjaa, minkä voi korjata muuttamatta ohjelman toimintaa: NC-tekstit
+cli-check-no-cache = Tarkasta jokainen ohjelma uudelleen, myös ne, jotka eivät ole viime kerran jälkeen muuttuneet
 cli-check-format = Tulosteen muoto: text (oletus), json, sarif, github
 cli-checking = Ohjelmia
 cli-checked = Tarkastettuja ohjelmia: { $files }, { $wrong ->

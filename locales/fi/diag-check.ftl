@@ -24,6 +24,7 @@ diag-compensation-left-on = Sädekorjaus on tässä vielä voimassa.
 diag-contour-unnamed =
     { $cycle } kutsutaan tässä, mutta sitä ennen ei ole nimetty muotoa.
 diag-cutting-without-tool = Työkalu liikkuu tässä syötöllä, mutta ennen sitä ei ole työkalukutsua.
+diag-cycle-line-alone = Rivin { $line } edellä ei ole riviä { $head }.
 diag-cycle-not-described =
     { $manual ->
         [other] Työkiertoa { $cycle } ei ole kuvattu missään tässä käytetyssä käsikirjassa: sen parametreja ei tarkasteta.

@@ -26,6 +26,7 @@ cli-check-path = Programmi NC, o cartelle di cui si verificano i programmi (.h, 
 cli-check-control = Controllo numerico dei programmi (predefinito: quello di ciklo.toml)
 cli-check-config = File con le impostazioni (predefinito: ciklo.toml nella cartella di ogni programma o sopra di essa)
 cli-check-fix = Corregge ciò che si può correggere senza cambiare quel che fa il programma: le etichette
+cli-check-no-cache = Verifica di nuovo ogni programma, anche quelli che dall’ultima volta non sono cambiati
 cli-check-format = Forma dell’uscita: text (predefinita), json, sarif, github
 cli-checking = Programmi
 cli-checked = Programmi verificati: { $files }, { $wrong ->

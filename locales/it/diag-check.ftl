@@ -24,6 +24,7 @@ diag-compensation-left-on = Qui la compensazione del raggio è ancora attiva.
 diag-contour-unnamed =
     { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
+diag-cycle-line-alone = Prima della riga { $line } non c’è la riga { $head }.
 diag-cycle-not-described =
     { $manual ->
         [other] { $cycle } non è descritto in alcuno dei manuali qui utilizzati: i suoi parametri non vengono verificati.

@@ -13,6 +13,7 @@ explain-compensation-at-cycle = I cicli compensano da sé il raggio utensile: il
 explain-compensation-left-on = RL o RR è certamente ancora attivo dove viene chiamato un utensile o termina il programma. Il profilo non è stato abbandonato con R0 o DEP.
 explain-contour-unnamed = I cicli di profilo lavorano un profilo indicato prima da CYCL DEF 14, SEL CONTOUR o CONTOUR DEF. Segnalato una volta per programma.
 explain-cutting-without-tool = Prima del primo TOOL CALL il controllo non sa quale utensile sta spostando né conosce lunghezza e raggio. I movimenti in rapido e in coordinate macchina non vengono considerati. Segnalato una volta per programma.
+explain-cycle-line-alone = Una definizione nella vecchia forma inizia con la riga 0, che indica il ciclo: CYCL DEF 7.0, poi CYCL DEF 7.1. Righe di un altro ciclo inserite in mezzo o un numero errato la interrompono.
 explain-cycle-not-described = Il controllo dispone del ciclo, ma qui non esiste una specifica che lo descriva. Parametri, etichette ed effetto non vengono considerati.
 explain-cycle-not-on-control = I manuali di questo controllo non conoscono il ciclo, quelli di un altro sì. Il programma è stato scritto per l’altro controllo, oppure con --control è stato scelto quello sbagliato.
 explain-defined-but-never-called = Il ciclo è attivo quando viene chiamato con CYCL CALL, M99 o M89 oppure da una sagoma di punti, ma nessuna di queste chiamate segue prima del successivo ciclo dello stesso tipo o della fine del programma. La definizione non ha effetto, oppure la chiamata è stata dimenticata.

@@ -26,6 +26,7 @@ cli-check-path = Programas NC, ou pastas cujos programas (.h, .i) são verificad
 cli-check-control = Comando numérico dos programas (predefinição: o de ciklo.toml)
 cli-check-config = Ficheiro com definições (predefinição: ciklo.toml na pasta de cada programa ou acima dela)
 cli-check-fix = Corrige o que se pode corrigir sem mudar o que o programa faz: as designações
+cli-check-no-cache = Verifica de novo todos os programas, também os que não mudaram desde a última vez
 cli-check-format = Forma da saída: text (predefinição), json, sarif, github
 cli-checking = Programas
 cli-checked = Programas verificados: { $files }, { $wrong ->

@@ -24,6 +24,7 @@ diag-compensation-left-on = A correção de raio ainda está aqui ativa.
 diag-contour-unnamed =
     { $cycle } é chamado aqui, mas antes não foi indicado nenhum contorno.
 diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
+diag-cycle-line-alone = Antes da linha { $line } não há a linha { $head }.
 diag-cycle-not-described =
     { $manual ->
         [other] { $cycle } não está descrito em nenhum dos manuais aqui utilizados: os seus parâmetros não são verificados.

@@ -13,6 +13,7 @@ explain-compensation-at-cycle = Os ciclos corrigem eles próprios o raio da ferr
 explain-compensation-left-on = RL ou RR ainda está certamente ativo quando se chama uma ferramenta ou o programa termina. O contorno não foi abandonado com R0 ou DEP.
 explain-contour-unnamed = Os ciclos de contorno maquinam um contorno que CYCL DEF 14, SEL CONTOUR ou CONTOUR DEF indica antes. Indicado uma vez por programa.
 explain-cutting-without-tool = Antes do primeiro TOOL CALL, o comando não sabe que ferramenta desloca nem conhece o comprimento e o raio. Os movimentos em marcha rápida e em coordenadas da máquina não são considerados. Indicado uma vez por programa.
+explain-cycle-line-alone = Uma definição na forma antiga começa com a linha 0, que indica o ciclo: CYCL DEF 7.0, depois CYCL DEF 7.1. Linhas de outro ciclo pelo meio ou um número errado interrompem-na.
 explain-cycle-not-described = O comando dispõe do ciclo, mas aqui não há especificação que o descreva. Os seus parâmetros, designações e efeito não são considerados.
 explain-cycle-not-on-control = Os manuais deste comando não conhecem o ciclo, mas os de outro comando conhecem-no. O programa foi escrito para esse outro comando, ou foi escolhido com --control o comando errado.
 explain-defined-but-never-called = O ciclo atua quando é chamado com CYCL CALL, M99 ou M89, ou por uma figura de pontos, mas nenhuma dessas chamadas aparece antes do próximo ciclo do mesmo tipo ou do fim do programa. A definição não tem efeito, ou a chamada foi esquecida.

@@ -30,6 +30,7 @@ cli-check-path = NC-programi ali mape, katerih programi (.h, .i) se preverijo; �
 cli-check-control = Krmiljenje programov (privzeto: tisto iz ciklo.toml)
 cli-check-config = Datoteka z nastavitvami (privzeto: ciklo.toml v mapi vsakega programa ali nad njo)
 cli-check-fix = Popravi, kar je mogoče popraviti, ne da bi se delovanje programa spremenilo: oznake
+cli-check-no-cache = Znova preveri vsak program, tudi tiste, ki se od zadnjič niso spremenili
 cli-check-format = Oblika izpisa: text (privzeto), json, sarif, github
 cli-checking = Programi
 cli-checked = Preverjeni programi: { $files }, { $wrong ->

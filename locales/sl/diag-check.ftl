@@ -24,6 +24,7 @@ diag-compensation-left-on = Korekcija polmera je tu še aktivna.
 diag-contour-unnamed =
     { $cycle } se tu prikliče, pred tem pa ni navedena nobena kontura.
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
+diag-cycle-line-alone = Pred vrstico { $line } ni vrstice { $head }.
 diag-cycle-not-described =
     { $manual ->
         [other] Cikel { $cycle } ni opisan v nobenem od uporabljenih priročnikov: njegovi parametri se ne preverijo.

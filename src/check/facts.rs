@@ -105,6 +105,8 @@ pub struct Flow {
     pub modal: bool,
     /// There are blocks that are not analysed, such as a change to turning.
     pub opaque: bool,
+    /// There are blocks that cannot be read.
+    pub unread: bool,
     /// There are blocks that may be skipped.
     pub skips: bool,
 }
@@ -147,11 +149,14 @@ impl<'a> Facts<'a> {
         self.program.blocks().iter().any(|block| matches!(block.kind, BlockKind::BeginPgm(_)))
     }
 
-    /// Whether a block that cannot be read holds the word.
+    /// Whether a block that cannot be read begins with the word.
     pub fn unread(&self, word: &str) -> bool {
         let unread = |block: &&Block| matches!(block.kind, BlockKind::Unknown(_));
         let mut unread = self.program.blocks().iter().filter(unread);
-        unread.any(|block| self.text(block.span).to_ascii_uppercase().contains(word))
+        unread.any(|block| {
+            let text = self.text(self.content(block));
+            text.get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word))
+        })
     }
 
     /// The blocks that are more than comments.
@@ -230,7 +235,7 @@ impl<'a> Facts<'a> {
                     StatementKind::Function => self.flow.opaque = true,
                     _ => {}
                 },
-                BlockKind::Unknown(_) | BlockKind::Iso(_) => self.flow.opaque = true,
+                BlockKind::Unknown(_) | BlockKind::Iso(_) => (self.flow.opaque, self.flow.unread) = (true, true),
                 BlockKind::Motion(motion) if motion.has_functions() => self.note(&motion.functions, None),
                 BlockKind::Functions(list) | BlockKind::Stop(list) => self.note(list, None),
                 BlockKind::CyclCall(call) => {

@@ -76,11 +76,14 @@ fn item<'a>(
     let span = Span::new(first.span.start, last.span.end);
     let name = program.slice(first.name);
     let shape = param.map(|(_, field)| field.shape);
+    // `X + 5` is `X+5`.
+    let closed_up = |text: &str| text.split_ascii_whitespace().collect::<String>();
     let value = program.slice(first.value.span);
     let printed = match shape {
         Some(Shape::Row) => format!("#{value}"),
         Some(Shape::Position | Shape::AxisDirection | Shape::AxisCoordinate | Shape::Axes | Shape::Centre) => {
-            let closed = |word: &NamedWord| format!("{}{}", program.slice(word.name), program.slice(word.value.span));
+            let closed =
+                |word: &NamedWord| format!("{}{}", program.slice(word.name), closed_up(program.slice(word.value.span)));
             words.iter().map(closed).collect::<Vec<_>>().join(" ")
         }
         Some(Shape::Word) if name.starts_with(['I', 'i']) => format!("I{value}"),

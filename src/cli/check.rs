@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use clap::ArgMatches;
 
+use super::cache::{self, Cache};
 use super::progress::Progress;
 use super::session::Session;
 use super::{Command, Failure, Outcome, annotations, arguments, cycle, mend, program};
@@ -13,12 +14,13 @@ use crate::check::{self, Against, Config, LabelBook, Settings};
 use crate::diag::{Diagnostic, Severity, Source};
 use crate::locale::{Args, Language, Locales, Scope, Ui};
 use crate::spec::{Catalogue, OnControl};
+use crate::syntax::encoding;
 use crate::system;
 use crate::table::{self, TableKind};
 
 pub(super) const COMMAND: Command = Command {
     name: "check",
-    usage: "PATH… [--control CONTROL] [--lang LANG] [--config FILE] [--fix] [--format FORMAT]",
+    usage: "PATH… [--control CONTROL] [--lang LANG] [--config FILE] [--fix] [--no-cache] [--format FORMAT]",
     arguments: own,
     run,
 };
@@ -37,6 +39,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::valued(ui, "lang", "LANG", "cli-check-lang"),
         arguments::valued(ui, "config", "FILE", "cli-check-config"),
         arguments::switch(ui, "fix", "cli-check-fix"),
+        arguments::switch(ui, "no-cache", "cli-check-no-cache"),
         arguments::format(ui, &["text", "json", "sarif", "github"]).help(ui.text("cli-check-format", &Args::new())),
     ]
 }
@@ -59,6 +62,9 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         [locales.language(session.ui.tag()).ok(), locales.source()].into_iter().flatten().collect();
     let (jobs, mut troubles) = jobs(session, matches, &catalogue, &locales)?;
     let fix = matches.get_flag("fix");
+    // Other data than that of this program gives other findings.
+    let cached = jobs.len() >= cache::LEAST && !fix && !matches.get_flag("no-cache") && session.data().is_none();
+    let cache = if cached { Cache::open(session.ui.tag()) } else { None };
     let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), jobs.len());
     let results = all(&jobs, &progress, |job, books| {
         let labels = books.entry(job.on.id().to_owned()).or_insert_with(|| LabelBook::new(job.on, &locales));
@@ -72,13 +78,15 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         } else if fix {
             mend::file(&job.path, &against, &job.settings)?
         } else {
-            let file = program::understand(&job.path, &catalogue)?;
-            (file.findings(check::check(&file.program, &against)), 0)
+            (found_in(job, &catalogue, &against, cache.as_ref())?, 0)
         };
         job.settings.apply(&mut found);
         Ok((found, fixed))
     });
     drop(progress);
+    if let Some(cache) = cache {
+        cache.close();
+    }
     let (mut found, mut fixed, mut wrong) = (Vec::new(), 0, 0);
     for result in results {
         match result {
@@ -122,6 +130,26 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         Some(trouble) => Err(trouble.into()),
         None => Ok(if errors { Outcome::Errors } else { Outcome::Clean }),
     }
+}
+
+/// What is found in a program, now or when it was checked before.
+fn found_in(
+    job: &Job<'_>,
+    catalogue: &Catalogue,
+    against: &Against<'_>,
+    cache: Option<&Cache>,
+) -> Result<Vec<Diagnostic>, Failure> {
+    let bytes = system::read(&job.path)?;
+    let known = cache.map(|cache| (cache, cache.key(&bytes, job.on.id(), against.language)));
+    if let Some(found) = known.and_then(|(cache, key)| cache.find(key, || program::source_of(&job.path, &bytes))) {
+        return Ok(found);
+    }
+    let file = program::understood(&job.path, &encoding::decode(&bytes), catalogue);
+    let found = file.findings(check::check(&file.program, against));
+    if let Some((cache, key)) = known {
+        cache.keep(key, &found);
+    }
+    Ok(found)
 }
 
 /// The programs that are meant, each with its control and settings, and what could not be found.

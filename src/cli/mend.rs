@@ -60,3 +60,35 @@ pub(super) fn store(
     system::write(path, &whole)?;
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::LabelBook;
+    use crate::data;
+    use crate::locale::Locales;
+    use crate::spec::Catalogue;
+
+    #[test]
+    fn a_file_that_somebody_changed_meanwhile_is_left_alone() {
+        let files = data::embedded();
+        let (catalogue, _) = Catalogue::load(&files);
+        let (locales, _) = Locales::load(files);
+        let on = catalogue.on("tnc640").unwrap();
+        let labels = LabelBook::new(on, &locales);
+        let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+        let scratch = tempfile::tempdir().unwrap();
+        let path = scratch.path().join("a.h");
+        let (old, new) = ("1 L X+5 FMAX\n", "1  L X+5 FMAX\n");
+        let put = |text: &str| {
+            std::fs::write(&path, text).unwrap();
+            let decoded = encoding::decode(old.as_bytes());
+            store(&path, old.as_bytes(), &decoded, &parsed(&path, old), &parsed(&path, new), &against)
+        };
+        let Err(Failure::Trouble(trouble)) = put("1 L X+6 FMAX\n") else { panic!("it was written") };
+        assert_eq!(trouble.code, "fix-file-changed");
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "1 L X+6 FMAX\n");
+        assert!(put(old).is_ok());
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), new);
+    }
+}

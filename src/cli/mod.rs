@@ -8,6 +8,7 @@ mod annotations;
 mod arguments;
 mod block;
 mod build;
+mod cache;
 mod check;
 mod compare;
 mod completions;

@@ -110,6 +110,11 @@ pub(super) fn source(path: &Path) -> Result<Text, Failure> {
     Ok(Text { source: Source::new(path.display().to_string(), decoded.text), encoding: decoded.encoding })
 }
 
+/// The text of a program of which the bytes are there.
+pub(super) fn source_of(path: &Path, bytes: &[u8]) -> Arc<Source> {
+    Source::new(path.display().to_string(), encoding::decode(bytes).text)
+}
+
 /// What to say of a character that the file's encoding does not have.
 pub(super) fn not_encodable(sign: char, file: &File) -> Diagnostic {
     unwritable(sign, file.program.source())

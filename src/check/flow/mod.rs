@@ -11,8 +11,8 @@ mod step;
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-pub(super) use graph::stops;
 pub use graph::{Graph, Mark, Use, Way};
+pub(super) use graph::stops;
 use state::Known;
 pub use state::{Aspect, Modal, Pending, Tri};
 
@@ -132,14 +132,17 @@ impl Run {
     }
 }
 
-/// The main part of a program, and what is called.
+/// Who has called the part that is executed: nobody in the main part, somebody outside of it where a cycle reads a
+/// contour, or the use of that index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Level {
-    Main,
-    Called,
+enum Caller {
+    Nobody,
+    Outside,
+    Use(usize),
 }
 
-type Node = (usize, Level);
+/// A run of blocks with who has called it.
+type Node = (usize, Caller);
 
 struct Walk<'w, 'p> {
     steps: &'w Steps<'p>,
@@ -148,7 +151,11 @@ struct Walk<'w, 'p> {
     /// What each called label may change, and where it returns.
     parts: BTreeMap<usize, Part>,
     /// States at the blocks LBL 0 of called parts.
-    exits: BTreeMap<usize, State>,
+    exits: BTreeMap<(usize, Caller), State>,
+    /// Who waits for the end of a call.
+    callers: BTreeMap<Caller, BTreeSet<Node>>,
+    /// Whether all calls of a part are followed as one, because there are too many of them.
+    shared: bool,
     waiting: VecDeque<Node>,
     queued: BTreeSet<Node>,
 }
@@ -159,8 +166,8 @@ struct Part {
     outline: Outline,
     touched: Touched,
     returns: BTreeSet<usize>,
-    /// Who waits for its end.
-    callers: BTreeSet<Node>,
+    /// How many blocks it has.
+    blocks: usize,
 }
 
 impl<'w, 'p> Walk<'w, 'p> {
@@ -171,6 +178,8 @@ impl<'w, 'p> Walk<'w, 'p> {
             entries: BTreeMap::new(),
             parts: BTreeMap::new(),
             exits: BTreeMap::new(),
+            callers: BTreeMap::new(),
+            shared: false,
             waiting: VecDeque::new(),
             queued: BTreeSet::new(),
         }
@@ -183,20 +192,20 @@ impl<'w, 'p> Walk<'w, 'p> {
         self.parts();
         let (main, blank) = kind(program);
         let state = State::begin(main, blank);
-        self.enter((0, Level::Main), &state);
+        self.enter((0, Caller::Nobody), &state);
         // Contours that cycles read, and labels that a parameter chooses, are come to from anywhere.
         let named = |own: &&Use| own.way == Way::Named;
         let outside: Vec<usize> =
             self.graph.uses.iter().filter(named).filter_map(|own| self.graph.block_of(own.mark.as_ref()?)).collect();
         let chosen = |way: Way| self.graph.uses.iter().any(|own| own.mark.is_none() && own.way == way);
         let (called, jumped) = (chosen(Way::Call), chosen(Way::Jump) || chosen(Way::Repeat));
-        let mut nodes: Vec<Node> = outside.iter().map(|block| (*block, Level::Called)).collect();
+        let mut nodes: Vec<Node> = outside.iter().map(|block| (*block, Caller::Outside)).collect();
         for block in self.graph.labels.values().flatten() {
-            nodes.extend((called || jumped).then_some((*block, Level::Called)));
-            nodes.extend(jumped.then_some((*block, Level::Main)));
+            nodes.extend((called || jumped).then_some((*block, Caller::Outside)));
+            nodes.extend(jumped.then_some((*block, Caller::Nobody)));
         }
-        for (block, level) in nodes {
-            self.enter((self.graph.run_of(block), level), &State::unknown());
+        for (block, caller) in nodes {
+            self.enter((self.graph.run_of(block), caller), &State::unknown());
         }
     }
 
@@ -234,8 +243,8 @@ impl<'w, 'p> Walk<'w, 'p> {
         true
     }
 
-    fn advance(&mut self, (run, level): Node) {
-        let Some(mut state) = self.entries.get(&(run, level)).cloned() else { return };
+    fn advance(&mut self, (run, caller): Node) {
+        let Some(mut state) = self.entries.get(&(run, caller)).cloned() else { return };
         let blocks = self.steps.program.blocks();
         let (first, end) = (self.graph.leaders.get(run).copied().unwrap_or(0), self.graph.run_end(run));
         for index in first..end {
@@ -244,61 +253,53 @@ impl<'w, 'p> Walk<'w, 'p> {
             let last = index + 1 == end;
             match self.graph.end(index, block) {
                 End::Stop if !block.skip => return,
-                End::Return if level == Level::Called => {
-                    let joined = self.exits.get(&index).map_or_else(|| state.clone(), |known| known.join(&state));
-                    if self.exits.get(&index) != Some(&joined) {
-                        self.exits.insert(index, joined);
-                        let callers: Vec<Node> = self
-                            .parts
-                            .values()
-                            .filter(|part| part.returns.contains(&index))
-                            .flat_map(|part| part.callers.iter().copied())
-                            .collect();
+                End::Return if caller != Caller::Nobody => {
+                    let exit = (index, caller);
+                    let joined = self.exits.get(&exit).map_or_else(|| state.clone(), |known| known.join(&state));
+                    if self.exits.get(&exit) != Some(&joined) {
+                        self.exits.insert(exit, joined);
+                        let callers: Vec<Node> = self.callers.get(&caller).into_iter().flatten().copied().collect();
                         callers.into_iter().for_each(|caller| self.queue(caller));
                     }
                     if !block.skip {
                         return;
                     }
                 }
-                End::Use(at) => self.lead_on((run, level), at, &state, block.skip),
+                End::Use(at) => self.lead_on((run, caller), at, &state, block.skip),
                 _ => {}
             }
             if last && !matches!(self.graph.end(index, block), End::Use(_)) {
-                self.enter((run + 1, level), &state);
+                self.enter((run + 1, caller), &state);
             }
         }
     }
 
     /// Goes where a call, a repeat or a jump leads.
-    fn lead_on(&mut self, (run, level): Node, at: usize, state: &State, skip: bool) {
+    fn lead_on(&mut self, (run, caller): Node, at: usize, state: &State, skip: bool) {
         let Some(own) = self.graph.uses.get(at).cloned() else { return };
         let target = own.mark.as_ref().and_then(|mark| self.graph.block_of(mark));
         let Some(target) = target.map(|block| self.graph.run_of(block)) else {
             // It leads nobody knows where, or nowhere.
-            self.enter((run + 1, level), &State::unknown());
+            self.enter((run + 1, caller), &State::unknown());
             return;
         };
-        match own.way {
-            Way::Call => {
-                self.enter((target, Level::Called), state);
-                let part = self.parts.entry(target).or_default();
-                part.callers.insert((run, level));
-                let exits: Vec<&State> = part.returns.iter().filter_map(|exit| self.exits.get(exit)).collect();
-                let joined = exits
-                    .split_first()
-                    .map(|(first, rest)| rest.iter().fold((*first).clone(), |all, own| all.join(own)));
-                let behind = joined.map(|exit| State::behind(state, &exit, &part.touched));
-                if let Some(behind) = behind {
-                    self.enter((run + 1, level), &behind);
-                }
-                if skip {
-                    self.enter((run + 1, level), state);
-                }
-            }
-            _ => {
-                self.enter((target, level), state);
-                self.enter((run + 1, level), state);
-            }
+        if own.way != Way::Call {
+            self.enter((target, caller), state);
+            self.enter((run + 1, caller), state);
+            return;
+        }
+        let inside = if self.shared { Caller::Outside } else { Caller::Use(at) };
+        self.callers.entry(inside).or_default().insert((run, caller));
+        self.enter((target, inside), state);
+        let Some(part) = self.parts.get(&target) else { return };
+        let exits = part.returns.iter().filter_map(|exit| self.exits.get(&(*exit, inside)));
+        let joined = exits.fold(None, |all: Option<State>, own| Some(all.map_or_else(|| own.clone(), |all| all.join(own))));
+        if let Some(exit) = joined {
+            let behind = State::behind(state, &exit, &part.touched);
+            self.enter((run + 1, caller), &behind);
+        }
+        if skip {
+            self.enter((run + 1, caller), state);
         }
     }
 
@@ -319,6 +320,7 @@ impl<'w, 'p> Walk<'w, 'p> {
             let mut inner = BTreeSet::new();
             let (mut seen, mut open) = (BTreeSet::from([start]), vec![start]);
             while let Some(run) = open.pop() {
+                part.blocks += self.graph.run_end(run) - self.graph.leaders[run];
                 patience = patience.saturating_sub(self.graph.run_end(run) - self.graph.leaders[run]);
                 if patience == 0 {
                     part.touched = Touched::everything();
@@ -333,6 +335,13 @@ impl<'w, 'p> Walk<'w, 'p> {
             calls.insert(start, inner);
             self.parts.insert(start, part);
         }
+        let calls_of = |own: &&Use| own.way == Way::Call;
+        let size = |own: &Use| {
+            let run = self.graph.run_of(self.graph.block_of(own.mark.as_ref()?)?);
+            self.parts.get(&run).map(|part| part.blocks)
+        };
+        let all: usize = self.graph.uses.iter().filter(calls_of).filter_map(size).sum();
+        self.shared = all > self.graph.blocks.saturating_mul(16).saturating_add(50_000);
         // What a part calls changes what it changes.
         let mut changed = true;
         while changed {
@@ -398,26 +407,25 @@ impl<'w, 'p> Walk<'w, 'p> {
     }
 
     /// Walks once more through everything that was reached and notes what the rules ask for.
-    fn result(self, finished: bool) -> Run {
+    fn result(mut self, finished: bool) -> Run {
         let mut run = Run::default();
         if !finished {
             run.changes.push((0, Some(Modal::UNKNOWN)));
             run.graph = self.graph;
             return run;
         }
-        for (start, part) in self.parts {
+        for (start, part) in std::mem::take(&mut self.parts) {
             if let Some(block) = self.graph.leaders.get(start) {
                 run.parts.insert(*block, part.outline);
             }
         }
         let blocks = self.steps.program.blocks();
         let mut read = Vec::new();
+        run.unset = self.first_pass();
         for (at, first) in self.graph.leaders.iter().enumerate() {
-            let mut states: Vec<State> = [Level::Main, Level::Called]
-                .iter()
-                .filter_map(|level| self.entries.get(&(at, *level)).cloned())
-                .collect();
-            if self.entries.contains_key(&(at, Level::Main)) {
+            let nodes = (at, Caller::Nobody)..=(at, Caller::Use(usize::MAX));
+            let mut states: Vec<State> = self.entries.range(nodes).map(|(_, state)| state.clone()).collect();
+            if self.entries.contains_key(&(at, Caller::Nobody)) {
                 run.main.insert(*first);
             }
             let mut stopped = false;
@@ -436,27 +444,28 @@ impl<'w, 'p> Walk<'w, 'p> {
                 read.clear();
                 reads(block, &mut read);
                 for (q, span) in &read {
-                    let known: Vec<Known> = states.iter().map(|state| state.get(*q)).collect();
-                    match known.as_slice() {
-                        all if all.iter().all(|known| *known == Known::Unset) => run.unset.push((*q, *span)),
-                        [Known::Number(number)] => {
-                            run.numbers.insert(span.start, *number);
-                        }
-                        [Known::Number(one), Known::Number(other)] if one == other => {
-                            run.numbers.insert(span.start, *one);
+                    let known = states.iter().map(|state| state.get(*q)).reduce(|one, other| {
+                        if one == other { one } else { Known::Unknown }
+                    });
+                    match known {
+                        Some(Known::Unset) => run.unset.push((*q, *span)),
+                        Some(Known::Number(number)) => {
+                            run.numbers.insert(span.start, number);
                         }
                         _ => {}
                     }
                 }
                 let mut calls = Vec::new();
                 calls_in(&block.kind, &mut calls);
-                if !calls.is_empty() {
-                    let modal = states
-                        .iter()
-                        .map(|state| self.steps.at_call(block, state).modal)
-                        .reduce(|one, other| one.join(&other));
-                    let modal = modal.unwrap_or(Modal::UNKNOWN);
-                    run.calls.extend(calls.into_iter().map(|span| CycleCall { span, block: index, modal }));
+                for span in calls {
+                    // Each way of coming here by itself: the same block may be right for one and wrong for another.
+                    let mut seen: Vec<Modal> = Vec::new();
+                    for modal in states.iter().map(|state| self.steps.at_call(block, state).modal) {
+                        if !seen.contains(&modal) {
+                            seen.push(modal);
+                            run.calls.push(CycleCall { span, block: index, modal });
+                        }
+                    }
                 }
                 states.iter_mut().for_each(|state| self.steps.step(index, block, state));
                 stopped = stops(block) && !block.skip;
@@ -467,8 +476,41 @@ impl<'w, 'p> Walk<'w, 'p> {
                 }
             }
         }
+        run.unset.sort_by_key(|(_, span)| span.start);
         run.graph = self.graph;
         run
+    }
+
+    /// The parameters that have no value when the run comes to them first, as far as it can only go one way.
+    fn first_pass(&self) -> Vec<(QRef, Span)> {
+        let blocks = self.steps.program.blocks();
+        let Some(mut state) = self.entries.get(&(0, Caller::Nobody)).cloned() else { return Vec::new() };
+        let (mut found, mut read, mut back) = (Vec::new(), Vec::new(), Vec::new());
+        let mut index = 0;
+        let mut patience = blocks.len().saturating_mul(4).saturating_add(10_000);
+        while let Some(block) = blocks.get(index) {
+            patience -= 1;
+            if block.skip || patience == 0 {
+                break;
+            }
+            read.clear();
+            reads(block, &mut read);
+            found.extend(read.iter().filter(|(q, _)| state.get(*q) == Known::Unset).copied());
+            self.steps.step(index, block, &mut state);
+            index += 1;
+            match self.graph.end(index - 1, block) {
+                End::Next => {}
+                End::Stop => break,
+                End::Return => index = back.pop().unwrap_or(index),
+                End::Use(at) => {
+                    let own = self.graph.uses.get(at).filter(|own| own.way == Way::Call);
+                    let Some(target) = own.and_then(|own| self.graph.block_of(own.mark.as_ref()?)) else { break };
+                    back.push(index);
+                    index = target;
+                }
+            }
+        }
+        found
     }
 }
 

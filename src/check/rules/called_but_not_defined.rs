@@ -11,8 +11,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // A call of what must not be called is told by itself.
     let told = !facts.flow.jumps && !facts.flow.programs;
     let first = facts.definitions.first().map_or(usize::MAX, |definition| definition.view.first);
+    let mut last = None;
     let calls = facts.run.calls.iter().filter(|call| call.modal.pending == Pending::None);
     for call in calls.filter(|call| !(told && first < call.block)) {
-        found.push(rule.at(facts, call.span));
+        if last.replace(call.span) != Some(call.span) {
+            found.push(rule.at(facts, call.span));
+        }
     }
 }

@@ -1,10 +1,10 @@
 //! A movement at feed before any tool call.
 //!
 //! Said once a program, and only in programs that name their blank or their tools; movements in machine coordinates
-//! (M91, M92) are left alone.
+//! (M91, M92) and of rotary axes alone are left alone.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, FeedKind, Path};
+use crate::syntax::{Axis, BlockKind, Coord, FeedKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "cutting-without-tool", severity: Severity::Warning, run };
 
@@ -17,7 +17,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let BlockKind::Motion(motion) = &block.kind else { continue };
             let machine = motion.functions.iter().any(|function| matches!(function.number, 91 | 92));
             let rapid = motion.feed.is_some_and(|feed| feed.kind == FeedKind::Max);
-            let moves = !matches!(motion.path, Path::Cc | Path::Fpol) && !motion.coords.is_empty();
+            let turns = |coord: &Coord| matches!(coord.axis, Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W);
+            let moves = !matches!(motion.path, Path::Cc | Path::Fpol) && !motion.coords.iter().all(turns);
             if moves && !machine && !rapid {
                 found.push(rule.at(facts, facts.content(block)));
                 return;

@@ -1,10 +1,12 @@
 //! A cycle that acts when it is called, and is not called on any way that the run can take.
 //!
-//! A pattern behind it calls it. Silent in programs that call others, which may call it, and with M89.
+//! A pattern behind it calls it. Silent in programs that call others, which may call it, and with M89, and where a block
+//! behind it cannot be read.
 use super::call_of_def_active_cycle::calls_last;
 use crate::check::{Definition, Facts, Modal, Pending, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::{Known, TakesEffect};
+use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "defined-but-never-called", severity: Severity::Warning, run };
 
@@ -30,7 +32,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (definition, called) in facts.definitions.iter().zip(called) {
         let waits = definition.takes_effect() == Some(TakesEffect::OnCall);
         let reached = facts.run.before(definition.view.first).is_some();
-        if waits && reached && !called {
+        // What cannot be read may be the call.
+        let behind = facts.program.blocks().get(definition.view.last + 1..).unwrap_or_default();
+        let unread = facts.flow.unread && behind.iter().any(|block| matches!(block.kind, BlockKind::Unknown(_)));
+        if waits && reached && !called && !unread {
             found.push(rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string()));
         }
     }

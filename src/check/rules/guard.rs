@@ -6,9 +6,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use crate::check::guards::{self, Ready, Written, read_as};
-use crate::check::{Definition, Facts, Rule};
+use crate::check::{Definition, Facts, Item, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::spec::{Cycle, CycleKey, Outcome};
+use crate::spec::{Cycle, CycleKey, Outcome, Param};
 use crate::text;
 
 pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run };
@@ -38,11 +38,13 @@ fn finding(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle, ready:
     Some(rule.at(facts, place).arg("message", sentence.unwrap_or_else(|| code.as_str().to_owned())))
 }
 
-/// The first parameter written that the guard reads.
+/// The first parameter written that the guard reads, rather one that measures something than one that chooses.
 fn place(definition: &Definition<'_>, ready: &Ready<'_>) -> Option<Span> {
     let read = ready.condition.q_refs();
-    let mut items = definition.items.iter();
-    items.find(|item| item.param.and_then(read_as).is_some_and(|q| read.contains(&q))).map(|item| item.span)
+    let reads = |param: &Param| read_as(param).is_some_and(|q| read.contains(&q));
+    let items = definition.items.iter().filter(|item| item.param.is_some_and(reads));
+    let chooses = |item: &&Item<'_>| item.param.is_some_and(|param| !param.choices.is_empty());
+    items.min_by_key(chooses).map(|item| item.span)
 }
 
 /// The code for as long as the program runs. There are as many as the specifications have guards.

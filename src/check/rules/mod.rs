@@ -12,6 +12,7 @@ mod compensation_at_cycle;
 mod compensation_left_on;
 mod contour_unnamed;
 mod cutting_without_tool;
+mod cycle_line_alone;
 mod cycle_not_described;
 mod cycle_not_on_control;
 mod defined_but_never_called;
@@ -69,6 +70,7 @@ pub const RULES: &[&Rule] = &[
     &compensation_left_on::RULE,
     &contour_unnamed::RULE,
     &cutting_without_tool::RULE,
+    &cycle_line_alone::RULE,
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
     &defined_but_never_called::RULE,

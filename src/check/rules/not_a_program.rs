@@ -19,7 +19,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         all += 1;
         unread += usize::from(matches!(block.kind, BlockKind::Unknown(_)));
     }
-    if all < LEAST || unread * 2 <= all || facts.unread("PGM") {
+    if all < LEAST || unread * 2 <= all || facts.unread("BEGIN") || facts.unread("END") || facts.unread("%") {
         return;
     }
     if let Some(first) = facts.acting().next() {

@@ -2,16 +2,18 @@
 //!
 //! Said once a program. Silent behind calls of other programs and blocks that are not analysed (turning has no tool
 //! axis), and in programs that name neither blank nor tool: others call them.
-use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::check::{Aspect, Definition, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
-use crate::spec::Keyword;
+use crate::spec::{Keyword, Known};
 
 pub(super) const RULE: Rule = Rule { code: "tool-missing", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let missing = |modal: crate::check::Modal| modal.is(Aspect::Tool) == Tri::No;
     let calls = facts.run.calls.iter().filter(|call| missing(call.modal) && !facts.definitions.is_empty());
-    let probes = facts.definitions.iter().filter(|own| own.key.keyword == Keyword::TchProbe);
+    // What a cycle of the machine builder needs, nobody knows.
+    let probe = |own: &&Definition<'_>| own.key.keyword == Keyword::TchProbe && matches!(own.known, Known::Described(_));
+    let probes = facts.definitions.iter().filter(probe);
     let probes = probes.filter(|own| facts.run.before(own.view.first).is_some_and(missing)).map(|own| own.view.head);
     let first = calls.map(|call| call.span).chain(probes).min_by_key(|span| span.start);
     if let Some(span) = first {

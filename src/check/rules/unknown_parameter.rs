@@ -1,12 +1,26 @@
 //! A parameter or field that the cycle does not have on this control.
+//!
+//! If it has none of all that are written, that is said once, at the cycle.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "unknown-parameter", severity: Severity::Error, run };
 
+/// How many parameters must not fit before the cycle is doubted.
+const LEAST: usize = 2;
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (definition, _) in facts.described() {
-        for item in definition.items.iter().filter(|item| item.param.is_none()) {
+        let strange = definition.items.iter().filter(|item| item.param.is_none());
+        let number = strange.clone().count();
+        // Where nothing fits, the number of the cycle is wrong rather than each parameter.
+        if number >= LEAST && number == definition.items.len() {
+            let names: Vec<&str> = strange.map(|item| item.name.as_ref()).collect();
+            let finding = rule.at(facts, definition.view.head).arg("parameter", names.join(", "));
+            found.push(finding.arg("cycle", definition.key.to_string()));
+            continue;
+        }
+        for item in strange {
             let finding = rule.at(facts, item.span).arg("parameter", item.name.as_ref());
             found.push(finding.arg("cycle", definition.key.to_string()));
         }

@@ -1,0 +1,8 @@
+; control: tnc640
+0 BEGIN PGM A MM
+1 CYCL DEF 7.0 DATUM SHIFT
+; a comment
+2 CYCL DEF 7.1 X+5
+3 CYCL DEF 7.2 Y+5
+4 M2
+5 END PGM A MM
