@@ -33,7 +33,8 @@ fn machines() -> &'static [Machine] {
     static ALL: OnceLock<Vec<Machine>> = OnceLock::new();
     ALL.get_or_init(|| {
         let files = &data().0;
-        let all: Vec<Machine> = Machine::names(files).iter().map(|name| Machine::named(name, files).expect("a machine")).collect();
+        let all: Vec<Machine> =
+            Machine::names(files).iter().map(|name| Machine::named(name, files).expect("a machine")).collect();
         assert!(all.len() >= 4);
         all
     })

@@ -139,9 +139,7 @@ fn read(entry: &Value, source: &Arc<Source>) -> Option<Diagnostic> {
         let value = value.as_str().map(Arg::from).or_else(|| value.as_f64().map(Arg::Number))?;
         Some((name, value))
     };
-    let beside = |value: &Value| {
-        Some((lasting(value.get(0)?.as_str()?), Place::new(source, span(value.get(1)?)?)))
-    };
+    let beside = |value: &Value| Some((lasting(value.get(0)?.as_str()?), Place::new(source, span(value.get(1)?)?)));
     let fix = match fix {
         Value::Null => None,
         fix => Some(Edit { span: span(fix.get(0)?)?, text: fix.get(1)?.as_str()?.to_owned() }),
@@ -188,7 +186,12 @@ mod tests {
     #[test]
     fn what_does_not_fit_the_text_is_not_believed() {
         let source = Source::new("a.h", "L");
-        for entry in [json!(["a", "error", [0, 9], [], [], null]), json!(["a", "bad", [0, 1], [], [], null]), json!([]), json!(5)] {
+        for entry in [
+            json!(["a", "error", [0, 9], [], [], null]),
+            json!(["a", "bad", [0, 1], [], [], null]),
+            json!([]),
+            json!(5),
+        ] {
             assert!(read(&entry, &source).is_none(), "{entry}");
         }
     }

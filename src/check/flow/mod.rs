@@ -11,8 +11,8 @@ mod step;
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-pub use graph::{Graph, Mark, Use, Way};
 pub(super) use graph::stops;
+pub use graph::{Graph, Mark, Use, Way};
 use state::Known;
 pub use state::{Aspect, Modal, Pending, Tri};
 
@@ -293,7 +293,8 @@ impl<'w, 'p> Walk<'w, 'p> {
         self.enter((target, inside), state);
         let Some(part) = self.parts.get(&target) else { return };
         let exits = part.returns.iter().filter_map(|exit| self.exits.get(&(*exit, inside)));
-        let joined = exits.fold(None, |all: Option<State>, own| Some(all.map_or_else(|| own.clone(), |all| all.join(own))));
+        let joined =
+            exits.fold(None, |all: Option<State>, own| Some(all.map_or_else(|| own.clone(), |all| all.join(own))));
         if let Some(exit) = joined {
             let behind = State::behind(state, &exit, &part.touched);
             self.enter((run + 1, caller), &behind);
@@ -444,9 +445,10 @@ impl<'w, 'p> Walk<'w, 'p> {
                 read.clear();
                 reads(block, &mut read);
                 for (q, span) in &read {
-                    let known = states.iter().map(|state| state.get(*q)).reduce(|one, other| {
-                        if one == other { one } else { Known::Unknown }
-                    });
+                    let known = states
+                        .iter()
+                        .map(|state| state.get(*q))
+                        .reduce(|one, other| if one == other { one } else { Known::Unknown });
                     match known {
                         Some(Known::Unset) => run.unset.push((*q, *span)),
                         Some(Known::Number(number)) => {

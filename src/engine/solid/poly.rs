@@ -100,7 +100,8 @@ impl Poly {
     /// moves along the axis of a cone) without changing its sign.
     pub(super) fn roots_and_extrema(&self, low: f64, high: f64) -> Vec<f64> {
         let mut all = self.derivative().roots(low, high);
-        let roots = if self.degree() == 2 { self.quadratic_roots(low, high) } else { self.roots_between(&all, low, high) };
+        let roots =
+            if self.degree() == 2 { self.quadratic_roots(low, high) } else { self.roots_between(&all, low, high) };
         all.extend(roots);
         all
     }
