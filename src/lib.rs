@@ -3,6 +3,7 @@
 //!
 //! See `ARCHITECTURE.md` for the map of the modules and what each of them must not know.
 pub mod accord;
+pub mod certify;
 pub mod check;
 pub mod cli;
 pub mod compare;

@@ -20,6 +20,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("export", &["diag", "spec", "locale", "text"]),
     ("dialog", &["diag", "spec", "locale", "text", "export"]),
     ("check", &["diag", "expr", "spec", "locale", "text", "syntax", "fields"]),
+    ("certify", &["diag", "spec", "syntax", "check"]),
     ("translate", &["diag", "syntax", "check"]),
     (
         "manual",
@@ -50,6 +51,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "export",
             "manual",
             "check",
+            "certify",
             "translate",
             "compare",
             "convert",

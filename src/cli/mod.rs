@@ -9,6 +9,7 @@ mod arguments;
 mod block;
 mod build;
 mod cache;
+mod certify;
 mod check;
 mod compare;
 mod completions;
@@ -104,6 +105,7 @@ static COMMANDS: &[Command] = &[
     convert::COMMAND,
     compare::COMMAND,
     fmt::COMMAND,
+    certify::COMMAND,
     run::COMMAND,
     plot::COMMAND,
     conform::COMMAND,

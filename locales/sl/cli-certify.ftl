@@ -1,0 +1,19 @@
+# Ukaz »certify« in njegova sporočila.
+cli-certify = Pove, kako se obnesejo programi postprocesorja: po programih, ciklih in pravilih
+cli-certify-path = NC-programi ali mape s programi (.h, .i)
+cli-certify-program =
+    { $verdict ->
+        [fail] { $file }: ni ustrezno
+       *[out-of-subset] { $file }: zunaj opisanega
+    } (napake: { $errors }, opozorila: { $warnings })
+cli-certify-cycle =
+    { $verdict ->
+        [pass] { $cycle }: ustrezno
+        [fail] { $cycle }: ni ustrezno
+       *[out-of-subset] { $cycle }: zunaj opisanega
+    } (definicije: { $count }, z napakami: { $wrong })
+cli-certify-rule = { $severity } { $rule }: število { $count }, programi: { $programs }, prvič { $first }
+cli-certified = { $control }: programi: { $count }, ustrezno: { $pass }, ni ustrezno: { $fail }, zunaj opisanega: { $out }
+cli-examples-certify =
+    ciklo certify izhod --control itnc530
+    ciklo certify izhod --control tnc640 --format json > porocilo.json

@@ -1,0 +1,119 @@
+//! `ciklo certify`: what a folder of programs says of the post-processor that wrote them.
+use std::path::Path;
+
+use clap::ArgMatches;
+use serde::Serialize;
+
+use super::check::PROGRAMS;
+use super::progress::Progress;
+use super::session::{Session, json};
+use super::{Command, Failure, Outcome, arguments, cycle, program};
+use crate::certify::{CycleReport, ProgramReport, RuleReport, Tally, Verdict};
+use crate::check::{Against, Facts, LabelBook, check};
+use crate::diag::Diagnostic;
+use crate::locale::{Args, Ui};
+use crate::system;
+
+pub(super) const COMMAND: Command =
+    Command { name: "certify", usage: "PATH… --control CONTROL [--format FORMAT]", arguments: own, run };
+
+/// The format of the document.
+const FORMAT: &str = "ciklo-certify/1";
+
+fn own(ui: &Ui) -> Vec<clap::Arg> {
+    vec![
+        arguments::words(ui, "file", "PATH", "cli-certify-path"),
+        arguments::control(ui),
+        arguments::format(ui, &["text", "json"]),
+    ]
+}
+
+#[derive(Serialize)]
+struct Report<'r> {
+    format: &'static str,
+    control: &'r str,
+    verdict: &'static str,
+    programs: &'r [ProgramReport],
+    cycles: Vec<CycleReport>,
+    rules: Vec<RuleReport>,
+}
+
+fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
+    let (catalogue, locales) = (session.catalogue()?, session.locales()?);
+    let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
+    let labels = LabelBook::new(on, &locales);
+    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+    let (mut paths, mut troubles) = (Vec::new(), Vec::new());
+    for name in arguments::all(matches, "file") {
+        match system::files_below(Path::new(&name), &PROGRAMS) {
+            Ok(found) => paths.extend(found),
+            Err(trouble) => troubles.push(Diagnostic::from(trouble)),
+        }
+    }
+    let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), paths.len());
+    let mut tally = Tally::default();
+    for path in &paths {
+        match program::understand(path, &catalogue) {
+            Ok(file) => {
+                let found = file.findings(check(&file.program, &against));
+                tally.add(&path.display().to_string(), &Facts::of(&file.program, &against), &found);
+            }
+            Err(Failure::Trouble(trouble)) => troubles.push(*trouble),
+            Err(failure) => return Err(failure),
+        }
+        progress.step();
+    }
+    drop(progress);
+    let verdict = match (tally.count(Verdict::Fail), tally.count(Verdict::OutOfSubset)) {
+        (0, 0) => Verdict::Pass,
+        (0, _) => Verdict::OutOfSubset,
+        _ => Verdict::Fail,
+    };
+    if arguments::chosen_format(matches) == "json" {
+        let report = Report {
+            format: FORMAT,
+            control: on.id(),
+            verdict: verdict.as_str(),
+            programs: tally.programs(),
+            cycles: tally.cycles(),
+            rules: tally.rules(),
+        };
+        let document = json(&report)?;
+        session.output.print(&document)?;
+    } else {
+        tell(session, on.id(), &tally)?;
+    }
+    let last = troubles.pop();
+    troubles.iter().for_each(|trouble| session.output.complain(trouble, &session.ui));
+    match last {
+        Some(trouble) => Err(trouble.into()),
+        None => Ok(if verdict == Verdict::Fail { Outcome::Errors } else { Outcome::Clean }),
+    }
+}
+
+fn tell(session: &mut Session, control: &str, tally: &Tally) -> Result<(), Failure> {
+    let mut lines = Vec::new();
+    for own in tally.programs().iter().filter(|own| own.verdict != Verdict::Pass) {
+        let args = Args::new().text("file", own.file.as_str()).text("verdict", own.verdict.as_str());
+        let args = args.number("errors", own.errors as f64).number("warnings", own.warnings as f64);
+        lines.push(session.ui.text("cli-certify-program", &args));
+    }
+    for own in tally.cycles() {
+        let args = Args::new().text("cycle", own.cycle).text("verdict", own.verdict.as_str());
+        let args = args.number("count", own.definitions as f64).number("wrong", own.wrong as f64);
+        lines.push(session.ui.text("cli-certify-cycle", &args));
+    }
+    for own in tally.rules() {
+        let args = Args::new().text("rule", own.rule).text("severity", own.severity).text("first", own.first);
+        let args = args.number("count", own.findings as f64).number("programs", own.programs as f64);
+        lines.push(session.ui.text("cli-certify-rule", &args));
+    }
+    let count = |verdict| tally.count(verdict) as f64;
+    let args = Args::new().text("control", control).number("count", tally.programs().len() as f64);
+    let args = args.number("pass", count(Verdict::Pass)).number("fail", count(Verdict::Fail));
+    lines.push(session.ui.text("cli-certified", &args.number("out", count(Verdict::OutOfSubset))));
+    for line in lines {
+        session.output.print(&format!("{line}\n"))?;
+    }
+    Ok(())
+}
