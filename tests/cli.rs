@@ -339,7 +339,9 @@ fn programs_that_have_not_changed_are_remembered() {
         let words = ["check", folder.to_str().unwrap(), "--control", "tnc640", "--format", "json"];
         let mut command = ciklo(&[&words, more].concat());
         // Each platform names the place in its own way.
-        ["XDG_CACHE_HOME", "LOCALAPPDATA", "HOME"].map(|name| command.env(name, &place));
+        for name in ["XDG_CACHE_HOME", "LOCALAPPDATA", "HOME"] {
+            command.env(name, &place);
+        }
         let output = command.output().unwrap();
         assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
         String::from_utf8(output.stdout).unwrap()

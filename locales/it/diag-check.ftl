@@ -25,11 +25,7 @@ diag-contour-unnamed =
     { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
 diag-cycle-line-alone = Prima della riga { $line } non c’è la riga { $head }.
-diag-cycle-not-described =
-    { $manual ->
-        [other] { $cycle } non è descritto in alcuno dei manuali qui utilizzati: i suoi parametri non vengono verificati.
-       *[named] { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
-    }
+diag-cycle-not-described = { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.

@@ -25,11 +25,7 @@ diag-contour-unnamed =
     { $cycle } é chamado aqui, mas antes não foi indicado nenhum contorno.
 diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
 diag-cycle-line-alone = Antes da linha { $line } não há a linha { $head }.
-diag-cycle-not-described =
-    { $manual ->
-        [other] { $cycle } não está descrito em nenhum dos manuais aqui utilizados: os seus parâmetros não são verificados.
-       *[named] { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
-    }
+diag-cycle-not-described = { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.

@@ -25,11 +25,7 @@ diag-contour-unnamed =
     { $cycle } se tu prikliče, pred tem pa ni navedena nobena kontura.
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
 diag-cycle-line-alone = Pred vrstico { $line } ni vrstice { $head }.
-diag-cycle-not-described =
-    { $manual ->
-        [other] Cikel { $cycle } ni opisan v nobenem od uporabljenih priročnikov: njegovi parametri se ne preverijo.
-       *[named] Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
-    }
+diag-cycle-not-described = Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.

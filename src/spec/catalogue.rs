@@ -219,12 +219,6 @@ impl OnControl {
         self.control.named.iter().find(|named| named.keyword == key.keyword && named.number == key.number)
     }
 
-    /// Whether such controls have a cycle of that number although no manual here speaks of it.
-    pub fn has_elsewhere(&self, key: CycleKey) -> bool {
-        let mut others = self.control.others.iter();
-        others.any(|own| own.keyword == key.keyword && (own.from..=own.to).contains(&key.number))
-    }
-
     /// The cycle of that name.
     pub fn by_name(&self, name: &str) -> Option<&Cycle> {
         self.cycles.values().find(|cycle| cycle.name() == name)

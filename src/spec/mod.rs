@@ -18,7 +18,7 @@ pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use form::*;
 pub use lint::{equals, lint};
 pub use profile::{
-    Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, OtherCycles, Topic, TopicOn, Topics,
+    Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Topic, TopicOn, Topics,
     Transformation,
 };
 pub use schema::schema;

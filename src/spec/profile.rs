@@ -76,20 +76,6 @@ record! {
 }
 
 record! {
-    /// Numbers of cycles that no manual here speaks of, though such controls have them.
-    pub struct OtherCycles {
-        /// How they are written.
-        keyword: Keyword,
-        /// The first number.
-        from: u32,
-        /// The last number.
-        to: u32,
-        /// Which cycles they are.
-        why: String,
-    }
-}
-
-record! {
     /// A control.
     pub struct Control {
         /// Its id, such as `tnc640`.
@@ -112,8 +98,6 @@ record! {
         options: Vec<OptionName>,
         /// Every cycle that its manuals name.
         named: Vec<Named>,
-        /// Cycles of other software versions, or of manuals that are not here: they are no mistakes.
-        others: Vec<OtherCycles>,
     }
 }
 

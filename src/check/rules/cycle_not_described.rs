@@ -7,12 +7,8 @@ pub(super) const RULE: Rule = Rule { code: "cycle-not-described", severity: Seve
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in &facts.definitions {
-        let (name, manual) = match definition.known {
-            Known::Named(named) => (named.name.trim(), "named"),
-            Known::Unknown if facts.against.on.has_elsewhere(definition.key) => ("", "other"),
-            _ => continue,
-        };
+        let Known::Named(named) = definition.known else { continue };
         let finding = rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string());
-        found.push(finding.arg("name", name).arg("manual", manual));
+        found.push(finding.arg("name", named.name.trim()));
     }
 }

@@ -3,11 +3,11 @@ use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::{CycleKey, Known};
 
-pub(super) const RULE: Rule = Rule { code: "cycle-not-on-control", severity: Severity::Error, run };
+pub(super) const RULE: Rule = Rule { code: "cycle-not-on-control", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in &facts.definitions {
-        if !matches!(definition.known, Known::Unknown) || facts.against.on.has_elsewhere(definition.key) {
+        if !matches!(definition.known, Known::Unknown) {
             continue;
         }
         let controls = elsewhere(facts, definition.key);
