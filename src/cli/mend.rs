@@ -83,7 +83,9 @@ mod tests {
         let put = |text: &str| {
             std::fs::write(&path, text).unwrap();
             let decoded = encoding::decode(old.as_bytes());
-            store(&path, old.as_bytes(), &decoded, &parsed(&path, old), &parsed(&path, new), &against)
+            let understood =
+                |text: &str| program::understood(&path, &encoding::decode(text.as_bytes()), against.catalogue);
+            store(&path, old.as_bytes(), &decoded, &understood(old), &understood(new), &against)
         };
         let Err(Failure::Trouble(trouble)) = put("1 L X+6 FMAX\n") else { panic!("it was written") };
         assert_eq!(trouble.code, "fix-file-changed");
