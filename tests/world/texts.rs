@@ -30,6 +30,8 @@ fn findings() -> Vec<Diagnostic> {
     for text in TABLES {
         all.extend(Table::parse(TableKind::Datum, &Source::new("X.D", *text)).expect_err("mistakes"));
     }
+    let values = Source::new("values.t", include_str!("../cli/tables/values.t"));
+    all.extend(ciklo::table::check(TableKind::Tool, &values));
     let (file, column, row) = ("X.D".to_owned(), "X".to_owned(), 1.0);
     let errors = [
         TableError::NoTable { file: file.clone() },
