@@ -1,6 +1,7 @@
 //! A parameter or field that the cycle does not have on this control.
 //!
-//! If it has none of all that are written, that is said once, at the cycle.
+//! If it has none of all that are written, that is said once, at the cycle. Where nothing else is missing, it is a warning:
+//! later software versions have parameters of which the manuals here do not speak.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 
@@ -21,8 +22,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         for item in strange {
+            let addition = definition.missing.is_empty() && crate::expr::QRef::parse(&item.name).is_some();
+            let severity = if addition { Severity::Warning } else { rule.severity };
             let finding = rule.at(facts, item.span).arg("parameter", item.name.as_ref());
-            found.push(finding.arg("cycle", definition.key.to_string()));
+            found.push(Diagnostic { severity, ..finding }.arg("cycle", definition.key.to_string()));
         }
     }
 }
