@@ -15,5 +15,5 @@ cli-certify-cycle =
 cli-certify-rule = { $severity } { $rule }: { $count } vezes, programas: { $programs }, primeira vez { $first }
 cli-certified = { $control }: programas: { $count }, conformes: { $pass }, não conformes: { $fail }, fora do que está descrito: { $out }
 cli-examples-certify =
-    ciklo certify saida --control itnc530
-    ciklo certify saida --control tnc640 --format json > relatorio.json
+    ciklo certify saída --control itnc530
+    ciklo certify saída --control tnc640 --format json > relatório.json

@@ -14,7 +14,7 @@ cli-converted = { $count ->
 cli-examples-convert =
     ciklo convert peca.h --from tnc426-430 --to tnc640 > nova.h
     ciklo convert peca.h --from tnc640 --to tnc320 --format json
-    ciklo convert medicao.h --from itnc530 --to itnc530 --form new --in-place
+    ciklo convert medição.h --from itnc530 --to itnc530 --form new --in-place
     ciklo convert part.h --to-iso > part.i
     ciklo convert part.i --to-klartext --lang it --out pezzo.h
 diag-convert-one-file = Vários programas só são reescritos com --in-place.

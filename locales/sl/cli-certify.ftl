@@ -16,4 +16,4 @@ cli-certify-rule = { $severity } { $rule }: število { $count }, programi: { $pr
 cli-certified = { $control }: programi: { $count }, ustrezno: { $pass }, ni ustrezno: { $fail }, zunaj opisanega: { $out }
 cli-examples-certify =
     ciklo certify izhod --control itnc530
-    ciklo certify izhod --control tnc640 --format json > porocilo.json
+    ciklo certify izhod --control tnc640 --format json > poročilo.json
