@@ -784,7 +784,7 @@ fn a_program_in_inches_writes_the_same_tables() {
             (333, 0.0),
         ];
         let mut program = format!("BEGIN PGM A {}\nTOOL CALL 1 Z\nTCH PROBE 412\n", if inch { "INCH" } else { "MM" });
-        lengths.iter().for_each(|(number, value)| drop(writeln!(program, "Q{number}={}", len(*value))));
+        lengths.iter().for_each(|(number, value)| program.push_str(&format!("Q{number}={}\n", len(*value))));
         let _ = writeln!(program, "Q325=0\nQ247=90\nQ301=1\nQ305={row}\nQ303={transfer}\nQ381=0\nQ423=4\nQ365=1");
         program += "TCH PROBE 421\n";
         let lengths = [
@@ -799,7 +799,7 @@ fn a_program_in_inches_writes_the_same_tables() {
             (279, 0.0),
             (280, 0.0),
         ];
-        lengths.iter().for_each(|(number, value)| drop(writeln!(program, "Q{number}={}", len(*value))));
+        lengths.iter().for_each(|(number, value)| program.push_str(&format!("Q{number}={}\n", len(*value))));
         program += "Q325=0\nQ247=90\nQ301=0\nQ281=1\nQ309=0\nQ330=5\nQ423=4\nQ365=1\n";
         let (outcome, events) = run("tnc640", &program, scene);
         // The second cycle looks for the hole where it is no more once the display has changed.

@@ -264,7 +264,7 @@ fn word_length(text: &str) -> usize {
         let at = end.checked_sub(name.len())?;
         word.get(at..).filter(|own| own.eq_ignore_ascii_case(name)).map(|_| at)
     };
-    ["QL", "QR", "QS", "Q"].iter().find_map(|name| before(&name)).filter(|at| *at > 0).unwrap_or(end)
+    ["QL", "QR", "QS", "Q"].iter().find_map(|name| before(name)).filter(|at| *at > 0).unwrap_or(end)
 }
 
 fn number_length(text: &str) -> usize {
