@@ -100,7 +100,7 @@ impl Writer<'_, '_> {
             return Some(Piece { q: QRef::parse(&item.name), text: Cow::Borrowed(text) });
         };
         let Some(target) = counterpart(own, other, param, q) else {
-            let neutral = is_neutral(own, other, param, &item.printed);
+            let neutral = is_neutral(other, param, &item.printed);
             self.dropped(definition.key, &item.name, &item.printed, item.span, neutral);
             return None;
         };
@@ -119,14 +119,8 @@ impl Writer<'_, '_> {
         }
         let at = other.params.iter().position(|param| std::ptr::eq(param, target));
         if let (Some(span), Some(own_at), Some(at)) = (item.label, item.index, at)
-            && let Some(label) = self.label(
-                definition,
-                own,
-                other,
-                self.program.slice(span),
-                |l| l.params.get(own_at),
-                |l| l.params.get(at),
-            )
+            && let Some(label) =
+                self.label(own, other, self.program.slice(span), |l| l.params.get(own_at), |l| l.params.get(at))
             && self.writable(&label, span)
         {
             edits.push((span, label));
@@ -144,14 +138,12 @@ impl Writer<'_, '_> {
     /// The label of the other control, if what is printed is a label of the first one and the other's differs.
     fn label(
         &self,
-        definition: &Definition<'_>,
         own: &Cycle,
         other: &Cycle,
         text: &str,
         pick_own: impl Fn(&crate::check::LanguageLabels) -> Option<&ParamLabels>,
         pick: impl Fn(&crate::check::LanguageLabels) -> Option<&ParamLabels>,
     ) -> Option<String> {
-        debug_assert_eq!(definition.key, own.key);
         let languages = &self.request.from.labels.cycle(own.key)?.languages;
         let spoken = languages.iter().filter(|language| pick_own(language).is_some_and(|label| label.matches(text)));
         // A label that several languages share is one of the program's language.
@@ -176,7 +168,7 @@ impl Writer<'_, '_> {
         let mut text = Cow::Borrowed(text);
         let Some(span) = definition.view.name else { return text };
         let printed = self.program.slice(span);
-        let name = self.label(definition, own, other, printed, |l| Some(&l.name), |l| Some(&l.name));
+        let name = self.label(own, other, printed, |l| Some(&l.name), |l| Some(&l.name));
         if let Some(name) = name
             && self.writable(&name, span)
         {
@@ -234,10 +226,9 @@ fn counterpart<'o>(own: &Cycle, other: &'o Cycle, param: &Param, q: QRef) -> Opt
 }
 
 /// Whether a value does what a control without the parameter does anyway.
-fn is_neutral(own: &Cycle, other: &Cycle, param: &Param, printed: &str) -> bool {
+fn is_neutral(other: &Cycle, param: &Param, printed: &str) -> bool {
     let Ok(value) = printed.trim().parse::<f64>() else { return false };
     let lacking = other.lacking.iter().find(|(q, _)| Some(*q) == param.q).map(|(_, value)| *value);
-    debug_assert!(own.params.iter().any(|own| std::ptr::eq(own, param)));
     param.neutral.or(lacking).is_some_and(|neutral| neutral == value)
 }
 
