@@ -85,12 +85,13 @@ fn pairs(data: &Data) -> Vec<(&str, &str)> {
 }
 
 /// What a control objects to in the shape of a definition.
-const SHAPE: [&str; 8] = [
+const SHAPE: [&str; 9] = [
     "unknown-parameter",
     "missing-parameter",
     "duplicate-parameter",
     "misordered-parameter",
     "unknown-cycle",
+    "cycle-not-covered",
     "cycle-not-on-control",
     "label-of-another-language",
     "label-of-another-parameter",

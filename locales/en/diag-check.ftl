@@ -25,6 +25,7 @@ diag-contour-unnamed =
     { $cycle } is called here, but no contour has been named before.
 diag-cutting-without-tool = The tool moves at feed here, but no tool call stands before.
 diag-cycle-line-alone = The line { $line } has no line { $head } before it.
+diag-cycle-not-covered = { $cycle } is not checked: the manuals of the { $control } that are known here do not treat such cycles.
 diag-cycle-not-described = { $cycle } ({ $name }) is named by the manuals and not described: its parameters are not checked.
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
 diag-defined-but-never-called = { $cycle } is defined here and never called.

@@ -14,6 +14,7 @@ explain-compensation-left-on = RL or RR is certainly still active where a tool i
 explain-contour-unnamed = Contour cycles machine a contour that CYCL DEF 14, SEL CONTOUR or CONTOUR DEF names before. Said once a program.
 explain-cutting-without-tool = Before the first TOOL CALL the control does not know which tool it moves, its length and its radius. Movements at rapid traverse and in machine coordinates are left alone. Said once a program.
 explain-cycle-line-alone = A definition in the old form begins with line 0, which names the cycle: CYCL DEF 7.0, then CYCL DEF 7.1. Lines of another cycle between them, or a mistyped number, tear it apart.
+explain-cycle-not-covered = The manuals of this control that are known here treat cycles of another kind only, such as the touch-probe cycles. The control may well have the cycle; its parameters, labels and effect are passed over.
 explain-cycle-not-described = The control has the cycle, but no specification describes it here. Its parameters, labels and effect are passed over.
 explain-cycle-not-on-control = The manuals of this control do not know the cycle, those of another one do. The program was written for that control, or the wrong control was chosen with --control.
 explain-defined-but-never-called = The cycle acts when it is called with CYCL CALL, M99 or M89, or by a pattern, and nothing of that follows before the next such cycle or the end. The definition does nothing, or the call was forgotten.

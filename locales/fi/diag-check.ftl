@@ -25,6 +25,7 @@ diag-contour-unnamed =
     { $cycle } kutsutaan tässä, mutta sitä ennen ei ole nimetty muotoa.
 diag-cutting-without-tool = Työkalu liikkuu tässä syötöllä, mutta ennen sitä ei ole työkalukutsua.
 diag-cycle-line-alone = Rivin { $line } edellä ei ole riviä { $head }.
+diag-cycle-not-covered = Työkiertoa { $cycle } ei tarkasteta: ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele tällaisia työkiertoja.
 diag-cycle-not-described = Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sen parametreja ei tarkasteta.
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.

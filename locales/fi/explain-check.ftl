@@ -14,6 +14,7 @@ explain-compensation-left-on = RL tai RR on varmasti vielä voimassa, kun työka
 explain-contour-unnamed = Muototyökierrot koneistavat muodon, jonka CYCL DEF 14, SEL CONTOUR tai CONTOUR DEF nimeää ennen niitä. Ilmoitetaan kerran ohjelmaa kohti.
 explain-cutting-without-tool = Ennen ensimmäistä TOOL CALL -lausetta ohjaus ei tiedä, mitä työkalua se liikuttaa, eikä sen pituutta ja sädettä. Pikaliikkeisiin ja konekoordinaatistossa tehtäviin liikkeisiin ei puututa. Ilmoitetaan kerran ohjelmaa kohti.
 explain-cycle-line-alone = Vanhanmuotoinen määrittely alkaa rivillä 0, joka nimeää työkierron: CYCL DEF 7.0, sitten CYCL DEF 7.1. Toisen työkierron rivit niiden välissä tai väärin kirjoitettu numero katkaisevat sen.
+explain-cycle-not-covered = Ohjauksen tässä tunnetut käsikirjat käsittelevät vain toisenlaisia työkiertoja, esimerkiksi kosketustyökiertoja. Ohjauksessa voi hyvinkin olla tämä työkierto; sen parametreja, NC-tekstejä ja vaikutusta ei käsitellä.
 explain-cycle-not-described = Ohjauksessa on työkierto, mutta sille ei ole tässä kuvausta. Sen parametreja, NC-tekstejä ja vaikutusta ei käsitellä.
 explain-cycle-not-on-control = Tämän ohjauksen käsikirjat eivät tunne työkiertoa, mutta jonkin toisen ohjauksen käsikirja tuntee sen. Ohjelma on tehty sille ohjaukselle, tai valitsin --control on väärä.
 explain-defined-but-never-called = Työkierto vaikuttaa, kun sitä kutsutaan toiminnolla CYCL CALL, M99 tai M89 tai pistekuviolla, eikä mitään näistä seuraa ennen seuraavaa tällaista työkiertoa tai ohjelman loppua. Määrittely ei tee mitään, tai kutsu on unohtunut.

@@ -25,6 +25,7 @@ diag-contour-unnamed =
     { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
 diag-cycle-line-alone = Prima della riga { $line } non c’è la riga { $head }.
+diag-cycle-not-covered = { $cycle } non viene verificato: i manuali del controllo { $control } qui noti non trattano cicli di questo tipo.
 diag-cycle-not-described = { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.

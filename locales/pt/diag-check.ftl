@@ -25,6 +25,7 @@ diag-contour-unnamed =
     { $cycle } é chamado aqui, mas antes não foi indicado nenhum contorno.
 diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
 diag-cycle-line-alone = Antes da linha { $line } não há a linha { $head }.
+diag-cycle-not-covered = { $cycle } não é verificado: os manuais do comando { $control } aqui conhecidos não tratam de ciclos deste tipo.
 diag-cycle-not-described = { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.

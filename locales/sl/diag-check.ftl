@@ -25,6 +25,7 @@ diag-contour-unnamed =
     { $cycle } se tu prikliče, pred tem pa ni navedena nobena kontura.
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
 diag-cycle-line-alone = Pred vrstico { $line } ni vrstice { $head }.
+diag-cycle-not-covered = Cikel { $cycle } se ne preveri: priročniki krmiljenja { $control }, ki so tu znani, takšnih ciklov ne obravnavajo.
 diag-cycle-not-described = Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.

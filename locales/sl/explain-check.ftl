@@ -14,6 +14,7 @@ explain-compensation-left-on = RL ali RR je zanesljivo še aktiven, ko se prikli
 explain-contour-unnamed = Konturni cikli obdelajo konturo, ki jo prej navede CYCL DEF 14, SEL CONTOUR ali CONTOUR DEF. Javi se enkrat za vsak program.
 explain-cutting-without-tool = Pred prvim TOOL CALL krmiljenje ne ve, katero orodje premika, in ne pozna njegove dolžine in polmera. Premiki v hitrem teku in v strojnih koordinatah se ne obravnavajo. Javi se enkrat za vsak program.
 explain-cycle-line-alone = Definicija v stari obliki se začne z vrstico 0, ki navaja cikel: CYCL DEF 7.0, nato CYCL DEF 7.1. Vrstice drugega cikla med njimi ali napačno vnesena številka jo pretrgajo.
+explain-cycle-not-covered = Priročniki tega krmiljenja, ki so tu znani, obravnavajo samo drugačne cikle, na primer cikle tipalnega sistema. Krmiljenje ta cikel lahko ima; njegovi parametri, oznake in učinek se preskočijo.
 explain-cycle-not-described = Krmiljenje ima ta cikel, vendar zanj tu ni specifikacije. Njegovi parametri, oznake in učinek se preskočijo.
 explain-cycle-not-on-control = Priročniki tega krmiljenja cikla ne poznajo, priročnik drugega pa ga pozna. Program je bil napisan za drugo krmiljenje ali pa je z --control izbrano napačno.
 explain-defined-but-never-called = Cikel deluje, ko ga prikliče CYCL CALL, M99 ali M89 ali vzorec, nič od tega pa ne sledi pred naslednjim takim ciklom ali koncem programa. Definicija nima učinka ali pa je bil priklic pozabljen.

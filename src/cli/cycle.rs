@@ -75,7 +75,7 @@ fn parse(words: &str) -> Option<(String, u32)> {
 }
 
 /// Findings that say that a control does not have a cycle as the program writes it.
-const FOREIGN: [&str; 3] = ["unknown-cycle", "cycle-not-on-control", "cycle-not-described"];
+const FOREIGN: [&str; 4] = ["unknown-cycle", "cycle-not-on-control", "cycle-not-covered", "cycle-not-described"];
 
 /// The control that knows most cycles of the program and otherwise objects least to it.
 pub(super) fn likeliest<'c>(program: &Program, catalogue: &'c Catalogue, locales: &Locales) -> Option<&'c OnControl> {

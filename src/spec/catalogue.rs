@@ -214,6 +214,11 @@ impl OnControl {
         }
     }
 
+    /// Whether its manuals give the cycles of this keyword in full.
+    pub fn covers(&self, key: CycleKey) -> bool {
+        self.control.covers.contains(&key.keyword)
+    }
+
     /// What the overviews of its manuals say of a cycle, described or not.
     pub fn named(&self, key: CycleKey) -> Option<&Named> {
         self.control.named.iter().find(|named| named.keyword == key.keyword && named.number == key.number)

@@ -96,6 +96,8 @@ record! {
         files: Entries<Name>,
         /// Software options.
         options: Vec<OptionName>,
+        /// The keywords of the cycles that its manuals give in full: what they do not name there does not exist.
+        covers: Vec<Keyword>,
         /// Every cycle that its manuals name.
         named: Vec<Named>,
     }

@@ -7,7 +7,7 @@ pub(super) const RULE: Rule = Rule { code: "cycle-not-on-control", severity: Sev
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in &facts.definitions {
-        if !matches!(definition.known, Known::Unknown) {
+        if !matches!(definition.known, Known::Unknown) || !facts.against.on.covers(definition.key) {
             continue;
         }
         let controls = elsewhere(facts, definition.key);

@@ -13,6 +13,7 @@ mod compensation_left_on;
 mod contour_unnamed;
 mod cutting_without_tool;
 mod cycle_line_alone;
+mod cycle_not_covered;
 mod cycle_not_described;
 mod cycle_not_on_control;
 mod defined_but_never_called;
@@ -71,6 +72,7 @@ pub const RULES: &[&Rule] = &[
     &contour_unnamed::RULE,
     &cutting_without_tool::RULE,
     &cycle_line_alone::RULE,
+    &cycle_not_covered::RULE,
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
     &defined_but_never_called::RULE,

@@ -9,7 +9,7 @@ pub(super) const RULE: Rule = Rule { code: "unknown-cycle", severity: Severity::
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in &facts.definitions {
-        let unknown = matches!(definition.known, Known::Unknown);
+        let unknown = matches!(definition.known, Known::Unknown) && facts.against.on.covers(definition.key);
         if unknown && elsewhere(facts, definition.key).is_empty() {
             found.push(rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string()));
         }
