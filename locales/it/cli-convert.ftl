@@ -14,8 +14,8 @@ cli-examples-convert =
     ciklo convert pezzo.h --from tnc426-430 --to tnc640 > nuovo.h
     ciklo convert pezzo.h --from tnc640 --to tnc320 --format json
     ciklo convert misura.h --from itnc530 --to itnc530 --form new --in-place
-    ciklo convert part.h --to-iso > part.i
-    ciklo convert part.i --to-klartext --lang it --out pezzo.h
+    ciklo convert pezzo.h --to-iso > pezzo.i
+    ciklo convert pezzo.i --to-klartext --lang it --out nuovo.h
 diag-convert-one-file = Più programmi vengono riscritti solo con --in-place.
 diag-convert-klartext-first = { $path } è in DIN/ISO: scriverlo prima in Klartext (--to-klartext).
 diag-convert-cycle-lacking = { $control } non ha { $cycle }; la definizione resta com’è.

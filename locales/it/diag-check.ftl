@@ -19,8 +19,8 @@ diag-called-but-not-defined = Qui viene chiamato un ciclo, ma prima non ne è de
 diag-choice-not-offered = { $parameter }={ $value } non è tra le scelte: { $offered }.
 diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di sicurezza { $parameter }={ $value } deve trovarsi sopra { $least }.
 diag-compensation-at-cycle =
-    { $cycle } viene eseguito qui con la compensazione del raggio attiva.
-diag-compensation-left-on = Qui la compensazione del raggio è ancora attiva.
+    { $cycle } viene eseguito qui con la correzione del raggio attiva.
+diag-compensation-left-on = Qui la correzione del raggio è ancora attiva.
 diag-contour-unnamed =
     { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.

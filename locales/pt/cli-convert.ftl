@@ -15,8 +15,8 @@ cli-examples-convert =
     ciklo convert peca.h --from tnc426-430 --to tnc640 > nova.h
     ciklo convert peca.h --from tnc640 --to tnc320 --format json
     ciklo convert medição.h --from itnc530 --to itnc530 --form new --in-place
-    ciklo convert part.h --to-iso > part.i
-    ciklo convert part.i --to-klartext --lang it --out pezzo.h
+    ciklo convert peca.h --to-iso > peca.i
+    ciklo convert peca.i --to-klartext --lang pt --out nova.h
 diag-convert-one-file = Vários programas só são reescritos com --in-place.
 diag-convert-klartext-first = { $path } está em DIN/ISO: escreva-o primeiro em Klartext (--to-klartext).
 diag-convert-cycle-lacking = { $control } não tem { $cycle }; a definição fica como está.

@@ -2,7 +2,7 @@
 
 cli-convert-to-iso = De Klartext para DIN/ISO
 cli-convert-to-klartext = De DIN/ISO para Klartext
-cli-convert-control = Comando numérico cujos nomes e designações se escrevem (predefinição: aquele cujos ciclos o programa contém)
+cli-convert-control = Comando cujos nomes e designações se escrevem (predefinição: aquele cujos ciclos o programa contém)
 cli-convert-lang = Idioma dos nomes e designações (predefinição: o do manual do comando)
 
 diag-iso-no-equivalent = Em DIN/ISO não há equivalente de «{ $found }»; a frase fica como comentário.

@@ -8,6 +8,6 @@ diag-compensation-too-large = O raio da ferramenta de { NUMBER($radius, maximumF
 diag-contour-limit = A execução termina: mais de { NUMBER($limit) } eventos esperam entre dois elementos de um contorno.
 diag-contour-missing = Não se segue nenhum elemento do contorno ao qual a ferramenta se possa aproximar.
 diag-rounding-impossible = Um arredondamento ou chanfro de { NUMBER($size, maximumFractionDigits: 4) } mm não tem lugar nesta esquina. Um chanfro precisa de uma reta de ambos os lados.
-diag-rounding-misplaced = RND e CHF precisam de um elemento no plano de maquinagem diretamente antes e depois, e não podem iniciar um contorno.
+diag-rounding-misplaced = RND e CHF precisam de um elemento no plano de maquinação diretamente antes e depois, e não podem iniciar um contorno.
 diag-tangent-missing = A direção tangencial é desconhecida: um elemento do contorno tem de conduzir a este ponto, e o fim de um arco tangencial não pode estar exatamente em frente dele.
 diag-unsupported-compensation = O motor de execução não executa isto enquanto a correção de raio está ativa: { $word }
