@@ -1,4 +1,4 @@
-# Ohjelmien tarkastuksen ja kääntämisen löydökset; ks. englanninkielinen tiedosto.
+# Ohjelmien tarkastuksen ja kääntämisen havainnot; ks. englanninkielinen tiedosto.
 
 diag-arc-wrong =
     Kaari ei voi päättyä tähän: { $what ->
@@ -6,12 +6,12 @@ diag-arc-wrong =
        *[centre] alkupiste on etäisyydellä { $first } keskipisteestä, loppupiste etäisyydellä { $second }
     }.
 diag-axis-twice = Akseli { $axis } on tässä lauseessa kahdesti.
-diag-behind-end = Tässä on lauseita END PGM -lauseen perässä.
+diag-behind-end = Tässä on lauseita vielä END PGM -lauseen jälkeen.
 diag-blank-wrong =
     { $what ->
         [first] Lauseen BLK FORM 0.2 edellä ei ole lausetta BLK FORM 0.1.
-        [second] Lauseen BLK FORM 0.1 perässä ei ole lausetta BLK FORM 0.2.
-       *[order] Akselilla { $axis } aihion toinen kulma ei ole ensimmäisen yläpuolella.
+        [second] Lauseen BLK FORM 0.1 jäljessä ei ole lausetta BLK FORM 0.2.
+       *[order] Akselilla { $axis } aihion toisen kulman koordinaatti ei ole suurempi kuin ensimmäisen.
     }
 diag-block-numbers = Lausenumero { $number } seuraa numeroa { $before }.
 diag-call-of-def-active-cycle = Työkierto { $cycle } vaikuttaa heti määrittelyn jälkeen; sitä ei saa kutsua.
@@ -23,7 +23,7 @@ diag-compensation-at-cycle =
 diag-compensation-left-on = Sädekorjaus on tässä vielä voimassa.
 diag-contour-unnamed =
     { $cycle } kutsutaan tässä, mutta sitä ennen ei ole nimetty muotoa.
-diag-cutting-without-tool = Työkalu liikkuu tässä syötöllä, mutta ennen sitä ei ole työkalukutsua.
+diag-cutting-without-tool = Työkalu liikkuu tässä syöttöarvolla, mutta ennen sitä ei ole työkalukutsua.
 diag-cycle-line-alone = Rivin { $line } edellä ei ole riviä { $head }.
 diag-cycle-not-covered = Työkiertoa { $cycle } ei tarkasteta: ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele tällaisia työkiertoja.
 diag-cycle-not-described = Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sen parametreja ei tarkasteta.
@@ -39,8 +39,8 @@ diag-label-of-another-language = ”{ $label }” on toisen kielen NC-teksti ({ 
 diag-label-of-another-parameter = ”{ $label }” on parametrin { $other } NC-teksti, ei parametrin { $parameter }.
 diag-label-undefined = Mikään lause ei aseta labelia { $label }.
 diag-main-runs-into-subprogram = Pääohjelma jatkuu tässä suoraan aliohjelmaan { $label }: ennen sitä ei ole M2- eikä M30-toimintoa.
-diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }={ $value }, joka on työkierron { $milling } sinne jättämän pohjan { $floor } alapuolella.
-diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää millimetreiltä.
+diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }={ $value }, joka on työkierron { $milling } siihen jättämän pohjan alapuolella ({ $floor }).
+diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää millimetriarvolta.
 diag-misordered-parameter = Työkierrossa { $cycle } ohjaus näyttää parametrin { $parameter } ennen parametria { $before }.
 diag-missing-parameter = Työkierrosta { $cycle } puuttuu { $parameter }.
 diag-not-a-program = Tämä tiedosto ei ole NC-ohjelma.
@@ -52,15 +52,15 @@ diag-out-of-range =
        *[above] { $parameter }={ $value } on liian suuri: suurin arvo on { $limit }.
     }
 diag-parameter-unassigned =
-    { $parameter } luetaan tässä, mutta mikään ei anna sille arvoa ennen sitä.
+    { $parameter } luetaan tässä, mutta sille ei ole sitä ennen annettu arvoa.
 diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
 diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
 diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.
 diag-program-end-missing = Ohjelma loppuu tähän ilman END PGM -lausetta.
-diag-repeat-of-later-label = Label { $label } on tämän toiston perässä.
+diag-repeat-of-later-label = Label { $label } on vasta tämän toiston jälkeen.
 diag-reserved-parameter = Tässä kirjoitetaan parametriin { $parameter }, mutta parametreihin Q100–Q199 kirjoittaa ohjaus itse.
 diag-speed-missing = Kara käynnistetään tässä, mutta kierroslukua ei ole ohjelmoitu.
-diag-spindle-off = Tässä lastutaan, kun kara on pysähdyksissä.
+diag-spindle-off = Tässä lastutaan karan ollessa pysähdyksissä.
 diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
 diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
 diag-subprogram-without-end = Aliohjelma { $label } päätyy ohjelman loppuun ilman LBL 0 -lausetta.

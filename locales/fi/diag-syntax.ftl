@@ -1,4 +1,4 @@
-### Jäsentimen löydösten tekstit. $found on se, mitä kohdassa lukee, $expected avain sille, mitä siinä voisi lukea, tai ohjelman sana.
+### Jäsentimen havaintojen tekstit. $found on se, mitä kohdassa lukee, $expected avain sille, mitä siinä voisi lukea, tai ohjelman sana.
 
 syntax-expected =
     { $expected ->
@@ -14,7 +14,7 @@ syntax-expected =
         [value] luku tai Q-parametri
         [quotation-mark] sulkeva lainausmerkki
         [unit] MM tai INCH
-        [label] LBL-tunnuksen numero tai nimi lainausmerkeissä
+        [label] label-numero tai labelin nimi lainausmerkeissä
         [call] LBL tai PGM
         [name] nimi
         [selection] TABLE, PATTERN, CONTOUR, PGM tai CYCLE

@@ -16,7 +16,7 @@ diag-scene-expected =
         [rotary-axis] Tässä pitäisi olla kiertoakselin kirjain (A, B tai C), ei ”{ $found }”.
         [carried] Kiertoakseli kantaa työkappaletta (workpiece) tai työkalua (tool), ei ”{ $found }”.
         [orientation] Suuntauksen on oltava fixed, two tai any eikä ”{ $found }”.
-        [shaft] Kosketusvarren varren on oltava kuulaa ohuempi; sen halkaisija on { $found }.
+        [shaft] Kosketusvarren varsiosan on oltava kuulaa ohuempi; sen halkaisija on { $found }.
         [measurements] Mittauksia voi olla 1, 2 tai 3, ei ”{ $found }”.
        *[solids] Tässä pitäisi olla vähintään yksi kappale.
     }
@@ -49,11 +49,11 @@ diag-table-no-column = Taulukossa { $file } ei ole saraketta { $column }.
 diag-table-too-wide = { $file }, rivi { $row }: arvo ei mahdu sarakkeeseen { $column }.
 diag-table-text-in-numbers = { $file }, rivi { $row }: sarakkeeseen { $column } voi syöttää vain lukuja.
 diag-table-key-column = { $file }, rivi { $row }: sarakkeen { $column } rivinumeroa ei voi muuttaa.
-diag-table-duplicate-column = Sarake { $column } esiintyy kahdesti.
-diag-table-unknown-column = Mikään käsikirja ei kuvaa saraketta { $column }: sen soluja ei tarkasteta.
+diag-table-duplicate-column = Sarake { $column } on taulukossa kahdesti.
+diag-table-unknown-column = Mikään käsikirja ei kuvaa tässä saraketta { $column }: sen soluja ei tarkasteta.
 diag-table-value-not-taken = Rivi { $row }: sarake { $column } ei hyväksy arvoa ”{ $found }”.
 diag-stock-blank = BLK FORM -lauseen kulmien on oltava lukuja, ja jokaisen minimin on oltava pienempi kuin maksimin.
-diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: anna aihio tilanteessa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.
-diag-stock-missing = Aihiota ei ole: tilanteessa ei ole aihiota eikä ohjelmassa BLK FORM -lausetta.
+diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: anna aihio asetelmassa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.
+diag-stock-missing = Aihiota ei ole: asetelmassa ei ole aihiota eikä ohjelmassa BLK FORM -lausetta.
 diag-stock-resolution = { $found } ei kelpaa aihion sarakkeiden väliksi: sen on oltava suurempi kuin nolla, ja sarakkeita saa olla enintään 150 miljoonaa.
 diag-stock-resolution-mesh = Kappaleessa on enemmän kolmioita kuin STL-tiedostoon mahtuu; suurempi sarakkeiden väli auttaa.
