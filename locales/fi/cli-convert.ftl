@@ -1,9 +1,9 @@
 # Komento ”convert” ja sen ilmoitukset.
-cli-convert = Kirjoita ohjelmat toista ohjausta varten tai DIN/ISO- tai Klartext-kielellä
+cli-convert = Kirjoita ohjelmat uudelleen toista ohjausta varten tai DIN/ISO- tai Klartext-kielellä
 cli-convert-file = NC-ohjelmat; useita vain valitsimella --in-place
 cli-convert-from = Ohjaus, jota varten ohjelmat on kirjoitettu
 cli-convert-to = Ohjaus, jossa niitä on tarkoitus käyttää
-cli-convert-form = Muoto työkierroille, joilla on niitä kaksi: new (Q-parametrit) tai old (lause riviä kohti); oletus: kuten ohjelmassa
+cli-convert-form = Muoto työkierroille, joilla on niitä kaksi: new (Q-parametrit) tai old (kukin rivi omana lauseenaan); oletus: kuten ohjelmassa
 cli-convert-out = Kirjoitettava tiedosto (oletus: vakiotuloste)
 cli-convert-in-place = Korvaa vanhat ohjelmat uusilla
 cli-converted = { $count ->
@@ -11,30 +11,30 @@ cli-converted = { $count ->
        *[other] { $count } määrittelyä kirjoitettu uudelleen: { $path }
     }
 cli-examples-convert =
-    ciklo convert osa.h --from tnc426-430 --to tnc640 > uusi.h
-    ciklo convert osa.h --from tnc640 --to tnc320 --format json
-    ciklo convert mittaus.h --from itnc530 --to itnc530 --form new --in-place
+    ciklo convert part.h --from tnc426-430 --to tnc640 > new.h
+    ciklo convert part.h --from tnc640 --to tnc320 --format json
+    ciklo convert measuring.h --from itnc530 --to itnc530 --form new --in-place
     ciklo convert part.h --to-iso > part.i
     ciklo convert part.i --to-klartext --lang it --out pezzo.h
-diag-convert-one-file = Useita ohjelmia kirjoitetaan uudelleen vain valitsimella --in-place.
-diag-convert-klartext-first = { $path } on DIN/ISO-kielellä: kirjoita se ensin Klartext-kielellä (--to-klartext).
+diag-convert-one-file = Useita ohjelmia voi kirjoittaa uudelleen vain valitsimella --in-place.
+diag-convert-klartext-first = { $path } on DIN/ISO-kielinen: muunna se ensin Klartext-kielelle (--to-klartext).
 diag-convert-cycle-lacking = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; määrittely jää ennalleen.
 diag-convert-cycle-not-described = Ohjauksen { $control } käsikirja mainitsee työkierron { $cycle }, mutta ei kuvaa sitä: parametrit jäävät ennalleen.
 diag-convert-parameter-added =
     { $import ->
-        [yes] Työkiertoon { $cycle } lisätään { $parameter } = { $value }, kuten { $control } tekee vanhoille ohjelmille: aseta haluttu arvo.
+        [yes] Työkiertoon { $cycle } lisätään { $parameter } = { $value }, kuten { $control } tekee vanhemmille ohjelmille: aseta haluttu arvo.
        *[no] Työkiertoon { $cycle } lisätään { $parameter } = { $value }, jolla toiminta pysyy samana.
     }
 diag-convert-parameter-dropped =
     { $neutral ->
-        [yes] { $parameter } = { $value } poistuu työkierrosta { $cycle }: { $control } toimii samoin ilman sitä.
+        [yes] { $parameter } = { $value } poistuu työkierrosta { $cycle }: { $control } toimii ilman sitä samoin.
        *[no] { $parameter } = { $value } poistuu työkierrosta { $cycle }: ohjauksessa { $control } sitä ei ole.
     }
-diag-convert-parameter-renamed = Työkierron { $cycle } parametri { $parameter } on ohjauksessa { $control } { $new }.
+diag-convert-parameter-renamed = Ohjauksessa { $control } työkierron { $cycle } parametrista { $parameter } tulee { $new }.
 diag-convert-no-value = Työkierto { $cycle } tarvitsee ohjauksessa { $control } parametrin { $parameter }, eikä mikään kerro, millä arvolla toiminta pysyy samana.
 diag-convert-value-refused = Ohjaus { $control } ei hyväksy työkierron { $cycle } arvoa { $parameter } = { $value }; arvo jää ennalleen.
 diag-convert-value-means-else = Työkierron { $cycle } arvo { $parameter } = { $value } tarkoittaa ohjauksessa { $control } muuta.
-diag-convert-field-lacking = Työkierron { $cycle } tietoa { $parameter } ei ole ohjauksessa { $control }; määrittely jää ennalleen.
+diag-convert-field-lacking = Työkierron { $cycle } kenttää { $parameter } ei ole ohjauksessa { $control }; määrittely jää ennalleen.
 diag-convert-form = Työkierrosta { $cycle } tulee { $new }.
 diag-convert-form-stays = Työkierron { $cycle } muoto säilyy: sen rivien välissä on kommentteja tai muita lauseita.
 diag-convert-not-line-by-line = Työkierto { $cycle } jää ennalleen: sen parametrit eivät ole omilla riveillään.

@@ -32,7 +32,7 @@ cli-translate-to = Nimien ja NC-tekstien kieli
 cli-translate-control = Ohjelman ohjaus (oletus: se, jonka työkiertoja ohjelmassa on)
 cli-translate-out = Kirjoitettava tiedosto (oletus: vakiotuloste)
 cli-run = Suorita ohjelma asetelmassa
-cli-run-tool-table = Työkalutaulukko, jota käytetään asetelman oman sijasta
+cli-run-tool-table = Työkalutaulukko, jota käytetään asetelman oman taulukon sijasta
 cli-run-out = Hakemisto taulukoille ja pöytäkirjoille, jotka ohjelma kirjoittaa
 cli-run-events = Tulosta jokainen tapahtuma JSON-rivinä
 cli-run-skip-blocks = Ohita lauseet, jotka alkavat merkillä /
@@ -164,7 +164,7 @@ cli-envelope-near-unknown = { $what ->
         [yes] voi ulottua
        *[no] ei ulotu
     } siihen
-cli-envelope-fails = Tässä maailmassa työkierto päättyy virheeseen { $code }.
+cli-envelope-fails = Tässä asetelmassa työkierto päättyy virheeseen { $code }.
 cli-envelope-none = Yhtään kosketustyökiertoa ei suoriteta.
 cli-conform-pass = läpi
 cli-conform-fail = VIRHE
@@ -225,7 +225,7 @@ cli-examples-plot =
 cli-arg-resolution = Aihion sarakkeiden suurin väli, mm (oletus: kahdessadasosa suurimmasta ulottuvuudesta)
 cli-plot = Piirrä ohjelman työkalun rata ja kappale SVG-kuvana
 cli-plot-out = Piirroksen tiedosto
-cli-plot-scene = Tilannetiedosto: kone, työkalut, työkappale (oletus: ei työkalutaulukkoa, joten vain rata tunnetaan)
+cli-plot-scene = Asetelmatiedosto: kone, työkalut, työkappale (oletus: ei työkalutaulukkoa, joten vain rata tunnetaan)
 cli-plot-view = Katselusuunta: top, side, isometric (oletus)
 cli-run-stock = Valmiin kappaleen tiedosto (STL); koneistuksesta annetaan raportti
 cli-stock-depth = Suurin lastuamissyvyys: { $value } mm (rivi { $line })
