@@ -6,12 +6,12 @@ diag-arc-wrong =
        *[centre] začetek je od središča oddaljen { $first }, konec pa { $second }
     }.
 diag-axis-twice = Os { $axis } je v tem stavku navedena dvakrat.
-diag-behind-end = Tu so stavki za END PGM.
+diag-behind-end = Tu so še stavki za END PGM.
 diag-blank-wrong =
     { $what ->
         [first] Pred BLK FORM 0.2 ni BLK FORM 0.1.
         [second] Za BLK FORM 0.1 ni BLK FORM 0.2.
-       *[order] Na osi { $axis } drugo oglišče surovca ni nad prvim.
+       *[order] Na osi { $axis } koordinata drugega oglišča surovca ni večja od koordinate prvega.
     }
 diag-block-numbers = Številka stavka { $number } sledi številki { $before }.
 diag-call-of-def-active-cycle = Cikel { $cycle } deluje takoj, ko je definiran; ni ga dovoljeno priklicati.
@@ -19,8 +19,8 @@ diag-called-but-not-defined = Tu se prikliče cikel, pred tem pa ni definiran no
 diag-choice-not-offered = { $parameter }={ $value } ni med možnostmi: { $offered }.
 diag-clearance-height-too-low = { $cycle } se dotakne pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
 diag-compensation-at-cycle =
-    { $cycle } se tu izvede, ko je korekcija polmera aktivna.
-diag-compensation-left-on = Korekcija polmera je tu še aktivna.
+    { $cycle } se tu izvede pri aktivnem popravku polmera.
+diag-compensation-left-on = Popravek polmera je tu še aktiven.
 diag-contour-unnamed =
     { $cycle } se tu prikliče, pred tem pa ni navedena nobena kontura.
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
@@ -38,9 +38,9 @@ diag-label-not-encodable = V oznaki »{ $label }« je znak »{ $character }«, k
 diag-label-of-another-language = »{ $label }« je oznaka v drugem jeziku ({ $language }); v jeziku programa je oznaka parametra { $parameter } »{ $right }«.
 diag-label-of-another-parameter = »{ $label }« je oznaka parametra { $other }, ne parametra { $parameter }.
 diag-label-undefined = Noben stavek ne postavi oznake LBL { $label }.
-diag-main-runs-into-subprogram = Glavni del se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
-diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ $value }, ki je pod dnom { $floor }, ki ga tam pusti { $milling }.
-diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot milimetri.
+diag-main-runs-into-subprogram = Glavni program se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
+diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ $value }, nižje od dna, ki ga tam pusti { $milling } ({ $floor }).
+diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vrednost v milimetrih.
 diag-misordered-parameter = V ciklu { $cycle } krmiljenje prikaže { $parameter } pred { $before }.
 diag-missing-parameter = V ciklu { $cycle } manjka { $parameter }.
 diag-not-a-program = Ta datoteka ni NC-program.
@@ -58,15 +58,15 @@ diag-program-begin-missing = Program se ne začne z BEGIN PGM.
 diag-program-calls-itself = Program prikliče samega sebe: { $name }.
 diag-program-end-missing = Program se tu konča brez END PGM.
 diag-repeat-of-later-label = Oznaka LBL { $label } stoji za to ponovitvijo.
-diag-reserved-parameter = Tu se zapiše { $parameter }, parametre od Q100 do Q199 pa zapisuje krmiljenje samo.
+diag-reserved-parameter = Tu se zapiše { $parameter }, v parametre od Q100 do Q199 pa zapisuje krmiljenje samo.
 diag-speed-missing = Vreteno se tu vklopi, število vrtljajev pa ni programirano.
-diag-spindle-off = Tu se odvzema material, ko vreteno miruje.
+diag-spindle-off = Tu se material odvzema, medtem ko vreteno miruje.
 diag-subprogram-recursive = Podprogram { $label } tu prikliče samega sebe.
 diag-subprogram-runs-on = Podprogram { $label } se nadaljuje v podprogram { $next }: med njima ni LBL 0.
 diag-subprogram-without-end = Podprogram { $label } pride do konca programa brez LBL 0.
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
 diag-transfer-parameter-overwritten =
-    { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic vzame tu zapisano vrednost.
+    { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic uporabi tu zapisano vrednost.
 diag-unknown-cycle = { $cycle } ni cikel nobenega od znanih krmiljenj.
 diag-unknown-parameter = Cikel { $cycle } na tem krmiljenju nima parametra { $parameter }.
 diag-unreachable =

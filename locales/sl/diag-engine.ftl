@@ -25,8 +25,8 @@ diag-fit-failed = Tipalnim točkam ({ NUMBER($points) }) ni mogoče prilagoditi 
 diag-fit-too-few = Tipalnih točk je premalo za krožnico: { NUMBER($points) }.
 diag-infeeds-never-arrive = Primiki nikoli ne dosežejo globine { NUMBER($depth) }{"\u00A0"}mm: prvi meri { NUMBER($first) }{"\u00A0"}mm, vsak naslednji je za { NUMBER($less) }{"\u00A0"}mm manjši in meri vsaj { NUMBER($least) }{"\u00A0"}mm, zadnji se konča pri { NUMBER($reached) }{"\u00A0"}mm.
 diag-jump-limit = Izvajanje se konča: več kot { NUMBER($limit) } skokov, ponovitev in priklicev.
-diag-jump-target-missing = Oznake (LBL) { $label } ni.
-diag-jump-target-twice = Oznaka (LBL) { $label } je v programu dvakrat.
+diag-jump-target-missing = Oznake LBL { $label } ni.
+diag-jump-target-twice = Oznaka LBL { $label } je v programu dvakrat.
 diag-lines-parallel = Premici sta vzporedni: nimata presečišča.
 diag-log-failed = Protokola { $name } ni mogoče zapisati: { $reason }
 diag-log-template = Protokol { $name } nima predloge.
@@ -84,8 +84,8 @@ diag-pattern-missing = Za priklic cikla ni vzorca in ne preglednice točk{ $name
         [none] .
        *[other] : »{ $name }« ne obstaja.
     }
-diag-pattern-too-long = Vzorec ima največ { $limit } posamič zapisanih položajev; tukaj jih je { $count }.
-diag-pattern-tool-axis = Vzorci se definirajo samo za orodno os Z; zdaj je { $axis }.
+diag-pattern-too-long = Vzorec ima lahko največ { $limit } posamič zapisanih položajev; tukaj jih je { $count }.
+diag-pattern-tool-axis = Vzorci se definirajo samo za orodno os Z; zdaj je orodna os { $axis }.
 diag-pattern-unreadable = »{ $found }« ni del vzorca.
 diag-position-incomplete = CYCL CALL POS potrebuje koordinate vseh treh osi.
 diag-value-not-predefined = GLOBAL DEF ni podal vrednosti, ki bi jo PREDEF lahko prevzel.

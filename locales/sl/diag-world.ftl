@@ -16,7 +16,7 @@ diag-scene-expected =
         [rotary-axis] Tukaj mora stati črka rotacijske osi (A, B ali C), ne »{ $found }«.
         [carried] Rotacijska os nosi obdelovanec (workpiece) ali orodje (tool), ne »{ $found }«.
         [orientation] Usmeritev je fixed, two ali any, ne »{ $found }«.
-        [shaft] Steblo mora biti tanjše od kroglice; njegov premer je { $found }.
+        [shaft] Steblo mora biti tanjše od tipalne krogle; njegov premer je { $found }.
         [measurements] Mogoče so 1, 2 ali 3 meritve, ne »{ $found }«.
        *[solids] Tukaj bi moralo biti vsaj eno telo.
     }
@@ -50,10 +50,10 @@ diag-table-too-wide = { $file }, vrstica { $row }: vrednost je predolga za stolp
 diag-table-text-in-numbers = { $file }, vrstica { $row }: v stolpec { $column } je mogoče vnesti samo števila.
 diag-table-key-column = { $file }, vrstica { $row }: številke vrstice v stolpcu { $column } ni mogoče spremeniti.
 diag-table-duplicate-column = Stolpec { $column } je naveden dvakrat.
-diag-table-unknown-column = Noben priročnik ne opisuje stolpca { $column }: njegove celice se ne preverijo.
+diag-table-unknown-column = Noben priročnik tu ne opisuje stolpca { $column }: njegove celice se ne preverijo.
 diag-table-value-not-taken = Vrstica { $row }: stolpec { $column } ne sprejme vrednosti »{ $found }«.
 diag-stock-blank = Oglišča v stavku BLK FORM morajo biti števila in vsak minimum mora biti manjši od maksimuma.
-diag-stock-form = Stavka BLK FORM { $word } priročniki ne opisujejo: surovec navedite v prizoru ali kot kvader s stavkoma BLK FORM 0.1 in 0.2.
-diag-stock-missing = Surovca ni: nima ga niti prizor niti program s stavkom BLK FORM.
+diag-stock-form = Stavka BLK FORM { $word } priročniki ne opisujejo: surovec navedite v prizorišču ali kot kvader s stavkoma BLK FORM 0.1 in 0.2.
+diag-stock-missing = Surovca ni: nima ga niti prizorišče niti program s stavkom BLK FORM.
 diag-stock-resolution = { $found } ne more biti razdalja med stolpci surovca: biti mora večja od nič, stolpcev pa je lahko največ 150 milijonov.
 diag-stock-resolution-mesh = Obdelovanec ima več trikotnikov, kot jih lahko vsebuje datoteka STL; pomaga večja razdalja med stolpci.

@@ -89,7 +89,7 @@ result-position-tool-deviation = Izmerjeno odstopanje orodne osi
 result-deviation-3d = Izmerjeno 3D-odstopanje; manj kot 0: premajhna mera, več kot 0: prevelika mera
 result-workpiece-status = Stanje obdelovanca: −1 = nedoločeno, 0 = dobro, 1 = dodatna obdelava, 2 = izvržek
 guard-zero-normal-vector = Vse komponente normalnega vektorja so 0.
-guard-rotary-axes-askew = Položaji rotacijskih osi se ne ujemajo z vrtilnimi koti obdelovalne ravnine.
+guard-rotary-axes-askew = Položaji rotacijskih osi se ne ujemajo s koti vrtenja obdelovalne ravnine.
 guard-mill-mode-only = Cikel je mogoče izvesti samo v načinu FUNCTION MODE MILL.
 guard-surface-below-nominal = Točka je pod želeno koordinato in zunaj tolerance.
 note-function-must-be-enabled = To funkcijo mora omogočiti in prilagoditi proizvajalec stroja. Upoštevajte priročnik za stroj.
