@@ -4,16 +4,16 @@ cli-certify-path = NC-programi ali mape s programi (.h, .i)
 cli-certify-program =
     { $verdict ->
         [fail] { $file }: ni ustrezno
-       *[out-of-subset] { $file }: zunaj opisanega
+       *[out-of-subset] { $file }: zunaj specifikacij
     } (napake: { $errors }, opozorila: { $warnings })
 cli-certify-cycle =
     { $verdict ->
         [pass] { $cycle }: ustrezno
         [fail] { $cycle }: ni ustrezno
-       *[out-of-subset] { $cycle }: zunaj opisanega
+       *[out-of-subset] { $cycle }: zunaj specifikacij
     } (definicije: { $count }, z napakami: { $wrong })
-cli-certify-rule = { $severity } { $rule }: število { $count }, programi: { $programs }, prvič { $first }
-cli-certified = { $control }: programi: { $count }, ustrezno: { $pass }, ni ustrezno: { $fail }, zunaj opisanega: { $out }
+cli-certify-rule = { $severity } { $rule }: ugotovitve: { $count }, programi: { $programs }, prvič: { $first }
+cli-certified = { $control }: programi: { $count }, ustrezno: { $pass }, ni ustrezno: { $fail }, zunaj specifikacij: { $out }
 cli-examples-certify =
-    ciklo certify izhod --control itnc530
-    ciklo certify izhod --control tnc640 --format json > poročilo.json
+    ciklo certify output --control itnc530
+    ciklo certify output --control tnc640 --format json > report.json

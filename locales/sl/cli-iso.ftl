@@ -1,4 +1,4 @@
-# DIN/ISO: pretvarjanje programov in kar nima ustreznice.
+# DIN/ISO: pretvarjanje programov in to, kar nima ustreznice.
 
 cli-convert-to-iso = Iz jezika Klartext v DIN/ISO
 cli-convert-to-klartext = Iz jezika DIN/ISO v Klartext

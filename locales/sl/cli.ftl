@@ -186,7 +186,7 @@ cli-envelope-near-unknown = { $what ->
         [yes] lahko doseže
        *[no] ne doseže
     }
-cli-envelope-fails = V tem prizoru se cikel konča z napako { $code }.
+cli-envelope-fails = V tem prizorišču se cikel konča z napako { $code }.
 cli-envelope-none = Noben cikel tipanja se ne izvede.
 cli-conform-pass = uspešno
 cli-conform-fail = NAPAKA
@@ -247,7 +247,7 @@ cli-examples-plot =
 cli-arg-resolution = Največja razdalja med stolpci surovca, mm (privzeto: dvestotina njegove največje razsežnosti)
 cli-plot = Nariši pot orodja in obdelovanec programa kot SVG
 cli-plot-out = Datoteka za risbo
-cli-plot-scene = Datoteka prizora: stroj, orodja, obdelovanec (privzeto: brez preglednice orodij, zato je znana le pot)
+cli-plot-scene = Datoteka prizorišča: stroj, orodja, obdelovanec (privzeto: brez preglednice orodij, zato je znana le pot)
 cli-plot-view = Smer pogleda: top, side, isometric (privzeto)
 cli-run-stock = Datoteka za končani obdelovanec (STL); obdelava se povzame v poročilu
 cli-stock-depth = Največja globina reza: { $value } mm (vrstica { $line })
