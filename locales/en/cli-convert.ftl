@@ -34,7 +34,7 @@ diag-convert-parameter-renamed = { $parameter } of { $cycle } becomes { $new } o
 diag-convert-no-value = { $cycle } needs { $parameter } on { $control }, and nothing says which value does the same.
 diag-convert-value-refused = { $parameter } = { $value } of { $cycle } is not accepted on { $control }; the value stays.
 diag-convert-value-means-else = { $parameter } = { $value } of { $cycle } means something else on { $control }.
-diag-convert-field-lacking = { $parameter } of { $cycle } does not exist on { $control }; the definition stays as it is.
+diag-convert-field-lacking = The field { $parameter } of { $cycle } does not exist on { $control }; the definition stays as it is.
 diag-convert-form = { $cycle } becomes { $new }.
 diag-convert-form-stays = { $cycle } stays in its form: comments or other blocks stand between its lines.
 diag-convert-not-line-by-line = { $cycle } stays as it is: its parameters do not stand on lines of their own.

@@ -11,7 +11,7 @@ diag-blank-wrong =
     { $what ->
         [first] BLK FORM 0.2 has no BLK FORM 0.1 before it.
         [second] BLK FORM 0.1 has no BLK FORM 0.2 behind it.
-       *[order] In the axis { $axis } the second corner of the blank does not lie above the first one.
+       *[order] In the axis { $axis } the coordinate of the second corner of the blank is not greater than that of the first one.
     }
 diag-block-numbers = The block number { $number } follows { $before }.
 diag-call-of-def-active-cycle = { $cycle } acts as soon as it is defined; it must not be called.

@@ -3,7 +3,7 @@
 explain-arc-wrong = The end of an arc does not lie on it. With a centre (CC), start and end must have the same distance from it; with a radius (CR), they must not be further apart than twice the radius. Only said where all coordinates are certain, with a tolerance of 0.05 mm. Example: CR X+100 R+10 from X+0.
 explain-axis-twice = A block may name each axis once. Example: L X+10 X+20.
 explain-behind-end = The control reads a program up to END PGM. What stands behind it is not executed; it may be a second program, or the rest of another one.
-explain-blank-wrong = A blank is a block with two corners: BLK FORM 0.1 names the least coordinates, BLK FORM 0.2 the greatest ones. Otherwise the control cannot show it.
+explain-blank-wrong = A blank is a cuboid given by two corners: BLK FORM 0.1 names the least coordinates, BLK FORM 0.2 the greatest ones. Otherwise the control cannot show it.
 explain-block-numbers = Block numbers rise from block to block. The control numbers anew what it reads, but blocks may have been moved, lost or written twice here. Said once a program; ciklo fmt writes the numbers anew.
 explain-call-of-def-active-cycle = Patterns, coordinate transforms and touch-probe cycles act when they are defined. A call behind them is a mistake if no machining cycle is defined before, or if it stands directly behind a pattern, which has called the machining cycle already.
 explain-called-but-not-defined = CYCL CALL, M99 and M89 execute the machining cycle that was defined last. Without a definition there is nothing to execute. Only said where no way of the run has defined a cycle, and not behind calls of other programs.
@@ -33,13 +33,13 @@ explain-measuring-height-below-floor = A cycle that mills about a centre leaves 
 explain-metric-values-in-inch = BEGIN PGM ends with INCH. There, feeds are in tenths of an inch per minute, so that F4000 is more than 10 m/min, and a blank of 120 inches is more than 3 m long. Rapid feeds (9998 and more) are left alone. Each is said once a program.
 explain-misordered-parameter = Controls know parameters by their numbers and accept another order, but the definition was hardly written by one. The first parameter out of order is reported.
 explain-missing-parameter = The control's manual lists the parameter or field for the cycle, and the definition does not have it. Definitions with a line that cannot be read are passed over. Example: CYCL DEF 247 without Q339.
-explain-not-a-program = It has neither BEGIN PGM nor END PGM, and most of its lines cannot be read. Header files of other languages end with .h, too. What cannot be read in it is not listed; ciklo.toml can leave a folder out of account.
+explain-not-a-program = It has neither BEGIN PGM nor END PGM, and most of its lines cannot be read. Header files of other languages end with .h, too. What cannot be read in it is not listed; ciklo.toml can turn the rule off for a folder.
 explain-out-of-range = The control's manual prints a range for the parameter, and the value lies outside. Ranges are those of this control only; where its manual prints none, nothing is checked. In programs in inches the limits of lengths and feeds, which the manual prints in millimetres, are converted. Example: Q202=-5.
 explain-parameter-unassigned = On every way that the run can take, the parameter is read before it is written. It keeps what an earlier program or the operator left in it; its number may be mistyped. Only Q0 to Q99, QS0 to QS99 and QL are looked at, each once, in programs with a blank, and not behind calls of other programs.
 explain-pattern-missing = CYCL CALL PAT calls the cycle on the points of a pattern, which PATTERN DEF defines or SEL PATTERN selects before.
 explain-plane-not-reset = The working plane is certainly still tilted where the program ends, and stays so for what is run next. PLANE RESET or CYCL DEF 19 without angles reset it. Said once a program.
 explain-pole-missing = C turns about the circle centre, LP, CP and CTP count from the pole; both are set by CC. Said once a program.
-explain-program-begin-missing = A program has END PGM, so it is a whole one, but no block BEGIN PGM with its name and unit. The beginning may be lost.
+explain-program-begin-missing = A program has END PGM, but no block BEGIN PGM with its name and unit. The beginning may be lost.
 explain-program-calls-itself = CALL PGM names the program that it stands in, so that the call never ends. Only said where the call names no folder.
 explain-program-end-missing = A program begins with BEGIN PGM and has no END PGM: the file may have been cut off, so that more than the last block is missing.
 explain-repeat-of-later-label = CALL LBL … REP repeats the part between the label and itself, so the label stands before it. Said where it stands behind.

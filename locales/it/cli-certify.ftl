@@ -15,5 +15,5 @@ cli-certify-cycle =
 cli-certify-rule = { $severity } { $rule }: { $count } volte, programmi: { $programs }, prima volta { $first }
 cli-certified = { $control }: programmi: { $count }, conformi: { $pass }, non conformi: { $fail }, fuori da quanto descritto: { $out }
 cli-examples-certify =
-    ciklo certify uscita --control itnc530
-    ciklo certify uscita --control tnc640 --format json > rapporto.json
+    ciklo certify output --control itnc530
+    ciklo certify output --control tnc640 --format json > report.json

@@ -11,11 +11,11 @@ cli-converted = { $count ->
        *[other] { $count } definizioni riscritte: { $path }
     }
 cli-examples-convert =
-    ciklo convert pezzo.h --from tnc426-430 --to tnc640 > nuovo.h
-    ciklo convert pezzo.h --from tnc640 --to tnc320 --format json
-    ciklo convert misura.h --from itnc530 --to itnc530 --form new --in-place
-    ciklo convert pezzo.h --to-iso > pezzo.i
-    ciklo convert pezzo.i --to-klartext --lang it --out nuovo.h
+    ciklo convert part.h --from tnc426-430 --to tnc640 > new.h
+    ciklo convert part.h --from tnc640 --to tnc320 --format json
+    ciklo convert measuring.h --from itnc530 --to itnc530 --form new --in-place
+    ciklo convert part.h --to-iso > part.i
+    ciklo convert part.i --to-klartext --lang it --out pezzo.h
 diag-convert-one-file = Più programmi vengono riscritti solo con --in-place.
 diag-convert-klartext-first = { $path } è in DIN/ISO: scriverlo prima in Klartext (--to-klartext).
 diag-convert-cycle-lacking = { $control } non ha { $cycle }; la definizione resta com’è.
@@ -34,7 +34,7 @@ diag-convert-parameter-renamed = { $parameter } di { $cycle } diventa { $new } s
 diag-convert-no-value = { $cycle } su { $control } richiede { $parameter }, e nulla dice quale valore mantenga il comportamento.
 diag-convert-value-refused = { $control } non accetta { $parameter } = { $value } di { $cycle }; il valore resta.
 diag-convert-value-means-else = { $parameter } = { $value } di { $cycle } ha un altro significato su { $control }.
-diag-convert-field-lacking = { $parameter } di { $cycle } non esiste su { $control }; la definizione resta com’è.
+diag-convert-field-lacking = Il campo { $parameter } di { $cycle } non esiste su { $control }; la definizione resta com’è.
 diag-convert-form = { $cycle } diventa { $new }.
 diag-convert-form-stays = { $cycle } resta nella sua forma: tra le sue righe ci sono commenti o altri blocchi.
 diag-convert-not-line-by-line = { $cycle } resta com’è: i suoi parametri non stanno ciascuno su una riga propria.

@@ -11,7 +11,7 @@ diag-blank-wrong =
     { $what ->
         [first] Prima di BLK FORM 0.2 non c’è BLK FORM 0.1.
         [second] Dopo BLK FORM 0.1 non c’è BLK FORM 0.2.
-       *[order] Nell’asse { $axis } il secondo vertice del pezzo grezzo non si trova sopra il primo.
+       *[order] Nell’asse { $axis } la coordinata del secondo vertice del pezzo grezzo non è maggiore di quella del primo.
     }
 diag-block-numbers = Il numero di blocco { $number } segue { $before }.
 diag-call-of-def-active-cycle = { $cycle } è attivo appena viene definito; non deve essere chiamato.

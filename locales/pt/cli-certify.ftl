@@ -15,5 +15,5 @@ cli-certify-cycle =
 cli-certify-rule = { $severity } { $rule }: { $count } vezes, programas: { $programs }, primeira vez { $first }
 cli-certified = { $control }: programas: { $count }, conformes: { $pass }, não conformes: { $fail }, fora do que está descrito: { $out }
 cli-examples-certify =
-    ciklo certify saída --control itnc530
-    ciklo certify saída --control tnc640 --format json > relatório.json
+    ciklo certify output --control itnc530
+    ciklo certify output --control tnc640 --format json > report.json

@@ -12,11 +12,11 @@ cli-converted = { $count ->
        *[other] { $count } definições reescritas: { $path }
     }
 cli-examples-convert =
-    ciklo convert peca.h --from tnc426-430 --to tnc640 > nova.h
-    ciklo convert peca.h --from tnc640 --to tnc320 --format json
-    ciklo convert medição.h --from itnc530 --to itnc530 --form new --in-place
-    ciklo convert peca.h --to-iso > peca.i
-    ciklo convert peca.i --to-klartext --lang pt --out nova.h
+    ciklo convert part.h --from tnc426-430 --to tnc640 > new.h
+    ciklo convert part.h --from tnc640 --to tnc320 --format json
+    ciklo convert measuring.h --from itnc530 --to itnc530 --form new --in-place
+    ciklo convert part.h --to-iso > part.i
+    ciklo convert part.i --to-klartext --lang it --out pezzo.h
 diag-convert-one-file = Vários programas só são reescritos com --in-place.
 diag-convert-klartext-first = { $path } está em DIN/ISO: escreva-o primeiro em Klartext (--to-klartext).
 diag-convert-cycle-lacking = { $control } não tem { $cycle }; a definição fica como está.
@@ -35,7 +35,7 @@ diag-convert-parameter-renamed = { $parameter } de { $cycle } passa a { $new } e
 diag-convert-no-value = { $cycle } precisa de { $parameter } em { $control }, e nada diz que valor mantém o comportamento.
 diag-convert-value-refused = { $control } não aceita { $parameter } = { $value } de { $cycle }; o valor fica.
 diag-convert-value-means-else = { $parameter } = { $value } de { $cycle } significa outra coisa em { $control }.
-diag-convert-field-lacking = { $parameter } de { $cycle } não existe em { $control }; a definição fica como está.
+diag-convert-field-lacking = O campo { $parameter } de { $cycle } não existe em { $control }; a definição fica como está.
 diag-convert-form = { $cycle } passa a { $new }.
 diag-convert-form-stays = { $cycle } mantém a sua forma: entre as suas linhas há comentários ou outras frases.
 diag-convert-not-line-by-line = { $cycle } fica como está: os seus parâmetros não ocupam cada um a sua linha.

@@ -11,7 +11,7 @@ diag-blank-wrong =
     { $what ->
         [first] Antes de BLK FORM 0.2 não há BLK FORM 0.1.
         [second] Depois de BLK FORM 0.1 não há BLK FORM 0.2.
-       *[order] No eixo { $axis }, o segundo vértice do bloco não fica acima do primeiro.
+       *[order] No eixo { $axis }, a coordenada do segundo vértice do bloco não é maior do que a do primeiro.
     }
 diag-block-numbers = O número de frase { $number } vem depois de { $before }.
 diag-call-of-def-active-cycle = { $cycle } atua logo que é definido; não deve ser chamado.
