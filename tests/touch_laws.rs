@@ -91,6 +91,43 @@ fn least_squares(points: &[(f64, f64)]) -> (f64, f64, f64) {
     (c[0], c[1], c[2])
 }
 
+/// The sphere with the least sum of squared distances from points, centre and radius: Gauss and Newton, by elimination.
+fn least_sphere(points: &[[f64; 3]]) -> [f64; 4] {
+    let mut sphere = [0.0; 4];
+    for k in 0..3 {
+        sphere[k] = points.iter().map(|p| p[k]).sum::<f64>() / points.len() as f64;
+    }
+    for _ in 0..500 {
+        let mut rows = [[0.0; 5]; 4];
+        for p in points {
+            let away = [0, 1, 2].map(|k| p[k] - sphere[k]);
+            let distance = away.iter().map(|c| c * c).sum::<f64>().sqrt();
+            let row = [-away[0] / distance, -away[1] / distance, -away[2] / distance, -1.0];
+            for i in 0..4 {
+                for j in 0..4 {
+                    rows[i][j] += row[i] * row[j];
+                }
+                rows[i][4] -= row[i] * (distance - sphere[3]);
+            }
+        }
+        for i in 0..4 {
+            let pivot = (i..4).max_by(|a, b| rows[*a][i].abs().total_cmp(&rows[*b][i].abs())).expect("a row");
+            rows.swap(i, pivot);
+            for other in 0..4 {
+                if other != i {
+                    let share = rows[other][i] / rows[i][i];
+                    let from = rows[i];
+                    rows[other].iter_mut().zip(from).for_each(|(value, from)| *value -= share * from);
+                }
+            }
+        }
+        for i in 0..4 {
+            sphere[i] += rows[i][4] / rows[i][i];
+        }
+    }
+    sphere
+}
+
 proptest! {
     #![proptest_config(cases())]
 
@@ -134,6 +171,40 @@ proptest! {
         let truth = 2.0 * (radius + effective * if inside { 1.0 } else { -1.0 });
         let found = [151, 152, 153].map(|number| q(&outcome, number));
         prop_assert!([x, y, truth].iter().zip(found).all(|(truth, found)| (truth - found).abs() < 1e-6), "{found:?} is not {:?}", (x, y, truth));
+    }
+
+    /// 460 under noise: the effective radius is that of the least-squares sphere through the points on the diameter and the
+    /// one above the centre, less the radius of the calibration sphere.
+    #[test]
+    fn a_calibration_sphere_is_the_least_squares_one(
+        radius in 8.0..20.0_f64, ball in 1.0..3.0_f64, count in 3..9u32, angle in 0.0..360.0_f64, beside in (-0.3..0.3_f64, -0.3..0.3_f64),
+        scatter in proptest::collection::vec(0.0..0.02_f64, 5..12), fixed in any::<bool>(),
+    ) {
+        let scene = format!(
+            "scene: 1\ntools: [{{T: 1, L: 120, R: {}, TP_NO: 1}}]\nprobe: {{NO: 1, ball_radius: {ball}, length: 120, DIST: 20, SET_UP: 2, orientation: {}, scatter: {scatter:?}}}\n\
+             start: [{}, {}, {}]\nparts:\n  - solid: {{sphere: {{radius: {radius}}}}}\n",
+            ball + 0.01, if fixed { "fixed" } else { "any" }, beside.0, beside.1, radius + 5.0,
+        );
+        let program = format!("TOOL CALL 1 Z\nTCH PROBE 460\nQ407={radius}\nQ320=0\nQ301=1\nQ423={count}\nQ380={angle}\nQ433=0\nQ434=0\n");
+        let (outcome, events) = run("tnc640", &program, &scene);
+        prop_assert_eq!(outcome.status, Status::Done, "{:?}\n{}{}", outcome.fault, program, scene);
+        let probed = |step: &str| -> Vec<[f64; 3]> {
+            let of_step = |event: &&Event| event.at.cycle.as_ref().and_then(|(_, step)| step.as_deref()) == Some(step);
+            let centre = |event: &Event| match &event.kind {
+                EventKind::Probe(probing) => probing.contact.map(|(_, centre)| centre.to_array()),
+                _ => None,
+            };
+            events.iter().filter(of_step).filter_map(centre).collect()
+        };
+        let mut points = probed("calibrate-radius-on-sphere");
+        prop_assert_eq!(points.len(), count as usize);
+        points.extend(probed("find-sphere-centre").last());
+        let found = events.iter().rev().find_map(|event| match &event.kind {
+            EventKind::Table { column, value: Content::Number(value), .. } if column == "R" => Some(*value),
+            _ => None,
+        });
+        let (found, wanted) = (found.expect("a radius"), least_sphere(&points)[3] - radius);
+        prop_assert!((found - wanted).abs() < 1e-9, "{found} is not {wanted}");
     }
 
     /// A ledge above the wall that is probed stops the shaft if it sticks out farther than the shaft stands from the wall

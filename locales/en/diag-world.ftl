@@ -36,7 +36,7 @@ diag-scene-start-outside = The start lies outside the traverse range of axis { $
 diag-solid-not-finite = A dimension is not a finite positive number.
 diag-solid-edge-unsupported = The ball may touch an edge that is neither a straight line nor a circle; this contact cannot be calculated exactly.
 diag-solid-cusp = The ball may touch a place where surfaces meet tangentially and leave no thickness; this contact cannot be calculated exactly.
-diag-solid-helix-unsupported = The ball may touch the workpiece on a helix; this contact cannot be calculated exactly.
+diag-solid-helix-unsupported = The ball may touch the workpiece on a helix or while several axes move; this contact cannot be calculated exactly.
 
 diag-table-no-header = The table must begin with a line "BEGIN", the name of a { $extension } file and the unit.
 diag-table-no-heading = The second line must name the columns, { $column } among them.

@@ -35,7 +35,7 @@ diag-scene-start-outside = Lähtöpiste on akselin { $axis } liikealueen ulkopuo
 diag-solid-not-finite = Jokin mitta ei ole äärellinen positiivinen luku.
 diag-solid-edge-unsupported = Kosketuskuula saattaa koskettaa reunaa, joka ei ole suora eikä ympyrä; tätä kosketusta ei voi laskea tarkasti.
 diag-solid-cusp = Kosketuskuula saattaa koskettaa kohtaa, jossa pinnat sivuavat toisiaan eikä ainetta jää väliin; tätä kosketusta ei voi laskea tarkasti.
-diag-solid-helix-unsupported = Kosketuskuula saattaa koskettaa työkappaletta kierukkaradalla; tätä kosketusta ei voi laskea tarkasti.
+diag-solid-helix-unsupported = Kosketuskuula saattaa koskettaa työkappaletta kierukkaradalla tai usean akselin liikkuessa; tätä kosketusta ei voi laskea tarkasti.
 
 diag-table-no-header = Taulukon ensimmäisellä rivillä on oltava ”BEGIN”, { $extension }-tiedoston nimi ja mittayksikkö.
 diag-table-no-heading = Toisella rivillä on oltava sarakkeiden nimet, muun muassa { $column }.

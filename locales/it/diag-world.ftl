@@ -35,7 +35,7 @@ diag-scene-start-outside = Il punto di partenza è fuori dal campo di traslazion
 diag-solid-not-finite = Una quota non è un numero finito e positivo.
 diag-solid-edge-unsupported = La sfera del tastatore può toccare uno spigolo che non è né una retta né un cerchio; questo contatto non può essere calcolato con esattezza.
 diag-solid-cusp = La sfera del tastatore può toccare un punto in cui le superfici sono tangenti e non lasciano spessore; questo contatto non può essere calcolato con esattezza.
-diag-solid-helix-unsupported = La sfera del tastatore può toccare il pezzo durante un movimento elicoidale; questo contatto non può essere calcolato con esattezza.
+diag-solid-helix-unsupported = La sfera del tastatore può toccare il pezzo durante un movimento elicoidale o mentre si muovono più assi; questo contatto non può essere calcolato con esattezza.
 
 diag-table-no-header = La tabella deve iniziare con una riga contenente "BEGIN", il nome di un file { $extension } e l’unità di misura.
 diag-table-no-heading = La seconda riga deve contenere i nomi delle colonne, tra cui { $column }.

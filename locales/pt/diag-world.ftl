@@ -35,7 +35,7 @@ diag-scene-start-outside = O ponto de partida está fora da margem de deslocaç�
 diag-solid-not-finite = Uma medida não é um número finito e positivo.
 diag-solid-edge-unsupported = A esfera de apalpação pode tocar numa aresta que não é uma reta nem um círculo; este contacto não pode ser calculado com exatidão.
 diag-solid-cusp = A esfera de apalpação pode tocar num ponto em que as superfícies são tangentes e não deixam espessura; este contacto não pode ser calculado com exatidão.
-diag-solid-helix-unsupported = A esfera de apalpação pode tocar na peça durante um movimento helicoidal; este contacto não pode ser calculado com exatidão.
+diag-solid-helix-unsupported = A esfera de apalpação pode tocar na peça durante um movimento helicoidal ou enquanto se movem vários eixos; este contacto não pode ser calculado com exatidão.
 
 diag-table-no-header = A tabela deve começar por uma linha com "BEGIN", o nome de um ficheiro { $extension } e a unidade de medida.
 diag-table-no-heading = A segunda linha deve conter os nomes das colunas, entre eles { $column }.

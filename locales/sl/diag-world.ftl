@@ -35,7 +35,7 @@ diag-scene-start-outside = Začetni položaj je zunaj območja premika osi { $ax
 diag-solid-not-finite = Ena od mer ni končno pozitivno število.
 diag-solid-edge-unsupported = Tipalna krogla se lahko dotakne roba, ki ni ne premica ne krog; tega dotika ni mogoče natančno izračunati.
 diag-solid-cusp = Tipalna krogla se lahko dotakne mesta, kjer se ploskvi stikata tangencialno in med njima ni materiala; tega dotika ni mogoče natančno izračunati.
-diag-solid-helix-unsupported = Tipalna krogla se lahko obdelovanca dotakne pri gibu po vijačnici; tega dotika ni mogoče natančno izračunati.
+diag-solid-helix-unsupported = Tipalna krogla se lahko obdelovanca dotakne pri gibu po vijačnici ali med gibanjem več osi; tega dotika ni mogoče natančno izračunati.
 
 diag-table-no-header = Preglednica se mora začeti z vrstico, v kateri so »BEGIN«, ime datoteke { $extension } in merska enota.
 diag-table-no-heading = V drugi vrstici morajo biti imena stolpcev, med njimi { $column }.

@@ -9,6 +9,7 @@ mod read;
 pub mod run;
 pub mod scene;
 pub mod solid;
+pub mod sphere;
 pub mod stock;
 
 pub use crate::table;

@@ -1,8 +1,10 @@
 //! Machines: which axes there are, how far and how fast they go, what turns about what.
 //!
 //! Invariant: a machine is data; it knows no position, no tool and no workpiece.
+mod course;
 mod rotary;
 
+pub use course::{Course, Straight};
 pub use rotary::{Carried, RotaryMachineAxis};
 
 use super::geometry::Axis;
@@ -114,6 +116,15 @@ impl Machine {
     pub fn beyond_limits(&self, position: DVec3) -> Option<&MachineAxis> {
         let within = |axis: &MachineAxis| axis.min - ROUNDING..=axis.max + ROUNDING;
         self.axes.iter().find(|axis| !within(axis).contains(&axis.axis.of(position)))
+    }
+
+    /// How far a position in machine coordinates is from the limits of the axes, mm.
+    pub fn room(&self, position: DVec3) -> f64 {
+        let room = |axis: &MachineAxis| {
+            let at = axis.axis.of(position);
+            (at - axis.min).min(axis.max - at)
+        };
+        self.axes.iter().map(room).fold(f64::INFINITY, f64::min)
     }
 
     /// The feed in mm/min along the path when every axis that moves keeps within its rapid traverse.

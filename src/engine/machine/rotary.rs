@@ -36,7 +36,7 @@ pub struct RotaryMachineAxis {
 
 impl RotaryMachineAxis {
     /// What turning it to that coordinate does to what it carries.
-    fn turned(&self, degrees: f64) -> Frame {
+    pub(super) fn turned(&self, degrees: f64) -> Frame {
         let turn = Frame::rotate(self.about.0, self.about.1 * degrees);
         Frame::shift(self.centre).of(turn).of(Frame::shift(-self.centre))
     }

@@ -373,11 +373,15 @@ pub enum Act {
         /// Values for it.
         with: Vec<(Arc<str>, Calc)>,
     },
-    /// The circle that fits points best.
-    FitCircle {
+    /// The circle or the sphere that fits points best.
+    Fit {
+        /// Whether it is a sphere.
+        sphere: bool,
         /// The points.
         points: Fitted,
-        /// Where the centre goes; it lies at the mean height of the points.
+        /// One more point.
+        also: Option<Calc>,
+        /// Where the centre goes; that of a circle lies at the mean height of the points.
         centre: Slot,
         /// Where the radius goes.
         radius: Slot,

@@ -49,6 +49,8 @@ pub enum Builtin {
     ProbeTurns,
     /// The calibrated offset of the ball from the spindle axis as the spindle is turned now.
     ProbeOffset,
+    /// The direction from the tool tip to the ball centre.
+    ProbeUp,
     /// The coordinate of a rotary axis of the machine, by their order; 0 if there is none.
     FurtherAxis(usize),
     /// A length among the machine data by its neutral name.
@@ -75,6 +77,8 @@ pub enum Builtin {
     ActiveTurning,
     /// Whether the rotary axes do not stand where the tilted working plane wants them.
     ActiveAskew,
+    /// Whether the tool tip is held on the workpiece while rotary axes turn.
+    ActiveTcpm,
     /// A machine datum by its neutral name.
     Machine(Arc<str>),
     /// Whether the definition has the form of that number.
@@ -97,6 +101,7 @@ impl Builtin {
                 | Self::ProbeAngle
                 | Self::ProbeTurns
                 | Self::ProbeOffset
+                | Self::ProbeUp
         )
     }
 
@@ -106,6 +111,7 @@ impl Builtin {
             self,
             Self::Here
                 | Self::ProbeOffset
+                | Self::ProbeUp
                 | Self::ActiveMirror
                 | Self::ActiveScaling
                 | Self::ActiveAxisScaling
@@ -116,6 +122,7 @@ impl Builtin {
                 | Self::ActiveReversed
                 | Self::ActiveTurning
                 | Self::ActiveAskew
+                | Self::ActiveTcpm
         )
     }
 }
@@ -140,6 +147,7 @@ const FIXED: &[(&str, Builtin, Type)] = &[
     ("probe.angle", Builtin::ProbeAngle, Type::Number),
     ("probe.turns", Builtin::ProbeTurns, Type::Bool),
     ("probe.offset", Builtin::ProbeOffset, Type::Point),
+    ("probe.up", Builtin::ProbeUp, Type::Point),
     ("axis.fourth", Builtin::FurtherAxis(0), Type::Number),
     ("axis.fifth", Builtin::FurtherAxis(1), Type::Number),
     ("active.mirror", Builtin::ActiveMirror, Type::Bool),
@@ -152,6 +160,7 @@ const FIXED: &[(&str, Builtin, Type)] = &[
     ("active.reversed", Builtin::ActiveReversed, Type::Bool),
     ("active.turning", Builtin::ActiveTurning, Type::Bool),
     ("active.askew", Builtin::ActiveAskew, Type::Bool),
+    ("active.tcpm", Builtin::ActiveTcpm, Type::Bool),
 ];
 
 struct Known {

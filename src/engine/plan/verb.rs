@@ -404,15 +404,21 @@ impl Compiler<'_> {
 
     fn fit(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
         let place = &action.place;
-        let entries = self.entries(&action.argument, &["circle"], place)?;
-        let points = match entries.get("circle") {
+        let entries = self.entries(&action.argument, &["circle", "sphere", "and"], place)?;
+        let sphere = entries.get("sphere").is_some();
+        let shape = if sphere { "sphere" } else { "circle" };
+        let also = match entries.get("and") {
+            Some(_) => Some(self.required(entries, "and", Type::Point, place, scope)?),
+            None => None,
+        };
+        let points = match entries.get(shape) {
             Some(Argument::List(items)) => {
                 let points = items.iter().map(|item| self.argument(item, Type::Point, scope, place));
                 Some(Fitted::Points(points.collect::<Option<Vec<_>>>()?))
             }
             _ => None,
         };
-        let list = if points.is_none() { Some(self.required_word(entries, "circle", place)?) } else { None };
+        let list = if points.is_none() { Some(self.required_word(entries, shape, place)?) } else { None };
         let Some(name) = &action.bind else {
             self.missing_argument(place, "as");
             return None;
@@ -422,11 +428,11 @@ impl Compiler<'_> {
         self.bind_text(&full("centre"), &name.place, Binding::Maybe(centre, Type::Point), scope);
         self.bind_text(&full("radius"), &name.place, Binding::Maybe(radius, Type::Number), scope);
         let (Some(list), None) = (list, &points) else {
-            return points.map(|points| Act::FitCircle { points, centre, radius });
+            return points.map(|points| Act::Fit { sphere, points, also, centre, radius });
         };
         match scope.get(list.as_str()) {
             Some(Binding::List(list, Type::Point)) => {
-                Some(Act::FitCircle { points: Fitted::List(list), centre, radius })
+                Some(Act::Fit { sphere, points: Fitted::List(list), also, centre, radius })
             }
             Some(_) => self.wrong_act(&list.place, "list-of-points"),
             None => {

@@ -13,7 +13,8 @@ use super::motion::Speed;
 use super::world::LOCKED;
 use super::{Content, Done, Event, EventKind, Leave, Run};
 use crate::engine::geometry::{Axis, FitError, fit_circle};
-use crate::engine::plan::{Act, Calc, Cancel, Cooling, Fitted, Inlined, Slot, SpindleTurn, Target, Transform};
+use crate::engine::plan::{Act, Builtin, Calc, Cancel, Cooling, Fitted, Inlined, Slot, SpindleTurn, Target, Transform};
+use crate::engine::sphere::fit_sphere;
 use crate::engine::table::{Cell, TableKind};
 use crate::expr::{QKind, QRef, Value};
 use crate::spec::{Moment, Transformation};
@@ -42,6 +43,7 @@ impl<'e> Run<'_, 'e> {
                 Ok(())
             }
             Act::Probe { towards, turned, into } => {
+                self.knows_tool_axis(exec)?;
                 let towards = self.point(towards, exec)?;
                 let turned = turned.as_ref().map(|turned| self.number(turned, exec)).transpose()?;
                 let centre = self.probe(self.to_mm(towards), turned)?;
@@ -93,7 +95,14 @@ impl<'e> Run<'_, 'e> {
                 }
                 self.log(name, *screen, &values, exec)
             }
-            Act::FitCircle { points, centre, radius } => self.fit_circle(points, *centre, *radius, exec),
+            Act::Fit { sphere, points, also, centre, radius } => {
+                let points = self.fitted(points, also.as_ref(), exec)?;
+                let found = if *sphere { Self::sphere_of(&points) } else { Self::circle_of(&points) };
+                let (middle, far) = found.map_err(|error| Self::no_fit(error, points.len()))?;
+                exec.put(*centre, Value::Point(middle));
+                exec.put(*radius, Value::Number(far));
+                Ok(())
+            }
             Act::Lock(number) => {
                 let number = self.number(number, exec)?;
                 self.write_cell(TableKind::Tool, number, "TL", &Cell::Text(LOCKED.to_owned()))
@@ -134,6 +143,16 @@ impl<'e> Run<'_, 'e> {
                 Err(fault.arg("cycle", exec.definition.cycle.key.to_string()).into())
             }
         }
+    }
+
+    /// While the tip is held, the tool may stand askew to the working plane: a cycle that does not ask how it stands would
+    /// probe at another place than it believes.
+    pub(super) fn knows_tool_axis(&self, exec: &Exec<'_, 'e>) -> Result<(), Fault> {
+        let asks = || exec.plan().builtins.iter().any(|(_, builtin)| *builtin == Builtin::ProbeUp);
+        if self.world.system.tip_held && self.world.is_askew() && !asks() {
+            return Err(Fault::unsupported("unsupported-tcpm").arg("cycle", exec.definition.cycle.key.to_string()));
+        }
+        Ok(())
     }
 
     /// The target of a move, by axes and in mm.
@@ -196,8 +215,9 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    fn fit_circle(&mut self, points: &Fitted, centre: Slot, radius: Slot, exec: &mut Exec<'_, 'e>) -> Done {
-        let points: Vec<DVec3> = match points {
+    /// The points that something is fitted to.
+    fn fitted(&self, points: &Fitted, also: Option<&Calc>, exec: &Exec<'_, 'e>) -> Result<Vec<DVec3>, Fault> {
+        let mut all: Vec<DVec3> = match points {
             Fitted::List(list) => {
                 exec.lists.get(*list).map_or(&[][..], Vec::as_slice).iter().filter_map(as_point).collect()
             }
@@ -205,20 +225,31 @@ impl<'e> Run<'_, 'e> {
                 points.iter().map(|point| self.point(point, exec)).collect::<Result<Vec<_>, _>>()?
             }
         };
+        if let Some(point) = also {
+            all.push(self.point(point, exec)?);
+        }
+        Ok(all)
+    }
+
+    fn circle_of(points: &[DVec3]) -> Result<(DVec3, f64), FitError> {
         let flat: Vec<DVec2> = points.iter().map(|point| point.truncate()).collect();
-        let circle = fit_circle(&flat).map_err(|error| {
-            let fault = match error {
-                // Cycles offer enough points; a specification that does not is wrong.
-                FitError::TooFew => Fault::new(Class::Internal, "fit-too-few"),
-                FitError::Collinear => Fault::control("fit-collinear"),
-                FitError::NotFinite | FitError::NoConvergence => Fault::new(Class::Internal, "fit-failed"),
-            };
-            fault.arg("points", flat.len())
-        })?;
+        let circle = fit_circle(&flat)?;
         let height = points.iter().map(|point| point.z).sum::<f64>() / points.len() as f64;
-        exec.put(centre, Value::Point(circle.centre.extend(height)));
-        exec.put(radius, Value::Number(circle.radius));
-        Ok(())
+        Ok((circle.centre.extend(height), circle.radius))
+    }
+
+    fn sphere_of(points: &[DVec3]) -> Result<(DVec3, f64), FitError> {
+        fit_sphere(points).map(|sphere| (sphere.centre, sphere.radius))
+    }
+
+    fn no_fit(error: FitError, points: usize) -> Fault {
+        let fault = match error {
+            // Cycles offer enough points; a specification that does not is wrong.
+            FitError::TooFew => Fault::new(Class::Internal, "fit-too-few"),
+            FitError::Collinear => Fault::control("fit-collinear"),
+            FitError::NotFinite | FitError::NoConvergence => Fault::control("fit-failed"),
+        };
+        fault.arg("points", points)
     }
 
     fn transform(&mut self, transform: &Transform, exec: &Exec<'_, 'e>) -> Done {

@@ -128,7 +128,7 @@ impl<'e> Run<'_, 'e> {
 
     fn turn_by(&mut self, axis: RotaryAxis, way: f64) -> Done {
         let to = axis.of(self.world.angles) + way;
-        self.turn_to(&[(axis, to)], Ok(Speed::Rapid), false)
+        self.turn_to(&[(axis, to)], Ok(Speed::Rapid))
     }
 
     pub(super) fn align_rotary_table(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {

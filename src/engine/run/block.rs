@@ -29,6 +29,8 @@ pub(super) enum Effect {
     CallOnce,
     /// Coordinates of the block are machine coordinates.
     MachineCoordinates,
+    /// The tool tip is held on the workpiece while rotary axes turn, or no longer.
+    HoldTip(bool),
     /// Corners of the block are gone round in another way.
     Corner,
     /// It changes nothing that events tell (tool change at the machine, display, look-ahead).
@@ -51,6 +53,8 @@ pub(super) fn effect(number: u16) -> Option<Effect> {
         99 => Effect::CallOnce,
         91 => Effect::MachineCoordinates,
         97 | 98 => Effect::Corner,
+        128 => Effect::HoldTip(true),
+        129 => Effect::HoldTip(false),
         6 | 90 | 101 | 102 | 107 | 108 | 120 | 127 | 137 => Effect::Nothing,
         _ => return None,
     })
@@ -119,6 +123,7 @@ impl<'e> Run<'_, 'e> {
                 self.not_beside_contour(self.slice(statement.head).trim())?;
             }
             BlockKind::Statement(_) if self.switches_mode(block) => {}
+            BlockKind::Statement(statement) if statement.kind == StatementKind::Function => self.function(statement)?,
             BlockKind::Statement(statement) if statement.kind == StatementKind::Plane => self.plane(statement)?,
             BlockKind::Statement(statement) if statement.kind == StatementKind::Trans => self.shift_datum(statement)?,
             BlockKind::Statement(statement) if statement.kind == StatementKind::BlkForm => {}
@@ -141,7 +146,7 @@ impl<'e> Run<'_, 'e> {
         Ok(After::GoOn)
     }
 
-    fn not_executed(&self, head: Span) -> Fault {
+    pub(super) fn not_executed(&self, head: Span) -> Fault {
         let word = self.slice(head).split_ascii_whitespace().next().unwrap_or_default();
         Fault::unsupported("unsupported-block").arg("word", word)
     }
@@ -334,6 +339,7 @@ impl<'e> Run<'_, 'e> {
             match effect {
                 Effect::Spindle(direction) if direction != 0 => self.spindle(direction),
                 Effect::Coolant(true) => self.coolant(true),
+                Effect::HoldTip(true) => self.hold_tip(true)?,
                 Effect::Orient => self.orient(self.modal.orientation),
                 Effect::SpindleAndCoolant(direction) => {
                     self.spindle(direction);
@@ -367,6 +373,9 @@ impl<'e> Run<'_, 'e> {
         }
         if has(Effect::Coolant(false)) || (ends && self.modal.coolant) {
             self.coolant(false);
+        }
+        if has(Effect::HoldTip(false)) {
+            self.hold_tip(false)?;
         }
         if has(Effect::Stop) {
             self.stop()?;

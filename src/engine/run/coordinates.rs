@@ -45,8 +45,11 @@ pub struct System {
     pub angle_shift: DVec3,
     /// The working plane.
     pub plane: WorkingPlane,
-    /// Where the table has put the workpiece since the rotary axes stood at 0; a tilted system goes with it.
+    /// Where the table has put the workpiece since the rotary axes stood at 0; a tilted system goes with it, and so does
+    /// every system while the tool tip is held.
     pub table: Frame,
+    /// Whether the tool tip is held on the workpiece while rotary axes turn (M128, FUNCTION TCPM).
+    pub tip_held: bool,
     /// Transformations in effect that the engine cannot execute: nothing moves until they end.
     pub unexecuted: BTreeSet<Transformation>,
     changes: Vec<Change>,
@@ -64,6 +67,7 @@ impl System {
             angle_shift: DVec3::ZERO,
             plane,
             table: Frame::IDENTITY,
+            tip_held: false,
             unexecuted: BTreeSet::new(),
             changes: Vec::new(),
             frame: Frame::IDENTITY,
@@ -219,6 +223,11 @@ impl System {
         self.change(Change::Point(by), by == DVec3::ZERO);
     }
 
+    pub(super) fn set_tip_held(&mut self, held: bool) {
+        self.tip_held = held;
+        self.rebuild();
+    }
+
     pub(super) fn set_table(&mut self, table: Frame) {
         self.table = table;
         self.rebuild();
@@ -226,8 +235,9 @@ impl System {
 
     /// Ends everything that programs change on top of the preset. Whether there was anything.
     pub(super) fn end_changes(&mut self) -> bool {
-        let any = !self.changes.is_empty() || self.angle_shift != DVec3::ZERO;
+        let any = !self.changes.is_empty() || self.angle_shift != DVec3::ZERO || self.tip_held;
         self.changes.clear();
+        self.tip_held = false;
         self.angle_shift = DVec3::ZERO;
         self.rebuild();
         any
@@ -247,9 +257,14 @@ impl System {
         self.rebuild();
     }
 
-    /// The preset; in a tilted system where the table has put it.
+    /// Whether the system is part of the workpiece, and the control reckons with how the tool stands.
+    pub fn is_on_workpiece(&self) -> bool {
+        self.tip_held || self.tilt().is_some()
+    }
+
+    /// The preset; of a system on the workpiece where the table has put it.
     fn outermost(&self) -> Frame {
-        if self.tilt().is_some() { self.table.of(self.preset_frame()) } else { self.preset_frame() }
+        if self.is_on_workpiece() { self.table.of(self.preset_frame()) } else { self.preset_frame() }
     }
 
     fn rebuild(&mut self) {
@@ -304,6 +319,7 @@ impl System {
             mirror: self.mirror(),
             scaling: self.scaling(),
             tilt: self.tilt(),
+            tip_held: self.tip_held,
             matrix: self.frame.rows(),
             angles: self.angle_datum(),
         }

@@ -115,7 +115,7 @@ impl<'d, 'e> Exec<'d, 'e> {
     }
 
     /// The plan that is executed.
-    fn plan(&self) -> &'d Plan {
+    pub(super) fn plan(&self) -> &'d Plan {
         &self.definition.plan
     }
 
@@ -334,6 +334,7 @@ impl<'e> Run<'_, 'e> {
                 let offset = exec.probe.as_ref().map_or(DVec3::ZERO, |probe| world.calibrated_offset(probe));
                 Value::Point(self.to_program(offset))
             }
+            Builtin::ProbeUp => Value::Point(system.in_plane(world.up())),
             Builtin::FurtherAxis(index) => Value::Number(world.further_axes().nth(*index).unwrap_or(0.0)),
             Builtin::ProbeMachineRapid => Value::Bool(exec.probe.is_some_and(|probe| probe.machine_rapid)),
             Builtin::ActiveDatumShift => Value::Bool(system.datum() != DVec3::ZERO),
@@ -345,6 +346,7 @@ impl<'e> Run<'_, 'e> {
             Builtin::ActiveTilting => Value::Bool(system.has(Transformation::Tilting)),
             Builtin::ActiveReversed => Value::Bool(system.frame().mirrors()),
             Builtin::ActiveAskew => Value::Bool(self.world.is_askew()),
+            Builtin::ActiveTcpm => Value::Bool(system.tip_held),
             Builtin::ActiveTurning => Value::Bool(system.has(Transformation::Turning)),
             Builtin::MachinePoint(name) => {
                 let point = self.machine_point(name, exec).unwrap_or(DVec3::ZERO);

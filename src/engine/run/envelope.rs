@@ -208,7 +208,7 @@ impl<'e> Run<'_, 'e> {
                 Path::Arc { centre: centre + lift, axis, from: from + lift, sweep, rise }
             }
         };
-        recorder.0.push(Leg { tip: *tip, ball: self.world.path_at_parts(&ball), probing });
+        recorder.0.push(Leg { tip: self.world.path_of_tip(tip), ball: self.world.path_at_parts(&ball), probing });
     }
 
     fn envelope(

@@ -92,6 +92,8 @@ pub struct Coordinates {
     pub scaling: (f64, Option<(DVec3, DVec3)>),
     /// The spatial angles of a tilted working plane.
     pub tilt: Option<DVec3>,
+    /// Whether the tool tip is held on the workpiece while rotary axes turn.
+    pub tip_held: bool,
     /// From program to machine coordinates: three rows, the last number of each is the shift.
     pub matrix: [[f64; 4]; 3],
     /// Where the rotary axes have the coordinate 0, in machine coordinates.

@@ -128,7 +128,10 @@ fn changed<M: SerializeMap>(map: &mut M, system: &Coordinates) -> Result<(), M::
         let angles: Vec<_> = RotaryAxis::ALL.into_iter().map(|axis| (axis, axis.of(angles))).collect();
         map.serialize_entry("tilting", &Angles(&angles))?;
     }
-    if mirrored.is_empty() && factor == 1.0 && axes.is_none() && system.tilt.is_none() {
+    if system.tip_held {
+        map.serialize_entry("tcpm", &true)?;
+    }
+    if mirrored.is_empty() && factor == 1.0 && axes.is_none() && system.tilt.is_none() && !system.tip_held {
         return Ok(());
     }
     map.serialize_entry("matrix", &system.matrix)

@@ -29,6 +29,7 @@ impl<'e> Run<'_, 'e> {
 
     /// Probes from where the probe stands, on a path and at a feed of its own, and stays where it stops.
     pub(super) fn probe_with_own_path(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
+        self.knows_tool_axis(exec)?;
         let probe = self.world.probe()?;
         let direction = self.world.system.axes(self.point(Self::argument(call, 0)?, exec)?);
         let number = |index| Ok::<_, Fault>(self.number(Self::argument(call, index)?, exec)? * self.cycle_unit());
@@ -66,7 +67,7 @@ impl<'e> Run<'_, 'e> {
         let Some(pressed) = self.world.pressed else { return Ok(()) };
         let way = (self.world.machine - pressed.from).dot(pressed.direction);
         let to = self.world.machine - pressed.direction * path.clamp(0.0, way.max(0.0));
-        self.straight_to(self.world.system.back().point(to), Some(to), Ok(Speed::Rapid))
+        self.straight_to(self.world.to_program(to), Some(to), Ok(Speed::Rapid))
     }
 
     /// The angles of the plane through three points: those of its sections along the axes, those of rotary axes A and B

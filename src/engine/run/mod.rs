@@ -35,6 +35,7 @@ mod spindle;
 mod strategy;
 mod stud;
 mod stylus;
+mod tcpm;
 mod thread;
 mod threads;
 mod tilt;

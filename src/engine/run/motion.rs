@@ -20,7 +20,7 @@ use crate::syntax::{Approach, Axis, Coord, Feed, FeedKind, Motion, Path};
 /// How far the end of a circle may lie off it, mm: what the controls' input step of 0.0001 mm can cause, with room.
 const OFF_CIRCLE: f64 = 0.001;
 /// What calculation may put between two positions that are the same, mm.
-const SAME: f64 = 1e-10;
+pub(super) const SAME: f64 = 1e-10;
 /// From this feed on a move is one at rapid traverse: the value that the word FMAX has as a parameter.
 pub(super) const RAPID_FEED: f64 = 99_999.999;
 
@@ -210,16 +210,12 @@ impl Run<'_, '_> {
         let (turning, coords): (Vec<Coord>, Vec<Coord>) =
             motion.coords.iter().copied().partition(|coord| rotary(coord.axis).is_some());
         let turns = self.turn_target(&turning, in_machine)?;
-        let before = self.world.machine;
         if in_machine {
             let to = self.target(&coords, self.world.machine)?;
-            let program = self.world.system.back().point(to);
-            self.straight_to(program, Some(to), speed.clone())?;
-        } else {
-            let to = self.target(&coords, self.world.here)?;
-            self.straight_to(to, None, speed.clone())?;
+            return self.turn_and_go(&turns, self.world.to_program(to), Some(to), speed);
         }
-        self.turn_to(&turns, speed, self.world.machine != before)
+        let to = self.target(&coords, self.world.here)?;
+        self.turn_and_go(&turns, to, None, speed)
     }
 
     /// Where the rotary axes of a block go, in machine coordinates.
@@ -330,7 +326,7 @@ impl Run<'_, '_> {
     /// Moves straight; `machine` gives the target in machine coordinates where that is what is programmed.
     pub(super) fn straight_to(&mut self, to: DVec3, machine: Option<DVec3>, speed: Result<Speed, Fault>) -> Done {
         let to = if machine.is_none() && self.unit() != 1.0 { self.unless_moved(to) } else { to };
-        let machine = machine.unwrap_or_else(|| self.world.system.frame().point(to));
+        let machine = machine.unwrap_or_else(|| self.world.to_machine(to));
         let from = self.world.here;
         if (to - from).abs().max_element() < SAME {
             return Ok(());
@@ -358,14 +354,14 @@ impl Run<'_, '_> {
         let rise = plane.tool.of(to) - plane.tool.of(from);
         let frame = *self.world.system.frame();
         let centre = plane.lift(plane.flat(centre), plane.tool.of(from));
-        let machine = frame.point(to);
+        let machine = self.world.to_machine(to);
         if self.world.system.plane_scale().is_none() {
             return Err(Fault::program("arc-scaled-unequally").into());
         }
         // Seen along the tool axis of a mirrored system a circle goes round the other way.
         let up = frame.vector(plane.tool.unit());
         let path = BallPath::Arc {
-            centre: frame.point(centre),
+            centre: self.world.to_machine(centre),
             axis: up / up.length(),
             from: self.world.machine,
             sweep: if frame.mirrors() { -angle } else { angle },
@@ -408,12 +404,7 @@ impl Run<'_, '_> {
             self.not_beside_contour(word)?;
         }
         self.no_unexecuted()?;
-        if let Some(axis) = LinearAxis::ALL
-            .into_iter()
-            .find(|axis| axis.of(machine) != axis.of(self.world.machine) && !self.world.has_axis(*axis))
-        {
-            return Err(Fault::unsupported("unsupported-axis").arg("axis", axis.letter().to_string()).into());
-        }
+        self.has_axes_to(machine)?;
         for point in path.extremes().into_iter().chain([machine]) {
             if let Some(fault) = self.world.beyond_limits(point) {
                 return Err(fault.into());
@@ -424,8 +415,18 @@ impl Run<'_, '_> {
         self.release(path);
         self.world.here = to;
         self.world.machine = machine;
-        self.tell(EventKind::Move { kind, from, to, machine, feed, path: *path });
+        let path = self.world.path_of_tip(path);
+        self.tell(EventKind::Move { kind, from, to, machine, feed, path });
         Ok(())
+    }
+
+    /// An axis that would have to move must be there.
+    pub(super) fn has_axes_to(&self, machine: DVec3) -> Result<(), Fault> {
+        let moves = |axis: &LinearAxis| axis.of(machine) != axis.of(self.world.machine);
+        match LinearAxis::ALL.into_iter().find(|axis| moves(axis) && !self.world.has_axis(*axis)) {
+            Some(axis) => Err(Fault::unsupported("unsupported-axis").arg("axis", axis.letter().to_string())),
+            None => Ok(()),
+        }
     }
 
     /// Nothing moves while a transformation is in effect that the engine cannot execute.
@@ -483,7 +484,7 @@ impl Run<'_, '_> {
     }
 
     /// A fault at a point of the parts.
-    fn at_point(&self, fault: Fault, at_parts: DVec3) -> Fault {
+    pub(super) fn at_point(&self, fault: Fault, at_parts: DVec3) -> Fault {
         let point = self.world.system.back().point(self.world.off_parts(at_parts));
         fault.arg("x", point.x).arg("y", point.y).arg("z", point.z)
     }

@@ -81,7 +81,7 @@ impl Run<'_, '_> {
             Some(Way::Stay) => Ok(()),
             Some(Way::Turn) => {
                 let turns = self.turns_in_program(to);
-                self.turn_to(&turns, speed, false)
+                self.turn_to(&turns, speed)
             }
             Some(Way::Move) => self.turn_about_point(to, words.distance, speed),
             None => Err(Fault::program("value-missing").into()),
@@ -134,7 +134,7 @@ impl Run<'_, '_> {
                 .fold(f64::INFINITY, f64::min),
         };
         let to = here + along * way.max(0.0);
-        self.straight_to(self.world.system.back().point(to), Some(to), Ok(Speed::Rapid))
+        self.straight_to(self.world.to_program(to), Some(to), Ok(Speed::Rapid))
     }
 
     /// Positions of all rotary axes of the machine, in program coordinates, as targets.
@@ -152,7 +152,7 @@ impl Run<'_, '_> {
         let system = &self.world.system;
         let held = self.world.here - system.back().vector(direction).normalize() * distance;
         let to = held + system.plane.tool.unit() * distance;
-        self.turn_to(&turns, speed.clone(), false)?;
+        self.turn_to(&turns, speed.clone())?;
         self.straight_to(to, None, speed)
     }
 

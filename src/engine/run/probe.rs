@@ -59,7 +59,7 @@ impl Run<'_, '_> {
     pub(super) fn probe(&mut self, towards: DVec3, turned: Option<f64>) -> Done<DVec3> {
         self.not_beside_contour("TCH PROBE")?;
         let probe = self.world.probe()?;
-        let from = self.world.here + self.world.system.plane.tool.unit() * probe.effective_radius;
+        let from = self.world.here + self.world.up() * probe.effective_radius;
         let way = towards - from;
         let length = way.length();
         if length == 0.0 {
@@ -99,7 +99,7 @@ impl Run<'_, '_> {
     /// Moves towards the workpiece until the probe triggers or the path ends, and tells it. The tool stays where it is.
     pub(super) fn approach(&mut self, probe: &ProbeData, approach: &Approach) -> Done<Stop> {
         let frame = *self.world.system.frame();
-        let from = self.world.here + self.world.system.plane.tool.unit() * probe.effective_radius;
+        let from = self.world.here + self.world.up() * probe.effective_radius;
         let target = from + approach.direction * approach.path;
         let start = self.world.ball_centre(self.world.machine, probe);
         let way = frame.vector(approach.direction);
@@ -179,8 +179,8 @@ impl Run<'_, '_> {
         self.world.pressed = None;
         if stopped != machine {
             let feed = self.world.scene.machine.rapid_feed(machine - stopped);
-            let from = self.world.system.back().point(stopped);
-            let path = Path::line(stopped, machine);
+            let (from, swung) = (self.world.to_program(stopped), self.world.swung());
+            let path = Path::line(stopped + swung, machine + swung);
             self.tell(EventKind::Move { kind: MoveKind::Rapid, from, to: here, machine, feed, path });
         }
     }

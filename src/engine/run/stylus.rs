@@ -181,49 +181,86 @@ impl World<'_> {
         plane.lift(DVec2::new(offset.x * c - offset.y * s, offset.x * s + offset.y * c), 0.0)
     }
 
-    /// Whether the tool does not stand at right angles to the tilted working plane.
+    /// Whether the tool does not stand at right angles to the working plane, in a system that is part of the workpiece.
     pub(super) fn is_askew(&self) -> bool {
-        let tool = self.system.plane.tool.unit();
-        let tool = self.head.map_or(tool, |head| head.vector(tool));
         let wanted = self.system.frame().vector(self.system.plane.tool.unit()).normalize_or_zero();
-        self.system.tilt().is_some() && (wanted - tool).length() > STRAIGHT
+        self.system.is_on_workpiece() && (wanted - self.tool_axis()).length() > STRAIGHT
+    }
+
+    /// The direction from the tool tip along the tool, in the machine.
+    fn tool_axis(&self) -> DVec3 {
+        let tool = self.system.plane.tool.unit();
+        self.head.map_or(tool, |head| head.vector(tool))
+    }
+
+    /// The direction from the tool tip to the ball centre as the control believes it, in program coordinates: that of the
+    /// tool axis, unless the control holds the tip and reckons with how the tool stands.
+    pub(super) fn up(&self) -> DVec3 {
+        let system = &self.system;
+        if system.tip_held { system.back().vector(self.tool_axis()) } else { system.plane.tool.unit() }
     }
 
     /// The true centre of the ball, in machine coordinates, when the tool tip is believed to be there. A head that is
     /// turned takes the ball with it.
     pub(super) fn ball_centre(&self, tip: DVec3, probe: &ProbeData) -> DVec3 {
-        let plane = self.system.plane;
-        let (lift, offset) = (probe.ball_radius + probe.shorter, self.turned(probe.offset));
-        let Some(head) = self.head else {
-            return tip + self.system.frame().vector(plane.tool.unit()) * lift + offset;
-        };
+        let arm = self.arm(probe);
+        let Some(head) = self.head else { return tip + arm };
         let pivot = self.pivot(tip);
-        pivot + head.vector(tip + plane.tool.unit() * lift + offset - pivot)
+        pivot + head.vector(tip + arm - pivot)
+    }
+
+    /// From the tool tip to the true centre of the ball in the machine, while the head stands at 0.
+    pub(super) fn arm(&self, probe: &ProbeData) -> DVec3 {
+        self.straight_up() * (probe.ball_radius + probe.shorter) + self.turned(probe.offset)
+    }
+
+    /// The direction along the tool in the machine, while the head stands at 0.
+    fn straight_up(&self) -> DVec3 {
+        let tool = self.system.plane.tool.unit();
+        let is_tool = self.head.is_some() || self.system.is_on_workpiece();
+        if is_tool { tool } else { self.system.frame().vector(tool) }
+    }
+
+    /// The axis of the shaft as it is while the head stands at 0.
+    pub(super) fn shaft_of_straight_head(&self, shaft: Shaft) -> DVec3 {
+        self.straight_up() * (shaft.length - shaft.radius).max(0.0)
     }
 
     /// Where the control believes the ball centre to be with the tool tip where it is. It adds the calibrated offset to
-    /// where the spindle is, and knows nothing of a head that is turned.
+    /// where the spindle is; of a head that is turned it knows in a tilted plane and while it holds the tip.
     pub(super) fn believed_centre(&self, tip: DVec3, probe: &ProbeData) -> DVec3 {
-        let up = self.system.frame().vector(self.system.plane.tool.unit());
-        tip + up * probe.effective_radius + self.turned(probe.calibrated)
+        let up = self.system.frame().vector(self.up());
+        tip + self.swung() + up * probe.effective_radius + self.calibrated_offset_in_machine(probe)
+    }
+
+    fn calibrated_offset_in_machine(&self, probe: &ProbeData) -> DVec3 {
+        let offset = self.turned(probe.calibrated);
+        match self.head {
+            Some(head) if self.system.is_on_workpiece() => head.vector(offset),
+            _ => offset,
+        }
     }
 
     /// The calibrated offset as the spindle has turned it, in program coordinates.
     pub(super) fn calibrated_offset(&self, probe: &ProbeData) -> DVec3 {
-        self.system.back().vector(self.turned(probe.calibrated))
+        self.system.back().vector(self.calibrated_offset_in_machine(probe))
     }
 
     /// The axis of the shaft in the machine, from the centre of the ball to the centre of its upper end, which is round.
     pub(super) fn shaft_axis(&self, shaft: Shaft) -> DVec3 {
-        let tool = self.system.plane.tool.unit();
-        let up = self.head.map_or_else(|| self.system.frame().vector(tool), |head| head.vector(tool));
-        up * (shaft.length - shaft.radius).max(0.0)
+        let straight = self.shaft_of_straight_head(shaft);
+        self.head.map_or(straight, |head| head.vector(straight))
+    }
+
+    /// A direction of the machine as the spindle sees it: that of the machine while the head stands at 0.
+    fn in_spindle(&self, direction: DVec3) -> DVec3 {
+        self.head.map_or(direction, |head| head.inverse().vector(direction))
     }
 
     /// How far a surface pushes the ball in until the probe triggers; the direction of the machine, of length 1, leads into
     /// the material.
     pub(super) fn pre_travel(&self, probe: &ProbeData, direction: DVec3) -> f64 {
-        let plane = self.system.plane;
+        let (plane, direction) = (self.system.plane, self.in_spindle(direction));
         let flat = plane.flat(direction);
         probe.pre_travel.towards(atan2d(flat.y, flat.x) - self.spindle_turned, plane.tool.of(direction))
     }
@@ -242,7 +279,7 @@ impl World<'_> {
     /// The angle by which the spindle must turn the probe from its calibration angle before it probes in a direction
     /// of the machine; nothing where it stays as it is.
     pub(super) fn tracked(&self, probe: &ProbeData, direction: DVec3) -> Option<f64> {
-        let flat = self.system.plane.flat(direction);
+        let flat = self.system.plane.flat(self.in_spindle(direction));
         (probe.track && flat.length() > f64::EPSILON).then(|| atan2d(flat.y, flat.x))
     }
 

@@ -128,7 +128,38 @@ impl<'s> World<'s> {
 
     /// Program coordinates follow a change of the system; the machine stays where it is.
     pub(super) fn renew(&mut self) {
-        self.here = self.system.back().point(self.machine);
+        self.here = self.to_program(self.machine);
+    }
+
+    /// Program coordinates of a position of the linear axes, given by the tool tip while the head stands at 0.
+    pub(super) fn to_program(&self, machine: DVec3) -> DVec3 {
+        self.system.back().point(machine + self.swung())
+    }
+
+    /// The way back from [`World::to_program`].
+    pub(super) fn to_machine(&self, program: DVec3) -> DVec3 {
+        self.system.frame().point(program) - self.swung()
+    }
+
+    /// By how much the head, as it is turned, has moved the tool tip; nothing where the control goes on as if it stood
+    /// at 0.
+    pub(super) fn swung(&self) -> DVec3 {
+        match self.head {
+            Some(head) if self.system.is_on_workpiece() => self.swing(&head),
+            _ => DVec3::ZERO,
+        }
+    }
+
+    /// By how much a head that is turned so moves the tool tip.
+    pub(super) fn swing(&self, head: &Frame) -> DVec3 {
+        let up = self.to_pivot();
+        up - head.vector(up)
+    }
+
+    /// From the tool tip to the point about which the head turns, while it stands at 0.
+    pub(super) fn to_pivot(&self) -> DVec3 {
+        let length = self.tool.map_or(0.0, |tool| tool.length) + self.scene.machine.pivot;
+        self.system.plane.tool.unit() * length
     }
 
     /// A preset of the table.
@@ -146,14 +177,21 @@ impl<'s> World<'s> {
         self.carry_system();
     }
 
-    /// A tilted system goes with the table.
+    /// A system on the workpiece goes with the table.
     pub(super) fn carry_system(&mut self) {
-        let machine = &self.scene.machine;
-        let table = machine.table(self.angles).of(machine.table(self.system.angle_datum()).inverse());
+        let table = self.carried(self.angles);
         if self.system.table != table {
             self.system.set_table(table);
             self.renew();
+        } else if self.system.is_on_workpiece() {
+            self.renew();
         }
+    }
+
+    /// Where the table puts the workpiece when the rotary axes stand there.
+    pub(super) fn carried(&self, angles: DVec3) -> Frame {
+        let machine = &self.scene.machine;
+        machine.table(angles).of(machine.table(self.system.angle_datum()).inverse())
     }
 
     /// The tables as they are now.
@@ -199,6 +237,12 @@ impl<'s> World<'s> {
                 rise,
             },
         }
+    }
+
+    /// The path of the tool tip, of a path of the linear axes.
+    pub(super) fn path_of_tip(&self, path: &BallPath) -> BallPath {
+        let swung = self.swung();
+        if swung == DVec3::ZERO { *path } else { path.moved(swung) }
     }
 
     /// The table of a kind; of datum tables the active one.
@@ -291,6 +335,9 @@ impl<'s> World<'s> {
         self.tool = Some(tool);
         (self.spindle_turned, self.pressed) = (0.0, None);
         self.probe.take();
+        if self.swung() != DVec3::ZERO {
+            self.renew();
+        }
     }
 
     /// The tool in the spindle gets the data that its row has now. The spindle stays where it is, so a new length
@@ -298,7 +345,8 @@ impl<'s> World<'s> {
     pub(super) fn renew_tool(&mut self) -> Result<(), TableError> {
         let Some(old) = self.tool else { return Ok(()) };
         let new = self.tool_data(old.number, old.deltas.0, old.deltas.1)?;
-        let up = self.system.frame().vector(self.system.plane.tool.unit());
+        let tool = self.system.plane.tool.unit();
+        let up = if self.system.is_on_workpiece() { tool } else { self.system.frame().vector(tool) };
         self.tool = Some(new);
         self.probe.take();
         if new.length != old.length {
@@ -316,8 +364,7 @@ impl<'s> World<'s> {
 
     /// The point about which the head turns when the tool tip is there, in machine coordinates.
     pub(super) fn pivot(&self, tip: DVec3) -> DVec3 {
-        let length = self.tool.map_or(0.0, |tool| tool.length) + self.scene.machine.pivot;
-        tip + self.system.plane.tool.unit() * length
+        tip + self.to_pivot()
     }
 
     /// The number that a machine parameter has in the scene, by the name that the control prints.

@@ -42,6 +42,10 @@ const NEAR_ROOT: f64 = 1e-3;
 const EDGE_SHARE: f64 = 1.0 / 64.0;
 /// The search for unsupported edges gives up (and reports them) after so many cells.
 const MAX_CELLS: usize = 200_000;
+/// A ball that goes any way and comes closer than this, in mm, counts as touching.
+const NEAR: f64 = 1e-6;
+/// More stretches of such a way are not looked at.
+const MAX_STRETCHES: usize = 1_000_000;
 /// A helix is proven free in steps not shorter than this, in mm.
 const MIN_STEP: f64 = 1e-3;
 
@@ -256,6 +260,47 @@ impl Body {
             }
         }
         false
+    }
+
+    /// A place where a ball touches whose centre goes any way; nothing if it stays free. It need not be the first one. `at`
+    /// tells where the centre is when a share of the way is done, `reach` how far it is from there at most, not more than
+    /// another share before or after. A ball that comes nearer than [`NEAR`] counts as touching.
+    ///
+    /// # Errors
+    /// As for [`Body::first_contact_on`]; and a ball that goes so near to the solid for so long that it cannot be proven free.
+    pub fn contact_on_course(
+        &self,
+        ball_radius: f64,
+        at: &dyn Fn(f64) -> DVec3,
+        reach: &dyn Fn(f64, f64) -> f64,
+    ) -> Result<Option<Contact>, SolidError> {
+        if !(ball_radius.is_finite() && ball_radius > 0.0) {
+            return Err(SolidError::NotFinite);
+        }
+        let (mut open, mut looked) = (vec![(0.5, 0.5)], 0);
+        while let Some((middle, half)) = open.pop() {
+            let (centre, reach) = (at(middle), reach(middle, half));
+            looked += 1;
+            if looked > MAX_STRETCHES {
+                return Err(SolidError::Helix(centre));
+            }
+            let edges = match self.nearest_within(centre, ball_radius + reach)? {
+                Some(Nearest { distance, point }) if distance < ball_radius - TOUCH || reach < NEAR => {
+                    let normal = (centre - point).normalize_or_zero();
+                    return Ok(Some(Contact { t: middle, ball_centre: centre, point, normal, deflected: false }));
+                }
+                Some(_) => Ok(()),
+                None => match self.no_edge_within(centre, ball_radius + reach) {
+                    Ok(()) => continue,
+                    edges => edges,
+                },
+            };
+            if reach < NEAR {
+                edges?;
+            }
+            open.extend([(middle + half / 2.0, half / 2.0), (middle - half / 2.0, half / 2.0)]);
+        }
+        Ok(None)
     }
 
     /// Proves that a ball on a helix touches nothing; a helix that would touch is a limit.

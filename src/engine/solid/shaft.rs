@@ -24,25 +24,37 @@ impl Body {
         length: f64,
         way: &dyn Fn(f64) -> Path,
     ) -> Result<Option<Contact>, SolidError> {
+        self.shaft_contact_by(radius, length, &|radius, share| self.first_contact_on(radius, &way(share)))
+    }
+
+    /// The same for any movement: `touches` tells whether a ball of a radius touches whose centre is that point of the axis.
+    ///
+    /// # Errors
+    /// Those of `touches`, where no smaller stretch decides.
+    pub fn shaft_contact_by(
+        &self,
+        radius: f64,
+        length: f64,
+        touches: &dyn Fn(f64, f64) -> Result<Option<Contact>, SolidError>,
+    ) -> Result<Option<Contact>, SolidError> {
         if !(radius.is_finite() && radius > 0.0 && length.is_finite()) {
             return Err(SolidError::NotFinite);
         }
         for end in [0.0, 1.0] {
-            if let Some(contact) = self.first_contact_on(radius, &way(end))? {
+            if let Some(contact) = touches(radius, end)? {
                 return Ok(Some(contact));
             }
         }
         let mut open = vec![(0.0, 1.0)];
         while let Some((low, high)) = open.pop() {
             let middle = f64::midpoint(low, high);
-            let way = way(middle);
             let around = libm::hypot(radius, 0.5 * (high - low) * length);
-            let around = match self.first_contact_on(around, &way) {
+            let around = match touches(around, middle) {
                 Ok(None) => continue,
                 Ok(Some(contact)) if around - radius < NEAR => return Ok(Some(contact)),
                 Err(error) if around - radius < NEAR => return Err(error),
                 // The smaller balls of its halves may be free, or beyond the trouble.
-                Ok(Some(_)) | Err(_) => self.first_contact_on(radius, &way),
+                Ok(Some(_)) | Err(_) => touches(radius, middle),
             };
             if let Ok(Some(contact)) = around {
                 return Ok(Some(contact));
