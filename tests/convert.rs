@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use ciklo::check::{Against, LabelBook, check};
 use ciklo::compare::compare;
 use ciklo::conform::{LogTexts, World, executed};
-use ciklo::convert::{Conversion, Form, Request, convert};
+use ciklo::convert::{Conversion, Form, Request, convert, functions};
 use ciklo::data;
 use ciklo::diag::{Arg, Severity, Source};
 use ciklo::engine::run::{Engine, Event, EventKind, Status};
@@ -257,4 +257,73 @@ fn converted_examples_move_the_same() {
     assert!(unexplained.is_empty(), "{unexplained:#?}");
     assert!(OTHERWISE.iter().all(|own| differ.iter().any(|name| name.starts_with(own))), "{differ:#?}");
     assert!(same > 250, "{same}");
+}
+
+/// A program with every function that a profile names, and some that none does.
+const FUNCTIONS: &str = "0 BEGIN PGM A MM\n1 TOOL CALL \"T1\" Z S1000\n2 CYCL CALL PAT FMAX\n3 CYCL CALL POS X+1 Y+1 Z+0 FMAX\n\
+    4 GLOBAL DEF 100 ALLG. ~\n    Q200=+2 ;A\n5 PATTERN DEF POS1 (X+1 Y+1 Z+0)\n6 SEL PATTERN \"P.PNT\"\n7 SEL TABLE \"D.D\"\n\
+    8 SEL CONTOUR \"C\"\n9 DECLARE CONTOUR QC1 = \"A.H\"\n10 QC2 = QC1\n11 CONTOUR DEF P1 = \"A.H\"\n12 FL AN+60\n13 FPOL X+1 Y+1\n\
+    14 FC DR- R30\n15 FSELECT 1\n16 PLANE SPATIAL SPA+0 SPB+90 SPC+0 TURN FMAX\n17 PLANE RESET STAY\n18 FUNCTION MODE TURN\n\
+    19 FUNCTION TURNDATA SPIN VCONST:ON VC:150\n20 FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\n21 FUNCTION RESET TCPM\n22 M128\n\
+    23 FN 17: SYSWRITE ID 990 NR 6 =+1\n24 QL1 = QL2 + 1\n25 QS1 = \"a\" || QS2\n26 L X+1 M103 F5\n27 L X+1 M109\n28 L X+1 M110\n\
+    29 L X+1 M120 LA5\n30 L X+1 M130\n31 M136\n32 M137\n33 L Z+1 M140 MB MAX\n34 M144\n35 M116\n36 TRANS DATUM AXIS X+10\n\
+    37 LBL \"A\"\n38 CALL LBL \"A\" REP 2\n39 QR1 = 5 ;QL7 in a comment\n40 L X+1 FU0.1\n41 PLANE VECTOR BX0 BY0 BZ1 NX0 NY0 NZ1 STAY\n\
+    42 APPR LCT X+1 Y+1 R5 RL\n43 L X+2\n44 DEP LT LEN5\n45 QS3 = SUBSTR( SRC_QS1 BEG0 LEN2 )\n46 LBL 5\n47 L X+1 Y+2 R0 FMAX M99\n\
+    48 M3\n49 CYCL CALL\n50 FN 0: Q1 = +5\n51 Q2 = SIN 5\n52 END PGM A MM\n";
+
+/// Every function that the other control's manual does not show is told once with its number of uses, and what is shown and
+/// what every control has is not.
+#[test]
+fn functions_that_a_manual_does_not_show_are_told() {
+    let data = Data::new();
+    let books = data.books();
+    let own = program(FUNCTIONS);
+    assert!(own.diagnostics().is_empty(), "{:#?}", own.diagnostics());
+    let used: std::collections::BTreeSet<String> =
+        own.blocks().iter().flat_map(|block| functions(&own, block)).map(|(name, _)| name).collect();
+    // What a profile names is found in programs: no entry is misspelt.
+    for on in data.catalogue.controls.values() {
+        for shown in on.control.functions.iter().flat_map(|shown| &shown.function) {
+            assert!(used.contains(shown), "{} {shown}\n{used:?}", on.id());
+        }
+    }
+    for (from, to) in pairs(&data) {
+        let conversion = data.convert(&books, (from, to), Form::AsWritten, FUNCTIONS);
+        let told: BTreeMap<String, &str> = conversion
+            .found
+            .iter()
+            .filter_map(|found| match found.get("function") {
+                Some(Arg::Text(name)) => Some((name.to_string(), found.code)),
+                _ => None,
+            })
+            .collect();
+        let profile = &data.catalogue.controls[to].control.functions;
+        for name in &used {
+            let shown = profile.iter().find(|shown| shown.function.contains(name));
+            let expected = match shown {
+                None => Some("convert-function-not-shown"),
+                Some(shown) => shown.option.map(|_| "convert-function-option"),
+            };
+            assert_eq!(told.get(name).copied(), expected, "{from} → {to} {name}");
+        }
+        assert_eq!(conversion.text, FUNCTIONS);
+    }
+    // 42 and 44, 37 and 38, 20 and 21, 24 (twice): what a reader counts.
+    let conversion = data.convert(&books, ("tnc640", "tnc426-430"), Form::AsWritten, FUNCTIONS);
+    let count = |name: &str| {
+        let own = conversion
+            .found
+            .iter()
+            .find(|found| matches!(found.get("function"), Some(Arg::Text(own)) if **own == *name));
+        own.and_then(|found| match found.get("count") {
+            Some(Arg::Number(count)) => Some(*count),
+            _ => None,
+        })
+    };
+    let expected =
+        [("LBL \"…\"", 2.0), ("FUNCTION TCPM", 2.0), ("QL", 2.0), ("TRANS DATUM", 1.0), ("APPR LCT", 1.0), ("QR", 1.0)];
+    for (name, number) in expected {
+        assert_eq!(count(name), Some(number), "{name}");
+    }
+    assert_eq!(count("M99"), None);
 }

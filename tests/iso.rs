@@ -14,6 +14,7 @@ use ciklo::diag::{Diagnostic, Source};
 use ciklo::engine::run::{Engine, Trace};
 use ciklo::engine::scene::Scene;
 use ciklo::iso::{Codes, to_iso, to_klartext};
+use ciklo::label;
 use ciklo::locale::Locales;
 use ciklo::spec::Catalogue;
 use ciklo::syntax::{Dialect, Program, parse};
@@ -182,6 +183,42 @@ fn copies_know_where_they_come_from() {
     assert!(copies > 1000);
 }
 
+/// Every code that a manual prints, in `codes.txt` with its line, is that of a cycle whose definition is written with it and read
+/// from it again.
+#[test]
+fn codes_of_the_manuals_are_those_of_cycles() {
+    let data = Data::new();
+    let codes = Codes::new(&data.catalogue);
+    let list = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso/codes.txt")).expect("the list");
+    let mut written = BTreeMap::<String, Vec<&str>>::new();
+    for on in data.catalogue.controls.values() {
+        let language = data.locales.language(on.control.language.as_str()).expect("its language");
+        for cycle in on.cycles.values() {
+            let forms = cycle.file.forms.iter().map(|form| Some(form.form.as_str()));
+            let forms = if cycle.file.forms.is_empty() { vec![None] } else { forms.collect() };
+            for form in forms {
+                let request = label::Request { form, number: Some(1), ..label::Request::default() };
+                let Ok(block) = label::block(on, cycle, language, &request) else { continue };
+                let program = read("part.h", &format!("0 BEGIN PGM A MM\n{block}99 END PGM A MM\n"));
+                let Some((iso, back)) = by_way_of_iso(&codes, &program) else { continue };
+                let differences = data.differences(on.id(), &program, &back);
+                assert!(differences.is_empty(), "{block}{iso}\n{differences:#?}");
+                let code = iso.split_whitespace().find(|word| word.starts_with('G') && *word != "G71").expect("a code");
+                let manuals = on.control.manuals.iter().map(String::as_str);
+                written.entry(code.to_owned()).or_default().extend(manuals);
+            }
+        }
+    }
+    let mut count = 0;
+    for line in list.lines() {
+        let (code, source) = line.split_once(' ').expect("a code and its place");
+        let (manual, _) = source.split_once(':').expect("a manual and a line");
+        assert!(written.get(code).is_some_and(|manuals| manuals.contains(&manual)), "{line}: {:?}", written.get(code));
+        count += 1;
+    }
+    assert_eq!(count, 185);
+}
+
 /// The blocks that the manuals print, by way of DIN/ISO, say the same; those that have no code are few and named.
 #[test]
 fn printed_blocks_come_back() {
@@ -344,6 +381,9 @@ fn block() -> impl Strategy<Value = String> {
         1 => (coordinates(&["PR", "PA", "Z"]), tail()).prop_map(|(at, tail)| format!("LP{at}{tail}")),
         1 => (coordinates(&["PA", "Z"]), direction()).prop_map(|(at, d)| format!("CP{at} {d}")),
         1 => coordinates(&["PR", "PA"]).prop_map(|at| format!("CTP{at}")),
+        1 => (proptest::sample::select(vec!["X", "IY", "Z", "IC"]), number(), proptest::sample::select(vec!["", " R+", " R-", " R0"]), tail())
+            .prop_map(|(axis, at, along, tail)| format!("{axis}{at}{along}{}", if along.is_empty() { tail } else { " F250 M8".to_owned() })),
+        1 => number().prop_map(|at| format!("X{at} R+ FMAX")),
         1 => number().prop_map(|r| format!("RND R{r} F100")),
         1 => number().prop_map(|r| format!("CHF {r}")),
         1 => (1..99_u8, number()).prop_map(|(t, dl)| format!("TOOL CALL {t} Z S2000 F100 DL{dl} DR2+0.1")),
@@ -395,6 +435,65 @@ fn block() -> impl Strategy<Value = String> {
     ]
 }
 
+/// Words of DIN/ISO that say where a movement goes, the codes for incremental and absolute values among them.
+fn words(names: &'static [&'static str], counts: std::ops::Range<usize>) -> impl Strategy<Value = String> {
+    let word = (proptest::sample::select(names), proptest::sample::select(vec!["", "", " G90", " G91"]), number());
+    proptest::collection::vec(word, counts)
+        .prop_map(|words| words.iter().map(|(name, mode, n)| format!("{mode} {name}{n}")).collect())
+}
+
+/// A block of DIN/ISO that Klartext has an equivalent of, whatever acts where it stands.
+fn iso_block() -> impl Strategy<Value = String> {
+    let path = || proptest::sample::select(vec!["", "G00", "G01", "G1 G90", "G01 G91"]);
+    let comp = || proptest::sample::select(vec!["", " G40", " G41", " G42"]);
+    let end = || proptest::sample::select(vec!["", " F300", " FQ5", " M3", " F50 M8 M13", " M99"]);
+    prop_oneof![
+        4 => (path(), comp(), words(LINEAR, 1..4), end()).prop_map(|(g, c, at, end)| format!("{g}{c}{at}{end}")),
+        1 => (proptest::sample::select(vec!["G02", "G03"]), words(PLANE, 1..3), end())
+            .prop_map(|(g, at, end)| format!("{g}{at}{end}")),
+        1 => (number(), number(), words(PLANE, 1..3), proptest::sample::select(vec!["G02", "G03"]))
+            .prop_map(|(i, j, at, g)| format!("I{i} J{j} {g}{at}")),
+        1 => (proptest::sample::select(vec!["G02", "G03", "G05"]), words(PLANE, 1..3), number())
+            .prop_map(|(g, at, r)| format!("G03 X+1 R+5 *\n{g}{at} R{r}")),
+        1 => (words(PLANE, 1..3), end()).prop_map(|(at, end)| format!("G06{at}{end}")),
+        1 => (proptest::sample::select(vec!["X", "Y", "Z", "B"]), number(), proptest::sample::select(vec!["", " G43", " G44", " G40"]))
+            .prop_map(|(axis, at, along)| format!("G07{along} {axis}{at} F200 *\nG01")),
+        1 => (proptest::sample::select(vec!["G10", "G11"]), words(&["R", "H", "Z"], 1..3)).prop_map(|(g, at)| format!("{g}{at}")),
+        1 => (proptest::sample::select(vec!["G12", "G13"]), words(&["H", "Z"], 1..2)).prop_map(|(g, at)| format!("{g}{at}")),
+        1 => words(&["R", "H"], 1..3).prop_map(|at| format!("G16{at}")),
+        1 => words(&["I", "J", "K"], 1..3).prop_map(|at| at.trim().to_owned()),
+        1 => Just("G29".to_owned()),
+        1 => number().prop_map(|n| format!("G24 R{n}")),
+        1 => number().prop_map(|n| format!("G25 R{n} F20")),
+        1 => proptest::sample::select(vec!["G90", "G91", "G17", "G18", "G19", "G71", "G40"]).prop_map(str::to_owned),
+        1 => (1..99_u8, number()).prop_map(|(t, dl)| format!("T{t} G17 S1000 F200 DL{dl} DR2+0.5 M3")),
+        1 => Just("S500".to_owned()),
+        1 => Just("G51 T5".to_owned()),
+        1 => Just("G99 T7 L+10 R+2".to_owned()),
+        1 => (1..99_u8, 0..9_u8).prop_map(|(l, n)| format!("G98 L{l} *\nL{l},{n}")),
+        1 => Just("G98 L\"A\" *\nL\"A\",2".to_owned()),
+        1 => (0..9_u8, number(), number()).prop_map(|(op, a, b)| match op {
+            0 => format!("D00 Q5 P01 {a}"),
+            1 => format!("D01 Q5 P01 {a} P02 {b}"),
+            2 => format!("D2 Q5 P01 {a} P02 {b}"),
+            3 => format!("D03 Q5 P01 {a} P02 {b}"),
+            4 => format!("D04 Q5 P01 {a} P02 {b}"),
+            5 => format!("D06 Q5 P01 {a}"),
+            6 => format!("D08 Q5 P01 {a} P02 {b}"),
+            7 => format!("D12 P01 {a} P02 {b} P03 5"),
+            _ => format!("D10 P01 {a} P02 {b} P03 \"A\""),
+        }),
+        1 => proptest::sample::select(vec![
+            "D14 P01 1000", "D18 Q25 ID210 NR4 IDX3", "D19 P01 +10 P02 +Q3", "D20: WAIT FOR SYNC", "D26: TABOPEN TNC:\\T.TAB",
+            "D29 P01 1 P02 2", "D37: EXPORT Q5", "%:TAB: \"A.D\"", "%:PAT: \"A.PNT\"", "%:CNT: \"A.H\"", "%:PGM: \"A.I\"", "%<>%", "%TNC:\\A.I", "G38 M8", "M30",
+            "G79 M3", "G79 \"PAT\" F500", "G79:G01 X+10 Y+20 Z+5 F400", "G04 F1.5", "G28 X Y", "G36 S90", "G37 P01 1 P02 2",
+            "G39 P01 \"A.H\"", "G53 P01 12", "G54 G90 X+25 Y-12.5", "G54 G91 X+25", "G55 P01 10 P02 X- P03 X+25 P04 Y+10 P05 Z-20", "G62 T0.05 P01 0 P02 5",
+            "G72 F0.98", "G73 G90 H+25", "G73 G91 H+25", "G80 A+0 B+45 C+0", "G200 Q200=2 Q201=-20 Q206=150",
+            "G203 UNIVERSAL DRILLING\nQ200=+2 ;SET-UP CLEARANCE\nQ201=-20 ;DEPTH\nQ206=FAUTO", "G410 Q321=+50 Q322=+50", "; a comment", "Q1 = Q2 + 5", "* - a heading",
+        ]).prop_map(str::to_owned),
+    ]
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
 
@@ -414,6 +513,29 @@ proptest! {
         let differences = data.differences("tnc640", &program, &back);
         prop_assert!(differences.is_empty(), "{}\n{}\n{}\n{:#?}", text, iso, back.source().text(), differences);
         // DIN/ISO by way of Klartext is the same text from then on.
+        let again = to_iso(&back, &codes);
+        prop_assert_eq!(again.text, iso);
+    }
+
+    /// DIN/ISO by way of Klartext is the same program: told in Klartext once more, it says the same.
+    #[test]
+    fn iso_comes_back(blocks in proptest::collection::vec(iso_block(), 1..12), inch in any::<bool>()) {
+        thread_local! { static DATA: &'static Data = Box::leak(Box::new(Data::new())); }
+        let data = DATA.with(|data| *data);
+        let codes = Codes::new(&data.catalogue);
+        let unit = if inch { "G70" } else { "G71" };
+        let blocks = blocks.iter().filter(|block| !(inch && *block == "G71"));
+        let body: String = blocks.flat_map(|block| block.split(" *\n").map(str::to_owned).collect::<Vec<_>>()).zip(1..)
+            .map(|(block, number)| format!("N{}0 {block}*\n", number)).collect();
+        let text = format!("%A {unit} *\nN1 G30 G17 X+0 Y+0 Z-20*\nN2 G31 G90 X+100 Y+50 Z+0*\nN3 G00 G40 G90 Z+50*\n{body}N99999999 %A {unit} *\n");
+        let program = read("part.i", &text);
+        prop_assert_eq!(program.errors().count(), 0, "{}", text);
+        let lowered = to_klartext(&program, &codes, None);
+        prop_assert!(lowered.diagnostics.is_empty(), "{}\n{:?}", text, lowered.diagnostics);
+        prop_assert_eq!(lowered.program.errors().count(), 0, "{}\n{}", text, lowered.program.source().text());
+        let (iso, back) = by_way_of_iso(&codes, &lowered.program).expect("nothing is refused");
+        let differences = data.differences("tnc640", &lowered.program, &back);
+        prop_assert!(differences.is_empty(), "{}\n{}\n{}\n{:#?}", text, iso, back.source().text(), differences);
         let again = to_iso(&back, &codes);
         prop_assert_eq!(again.text, iso);
     }

@@ -38,3 +38,9 @@ diag-convert-field-lacking = The field { $parameter } of { $cycle } does not exi
 diag-convert-form = { $cycle } becomes { $new }.
 diag-convert-form-stays = { $cycle } stays in its form: comments or other blocks stand between its lines.
 diag-convert-not-line-by-line = { $cycle } stays as it is: its parameters do not stand on lines of their own.
+diag-convert-function-not-shown =
+    { $function } (used { $count ->
+        [one] once
+       *[other] { $count } times
+    }) stays as it is: the manual of { $control } does not show it.
+diag-convert-function-option = { $function } needs software option { $option } on { $control }.

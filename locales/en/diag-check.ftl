@@ -21,6 +21,13 @@ diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearanc
 diag-compensation-at-cycle =
     { $cycle } is executed here while radius compensation is active.
 diag-compensation-left-on = Radius compensation is still active here.
+diag-contour-def-wrong =
+    { $what ->
+        [many] { $found }: CONTOUR DEF has nine contours at most.
+       *[island] { $found }: the first contour of CONTOUR DEF is a pocket, the deepest one.
+    }
+diag-contour-depth-missing = { $contour } has no DEPTH, other contours have one.
+diag-contour-undeclared = The formula reads { $contour }, which nothing names before it.
 diag-contour-unnamed =
     { $cycle } is called here, but no contour has been named before.
 diag-cutting-without-tool = The tool moves at feed here, but no tool call stands before.
@@ -30,6 +37,7 @@ diag-cycle-not-described = { $cycle } ({ $name }) is named by the manuals and no
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
 diag-defined-but-never-called = { $cycle } is defined here and never called.
 diag-duplicate-parameter = { $parameter } stands twice in { $cycle }.
+diag-empty-word = This M has no number and does nothing.
 diag-frame-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
 diag-guard = The control objects to these values.
 diag-label-duplicate = The label { $label } is set a second time here.

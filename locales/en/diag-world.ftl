@@ -51,7 +51,11 @@ diag-table-too-wide = { $file }, row { $row }: the value does not fit into colum
 diag-table-text-in-numbers = { $file }, row { $row }: column { $column } takes numbers only.
 diag-table-key-column = { $file }, row { $row }: the row number in column { $column } cannot be changed.
 diag-table-duplicate-column = The column { $column } stands twice.
-diag-table-unknown-column = No manual describes the column { $column } here: its cells are not checked.
+diag-table-unknown-column =
+    { $count ->
+        [one] No manual describes the column { $column } here: its cells are not checked.
+       *[other] No manual describes the columns { $column } here: their cells are not checked.
+    }
 diag-table-value-not-taken = Row { $row }: column { $column } does not take “{ $found }”.
 
 diag-stock-form = BLK FORM { $word } is not described in the manuals: give the stock in the scene, or a cuboid by BLK FORM 0.1 and 0.2.

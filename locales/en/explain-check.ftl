@@ -11,6 +11,9 @@ explain-choice-not-offered = The parameter offers a choice of values, each with 
 explain-clearance-height-too-low = The clearance height of a touch probe cycle is where probe and workpiece cannot collide. Where the ball touches there is material, so a clearance height that is not above the measuring height, or above a point that is probed along the probe axis and the set-up clearance in front of it, leaves the probe in the workpiece. What the probe table adds is not counted. Example: Q261=+15 and Q260=+10.
 explain-compensation-at-cycle = Cycles compensate for the tool radius themselves: the position before them is programmed with R0. Said once a program, and only where RL or RR is certainly active.
 explain-compensation-left-on = RL or RR is certainly still active where a tool is called or the program ends. The contour was not left with R0 or DEP.
+explain-contour-def-wrong = The contours of CONTOUR DEF begin with the deepest pocket (P1); behind it stand pockets and islands, nine contours in all at most.
+explain-contour-depth-missing = If one contour has a depth of its own (DEPTH), the control needs the depth of all of them; DEPTH0 is that of the cycle. Said once a program.
+explain-contour-undeclared = A contour formula combines contours that DECLARE CONTOUR or another formula names before. In programs with labels only contours that are named nowhere are told; programs that call others are passed over.
 explain-contour-unnamed = Contour cycles machine a contour that CYCL DEF 14, SEL CONTOUR or CONTOUR DEF names before. Said once a program.
 explain-cutting-without-tool = Before the first TOOL CALL the control does not know which tool it moves, its length and its radius. Movements at rapid traverse and in machine coordinates are left alone. Said once a program.
 explain-cycle-line-alone = A definition in the old form begins with line 0, which names the cycle: CYCL DEF 7.0, then CYCL DEF 7.1. Lines of another cycle between them, or a mistyped number, tear it apart.
@@ -19,6 +22,7 @@ explain-cycle-not-described = The control has the cycle, but no specification de
 explain-cycle-not-on-control = The manuals of this control do not know the cycle, those of another one do. The program was written for that control, or the wrong control was chosen with --control.
 explain-defined-but-never-called = The cycle acts when it is called with CYCL CALL, M99 or M89, or by a pattern, and nothing of that follows before the next such cycle or the end. The definition does nothing, or the call was forgotten.
 explain-duplicate-parameter = The definition gives the same parameter or field two values; it cannot be said which one is meant.
+explain-empty-word = Older controls and some post-processors print the word of an M function even in blocks that have none. It does nothing; newer controls may refuse the block. Said once a program.
 explain-feed-missing = A movement without FMAX needs a feed: in its block, in one before it, or in the tool call. Said once a program, and only where no way of the run has programmed one.
 explain-frame-mismatch = BEGIN PGM and END PGM of a program have the same name and the same unit. Otherwise the end may belong to another program.
 explain-guard = The specifications state under which conditions a control refuses a cycle, skips it, warns or asks. Each such guard has a code of its own; it is only checked with what is certain: values that the program writes, parameters with a certain value, transformations that are certainly active.

@@ -38,3 +38,9 @@ diag-convert-field-lacking = Työkierron { $cycle } kenttää { $parameter } ei 
 diag-convert-form = Työkierrosta { $cycle } tulee { $new }.
 diag-convert-form-stays = Työkierron { $cycle } muoto säilyy: sen rivien välissä on kommentteja tai muita lauseita.
 diag-convert-not-line-by-line = Työkierto { $cycle } jää ennalleen: sen parametrit eivät ole omilla riveillään.
+diag-convert-function-not-shown =
+    { $function } ({ $count ->
+        [one] yhden kerran
+       *[other] { $count } kertaa
+    }) jää ennalleen: ohjauksen { $control } käsikirja ei mainitse sitä.
+diag-convert-function-option = { $function } vaatii ohjauksessa { $control } ohjelmisto-option { $option }.

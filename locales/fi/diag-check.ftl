@@ -21,6 +21,13 @@ diag-clearance-height-too-low = { $cycle } koskettaa korkeudella { $touched }: v
 diag-compensation-at-cycle =
     { $cycle } suoritetaan tässä sädekorjauksen ollessa voimassa.
 diag-compensation-left-on = Sädekorjaus on tässä vielä voimassa.
+diag-contour-def-wrong =
+    { $what ->
+        [many] { $found }: CONTOUR DEF -lauseessa on enintään yhdeksän muotoa.
+       *[island] { $found }: CONTOUR DEF -lauseen ensimmäinen muoto on tasku, niistä syvin.
+    }
+diag-contour-depth-missing = Muodolla { $contour } ei ole DEPTH-arvoa, muilla muodoilla on.
+diag-contour-undeclared = Kaava lukee muodon { $contour }, jota mikään ei nimeä ennen sitä.
 diag-contour-unnamed =
     { $cycle } kutsutaan tässä, mutta sitä ennen ei ole nimetty muotoa.
 diag-cutting-without-tool = Työkalu liikkuu tässä syöttöarvolla, mutta ennen sitä ei ole työkalukutsua.
@@ -30,6 +37,7 @@ diag-cycle-not-described = Työkierto { $cycle } ({ $name }) mainitaan käsikirj
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
+diag-empty-word = Tässä M-sanassa ei ole numeroa, eikä se tee mitään.
 diag-frame-mismatch = END PGM -lauseessa on { $end }, BEGIN PGM -lauseessa { $begin }.
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
 diag-label-duplicate = Label { $label } asetetaan tässä toisen kerran.

@@ -50,7 +50,11 @@ diag-table-too-wide = { $file }, rivi { $row }: arvo ei mahdu sarakkeeseen { $co
 diag-table-text-in-numbers = { $file }, rivi { $row }: sarakkeeseen { $column } voi syöttää vain lukuja.
 diag-table-key-column = { $file }, rivi { $row }: sarakkeen { $column } rivinumeroa ei voi muuttaa.
 diag-table-duplicate-column = Sarake { $column } on taulukossa kahdesti.
-diag-table-unknown-column = Mikään käsikirja ei kuvaa tässä saraketta { $column }: sen soluja ei tarkasteta.
+diag-table-unknown-column =
+    { $count ->
+        [one] Mikään käsikirja ei kuvaa saraketta { $column }: sen soluja ei tarkasteta.
+       *[other] Mikään käsikirja ei kuvaa sarakkeita { $column }: niiden soluja ei tarkasteta.
+    }
 diag-table-value-not-taken = Rivi { $row }: sarake { $column } ei hyväksy arvoa ”{ $found }”.
 diag-stock-blank = BLK FORM -lauseen kulmien on oltava lukuja, ja jokaisen minimin on oltava pienempi kuin maksimin.
 diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: anna aihio asetelmassa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.

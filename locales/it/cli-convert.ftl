@@ -38,3 +38,9 @@ diag-convert-field-lacking = Il campo { $parameter } di { $cycle } non esiste su
 diag-convert-form = { $cycle } diventa { $new }.
 diag-convert-form-stays = { $cycle } resta nella sua forma: tra le sue righe ci sono commenti o altri blocchi.
 diag-convert-not-line-by-line = { $cycle } resta com’è: i suoi parametri non stanno ciascuno su una riga propria.
+diag-convert-function-not-shown =
+    { $function } ({ $count ->
+        [one] una volta
+       *[other] { $count } volte
+    }) resta com’è: il manuale di { $control } non ne parla.
+diag-convert-function-option = { $function } su { $control } richiede l’opzione software { $option }.

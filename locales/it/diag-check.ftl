@@ -21,6 +21,13 @@ diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di 
 diag-compensation-at-cycle =
     { $cycle } viene eseguito qui con la correzione del raggio attiva.
 diag-compensation-left-on = Qui la correzione del raggio è ancora attiva.
+diag-contour-def-wrong =
+    { $what ->
+        [many] { $found }: CONTOUR DEF ha al massimo nove profili.
+       *[island] { $found }: il primo profilo di CONTOUR DEF è una tasca, la più profonda.
+    }
+diag-contour-depth-missing = { $contour } non ha DEPTH, altri profili sì.
+diag-contour-undeclared = La formula legge { $contour }, che nulla indica prima.
 diag-contour-unnamed =
     { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
@@ -30,6 +37,7 @@ diag-cycle-not-described = { $cycle } ({ $name }) è citato nei manuali ma non d
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
+diag-empty-word = Questa M è senza numero e non fa nulla.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-guard = Il controllo non accetta questi valori.
 diag-label-duplicate = Il label { $label } viene impostato qui per la seconda volta.

@@ -50,7 +50,11 @@ diag-table-too-wide = { $file }, riga { $row }: il valore è troppo lungo per la
 diag-table-text-in-numbers = { $file }, riga { $row }: nella colonna { $column } sono ammessi solo numeri.
 diag-table-key-column = { $file }, riga { $row }: il numero di riga nella colonna { $column } non può essere modificato.
 diag-table-duplicate-column = La colonna { $column } compare due volte.
-diag-table-unknown-column = Nessun manuale descrive la colonna { $column }: le sue celle non vengono controllate.
+diag-table-unknown-column =
+    { $count ->
+        [one] Nessun manuale descrive la colonna { $column }: le sue celle non vengono controllate.
+       *[other] Nessun manuale descrive le colonne { $column }: le loro celle non vengono controllate.
+    }
 diag-table-value-not-taken = Riga { $row }: la colonna { $column } non accetta «{ $found }».
 diag-stock-blank = Gli spigoli di BLK FORM devono essere numeri e ogni minimo deve essere inferiore al suo massimo.
 diag-stock-form = BLK FORM { $word } non è descritto nei manuali: indicare il pezzo grezzo nella scena, oppure un parallelepipedo con BLK FORM 0.1 e 0.2.

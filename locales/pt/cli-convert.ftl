@@ -39,3 +39,9 @@ diag-convert-field-lacking = O campo { $parameter } de { $cycle } não existe em
 diag-convert-form = { $cycle } passa a { $new }.
 diag-convert-form-stays = { $cycle } mantém a sua forma: entre as suas linhas há comentários ou outras frases.
 diag-convert-not-line-by-line = { $cycle } fica como está: os seus parâmetros não ocupam cada um a sua linha.
+diag-convert-function-not-shown =
+    { $function } ({ $count ->
+        [one] uma vez
+       *[other] { $count } vezes
+    }) fica como está: o manual de { $control } não o mostra.
+diag-convert-function-option = { $function } precisa da opção de software { $option } em { $control }.

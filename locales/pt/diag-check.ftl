@@ -21,6 +21,13 @@ diag-clearance-height-too-low = { $cycle } apalpa em { $touched }: a altura segu
 diag-compensation-at-cycle =
     { $cycle } é executado aqui com a correção de raio ativa.
 diag-compensation-left-on = A correção de raio ainda está aqui ativa.
+diag-contour-def-wrong =
+    { $what ->
+        [many] { $found }: CONTOUR DEF tem no máximo nove contornos.
+       *[island] { $found }: o primeiro contorno de CONTOUR DEF é uma caixa, a mais profunda.
+    }
+diag-contour-depth-missing = { $contour } não tem DEPTH, outros contornos têm.
+diag-contour-undeclared = A fórmula lê { $contour }, que nada indica antes.
 diag-contour-unnamed =
     { $cycle } é chamado aqui, mas antes não foi indicado nenhum contorno.
 diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
@@ -30,6 +37,7 @@ diag-cycle-not-described = { $cycle } ({ $name }) é mencionado nos manuais mas 
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
+diag-empty-word = Este M não tem número e não faz nada.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-guard = O comando não aceita estes valores.
 diag-label-duplicate = O label { $label } é definido aqui pela segunda vez.

@@ -50,7 +50,11 @@ diag-table-too-wide = { $file }, linha { $row }: o valor não cabe na coluna { $
 diag-table-text-in-numbers = { $file }, linha { $row }: a coluna { $column } só aceita números.
 diag-table-key-column = { $file }, linha { $row }: o número da linha na coluna { $column } não pode ser alterado.
 diag-table-duplicate-column = A coluna { $column } aparece duas vezes.
-diag-table-unknown-column = Nenhum manual descreve a coluna { $column }: as suas células não são verificadas.
+diag-table-unknown-column =
+    { $count ->
+        [one] Nenhum manual descreve a coluna { $column }: as suas células não são verificadas.
+       *[other] Nenhum manual descreve as colunas { $column }: as suas células não são verificadas.
+    }
 diag-table-value-not-taken = Linha { $row }: a coluna { $column } não aceita «{ $found }».
 diag-stock-blank = Os cantos de BLK FORM têm de ser números e cada mínimo tem de ser inferior ao seu máximo.
 diag-stock-form = BLK FORM { $word } não está descrito nos manuais: indique o bloco na cena, ou um paralelepípedo com BLK FORM 0.1 e 0.2.

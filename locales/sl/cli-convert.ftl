@@ -40,3 +40,11 @@ diag-convert-field-lacking = Polje { $parameter } cikla { $cycle } na krmiljenju
 diag-convert-form = { $cycle } postane { $new }.
 diag-convert-form-stays = Cikel { $cycle } ostane v svoji obliki: med njegovimi vrsticami so komentarji ali drugi stavki.
 diag-convert-not-line-by-line = Cikel { $cycle } ostane, kakor je: njegovi parametri niso vsak v svoji vrstici.
+diag-convert-function-not-shown =
+    { $function } ({ $count ->
+        [one] { $count }-krat
+        [two] { $count }-krat
+        [few] { $count }-krat
+       *[other] { $count }-krat
+    }) ostane, kakor je: priročnik za { $control } tega ne prikazuje.
+diag-convert-function-option = { $function } na krmiljenju { $control } zahteva programsko možnost { $option }.

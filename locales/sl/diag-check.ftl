@@ -21,6 +21,13 @@ diag-clearance-height-too-low = { $cycle } se dotakne pri { $touched }: varna vi
 diag-compensation-at-cycle =
     { $cycle } se tu izvede pri aktivnem popravku polmera.
 diag-compensation-left-on = Popravek polmera je tu še aktiven.
+diag-contour-def-wrong =
+    { $what ->
+        [many] { $found }: CONTOUR DEF ima največ devet kontur.
+       *[island] { $found }: prva kontura v CONTOUR DEF je žep, in sicer najgloblji.
+    }
+diag-contour-depth-missing = { $contour } nima DEPTH, druge konture ga imajo.
+diag-contour-undeclared = Formula bere { $contour }, ki je prej nič ne navede.
 diag-contour-unnamed =
     { $cycle } se tu prikliče, pred tem pa ni navedena nobena kontura.
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
@@ -30,6 +37,7 @@ diag-cycle-not-described = Cikel { $cycle } ({ $name }) je v priročnikih omenje
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
+diag-empty-word = Ta M nima številke in ne naredi ničesar.
 diag-frame-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
 diag-label-duplicate = Oznaka LBL { $label } je tu postavljena drugič.

@@ -50,7 +50,13 @@ diag-table-too-wide = { $file }, vrstica { $row }: vrednost je predolga za stolp
 diag-table-text-in-numbers = { $file }, vrstica { $row }: v stolpec { $column } je mogoče vnesti samo števila.
 diag-table-key-column = { $file }, vrstica { $row }: številke vrstice v stolpcu { $column } ni mogoče spremeniti.
 diag-table-duplicate-column = Stolpec { $column } je naveden dvakrat.
-diag-table-unknown-column = Noben priročnik tu ne opisuje stolpca { $column }: njegove celice se ne preverijo.
+diag-table-unknown-column =
+    { $count ->
+        [one] Noben priročnik ne opisuje teh stolpcev: { $column }. Njihove celice se ne preverijo.
+        [two] Noben priročnik ne opisuje teh stolpcev: { $column }. Njihove celice se ne preverijo.
+        [few] Noben priročnik ne opisuje teh stolpcev: { $column }. Njihove celice se ne preverijo.
+       *[other] Noben priročnik ne opisuje teh stolpcev: { $column }. Njihove celice se ne preverijo.
+    }
 diag-table-value-not-taken = Vrstica { $row }: stolpec { $column } ne sprejme vrednosti »{ $found }«.
 diag-stock-blank = Oglišča v stavku BLK FORM morajo biti števila in vsak minimum mora biti manjši od maksimuma.
 diag-stock-form = Stavka BLK FORM { $word } priročniki ne opisujejo: surovec navedite v prizorišču ali kot kvader s stavkoma BLK FORM 0.1 in 0.2.

@@ -11,6 +11,9 @@ explain-choice-not-offered = Parameter ponuja izbiro vrednosti, od katerih ima v
 explain-clearance-height-too-low = Na varni višini cikla tipalnega sistema tipalo in obdelovanec ne moreta trčiti. Kjer se krogla dotakne, je material. Če varna višina ni nad merilno višino ali nad točko, ki se tipa vzdolž osi tipalnega sistema, in varnostno razdaljo pred njo, ostane tipalo v obdelovancu. Kar doda preglednica tipalnega sistema, se ne upošteva. Primer: Q261=+15 in Q260=+10.
 explain-compensation-at-cycle = Cikli sami upoštevajo polmer orodja: položaj pred njimi se programira z R0. Javi se enkrat za vsak program in samo, kjer je popravek RL ali RR zanesljivo aktiven.
 explain-compensation-left-on = Popravek RL ali RR je zanesljivo še aktiven, ko se prikliče orodje ali konča program. Kontura ni bila zapuščena z R0 ali DEP.
+explain-contour-def-wrong = Konture v CONTOUR DEF se začnejo z najglobljim žepom (P1); za njim so žepi in otoki, skupaj največ devet kontur.
+explain-contour-depth-missing = Če ima ena kontura lastno globino (DEPTH), krmiljenje potrebuje globino vseh kontur; DEPTH0 pomeni globino cikla. Javi se enkrat za vsak program.
+explain-contour-undeclared = Konturna formula povezuje konture, ki jih prej navede DECLARE CONTOUR ali druga formula. V programih z oznakami se javijo le konture, ki jih nič ne navede; programi, ki kličejo druge, se preskočijo.
 explain-contour-unnamed = Konturni cikli obdelajo konturo, ki jo prej navede CYCL DEF 14, SEL CONTOUR ali CONTOUR DEF. Javi se enkrat za vsak program.
 explain-cutting-without-tool = Pred prvim TOOL CALL krmiljenje ne ve, katero orodje premika, in ne pozna njegove dolžine in polmera. Premiki v hitrem teku in v strojnih koordinatah se ne obravnavajo. Javi se enkrat za vsak program.
 explain-cycle-line-alone = Definicija v stari obliki se začne z vrstico 0, ki navaja cikel: CYCL DEF 7.0, nato CYCL DEF 7.1. Vrstice drugega cikla med njimi ali napačno vnesena številka jo prekinejo.
@@ -19,6 +22,7 @@ explain-cycle-not-described = Krmiljenje ima ta cikel, vendar zanj tu ni specifi
 explain-cycle-not-on-control = Priročniki tega krmiljenja cikla ne poznajo, priročnik drugega pa ga pozna. Program je bil napisan za drugo krmiljenje ali pa je z --control izbrano napačno.
 explain-defined-but-never-called = Cikel deluje, ko ga prikliče CYCL CALL, M99 ali M89 ali vzorec, nič od tega pa ne sledi pred naslednjim takim ciklom ali koncem programa. Definicija nima učinka ali pa je bil priklic pozabljen.
 explain-duplicate-parameter = Definicija daje istemu parametru ali polju dve vrednosti; ni mogoče reči, katera je mišljena.
+explain-empty-word = Starejša krmiljenja in nekateri postprocesorji izpišejo besedo M-funkcije tudi v stavkih, ki je nimajo. Beseda ne naredi ničesar; novejša krmiljenja lahko stavek zavrnejo. Javi se enkrat za vsak program.
 explain-feed-missing = Premik brez FMAX potrebuje pomik: v svojem stavku, v prejšnjem stavku ali v priklicu orodja. Javi se enkrat za vsak program in samo, če ni programiran na nobeni poti izvajanja.
 explain-frame-mismatch = BEGIN PGM in END PGM programa imata isto ime in isto enoto. Sicer konec morda pripada drugemu programu.
 explain-guard = Specifikacije navajajo, pod katerimi pogoji krmiljenje cikel zavrne, preskoči, opozori ali vpraša. Vsako tako preverjanje ima svojo kodo; opravi se samo s tem, kar je zanesljivo: z vrednostmi, zapisanimi v programu, parametri z zanesljivo znano vrednostjo in zanesljivo aktivnimi preračunavanji koordinat.

@@ -9,6 +9,7 @@ use serde::Serialize;
 use crate::check::Facts;
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::spec::{CycleKey, Known};
+use crate::syntax::{BlockKind, IsoKind};
 
 /// How something came out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -59,7 +60,7 @@ pub struct ProgramReport {
 /// A cycle in all programs.
 #[derive(Clone, Debug, Serialize)]
 pub struct CycleReport {
-    /// Such as `CYCL DEF 200`.
+    /// Such as `CYCL DEF 200`; of a DIN/ISO code that no specification describes the code.
     pub cycle: String,
     /// How it came out.
     pub verdict: Verdict,
@@ -89,6 +90,8 @@ pub struct RuleReport {
 pub struct Tally {
     programs: Vec<ProgramReport>,
     cycles: BTreeMap<CycleKey, (bool, usize, usize)>,
+    /// Codes of DIN/ISO that no specification describes, and how often they come.
+    codes: BTreeMap<u16, usize>,
     rules: BTreeMap<&'static str, Rule>,
 }
 
@@ -119,6 +122,13 @@ impl Tally {
             let entry = self.cycles.entry(definition.key).or_insert((described, 0, 0));
             entry.1 += 1;
             entry.2 += usize::from(found.iter().any(|finding| is_wrong(&finding)));
+        }
+        for block in facts.program.blocks() {
+            let BlockKind::Iso(own) = &block.kind else { continue };
+            if let IsoKind::Cycle(code) = own.kind {
+                judged = false;
+                *self.codes.entry(code).or_default() += 1;
+            }
         }
         for finding in found {
             let place = finding.place.as_ref().map(|place| place.start());
@@ -155,7 +165,13 @@ impl Tally {
             definitions,
             wrong,
         };
-        self.cycles.iter().map(report).collect()
+        let coded = self.codes.iter().map(|(code, definitions)| CycleReport {
+            cycle: format!("G{code:02}"),
+            verdict: Verdict::OutOfSubset,
+            definitions: *definitions,
+            wrong: 0,
+        });
+        self.cycles.iter().map(report).chain(coded).collect()
     }
 
     /// The rules that found something, the worst first.

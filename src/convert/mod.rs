@@ -2,10 +2,13 @@
 //!
 //! Cycles are known by their numbers, parameters by theirs. What the other control lacks goes, what it has in
 //! addition comes with the value that does the same, and each of it is told; a cycle that it does not have stays and
-//! is refused. Invariants: a block that needs nothing keeps its bytes, and nothing is lost in silence.
+//! is refused. Other blocks stay as they are; what of them the other control's manual does not show is told. Invariants: a block that needs nothing keeps its bytes, and nothing is lost in silence.
 mod forms;
+mod functions;
 mod lines;
 mod parameters;
+
+pub use functions::functions;
 
 use crate::check::{Against, Definition, Facts, LanguageLabels};
 use crate::diag::{Diagnostic, Edit, Place, Severity, Span, edited};
@@ -61,6 +64,7 @@ pub fn convert(program: &Program, request: &Request<'_>) -> Conversion {
     for definition in &facts.definitions {
         writer.definition(definition);
     }
+    writer.functions();
     let Writer { mut edits, mut found, .. } = writer;
     edits.sort_by_key(|edit| edit.span);
     found.sort_by_key(|diagnostic| diagnostic.place.as_ref().map(|place| (place.span.start, place.span.end)));

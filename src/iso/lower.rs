@@ -285,7 +285,7 @@ impl Lowering<'_, '_> {
             IsoKind::Path(code) => self.path(block, own, &mut words, code),
             IsoKind::Centre => self.centre(block, own, &mut words),
             IsoKind::Chamfer | IsoKind::Rounding => self.corner(block, own, &mut words),
-            IsoKind::Blend(_) | IsoKind::Paraxial => Err(Refusal::NoEquivalent(words.span())),
+            IsoKind::Blend(_) => Err(Refusal::NoEquivalent(words.span())),
             IsoKind::Blank(part) => self.blank(block, own, &mut words, part),
             IsoKind::ToolCall => self.tool_call(block, own, &mut words),
             IsoKind::ToolDef => self.tool_def(block, own, &mut words),
@@ -339,6 +339,17 @@ impl Lowering<'_, '_> {
 
     /// Writes the words of a list of names as coordinates, `G90` and `G91` between them being followed.
     pub(super) fn coordinates(&mut self, words: &mut Words<'_>, names: &[(&str, &str)], most: usize) -> usize {
+        self.values(words, names, most, true)
+    }
+
+    /// The same, with `I` before them only where there are incremental ones at all.
+    pub(super) fn values(
+        &mut self,
+        words: &mut Words<'_>,
+        names: &[(&str, &str)],
+        most: usize,
+        incremental: bool,
+    ) -> usize {
         let mut count = 0;
         let mut absolute = self.absolute;
         for at in 0..words.own.words.len() {
@@ -356,7 +367,7 @@ impl Lowering<'_, '_> {
             }
             words.used[at] = true;
             count += 1;
-            self.out.put(if absolute { " " } else { " I" });
+            self.out.put(if absolute || !incremental { " " } else { " I" });
             if written.eq_ignore_ascii_case(axis) {
                 self.out.copy(word.span);
             } else {
@@ -388,6 +399,8 @@ impl Lowering<'_, '_> {
             _ => {}
         }
         let polar = matches!(code, Some(10..=13 | 15 | 16));
+        // Along one axis, whose letter begins the block.
+        let along = code == Some(7);
         let speed = words.find("S");
         if let Some(speed) = speed {
             self.begin(block);
@@ -404,7 +417,7 @@ impl Lowering<'_, '_> {
         }
         let codes = words.codes();
         let moves = words.has(&AXES) || words.has(&["R", "H"]);
-        let compensation = codes.iter().rev().find(|(_, code)| matches!(code, 40..=42)).map(|(_, code)| *code);
+        let compensation = codes.iter().rev().find(|(_, code)| matches!(code, 40..=44)).map(|(_, code)| *code);
         let feed = words.find("F");
         let start = self.out.text.len();
         let number = self.number;
@@ -421,10 +434,18 @@ impl Lowering<'_, '_> {
             Some(10 | 11) => "LP",
             Some(12 | 13 | 15) => "CP",
             Some(16) => "CTP",
+            Some(7) => "",
             _ => "L",
         });
         let names = if polar { &POLAR[..] } else { &PLAIN[..] };
-        self.coordinates(words, names, usize::MAX);
+        if along {
+            let end = self.out.text.len();
+            self.out.truncate(end - 1);
+        }
+        let count = self.coordinates(words, names, usize::MAX);
+        if along && moves && count != 1 {
+            return Err(Refusal::NoEquivalent(words.span()));
+        }
         if let Some(radius) = radius {
             if !circle {
                 return Err(Refusal::NoEquivalent(radius.span));
@@ -440,12 +461,15 @@ impl Lowering<'_, '_> {
             Some(40) => self.out.put(" R0"),
             Some(41) => self.out.put(" RL"),
             Some(42) => self.out.put(" RR"),
+            Some(43) if along => self.out.put(" R+"),
+            Some(44) if along => self.out.put(" R-"),
+            Some(43 | 44) => return Err(Refusal::NoEquivalent(words.span())),
             _ => {}
         }
         let said = self.path_feed(words, feed, rapid, moves);
         self.functions(&own.functions);
         self.end();
-        words.take_codes(|code| syntax::is_path(code) || matches!(code, 40..=42));
+        words.take_codes(|code| syntax::is_path(code) || matches!(code, 40..=44));
         self.modal(words);
         if !(moves || compensation.is_some() || said) {
             // A code alone acts from here on, and moves nothing.

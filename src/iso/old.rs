@@ -71,7 +71,7 @@ fn field(
     let Some(name) = &word.word else {
         return match field.shape {
             Shape::Axes => axes(lowering, words),
-            _ => lowering.coordinates(words, &PLAIN, if one { 1 } else { usize::MAX }),
+            _ => lowering.values(words, &PLAIN, if one { 1 } else { usize::MAX }, field.incremental),
         };
     };
     let Some(first) = words.take(name) else { return 0 };

@@ -277,7 +277,8 @@ impl Raising<'_, '_> {
         let direction = |codes: [&'static str; 2]| motion.counter_clockwise.map(|counter| codes[usize::from(counter)]);
         let rapid = matches!(motion.feed, Some(feed) if feed.kind == FeedKind::Max);
         let line = matches!(motion.path, Path::L | Path::Lp);
-        if (rapid && !line) || !motion.words.is_empty() {
+        let along = motion.path == Path::Axis;
+        if (rapid && !line && !along) || !motion.words.is_empty() {
             return Err(refused());
         }
         let plain = |axis: Axis| (!matches!(axis, Axis::Pr | Axis::Pa)).then(|| axis.name());
@@ -292,6 +293,7 @@ impl Raising<'_, '_> {
         let mut out = match motion.path {
             Path::L => if rapid { "G00" } else { "G01" }.to_owned() + &self.renamed(&motion.coords, plain, whole)?,
             Path::Lp => if rapid { "G10" } else { "G11" }.to_owned() + &self.renamed(&motion.coords, polar, whole)?,
+            Path::Axis => "G07".to_owned() + &self.renamed(&motion.coords, plain, whole)?,
             Path::Cc => return self.centre(motion, whole),
             Path::C => {
                 direction(["G02", "G03"]).ok_or_else(refused)?.to_owned()
@@ -322,9 +324,10 @@ impl Raising<'_, '_> {
             Some(Compensation::R0) => " G40",
             Some(Compensation::Rl) => " G41",
             Some(Compensation::Rr) => " G42",
-            Some(Compensation::Longer | Compensation::Shorter) => return Err(refused()),
+            Some(Compensation::Longer) => " G43",
+            Some(Compensation::Shorter) => " G44",
         });
-        if let Some(feed) = motion.feed.filter(|_| !rapid) {
+        if let Some(feed) = motion.feed.filter(|_| !rapid || along) {
             out.push_str(&self.feed(feed.kind, feed.span)?);
         }
         // A block with nothing but its code would only change what acts.

@@ -43,6 +43,18 @@ record! {
     }
 }
 
+record! {
+    /// Functions of the language that a manual shows.
+    pub struct FunctionShown {
+        /// The words that they are printed with, such as `PLANE SPATIAL` or `M128`.
+        function: Vec<String>,
+        /// Where.
+        source: NamedIn,
+        /// The number of the software option that they belong to.
+        option: Option<u32>,
+    }
+}
+
 words! {
     /// A transformation that the engine knows to be in effect but does not execute.
     pub enum Transformation {
@@ -98,6 +110,8 @@ record! {
         options: Vec<OptionName>,
         /// The keywords of the cycles that its manuals give in full: what they do not name there does not exist.
         covers: Vec<Keyword>,
+        /// Functions of the language, beyond cycles and what every control has, that its manuals show.
+        functions: Vec<FunctionShown>,
         /// Every cycle that its manuals name.
         named: Vec<Named>,
     }

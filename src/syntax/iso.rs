@@ -50,8 +50,6 @@ pub enum IsoKind {
     Rounding,
     /// `G26` or `G27`: tangential approach and departure, with the code.
     Blend(u16),
-    /// `G07`: parallel to an axis.
-    Paraxial,
     /// `G30` or `G31`: a corner of the blank, 1 or 2.
     Blank(u8),
     /// `T`: tool, speed.
@@ -89,6 +87,7 @@ impl IsoKind {
         match self {
             Self::Path(Some(2 | 3 | 5)) => "c",
             Self::Path(Some(6)) => "ct",
+            Self::Path(Some(7)) => "axis",
             Self::Path(Some(10 | 11)) => "lp",
             Self::Path(Some(12 | 13 | 15)) => "cp",
             Self::Path(Some(16)) => "ctp",
@@ -97,7 +96,6 @@ impl IsoKind {
             Self::Chamfer => "chf",
             Self::Rounding => "rnd",
             Self::Blend(_) => "iso-blend",
-            Self::Paraxial => "iso-paraxial",
             Self::Blank(_) => "blk-form",
             Self::ToolCall => "tool-call",
             Self::ToolDef => "tool-def",
@@ -145,5 +143,5 @@ pub const fn is_of_language(code: u16) -> bool {
 
 /// Whether a code is that of a motion; it acts until the next one.
 pub const fn is_path(code: u16) -> bool {
-    matches!(code, 0..=3 | 5 | 6 | 10..=13 | 15 | 16)
+    matches!(code, 0..=3 | 5..=7 | 10..=13 | 15 | 16)
 }

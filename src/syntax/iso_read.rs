@@ -77,16 +77,7 @@ struct Reader<'t> {
 
 impl<'t> Reader<'t> {
     const fn new(text: &'t str) -> Self {
-        Self {
-            text,
-            checker: None,
-            at: 0,
-            line: 1,
-            blocks: Vec::new(),
-            warnings: Vec::new(),
-            path: None,
-            begun: false,
-        }
+        Self { text, checker: None, at: 0, line: 1, blocks: Vec::new(), warnings: Vec::new(), path: None, begun: false }
     }
 
     fn klartext(&mut self, cursor: &mut Cursor<'_>) -> Read<BlockKind> {
@@ -368,7 +359,6 @@ impl<'t> Reader<'t> {
                 24 => IsoKind::Chamfer,
                 25 => IsoKind::Rounding,
                 26 | 27 => IsoKind::Blend(*code),
-                7 | 43 | 44 => IsoKind::Paraxial,
                 29 => IsoKind::Centre,
                 38 => IsoKind::Stop,
                 code if !is_of_language(*code) => IsoKind::Cycle(*code),
@@ -391,7 +381,7 @@ impl<'t> Reader<'t> {
             let name = text.get(word.name.start..word.name.end).unwrap_or_default().to_ascii_uppercase();
             Axis::by_name(name.as_bytes()).is_some() || matches!(&*name, "H" | "R" | "F")
         };
-        let compensates = codes.iter().any(|code| matches!(code, 40..=42));
+        let compensates = codes.iter().any(|code| matches!(code, 40..=44));
         Ok(if path.is_some() || compensates || block.words.iter().any(|word| axis(&word)) {
             IsoKind::Path(self.path)
         } else if ["I", "J", "K"].into_iter().any(named) {

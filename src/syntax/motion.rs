@@ -160,7 +160,8 @@ pub(super) fn opt_function(cursor: &mut Cursor<'_>) -> Read<Option<MFunction>> {
     cursor.at = word.span.end;
     cursor.blanks();
     let Some(number) = cursor.opt_whole().and_then(|n| u16::try_from(n).ok()) else {
-        return Err(cursor.expected("number"));
+        // Older controls and their posts print the word of a block without a function, the last of the block.
+        return if cursor.done() { Ok(None) } else { Err(cursor.expected("number")) };
     };
     let end = cursor.at;
     let with = opt_function_tail(cursor, number)?;
@@ -250,7 +251,12 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
             return Ok(true);
         }
         b"M" => {
-            motion.functions.extend(opt_function(cursor)?);
+            let function = opt_function(cursor)?;
+            // Behind another one the number is missing.
+            if function.is_none() && !motion.functions.is_empty() {
+                return Err(cursor.expected("number"));
+            }
+            motion.functions.extend(function);
             return Ok(true);
         }
         _ => {
@@ -260,6 +266,10 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
                 motion.words.push(word);
                 return Ok(true);
             }
+            if word.is(b"F") && is_empty_feed(cursor) {
+                cursor.at = word.span.end;
+                return Ok(true);
+            }
             let feed = if motion.feed.is_none() { opt_feed(cursor)? } else { None };
             motion.feed = motion.feed.or(feed);
             return Ok(feed.is_some());
@@ -267,6 +277,15 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
     }
     cursor.at = word.span.end;
     Ok(true)
+}
+
+/// A feed word without a value before an M function, as older controls print it: `R F M`.
+fn is_empty_feed(cursor: &Cursor<'_>) -> bool {
+    let mut ahead = Cursor { at: cursor.at + 1, ..*cursor };
+    matches!(ahead.byte(), b' ' | b'\t') && {
+        ahead.blanks();
+        matches!(ahead.byte(), b'M' | b'm') && !ahead.peek_word().is(b"MAX")
+    }
 }
 
 /// `R0`, or the radius of an element that has one.
@@ -292,7 +311,15 @@ fn radius_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
         return Ok(true);
     }
     if !has_radius {
-        return Ok(false);
+        // A word without a value, as older controls print it: `R F MAX`.
+        let empty = matches!(cursor.byte_at(cursor.at + 1), b' ' | b'\t');
+        let mut ahead = Cursor { at: cursor.at + 1, ..*cursor };
+        ahead.blanks();
+        let goes_on = matches!(ahead.byte(), b'F' | b'f' | b'M' | b'm') && motion.compensation.is_none();
+        if empty && goes_on {
+            cursor.at += 1;
+        }
+        return Ok(empty && goes_on);
     }
     cursor.at += 1;
     motion.radius = Some(cursor.operand()?);
@@ -446,6 +473,9 @@ pub(super) fn cycl_call(cursor: &mut Cursor<'_>, start: usize) -> Read<CyclCall>
         if let Some(function) = opt_function(cursor)? {
             call.functions.push(function);
             continue;
+        }
+        if cursor.done() && call.functions.is_empty() {
+            break;
         }
         match opt_feed(cursor)? {
             Some(feed) if call.feed.is_none() => call.feed = Some(feed),

@@ -18,9 +18,9 @@ pub fn check(kind: TableKind, source: &Arc<Source>) -> Vec<Diagnostic> {
 }
 
 fn columns(table: &Table, source: &Arc<Source>) -> Vec<Diagnostic> {
-    let at = table.lines.first().map_or(0, |line| line.text.len() + line.end.len());
-    let text = table.lines.get(1).map_or("", |line| line.text.as_str());
-    let mut found = Vec::new();
+    let at = table.lines.iter().take(table.heading).map(|line| line.text.len() + line.end.len()).sum::<usize>();
+    let text = table.lines.get(table.heading).map_or("", |line| line.text.as_str());
+    let (mut found, mut unknown) = (Vec::new(), Vec::new());
     for (index, heading) in table.headings.iter().enumerate() {
         let (from, _) = heading.bytes(text);
         let place = Place::new(source, at + from..at + from + heading.name.len());
@@ -28,9 +28,14 @@ fn columns(table: &Table, source: &Arc<Source>) -> Vec<Diagnostic> {
         if table.headings.iter().take(index).any(same) {
             found.push(Diagnostic::error("table-duplicate-column", place).arg("column", heading.name.as_str()));
         } else if table.kind.column(&heading.name).is_none() {
-            let finding = Diagnostic::error("table-unknown-column", place).arg("column", heading.name.as_str());
-            found.push(Diagnostic { severity: Severity::Note, ..finding });
+            unknown.push((heading.name.as_str(), place));
         }
+    }
+    // Tables of a control have dozens: told together, at the first.
+    if let Some((_, place)) = unknown.first() {
+        let names: Vec<&str> = unknown.iter().map(|(name, _)| *name).collect();
+        let finding = Diagnostic::error("table-unknown-column", place.clone()).arg("column", names.join(", "));
+        found.push(Diagnostic { severity: Severity::Note, ..finding }.arg("count", names.len()));
     }
     found
 }

@@ -217,10 +217,11 @@ impl TableKind {
         }
     }
 
-    /// The words of a column that takes no others: TNC 640 manual lines 1583-1640 (FADE), 14907-14913 (TL, DIRECT.).
+    /// The words of a column that takes no others: TNC 640 manual lines 1583-1640 (FADE), 14907-14913 (TL, DIRECT.). Files that
+    /// a control has written have 0 and 1 in TL.
     pub fn words(self, column: &str) -> Option<&'static [&'static str]> {
         match (self, column) {
-            (Self::Tool, "TL") => Some(&["L", "-"]),
+            (Self::Tool, "TL") => Some(&["L", "-", "0", "1"]),
             (Self::Tool, "DIRECT.") => Some(&["+", "-"]),
             (Self::Points, "FADE") => Some(&["Y", "N", "-"]),
             _ => None,

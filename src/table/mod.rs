@@ -52,6 +52,8 @@ pub struct Table {
     file: String,
     unit: TableUnit,
     headings: Vec<Heading>,
+    /// The index of the line that names the columns.
+    heading: usize,
     lines: Vec<Line>,
     /// Key and index of the line of each row, in the order of the file.
     rows: Vec<(f64, usize)>,
@@ -65,7 +67,7 @@ impl Table {
         let (headings, heading) = text::standard(kind);
         let lines = vec![Line::new(format!("BEGIN {file} MM")), Line::new(heading), Line::new("[END]".to_owned())];
         let file = file.to_owned();
-        Self { kind, file, unit: TableUnit::Mm, headings, lines, rows: Vec::new(), end: 2 }
+        Self { kind, file, unit: TableUnit::Mm, headings, heading: 1, lines, rows: Vec::new(), end: 2 }
     }
 
     /// Reads a table. The name of the source becomes the name of its file.

@@ -140,7 +140,9 @@ pub(super) fn parse(kind: TableKind, source: &Arc<Source>) -> Result<Table, Vec<
     let line =
         |at: usize| numbered.get(at).map_or(("", source.text().len()), |(start, line)| (line.text.as_str(), *start));
     let (first, _) = line(0);
-    let (second, second_at) = line(1);
+    let described = described(&numbered);
+    let heading = numbered.iter().zip(&described).skip(1).position(|(_, described)| !described).map_or(1, |at| at + 1);
+    let (second, second_at) = line(heading);
     let unit = header(first.trim_start_matches('\u{feff}'));
     if unit.is_none() {
         reader.error("table-no-header", 0, first.len(), vec![("extension", kind.extension().into())]);
@@ -151,27 +153,41 @@ pub(super) fn parse(kind: TableKind, source: &Arc<Source>) -> Result<Table, Vec<
         reader.error("table-no-heading", second_at, second_at + second.len(), vec![("column", name.into())]);
         return Err(reader.found);
     };
-    let end = numbered.iter().position(|(_, line)| line.text.trim() == "[END]");
+    let end = numbered.iter().skip(1).position(|(_, line)| line.text.trim() == "[END]").map(|at| at + 1);
     if end.is_none() {
         reader.error("table-no-end", source.text().len(), source.text().len(), Vec::new());
     }
     let end = end.unwrap_or(numbered.len());
-    let rows = rows(&mut reader, &numbered, end, &headings, &key);
+    let rows = rows(&mut reader, &numbered, heading + 1..end, &described, &headings, &key);
     if !reader.found.is_empty() {
         return Err(reader.found);
     }
     let lines = numbered.into_iter().map(|(_, line)| line).collect();
     let (file, unit) = (source.name().to_owned(), unit.unwrap_or(TableUnit::Mm));
-    Ok(Table { kind, file, unit, headings, lines, rows, end })
+    Ok(Table { kind, file, unit, headings, heading, lines, rows, end })
 }
 
-/// `BEGIN`, a name and perhaps the unit.
+/// Which lines are neither names of columns nor rows: blank ones, comments, and what describes the columns (`#STRUCTBEGIN` to
+/// `#STRUCTEND`).
+fn described(lines: &[(usize, Line)]) -> Vec<bool> {
+    let mut inside = false;
+    let is_it = |(_, line): &(usize, Line)| {
+        let text = line.text.trim();
+        inside |= text == "#STRUCTBEGIN";
+        let described = inside || text.is_empty() || text.starts_with([';', '#']);
+        inside &= text != "#STRUCTEND";
+        described
+    };
+    lines.iter().map(is_it).collect()
+}
+
+/// `BEGIN`, a name and perhaps the unit; behind it may stand which version of the control wrote the file.
 fn header(line: &str) -> Option<TableUnit> {
     let mut words = line.split_whitespace();
     let begins = words.next()? == "BEGIN";
-    let last = words.last()?;
-    let unit = if last.eq_ignore_ascii_case("INCH") { TableUnit::Inch } else { TableUnit::Mm };
-    begins.then_some(unit)
+    words.next()?;
+    let inch = words.take_while(|word| !word.contains(':')).any(|word| word.eq_ignore_ascii_case("INCH"));
+    begins.then_some(if inch { TableUnit::Inch } else { TableUnit::Mm })
 }
 
 /// The columns of a heading line by the places of its words.
@@ -199,14 +215,15 @@ fn headings(kind: TableKind, line: &str) -> Vec<Heading> {
 fn rows(
     reader: &mut Reader<'_>,
     lines: &[(usize, Line)],
-    end: usize,
+    range: std::ops::Range<usize>,
+    described: &[bool],
     headings: &[Heading],
     key: &Heading,
 ) -> Vec<(f64, usize)> {
     let mut rows: Vec<(f64, usize)> = Vec::new();
     let mut seen: HashSet<u64> = HashSet::new();
-    for (index, (start, line)) in lines.iter().enumerate().take(end).skip(2) {
-        if line.text.trim().is_empty() {
+    for (index, (start, line)) in lines.iter().enumerate().take(range.end).skip(range.start) {
+        if described.get(index).is_some_and(|described| *described) {
             continue;
         }
         let text = key.cell(&line.text).trim();

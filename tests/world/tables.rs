@@ -68,6 +68,28 @@ fn rows_are_added_in_order() {
     assert_eq!(again.rows().collect::<Vec<_>>(), [0.0, 3.0, 7.0, 9.0]);
 }
 
+/// What controls write beside names and rows: a version, comments, descriptions of the columns.
+#[test]
+fn files_as_controls_write_them_are_read() {
+    let text = "BEGIN TOOL.T INCH Version: 'Update:150.21'\n; mine\n#STRUCTBEGIN\nNAME = \"R\"\n#STRUCTEND\n\nT    NAME  R    TL RT\n\
+                ;0    x     y    z\n\n1    MILL  0.5  0  3\n5.1  DRILL 1.25 L\n#x\n[END]\nT 7\n";
+    let source = Source::new("TOOL.T", text);
+    let mut table = Table::parse(TableKind::Tool, &source).expect("a sound table");
+    assert_eq!(table.rows().collect::<Vec<_>>(), [1.0, 5.1]);
+    // 0.5 inch are 12.7 mm, 1.25 inch 31.75 mm.
+    assert_eq!(table.number(1.0, "R"), Ok(Some(12.7)));
+    assert_eq!(table.number(5.1, "R"), Ok(Some(31.75)));
+    assert_eq!(table.to_text(), text);
+    table.add_row(3.0).expect("room");
+    assert_eq!(table.to_text(), text.replace("5.1  D", "3\n5.1  D"));
+    let found: Vec<_> = ciklo::table::check(TableKind::Tool, &source).iter().map(|d| d.code).collect();
+    assert_eq!(found, ["table-unknown-column"]);
+    // A description without an end leaves no names of columns.
+    let open = text.replace("#STRUCTEND", "");
+    let found = Table::parse(TableKind::Tool, &Source::new("TOOL.T", open)).expect_err("no names");
+    assert_eq!(found[0].code, "table-no-heading");
+}
+
 #[test]
 fn refusals_are_values() {
     let mut table = presets();
@@ -155,6 +177,41 @@ proptest! {
     fn any_text_is_read_or_refused(text in "\\PC*|(BEGIN|\\[END\\]|NO|X|\n|\r\n| |[0-9.,+-]|ä){0,60}") {
         if let Ok(table) = Table::parse(TableKind::Preset, &Source::new("PRESET.PR", text.clone())) {
             prop_assert_eq!(table.to_text(), text);
+        }
+    }
+
+    /// Whatever bytes stand in the cells and around the table, they come back, and a change touches its cell only.
+    #[test]
+    fn any_bytes_come_back(
+        kind in proptest::sample::select(TableKind::ALL.to_vec()),
+        cells in proptest::collection::vec((any::<u8>(), 0_usize..40), 0..40),
+        eol in proptest::sample::select(vec!["\n", "\r\n"]),
+        tail in proptest::collection::vec(any::<u8>(), 0..20),
+        inch in any::<bool>(),
+    ) {
+        let text_column = kind.columns().iter().find(|column| matches!(column.name, "NAME" | "DOC" | "TYPE" | "FADE"));
+        let name = text_column.map_or("DOC", |column| column.name);
+        let key = kind.columns()[0].name;
+        let mut bytes = format!("BEGIN {} {}{eol}{key}    {name}{eol}", kind.file_name(), if inch { "INCH" } else { "MM" }).into_bytes();
+        for (at, (byte, count)) in cells.iter().enumerate() {
+            let cell = vec![if matches!(byte, b'\r' | b'\n') { b' ' } else { *byte }; *count];
+            bytes.extend(format!("{at:<width$}", width = key.len() + 4).into_bytes());
+            bytes.extend(cell);
+            bytes.extend(eol.as_bytes());
+        }
+        bytes.extend(b"[END]");
+        bytes.extend(&tail);
+        let decoded = ciklo::syntax::encoding::decode(&bytes);
+        if let Ok(mut table) = Table::parse(kind, &Source::new(kind.file_name(), decoded.text.as_str())) {
+            let text = table.to_text();
+            let again = decoded.encoding.encode(&text).expect("its own characters").to_vec();
+            prop_assert_eq!(again, bytes);
+            let _ = table.laid_out();
+            if table.has_row(0.0) && table.set(0.0, name, &Cell::Text("A".to_owned())).is_ok() {
+                let new = table.to_text();
+                let others = |text: &str| text.lines().enumerate().filter(|(at, _)| *at != 2).map(|(_, line)| line.to_owned()).collect::<Vec<_>>();
+                prop_assert_eq!(others(&new), others(&decoded.text));
+            }
         }
     }
 }

@@ -10,6 +10,9 @@ mod choice_not_offered;
 mod clearance_height_too_low;
 mod compensation_at_cycle;
 mod compensation_left_on;
+mod contour_def_wrong;
+mod contour_depth_missing;
+mod contour_undeclared;
 mod contour_unnamed;
 mod cutting_without_tool;
 mod cycle_line_alone;
@@ -18,6 +21,7 @@ mod cycle_not_described;
 mod cycle_not_on_control;
 mod defined_but_never_called;
 mod duplicate_parameter;
+mod empty_word;
 mod feed_missing;
 mod frame_mismatch;
 mod guard;
@@ -69,6 +73,9 @@ pub const RULES: &[&Rule] = &[
     &clearance_height_too_low::RULE,
     &compensation_at_cycle::RULE,
     &compensation_left_on::RULE,
+    &contour_def_wrong::RULE,
+    &contour_depth_missing::RULE,
+    &contour_undeclared::RULE,
     &contour_unnamed::RULE,
     &cutting_without_tool::RULE,
     &cycle_line_alone::RULE,
@@ -77,6 +84,7 @@ pub const RULES: &[&Rule] = &[
     &cycle_not_on_control::RULE,
     &defined_but_never_called::RULE,
     &duplicate_parameter::RULE,
+    &empty_word::RULE,
     &feed_missing::RULE,
     &frame_mismatch::RULE,
     &guard::RULE,

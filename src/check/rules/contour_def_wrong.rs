@@ -1,0 +1,27 @@
+//! A CONTOUR DEF that does not begin with a pocket, or that has more than nine contours (TNC 640, 001: 5861, 5922, 5929).
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{BlockKind, StatementKind};
+
+pub(super) const RULE: Rule = Rule { code: "contour-def-wrong", severity: Severity::Error, run };
+
+/// The greatest number of contours in a simple formula.
+const MOST: usize = 9;
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for block in facts.program.blocks() {
+        let BlockKind::Statement(statement) = &block.kind else { continue };
+        if statement.kind != StatementKind::ContourDef {
+            continue;
+        }
+        let name = |word: &&crate::syntax::NamedWord| facts.program.slice(word.name).to_ascii_uppercase();
+        let is_contour = |word: &&crate::syntax::NamedWord| name(word).ends_with(|last: char| last.is_ascii_digit());
+        let contours: Vec<_> = statement.words.iter().filter(is_contour).collect();
+        if let Some(first) = contours.first().filter(|first| !name(first).starts_with('P')) {
+            found.push(rule.at(facts, first.name).arg("what", "island").arg("found", name(first)));
+        }
+        if let Some(tenth) = contours.get(MOST) {
+            found.push(rule.at(facts, tenth.name).arg("what", "many").arg("found", name(tenth)));
+        }
+    }
+}

@@ -1,0 +1,4 @@
+; control: tnc640
+0 BEGIN PGM A MM
+1 CONTOUR DEF P1 = "A.H" I2 = "B.H" I3 = "C.H" I4 = "D.H" I5 = "E.H" P6 = "F.H" I7 = "G.H" I8 = "H.H" I9 = "I.H" DEPTH5
+2 END PGM A MM
