@@ -23,8 +23,8 @@
 22 IY-10.5 R-
 23 ; G07 G43 X+1 Y+2
 24 ; G01 G43 X+1
-25 CC IX+50 IY+50
-26 LP IPR+45 IPA+180
+25 CC X+50 Y+50
+26 LP PR+45 PA+180
 27 CP IPA+1080 IZ+5 DR+
 28 CP IPA+30 DR+ ; (bent)
 29 CTP IPR+30 IPA-Q5
@@ -120,11 +120,11 @@
 102 L X5 Y-3 FMAX M3
 103 END PGM PART MM
 ; 11:5 klartext-no-equivalent [("found", Text("G26 R2"))]
-; 21:6 klartext-no-equivalent [("found", Text("G07 G43 X+1 Y+2"))]
-; 22:6 klartext-no-equivalent [("found", Text("G01 G43 X+1"))]
-; 30:6 klartext-no-equivalent [("found", Text("G27 R2"))]
-; 80:6 klartext-no-equivalent [("found", Text("G83 P01 2 P02 -20 P03 -5 P04 0 P05 500"))]
-; 89:15 syntax-unexpected [("found", Text("+")), ("expected", Text("word"))]
-; 90:6 klartext-no-equivalent [("found", Text("X+"))]
-; 91:11 syntax-incomplete [("found", Text("")), ("expected", Text("number"))]
-; 94:6 syntax-unexpected [("found", Text("=")), ("expected", Text("parameter"))]
+; 22:6 klartext-no-equivalent [("found", Text("G07 G43 X+1 Y+2"))]
+; 23:6 klartext-no-equivalent [("found", Text("G01 G43 X+1"))]
+; 31:6 klartext-no-equivalent [("found", Text("G27 R2"))]
+; 81:6 klartext-no-equivalent [("found", Text("G83 P01 2 P02 -20 P03 -5 P04 0 P05 500"))]
+; 90:15 syntax-unexpected [("found", Text("+")), ("expected", Text("word"))]
+; 91:6 klartext-no-equivalent [("found", Text("X+"))]
+; 92:11 syntax-incomplete [("found", Text("")), ("expected", Text("number"))]
+; 95:6 syntax-unexpected [("found", Text("=")), ("expected", Text("parameter"))]
