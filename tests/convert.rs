@@ -269,7 +269,7 @@ const FUNCTIONS: &str = "0 BEGIN PGM A MM\n1 TOOL CALL \"T1\" Z S1000\n2 CYCL CA
     29 L X+1 M120 LA5\n30 L X+1 M130\n31 M136\n32 M137\n33 L Z+1 M140 MB MAX\n34 M144\n35 M116\n36 TRANS DATUM AXIS X+10\n\
     37 LBL \"A\"\n38 CALL LBL \"A\" REP 2\n39 QR1 = 5 ;QL7 in a comment\n40 L X+1 FU0.1\n41 PLANE VECTOR BX0 BY0 BZ1 NX0 NY0 NZ1 STAY\n\
     42 APPR LCT X+1 Y+1 R5 RL\n43 L X+2\n44 DEP LT LEN5\n45 QS3 = SUBSTR( SRC_QS1 BEG0 LEN2 )\n46 LBL 5\n47 L X+1 Y+2 R0 FMAX M99\n\
-    48 M3\n49 CYCL CALL\n50 FN 0: Q1 = +5\n51 Q2 = SIN 5\n52 END PGM A MM\n";
+    48 M3\n49 CYCL CALL\n50 FN 0: Q1 = +5\n51 Q2 = SIN 5\n52 Q5 SET UNDEFINED\n53 END PGM A MM\n";
 
 /// Every function that the other control's manual does not show is told once with its number of uses, and what is shown and
 /// what every control has is not.
@@ -320,8 +320,15 @@ fn functions_that_a_manual_does_not_show_are_told() {
             _ => None,
         })
     };
-    let expected =
-        [("LBL \"…\"", 2.0), ("FUNCTION TCPM", 2.0), ("QL", 2.0), ("TRANS DATUM", 1.0), ("APPR LCT", 1.0), ("QR", 1.0)];
+    let expected = [
+        ("LBL \"…\"", 2.0),
+        ("FUNCTION TCPM", 2.0),
+        ("QL", 2.0),
+        ("TRANS DATUM", 1.0),
+        ("APPR LCT", 1.0),
+        ("QR", 1.0),
+        ("SET UNDEFINED", 1.0),
+    ];
     for (name, number) in expected {
         assert_eq!(count(name), Some(number), "{name}");
     }

@@ -67,8 +67,10 @@ pub fn functions(program: &Program, block: &Block) -> Vec<(String, Span)> {
 }
 
 fn statement_name(program: &Program, statement: &Statement) -> String {
-    if let StatementKind::Fn(number) = statement.kind {
-        return format!("FN {number}");
+    match statement.kind {
+        StatementKind::Fn(number) => return format!("FN {number}"),
+        StatementKind::SetUndefined => return "SET UNDEFINED".to_owned(),
+        _ => {}
     }
     let head = program.slice(statement.head).to_ascii_uppercase();
     let mut words: Vec<&str> = head.split_whitespace().collect();

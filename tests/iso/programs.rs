@@ -28,7 +28,7 @@ const LINEAR: &[&str] = &["X", "Y", "Z", "A", "B", "C", "U", "V", "W"];
 const PLANE: &[&str] = &["X", "Y"];
 
 /// A block of Klartext that DIN/ISO has an equivalent of.
-pub fn block() -> impl Strategy<Value = String> {
+pub(crate) fn block() -> impl Strategy<Value = String> {
     let direction = || proptest::sample::select(vec!["DR+", "DR-"]);
     prop_oneof![
         6 => (coordinates(LINEAR), tail()).prop_map(|(at, tail)| format!("L{at}{tail}")),
@@ -103,7 +103,7 @@ fn words(names: &'static [&'static str], counts: std::ops::Range<usize>) -> impl
 }
 
 /// A block of DIN/ISO that Klartext has an equivalent of, whatever acts where it stands.
-pub fn iso_block() -> impl Strategy<Value = String> {
+pub(crate) fn iso_block() -> impl Strategy<Value = String> {
     let path = || proptest::sample::select(vec!["", "G00", "G01", "G1 G90", "G01 G91"]);
     let comp = || proptest::sample::select(vec!["", " G40", " G41", " G42"]);
     let end = || proptest::sample::select(vec!["", " F300", " FQ5", " M3", " F50 M8 M13", " M99"]);
