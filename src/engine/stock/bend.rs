@@ -1,43 +1,115 @@
 //! The way of a tool on an arc or a helix: how low its envelope reaches in each column.
 //!
-//! Everything is exact for each column: a flat tool leaves a column, or comes to it, where two circles cut each other;
-//! for round and pointed ends on a helix, which have no closed form, the place where the slopes of path and end
-//! balance is found by Newton's rule (a ball), or by bisection.
+//! Everything is exact for each column: a flat tool leaves a column, or comes to it, where two circles cut each other; where
+//! the slopes of path and end balance has a closed form for a ball, and is searched for with a bull nose or a point on a
+//! helix.
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::ops::Range;
 
 use glam::DVec2;
 
 use super::cutter::Tip;
-use super::lane::BLOCK;
-use super::sweep::{BISECTIONS, HAIR, NONE, Sweep, Way};
+use super::kernel::{BISECTIONS, fill, under};
+use super::lane::{BLOCK, OFFSETS, WIDE};
+use super::sweep::{HAIR, NONE, Sweep, Way};
 
 /// Parts of a turn among which the lowest is looked for before the search closes in on it.
 const PARTS: usize = 16;
-/// Steps of Newton's rule; few are needed, as the slope of a path is small.
-const STEPS: usize = 40;
-/// An angle, radians, that is near enough: heights differ by its square.
-const NEAR: f64 = 1e-7;
+/// The way over which the series of the arc sine alone gives an angle, radians.
+const NARROW: f64 = 0.2;
+/// How far, in radians, an angle may lie off the ends of a way by rounding.
+const EDGE: f64 = 1e-12;
 
-/// The angle of a unit vector that is turned by little, and of any.
-fn angle_of(cross: f64, dot: f64) -> f64 {
-    if dot > 0.0 && cross.abs() < 0.05 {
-        let q = cross * cross;
-        return cross * (1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0)))));
+/// The arc sine of a number up to a fifth: the rest of the series is below rounding.
+#[inline(always)]
+fn arc_sine(sin: f64) -> f64 {
+    let q = sin * sin;
+    let tail = 945.0 / 42_240.0 + q * (10_395.0 / 599_040.0 + q * (135_135.0 / 9_676_800.0));
+    sin * (1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0 + q * tail)))))
+}
+
+/// The columns of a block as seen from the centre of an arc: the first coordinate leads to the start, the second to where the
+/// tool goes from there.
+struct Seen {
+    from: [f64; 2],
+    step: [f64; 2],
+    /// The direction of the end.
+    end: DVec2,
+    radius: f64,
+    /// Rise in a radian.
+    slope: f64,
+    wide: bool,
+}
+
+impl Seen {
+    #[inline(always)]
+    fn at(&self, n: f64) -> DVec2 {
+        DVec2::new(self.from[0] + n * self.step[0], self.from[1] + n * self.step[1])
     }
-    libm::atan2(cross, dot)
+
+    /// The square of the distance from the start.
+    #[inline(always)]
+    fn from_start(&self, p: DVec2) -> f64 {
+        (p.x - self.radius) * (p.x - self.radius) + p.y * p.y
+    }
+
+    /// The square of the distance from the end.
+    #[inline(always)]
+    fn from_end(&self, p: DVec2) -> f64 {
+        let (x, y) = (p.x - self.radius * self.end.x, p.y - self.radius * self.end.y);
+        x * x + y * y
+    }
+
+    /// The angle of a unit vector that is not beyond the way, from the start.
+    #[inline(always)]
+    fn angle(&self, there: DVec2) -> f64 {
+        if !self.wide {
+            return arc_sine(there.y);
+        }
+        // An eighth of the angle, by halving it three times.
+        let a = (0.5 + 0.5 * there.x).sqrt();
+        let b = (0.5 + 0.5 * a).sqrt();
+        let c = (0.5 + 0.5 * b).sqrt();
+        8.0 * arc_sine(there.y / (8.0 * a * b * c))
+    }
 }
 
 impl Sweep {
-    /// The part of a row within the rectangle and the outer rim.
+    /// The part of a row that it can reach: within the rectangle and the outer rim, and of a short way no more than from end
+    /// to end of what is covered there.
     pub(super) fn arc_span(&self, y: f64) -> Option<[f64; 2]> {
-        let Way::Arc { centre, radius, .. } = self.way else { return None };
-        let outer = radius + self.cutter.radius;
-        let square = outer * outer - (y - centre.y) * (y - centre.y);
-        if y < self.min.y || y > self.max.y || square < 0.0 {
+        let Way::Arc { centre, radius, start, end, turn, sweep, .. } = self.way else { return None };
+        let tool = self.cutter.radius;
+        let half = |middle: f64, reach: f64| {
+            let square = reach * reach - (y - middle) * (y - middle);
+            (square >= 0.0).then(|| square.sqrt())
+        };
+        let outer = half(centre.y, radius + tool)?;
+        if y < self.min.y || y > self.max.y {
             return None;
         }
-        let half = square.sqrt();
-        let (low, high) = (self.min.x.max(centre.x - half), self.max.x.min(centre.x + half));
+        let (mut low, mut high) = (self.min.x.max(centre.x - outer), self.max.x.min(centre.x + outer));
+        if sweep < FRAC_PI_2 + HAIR {
+            let mut covered = NONE;
+            let mut cover = |from: f64, to: f64| covered = [covered[0].min(from), covered[1].max(to)];
+            for way in [start, end] {
+                let stands = centre + way * radius;
+                if let Some(half) = half(stands.y, tool) {
+                    cover(stands.x - half, stands.x + half);
+                }
+            }
+            // Where the row crosses the rims of the ring beside the way.
+            let rims = [Some(outer), half(centre.y, (radius - tool).max(0.0))];
+            for half in rims.into_iter().flatten() {
+                for across in [half, -half] {
+                    let arm = DVec2::new(across, y - centre.y);
+                    if start.perp_dot(arm) * turn >= 0.0 && arm.perp_dot(end) * turn >= 0.0 {
+                        cover(centre.x + across, centre.x + across);
+                    }
+                }
+            }
+            (low, high) = (low.max(covered[0]), high.min(covered[1]));
+        }
         (low <= high).then_some([low, high])
     }
 
@@ -84,58 +156,139 @@ impl Sweep {
         parts
     }
 
-    /// The lowest heights at the points `(x + n step, y)`; infinity where the tool does not come.
-    pub(super) fn arc_heights(&self, [x, step, y]: [f64; 3], out: &mut [f64; BLOCK]) {
-        let Way::Arc { centre, radius, z, rise, .. } = self.way else { return };
-        let tool = self.cutter.radius;
-        let (inner, outer) = ((radius - tool).max(0.0), radius + tool);
-        for (n, out) in out.iter_mut().enumerate() {
-            let arm = DVec2::new(x + n as f64 * step, y) - centre;
-            let square = arm.length_squared();
-            // What is no part of the ring is not reached.
-            *out = if square > outer * outer + HAIR || square < inner * inner - HAIR {
-                f64::INFINITY
-            } else if rise == 0.0 {
-                z + self.rise_on_level(arm)
+    /// The lowest heights at the points `(x + n step, y)` for these numbers; infinity where the tool does not come.
+    pub(super) fn arc_heights(&self, [x, step, y]: [f64; 3], columns: Range<usize>, out: &mut [f64; BLOCK]) {
+        let Way::Arc { centre, radius, start, end, turn, sweep, z, rise } = self.way else { return };
+        let arm = DVec2::new(x, y) - centre;
+        let seen = Seen {
+            from: [start.dot(arm), turn * start.perp_dot(arm)],
+            step: [step * start.x, -turn * step * start.y],
+            end: DVec2::new(start.dot(end), turn * start.perp_dot(end)),
+            radius,
+            slope: if sweep > 0.0 { rise / sweep } else { 0.0 },
+            // Angles are asked for up to the sweep only.
+            wide: sweep > NARROW,
+        };
+        let short = sweep <= FRAC_PI_2 + HAIR;
+        match self.cutter.tip {
+            _ if rise == 0.0 => self.on_level_arc(&seen, z, sweep, columns, out),
+            Tip::Flat if short => self.flat_on_helix(&seen, z, [sweep, rise], columns, out),
+            Tip::Round(corner) if short && corner >= self.cutter.radius => {
+                self.ball_on_helix(&seen, z, rise, columns, out);
+            }
+            _ => fill(out, columns, |n| z + self.rise_on_helix(arm + DVec2::X * (n * step))),
+        }
+    }
+
+    /// A tool that stays at its height.
+    fn on_level_arc(&self, seen: &Seen, z: f64, sweep: f64, columns: Range<usize>, out: &mut [f64; BLOCK]) {
+        let (tool, tip) = (self.cutter.radius, self.cutter.tip);
+        let square = tool * tool;
+        let (whole, less) = (sweep >= TAU, sweep <= PI);
+        // The square of the distance from the path.
+        let far = |n: f64| {
+            let p = seen.at(n);
+            let (after, before) = (p.y >= 0.0, p.perp_dot(seen.end) >= 0.0);
+            let beside = whole || if less { after && before } else { after || before };
+            let off = p.length_squared().sqrt() - seen.radius;
+            let [a, b] = [seen.from_start(p), seen.from_end(p)];
+            if beside {
+                off * off
+            } else if a < b {
+                a
             } else {
-                z + self.rise_on_helix(arm)
-            };
+                b
+            }
+        };
+        match tip {
+            Tip::Flat => fill(out, columns, |n| if far(n) <= square { z } else { f64::INFINITY }),
+            Tip::Round(corner) if corner >= tool => fill(out, columns, |n| under(z + tool, square - far(n))),
+            _ => fill(out, columns, |n| {
+                let far = far(n);
+                if far <= square { z + self.cutter.rise(far.sqrt()) } else { f64::INFINITY }
+            }),
         }
     }
 
-    /// How high above its tip a tool that stays at its height passes over a column.
-    fn rise_on_level(&self, arm: DVec2) -> f64 {
-        let Way::Arc { radius, start, end, turn, sweep, .. } = self.way else { return f64::INFINITY };
-        let square = self.cutter.radius * self.cutter.radius;
-        let beside = sweep >= TAU || {
-            let (after, before) = (start.perp_dot(arm) * turn >= 0.0, arm.perp_dot(end) * turn >= 0.0);
-            if sweep <= PI { after && before } else { after || before }
+    /// A flat tool on a helix of a quarter turn at most: a column keeps the height at which the tool comes to it or leaves it,
+    /// and that of the lower end where the tool stands over it there.
+    fn flat_on_helix(
+        &self,
+        seen: &Seen,
+        z: f64,
+        [sweep, rise]: [f64; 2],
+        columns: Range<usize>,
+        out: &mut [f64; BLOCK],
+    ) {
+        let (square, side) = (self.cutter.radius * self.cutter.radius, -rise.signum());
+        let (most, half) = (seen.radius * seen.radius - square, 0.5 / seen.radius);
+        fill(out, columns, |n| {
+            let p = seen.at(n);
+            let below = if rise < 0.0 { seen.from_end(p) } else { seen.from_start(p) };
+            let distance = p.length_squared();
+            let nearer = 1.0 / distance.sqrt();
+            let cos = (distance + most) * half * nearer;
+            let rest = 1.0 - cos * cos;
+            let sin = side * if rest > 0.0 { rest } else { 0.0 }.sqrt();
+            let there = DVec2::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos) * nearer;
+            let within = cos.abs() <= 1.0 && there.y >= -EDGE && there.perp_dot(seen.end) >= -EDGE;
+            let angle = seen.angle(there);
+            let angle = if angle > 0.0 { angle } else { 0.0 };
+            let height = z + seen.slope * if angle < sweep { angle } else { sweep };
+            let height = if within { height } else { f64::INFINITY };
+            if below <= square { z + rise.min(0.0) } else { height }
+        });
+    }
+
+    /// A ball on a helix of a quarter turn at most. Where the slopes of way and end balance, the sine of the angle by which the
+    /// tool is turned away from the column is `-slope up / (out radius)`, `up` being its centre's height over the
+    /// column; with the theorem of Pythagoras that gives a quadratic equation for the cosine. Else an end is lowest.
+    fn ball_on_helix(&self, seen: &Seen, z: f64, rise: f64, columns: Range<usize>, out: &mut [f64; BLOCK]) {
+        let tool = self.cutter.radius;
+        let (square, slope) = (tool * tool, seen.slope);
+        let (once, twice) = (slope * slope / seen.radius, slope * slope / (seen.radius * seen.radius));
+        let ends = |p: DVec2| {
+            let last = under(z + rise + tool, square - seen.from_end(p));
+            let first = if self.joined { f64::INFINITY } else { under(z + tool, square - seen.from_start(p)) };
+            if first < last { first } else { last }
         };
-        let far = if beside {
-            let off = arm.length() - radius;
-            off * off
-        } else {
-            (arm - start * radius).length_squared().min((arm - end * radius).length_squared())
-        };
-        if far > square {
-            f64::INFINITY
-        } else if self.cutter.tip == Tip::Flat {
-            0.0
-        } else {
-            self.cutter.rise(far.sqrt())
+        // On the way down the tool is lowest behind a column: beyond the end of the way only the end counts.
+        let beyond = |n: f64| rise <= 0.0 && seen.at(n).perp_dot(seen.end) <= 0.0;
+        let is_beyond = |n: usize| OFFSETS.get(n).is_some_and(|n| beyond(*n));
+        let mut at = columns.start;
+        while at < columns.end {
+            let next = (at / WIDE * WIDE + WIDE).min(columns.end);
+            if is_beyond(at) && is_beyond(next - 1) {
+                fill(out, at..next, |n| ends(seen.at(n)));
+            } else {
+                fill(out, at..next, |n| {
+                    let p = seen.at(n);
+                    let distance = p.length_squared();
+                    let far = distance.sqrt();
+                    let nearer = 1.0 / far;
+                    let room = square - distance - seen.radius * seen.radius;
+                    let q = once * nearer;
+                    let m = 1.0 - twice * room * nearer * nearer;
+                    // The root nearer to the column, without the difference of two large numbers.
+                    let cos = m / (q + (q * q + m).sqrt());
+                    let up = (room + 2.0 * far * seen.radius * cos).sqrt();
+                    let sin = -slope * up * nearer / seen.radius;
+                    let there = DVec2::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos) * nearer;
+                    // What has no root is no number, which is in no order.
+                    let within = up >= 0.0 && cos >= -1.0 && there.y >= 0.0 && there.perp_dot(seen.end) >= 0.0;
+                    let height = z + slope * seen.angle(there) + tool - up;
+                    let ends = ends(p);
+                    if within && height < ends { height } else { ends }
+                });
+            }
+            at = next;
         }
     }
 
-    /// How high above the start of a helix the tool passes over a column at its lowest.
+    /// How high above the start of a helix a bull nose or a point passes over a column at its lowest.
     fn rise_on_helix(&self, arm: DVec2) -> f64 {
-        let Way::Arc { radius, start, end, turn, sweep, rise, .. } = self.way else { return f64::INFINITY };
+        let Way::Arc { radius, start, turn, sweep, rise, .. } = self.way else { return f64::INFINITY };
         let square = self.cutter.radius * self.cutter.radius;
-        let flat = self.cutter.tip == Tip::Flat;
-        let ball = matches!(self.cutter.tip, Tip::Round(corner) if corner >= self.cutter.radius);
-        let lowest = if rise < 0.0 { end } else { start };
-        if flat && (arm - lowest * radius).length_squared() <= square {
-            return rise.min(0.0);
-        }
         let out = arm.length();
         if (out - radius).abs() > self.cutter.radius {
             return f64::INFINITY;
@@ -143,27 +296,8 @@ impl Sweep {
         // How far the tool may be turned away from the column and still be over it.
         let share = if out > 0.0 { (out * out + radius * radius - square) / (2.0 * out * radius) } else { -1.0 };
         let slope = rise / sweep;
-        if flat && sweep <= FRAC_PI_2 && share > -1.0 {
-            // It is over the column up to there, or from there on, and not at the lower end.
-            let (cos, sin) = (share.min(1.0), (1.0 - share * share).max(0.0).sqrt());
-            let way = arm / out;
-            let there = way * cos + way.perp() * (sin * turn * -rise.signum());
-            let angle = angle_of(turn * start.perp_dot(there), start.dot(there));
-            let within = angle >= -1e-12 && angle <= sweep + 1e-12;
-            return if within { slope * angle.clamp(0.0, sweep) } else { f64::INFINITY };
-        }
-        if sweep <= PI && (start.perp_dot(arm) * turn < 0.0 || arm.perp_dot(end) * turn < 0.0) {
-            let near = (arm - start * radius).length_squared().min((arm - end * radius).length_squared());
-            if near > square {
-                return f64::INFINITY;
-            }
-        }
         let reach = if share <= -1.0 { PI } else { libm::acos(share.min(1.0)) };
-        let own = angle_of(turn * start.perp_dot(arm) / out, start.dot(arm) / out);
-        if ball && share > 0.0 && sweep <= FRAC_PI_2 {
-            let ends = [(own - reach).max(0.0), (own + reach).min(sweep)];
-            return if ends[0] <= ends[1] { self.balanced(slope, own, ends, out, radius) } else { f64::INFINITY };
-        }
+        let own = libm::atan2(turn * start.perp_dot(arm), start.dot(arm));
         let turns = (sweep / TAU).ceil();
         let mut lowest = f64::INFINITY;
         let mut angle = own - TAU;
@@ -183,38 +317,10 @@ impl Sweep {
         slope * at + self.cutter.rise(far.min(self.cutter.radius))
     }
 
-    /// The lowest height of a ball between two angles that are less than a quarter turn away from the column: there the
-    /// height is convex, and has one place where the slopes balance.
-    fn balanced(&self, slope: f64, own: f64, [first, last]: [f64; 2], out: f64, radius: f64) -> f64 {
-        let half = out * radius;
-        let room = self.cutter.radius * self.cutter.radius - out * out - radius * radius;
-        let (mut low, mut high) = (first, last);
-        let mut at = own.clamp(first, last);
-        for _ in 0..STEPS {
-            let (sin, cos) = (libm::sin(at - own), libm::cos(at - own));
-            let up = (room + 2.0 * half * cos).max(1e-18).sqrt();
-            let steep = half * sin / up;
-            let rate = slope + steep;
-            *(if rate > 0.0 { &mut high } else { &mut low }) = at;
-            let next = at - rate / ((half * cos + steep * steep) / up);
-            let next = if next > low && next < high { next } else { 0.5 * (low + high) };
-            let far = (next - at).abs();
-            at = next;
-            if far < NEAR {
-                break;
-            }
-        }
-        let height = |at: f64| self.height_at(slope, own, at, out, radius);
-        height(at).min(height(first)).min(height(last))
-    }
-
     /// The lowest height on the part of a helix that passes over a column whose angle is `angle`.
     fn lowest_on_turn(&self, slope: f64, angle: f64, [first, last]: [f64; 2], out: f64, radius: f64) -> f64 {
         let height = |at: f64| self.height_at(slope, angle, at, out, radius);
         let (down, up) = if slope < 0.0 { (last, first) } else { (first, last) };
-        if self.cutter.tip == Tip::Flat {
-            return height(down);
-        }
         // Up to the column's own angle both slopes go down; from there to the lower end they work against each other.
         let begin = angle.clamp(first, last);
         let at = |n: usize| begin + (down - begin) * (n as f64 / PARTS as f64);

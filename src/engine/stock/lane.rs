@@ -1,17 +1,23 @@
 //! Rows of columns: the material along parallel lines, and what is taken away from it.
 //!
 //! A column has its topmost stretch of material in two arrays and stretches below it, which few columns have, in a
-//! map. Invariant: stretches of a column do not overlap and stand from low to high; an empty column has the top
+//! map. The columns of a block that all end at the same height, as on a plane face, are one number: cutting them again is one
+//! subtraction. Invariant: stretches of a column do not overlap and stand from low to high; an empty column has the top
 //! minus infinity. What a column holds does not grow with the number of cuts: stretches thinner than [`SLIVER`] are
 //! dropped, so their number is bounded by the height of the blank.
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Columns that are cut together; the highest top of each such block is known.
 pub(super) const BLOCK: usize = 16;
 /// Numbers that are worked on side by side.
-const WIDE: usize = 4;
+pub(super) const WIDE: usize = 4;
 /// Material thinner than this, mm, does not exist.
 pub(super) const SLIVER: f64 = 1e-6;
+
+/// The numbers of the columns of a block.
+pub(super) const OFFSETS: [f64; BLOCK] =
+    [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0];
 
 /// What a move does to the columns.
 #[derive(Clone, Copy, Debug)]
@@ -47,12 +53,107 @@ impl Tally {
     }
 }
 
+/// The tops of one block.
+#[derive(Clone, Debug)]
+struct Tops {
+    /// What is highest.
+    highest: f64,
+    /// Whether all columns end there; `each` is out of date then.
+    level: bool,
+    each: [f64; BLOCK],
+}
+
+impl Tops {
+    /// The tops one by one.
+    fn apart(&mut self) -> &mut [f64; BLOCK] {
+        if self.level {
+            self.level = false;
+            self.each = [self.highest; BLOCK];
+        }
+        &mut self.each
+    }
+
+    /// Takes everything above the heights away; `begin` is the number of the first column.
+    fn lower(
+        &mut self,
+        begin: usize,
+        columns: Range<usize>,
+        heights: &[f64; BLOCK],
+        tally: &mut Tally,
+        cut: &mut impl FnMut(usize, usize),
+    ) {
+        let chunks = columns.start / WIDE..columns.end.div_ceil(WIDE);
+        let highest = self.highest;
+        let tops = self.apart().as_chunks_mut::<WIDE>().0;
+        // Four sums side by side, so that nothing waits for the one before it.
+        let (mut deepest, mut sum) = ([0.0_f64; WIDE], [0.0_f64; WIDE]);
+        let mut gone = [[0.0_f64; WIDE]; BLOCK / WIDE];
+        let (Some(tops), Some(heights), Some(lost)) =
+            (tops.get_mut(chunks.clone()), heights.as_chunks::<WIDE>().0.get(chunks.clone()), gone.get_mut(chunks))
+        else {
+            return;
+        };
+        for ((tops, heights), lost) in tops.iter_mut().zip(heights).zip(lost) {
+            for n in 0..WIDE {
+                let (top, height) = (tops[n], heights[n]);
+                let after = if height < top { height } else { top };
+                // An empty column and a place without a tool give no number here, which is not greater than zero.
+                let loss = top - after;
+                let loss = if loss > 0.0 { loss } else { 0.0 };
+                lost[n] = loss;
+                sum[n] += loss;
+                deepest[n] = if loss > deepest[n] { loss } else { deepest[n] };
+                tops[n] = after;
+            }
+        }
+        let deepest = deepest.into_iter().fold(0.0, f64::max);
+        if deepest <= 0.0 {
+            return;
+        }
+        tally.height += sum.iter().sum::<f64>();
+        tally.deepest = tally.deepest.max(deepest);
+        let gone = gone.as_flattened();
+        if tally.highest < highest {
+            for (top, gone) in self.each.iter().zip(gone) {
+                if *gone > 0.0 {
+                    tally.highest = tally.highest.max(top + gone);
+                }
+            }
+        }
+        self.renew();
+        if deepest > SLIVER {
+            let first = gone.iter().position(|gone| *gone > SLIVER).unwrap_or(0);
+            let last = gone.iter().rposition(|gone| *gone > SLIVER).unwrap_or(0);
+            cut(begin + first, begin + last);
+        }
+    }
+
+    /// After tops were changed.
+    fn renew(&mut self) {
+        let mut high = [f64::NEG_INFINITY; WIDE];
+        for tops in self.each.as_chunks::<WIDE>().0 {
+            for (high, top) in high.iter_mut().zip(tops) {
+                *high = if *top > *high { *top } else { *high };
+            }
+        }
+        self.highest = high.into_iter().fold(f64::NEG_INFINITY, |a, b| if b > a { b } else { a });
+    }
+
+    /// Whether nothing is lower than a height.
+    fn reaches(&self, height: f64) -> bool {
+        let mut reaches = true;
+        for top in &self.each {
+            reaches &= *top >= height;
+        }
+        reaches
+    }
+}
+
 /// A row of columns.
 #[derive(Clone, Debug)]
 pub(super) struct Row {
-    top: Vec<f64>,
+    tops: Vec<Tops>,
     bottom: Vec<f64>,
-    highest: Vec<f64>,
     /// Stretches below the topmost one, by column.
     below: BTreeMap<usize, Vec<[f64; 2]>>,
     /// No topmost stretch begins above this.
@@ -63,25 +164,29 @@ impl Row {
     /// A row of that many columns with the stretches that `material` gives, from low to high.
     pub(super) fn new(count: usize, mut material: impl FnMut(usize) -> Vec<[f64; 2]>) -> Self {
         let length = count.div_ceil(BLOCK) * BLOCK;
+        let empty = Tops { highest: f64::NEG_INFINITY, level: false, each: [f64::NEG_INFINITY; BLOCK] };
         let mut row = Self {
-            top: vec![f64::NEG_INFINITY; length],
+            tops: vec![empty; length / BLOCK],
             bottom: vec![f64::INFINITY; length],
-            highest: vec![f64::NEG_INFINITY; length / BLOCK],
             below: BTreeMap::new(),
             floor: f64::NEG_INFINITY,
         };
         for column in 0..count {
             row.put(column, material(column));
         }
-        (0..length / BLOCK).for_each(|block| row.renew(block));
+        for tops in &mut row.tops {
+            tops.renew();
+            tops.level = tops.reaches(tops.highest);
+        }
         row
     }
 
     fn put(&mut self, column: usize, mut stretches: Vec<[f64; 2]>) {
         stretches.retain(|[low, high]| high - low > SLIVER);
         let [low, high] = stretches.pop().unwrap_or([f64::INFINITY, f64::NEG_INFINITY]);
-        if let (Some(top), Some(bottom)) = (self.top.get_mut(column), self.bottom.get_mut(column)) {
-            (*top, *bottom) = (high, low);
+        if let (Some(tops), Some(bottom)) = (self.tops.get_mut(column / BLOCK), self.bottom.get_mut(column)) {
+            tops.apart()[column % BLOCK] = high;
+            *bottom = low;
         }
         if low < f64::INFINITY {
             self.floor = self.floor.max(low);
@@ -96,85 +201,119 @@ impl Row {
     /// The stretches of a column from low to high.
     pub(super) fn column(&self, column: usize) -> Vec<[f64; 2]> {
         let mut stretches = self.below.get(&column).cloned().unwrap_or_default();
-        if let (Some(top), Some(bottom)) = (self.top.get(column), self.bottom.get(column))
-            && top > bottom
+        let top = self.top(column);
+        if let Some(bottom) = self.bottom.get(column)
+            && top > *bottom
         {
-            stretches.push([*bottom, *top]);
+            stretches.push([*bottom, top]);
         }
         stretches
     }
 
     /// The top of a column; minus infinity if it is empty.
     pub(super) fn top(&self, column: usize) -> f64 {
-        self.top.get(column).copied().unwrap_or(f64::NEG_INFINITY)
+        let Some(tops) = self.tops.get(column / BLOCK) else { return f64::NEG_INFINITY };
+        if tops.level { tops.highest } else { tops.each[column % BLOCK] }
     }
 
     /// The highest top of a block.
     pub(super) fn highest(&self, block: usize) -> f64 {
-        self.highest.get(block).copied().unwrap_or(f64::NEG_INFINITY)
+        self.tops.get(block).map_or(f64::NEG_INFINITY, |tops| tops.highest)
     }
 
-    fn renew(&mut self, block: usize) {
-        let tops = self.top.get(block * BLOCK..(block + 1) * BLOCK).unwrap_or(&[]);
-        let highest = tops.iter().fold(f64::NEG_INFINITY, |a, b| if *b > a { *b } else { a });
-        if let Some(slot) = self.highest.get_mut(block) {
-            *slot = highest;
+    /// Whether some of these columns of a block end above a straight line, given by its height over the first column of the
+    /// block and what it rises from one to the next.
+    pub(super) fn is_above(&self, block: usize, columns: Range<usize>, height: f64, rise: f64) -> bool {
+        let Some(tops) = self.tops.get(block) else { return false };
+        if tops.level {
+            let (a, b) = (columns.start as f64, columns.end as f64 - 1.0);
+            return tops.highest > height + (rise * a).min(rise * b);
+        }
+        let tops = tops.each.get(columns.clone()).unwrap_or(&[]);
+        let mut above = false;
+        for (top, n) in tops.iter().zip(OFFSETS.get(columns).unwrap_or(&[])) {
+            above |= *top > height + rise * n;
+        }
+        above
+    }
+
+    /// Takes everything above a height away from columns. Calls `cut` with the first and the last column that lose something,
+    /// block by block.
+    pub(super) fn level(
+        &mut self,
+        (first, last): (usize, usize),
+        height: f64,
+        tally: &mut Tally,
+        mut cut: impl FnMut(usize, usize),
+    ) {
+        let through = height <= self.floor;
+        for block in first / BLOCK..=last / BLOCK {
+            let begin = block * BLOCK;
+            let columns = first.saturating_sub(begin)..(last + 1 - begin).min(BLOCK);
+            let Some(tops) = self.tops.get_mut(block) else { return };
+            if tops.highest <= height {
+                continue;
+            }
+            if through {
+                self.lower_through(block, columns, &[height; BLOCK], tally, &mut cut);
+                continue;
+            }
+            if tops.level {
+                let loss = tops.highest - height;
+                tally.height += loss * columns.len() as f64;
+                tally.deepest = tally.deepest.max(loss);
+                tally.highest = tally.highest.max(tops.highest);
+                if loss > SLIVER {
+                    cut(begin + columns.start, begin + columns.end - 1);
+                }
+                if columns.len() == BLOCK {
+                    tops.highest = height;
+                } else {
+                    tops.apart().get_mut(columns).unwrap_or_default().fill(height);
+                }
+            } else if columns.len() <= WIDE {
+                let (mut low, mut high) = (usize::MAX, 0);
+                for (n, top) in columns.clone().zip(tops.each.get_mut(columns).unwrap_or_default()) {
+                    let loss = *top - height;
+                    if loss > 0.0 {
+                        tally.height += loss;
+                        tally.deepest = tally.deepest.max(loss);
+                        tally.highest = tally.highest.max(*top);
+                        *top = height;
+                        if loss > SLIVER {
+                            (low, high) = (low.min(n), n);
+                        }
+                    }
+                }
+                tops.renew();
+                if low <= high {
+                    cut(begin + low, begin + high);
+                }
+            } else {
+                let whole = columns.len() == BLOCK && tops.reaches(height);
+                let mut heights = [f64::INFINITY; BLOCK];
+                heights.get_mut(columns).unwrap_or_default().fill(height);
+                tops.lower(begin, 0..BLOCK, &heights, tally, &mut cut);
+                tops.level = whole;
+            }
         }
     }
 
-    /// Takes everything above the heights away from a block; infinity leaves a column alone. Nothing may be lower
+    /// Takes everything above the heights away from columns of a block; infinity leaves a column alone. Nothing may be lower
     /// than `least`. Calls `cut` with the first and the last column of the block that lose something.
     pub(super) fn lower(
         &mut self,
         block: usize,
+        columns: Range<usize>,
         heights: &[f64; BLOCK],
         least: f64,
         tally: &mut Tally,
-        mut cut: impl FnMut(usize, usize, &mut Tally),
+        mut cut: impl FnMut(usize, usize),
     ) {
-        let begin = block * BLOCK;
         if least <= self.floor {
-            self.lower_through(block, heights, tally, cut);
-            return;
-        }
-        let Some(tops) = self.top.get_mut(begin..begin + BLOCK) else { return };
-        let Some(tops) = tops.as_chunks_mut::<BLOCK>().0.first_mut() else { return };
-        // Four sums side by side, so that nothing waits for the one before it.
-        let mut deepest = [0.0_f64; WIDE];
-        let mut left = [f64::NEG_INFINITY; WIDE];
-        let mut gone = [0.0_f64; BLOCK];
-        let parts = tops.as_chunks_mut::<WIDE>().0.iter_mut().zip(heights.as_chunks::<WIDE>().0);
-        for ((tops, heights), gone) in parts.zip(gone.as_chunks_mut::<WIDE>().0) {
-            for n in 0..WIDE {
-                let (top, height) = (tops[n], heights[n]);
-                let after = if height < top { height } else { top };
-                // An empty column and a place without a tool give no number here, which is not greater than zero.
-                let loss = top - after;
-                let loss = if loss > 0.0 { loss } else { 0.0 };
-                gone[n] = loss;
-                deepest[n] = if loss > deepest[n] { loss } else { deepest[n] };
-                left[n] = if after > left[n] { after } else { left[n] };
-                tops[n] = after;
-            }
-        }
-        let greatest = |values: [f64; WIDE]| values.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        let (deepest, left) = (greatest(deepest), greatest(left));
-        if let Some(slot) = self.highest.get_mut(block) {
-            *slot = left;
-        }
-        if deepest > 0.0 {
-            tally.height += gone.iter().sum::<f64>();
-            tally.deepest = tally.deepest.max(deepest);
-            for (top, gone) in tops.iter().zip(&gone) {
-                if *gone > 0.0 {
-                    tally.highest = tally.highest.max(top + gone);
-                }
-            }
-            if deepest > SLIVER {
-                let first = gone.iter().position(|gone| *gone > SLIVER).unwrap_or(0);
-                let last = gone.iter().rposition(|gone| *gone > SLIVER).unwrap_or(0);
-                cut(begin + first, begin + last, tally);
-            }
+            self.lower_through(block, columns, heights, tally, &mut cut);
+        } else if let Some(tops) = self.tops.get_mut(block) {
+            tops.lower(block * BLOCK, columns, heights, tally, &mut cut);
         }
     }
 
@@ -182,13 +321,14 @@ impl Row {
     fn lower_through(
         &mut self,
         block: usize,
+        columns: Range<usize>,
         heights: &[f64; BLOCK],
         tally: &mut Tally,
-        mut cut: impl FnMut(usize, usize, &mut Tally),
+        cut: &mut impl FnMut(usize, usize),
     ) {
         let begin = block * BLOCK;
         let (mut first, mut last) = (usize::MAX, 0);
-        for (offset, height) in heights.iter().enumerate() {
+        for (offset, height) in columns.clone().zip(heights.get(columns).unwrap_or(&[])) {
             let column = begin + offset;
             let (top, bottom) = (self.top(column), self.bottom.get(column).copied().unwrap_or(f64::INFINITY));
             if top <= *height {
@@ -196,8 +336,8 @@ impl Row {
             }
             if *height > bottom + SLIVER && *height < f64::INFINITY {
                 tally.count(*height, top);
-                if let Some(slot) = self.top.get_mut(column) {
-                    *slot = *height;
+                if let Some(tops) = self.tops.get_mut(block) {
+                    tops.apart()[offset] = *height;
                 }
             } else {
                 self.take(column, *height, f64::INFINITY, tally);
@@ -206,9 +346,9 @@ impl Row {
                 (first, last) = (first.min(column), last.max(column));
             }
         }
-        self.renew(block);
+        self.settle(block);
         if first <= last {
-            cut(first, last, tally);
+            cut(first, last);
         }
     }
 
@@ -242,6 +382,8 @@ impl Row {
 
     /// After columns of a block were changed one by one.
     pub(super) fn settle(&mut self, block: usize) {
-        self.renew(block);
+        if let Some(tops) = self.tops.get_mut(block).filter(|tops| !tops.level) {
+            tops.renew();
+        }
     }
 }

@@ -15,8 +15,10 @@
 //! Invariant: nothing here knows a control or a program; `follow` alone reads events.
 mod bend;
 mod compare;
+mod cut;
 mod cutter;
 mod follow;
+mod kernel;
 mod lane;
 mod mesh;
 mod oblique;
@@ -41,12 +43,12 @@ use glam::{DVec2, DVec3};
 
 use super::geometry::{Axis, Frame, WorkingPlane};
 use super::solid::{Body, Path, Shape, SolidError};
-use lane::{BLOCK, Row, SLIVER, Tally};
+use lane::{Row, SLIVER, Tally};
 use oblique::Oblique;
 use sweep::Sweep;
 
 /// Rows that lie together in one lane.
-const BAND: usize = 16;
+const BAND: usize = 4;
 /// Lanes that can be worked on at the same time.
 const LANES: usize = 8;
 /// Most columns of a grid: about three gigabytes.
@@ -429,96 +431,26 @@ fn work_lane(grid: &Grid, lane: usize, rows: &mut [Row], jobs: &[Job], moves: us
         let (min, max) = job.sweep.bounds();
         let Some((first, last)) = Grid::between(min.y, max.y, grid.min.y, grid.each.y, grid.rows) else { continue };
         let Some(tally) = tallies.get_mut(job.owner) else { continue };
-        for band in first / BAND..=last / BAND {
-            if band % LANES != lane {
-                continue;
-            }
+        let mut across = [f64::INFINITY, f64::NEG_INFINITY];
+        // The first band of this lane that is not before the first row.
+        let own = first / BAND / LANES * LANES + lane;
+        let begin = if own < first / BAND { own + LANES } else { own };
+        for band in (begin..=last / BAND).step_by(LANES) {
             for row in (band * BAND).max(first)..=(band * BAND + BAND - 1).min(last) {
                 let Some(own) = rows.get_mut(place(row).1) else { continue };
                 match &job.sweep {
-                    Swept::Above(sweep) => above(grid, own, row, sweep, tally),
-                    Swept::Between(sweep, head) => between(grid, own, row, sweep, *head, tally),
+                    Swept::Above(sweep) => cut::above(grid, own, row, sweep, tally, &mut across),
+                    Swept::Between(sweep, head) => cut::between(grid, own, row, sweep, *head, tally, &mut across),
                     Swept::Oblique(oblique) => oblique.cut(grid, own, row, tally),
                 }
             }
         }
+        if let (Swept::Above(sweep) | Swept::Between(sweep, _), true) = (&job.sweep, across[0] <= across[1]) {
+            let [least, most] = sweep.left(across);
+            tally.left = [tally.left[0].min(least), tally.left[1].max(most)];
+        }
     }
     tallies
-}
-
-/// Everything above the envelope goes.
-fn above(grid: &Grid, own: &mut Row, row: usize, sweep: &Sweep, tally: &mut Tally) {
-    let y = grid.y(row);
-    let Some(span) = sweep.span(y) else { return };
-    for [from, to] in sweep.fresh(y, span) {
-        if let Some(columns) = Grid::between(from, to, grid.min.x, grid.each.x, grid.columns) {
-            above_part(grid, own, y, columns, sweep, tally);
-        }
-    }
-}
-
-/// The same between two columns.
-fn above_part(grid: &Grid, own: &mut Row, y: f64, (first, last): (usize, usize), sweep: &Sweep, tally: &mut Tally) {
-    let level = sweep.level();
-    let settled = if level.is_none() { sweep.settled(y) } else { None };
-    let half = 0.5 * (BLOCK - 1) as f64 * grid.cell.x;
-    let mut heights = [f64::INFINITY; BLOCK];
-    for block in first / BLOCK..=last / BLOCK {
-        let highest = own.highest(block);
-        if highest <= sweep.low {
-            continue;
-        }
-        let begin = block * BLOCK;
-        if level.is_none() && highest <= sweep.least_near(DVec2::new(grid.x(begin) + half, y), half) {
-            continue;
-        }
-        let within = |[from, to]: [f64; 2]| grid.x(begin) >= from && grid.x(begin + BLOCK - 1) <= to;
-        match level.or(settled.filter(|(part, _)| within(*part)).map(|(_, height)| height)) {
-            Some(level) => heights.fill(level),
-            None => sweep.heights(grid.x(begin), grid.cell.x, y, &mut heights),
-        }
-        if begin < first || begin + BLOCK - 1 > last {
-            for (offset, height) in heights.iter_mut().enumerate() {
-                if begin + offset < first || begin + offset > last {
-                    *height = f64::INFINITY;
-                }
-            }
-        }
-        own.lower(block, &heights, sweep.low, tally, |first, last, tally| {
-            for column in [first, last] {
-                let left = sweep.left(DVec2::new(grid.x(column), y));
-                tally.left = [tally.left[0].min(left), tally.left[1].max(left)];
-            }
-        });
-    }
-}
-
-/// Everything between the lower and the upper envelope of a head goes.
-fn between(grid: &Grid, own: &mut Row, row: usize, sweep: &Sweep, head: f64, tally: &mut Tally) {
-    let y = grid.y(row);
-    let Some([from, to]) = sweep.span(y) else { return };
-    let Some((first, last)) = Grid::between(from, to, grid.min.x, grid.each.x, grid.columns) else { return };
-    let over = sweep.mirrored();
-    let (mut low, mut high) = ([f64::INFINITY; BLOCK], [f64::INFINITY; BLOCK]);
-    for block in first / BLOCK..=last / BLOCK {
-        if own.highest(block) <= sweep.low {
-            continue;
-        }
-        let begin = block * BLOCK;
-        sweep.heights(grid.x(begin), grid.cell.x, y, &mut low);
-        over.heights(grid.x(begin), grid.cell.x, y, &mut high);
-        for (offset, (low, high)) in low.iter().zip(&high).enumerate() {
-            let column = begin + offset;
-            if column < first || column > last || *low == f64::INFINITY {
-                continue;
-            }
-            if own.take(column, *low, head - *high, tally) {
-                let left = sweep.left(DVec2::new(grid.x(column), y));
-                tally.left = [tally.left[0].min(left), tally.left[1].max(left)];
-            }
-        }
-        own.settle(block);
-    }
 }
 
 impl From<SolidError> for StockTrouble {

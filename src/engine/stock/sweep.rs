@@ -9,10 +9,7 @@ use std::f64::consts::{PI, TAU};
 use glam::{DVec2, DVec3};
 
 use super::cutter::{Cutter, Tip};
-use super::lane::BLOCK;
 
-/// Steps of a bisection; each halves an interval of some mm or radians.
-pub(super) const BISECTIONS: usize = 50;
 /// What is left to rounding, mm.
 pub(super) const HAIR: f64 = 1e-9;
 
@@ -133,11 +130,23 @@ impl Sweep {
         }
     }
 
-    /// How far a point lies to the left of the path.
-    pub(super) fn left(&self, p: DVec2) -> f64 {
+    /// Tells places across the path apart: how far a point lies to the left of a line, or the square of its distance from
+    /// the centre of an arc.
+    pub(super) fn across(&self, p: DVec2) -> f64 {
         match self.way {
             Way::Line { from, along, .. } => along.perp_dot(p - DVec2::new(from.x, from.y)),
-            Way::Arc { centre, radius, turn, .. } => turn * (radius - (p - centre).length()),
+            Way::Arc { centre, .. } => (p - centre).length_squared(),
+        }
+    }
+
+    /// How far points lie to the left of the path, least and most, from the least and the greatest of these numbers.
+    pub(super) fn left(&self, [least, most]: [f64; 2]) -> [f64; 2] {
+        match self.way {
+            Way::Line { .. } => [least, most],
+            Way::Arc { radius, turn, .. } => {
+                let [inner, outer] = [turn * (radius - least.sqrt()), turn * (radius - most.sqrt())];
+                [inner.min(outer), inner.max(outer)]
+            }
         }
     }
 
@@ -159,11 +168,12 @@ impl Sweep {
         disc(start);
         disc(end);
         if along.y != 0.0 && length > 0.0 {
+            let far = along.y.abs() * length;
             for side in [radius, -radius] {
                 let edge = start + along.perp() * side;
-                let way = (y - edge.y) / along.y;
-                if (0.0..=length).contains(&way) {
-                    let x = edge.x + along.x * way;
+                let way = (y - edge.y) * along.y.signum();
+                if (0.0..=far).contains(&way) {
+                    let x = edge.x + along.x * (way / along.y.abs());
                     low = low.min(x);
                     high = high.max(x);
                 }
@@ -258,135 +268,5 @@ impl Sweep {
         }
         let half = square.sqrt() - HAIR;
         (half > 0.0).then_some(([at.x - half, at.x + half], height))
-    }
-
-    /// The lowest heights of the envelope at the points `(x + n step, y)`; infinity where it does not come.
-    pub(super) fn heights(&self, x: f64, step: f64, y: f64, out: &mut [f64; BLOCK]) {
-        match self.way {
-            Way::Line { from, along, length, rise } => self.line_heights(from, along, length, rise, [x, step, y], out),
-            Way::Arc { .. } => self.arc_heights([x, step, y], out),
-        }
-    }
-
-    fn line_heights(
-        &self,
-        from: DVec3,
-        along: DVec2,
-        length: f64,
-        rise: f64,
-        [x, step, y]: [f64; 3],
-        out: &mut [f64; BLOCK],
-    ) {
-        let radius = self.cutter.radius;
-        let square = radius * radius;
-        let (dx, dy) = (x - from.x, y - from.y);
-        let start = [dx * along.x + dy * along.y, dy * along.x - dx * along.y];
-        let steps = [step * along.x, -step * along.y];
-        let each = |out: &mut [f64; BLOCK], height: &dyn Fn(f64, f64) -> f64| {
-            for (n, out) in out.iter_mut().enumerate() {
-                *out = height(start[0] + n as f64 * steps[0], start[1] + n as f64 * steps[1]);
-            }
-        };
-        // Along the path from its start, and across it.
-        let nearest = |u: f64, v: f64| {
-            let beyond = u - u.max(0.0).min(length);
-            beyond * beyond + v * v
-        };
-        if rise == 0.0 || length == 0.0 {
-            let z = from.z + rise.min(0.0);
-            match self.cutter.tip {
-                Tip::Round(corner) if corner == radius => {
-                    let top = z + radius;
-                    // The loop that matters most: nothing in it branches.
-                    for (n, out) in out.iter_mut().enumerate() {
-                        let n = n as f64;
-                        let (u, v) = (start[0] + n * steps[0], start[1] + n * steps[1]);
-                        let beyond = u - if u < 0.0 {
-                            0.0
-                        } else if u > length {
-                            length
-                        } else {
-                            u
-                        };
-                        let rest = square - beyond * beyond - v * v;
-                        let height = top - if rest > 0.0 { rest } else { 0.0 }.sqrt();
-                        *out = if rest >= 0.0 { height } else { f64::INFINITY };
-                    }
-                }
-                _ => each(out, &|u, v| {
-                    let far = nearest(u, v);
-                    if far <= square { z + self.cutter.rise(far.sqrt()) } else { f64::INFINITY }
-                }),
-            }
-            return;
-        }
-        let slope = rise / length;
-        if let Tip::Round(corner) = self.cutter.tip
-            && corner >= radius
-        {
-            let (lean, top) = (-slope / (1.0 + slope * slope).sqrt(), from.z + radius);
-            // Without branches, as above.
-            for (n, out) in out.iter_mut().enumerate() {
-                let n = n as f64;
-                let (u, v) = (start[0] + n * steps[0], start[1] + n * steps[1]);
-                let room = square - v * v;
-                let reach = if room > 0.0 { room } else { 0.0 }.sqrt();
-                let best = u + lean * reach;
-                let at = if best < 0.0 {
-                    0.0
-                } else if best > length {
-                    length
-                } else {
-                    best
-                };
-                let beyond = u - at;
-                let rest = room - beyond * beyond;
-                let height = top + slope * at - if rest > 0.0 { rest } else { 0.0 }.sqrt();
-                *out = if rest >= 0.0 { height } else { f64::INFINITY };
-            }
-            return;
-        }
-        each(out, &|u, v| {
-            let room = square - v * v;
-            if room < 0.0 {
-                return f64::INFINITY;
-            }
-            let reach = room.sqrt();
-            // The parts of the path that are near enough, as seen from the column.
-            let (first, last) = ((-u).max(-reach), (length - u).min(reach));
-            if first > last {
-                return f64::INFINITY;
-            }
-            let best = self.balance(slope, v, reach).max(first).min(last);
-            from.z + slope * (u + best) + self.cutter.rise(libm::hypot(best, v))
-        });
-    }
-
-    /// Where along a path with a slope the tool's end reaches lowest over a column at the distance `v` from the path:
-    /// behind (negative) or before it.
-    fn balance(&self, slope: f64, v: f64, reach: f64) -> f64 {
-        let down = -slope.signum() * reach;
-        match self.cutter.tip {
-            Tip::Flat => down,
-            Tip::Point(steep) if slope.abs() >= steep => down,
-            Tip::Point(steep) => -slope * v.abs() / (steep * steep - slope * slope).sqrt(),
-            Tip::Round(corner) if corner >= self.cutter.radius => -slope * reach / (1.0 + slope * slope).sqrt(),
-            Tip::Round(corner) => {
-                let flat = self.cutter.radius - corner;
-                // The slope of the end along the path at the distance s from the column.
-                let steepness = |s: f64| {
-                    let far = libm::hypot(s, v);
-                    let beyond = (far - flat).max(0.0);
-                    let depth = (corner * corner - beyond * beyond).max(0.0).sqrt();
-                    if beyond == 0.0 { 0.0 } else { beyond / depth * (s / far) }
-                };
-                let (mut near, mut far) = (0.0, reach);
-                for _ in 0..BISECTIONS {
-                    let middle = 0.5 * (near + far);
-                    if steepness(middle) < slope.abs() { near = middle } else { far = middle }
-                }
-                -slope.signum() * near
-            }
-        }
     }
 }

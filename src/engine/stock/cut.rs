@@ -1,0 +1,129 @@
+//! What the envelope of a tool takes away from one row of columns.
+//!
+//! Invariant: a block is left alone where nothing of it can be above the envelope; what is asked before the heights are
+//! calculated may only say too often that there is something.
+use glam::DVec2;
+
+use super::Grid;
+use super::lane::{BLOCK, Row, Tally, WIDE};
+use super::sweep::{HAIR, Sweep};
+
+/// The part of a row on which a sweep is carried out.
+struct Part<'g> {
+    grid: &'g Grid,
+    sweep: &'g Sweep,
+    y: f64,
+}
+
+/// Everything above the envelope goes. `across` collects where something was cut, see [`Sweep::across`].
+pub(super) fn above(grid: &Grid, own: &mut Row, row: usize, sweep: &Sweep, tally: &mut Tally, across: &mut [f64; 2]) {
+    let y = grid.y(row);
+    let Some(span) = sweep.span(y) else { return };
+    let columns = |[from, to]: [f64; 2]| Grid::between(from, to, grid.min.x, grid.each.x, grid.columns);
+    let part = Part { grid, sweep, y };
+    let level = sweep.level();
+    let settled = if level.is_none() { sweep.settled(y) } else { None };
+    let settled = settled.and_then(|(stands, height)| Some((columns(stands)?, height)));
+    for (first, last) in sweep.fresh(y, span).into_iter().filter_map(columns) {
+        match (level, settled) {
+            (Some(level), _) => part.level(own, (first, last), level, tally, across),
+            (None, Some(((from, to), height))) if from.max(first) <= to.min(last) => {
+                let (from, to) = (from.max(first), to.min(last));
+                part.level(own, (from, to), height, tally, across);
+                if first < from {
+                    part.curved(own, (first, from - 1), tally, across);
+                }
+                if to < last {
+                    part.curved(own, (to + 1, last), tally, across);
+                }
+            }
+            _ => part.curved(own, (first, last), tally, across),
+        }
+    }
+}
+
+impl Part<'_> {
+    fn note(&self, column: usize, across: &mut [f64; 2]) {
+        let at = self.sweep.across(DVec2::new(self.grid.x(column), self.y));
+        *across = [across[0].min(at), across[1].max(at)];
+    }
+
+    /// The envelope is level between these columns.
+    fn level(&self, own: &mut Row, columns: (usize, usize), level: f64, tally: &mut Tally, across: &mut [f64; 2]) {
+        own.level(columns, level, tally, |first, last| {
+            self.note(first, across);
+            self.note(last, across);
+        });
+    }
+
+    /// The envelope has a height of its own in each column.
+    fn curved(&self, own: &mut Row, (first, last): (usize, usize), tally: &mut Tally, across: &mut [f64; 2]) {
+        let Self { grid, sweep, y } = *self;
+        let mut heights = [f64::INFINITY; BLOCK];
+        for block in first / BLOCK..=last / BLOCK {
+            let highest = own.highest(block);
+            if highest <= sweep.low {
+                continue;
+            }
+            let begin = block * BLOCK;
+            let columns = first.saturating_sub(begin)..(last + 1 - begin).min(BLOCK);
+            let half = 0.5 * (columns.len() - 1) as f64 * grid.cell.x;
+            let middle = DVec2::new(grid.x(begin + columns.start) + half, y);
+            if highest <= sweep.least_near(middle, half) {
+                continue;
+            }
+            if let Some([height, rise]) = sweep.tangent(middle) {
+                let start = height - rise * (middle.x - grid.x(begin)) - HAIR;
+                if !own.is_above(block, columns.clone(), start, rise * grid.cell.x) {
+                    continue;
+                }
+            }
+            let chunks = columns.start / WIDE * WIDE..columns.end.div_ceil(WIDE) * WIDE;
+            sweep.heights([grid.x(begin), grid.cell.x, y], chunks.clone(), &mut heights);
+            for n in (chunks.start..columns.start).chain(columns.end..chunks.end) {
+                heights[n] = f64::INFINITY;
+            }
+            own.lower(block, chunks, &heights, sweep.low, tally, |first, last| {
+                self.note(first, across);
+                self.note(last, across);
+            });
+        }
+    }
+}
+
+/// Everything between the lower and the upper envelope of a head goes.
+pub(super) fn between(
+    grid: &Grid,
+    own: &mut Row,
+    row: usize,
+    sweep: &Sweep,
+    head: f64,
+    tally: &mut Tally,
+    across: &mut [f64; 2],
+) {
+    let y = grid.y(row);
+    let Some([from, to]) = sweep.span(y) else { return };
+    let Some((first, last)) = Grid::between(from, to, grid.min.x, grid.each.x, grid.columns) else { return };
+    let over = sweep.mirrored();
+    let part = Part { grid, sweep, y };
+    let (mut low, mut high) = ([f64::INFINITY; BLOCK], [f64::INFINITY; BLOCK]);
+    for block in first / BLOCK..=last / BLOCK {
+        if own.highest(block) <= sweep.low {
+            continue;
+        }
+        let begin = block * BLOCK;
+        let at = [grid.x(begin), grid.cell.x, y];
+        sweep.heights(at, 0..BLOCK, &mut low);
+        over.heights(at, 0..BLOCK, &mut high);
+        for (offset, (low, high)) in low.iter().zip(&high).enumerate() {
+            let column = begin + offset;
+            if column < first || column > last || *low == f64::INFINITY {
+                continue;
+            }
+            if own.take(column, *low, head - *high, tally) {
+                part.note(column, across);
+            }
+        }
+        own.settle(block);
+    }
+}
