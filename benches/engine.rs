@@ -1,7 +1,10 @@
-//! Prints how many blocks, cycle calls and probing cycles the engine executes in a second, and how many moves take
-//! material from a stock:
-//! `cargo bench --bench engine`. Where LinuxCNC's `rs274` is installed (Debian package
-//! `linuxcnc-uspace`), the same work as RS274 text runs beside it. Nothing is judged here.
+//! Prints how many blocks, cycle calls and probing cycles the engine executes in a second, how many moves take material
+//! from a stock, and what memory a run of many moves takes: `cargo bench --bench engine`, or one part of it:
+//! `cargo bench --bench engine -- stock` (`memory`, `blocks`).
+//!
+//! Where LinuxCNC's `rs274` is installed (Debian package `linuxcnc-uspace`), the same work as RS274 text runs beside it.
+//! A move of the stock is one of 0.25 to 1 mm, as programs of such parts have them; a longer way is told by the steps of
+//! 0.25 mm that it stands for as well. Nothing is judged here.
 use std::hint::black_box;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
@@ -10,10 +13,10 @@ use std::{env, fs};
 use ciklo::data;
 use ciklo::diag::Source;
 use ciklo::engine::geometry::{Axis, Frame};
-use ciklo::engine::run::{Engine, NoTexts};
+use ciklo::engine::run::{Engine, EventKind, NoTexts};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::{Path, Shape};
-use ciklo::engine::stock::{Batch, Cutter, Stock, Tip};
+use ciklo::engine::stock::{Batch, Cutter, Machining, Stock, Tip};
 use ciklo::spec::{Catalogue, OnControl};
 use ciklo::syntax::parse;
 use glam::DVec3;
@@ -156,11 +159,42 @@ fn spent() -> f64 {
     ticks.unwrap_or(f64::NAN) / 100.0
 }
 
-/// The greatest memory of this program so far, where the system tells it.
-fn peak() -> String {
+/// The memory of this program now and at most so far, where the system tells it.
+fn memory() -> String {
     let text = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    line.map_or_else(|| "unknown".into(), |line| line.trim().into())
+    let line = |key: &str| text.lines().find_map(|line| line.strip_prefix(key)).map_or("unknown", str::trim);
+    format!("{} now, {} at most", line("VmRSS:"), line("VmHWM:"))
+}
+
+/// A million moves by a short program, so that its text does not count: they are executed, told and cut.
+fn streaming() {
+    const MARKS: [u64; 3] = [20_000, 200_000, 1_000_000];
+    let there = "L IX+0.25 R0 F500\n".repeat(10);
+    let back = "L IX-0.25 R0 F500\n".repeat(10);
+    let text = format!(
+        "BEGIN PGM BENCH MM\nBLK FORM 0.1 Z X+0 Y+0 Z-30\nBLK FORM 0.2 X+100 Y+100 Z+0\nTOOL CALL 1 Z S2000\n\
+         L X+50 Y+50 R0 FMAX M3\nL Z-1 R0 FMAX\nLBL 1\n{there}{back}CALL LBL 1 REP 49999\nEND PGM BENCH MM\n"
+    );
+    let files = data::embedded();
+    let (catalogue, _) = Catalogue::load(&files);
+    let Some(on) = catalogue.on("tnc640") else { return };
+    let Ok(scene) = Scene::parse(&Source::new("bench.scene.yaml", SCENE), &files) else { return };
+    let program = parse(&Source::new("bench.h", text));
+    let Ok(mut machining) = Machining::new(&program, &scene, Some(RESOLUTION)) else { return };
+    let mut moves = 0;
+    println!("memory before the first move          {}", memory());
+    let outcome = Engine::new(&program, on, &scene, &NoTexts).run(&mut |event| {
+        machining.see(&event);
+        if matches!(event.kind, EventKind::Move { .. }) {
+            moves += 1;
+            if MARKS.contains(&moves) {
+                println!("memory after {moves:>7} moves            {}", memory());
+            }
+        }
+    });
+    if let Some(diagnostic) = outcome.diagnostic {
+        println!("ended with {} {:?}", diagnostic.code, diagnostic.args);
+    }
 }
 
 /// Full helices side by side.
@@ -178,51 +212,65 @@ fn removal() {
     let levels = |step: f64, beside: f64| -> Vec<Path> {
         (1..=10).flat_map(|level| lines(&meander(step, beside, |_, _| -f64::from(level)))).collect()
     };
+    let wave_path = |left: f64, beside: f64| lines(&meander(0.25, beside, |x, y| wave(x, y) + left));
+    // Name, tool, moves, steps of 0.25 mm in a move, and what has been cut before.
     let works = [
-        ("roughing, flat 10 mm, 1 mm moves", flat, levels(1.0, 5.0)),
-        ("roughing, flat 10 mm, 0.25 mm moves", flat, levels(0.25, 5.0)),
-        ("finishing, ball 6 mm, 0.25 mm moves", ball, lines(&meander(0.25, 0.2, wave))),
-        ("levelling, ball 6 mm, 0.25 mm moves", ball, lines(&meander(0.25, 0.2, |_, _| -8.0))),
-        ("helix of 60 mm, flat 10 mm, 0.25 mm", flat, ramps(30.0, 0.25, 40_000)),
-        ("helix of 60 mm, ball 6 mm, 0.25 mm", ball, ramps(30.0, 0.25, 40_000)),
-        ("helix of 6 mm, flat 10 mm, 0.25 mm", flat, ramps(3.0, 0.25, 20_000)),
-        ("full helices of 14 mm, flat 10 mm", flat, helices()),
+        ("roughing, flat 10 mm, 1 mm moves", flat, levels(1.0, 5.0), 4.0, vec![]),
+        ("roughing, flat 10 mm, 0.25 mm moves", flat, levels(0.25, 5.0), 1.0, vec![]),
+        ("finishing 0.5 mm, ball 6 mm, 0.25 mm", ball, wave_path(0.0, 0.2), 1.0, wave_path(0.5, 1.0)),
+        ("from the solid, ball 6 mm, 0.25 mm", ball, wave_path(0.0, 0.2), 1.0, vec![]),
+        ("levelling, ball 6 mm, 0.25 mm moves", ball, lines(&meander(0.25, 0.2, |_, _| -8.0)), 1.0, vec![]),
+        ("helix of 60 mm, flat 10 mm, 0.25 mm", flat, ramps(30.0, 0.25, 40_000), 1.0, vec![]),
+        ("helix of 60 mm, ball 6 mm, 0.25 mm", ball, ramps(30.0, 0.25, 40_000), 1.0, vec![]),
+        ("helix of 6 mm, flat 10 mm, 0.25 mm", flat, ramps(3.0, 0.25, 20_000), 1.0, vec![]),
+        ("full helices 14 mm wide, flat 10 mm", flat, helices(), std::f64::consts::TAU * 2.0 / 0.25, vec![]),
     ];
     let bounds = [DVec3::new(0.0, 0.0, -30.0), DVec3::new(PART, PART, 0.0)];
     let [min, max] = bounds;
     let Ok(blank) = Stock::new(&Shape::Box { min, max }, bounds, Frame::IDENTITY, Axis::Z, RESOLUTION) else { return };
-    for (name, cutter, paths) in works {
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    println!("stock of 100 x 100 x 30 mm at 0.1 mm, {processors} processors");
+    let cut = |stock: &mut Stock, cutter: &Cutter, paths: &[Path]| {
+        let mut batch = Batch::default();
+        for paths in paths.chunks(TOGETHER) {
+            paths.iter().for_each(|path| stock.add(&mut batch, path, DVec3::Z, cutter, false));
+            black_box(stock.carry_out(&mut batch));
+        }
+    };
+    for (name, cutter, paths, steps, before) in works {
+        let mut begun = blank.clone();
+        cut(&mut begun, &cutter, &before);
         let (mut best, mut work) = (Duration::MAX, f64::INFINITY);
         for _ in 0..ROUNDS {
-            let mut stock = blank.clone();
-            let mut batch = Batch::default();
+            let mut stock = begun.clone();
             let (start, before) = (Instant::now(), spent());
-            for paths in paths.chunks(TOGETHER) {
-                paths.iter().for_each(|path| stock.add(&mut batch, path, DVec3::Z, &cutter, false));
-                black_box(stock.carry_out(&mut batch));
-            }
+            cut(&mut stock, &cutter, &paths);
             best = best.min(start.elapsed());
             work = work.min(spent() - before);
         }
         let (count, time) = (paths.len() as f64, best.as_secs_f64());
-        let rate = count / work.max(0.01);
-        println!("{name:37} stock {:>9.0} moves/s, {rate:>9.0} in a second of one processor", count / time);
-    }
-    // The same way again and again: nothing may be kept of it.
-    let (mut stock, mut batch) = (blank, Batch::default());
-    for rounds in [1, 10, 50] {
-        for path in lines(&meander(0.25, 2.0, |_, _| -1.0)).repeat(rounds).chunks(TOGETHER) {
-            path.iter().for_each(|path| stock.add(&mut batch, path, DVec3::Z, &flat, false));
-            black_box(stock.carry_out(&mut batch));
+        let rates = |count: f64| {
+            let each = count / work.max(0.01);
+            format!("{:>9.0}/s, {each:>9.0} in a second of one processor", count / time)
+        };
+        println!("{name:37} moves {}", rates(count));
+        if steps > 1.0 {
+            println!("{:37} steps {}", "  the same by steps of 0.25 mm", rates(count * steps));
         }
-        println!("memory after {:>7} moves more       {}", 20_000 * rounds, peak());
     }
 }
 
 fn main() {
-    removal();
-    // `cargo bench --bench engine -- stock` stops here.
-    if env::args().any(|arg| arg == "stock") {
+    let chosen: Vec<String> = env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
+    let wants = |part: &str| chosen.is_empty() || chosen.iter().any(|name| name == part);
+    // First, as memory that was used once does not come back.
+    if wants("memory") {
+        streaming();
+    }
+    if wants("stock") {
+        removal();
+    }
+    if !wants("blocks") {
         return;
     }
     let files = data::embedded();
@@ -230,16 +278,12 @@ fn main() {
     let Some(on) = catalogue.on("tnc640") else { return };
     let Ok(scene) = Scene::parse(&Source::new("bench.scene.yaml", SCENE), &files) else { return };
     for work in works() {
-        let (time, events) = execute(&work, on, &scene);
+        let (own, events) = execute(&work, on, &scene);
         let rate = |time: Duration| work.count as f64 / time.as_secs_f64();
-        println!(
-            "{:26} ciklo {:>10.0}/s ({events} events in {:.1} ms)",
-            work.name,
-            rate(time),
-            time.as_secs_f64() * 1e3
-        );
+        println!("{:26} ciklo {:>10.0}/s ({events} events in {:.1} ms)", work.name, rate(own), own.as_secs_f64() * 1e3);
         if let Some(time) = work.rs274.as_deref().and_then(peer) {
             println!("{:26} rs274 {:>10.0}/s (whole process, text output)", "", rate(time));
+            println!("{:26} ratio {:>10.1}", "", rate(own) / rate(time));
         }
     }
 }

@@ -38,6 +38,14 @@ impl Op {
         )
     }
 
+    const fn orders(self) -> bool {
+        matches!(self, Self::Lt | Self::Le | Self::Gt | Self::Ge)
+    }
+
+    const fn calculates(self) -> bool {
+        matches!(self, Self::Add | Self::Sub | Self::Mul | Self::Div | Self::Rem | Self::Pow)
+    }
+
     const fn compares(self) -> bool {
         matches!(self, Self::Eq | Self::Ne | Self::Lt | Self::Le | Self::Gt | Self::Ge)
     }
@@ -362,18 +370,12 @@ impl Code {
 
     /// The value as a number.
     pub fn number(&self, env: &dyn Env) -> Result<f64, EvalError> {
-        match run(&self.ins, env)? {
-            Value::Number(n) => Ok(n),
-            _ => Err(EvalError::Kind),
-        }
+        number(&self.ins, env)
     }
 
     /// The value as true or false.
     pub fn truth(&self, env: &dyn Env) -> Result<bool, EvalError> {
-        match run(&self.ins, env)? {
-            Value::Bool(b) => Ok(b),
-            _ => Err(EvalError::Kind),
-        }
+        truth(&self.ins, env)
     }
 
     /// The value as a point.
@@ -385,10 +387,33 @@ impl Code {
     }
 }
 
+/// What gives a number, without a value around each step on the way.
 fn number(ins: &Ins, env: &dyn Env) -> Result<f64, EvalError> {
-    match run(ins, env)? {
-        Value::Number(n) => Ok(n),
-        _ => Err(EvalError::Kind),
+    let of = |value: &Value| if let Value::Number(n) = value { Ok(*n) } else { Err(EvalError::Kind) };
+    match ins {
+        Ins::Const(value) => of(value),
+        Ins::Slot(slot) => of(env.slot(*slot)),
+        Ins::Q(q) if q.kind != QKind::Qs => env.number(*q),
+        Ins::Negate(inner) => Ok(-number(inner, env)?),
+        Ins::Binary(op, sides) if op.calculates() => calculated(*op, number(&sides.0, env)?, number(&sides.1, env)?),
+        Ins::Choose(parts) => number(if truth(&parts.0, env)? { &parts.1 } else { &parts.2 }, env),
+        _ => of(&run(ins, env)?),
+    }
+}
+
+/// The same for what is true or false.
+fn truth(ins: &Ins, env: &dyn Env) -> Result<bool, EvalError> {
+    match ins {
+        Ins::Not(inner) => Ok(!truth(inner, env)?),
+        Ins::Binary(op @ (Op::And | Op::Or), sides) => {
+            let left = truth(&sides.0, env)?;
+            if left == (*op == Op::Or) { Ok(left) } else { truth(&sides.1, env) }
+        }
+        Ins::Binary(op, sides) if op.orders() => Ok(ordered(*op, number(&sides.0, env)?, number(&sides.1, env)?)),
+        _ => match run(ins, env)? {
+            Value::Bool(b) => Ok(b),
+            _ => Err(EvalError::Kind),
+        },
     }
 }
 
@@ -402,25 +427,14 @@ fn run(ins: &Ins, env: &dyn Env) -> Result<Value, EvalError> {
             Value::Point(p) => Value::Number(p.to_array()[*axis]),
             _ => return Err(EvalError::Kind),
         },
-        Ins::Not(inner) => match run(inner, env)? {
-            Value::Bool(b) => Value::Bool(!b),
-            _ => return Err(EvalError::Kind),
-        },
+        Ins::Not(_) | Ins::Binary(Op::And | Op::Or, _) => Value::Bool(truth(ins, env)?),
         Ins::Negate(inner) => match run(inner, env)? {
             Value::Number(n) => Value::Number(-n),
             Value::Point(p) => Value::Point(-p),
             _ => return Err(EvalError::Kind),
         },
-        Ins::Binary(op @ (Op::And | Op::Or), sides) => {
-            let Value::Bool(left) = run(&sides.0, env)? else { return Err(EvalError::Kind) };
-            if left == (*op == Op::Or) { Value::Bool(left) } else { run(&sides.1, env)? }
-        }
         Ins::Binary(op, sides) => binary(*op, run(&sides.0, env)?, run(&sides.1, env)?)?,
-        Ins::Choose(parts) => match run(&parts.0, env)? {
-            Value::Bool(true) => run(&parts.1, env)?,
-            Value::Bool(false) => run(&parts.2, env)?,
-            _ => return Err(EvalError::Kind),
-        },
+        Ins::Choose(parts) => run(if truth(&parts.0, env)? { &parts.1 } else { &parts.2 }, env)?,
         Ins::Call(func, args) => call(*func, args, env)?,
     })
 }
@@ -458,6 +472,24 @@ fn binary(op: Op, left: Value, right: Value) -> Result<Value, EvalError> {
 }
 
 fn arithmetic(op: Op, a: f64, b: f64) -> Result<Value, EvalError> {
+    match op {
+        Op::Eq => Ok(Value::Bool(a == b)),
+        Op::Ne => Ok(Value::Bool(a != b)),
+        op if op.orders() => Ok(Value::Bool(ordered(op, a, b))),
+        op => calculated(op, a, b).map(Value::Number),
+    }
+}
+
+fn ordered(op: Op, a: f64, b: f64) -> bool {
+    match op {
+        Op::Lt => a < b,
+        Op::Le => a <= b,
+        Op::Gt => a > b,
+        _ => a >= b,
+    }
+}
+
+fn calculated(op: Op, a: f64, b: f64) -> Result<f64, EvalError> {
     let result = match op {
         Op::Add => a + b,
         Op::Sub => a - b,
@@ -466,15 +498,9 @@ fn arithmetic(op: Op, a: f64, b: f64) -> Result<Value, EvalError> {
         Op::Div => a / b,
         Op::Rem => a % b,
         Op::Pow => libm::pow(a, b),
-        Op::Eq => return Ok(Value::Bool(a == b)),
-        Op::Ne => return Ok(Value::Bool(a != b)),
-        Op::Lt => return Ok(Value::Bool(a < b)),
-        Op::Le => return Ok(Value::Bool(a <= b)),
-        Op::Gt => return Ok(Value::Bool(a > b)),
-        Op::Ge => return Ok(Value::Bool(a >= b)),
-        Op::And | Op::Or | Op::Not | Op::Join => return Err(EvalError::Kind),
+        _ => return Err(EvalError::Kind),
     };
-    finite(result)
+    if result.is_finite() { Ok(result) } else { Err(EvalError::Overflow) }
 }
 
 fn finite(result: f64) -> Result<Value, EvalError> {

@@ -117,7 +117,7 @@ impl<'e> Run<'_, 'e> {
             }
             Act::Orient(angle) => {
                 let angle = self.number(angle, exec)?;
-                if let Some(probe) = self.world.probe().ok().filter(|_| self.probing) {
+                if let Some(probe) = self.world.probe_if_any().filter(|_| self.probing) {
                     self.world.spindle_turned = angle - probe.angle;
                 }
                 self.orient(angle);

@@ -50,6 +50,8 @@ pub(super) struct Exec<'d, 'e> {
     probe: Option<ProbeData>,
     /// Which sentences of the plan were executed.
     sentences: Vec<bool>,
+    /// Whether known names change while the cycle runs.
+    changing: bool,
 }
 
 /// What an expression of a plan sees.
@@ -111,6 +113,7 @@ impl<'d, 'e> Exec<'d, 'e> {
             switched,
             probe,
             sentences,
+            changing: plan.builtins.iter().any(|(_, builtin)| builtin.changes()),
         }
     }
 
@@ -253,7 +256,7 @@ impl<'e> Run<'_, 'e> {
     fn exec<'d>(&mut self, definition: &'d Definition<'e>) -> Exec<'d, 'e> {
         let switched = (self.modal.spindle, self.modal.coolant);
         let spare = std::mem::take(&mut self.spare);
-        Exec::new(definition, self.to_program(self.world.here), self.world.probe().ok(), switched, spare)
+        Exec::new(definition, self.to_program(self.world.here), self.world.probe_if_any(), switched, spare)
     }
 
     /// Main, minor and tool coordinates of a point given by axes.
@@ -299,6 +302,9 @@ impl<'e> Run<'_, 'e> {
 
     /// Gives the known names that change while a cycle runs their present values.
     fn refresh(&self, exec: &mut Exec<'_, 'e>) {
+        if !exec.changing {
+            return;
+        }
         for (slot, builtin) in exec.plan().builtins.iter().filter(|(_, builtin)| builtin.changes()) {
             let value = self.builtin(builtin, exec);
             exec.put(*slot, value);
@@ -309,19 +315,21 @@ impl<'e> Run<'_, 'e> {
         let world = &self.world;
         let system = &world.system;
         let unit = self.cycle_unit();
-        let tool = world.tool().unwrap_or_default();
+        let tool = || world.tool().unwrap_or_default();
         let probe = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of));
         let length = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of) / unit);
         match builtin {
             Builtin::Here => Value::Point(self.to_program(world.here)),
             Builtin::Start => Value::Point(exec.start),
             // The tool is not scaled with the program.
-            Builtin::ToolRadius => Value::Number(tool.radius / system.plane_scale().unwrap_or(1.0) / unit),
-            Builtin::ToolLength => Value::Number(tool.length / unit),
-            Builtin::ToolAngle => Value::Number(tool.angle),
-            Builtin::ToolLcuts => Value::Number(tool.lcuts / system.depth_scale() / unit),
-            Builtin::ToolCornerRadius => Value::Number(tool.corner_radius / system.plane_scale().unwrap_or(1.0) / unit),
-            Builtin::ToolNumber => Value::Number(tool.number),
+            Builtin::ToolRadius => Value::Number(tool().radius / system.plane_scale().unwrap_or(1.0) / unit),
+            Builtin::ToolLength => Value::Number(tool().length / unit),
+            Builtin::ToolAngle => Value::Number(tool().angle),
+            Builtin::ToolLcuts => Value::Number(tool().lcuts / system.depth_scale() / unit),
+            Builtin::ToolCornerRadius => {
+                Value::Number(tool().corner_radius / system.plane_scale().unwrap_or(1.0) / unit)
+            }
+            Builtin::ToolNumber => Value::Number(tool().number),
             Builtin::ToolCalled => Value::Bool(world.tool().is_some()),
             Builtin::ProbeSetUp => length(|probe| probe.set_up),
             Builtin::ProbeFeed => length(|probe| probe.feed),

@@ -200,7 +200,7 @@ impl<'e> Run<'_, 'e> {
     /// Notes a way of the tip in machine coordinates, if somebody wants to know.
     pub(super) fn note_way(&mut self, tip: &Path, probing: bool) {
         let Some(recorder) = &mut self.recorder else { return };
-        let Ok(probe) = self.world.probe() else { return };
+        let Some(probe) = self.world.probe_if_any() else { return };
         let lift = self.world.ball_centre(DVec3::ZERO, &probe);
         let ball = match *tip {
             Path::Line { from, to } => Path::line(from + lift, to + lift),

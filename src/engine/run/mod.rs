@@ -391,12 +391,14 @@ impl<'r, 'e> Run<'r, 'e> {
         }
     }
 
+    #[inline]
     fn tell(&mut self, kind: EventKind) {
         let at = self.at.clone();
         self.pass_on(Event { at, kind });
     }
 
     /// Tells an event, unless it only happens in a rehearsal.
+    #[inline]
     fn pass_on(&mut self, event: Event) {
         if self.contour.holds_events() {
             self.contour.hold(event);

@@ -207,6 +207,12 @@ impl Run<'_, '_> {
             let word = word.filter(|_| !in_machine).map_or("M91", |coord| coord.axis.name());
             return Err(Fault::unsupported("unsupported-compensation").arg("word", word).into());
         }
+        if !in_machine && motion.coords.iter().all(|coord| rotary(coord.axis).is_none()) {
+            // As below, if no axis turns.
+            self.can_turn(&[])?;
+            let to = self.target(&motion.coords, self.world.here)?;
+            return self.straight_to(to, None, speed);
+        }
         let (turning, coords): (Vec<Coord>, Vec<Coord>) =
             motion.coords.iter().copied().partition(|coord| rotary(coord.axis).is_some());
         let turns = self.turn_target(&turning, in_machine)?;
@@ -405,11 +411,12 @@ impl Run<'_, '_> {
         }
         self.no_unexecuted()?;
         self.has_axes_to(machine)?;
-        for point in path.extremes().into_iter().chain([machine]) {
-            if let Some(fault) = self.world.beyond_limits(point) {
-                return Err(fault.into());
+        if matches!(path, BallPath::Arc { .. }) {
+            for point in path.extremes() {
+                self.world.within_limits(point)?;
             }
         }
+        self.world.within_limits(machine)?;
         self.note_way(path, false);
         self.collide(path)?;
         self.release(path);
@@ -452,7 +459,7 @@ impl Run<'_, '_> {
         if self.touching != Touching::AsScene || (!self.probing && !self.world.holds_probe()) {
             return Ok(());
         }
-        let Ok(probe) = self.world.probe() else { return Ok(()) };
+        let Some(probe) = self.world.probe_if_any() else { return Ok(()) };
         let lift = self.world.ball_centre(DVec3::ZERO, &probe);
         let path = match *path {
             BallPath::Line { from, to } => {
@@ -499,6 +506,9 @@ impl Run<'_, '_> {
 
     /// After a move: the probe is free, unless it went back too little.
     fn release(&mut self, path: &BallPath) {
+        if self.world.pressed.is_none() {
+            return;
+        }
         let BallPath::Line { from, to } = *path else {
             self.world.pressed = None;
             return;

@@ -4,11 +4,13 @@
 use super::cycle::Exec;
 use super::fault::{Class, Fault};
 use super::{Done, Run};
-use crate::engine::plan::{Series, SeriesKind};
+use crate::engine::plan::{Series, SeriesKind, Slot};
 use crate::expr::Value;
 
 /// Below this, in mm, the rest of a way is rounding and no infeed of its own.
 const NO_INFEED: f64 = 1e-9;
+/// Series of that many infeeds need memory once.
+const USUAL: usize = 8;
 
 /// The members of a series.
 #[derive(Clone, Debug)]
@@ -34,24 +36,22 @@ impl Members {
         }
     }
 
-    /// The values of a member's fields, in the order of its slots.
-    fn values(&self, index: usize) -> impl Iterator<Item = Value> {
+    /// Puts the values of a member's fields into its slots, in their order.
+    fn put(&self, index: usize, first: Slot, exec: &mut Exec<'_, '_>) {
         let count = self.count();
-        let common = [
-            Value::Number((index + 1) as f64),
-            Value::Number(count as f64),
-            Value::Bool(index == 0),
-            Value::Bool(index + 1 == count),
-        ];
-        let own = match self {
+        exec.put(first, Value::Number((index + 1) as f64));
+        exec.put(first + 1, Value::Number(count as f64));
+        exec.put(first + 2, Value::Bool(index == 0));
+        exec.put(first + 3, Value::Bool(index + 1 == count));
+        match self {
             Self::Infeeds { from, ends } => {
                 let begin = index.checked_sub(1).and_then(|before| ends.get(before)).unwrap_or(from);
-                [Some(*begin), ends.get(index).copied()]
+                exec.put(first + 4, Value::Number(*begin));
+                exec.put(first + 5, Value::Number(ends.get(index).copied().unwrap_or(*begin)));
             }
-            Self::Angles { start, step, .. } => [Some(start + index as f64 * step), None],
-            Self::Count(_) => [None, None],
-        };
-        common.into_iter().chain(own.into_iter().flatten().map(Value::Number))
+            Self::Angles { start, step, .. } => exec.put(first + 4, Value::Number(start + index as f64 * step)),
+            Self::Count(_) => {}
+        }
     }
 }
 
@@ -61,7 +61,7 @@ fn infeeds(from: f64, to: f64, by: f64, less: f64, least: f64, limit: u32) -> Re
     if by <= 0.0 {
         return Ok(vec![to]);
     }
-    let (mut ends, mut done, mut infeed) = (Vec::new(), 0.0, by);
+    let (mut ends, mut done, mut infeed) = (Vec::with_capacity(USUAL), 0.0, by);
     while way - done > NO_INFEED || ends.is_empty() {
         if infeed <= 0.0 {
             let fault = Fault::control("infeeds-never-arrive").arg("reached", done).arg("depth", way);
@@ -114,9 +114,7 @@ impl<'e> Run<'_, 'e> {
         let members = self.members(&series.kind, exec)?;
         let count = members.count();
         for index in 0..count {
-            for (offset, value) in members.values(index).enumerate() {
-                exec.put(series.member + offset, value);
-            }
+            members.put(index, series.member, exec);
             self.items(&series.body, exec)?;
             if let Some(collect) = &series.collect {
                 let value = self.value(&collect.value, exec)?;

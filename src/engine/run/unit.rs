@@ -40,6 +40,9 @@ impl Definition<'_> {
     }
 
     fn scale(&self) -> f64 {
+        if self.unit == 1.0 {
+            return 1.0;
+        }
         self.unit / calculated_in(&self.plan, self.cycle.key, self.unit)
     }
 

@@ -46,12 +46,16 @@ pub struct Tool {
     pub deltas: (f64, f64),
 }
 
-/// The tables at a moment, to return to.
-pub(super) struct Tables {
+/// Tables, and which were written.
+#[derive(Clone)]
+struct Kept {
     tables: BTreeMap<TableKind, Arc<Table>>,
     datums: Vec<Arc<Table>>,
     written: Vec<String>,
 }
+
+/// The tables at a moment, to return to.
+pub(super) struct Tables(Arc<Kept>);
 
 /// The virtual machine.
 #[derive(Clone)]
@@ -84,10 +88,9 @@ pub(super) struct World<'s> {
     tool: Option<Tool>,
     /// The touch probe as the tables describe it, read when it is asked for first; see [`World::probe`].
     probe: OnceCell<Result<ProbeData, Fault>>,
-    tables: BTreeMap<TableKind, Arc<Table>>,
-    datums: Vec<Arc<Table>>,
+    kept: Arc<Kept>,
+    /// The active datum table.
     datum: usize,
-    written: Vec<String>,
 }
 
 impl<'s> World<'s> {
@@ -114,10 +117,12 @@ impl<'s> World<'s> {
             answers: scene.answers.clone(),
             tool: None,
             probe: OnceCell::new(),
-            tables,
-            datums: scene.datums.iter().cloned().map(Arc::new).collect(),
+            kept: Arc::new(Kept {
+                tables,
+                datums: scene.datums.iter().cloned().map(Arc::new).collect(),
+                written: Vec::new(),
+            }),
             datum: 0,
-            written: Vec::new(),
         };
         let preset = world.preset(scene.active_preset)?;
         world.system.set_preset(scene.active_preset, preset);
@@ -196,12 +201,12 @@ impl<'s> World<'s> {
 
     /// The tables as they are now.
     pub(super) fn tables(&self) -> Tables {
-        Tables { tables: self.tables.clone(), datums: self.datums.clone(), written: self.written.clone() }
+        Tables(Arc::clone(&self.kept))
     }
 
     /// Makes the tables again what they were.
     pub(super) fn restore(&mut self, tables: Tables) {
-        (self.tables, self.datums, self.written) = (tables.tables, tables.datums, tables.written);
+        self.kept = tables.0;
         self.probe.take();
     }
 
@@ -249,24 +254,25 @@ impl<'s> World<'s> {
     pub(super) fn table(&self, kind: TableKind) -> Result<&Table, TableError> {
         let table = match kind {
             TableKind::Points => None,
-            TableKind::Datum => self.datums.get(self.datum),
-            _ => self.tables.get(&kind),
+            TableKind::Datum => self.kept.datums.get(self.datum),
+            _ => self.kept.tables.get(&kind),
         };
         table.map(Arc::as_ref).ok_or_else(|| TableError::NoTable { file: kind.file_name().to_owned() })
     }
 
     /// The table of a kind, to be written; it counts as written from now on.
     pub(super) fn table_to_write(&mut self, kind: TableKind) -> Result<&mut Table, TableError> {
+        let Kept { tables, datums, written } = Arc::make_mut(&mut self.kept);
         let table = match kind {
             TableKind::Points => None,
-            TableKind::Datum => self.datums.get_mut(self.datum),
-            _ => self.tables.get_mut(&kind),
+            TableKind::Datum => datums.get_mut(self.datum),
+            _ => tables.get_mut(&kind),
         };
         let table = table.map(Arc::make_mut);
         let table = table.ok_or_else(|| TableError::NoTable { file: kind.file_name().to_owned() })?;
         self.probe.take();
-        if !self.written.iter().any(|file| file == table.file()) {
-            self.written.push(table.file().to_owned());
+        if !written.iter().any(|file| file == table.file()) {
+            written.push(table.file().to_owned());
         }
         Ok(table)
     }
@@ -274,22 +280,22 @@ impl<'s> World<'s> {
     /// A table that the program itself fills: it does not count as written.
     pub(super) fn tools_of_program(&mut self) -> Option<&mut Table> {
         self.probe.take();
-        self.tables.get_mut(&TableKind::Tool).map(Arc::make_mut)
+        Arc::make_mut(&mut self.kept).tables.get_mut(&TableKind::Tool).map(Arc::make_mut)
     }
 
     /// Makes a datum table the active one.
     pub(super) fn select_datum_table(&mut self, name: &str) -> Result<(), TableError> {
-        let found = self.datums.iter().position(|table| table.is_named(name));
+        let found = self.kept.datums.iter().position(|table| table.is_named(name));
         self.datum = found.ok_or_else(|| TableError::NoTable { file: name.to_owned() })?;
         Ok(())
     }
 
     /// Names and texts of the tables that were written.
     pub(super) fn written(&self) -> Vec<(String, String)> {
-        let all = self.tables.values().chain(&self.datums);
+        let all = self.kept.tables.values().chain(&self.kept.datums);
         let text =
             |file: &String| all.clone().find(|table| table.file() == file).map(|table| (file.clone(), table.to_text()));
-        self.written.iter().filter_map(text).collect()
+        self.kept.written.iter().filter_map(text).collect()
     }
 
     /// The number of the tool of a name.
@@ -362,6 +368,11 @@ impl<'s> World<'s> {
         self.probe.get_or_init(|| self.read_probe()).clone()
     }
 
+    /// The same, if there is one.
+    pub(super) fn probe_if_any(&self) -> Option<ProbeData> {
+        self.probe.get_or_init(|| self.read_probe()).as_ref().ok().copied()
+    }
+
     /// The point about which the head turns when the tool tip is there, in machine coordinates.
     pub(super) fn pivot(&self, tip: DVec3) -> DVec3 {
         tip + self.to_pivot()
@@ -370,6 +381,14 @@ impl<'s> World<'s> {
     /// The number that a machine parameter has in the scene, by the name that the control prints.
     pub(super) fn machine_parameter(&self, printed: &str) -> Option<f64> {
         self.scene.machine_number(printed)
+    }
+
+    /// An error where a position in machine coordinates takes an axis beyond its limits.
+    pub(super) fn within_limits(&self, machine: DVec3) -> Result<(), Fault> {
+        if self.scene.machine.beyond_limits(machine).is_none() {
+            return Ok(());
+        }
+        self.beyond_limits(machine).map_or(Ok(()), Err)
     }
 
     /// The first axis that a position in machine coordinates takes beyond its limits.

@@ -131,10 +131,23 @@ impl Body {
             return self.helix_is_free(ball_radius, path, 0.0, 1.0).map(|()| None);
         }
         let pieces = path.pieces();
-        let mut candidates = self.candidates(ball_radius, &pieces);
+        let near = |piece: &Piece| {
+            let whole = Stretch::whole(piece);
+            self.features.iter().filter(|feature| !whole.is_clear(feature, ball_radius)).collect::<Vec<_>>()
+        };
+        // What is far from all of the first piece is far from the start as well.
+        let at_start = pieces.first().map_or_else(|| self.features.iter().collect(), &near);
+        let mut candidates = Vec::new();
+        for (index, piece) in pieces.iter().enumerate() {
+            if index == 0 {
+                candidates_on(piece, ball_radius, &at_start, &mut candidates);
+            } else {
+                candidates_on(piece, ball_radius, &near(piece), &mut candidates);
+            }
+        }
         candidates.sort_by(|a, b| a.t.total_cmp(&b.t));
         let next = candidates.first().map_or(1.0, |candidate| candidate.t);
-        if let Some(contact) = self.contact_at_start(ball_radius, path, pieces.first(), next)? {
+        if let Some(contact) = self.contact_at_start(ball_radius, path, pieces.first(), &at_start, next)? {
             return Ok(Some(contact));
         }
         let mut found = None;
@@ -152,29 +165,13 @@ impl Body {
         Ok(found)
     }
 
-    /// All moments at which the ball begins to be closer to a feature than its radius.
-    fn candidates(&self, radius: f64, pieces: &[Piece]) -> Vec<Candidate> {
-        let mut all = Vec::new();
-        for piece in pieces {
-            let stretches = Stretch::of(piece);
-            for feature in &self.features {
-                if stretches.iter().all(|stretch| stretch.is_clear(feature, radius)) {
-                    continue;
-                }
-                let Some(poly) = feature.at_distance(piece, radius) else { continue };
-                let roots = poly.roots_and_extrema(piece.low, piece.high);
-                all.extend(roots.into_iter().filter_map(|u| candidate(feature, piece, radius, u)));
-            }
-        }
-        all
-    }
-
     /// The contact at the start of the path, if the ball is there already.
     fn contact_at_start(
         &self,
         radius: f64,
         path: &Path,
         piece: Option<&Piece>,
+        near: &[&Feature],
         next: f64,
     ) -> Result<Option<Contact>, SolidError> {
         let start = path.at(0.0);
@@ -187,7 +184,7 @@ impl Body {
             return Ok(Some(contact));
         }
         let (mut best, mut sliding): (Option<(f64, Contact)>, Option<Contact>) = (None, None);
-        for feature in &self.features {
+        for feature in near {
             let point = feature.foot(start);
             let distance = (start - point).length();
             let gap = distance - radius;
@@ -327,6 +324,12 @@ struct Stretch {
 }
 
 impl Stretch {
+    /// A piece as one stretch.
+    fn whole(piece: &Piece) -> Self {
+        let (from, middle, to) = (piece.at(piece.low), piece.at(0.5 * (piece.low + piece.high)), piece.at(piece.high));
+        Self { middle, reach: (from - middle).length().max((to - middle).length()) }
+    }
+
     /// A piece in stretches: many features are too far from each of them, and need not be calculated with.
     fn of(piece: &Piece) -> [Self; STRETCHES] {
         let step = (piece.high - piece.low) / STRETCHES as f64;
@@ -340,6 +343,22 @@ impl Stretch {
 
     fn is_clear(&self, feature: &Feature, radius: f64) -> bool {
         (feature.foot(self.middle) - self.middle).length() > self.reach + radius + TOUCH
+    }
+}
+
+/// Adds all moments at which the ball begins to be closer to a feature near the piece than its radius.
+fn candidates_on(piece: &Piece, radius: f64, near: &[&Feature], all: &mut Vec<Candidate>) {
+    if near.is_empty() {
+        return;
+    }
+    let stretches = Stretch::of(piece);
+    for feature in near {
+        if stretches.iter().all(|stretch| stretch.is_clear(feature, radius)) {
+            continue;
+        }
+        let Some(poly) = feature.at_distance(piece, radius) else { continue };
+        let roots = poly.roots_and_extrema(piece.low, piece.high);
+        all.extend(roots.into_iter().filter_map(|u| candidate(feature, piece, radius, u)));
     }
 }
 
