@@ -207,12 +207,6 @@ impl Run<'_, '_> {
             let word = word.filter(|_| !in_machine).map_or("M91", |coord| coord.axis.name());
             return Err(Fault::unsupported("unsupported-compensation").arg("word", word).into());
         }
-        if !in_machine && motion.coords.iter().all(|coord| rotary(coord.axis).is_none()) {
-            // As below, if no axis turns.
-            self.can_turn(&[])?;
-            let to = self.target(&motion.coords, self.world.here)?;
-            return self.straight_to(to, None, speed);
-        }
         let (turning, coords): (Vec<Coord>, Vec<Coord>) =
             motion.coords.iter().copied().partition(|coord| rotary(coord.axis).is_some());
         let turns = self.turn_target(&turning, in_machine)?;
