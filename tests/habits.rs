@@ -35,7 +35,14 @@ fn habits() -> Vec<Habit> {
         let habit = all.last_mut().expect("a name stands first");
         match line.strip_prefix('!') {
             Some(code) => habit.expected.push(code.trim()),
-            None => habit.text += &line.replace("[TAB]", "\t").replace("[CR]", "\r").replace("[BOM]", "\u{feff}"),
+            None => {
+                habit.text += &line
+                    .replace("[TAB]", "\t")
+                    .replace("[CR]", "\r")
+                    .replace("[BOM]", "\u{feff}")
+                    .replace("[ETX]", "\u{3}")
+                    .replace("[DC1]", "\u{11}")
+            }
         }
     }
     all

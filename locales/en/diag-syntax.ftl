@@ -51,3 +51,5 @@ diag-syntax-unclosed-text = The text has no closing quotation mark: { $found }
 diag-syntax-formula = “{ $found }” cannot stand here in a formula; expected: { syntax-expected }.
 diag-syntax-remark = “{ $found }” stands behind a tab and belongs to no block; a control would refuse it. Comments begin with a semicolon.
 diag-syntax-dangling-continuation = The ~ announces a further line, but none that belongs to this block follows.
+diag-syntax-foreign-line = “{ $found }” is no block of this language; a control would refuse it. Comments begin with a semicolon.
+diag-syntax-spelling = “{ $found }” is not how controls spell it: { syntax-expected }.

@@ -51,3 +51,5 @@ diag-syntax-unclosed-text = Tekstistä puuttuu sulkeva lainausmerkki: { $found }
 diag-syntax-formula = ”{ $found }” ei voi olla tässä kaavassa; odotettiin: { syntax-expected }.
 diag-syntax-remark = ”{ $found }” on sarkainmerkin jäljessä eikä kuulu mihinkään lauseeseen; ohjaus hylkäisi sen. Kommentti alkaa puolipisteellä.
 diag-syntax-dangling-continuation = Merkki ~ ilmoittaa jatkorivin, mutta tähän lauseeseen kuuluvaa riviä ei seuraa.
+diag-syntax-foreign-line = ”{ $found }” ei ole tämän kielen lause; ohjaus hylkäisi sen. Kommentti alkaa puolipisteellä.
+diag-syntax-spelling = ”{ $found }” kirjoitetaan ohjauksissa { syntax-expected }.

@@ -51,3 +51,5 @@ diag-syntax-unclosed-text = Al testo mancano le virgolette di chiusura: { $found
 diag-syntax-formula = «{ $found }» non può stare in questo punto della formula; previsto: { syntax-expected }.
 diag-syntax-remark = «{ $found }» segue una tabulazione e non appartiene ad alcun blocco; il controllo lo rifiuterebbe. I commenti iniziano con un punto e virgola.
 diag-syntax-dangling-continuation = Il carattere ~ annuncia una riga successiva, ma non ne segue alcuna che appartenga a questo blocco.
+diag-syntax-foreign-line = «{ $found }» non è un blocco di questo linguaggio; il controllo lo rifiuterebbe. I commenti iniziano con un punto e virgola.
+diag-syntax-spelling = «{ $found }» sui controlli si scrive { syntax-expected }.

@@ -51,3 +51,5 @@ diag-syntax-unclosed-text = Faltam ao texto as aspas finais: { $found }
 diag-syntax-formula = «{ $found }» não pode estar neste ponto da fórmula; esperado: { syntax-expected }.
 diag-syntax-remark = «{ $found }» está depois de uma tabulação e não pertence a nenhuma frase; o comando recusá-lo-ia. Os comentários começam com ponto e vírgula.
 diag-syntax-dangling-continuation = O carácter ~ anuncia mais uma linha, mas não se segue nenhuma que pertença a esta frase.
+diag-syntax-foreign-line = «{ $found }» não é uma frase desta linguagem; o comando recusá-la-ia. Os comentários começam com ponto e vírgula.
+diag-syntax-spelling = «{ $found }» escreve-se { syntax-expected } nos comandos.

@@ -51,3 +51,5 @@ diag-syntax-unclosed-text = Besedilo nima zaključnega narekovaja: { $found }
 diag-syntax-formula = »{ $found }« na tem mestu formule ne more stati; pričakovano: { syntax-expected }.
 diag-syntax-remark = »{ $found }« stoji za tabulatorjem in ne pripada nobenemu stavku; krmiljenje bi ga zavrnilo. Komentar se začne s podpičjem.
 diag-syntax-dangling-continuation = Znak ~ napoveduje nadaljnjo vrstico, vendar ne sledi nobena, ki bi pripadala temu stavku.
+diag-syntax-foreign-line = »{ $found }« ni stavek tega jezika; krmiljenje bi ga zavrnilo. Komentar se začne s podpičjem.
+diag-syntax-spelling = »{ $found }« se na krmiljenjih piše { syntax-expected }.

@@ -160,6 +160,8 @@ fn value(program: &Program, value: &Value) -> String {
             "AUTO" => "FAUTO".to_owned(),
             "MAX" => "FMAX".to_owned(),
             word if word.starts_with('F') => word.to_owned(),
+            // A list of labels: `1 /2 /3` is `1/2/3`.
+            list if list.starts_with(|c: char| c.is_ascii_digit()) && printed.contains('/') => list.replace(' ', ""),
             _ => closed_up(printed),
         },
         ValueKind::Text(_) | ValueKind::Missing => closed_up(printed),

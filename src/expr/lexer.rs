@@ -5,7 +5,7 @@ use nom::character::complete::{char, one_of};
 use nom::combinator::{map, opt, recognize};
 use nom::{IResult, Parser};
 
-use super::QRef;
+use super::{Func, QRef};
 use crate::diag::Span;
 
 /// A lexeme.
@@ -49,6 +49,22 @@ fn word(input: &str) -> IResult<&str, Token> {
     Ok((rest, QRef::parse(found).map_or_else(|| Token::Word(found.to_owned()), Token::Q)))
 }
 
+/// A function with its operand directly behind it, `SIN30` or `COSQ2`: the function.
+fn closed_up(input: &str) -> IResult<&str, Token> {
+    let (_, letters) = take_while1(|c: char| c.is_ascii_alphabetic()).parse(input)?;
+    let digit = input.get(letters.len()..).is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+    let kinds = ["", "Q", "QL", "QR", "q", "ql", "qr"];
+    let function = |kind: &str| {
+        let name = letters.strip_suffix(kind)?;
+        let takes_one = |func: &Func| func.arity() == (1, 1) && !func.spec_only();
+        Func::by_name(&name.to_ascii_uppercase()).filter(takes_one).map(|_| name)
+    };
+    match kinds.into_iter().find_map(function).filter(|_| digit && QRef::parse(input).is_none()) {
+        Some(name) => Ok((input.get(name.len()..).unwrap_or_default(), Token::Word(name.to_owned()))),
+        None => Err(nom::Err::Error(nom::error::Error::new(input, nom::error::ErrorKind::Alpha))),
+    }
+}
+
 fn mark(input: &str) -> IResult<&str, Token> {
     for candidate in MARKS {
         if let Ok((rest, _)) = tag::<_, _, nom::error::Error<&str>>(candidate)(input) {
@@ -65,7 +81,7 @@ pub(super) fn lex(input: &str, comma_decimal: bool) -> Result<Vec<(Token, Span)>
     while !rest.is_empty() {
         let start = input.len() - rest.len();
         let one = if comma_decimal {
-            alt((number, text, word, mark)).parse(rest)
+            alt((number, text, closed_up, word, mark)).parse(rest)
         } else {
             alt((point_number, text, word, mark)).parse(rest)
         };

@@ -201,10 +201,15 @@ fn coordinate(param: &Param, text: &str) -> Option<Refusal> {
     }
 }
 
-/// `1/2/3`.
+/// `1/2/3`, with or without blanks; names of labels stand in quotation marks.
 fn labels(param: &Param, text: &str) -> Option<Refusal> {
     let most = param.max_length.filter(|most| text.split('/').count() > *most as usize);
-    most.map(Refusal::TooLong).or_else(|| text.split('/').find_map(|label| number(param, label)))
+    most.map(Refusal::TooLong).or_else(|| labels_of(text).find_map(|label| number(param, label)))
+}
+
+/// The labels of a list that are numbers.
+fn labels_of(text: &str) -> impl Iterator<Item = &str> {
+    text.split('/').map(str::trim).filter(|label| !label.starts_with('"') && !is_q(label))
 }
 
 fn quoted(param: &Param, text: &str) -> Option<Refusal> {

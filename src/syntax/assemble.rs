@@ -19,6 +19,15 @@ const MAX_TORN: usize = 8;
 /// The code of the warning about text behind a tab.
 pub(super) const REMARK: &str = "syntax-remark";
 
+/// The code of the warning about a line that only other languages have.
+const FOREIGN: &str = "syntax-foreign-line";
+
+/// What some write for `CYCL`.
+const CYCLE: &[u8] = b"CYCLE";
+
+/// The code of the error about a word that is understood, though controls spell it differently or miss it.
+pub(super) const SPELLING: &str = "syntax-spelling";
+
 /// The blocks of a text, and what was found odd besides unreadable blocks.
 pub(super) struct Assembled {
     pub(super) blocks: Vec<Block>,
@@ -75,6 +84,7 @@ impl Assembler<'_> {
         if let Some(span) = remark {
             self.warnings.push(SyntaxError { code: REMARK, span, expected: "end" });
         }
+        self.warnings.extend(self.misspelled(first, &kind));
         self.blocks.push(Block {
             span: Span::new(first.start, end),
             line: self.line,
@@ -86,6 +96,37 @@ impl Assembler<'_> {
         });
         self.at = end;
         self.line += lines;
+    }
+
+    /// A word of a block that is read though controls spell it differently, or have it.
+    fn misspelled(&self, first: &Line, kind: &BlockKind) -> Option<SyntaxError> {
+        let bytes = self.text.as_bytes();
+        let cycle = |head: Span| {
+            let word = Span::new(head.start, head.start + CYCLE.len());
+            let written = bytes.get(word.start..word.end)?.eq_ignore_ascii_case(CYCLE);
+            written.then_some(SyntaxError { code: SPELLING, span: word, expected: "CYCL" })
+        };
+        match kind {
+            BlockKind::CycleDef(definition) => cycle(definition.head),
+            BlockKind::OldCycleLine(line) => cycle(line.head),
+            BlockKind::CyclCall(call) => cycle(call.head),
+            BlockKind::CallLbl(call) if call.repeat.is_none() => {
+                let end = first.content.end;
+                let bare = bytes.get(call.label.span.end..end).is_some_and(|rest| !rest.is_empty());
+                bare.then_some(SyntaxError { code: SPELLING, span: Span::new(end, end), expected: "value" })
+            }
+            BlockKind::BeginPgm(frame) | BlockKind::EndPgm(frame) => {
+                let unit = trim(bytes, Span::new(frame.name.end, first.content.end.max(frame.name.end)));
+                match bytes.get(unit.start..unit.end)? {
+                    [] => Some(SyntaxError { code: SPELLING, span: unit, expected: "unit" }),
+                    unit_text if unit_text.len() == 2 && unit_text.eq_ignore_ascii_case(b"IN") => {
+                        Some(SyntaxError { code: SPELLING, span: unit, expected: "INCH" })
+                    }
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
     }
 
     fn empty(&mut self, first: Line) {
@@ -126,7 +167,9 @@ impl Assembler<'_> {
         let behind = self.text.get(comment.end..first.next).is_some_and(|rest| rest.contains('~'));
         let words = self.text.get(next.content.start..next.content.end).unwrap_or_default();
         let in_words = words.chars().take(3).filter(|c| c.is_alphabetic()).count() == 3 || words.contains(' ');
-        behind && in_words && error.span.start == next.content.start
+        // In a formula a dash and a word could go on with it.
+        let inside = error.code == "syntax-formula" && error.span.start > next.content.start;
+        behind && in_words && (error.span.start == next.content.start || inside)
     }
 
     /// A block of one line or of several joined by `~`.
@@ -144,6 +187,10 @@ impl Assembler<'_> {
         if last.joined {
             self.dangling(&last);
         }
+        if matches!(kind, BlockKind::Unknown(_)) && self.is_foreign(content) {
+            self.warnings.push(SyntaxError { code: FOREIGN, span: content, expected: "block" });
+            return self.push(&first, last.next, lines, BlockKind::Comment, None);
+        }
         if !takes_lines(&kind) {
             return self.push(&first, last.next, lines, kind, remark);
         }
@@ -158,6 +205,12 @@ impl Assembler<'_> {
             return self.push(&first, end, lines + more, kind, None);
         }
         self.push(&first, end, lines + more, kind, remark);
+    }
+
+    /// Whether content is what other languages and transfers have: a comment in brackets, or `%` alone.
+    fn is_foreign(&self, content: Span) -> bool {
+        let text = self.text.get(content.start..content.end).unwrap_or_default();
+        text.starts_with('(') || text == "%"
     }
 
     /// The last line that `~` joins to `first`, and how many lines there are.
@@ -283,14 +336,16 @@ impl Assembler<'_> {
             BlockKind::GlobalDef(global) => (Box::new(as_cycle(*global)), true),
             _ => return self.joined(first),
         };
+        let inline = !definition.parameters.is_empty();
         let mut body = CycleBody {
             first,
             last: first,
             definition: *definition,
             end: first.next,
             lines: 1,
-            tilde: first.joined,
+            tilde: first.joined || inline,
             numbered: false,
+            loose: true,
             in_comment: first.wraps,
         };
         self.parameters(&mut body);
@@ -363,6 +418,7 @@ impl Assembler<'_> {
         if !body.accepts(line, read.as_ref().ok()) {
             return Role::Ends;
         }
+        body.loose &= read.as_ref().is_ok_and(|assignment| !assignment.tight);
         match read {
             Ok(assignment) => Role::Parameter(Parameter {
                 span: assignment.span,
@@ -444,6 +500,8 @@ struct CycleBody {
     tilde: bool,
     /// Whether its parameters have block numbers.
     numbered: bool,
+    /// Whether all its parameters have blanks before `=`, as simulators print them.
+    loose: bool,
     /// Whether the last line ends with a comment that goes on.
     in_comment: bool,
 }
@@ -468,7 +526,13 @@ impl CycleBody {
             }
             _ if self.last.joined => true,
             (false, true) => true,
-            (false, false) => tight && (line.comment.is_some() || (!self.tilde && read.is_some())),
+            (false, false) => {
+                (tight && (line.comment.is_some() || (!self.tilde && read.is_some())))
+                    || (self.loose
+                        && !self.tilde
+                        && line.comment.is_some()
+                        && read.is_some_and(cycle::Assignment::is_of_cycle))
+            }
         }
     }
 }

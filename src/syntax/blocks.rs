@@ -24,20 +24,22 @@ pub(super) fn content(cursor: &mut Cursor<'_>, checker: &mut Checker<'_>) -> Rea
     cursor.at = word.span.end;
     match word.as_bytes() {
         b"BEGIN" => frame(cursor).map(|frame| BlockKind::BeginPgm(Box::new(frame))),
-        b"END" => frame(cursor).map(|frame| BlockKind::EndPgm(Box::new(frame))),
+        b"END" => {
+            frame(cursor).or_else(|error| bare_end(&start, error)).map(|frame| BlockKind::EndPgm(Box::new(frame)))
+        }
         b"M" => {
             *cursor = start;
             motion::functions(cursor).map(BlockKind::Functions)
         }
         b"LBL" => label_block(cursor),
         b"CALL" => call(cursor, word),
-        b"CYCL" | b"TCH" | b"GLOBAL" => {
+        b"CYCL" | b"CYCLE" | b"TCH" | b"GLOBAL" => {
             *cursor = start;
             cycle_block(cursor)
         }
         b"FN" => function(cursor, word),
         b"IF" => jump(cursor, None),
-        b"STOP" => motion::functions(cursor).map(BlockKind::Stop),
+        b"STOP" => motion::stop(cursor).map(BlockKind::Stop),
         b"SEL" => select(cursor),
         b"BLK" => blank(cursor, word),
         b"TOOL" => tool(cursor),
@@ -107,7 +109,7 @@ fn frame(cursor: &mut Cursor<'_>) -> Read<Frame> {
     cursor.keyword("PGM")?;
     let rest = cursor.rest();
     let text = cursor.text.get(rest.start..rest.end).unwrap_or_default();
-    let inch = [("MM", false), ("INCH", true)].into_iter().find_map(|(unit, inch)| {
+    let inch = [("MM", false), ("INCH", true), ("IN", true)].into_iter().find_map(|(unit, inch)| {
         let at = text.len().checked_sub(unit.len())?;
         let found = text.get(at..)?.eq_ignore_ascii_case(unit);
         let name = text.get(..at)?;
@@ -121,6 +123,18 @@ fn frame(cursor: &mut Cursor<'_>) -> Read<Frame> {
             expected: "unit",
         }),
     }
+}
+
+/// `END PGM` without a unit, perhaps without a name.
+fn bare_end(start: &Cursor<'_>, error: SyntaxError) -> Read<Frame> {
+    let mut cursor = *start;
+    if !(cursor.opt_keyword(b"END") && cursor.opt_keyword(b"PGM")) {
+        return Err(error);
+    }
+    cursor.blanks();
+    let name = cursor.rest();
+    let words = cursor.text.get(name.start..name.end).unwrap_or_default();
+    if words.contains(char::is_whitespace) { Err(error) } else { Ok(Frame { name, inch: false }) }
 }
 
 fn last_word(text: &str, start: usize, end: usize) -> Span {
@@ -175,6 +189,10 @@ fn opt_repeat(cursor: &mut Cursor<'_>) -> Read<Option<Operand>> {
         return Ok(None);
     }
     cursor.at = word.span.end;
+    // Older controls print the word also where nothing is repeated.
+    if cursor.done() {
+        return Ok(None);
+    }
     let count = cursor.operand()?;
     if cursor.opt_mark(b'/') {
         cursor.operand()?;
@@ -236,7 +254,7 @@ fn tool(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
 /// A cycle's call or definition, or `GLOBAL DEF`.
 fn cycle_block(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
     let start = *cursor;
-    if cursor.opt_keyword(b"CYCL") && cursor.opt_keyword(b"CALL") {
+    if cycle::opt_cycl(cursor) && cursor.opt_keyword(b"CALL") {
         return motion::cycl_call(cursor, start.at).map(|call| BlockKind::CyclCall(Box::new(call)));
     }
     *cursor = start;

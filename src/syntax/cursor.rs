@@ -12,8 +12,8 @@ pub(super) type Read<T> = Result<T, SyntaxError>;
 /// The width of the blank that starts at a byte: 0 if none does.
 pub(super) fn blank_width(bytes: &[u8], at: usize) -> usize {
     match bytes.get(at) {
-        // Transfers fill up with NUL, and some editors end a file with Ctrl-Z.
-        Some(b' ' | b'\t' | 0x0B | 0x0C | 0x00 | 0x1A) => 1,
+        // Transfers fill up with NUL and begin and end with other marks; some editors end a file with Ctrl-Z.
+        Some(b' ' | b'\t' | 0x0B | 0x0C | 0x00..=0x04 | 0x11..=0x14 | 0x1A) => 1,
         Some(0xC2) if bytes.get(at + 1) == Some(&0xA0) => 2,
         Some(0xEF) if bytes.get(at + 1..at + 3) == Some(&[0xBB, 0xBF]) => 3,
         _ => 0,
@@ -37,7 +37,7 @@ pub(super) fn trim(bytes: &[u8], span: Span) -> Span {
     let mut end = span.end;
     while end > start {
         let width = match bytes[end - 1] {
-            b' ' | b'\t' | 0x0B | 0x0C | 0x00 | 0x1A => 1,
+            b' ' | b'\t' | 0x0B | 0x0C | 0x00..=0x04 | 0x11..=0x14 | 0x1A => 1,
             0xA0 if end - start >= 2 && bytes[end - 2] == 0xC2 => 2,
             _ => break,
         };

@@ -5,10 +5,10 @@
 use super::SHORTEST_LABEL;
 use super::cursor::{Cursor, Read, skip_blanks, trim};
 use super::statement::{GlobalDef, NamedWord};
-use super::tree::{Axis, BlockKind, CycleDef, CycleKeyword, OldCycleLine, Operand, Value, ValueKind};
+use super::tree::{Axis, BlockKind, CycleDef, CycleKeyword, OldCycleLine, Operand, Parameter, Value, ValueKind};
 use super::words::from_operand;
 use crate::diag::Span;
-use crate::expr::QRef;
+use crate::expr::{QKind, QRef};
 
 /// Whether a block's content starts like a cycle definition.
 pub(super) fn starts_definition(text: &str, content: Span) -> bool {
@@ -24,8 +24,13 @@ fn is_global(cursor: &mut Cursor<'_>) -> bool {
     cursor.opt_keyword(b"GLOBAL") && cursor.opt_keyword(b"DEF")
 }
 
+/// `CYCL`, or `CYCLE`, as some write.
+pub(super) fn opt_cycl(cursor: &mut Cursor<'_>) -> bool {
+    cursor.opt_keyword(b"CYCL") || cursor.opt_keyword(b"CYCLE")
+}
+
 fn keyword(cursor: &mut Cursor<'_>) -> Option<CycleKeyword> {
-    if cursor.opt_keyword(b"CYCL") {
+    if opt_cycl(cursor) {
         return cursor.opt_keyword(b"DEF").then_some(CycleKeyword::CyclDef);
     }
     (cursor.opt_keyword(b"TCH") && cursor.opt_keyword(b"PROBE")).then_some(CycleKeyword::TchProbe)
@@ -62,8 +67,8 @@ pub(super) fn head(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
     }
     if !old {
         let head = Span::new(start, cursor.at);
-        let name = name(cursor)?;
-        let definition = CycleDef { keyword, number, head, name, parameters: Vec::new(), errors: Vec::new() };
+        let (name, parameters) = name_and_parameters(cursor)?;
+        let definition = CycleDef { keyword, number, head, name, parameters, errors: Vec::new() };
         return Ok(BlockKind::CycleDef(Box::new(definition)));
     }
     cursor.at += 1;
@@ -72,6 +77,37 @@ pub(super) fn head(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
     let name = if line == 0 { old_name(cursor)? } else { None };
     let words = words(cursor)?;
     Ok(BlockKind::OldCycleLine(Box::new(OldCycleLine { keyword, number, line, head, name, words })))
+}
+
+/// The name, and the parameters that some write on the same line: `CYCL DEF 200 DRILLING Q200=2 Q201=-5`.
+fn name_and_parameters(cursor: &mut Cursor<'_>) -> Read<(Option<Span>, Vec<Parameter>)> {
+    cursor.blanks();
+    let Some(first) = inline_parameter(cursor) else { return Ok((name(cursor)?, Vec::new())) };
+    let end = trim(cursor.bytes, Span::new(cursor.at, first)).end;
+    let joint = end > cursor.at && cursor.byte_at(end - 1) == b'~';
+    let name = name(&mut Cursor { end: end - usize::from(joint), ..*cursor })?;
+    cursor.at = first;
+    let mut parameters = Vec::new();
+    while !cursor.done() {
+        let Assignment { span, q, q_span, value, .. } = one_parameter(cursor)?;
+        parameters.push(Parameter { span, q, q_span, value, label: None });
+        cursor.opt_mark(b'~');
+    }
+    Ok((name, parameters))
+}
+
+/// Where the first parameter of a line begins, if there is one.
+fn inline_parameter(cursor: &Cursor<'_>) -> Option<usize> {
+    let text = cursor.text.get(cursor.at..cursor.end)?;
+    let marks = text.match_indices('=').map(|(at, _)| cursor.at + at);
+    // The parameter before the first mark, if any.
+    let mark = marks.into_iter().next()?;
+    let before = trim(cursor.bytes, Span::new(cursor.at, mark));
+    let word = cursor.bytes.get(before.start..before.end)?;
+    let length = word.iter().rev().take_while(|byte| byte.is_ascii_alphanumeric()).count();
+    let mut q = Cursor { at: before.end - length, end: before.end, ..*cursor };
+    let start = q.at;
+    (q.opt_q().is_some() && q.at == before.end).then_some(start)
 }
 
 /// What is left is a name; text behind a tab is none.
@@ -142,7 +178,7 @@ fn word(cursor: &mut Cursor<'_>) -> Read<NamedWord> {
         let value = field_value(cursor, name)?;
         (name, value)
     } else if let Some(operand) = cursor.opt_operand() {
-        (Span::new(start, start), number_or_list(cursor, operand))
+        (Span::new(start, start), number_or_list(cursor, operand, true))
     } else {
         let name = field_name(cursor)?;
         let value = field_value(cursor, name)?;
@@ -151,14 +187,19 @@ fn word(cursor: &mut Cursor<'_>) -> Read<NamedWord> {
     Ok(NamedWord { span: Span::new(start, cursor.at.max(name.end)), name, value })
 }
 
-/// `1/2/3`: several numbers with bars are one value.
-fn number_or_list(cursor: &mut Cursor<'_>, first: Operand) -> Value {
+/// `1/2/3`: several numbers with bars are one value, behind a label without a colon also `1 /2 /3`.
+fn number_or_list(cursor: &mut Cursor<'_>, first: Operand, apart: bool) -> Value {
     let mut end = first.span.end;
-    while cursor.byte_at(end) == b'/' {
-        cursor.at = end + 1;
-        match cursor.opt_operand() {
-            Some(next) => end = next.span.end,
-            None => break,
+    loop {
+        let bar = if apart { skip_blanks(cursor.bytes, end, cursor.end) } else { end };
+        if cursor.byte_at(bar) != b'/' {
+            break;
+        }
+        cursor.at = bar + 1;
+        match (cursor.opt_operand(), cursor.opt_text()) {
+            (Some(next), _) => end = next.span.end,
+            (None, Ok(Some(name))) => end = name.end + 1,
+            _ => break,
         }
     }
     cursor.at = end;
@@ -275,7 +316,7 @@ fn field_value(cursor: &mut Cursor<'_>, name: Span) -> Read<Value> {
     }
     if value_at(cursor, at) && cursor.byte_at(at) != b'#' {
         return match cursor.opt_operand() {
-            Some(operand) => Ok(number_or_list(cursor, operand)),
+            Some(operand) => Ok(number_or_list(cursor, operand, !labelled)),
             None => Err(cursor.expected("value")),
         };
     }
@@ -310,6 +351,16 @@ pub(super) struct Assignment {
     pub(super) tight: bool,
 }
 
+/// Numbers of the parameters that only definitions of cycles have.
+const OF_CYCLES: std::ops::RangeInclusive<u16> = 200..=499;
+
+impl Assignment {
+    /// Whether its parameter is one that only definitions of cycles have.
+    pub(super) fn is_of_cycle(&self) -> bool {
+        self.q.kind == QKind::Q && OF_CYCLES.contains(&self.q.number)
+    }
+}
+
 /// Whether content starts like `Q200=`.
 pub(super) fn starts_parameter(text: &str, content: Span) -> bool {
     let mut cursor = Cursor::new(text, content);
@@ -323,8 +374,14 @@ pub(super) fn starts_tight_parameter(text: &str, content: Span) -> bool {
     cursor.opt_q().is_some() && cursor.byte() == b'='
 }
 
-/// A parameter with a value that a cycle definition can hold.
+/// A parameter with a value that a cycle definition can hold, up to the end.
 pub(super) fn parameter(cursor: &mut Cursor<'_>) -> Read<Assignment> {
+    let assignment = one_parameter(cursor)?;
+    cursor.finish()?;
+    Ok(assignment)
+}
+
+fn one_parameter(cursor: &mut Cursor<'_>) -> Read<Assignment> {
     cursor.blanks();
     let start = cursor.at;
     let Some(q) = cursor.opt_q() else { return Err(cursor.expected("parameter")) };
@@ -334,7 +391,6 @@ pub(super) fn parameter(cursor: &mut Cursor<'_>) -> Read<Assignment> {
         return Err(cursor.expected("="));
     }
     let value = parameter_value(cursor)?;
-    cursor.finish()?;
     Ok(Assignment { span: Span::new(start, value.span.end.max(q_span.end + 1)), q, q_span, value, tight })
 }
 

@@ -31,8 +31,19 @@ pub(super) fn is_iso(text: &str, name: &str) -> bool {
     let first = text.lines().map(str::trim_start).find(|line| !line.is_empty() && !line.starts_with(';'));
     let first = first.unwrap_or_default().trim_start_matches(['N', 'n']);
     let first = first.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
-    let klartext = first.get(..5).is_some_and(|word| word.eq_ignore_ascii_case("BEGIN"));
+    let foreign = |line: &&str| line.is_empty() || *line == "%" || line.starts_with(['(', ';']);
+    if first.trim_end() == "%" || first.starts_with('(') {
+        // Marks of a transfer and sheets of a simulator stand before programs of both languages.
+        let next = text.lines().map(str::trim).find(|line| !foreign(line)).unwrap_or_default();
+        return !is_begin(next.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace()))
+            && (first.starts_with('%') || of_kind);
+    }
+    let klartext = is_begin(first);
     first.starts_with('%') || (of_kind && !klartext)
+}
+
+fn is_begin(text: &str) -> bool {
+    text.get(..5).is_some_and(|word| word.eq_ignore_ascii_case("BEGIN"))
 }
 
 /// The blocks of a text.

@@ -136,7 +136,11 @@ impl Program {
     /// Errors and warnings, in the order of the text.
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
         let errors = self.errors().map(|error| (Severity::Error, error));
-        let warnings = self.warnings.iter().map(|error| (Severity::Warning, error));
+        let severity = |error: &SyntaxError| match error.code {
+            assemble::SPELLING => Severity::Error,
+            _ => Severity::Warning,
+        };
+        let warnings = self.warnings.iter().map(|error| (severity(error), error));
         let mut all: Vec<_> = errors.chain(warnings).collect();
         all.sort_by_key(|(_, error)| error.span.start);
         all.into_iter().map(|(severity, error)| self.diagnostic(severity, error)).collect()

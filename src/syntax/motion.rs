@@ -163,6 +163,10 @@ pub(super) fn opt_function(cursor: &mut Cursor<'_>) -> Read<Option<MFunction>> {
         // Older controls and their posts print the word of a block without a function, the last of the block.
         return if cursor.done() { Ok(None) } else { Err(cursor.expected("number")) };
     };
+    // Posts that write a point behind every number write it here too: `M3.`
+    if cursor.byte() == b'.' && !cursor.byte_at(cursor.at + 1).is_ascii_digit() {
+        cursor.at += 1;
+    }
     let end = cursor.at;
     let with = opt_function_tail(cursor, number)?;
     if with.is_none() {
@@ -204,10 +208,24 @@ fn opt_function_tail(cursor: &mut Cursor<'_>, number: u16) -> Read<Option<Span>>
     Ok((cursor.at > start).then(|| Span::new(start, cursor.at)))
 }
 
+/// The M functions of a programmed stop; older controls print the letter alone where there are none.
+pub(super) fn stop(cursor: &mut Cursor<'_>) -> Read<Vec<MFunction>> {
+    let mut ahead = *cursor;
+    if ahead.opt_keyword(b"M") && ahead.done() {
+        *cursor = ahead;
+        return Ok(Vec::new());
+    }
+    functions(cursor)
+}
+
 /// M functions up to the end of the block.
 pub(super) fn functions(cursor: &mut Cursor<'_>) -> Read<Vec<MFunction>> {
-    let mut found = Vec::new();
+    let mut found: Vec<MFunction> = Vec::new();
     while !cursor.done() {
+        // How fast M140 retracts.
+        if found.last().is_some_and(|last| last.number == 140) && opt_feed(cursor)?.is_some() {
+            continue;
+        }
         match opt_function(cursor)? {
             Some(function) => found.push(function),
             None => return Err(cursor.expected("m-function")),
@@ -397,9 +415,13 @@ pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<ToolCall> {
             _ => {
                 let feed = if call.feed.is_none() { opt_feed(cursor)? } else { None };
                 if feed.is_none() {
-                    return Err(cursor.expected("tool-word"));
+                    // `TOOL CALL 5 S1000 Z` is read as well.
+                    call.axis = if call.axis.is_none() { opt_axis(cursor) } else { None };
+                    if call.axis.is_none() {
+                        return Err(cursor.expected("tool-word"));
+                    }
                 }
-                call.feed = feed;
+                call.feed = call.feed.or(feed);
                 continue;
             }
         };

@@ -33,7 +33,8 @@ const TILTING: Vocabulary = &[
     ("M", Takes::Value),
 ];
 const SPATIAL: Vocabulary = &[("SPA", Takes::Value), ("SPB", Takes::Value), ("SPC", Takes::Value)];
-const PROJECTED: Vocabulary = &[("PROPR", Takes::Value), ("PROMIN", Takes::Value), ("ROT", Takes::Value)];
+const PROJECTED: Vocabulary =
+    &[("PROPR", Takes::Value), ("PROMIN", Takes::Value), ("PROROT", Takes::Value), ("ROT", Takes::Value)];
 const EULER: Vocabulary = &[("EULPR", Takes::Value), ("EULNU", Takes::Value), ("EULROT", Takes::Value)];
 const VECTOR: Vocabulary = &[
     ("BX", Takes::Value),
@@ -185,7 +186,8 @@ pub(super) fn opt_statement(cursor: &mut Cursor<'_>, first: &[u8], start: usize)
     Some(match first {
         b"PLANE" => plane(cursor, start),
         b"FUNCTION" => function(cursor, start),
-        b"ADP" | b"FILE" | b"OPEN" | b"POLARKIN" | b"SECTION" | b"TABDATA" | b"TURNDATA" => {
+        b"ADP" | b"AFC" | b"FILE" | b"FIXTURE" | b"MONITORING" | b"OPEN" | b"POLARKIN" | b"PRESET" | b"SECTION"
+        | b"TABDATA" | b"TURNDATA" => {
             let head = cursor.at;
             words::free(cursor).map(|words| statement(StatementKind::Function, start, head, words))
         }

@@ -205,7 +205,7 @@ pub(super) fn open(cursor: &mut Cursor<'_>, vocabulary: &[Vocabulary]) -> Read<V
 pub(super) fn free(cursor: &mut Cursor<'_>) -> Read<Vec<NamedWord>> {
     let mut words = Vec::new();
     while !cursor.done() {
-        if matches!(cursor.byte(), b'=' | b'/' | b',') {
+        if matches!(cursor.byte(), b'=' | b'/' | b',' | b'#') {
             cursor.at += 1;
         } else if let Some(word) = opt_free(cursor)? {
             words.push(word);

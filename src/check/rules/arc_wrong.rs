@@ -85,7 +85,12 @@ impl Way {
         let end = self.end(motion);
         match motion.path {
             Path::L | Path::Ct => self.at = end,
-            Path::Cc => self.centre = if motion.coords.is_empty() { self.at } else { end },
+            Path::Cc if motion.coords.is_empty() => self.centre = self.at,
+            // Of a centre with one coordinate the manuals do not say where the other comes from.
+            Path::Cc => {
+                let written = |axis: Axis| motion.coord(axis).is_some();
+                self.centre = [end[0].filter(|_| written(Axis::X)), end[1].filter(|_| written(Axis::Y))];
+            }
             Path::Rnd | Path::Chf => {}
             Path::C => {
                 let (start, centre) = (self.at, self.centre);

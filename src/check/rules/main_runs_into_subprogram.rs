@@ -1,5 +1,6 @@
 //! The main part runs into a subprogram, because neither M2 nor M30 stands before it.
 //!
+//! Nothing is said of an M2 or M30 that may be skipped: a program that others call is left there on purpose.
 //! Only said where the subprogram is called before, is not jumped to, and only subprograms or the end of the program
 //! follow it: a subprogram that stands before its calls may be meant to be executed once on the way.
 use crate::check::{Facts, Rule, Way};
@@ -15,7 +16,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let &[at] = set.as_slice() else { continue };
         let mut uses = graph.uses.iter().filter(|own| own.mark.as_ref() == Some(mark)).peekable();
         let called = uses.peek().is_some() && uses.all(|own| own.way == Way::Call && own.block < at);
-        if !called || !facts.run.main.contains(&at) || follows_return(blocks, at) || !last_part(facts, blocks, at) {
+        if !called || !facts.run.main.contains(&at) || follows_end(blocks, at) || !last_part(facts, blocks, at) {
             continue;
         }
         if let Some(BlockKind::Lbl(label)) = blocks.get(at).map(|block| &block.kind) {
@@ -26,10 +27,19 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Whether the block before, comments left out, ends another subprogram.
-fn follows_return(blocks: &[Block], at: usize) -> bool {
+/// Whether the block before, comments left out, ends another subprogram, or ends the program unless it is skipped.
+fn follows_end(blocks: &[Block], at: usize) -> bool {
     let before = blocks.get(..at).unwrap_or_default().iter().rev().find(|block| !silent(block));
-    before.is_some_and(returns)
+    before.is_some_and(|block| returns(block) || (block.skip && ends(block)))
+}
+
+fn ends(block: &Block) -> bool {
+    let functions = match &block.kind {
+        BlockKind::Functions(functions) => functions.as_slice(),
+        BlockKind::Motion(motion) => motion.functions.as_slice(),
+        _ => return false,
+    };
+    functions.iter().any(|function| matches!(function.number, 2 | 30))
 }
 
 /// Whether behind the end of the subprogram only another one or the end of the program follows.
