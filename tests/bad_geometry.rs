@@ -1,6 +1,7 @@
 //! Geometry that determines nothing or nearly nothing: points that nearly coincide or lie nearly on a line, lines that are
 //! nearly parallel, tiny arcs. Every family of probing cycles has its cases; each ends with finite results and tables, or with an
 //! error that is explained in every language.
+#![expect(clippy::disallowed_methods, reason = "how many cases there are is asked of the environment")]
 use std::fmt::Write as _;
 use std::sync::OnceLock;
 

@@ -420,8 +420,14 @@ fn feature(kind: usize, place: &Place, s: &Sizes) -> Feature {
     }
 }
 
+/// So many cases, or as many as `LAW_CASES` says.
+fn cases(usual: u32) -> ProptestConfig {
+    let cases = std::env::var("LAW_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(usual);
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(cases(1000))]
 
     /// A datum cycle reports the truth, and wherever its datum goes (display, preset table, datum table by either
     /// reference), the point has the wanted coordinates once that is in effect.
@@ -490,7 +496,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(cases(500))]
 
     /// Two cycles that write one row of the preset table each leave the other's coordinates: 417 the height, 412 the rest.
     #[test]

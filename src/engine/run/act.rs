@@ -377,6 +377,10 @@ impl<'e> Run<'_, 'e> {
 
     /// After a change of the system: program coordinates follow, and the change is told.
     pub(super) fn transformed(&mut self, before: super::Coordinates) {
+        if self.world.system.tip_held {
+            // Where the rotary axes have the coordinate 0 may have changed, too.
+            self.world.carry_system();
+        }
         let now = self.world.system.told();
         if now != before {
             self.world.renew();

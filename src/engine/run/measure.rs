@@ -74,7 +74,7 @@ impl<'e> Run<'_, 'e> {
     /// that tilt a plane parallel to it, and the spatial angles of a system in it, whose main axis runs from the first
     /// point to the second and whose secondary axis points to the side of the third.
     pub(super) fn plane_angles(&self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
-        let point = |index| Ok::<_, Fault>(self.point(Self::argument(call, index)?, exec)?);
+        let point = |index| self.point(Self::argument(call, index)?, exec);
         let (first, second, third) = (point(0)?, point(1)?, point(2)?);
         let (along, aside) = (second - first, third - first);
         let normal = along.cross(aside);
