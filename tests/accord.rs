@@ -14,6 +14,7 @@ fn found(files: &Files) -> Vec<Diagnostic> {
     let (locales, mistakes) = Locales::load(files.iter().map(|(path, text)| (path, text)));
     found.extend(mistakes);
     found.extend(spec::lint(&catalogue));
+    found.extend(ciklo::engine::plan::check(&catalogue));
     found.extend(accord::check(&catalogue, &locales));
     found
 }

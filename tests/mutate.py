@@ -100,6 +100,11 @@ REFERENCE_WORDS = {
     "pt": [("absolut", "incremental")],
     "fi": [("absoluuttis", "inkrementaalis"), ("inkrementaalis", "absoluuttis")],
 }
+# What a program in inches would convert, or not, by mistake.
+QUANTITIES = [
+    ("length", "angle"), ("length", "feed"), ("length", "factor"), ("angle", "length"), ("feed", "length"), ("feed", "number"),
+    ("time", "length"), ("speed", "length"), ("factor", "length"), ("count", "length"), ("number", "length"),
+]
 PLACEABLES = []
 SETS = []
 
@@ -143,7 +148,7 @@ def spec_mutants(root, rng):
                     yield change("reference", line.replace("reference: absolute", "reference: incremental"), "absolute -> incremental")
                 if "reference: incremental" in line:
                     yield change("reference", line.replace("reference: incremental", "reference: absolute"), "incremental -> absolute")
-                for quantity, other in (("length", "angle"), ("angle", "length"), ("feed", "length"), ("time", "length")):
+                for quantity, other in QUANTITIES:
                     if f"quantity: {quantity}" in line:
                         yield change("quantity", line.replace(f"quantity: {quantity}", f"quantity: {other}"), f"{quantity} -> {other}")
                 example = re.search(r'q: (Q\d+), is: [\w-]+, example: "-', line)

@@ -67,5 +67,8 @@ diag-spec-measure = In { $cycle } { $reason ->
         [not-a-feed] what is no feed stands for a feed
         [not-a-length] what is no length stands for a position
         [not-a-time] what is no time stands for a time
+        [not-a-speed] what is no spindle speed stands for one
+        [not-a-number] what has a unit stands where a number without unit belongs
+        [bare-number] a length or feed is compared with a number that has no unit
        *[not-an-angle] what is no angle stands for an angle
     }.

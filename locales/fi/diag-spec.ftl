@@ -67,5 +67,8 @@ diag-spec-measure = Työkierrossa { $cycle } { $reason ->
         [not-a-feed] syöttöarvon paikalla on jotakin muuta kuin syöttöarvo
         [not-a-length] aseman paikalla on jotakin muuta kuin pituus
         [not-a-time] ajan paikalla on jotakin muuta kuin aika
+        [not-a-speed] karan kierrosluvun paikalla on jotakin muuta kuin kierrosluku
+        [not-a-number] yksiköttömän luvun paikalla on suure, jolla on yksikkö
+        [bare-number] pituutta tai syöttöarvoa verrataan lukuun, jolla ei ole yksikköä
        *[not-an-angle] kulman paikalla on jotakin muuta kuin kulma
     }.

@@ -67,5 +67,8 @@ diag-spec-measure = In { $cycle } { $reason ->
         [not-a-feed] al posto di un avanzamento c’è qualcosa che non lo è
         [not-a-length] al posto di una posizione c’è qualcosa che non è una lunghezza
         [not-a-time] al posto di un tempo c’è qualcosa che non lo è
+        [not-a-speed] al posto di un numero di giri c’è qualcosa che non lo è
+        [not-a-number] al posto di un numero senza unità c’è una grandezza con unità
+        [bare-number] una lunghezza o un avanzamento viene confrontato con un numero senza unità
        *[not-an-angle] al posto di un angolo c’è qualcosa che non lo è
     }.

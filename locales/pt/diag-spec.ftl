@@ -67,5 +67,8 @@ diag-spec-measure = Em { $cycle }, { $reason ->
         [not-a-feed] está no lugar de um avanço algo que não é um avanço
         [not-a-length] está no lugar de uma posição algo que não é uma longitude
         [not-a-time] está no lugar de um tempo algo que não é um tempo
+        [not-a-speed] está no lugar das rotações do cabeçote algo que não são rotações
+        [not-a-number] está no lugar de um número sem unidade uma grandeza com unidade
+        [bare-number] compara-se uma longitude ou um avanço com um número sem unidade
        *[not-an-angle] está no lugar de um ângulo algo que não é um ângulo
     }.

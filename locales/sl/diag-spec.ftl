@@ -67,5 +67,8 @@ diag-spec-measure = V ciklu { $cycle } { $reason ->
         [not-a-feed] stoji na mestu pomika nekaj, kar ni pomik
         [not-a-length] stoji na mestu položaja nekaj, kar ni dolžina
         [not-a-time] stoji na mestu časa nekaj, kar ni čas
+        [not-a-speed] stoji na mestu števila vrtljajev nekaj drugega
+        [not-a-number] stoji na mestu števila brez enote količina z enoto
+        [bare-number] se dolžina ali pomik primerja s številom brez enote
        *[not-an-angle] stoji na mestu kota nekaj, kar ni kot
     }.

@@ -6,6 +6,7 @@
 mod act;
 mod guard;
 mod item;
+mod measure;
 mod names;
 mod strategy;
 mod types;
@@ -137,6 +138,7 @@ pub fn check(catalogue: &Catalogue) -> Vec<Diagnostic> {
             found.extend(compile(cycle, on).1);
         }
     }
+    measure::formulas(catalogue, &mut found);
     crate::diag::dedupe(&mut found);
     found
 }

@@ -3,6 +3,7 @@
 //! A strategy is written once for all cycles and does one thing with values that are given to it; one that
 //! is not listed here is pending. Invariant: signatures only, no execution.
 use crate::expr::Type;
+use crate::spec::Quantity;
 
 /// A strategy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,74 +127,94 @@ pub struct Parameter {
     pub name: &'static str,
     /// Its type.
     pub ty: Type,
+    /// What it measures; `Number` for what has no unit.
+    pub quantity: Quantity,
     /// Whether it must be there.
     pub required: bool,
 }
 
-const fn required(name: &'static str, ty: Type) -> Parameter {
-    Parameter { name, ty, required: true }
+impl Parameter {
+    const fn optional(self) -> Self {
+        Self { required: false, ..self }
+    }
 }
 
-const fn optional(name: &'static str) -> Parameter {
-    Parameter { name, ty: Type::Number, required: false }
-}
+const POINT: Parameter = point("point");
+const MAIN: Parameter = length("main").optional();
+const MINOR: Parameter = length("minor").optional();
+const TOOL: Parameter = length("tool").optional();
+const TEXT: Parameter = text("text");
+const ROW: Parameter = number("row");
+const CENTRE: Parameter = point("centre");
 
-const POINT: Parameter = required("point", Type::Point);
-const MAIN: Parameter = optional("main");
-const MINOR: Parameter = optional("minor");
-const TOOL: Parameter = optional("tool");
-const TEXT: Parameter = required("text", Type::Text);
-const ROW: Parameter = required("row", Type::Number);
-const CENTRE: Parameter = required("centre", Type::Point);
+const fn of(name: &'static str, quantity: Quantity) -> Parameter {
+    Parameter { name, ty: Type::Number, quantity, required: true }
+}
 
 const fn number(name: &'static str) -> Parameter {
-    required(name, Type::Number)
+    of(name, Quantity::Number)
+}
+
+const fn length(name: &'static str) -> Parameter {
+    of(name, Quantity::Length)
+}
+
+const fn angle(name: &'static str) -> Parameter {
+    of(name, Quantity::Angle)
+}
+
+const fn feed(name: &'static str) -> Parameter {
+    of(name, Quantity::Feed)
 }
 
 const fn point(name: &'static str) -> Parameter {
-    required(name, Type::Point)
+    Parameter { ty: Type::Point, ..length(name) }
 }
 
-const ANY_AXIS: Parameter = optional("axis");
+const fn text(name: &'static str) -> Parameter {
+    Parameter { name, ty: Type::Text, quantity: Quantity::Text, required: true }
+}
+
+const ANY_AXIS: Parameter = number("axis").optional();
 const ACTUAL: Parameter = point("actual");
 const NOMINAL: Parameter = point("nominal");
 const ALONG_SECOND: Parameter = number("along_second_axis");
 const MEASURING_AXIS: Parameter = number("measuring_axis");
 const TRANSFER: Parameter = number("transfer");
-const TARGET_ANGLE: Parameter = optional("angle");
-const TABLE_ROW: Parameter = optional("row");
+const TARGET_ANGLE: Parameter = angle("angle").optional();
+const TABLE_ROW: Parameter = number("row").optional();
 const LINE: (Parameter, Parameter) = (point("from"), point("to"));
 const LINES: [Parameter; 4] = [point("first"), point("second"), point("third"), point("fourth")];
 const OWN_PATH: [Parameter; 6] = [
-    point("direction"),
-    number("path"),
-    number("feed"),
-    optional("in_machine"),
-    optional("tolerant"),
-    optional("silent"),
+    Parameter { quantity: Quantity::Number, ..point("direction") },
+    length("path"),
+    feed("feed"),
+    number("in_machine").optional(),
+    number("tolerant").optional(),
+    number("silent").optional(),
 ];
-const PATH: Parameter = number("path");
+const PATH: Parameter = length("path");
 const THREE: [Parameter; 3] = [point("first"), point("second"), point("third")];
 const CALIBRATED: [Parameter; 3] =
-    [optional("radius"), optional("length"), Parameter { name: "offset", ty: Type::Point, required: false }];
-const ABOUT: Parameter = Parameter { name: "about", ty: Type::Point, required: false };
+    [length("radius").optional(), length("length").optional(), point("offset").optional()];
+const ABOUT: Parameter = point("about").optional();
 const AXIS: Parameter = number("axis");
-const FROM: Parameter = number("from");
-const TO: Parameter = number("to");
-const ANGLE: Parameter = number("angle");
-const FEED: Parameter = number("feed");
-const RADIUS: Parameter = number("radius");
+const FROM: Parameter = length("from");
+const TO: Parameter = length("to");
+const ANGLE: Parameter = angle("angle");
+const FEED: Parameter = feed("feed");
+const RADIUS: Parameter = length("radius");
 const DIRECTION: Parameter = number("direction");
-const ROTATION: Parameter = number("rotation");
-const LEAST: Parameter = number("least");
-const ROOM: Parameter = number("room");
+const ROTATION: Parameter = angle("rotation");
+const LEAST: Parameter = length("least");
+const ROOM: Parameter = length("room");
 /// Of every strategy of thread milling.
 const THREAD: [Parameter; 8] = [
     CENTRE,
-    number("surface"),
-    number("depth"),
+    length("surface"),
+    length("depth"),
     DIAMETER,
-    number("pitch"),
+    length("pitch"),
     number("outside"),
     CLIMB,
     number("threads"),
@@ -201,33 +222,34 @@ const THREAD: [Parameter; 8] = [
 /// Of the one that may go from helix to helix.
 const THREAD_WITH_STEPS: [Parameter; 9] = {
     let [a, b, c, d, e, f, g, h] = THREAD;
-    [a, b, c, d, e, f, g, h, number("between")]
+    [a, b, c, d, e, f, g, h, feed("between")]
 };
 const FUNCTION: Parameter = number("function");
-const SPEED: Parameter = number("speed");
-const POSITIONS: [Parameter; 5] = [number("a"), number("b"), number("c"), FEED, number("clearance")];
-const PROGRAM: Parameter = required("program", Type::Text);
-const TOLERANCE: [Parameter; 3] = [optional("contour"), optional("hsc_mode"), optional("rotary")];
-const LENGTH: Parameter = number("length");
-const WIDTH: Parameter = number("width");
-const CORNER: Parameter = number("corner");
-const DIAMETER: Parameter = number("diameter");
-const BEGIN: Parameter = number("begin");
-const OPENING: Parameter = number("opening");
+const SPEED: Parameter = of("speed", Quantity::Speed);
+const POSITIONS: [Parameter; 5] = [angle("a"), angle("b"), angle("c"), FEED, length("clearance")];
+const PROGRAM: Parameter = text("program");
+const TOLERANCE: [Parameter; 3] =
+    [length("contour").optional(), number("hsc_mode").optional(), angle("rotary").optional()];
+const LENGTH: Parameter = length("length");
+const WIDTH: Parameter = length("width");
+const CORNER: Parameter = length("corner");
+const DIAMETER: Parameter = length("diameter");
+const BEGIN: Parameter = angle("begin");
+const OPENING: Parameter = angle("opening");
 const CLIMB: Parameter = number("climb");
-const STEPOVER: Parameter = number("stepover");
-const ALLOWANCE: Parameter = number("allowance");
-const LEVEL: Parameter = number("level");
-const BLANK: (Parameter, Parameter) = (number("blank_length"), number("blank_width"));
+const STEPOVER: Parameter = length("stepover");
+const ALLOWANCE: Parameter = length("allowance");
+const LEVEL: Parameter = length("level");
+const BLANK: (Parameter, Parameter) = (length("blank_length"), length("blank_width"));
 const APPROACH: Parameter = number("approach");
 const MODE: Parameter = number("mode");
-const OUTSIDE: (Parameter, Parameter) = (number("begin"), number("end"));
-const INSIDE: (Parameter, Parameter) = (number("inner_begin"), number("inner_end"));
-const FIRST: Parameter = number("first");
-const STEP: Parameter = number("step");
+const OUTSIDE: (Parameter, Parameter) = (length("begin"), length("end"));
+const INSIDE: (Parameter, Parameter) = (length("inner_begin"), length("inner_end"));
+const FIRST: Parameter = length("first");
+const STEP: Parameter = length("step");
 const LINES_OF_LEVEL: Parameter = number("lines");
-const ACROSS: Parameter = number("across");
-const LIFT: Parameter = number("lift");
+const ACROSS: Parameter = feed("across");
+const LIFT: Parameter = length("lift");
 
 impl Strategy {
     /// The strategy of that name.
@@ -370,6 +392,15 @@ impl Strategy {
             Self::TurningInsert => &["width", "radius"],
             Self::ToleranceBand => &["upper", "lower", "monitored"],
             _ => &[],
+        }
+    }
+
+    /// What the result of that name measures; `Number` for what has no unit.
+    pub fn quantity_of_result(name: &str) -> Quantity {
+        match name {
+            "main" | "minor" | "tool" | "width" | "radius" | "upper" | "lower" => Quantity::Length,
+            "status" | "across" | "monitored" => Quantity::Number,
+            _ => Quantity::Angle,
         }
     }
 }

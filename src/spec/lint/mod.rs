@@ -4,7 +4,6 @@
 //! whether a run compiles is checked where runs are compiled.
 mod example;
 mod habit;
-mod measure;
 mod parameter;
 mod reference;
 mod run;
@@ -28,7 +27,6 @@ pub fn lint(catalogue: &Catalogue) -> Vec<Diagnostic> {
     }
     reference::errata(catalogue, &mut found);
     habit::habits(catalogue, &mut found);
-    measure::formulas(catalogue, &mut found);
     reference::topics(catalogue, &mut found);
     unused(catalogue, &mut found);
     dedupe(&mut found);
