@@ -1,87 +1,18 @@
-//! Laws of contours over random outlines of lines, arcs, roundings and chamfers, on both sides and in both directions:
-//! the tool's centre keeps the distance of its radius, reaches every point of the outline that it can reach, and leaves
-//! the nominal part.
-//!
-//! Distances are calculated here from points, with plain trigonometry. Roundings and chamfers are proven first, on the
-//! path without compensation, against the corners of the outline.
-#![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
+//! Closed outlines of lines and arcs, with roundings and chamfers at their corners, level and rising.
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
-use std::sync::OnceLock;
 
-use ciklo::diag::Source;
-use ciklo::engine::run::{Engine, EventKind, MoveKind, NoTexts, Status};
-use ciklo::engine::scene::Scene;
-use ciklo::engine::stock::Machining;
-use ciklo::spec::Catalogue;
-use ciklo::syntax;
+use ciklo::engine::run::Status;
+use ciklo::engine::stock::Stock;
 use glam::DVec2;
 use proptest::prelude::*;
 
-/// What a distance may be wrong, mm.
-const NEAR: f64 = 1e-6;
+use super::path::{NEAR, Piece, View, config, far, run, view};
+
 /// Points looked at on each piece of a path.
 const SAMPLES: usize = 40;
-
-fn world() -> &'static (ciklo::data::Files, Catalogue) {
-    static WORLD: OnceLock<(ciklo::data::Files, Catalogue)> = OnceLock::new();
-    WORLD.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        (files, catalogue)
-    })
-}
-
-/// A piece of a path in the plane.
-#[derive(Clone, Copy, Debug)]
-struct Piece {
-    line: usize,
-    from: DVec2,
-    to: DVec2,
-    /// Centre, radius and signed angle of an arc.
-    arc: Option<(DVec2, f64, f64)>,
-}
-
-impl Piece {
-    fn at(&self, t: f64) -> DVec2 {
-        match self.arc {
-            None => self.from + (self.to - self.from) * t,
-            Some((centre, _, angle)) => {
-                let (s, c) = (angle * t).sin_cos();
-                let arm = self.from - centre;
-                centre + DVec2::new(arm.x * c - arm.y * s, arm.x * s + arm.y * c)
-            }
-        }
-    }
-
-    fn heading(&self, at: DVec2) -> DVec2 {
-        match self.arc {
-            None => (self.to - self.from).normalize(),
-            Some((centre, _, angle)) => (at - centre).perp().normalize() * angle.signum(),
-        }
-    }
-
-    /// The distance of a point from it.
-    fn distance(&self, point: DVec2) -> f64 {
-        let ends = point.distance(self.from).min(point.distance(self.to));
-        match self.arc {
-            None => {
-                let way = self.to - self.from;
-                let t = ((point - self.from).dot(way) / way.length_squared()).clamp(0.0, 1.0);
-                point.distance(self.from + way * t)
-            }
-            Some((centre, radius, angle)) => {
-                let (a, b) = (self.from - centre, point - centre);
-                let turn = ((b.y.atan2(b.x) - a.y.atan2(a.x)) * angle.signum()).rem_euclid(TAU);
-                if turn <= angle.abs() { (b.length() - radius).abs().min(ends) } else { ends }
-            }
-        }
-    }
-}
-
-fn far(path: &[Piece], point: DVec2) -> f64 {
-    path.iter().map(|piece| piece.distance(point)).fold(f64::INFINITY, f64::min)
-}
+/// Where level contours are milled.
+const LEVEL: f64 = -5.0;
 
 /// A corner: nothing, a rounding, or a chamfer if it is one of lines.
 #[derive(Clone, Copy, Debug)]
@@ -93,16 +24,19 @@ enum Corner {
 
 /// A closed outline about the origin: corners, and how far each edge bulges to the left, as a share of its length.
 #[derive(Clone, Debug)]
-struct Outline {
+pub(super) struct Outline {
     points: Vec<DVec2>,
     bulges: Vec<f64>,
     corners: Vec<Corner>,
-    left: bool,
-    tool: f64,
+    pub(super) left: bool,
+    pub(super) tool: f64,
+    /// The height at the end of each edge.
+    heights: Option<Vec<f64>>,
+    pub(super) view: View,
 }
 
 prop_compose! {
-    fn outline()(
+    pub(super) fn outline(rising: bool)(
         corners in 3..8_usize, clockwise in any::<bool>(), left in any::<bool>(), tool in 0.5..5.0_f64,
     )(
         radii in prop::collection::vec(prop_oneof![3 => 38.0..55.0_f64, 1 => 18.0..30.0_f64], corners),
@@ -113,6 +47,7 @@ prop_compose! {
             1 => (0.3..7.0_f64).prop_map(Corner::Round),
             1 => (0.3..5.0_f64).prop_map(Corner::Broken),
         ], corners),
+        heights in prop::collection::vec((-90..10).prop_map(|tenths| f64::from(tenths) / 10.0), corners), view in view(),
         clockwise in Just(clockwise), left in Just(left), tool in Just(tool),
     ) -> Outline {
         let count = radii.len();
@@ -133,28 +68,48 @@ prop_compose! {
             Corner::Broken(_) if !straight(n) || !straight(n + 1) => Corner::Sharp,
             kind => *kind,
         }).collect();
-        Outline { points, bulges, corners, left, tool }
+        Outline { points, bulges, corners, left, tool, heights: rising.then_some(heights), view }
     }
 }
 
 impl Outline {
     /// The program: edge n leads to point n + 1, where corner n is.
-    fn program(&self, compensation: &str) -> String {
+    fn program(&self, compensation: &str) -> Program {
+        let [begin, away] = [self.begin(), DVec2::splat(95.0)].map(|place| self.view.words(place));
+        self.program_between(&format!("L {begin} {compensation} F500"), &format!("L {away} R0"))
+    }
+
+    /// The middle of the first edge.
+    pub(super) fn begin(&self) -> DVec2 {
+        (self.points[0] + self.points[1]) / 2.0
+    }
+
+    /// The direction of the first edge.
+    pub(super) fn heading(&self) -> DVec2 {
+        (self.points[1] - self.points[0]).normalize()
+    }
+
+    /// The contour between the blocks that lead to it and away from it.
+    pub(super) fn program_between(&self, enter: &str, leave: &str) -> Program {
         let count = self.points.len();
-        let mut text = "BEGIN PGM LAW MM\nBLK FORM 0.1 Z X-70 Y-70 Z-10\nBLK FORM 0.2 X+70 Y+70 Z+0\n\
-            TOOL CALL 1 Z S1000 F500\nL X+90 Y+90 R0 FMAX M3\nL Z-5 R0 F200\n"
-            .to_owned();
-        let begin = (self.points[0] + self.points[1]) / 2.0;
-        let _ = writeln!(text, "L X{:+} Y{:+} {compensation} F500", begin.x, begin.y);
+        let (view, letter) = (&self.view, self.view.axis.letter());
+        let mut text = view.head(LEVEL);
+        let first = text.lines().count() + enter.lines().count();
+        let begin = self.begin();
+        let _ = writeln!(text, "{enter}");
+        let height = |n: usize| {
+            let height = self.heights.as_ref().map(|heights| heights[n]);
+            height.map_or_else(String::new, |height| format!(" {letter}{height:+}"))
+        };
         for n in 0..count {
             let (from, to) = (self.points[n], self.points[(n + 1) % count]);
             let _ = if self.bulges[n] == 0.0 {
-                writeln!(text, "L X{:+} Y{:+}", to.x, to.y)
+                writeln!(text, "L {}{}", view.words(to), height(n))
             } else {
-                writeln!(text, "CR X{:+} Y{:+} R{:+} DR{}", to.x, to.y, radius(from, to, self.bulges[n]), {
-                    // To the left of the chord means clockwise.
-                    if self.bulges[n] > 0.0 { '-' } else { '+' }
-                })
+                let radius = radius(from, to, self.bulges[n]);
+                // To the left of the chord means clockwise.
+                let direction = if self.bulges[n] > 0.0 { '-' } else { '+' };
+                writeln!(text, "CR {}{} R{radius:+} DR{direction}", view.words(to), height(n))
             };
             let _ = match self.corners[n] {
                 Corner::Sharp => Ok(()),
@@ -162,8 +117,34 @@ impl Outline {
                 Corner::Broken(leg) => writeln!(text, "CHF {leg}"),
             };
         }
-        let _ = writeln!(text, "L X{:+} Y{:+}", begin.x, begin.y);
-        text + "L X+95 Y+95 R0\nL Z+50 R0 FMAX M30\nEND PGM LAW MM\n"
+        let level = if self.heights.is_some() { format!(" {letter}{LEVEL:+}") } else { String::new() };
+        let _ = writeln!(text, "L {}{level}", view.words(begin));
+        let last = text.lines().count() + 1;
+        let text = text + &format!("{leave}\nL {letter}+50 R0 FMAX M30\nEND PGM LAW MM\n");
+        Program { text, first, last }
+    }
+}
+
+/// A program with the lines of the way to the contour and of the way from it.
+pub(super) struct Program {
+    pub(super) text: String,
+    pub(super) first: usize,
+    pub(super) last: usize,
+}
+
+impl Program {
+    /// Pieces of the contour: not the way to it nor away from it.
+    fn contour(&self, path: &[Piece]) -> Vec<Piece> {
+        path.iter().filter(|piece| piece.line > self.first && piece.line < self.last).copied().collect()
+    }
+
+    fn line(&self, number: usize) -> &str {
+        self.text.lines().nth(number - 1).unwrap_or_default()
+    }
+
+    fn is_corner(&self, number: usize) -> bool {
+        let text = self.line(number);
+        text.starts_with("RND") || text.starts_with("CHF")
     }
 }
 
@@ -174,52 +155,10 @@ fn radius(from: DVec2, to: DVec2, bulge: f64) -> f64 {
     ((chord * chord / 4.0 + rise * rise) / (2.0 * rise) * 1e6).round() / 1e6
 }
 
-struct Ran {
-    code: String,
-    status: Status,
-    path: Vec<Piece>,
-    stock: ciklo::engine::stock::Stock,
-}
-
-fn run(program: &str, tool: f64) -> Ran {
-    let (files, catalogue) = world();
-    let scene = format!("scene: 1\ntools: [{{T: 1, L: 100, R: {tool}}}]\n");
-    let scene = Scene::parse(&Source::new("scene.yaml", scene.as_str()), files).expect("a scene");
-    let tree = syntax::parse(&Source::new("LAW.H", program));
-    let on = catalogue.on("tnc640").expect("a control");
-    let mut machining = Machining::new(&tree, &scene, Some(1.1)).expect("a stock");
-    let mut path = Vec::new();
-    let outcome = Engine::new(&tree, on, &scene, &NoTexts).run(&mut |event| {
-        machining.see(&event);
-        if let EventKind::Move { kind, from, to, .. } = &event.kind
-            && from.truncate() != to.truncate()
-        {
-            let (from, to) = (from.truncate(), to.truncate());
-            let arc = match kind {
-                MoveKind::Arc { centre, angle, .. } => {
-                    let centre = centre.truncate();
-                    Some((centre, from.distance(centre), angle.to_radians()))
-                }
-                _ => None,
-            };
-            path.push(Piece { line: event.at.line, from, to, arc });
-        }
-    });
-    let code = outcome.fault.as_ref().map_or_else(String::new, |fault| fault.code.to_string());
-    Ran { code, status: outcome.status, path, stock: machining.finish().0 }
-}
-
-/// Pieces of the contour: not the way to it nor away from it.
-fn contour(program: &str, path: &[Piece]) -> Vec<Piece> {
-    let lines: Vec<&str> = program.lines().collect();
-    let last = lines.iter().position(|line| line.contains("X+95")).expect("the end") + 1;
-    path.iter().filter(|piece| piece.line > 7 && piece.line < last).copied().collect()
-}
-
 /// Roundings and chamfers: radius, tangents, and where they lie.
-fn corners_are_right(outline: &Outline, nominal: &[Piece]) -> Result<(), TestCaseError> {
+fn corners_are_right(outline: &Outline, program: &Program, nominal: &[Piece]) -> Result<(), TestCaseError> {
     let count = outline.points.len();
-    let mut line = 7;
+    let mut line = program.first;
     for n in 0..count {
         line += 1;
         let corner = outline.points[(n + 1) % count];
@@ -261,11 +200,7 @@ fn corners_are_right(outline: &Outline, nominal: &[Piece]) -> Result<(), TestCas
                 let (from, to) = (outline.points[n], outline.points[(n + 1) % count]);
                 edge(from, to, outline.bulges[n]).distance(point) < 1e-5
             });
-            let is_corner = outline
-                .program("R0")
-                .lines()
-                .nth(piece.line - 1)
-                .is_some_and(|text| text.contains("RND") || text.contains("CHF"));
+            let is_corner = program.is_corner(piece.line);
             prop_assert!(near || is_corner, "{} lies on no edge", point);
         }
     }
@@ -275,7 +210,7 @@ fn corners_are_right(outline: &Outline, nominal: &[Piece]) -> Result<(), TestCas
 /// An edge as it is programmed.
 fn edge(from: DVec2, to: DVec2, bulge: f64) -> Piece {
     if bulge == 0.0 {
-        return Piece { line: 0, from, to, arc: None };
+        return Piece::flat(from, to, None);
     }
     let radius = radius(from, to, bulge);
     let (chord, middle) = (to - from, (from + to) / 2.0);
@@ -283,7 +218,7 @@ fn edge(from: DVec2, to: DVec2, bulge: f64) -> Piece {
     // It bulges to the left, so the centre lies to the right, and the other way round.
     let centre = middle - chord.perp().normalize() * (height * bulge.signum());
     let angle = -2.0 * (chord.length() / 2.0 / radius).asin() * bulge.signum();
-    Piece { line: 0, from, to, arc: Some((centre, radius, angle)) }
+    Piece::flat(from, to, Some((centre, radius, angle)))
 }
 
 /// Whether the tool can stand there without cutting into the contour.
@@ -291,19 +226,51 @@ fn fits(nominal: &[Piece], centre: DVec2, tool: f64) -> bool {
     far(nominal, centre) >= tool - NEAR
 }
 
+/// The height of each element is that of its block, a rounding lies at the height before it, and nothing jumps.
+fn rises_as_programmed(outline: &Outline, program: &Program, path: &[Piece], both: &str) -> Result<(), TestCaseError> {
+    let letter = outline.view.axis.letter();
+    let mut height = LEVEL;
+    for (index, piece) in path.iter().enumerate() {
+        let word = program.line(piece.line).split_whitespace().find_map(|word| word.strip_prefix(letter));
+        if let Some(Ok(value)) = word.filter(|_| !program.is_corner(piece.line)).map(str::parse::<f64>) {
+            height = value;
+        }
+        prop_assert!((piece.heights[1] - height).abs() < NEAR, "{:?} is not at {}{}", piece, height, both);
+        if let Some(before) = index.checked_sub(1).map(|before| path[before]) {
+            let joint = before.heights[1] - piece.heights[0];
+            prop_assert!(joint.abs() < NEAR && before.to.distance(piece.from) < NEAR, "a gap at {:?}{}", piece, both);
+        }
+    }
+    Ok(())
+}
+
+/// The control looks at both elements of an inside corner: a tool that beside one of them would cut into the other one
+/// should have been refused.
+fn is_unseen(outline: &Outline, nominal: &[Piece], piece: &Piece, point: DVec2) -> bool {
+    let Some(own) = nominal.iter().position(|other| other.line == piece.line) else { return true };
+    let side = if outline.left { 1.0 } else { -1.0 };
+    let inside =
+        |before: &Piece, behind: &Piece| before.heading(before.to).perp_dot(behind.heading(behind.from)) * side > 1e-3;
+    let near = |other: &Piece| other.distance(point) < outline.tool - NEAR;
+    let before = own.checked_sub(1).map(|n| nominal[n]).filter(|other| inside(other, &nominal[own]));
+    let behind = nominal.get(own + 1).copied().filter(|other| inside(&nominal[own], other));
+    !before.iter().chain(&behind).any(near)
+}
+
 fn keeps_its_distance(outline: &Outline) -> Result<(), TestCaseError> {
     let plain = outline.program("R0");
-    let nominal = run(&plain, outline.tool);
+    let nominal = run(&outline.view, &plain.text, outline.tool);
     if nominal.code == "rounding-impossible" {
         return Err(TestCaseError::reject("no place for a rounding"));
     }
-    prop_assert_eq!(nominal.status, Status::Done, "{}\n{}", nominal.code, plain);
-    let nominal = contour(&plain, &nominal.path);
-    corners_are_right(outline, &nominal)?;
+    prop_assert_eq!(nominal.status, Status::Done, "{}{}", nominal.code, nominal.both);
+    let nominal = plain.contour(&nominal.path);
+    corners_are_right(outline, &plain, &nominal)?;
+    rises_as_programmed(outline, &plain, &nominal, &plain.text)?;
 
     let program = outline.program(if outline.left { "RL" } else { "RR" });
-    let ran = run(&program, outline.tool);
-    let both = format!("\ntool radius {}\n{program}", outline.tool);
+    let ran = run(&outline.view, &program.text, outline.tool);
+    let both = &ran.both;
     let side = if outline.left { 1.0 } else { -1.0 };
     if ran.code == "compensation-too-large" {
         // Somewhere the tool beside the contour would cut into it.
@@ -317,15 +284,19 @@ fn keeps_its_distance(outline: &Outline) -> Result<(), TestCaseError> {
         return Ok(());
     }
     prop_assert_eq!(ran.status, Status::Done, "{}{}", ran.code, both);
-    let path = contour(&program, &ran.path);
+    let path = program.contour(&ran.path);
+    rises_as_programmed(outline, &program, &path, both)?;
     // A control looks at neighbours only: where others are nearer, the outline is too narrow to judge.
-    let lowest = path.iter().flat_map(|piece| (0..=SAMPLES).map(|n| piece.at(n as f64 / SAMPLES as f64)));
-    for point in lowest {
-        let distance = far(&nominal, point);
-        if distance < outline.tool - NEAR {
-            return Err(TestCaseError::reject("too narrow elsewhere"));
+    for piece in &path {
+        for point in (0..=SAMPLES).map(|n| piece.at(n as f64 / SAMPLES as f64)) {
+            let distance = far(&nominal, point);
+            if distance < outline.tool - NEAR {
+                let unseen = is_unseen(outline, &nominal, piece, point);
+                prop_assert!(unseen, "cuts into a neighbour at {}{}", point, both);
+                return Err(TestCaseError::reject("too narrow elsewhere"));
+            }
+            prop_assert!((distance - outline.tool).abs() < NEAR, "{} is {} away{}", point, distance, both);
         }
-        prop_assert!((distance - outline.tool).abs() < NEAR, "{} is {} away{}", point, distance, both);
     }
     for pair in path.windows(2) {
         prop_assert!(pair[0].to.distance(pair[1].from) < NEAR, "a gap{}", both);
@@ -341,20 +312,15 @@ fn keeps_its_distance(outline: &Outline) -> Result<(), TestCaseError> {
             }
         }
     }
-    leaves_the_part(outline, &nominal, &ran.stock, &both)
+    leaves_the_part(outline, &nominal, &ran.stock, both)
 }
 
 /// Columns beside the contour: on the tool's side they are gone wherever the tool fits, on the other one they stand.
-fn leaves_the_part(
-    outline: &Outline,
-    nominal: &[Piece],
-    stock: &ciklo::engine::stock::Stock,
-    both: &str,
-) -> Result<(), TestCaseError> {
+fn leaves_the_part(outline: &Outline, nominal: &[Piece], stock: &Stock, both: &str) -> Result<(), TestCaseError> {
     let (columns, rows) = stock.size();
     for row in 0..rows {
         for column in 0..columns {
-            let place = stock.place(column, row);
+            let place = outline.view.back(stock.place(column, row));
             let distance = far(nominal, place);
             if !(0.01..outline.tool - 0.01).contains(&distance) {
                 continue;
@@ -365,12 +331,16 @@ fn leaves_the_part(
             let foot = foot(nearest, place);
             let away = (place - foot) / distance;
             let left = inside(nominal, place) == (area(nominal) > 0.0);
-            let top = stock.top(column, row);
+            let top = stock.top(column, row).map(|top| top / outline.view.scale);
             if left == outline.left {
                 let centre = foot + away * outline.tool;
                 // The way to the contour and away from it cut more.
+                let heights = outline.heights.as_deref().unwrap_or(&[]).iter();
+                let low = heights.clone().copied().fold(LEVEL, f64::min).min(0.0);
+                let high = heights.copied().fold(LEVEL, f64::max).min(0.0);
                 if fits(nominal, centre, outline.tool) {
-                    prop_assert!(top.is_some_and(|top| (top + 5.0).abs() < NEAR), "{} stands {:?}{}", place, top, both);
+                    let fits = top.is_some_and(|top| (low - NEAR..=high + NEAR).contains(&top));
+                    prop_assert!(fits, "{} stands {:?}{}", place, top, both);
                 }
             } else if !beside_lead(outline, place) {
                 prop_assert!(top.is_some_and(|top| top.abs() < NEAR), "{} was cut {:?}{}", place, top, both);
@@ -384,8 +354,7 @@ fn leaves_the_part(
 fn beside_lead(outline: &Outline, place: DVec2) -> bool {
     let middle = (outline.points[0] + outline.points[1]) / 2.0;
     let reach = 2.0 * outline.tool + 0.1;
-    let ways = [DVec2::splat(90.0), DVec2::splat(95.0)]
-        .map(|end| Piece { line: 0, from: middle, to: end, arc: None }.distance(place));
+    let ways = [DVec2::splat(90.0), DVec2::splat(95.0)].map(|end| Piece::flat(middle, end, None).distance(place));
     ways.iter().any(|far| *far < reach) || place.distance(middle) < reach
 }
 
@@ -421,14 +390,15 @@ fn inside(nominal: &[Piece], place: DVec2) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: std::env::var("CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(48),
-        max_global_rejects: 100_000,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(config(48))]
 
     #[test]
-    fn the_tool_keeps_the_distance_of_its_radius(outline in outline()) {
+    fn the_tool_keeps_the_distance_of_its_radius(outline in outline(false)) {
+        keeps_its_distance(&outline)?;
+    }
+
+    #[test]
+    fn a_rising_contour_keeps_it_in_its_plane(outline in outline(true)) {
         keeps_its_distance(&outline)?;
     }
 }
