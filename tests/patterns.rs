@@ -8,6 +8,7 @@ use ciklo::engine::run::{Engine, EventKind, MoveKind, NoTexts, Outcome};
 use ciklo::engine::scene::Scene;
 use ciklo::spec::Catalogue;
 use ciklo::syntax;
+use proptest::prelude::*;
 
 const SCENE: &str = "scene: 1\ntools: [{T: 1, L: 80, R: 5, CUT: 4}]\n\
     points: {HOLES.PNT: [{NR: 0, X: 1, Y: 2, Z: 3}, {NR: 1, X: 5, Y: 5, FADE: Y}, {NR: 2, X: 7, Y: 5}]}\n";
@@ -311,4 +312,82 @@ fn a_called_program_selects_a_table() {
         .iter()
         .filter(|event| matches!(event, EventKind::Move { kind: MoveKind::Feed, from, to, .. } if to.z < from.z));
     assert_eq!(bottoms.count(), 2);
+}
+
+/// Where the hole of a cycle ends for each point of a pattern, for any tool axis.
+fn bottoms(tool: &str, body: &str, height: f64) -> Vec<[f64; 3]> {
+    let program = format!("BEGIN PGM A MM\nTOOL CALL 1 {tool} S1000 F500\nM3\n{DRILL}{body}END PGM A MM\n");
+    let by_letters = fed(&program, "scene: 1\ntools: [{T: 1, L: 80, R: 5}]\n");
+    // Letters back to main, minor and tool axis.
+    let seen = by_letters.into_iter().map(|[x, y, z]| match tool {
+        "Z" => [x, y, z],
+        "Y" => [z, x, y],
+        _ => [y, z, x],
+    });
+    seen.filter(|point| (point[2] - height).abs() < 1e-9).collect()
+}
+
+fn same(found: &[[f64; 3]], wanted: &[[f64; 2]]) -> bool {
+    // Both are rounded to thousandths.
+    let near = |a: &[f64; 3], b: &[f64; 2]| (a[0] - b[0]).abs() < 1.1e-3 && (a[1] - b[1]).abs() < 1.1e-3;
+    found.len() == wanted.len() && found.iter().zip(wanted).all(|(a, b)| near(a, b))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// 220: on a circle, by steps or up to an end, every hole at its angle, for every tool axis.
+    #[test]
+    fn circles_of_holes_lie_where_their_numbers_say(
+        tool in prop::sample::select(vec!["X", "Y", "Z"]), centre in (-50..50, -50..50), diameter in 10..90, begin in -360..360, end in -360..360,
+        step in prop_oneof![Just(0), -60..60], count in 1..9, surface in -20..20, over in 0..2, arc in 0..2,
+    ) {
+        prop_assume!(step != 0 || begin != end);
+        let body = format!(
+            "CYCL DEF 220\nQ216={}\nQ217={}\nQ244={diameter}\nQ245={begin}\nQ246={end}\nQ247={step}\nQ241={count}\nQ200=2\nQ203={surface}\n\
+             Q204=20\nQ301={over}\nQ365={arc}\n", centre.0, centre.1,
+        );
+        // The last of several holes lies at the end, unless that is the first one again.
+        let gaps = if (end - begin).abs() == 360 { count } else { (count - 1).max(1) };
+        let each = if step == 0 { f64::from(end - begin) / f64::from(gaps) } else { f64::from(step) };
+        let wanted: Vec<[f64; 2]> = (0..count).map(|n| {
+            let (s, c) = (f64::from(begin) + f64::from(n) * each).to_radians().sin_cos();
+            [f64::from(centre.0) + f64::from(diameter) / 2.0 * c, f64::from(centre.1) + f64::from(diameter) / 2.0 * s]
+        }).collect();
+        let found = bottoms(tool, &body, f64::from(surface) - 5.0);
+        prop_assert!(same(&found, &wanted), "{} {:?} {:?}\n{}", tool, found, wanted, body);
+    }
+
+    /// 221: to and fro in lines, turned about the first point, for every tool axis.
+    #[test]
+    fn lines_of_holes_lie_where_their_numbers_say(
+        tool in prop::sample::select(vec!["X", "Y", "Z"]), first in (-50..50, -50..50), gaps in (-20..20, -20..20), count in (1..5, 1..5),
+        turn in -360..360, surface in -20..20, over in 0..2,
+    ) {
+        let body = format!(
+            "CYCL DEF 221\nQ225={}\nQ226={}\nQ237={}\nQ238={}\nQ242={}\nQ243={}\nQ224={turn}\nQ200=2\nQ203={surface}\nQ204=20\nQ301={over}\n",
+            first.0, first.1, gaps.0, gaps.1, count.0, count.1,
+        );
+        let (s, c) = f64::from(turn).to_radians().sin_cos();
+        let mut wanted = Vec::new();
+        for line in 0..count.1 {
+            for n in 0..count.0 {
+                let column = if line % 2 == 0 { n } else { count.0 - 1 - n };
+                let (u, v) = (f64::from(column * gaps.0), f64::from(line * gaps.1));
+                wanted.push([f64::from(first.0) + u * c - v * s, f64::from(first.1) + u * s + v * c]);
+            }
+        }
+        let found = bottoms(tool, &body, f64::from(surface) - 5.0);
+        prop_assert!(same(&found, &wanted), "{} {:?} {:?}\n{}", tool, found, wanted, body);
+    }
+
+    /// `CYCL CALL POS`: the coordinate of the tool axis adds to the surface, whichever axis that is.
+    #[test]
+    fn calls_at_positions_know_the_tool_axis(tool in prop::sample::select(vec!["X", "Y", "Z"]), place in (-50..50, -50..50), height in -20..20) {
+        let [x, y, z] = by_axis(tool, [f64::from(place.0), f64::from(place.1), f64::from(height)]);
+        let up = format!("L {tool}+90 R0 FMAX\n");
+        let body = format!("{up}CYCL CALL POS X{x:+} Y{y:+} Z{z:+} FMAX\n");
+        let found = bottoms(tool, &body, f64::from(height) + 1.0 - 5.0);
+        prop_assert!(same(&found, &[[f64::from(place.0), f64::from(place.1)]]), "{} {:?}\n{}", tool, found, body);
+    }
 }

@@ -250,8 +250,13 @@ impl Job {
 
     /// Runs the program: how it ended, its events, program and scene.
     pub(super) fn run(&self, body: &str, see: &mut dyn FnMut(&Event)) -> (Outcome, String) {
+        self.run_with("", body, see)
+    }
+
+    /// The same in a scene with more in it.
+    pub(super) fn run_with(&self, more: &str, body: &str, see: &mut dyn FnMut(&Event)) -> (Outcome, String) {
         let (files, catalogue) = world();
-        let (program, scene) = (self.program(body), self.scene());
+        let (program, scene) = (self.program(body), self.scene() + more);
         let on = catalogue.on("tnc640").expect("a control");
         let read = Scene::parse(&Source::new("scene.yaml", scene.as_str()), files).expect("a scene");
         let tree = syntax::parse(&Source::new("LAW.H", program.as_str()));

@@ -28,6 +28,18 @@ fn pocket(job: &Job, cycle: u16, changes: &[(u16, f64)]) -> String {
         251 => &[(218, 12.0 * r), (219, 9.0 * r), (220, 0.0), (224, 0.0), (367, 0.0), (370, 1.0)],
         252 => &[(223, 9.0 * r), (370, 1.0)],
         253 => &[(218, 12.0 * r), (219, 3.0 * r), (374, 0.0), (367, 0.0)],
+        256 => &[
+            (218, 9.0 * r),
+            (219, 7.0 * r),
+            (424, 12.0 * r),
+            (425, 11.0 * r),
+            (220, r),
+            (224, 20.0),
+            (367, 0.0),
+            (370, 1.0),
+            (437, 0.0),
+        ],
+        257 => &[(223, 9.0 * r), (222, 12.0 * r), (370, 1.0), (376, 30.0)],
         _ => &[
             (219, 3.0 * r),
             (375, 12.0 * r),
@@ -56,6 +68,10 @@ fn pocket(job: &Job, cycle: u16, changes: &[(u16, f64)]) -> String {
         (366, 1.0),
         (385, FINISH),
     ];
+    if cycle > 255 {
+        let of_pockets = [215, 369, 338, 366, 385];
+        values.retain(|(q, _)| !of_pockets.contains(q));
+    }
     values.extend(own);
     for (q, value) in changes {
         values.retain(|(number, _)| number != q);
@@ -105,6 +121,51 @@ proptest! {
     fn no_depth_is_no_cut(job in job(), cycle in 251..255_u16) {
         let body = pocket(&job, cycle, &[(201, 0.0)]) + &job.call(DVec2::ZERO);
         job.leaves(&body, Vec::new(), false)?;
+    }
+}
+
+/// What a cycle did: where each move ends in the plane and along the tool axis, its feed, and whether it is rapid.
+fn moves(job: &Job, body: &str) -> Result<Vec<(DVec2, f64, f64, bool)>, TestCaseError> {
+    let plane = job.plane();
+    let mut found = Vec::new();
+    let (outcome, both) = job.run_with("machine_parameters: {displayDepthErr: 0}\n", body, &mut |event| {
+        if let (EventKind::Move { kind, to, feed, .. }, Some(_)) = (&event.kind, &event.at.cycle) {
+            found.push((plane.flat(*to), plane.tool.of(*to), *feed, matches!(kind, MoveKind::Rapid)));
+        }
+    });
+    prop_assert_eq!(outcome.status, Status::Done, "{:?}{}", outcome.fault, both);
+    Ok(found)
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    /// The sign of the depth is the working direction: where the machine allows a positive one, the same moves are made
+    /// upwards, as the mirror image about the surface.
+    #[test]
+    fn upwards_is_the_mirror_image_of_downwards(
+        job in job(), cycle in prop::sample::select(vec![251_u16, 252, 253, 254, 256, 257]), finish in any::<bool>(), strategy in 0..3_u8,
+    ) {
+        let strategy = if cycle == 252 { strategy.min(1) } else { strategy };
+        let angle = if cycle == 252 && strategy == 0 { 0.0 } else { job.angle };
+        let job = Job { angle, surface: job.surface.abs(), ..job };
+        let allowances = if finish && cycle < 256 { [(368, 0.1 * job.tool()), (369, 0.3)] } else { [(368, 0.0), (369, 0.0)] };
+        let mut of = |sign: f64| {
+            let mut changes = vec![(201, sign * job.depth), (366, f64::from(strategy))];
+            changes.extend(allowances);
+            if cycle > 255 {
+                // Studs have no floor to finish and no way to plunge.
+                changes.retain(|(q, _)| *q != 366 && *q != 369);
+            }
+            moves(&job, &(pocket(&job, cycle, &changes) + &job.call(DVec2::ZERO)))
+        };
+        let (down, up) = (of(-1.0)?, of(1.0)?);
+        prop_assert_eq!(down.len(), up.len(), "{} {:?}", cycle, job);
+        for (n, (a, b)) in down.iter().zip(&up).enumerate() {
+            let heights = (a.1 - job.surface) + (b.1 - job.surface);
+            let same = a.0.distance(b.0) < 1e-9 && heights.abs() < 1e-9 && a.2 == b.2 && a.3 == b.3;
+            prop_assert!(same, "{}, move {}: {:?} {:?} {:?}", cycle, n, a, b, job);
+        }
     }
 }
 

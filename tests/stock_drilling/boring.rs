@@ -113,6 +113,44 @@ proptest! {
         prop_assert_eq!(waits, if wait > 0.0 { vec![wait] } else { Vec::new() }, "{}", made.text);
     }
 
+    /// With a negative depth the bar works downwards: from above a ledge within the workpiece into it, with its edge at the tip.
+    #[test]
+    fn a_negative_depth_counterbores_a_ledge_from_above(
+        setup in setup(), place in (-8.0..8.0, -8.0..8.0).prop_map(DVec2::from), bar in 2.0..4.0_f64, off in 0.6..3.0_f64, gap in 0.01..0.3_f64,
+        cut in 0.2..3.0_f64, play in 0.05..0.5_f64, ledge in 6.0..20.0_f64, depth in 0.3..8.0_f64, code in 1..5_u8, angle in -360.0..360.0_f64,
+    ) {
+        let Setup { clearance, surface, second, .. } = setup;
+        let hole = bar + off + gap;
+        let radius = hole + cut;
+        // The offset bar with its edge fits into the wide bore.
+        let wide = radius + off + play;
+        let tools = format!(
+            "{{T: 1, L: 100, R: {radius}, neck: {{head: 2, radius: {bar}}}}}, {{T: 2, L: 100, R: {hole}}}, {{T: 3, L: 100, R: {wide}}}",
+        );
+        let widening = [
+            (200, clearance), (201, -ledge), (206, 250.0), (202, ledge), (210, 0.0), (203, surface), (204, 40.0), (211, 0.0),
+        ];
+        let values = [
+            (200, clearance), (249, -depth), (250, ledge), (251, off), (252, 0.0), (253, 700.0), (254, 150.0), (255, 0.0),
+            (203, surface), (204, second), (214, f64::from(code)), (336, angle),
+        ];
+        let body = pre_drilled(&setup, place, HEIGHT + 1.0) + &setup.tool(3, 1000.0, "M3") + &definition(200, &widening)
+            + &setup.calls(&[place]) + &setup.tool(1, 1200.0, "M3") + &definition(204, &values) + &setup.calls(&[place]);
+        let made = setup.machined(&body, &setup.scene(&tools), 0.7)?;
+        let ledge = surface - ledge;
+        let bores = vec![
+            setup.hole(place, surface - HEIGHT - 60.0, hole), setup.hole(place, ledge, wide), setup.hole(place, ledge - depth, radius),
+        ];
+        made.is(&setup.part(bores), HEIGHT)?;
+        prop_assert_eq!(oriented(made.of_cycle(204)), vec![angle; 2], "{}", made.text);
+        let lowest = heights(&setup, made.of_cycle(204)).iter().map(|(height, _, _)| *height).fold(f64::INFINITY, f64::min);
+        prop_assert!((lowest - (ledge - depth)).abs() < 1e-9, "{}{}", lowest, made.text);
+        // Offset only above the ledge, by the set-up clearance.
+        for (tip, low) in while_it_stands(&setup, &made, 204) {
+            prop_assert!(low >= ledge + clearance - 1e-9 || (tip - place).length() < 1e-9, "{} at {}{}", tip, low, made.text);
+        }
+    }
+
     /// Speeds and coolant belong to the place of the drill, and the hole to the whole.
     #[test]
     fn single_lip_drilling_leaves_holes(
