@@ -5,33 +5,21 @@ use ciklo::check::{Against, LabelBook, check};
 use ciklo::compare::compare;
 use ciklo::conform::{LogTexts, World, executed};
 use ciklo::convert::{Conversion, Form, Request, convert, functions};
-use ciklo::data;
 use ciklo::diag::{Arg, Severity, Source};
 use ciklo::engine::run::{Engine, Event, EventKind, Status};
 use ciklo::expr::QRef;
 use ciklo::label::{self, Request as BlockRequest};
-use ciklo::locale::Locales;
-use ciklo::spec::{Catalogue, OnControl};
+use ciklo::spec::OnControl;
 use ciklo::syntax::encoding::{Charset, Encoding};
 use ciklo::syntax::{Program, parse};
 
+#[path = "support/built.rs"]
+mod built;
+use built::{Built, built};
+
 const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
 
-struct Data {
-    files: Vec<(String, String)>,
-    catalogue: Catalogue,
-    locales: Locales,
-}
-
-impl Data {
-    fn new() -> Self {
-        let files: Vec<(String, String)> =
-            data::embedded().into_iter().map(|(path, text)| (path.to_string(), text.to_string())).collect();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-        Self { files, catalogue, locales }
-    }
-
+impl Built {
     fn books(&self) -> BTreeMap<&str, LabelBook<'_>> {
         self.catalogue.controls.iter().map(|(id, on)| (id.as_str(), LabelBook::new(on, &self.locales))).collect()
     }
@@ -79,7 +67,7 @@ fn codes(conversion: &Conversion) -> Vec<(&'static str, Severity)> {
 }
 
 /// All pairs of different controls.
-fn pairs(data: &Data) -> Vec<(&str, &str)> {
+fn pairs(data: &Built) -> Vec<(&str, &str)> {
     let ids: Vec<&str> = data.catalogue.controls.keys().map(String::as_str).collect();
     ids.iter().flat_map(|from| ids.iter().map(move |to| (*from, *to))).filter(|(from, to)| from != to).collect()
 }
@@ -99,10 +87,10 @@ const SHAPE: [&str; 9] = [
 
 #[test]
 fn the_other_control_finds_its_own_definition() {
-    let data = Data::new();
+    let data = built();
     let books = data.books();
     let (mut converted, mut refused) = (0, 0);
-    for (from, to) in pairs(&data) {
+    for (from, to) in pairs(data) {
         let (own, other) = (&data.catalogue.controls[from], data.against(&books, to));
         for cycle in own.cycles.values() {
             let Some(text) = data.definition(own, cycle) else { continue };
@@ -136,10 +124,10 @@ fn the_other_control_finds_its_own_definition() {
 
 #[test]
 fn what_lost_nothing_comes_back() {
-    let data = Data::new();
+    let data = built();
     let books = data.books();
     let mut came_back = 0;
-    for (from, to) in pairs(&data) {
+    for (from, to) in pairs(data) {
         let (own, against) = (&data.catalogue.controls[from], data.against(&books, from));
         for cycle in own.cycles.values() {
             let Some(text) = data.definition(own, cycle) else { continue };
@@ -159,7 +147,7 @@ fn what_lost_nothing_comes_back() {
 
 #[test]
 fn everything_between_definitions_keeps_its_bytes() {
-    let data = Data::new();
+    let data = built();
     let books = data.books();
     let text = "\u{feff}0  BEGIN PGM A MM\r\n;Q200=2 here\r\n\r\n1 TOOL CALL 1 Z S1000\r\n2  TCH PROBE 425 URAN ~\r\n\t\
         Q328=+75 ;own words ~\r\n\tQ329=-12.5 ; X~\r\n\tQ310=+0 ;\t ~\r\n\tQ272=1 ~\r\n\tQ261=-5~\r\n\tQ260=+10 ~\r\n\t\
@@ -178,7 +166,7 @@ fn everything_between_definitions_keeps_its_bytes() {
 
 #[test]
 fn older_programs_get_what_the_control_writes_when_it_reads_them() {
-    let data = Data::new();
+    let data = built();
     let books = data.books();
     let own = &data.catalogue.controls["tnc426-430"];
     let cycle = own.by_name("datum-inside-circle").expect("the cycle");
@@ -191,7 +179,7 @@ fn older_programs_get_what_the_control_writes_when_it_reads_them() {
 
 #[test]
 fn tool_measurement_changes_its_form_and_comes_back() {
-    let data = Data::new();
+    let data = built();
     let books = data.books();
     let old = "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z\n2 TCH PROBE 33.0 MERITEV ORODJA\n3 TCH PROBE 33.1 PREVERITE: 1 Q5\n4 TCH PROBE 33.2 VIŠINA: +120\n5 TCH PROBE 33.3 MERITEV REZIL: 1\n6 END PGM A MM\n";
     let new = data.convert(&books, ("tnc640", "tnc640"), Form::New, old);
@@ -221,7 +209,7 @@ fn does(kind: &EventKind) -> Option<String> {
 
 #[test]
 fn converted_examples_move_the_same() {
-    let data = Data::new();
+    let data = built();
     let books = data.books();
     let world = World { catalogue: &data.catalogue, locales: &data.locales, files: &data.files };
     let (mut same, mut differ) = (0, Vec::new());
@@ -275,7 +263,7 @@ const FUNCTIONS: &str = "0 BEGIN PGM A MM\n1 TOOL CALL \"T1\" Z S1000\n2 CYCL CA
 /// what every control has is not.
 #[test]
 fn functions_that_a_manual_does_not_show_are_told() {
-    let data = Data::new();
+    let data = built();
     let books = data.books();
     let own = program(FUNCTIONS);
     assert!(own.diagnostics().is_empty(), "{:#?}", own.diagnostics());

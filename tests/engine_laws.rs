@@ -3,36 +3,21 @@
 //!
 //! Truths are calculated here from the scene's numbers, with plain trigonometry and nothing of the engine.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
-use std::sync::OnceLock;
 
 use ciklo::conform::LogTexts;
 use ciklo::diag::Source;
 use ciklo::engine::run::{Content, Engine, EventKind, Limits, MoveKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::expr::QRef;
-use ciklo::locale::Locales;
-use ciklo::spec::Catalogue;
 use ciklo::syntax;
 use proptest::prelude::*;
 
-struct World {
-    files: ciklo::data::Files,
-    catalogue: Catalogue,
-    locales: Locales,
-}
-
-fn world() -> &'static World {
-    static WORLD: OnceLock<World> = OnceLock::new();
-    WORLD.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-        World { files, catalogue, locales }
-    })
-}
+#[path = "support/built.rs"]
+mod built;
+use built::built;
 
 fn run(control: &str, program: &str, scene: &str) -> (Outcome, Vec<EventKind>) {
-    let world = world();
+    let world = built();
     let on = world.catalogue.on(control).expect("a control");
     let parsed = Scene::parse(&Source::new("scene.yaml", scene), &world.files);
     let scene = parsed.unwrap_or_else(|found| panic!("{found:?}\n{scene}"));
@@ -308,7 +293,7 @@ proptest! {
             Just("CYCL DEF 10.1 ROT+10"), Just("STOP"), Just("M30"), Just("CC"), Just("C X+0 DR+"), Just("???"),
         ], 0..30)) {
         let program: String = lines.iter().map(|line| format!("{line}\n")).collect();
-        let world = world();
+        let world = built();
         let on = world.catalogue.on("tnc640").expect("a control");
         let scene = Scene::parse(&Source::new("scene.yaml", "scene: 1\n"), &world.files).expect("a scene");
         let texts = ciklo::engine::run::NoTexts;

@@ -3,13 +3,11 @@
 //! parameters, with random values, are executed in both units.
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
-use std::sync::OnceLock;
 
 use ciklo::conform::{self, LogTexts};
 use ciklo::diag::Source;
 use ciklo::engine::run::{Engine, Event, EventKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::locale::Locales;
 use ciklo::spec::{Catalogue, Cycle, Keyword, OnControl, Param, TakesEffect};
 use ciklo::syntax;
 use proptest::prelude::*;
@@ -19,27 +17,15 @@ use serde_json::Value;
 mod inch;
 use inch::{INCH, in_inches, with_lengths};
 
+#[path = "support/built.rs"]
+mod built;
+use built::built;
+
 /// How far coordinates in mm and feeds may lie apart, in parts of themselves where they are greater than 1.
 const SAME: f64 = 1e-9;
 
-struct World {
-    files: ciklo::data::Files,
-    catalogue: Catalogue,
-    locales: Locales,
-}
-
-fn world() -> &'static World {
-    static WORLD: OnceLock<World> = OnceLock::new();
-    WORLD.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-        World { files, catalogue, locales }
-    })
-}
-
 fn run(on: &OnControl, scene: &Scene, text: &str) -> (Outcome, Vec<Event>) {
-    let world = world();
+    let world = built();
     let language = world.locales.language("en").expect("the source language");
     let texts = LogTexts::new(language, on.id(), &world.files);
     let program = syntax::parse(&Source::new("LAW.H", text));
@@ -98,7 +84,7 @@ fn difference(mm: &(Outcome, Vec<Event>), inch: &(Outcome, Vec<Event>)) -> Optio
 
 #[test]
 fn every_example_does_the_same_in_inches() {
-    let world = world();
+    let world = built();
     let all = conform::World { catalogue: &world.catalogue, locales: &world.locales, files: &world.files };
     let (mut compared, mut done, mut without, mut found) = (0, 0, 0, Vec::new());
     for case in conform::executed(&all, &[]) {
@@ -123,7 +109,7 @@ fn every_example_does_the_same_in_inches() {
 /// cannot be found, is the same in both units.
 #[test]
 fn probes_find_the_same_beside_the_examples() {
-    let world = world();
+    let world = built();
     let all = conform::World { catalogue: &world.catalogue, locales: &world.locales, files: &world.files };
     let (mut compared, mut done, mut found) = (0, 0, Vec::new());
     let mut cycles = BTreeSet::new();
@@ -171,7 +157,7 @@ fn written(param: &Param, example: &str, share: f64, pick: usize) -> String {
 
 /// The machining cycles with parameters that a manual prints values for.
 fn machining() -> Vec<&'static Cycle> {
-    let on = world().catalogue.on("tnc640").expect("a control");
+    let on = built().catalogue.on("tnc640").expect("a control");
     let own = |cycle: &&Cycle| cycle.key.keyword == Keyword::CyclDef && !cycle.is_old_style();
     on.cycles.values().filter(own).collect()
 }
@@ -200,7 +186,7 @@ fn every_machining_cycle_does_the_same_in_inches() {
     )| {
         let all = machining();
         let cycle = all[which % all.len()];
-        let on = world().catalogue.on("tnc640").expect("a control");
+        let on = built().catalogue.on("tnc640").expect("a control");
         let printed = cycle.file.nc_examples.first();
         let mut definition = format!("CYCL DEF {}\n", cycle.key.number);
         for (index, param) in cycle.params.iter().enumerate() {
@@ -218,8 +204,8 @@ fn every_machining_cycle_does_the_same_in_inches() {
             "BEGIN PGM LAW MM\nTOOL CALL {tool} Z S1000 F500 DR+0.1\n{global}{drilling}{mirror}{scaling}L X+10 Y+20 Z+100 R0 FMAX M3\n\
              {definition}{call}END PGM LAW MM\n"
         );
-        let scene = Scene::parse(&Source::new("scene.yaml", TOOLS), &world().files).expect("a scene");
-        let twin = in_inches(&syntax::parse(&Source::new("LAW.H", &program)), on, &world().catalogue).expect("a twin");
+        let scene = Scene::parse(&Source::new("scene.yaml", TOOLS), &built().files).expect("a scene");
+        let twin = in_inches(&syntax::parse(&Source::new("LAW.H", &program)), on, &built().catalogue).expect("a twin");
         let (mm, inches) = (run(on, &scene, &program), run(on, &scene, &twin));
         prop_assert_eq!(difference(&mm, &inches), None, "{}\n{}", program, twin);
         if mm.0.status == Status::Done {
@@ -248,9 +234,9 @@ fn contours_are_the_same_in_inches() {
              L X+0\nCC X+0 Y-10\nC X-10 Y-10 DR+\n{}\nL Z+50 R0 FMAX\nEND PGM LAW MM\n",
             at(delta), begin[lead], at(high), at(wide), at(wide - 15.0), end[lead],
         );
-        let on = world().catalogue.on("tnc640").expect("a control");
-        let scene = Scene::parse(&Source::new("scene.yaml", TOOLS), &world().files).expect("a scene");
-        let twin = in_inches(&syntax::parse(&Source::new("LAW.H", &program)), on, &world().catalogue).expect("a twin");
+        let on = built().catalogue.on("tnc640").expect("a control");
+        let scene = Scene::parse(&Source::new("scene.yaml", TOOLS), &built().files).expect("a scene");
+        let twin = in_inches(&syntax::parse(&Source::new("LAW.H", &program)), on, &built().catalogue).expect("a twin");
         let (mm, inches) = (run(on, &scene, &program), run(on, &scene, &twin));
         prop_assert_eq!(difference(&mm, &inches), None, "{}\n{}", program, twin);
         done.set(done.get() + usize::from(mm.0.status == Status::Done));

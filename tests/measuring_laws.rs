@@ -4,38 +4,23 @@
 //! Truths are calculated here from the scene's numbers, with plain trigonometry and nothing of the engine.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::fmt::Write as _;
-use std::sync::OnceLock;
 
 use ciklo::conform::LogTexts;
 use ciklo::diag::Source;
 use ciklo::engine::run::{Content, Engine, EventKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::expr::QRef;
-use ciklo::locale::Locales;
-use ciklo::spec::Catalogue;
 use ciklo::syntax;
 use proptest::prelude::*;
 
+#[path = "support/built.rs"]
+mod built;
+use built::built;
+
 const CONTROLS: [&str; 3] = ["tnc640", "tnc320", "tnc426-430"];
 
-struct Data {
-    files: ciklo::data::Files,
-    catalogue: Catalogue,
-    locales: Locales,
-}
-
-fn data() -> &'static Data {
-    static DATA: OnceLock<Data> = OnceLock::new();
-    DATA.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-        Data { files, catalogue, locales }
-    })
-}
-
 fn run(control: &str, program: &str, scene: &str) -> (Outcome, Vec<EventKind>) {
-    let data = data();
+    let data = built();
     let on = data.catalogue.on(control).expect("a control");
     let parsed = Scene::parse(&Source::new("scene.yaml", scene), &data.files);
     let scene = parsed.unwrap_or_else(|found| panic!("{found:?}\n{scene}"));

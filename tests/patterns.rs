@@ -1,31 +1,24 @@
 //! Patterns, point tables and calls at positions: where and how high the called cycle works, by numbers that were
 //! calculated by hand from the manual's rules (TNC 640, lines 1216-1700).
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
-use std::sync::OnceLock;
 
 use ciklo::diag::Source;
 use ciklo::engine::run::{Engine, EventKind, MoveKind, NoTexts, Outcome};
 use ciklo::engine::scene::Scene;
-use ciklo::spec::Catalogue;
 use ciklo::syntax;
 use proptest::prelude::*;
+
+#[path = "support/built.rs"]
+mod built;
+use built::{Built, built};
 
 const SCENE: &str = "scene: 1\ntools: [{T: 1, L: 80, R: 5, CUT: 4}]\n\
     points: {HOLES.PNT: [{NR: 0, X: 1, Y: 2, Z: 3}, {NR: 1, X: 5, Y: 5, FADE: Y}, {NR: 2, X: 7, Y: 5}]}\n";
 const DRILL: &str =
     "CYCL DEF 200 D\nQ200=2 ;A\nQ201=-5 ;B\nQ206=150 ;C\nQ202=5 ;D\nQ210=0 ;E\nQ203=+1 ;F\nQ204=10 ;G\nQ211=0 ;H\n";
 
-fn world() -> &'static (ciklo::data::Files, Catalogue) {
-    static WORLD: OnceLock<(ciklo::data::Files, Catalogue)> = OnceLock::new();
-    WORLD.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        (files, catalogue)
-    })
-}
-
 fn run(body: &str, other: Option<&str>) -> (Outcome, Vec<EventKind>) {
-    let (files, catalogue) = world();
+    let Built { files, catalogue, .. } = built();
     let on = catalogue.on("tnc640").expect("a control");
     let scene = Scene::parse(&Source::new("scene.yaml", SCENE), files).expect("a scene");
     let main = format!("BEGIN PGM A MM\nTOOL CALL 1 Z S1000 F500\n{body}END PGM A MM\n");
@@ -173,7 +166,7 @@ fn by_axis(tool: &str, point: [f64; 3]) -> [f64; 3] {
 
 /// Where the tool is after each feed move.
 fn fed(program: &str, scene: &str) -> Vec<[f64; 3]> {
-    let (files, catalogue) = world();
+    let Built { files, catalogue, .. } = built();
     let on = catalogue.on("tnc640").expect("a control");
     let scene = Scene::parse(&Source::new("scene.yaml", scene), files).expect("a scene");
     let program = syntax::parse(&Source::new("A.H", program));
@@ -339,8 +332,8 @@ proptest! {
     /// 220: on a circle, by steps or up to an end, every hole at its angle, for every tool axis.
     #[test]
     fn circles_of_holes_lie_where_their_numbers_say(
-        tool in prop::sample::select(vec!["X", "Y", "Z"]), centre in (-50..50, -50..50), diameter in 10..90, begin in -360..360, end in -360..360,
-        step in prop_oneof![Just(0), -60..60], count in 1..9, surface in -20..20, over in 0..2, arc in 0..2,
+        tool in prop::sample::select(vec!["X", "Y", "Z"]), centre in (-50_i32..50, -50_i32..50), diameter in 10_i32..90, begin in -360_i32..360, end in -360_i32..360,
+        step in prop_oneof![Just(0_i32), -60_i32..60], count in 1_i32..9, surface in -20_i32..20, over in 0..2, arc in 0..2,
     ) {
         prop_assume!(step != 0 || begin != end);
         let body = format!(
@@ -361,8 +354,8 @@ proptest! {
     /// 221: to and fro in lines, turned about the first point, for every tool axis.
     #[test]
     fn lines_of_holes_lie_where_their_numbers_say(
-        tool in prop::sample::select(vec!["X", "Y", "Z"]), first in (-50..50, -50..50), gaps in (-20..20, -20..20), count in (1..5, 1..5),
-        turn in -360..360, surface in -20..20, over in 0..2,
+        tool in prop::sample::select(vec!["X", "Y", "Z"]), first in (-50_i32..50, -50_i32..50), gaps in (-20_i32..20, -20_i32..20), count in (1_i32..5, 1_i32..5),
+        turn in -360_i32..360, surface in -20_i32..20, over in 0..2,
     ) {
         let body = format!(
             "CYCL DEF 221\nQ225={}\nQ226={}\nQ237={}\nQ238={}\nQ242={}\nQ243={}\nQ224={turn}\nQ200=2\nQ203={surface}\nQ204=20\nQ301={over}\n",
@@ -383,7 +376,7 @@ proptest! {
 
     /// `CYCL CALL POS`: the coordinate of the tool axis adds to the surface, whichever axis that is.
     #[test]
-    fn calls_at_positions_know_the_tool_axis(tool in prop::sample::select(vec!["X", "Y", "Z"]), place in (-50..50, -50..50), height in -20..20) {
+    fn calls_at_positions_know_the_tool_axis(tool in prop::sample::select(vec!["X", "Y", "Z"]), place in (-50_i32..50, -50_i32..50), height in -20_i32..20) {
         let [x, y, z] = by_axis(tool, [f64::from(place.0), f64::from(place.1), f64::from(height)]);
         let up = format!("L {tool}+90 R0 FMAX\n");
         let body = format!("{up}CYCL CALL POS X{x:+} Y{y:+} Z{z:+} FMAX\n");

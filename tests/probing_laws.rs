@@ -5,30 +5,23 @@
 //! are main, secondary and probe axis of the working plane.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::fmt::Write as _;
-use std::sync::OnceLock;
 
 use ciklo::diag::Source;
 use ciklo::engine::run::{Content, Engine, EventKind, NoTexts, Outcome, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::expr::QRef;
-use ciklo::spec::Catalogue;
 use ciklo::syntax;
 use proptest::prelude::*;
+
+#[path = "support/built.rs"]
+mod built;
+use built::{Built, built};
 
 type Flat = (f64, f64);
 
 const LETTERS: [&str; 3] = ["X", "Y", "Z"];
 const TURNS: [&str; 3] = ["A", "B", "C"];
 const CONTROLS: [&str; 3] = ["tnc640", "tnc320", "tnc426-430"];
-
-fn data() -> &'static (ciklo::data::Files, Catalogue) {
-    static DATA: OnceLock<(ciklo::data::Files, Catalogue)> = OnceLock::new();
-    DATA.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        (files, catalogue)
-    })
-}
 
 fn turned(p: Flat, degrees: f64) -> Flat {
     let (s, c) = degrees.to_radians().sin_cos();
@@ -160,7 +153,7 @@ impl Place {
 
     /// A definition with the parameters that the cycle has on the control; those not given are 0.
     fn cycle(&self, number: u32, values: &[(u16, f64)]) -> String {
-        let on = data().1.on(self.control).expect("a control");
+        let on = built().catalogue.on(self.control).expect("a control");
         let found = on.cycles.iter().find(|(key, _)| key.number == number && key.to_string().starts_with("TCH PROBE"));
         let mut text = format!("TCH PROBE {number}\n");
         for param in &found.expect("the control has the cycle").1.params {
@@ -172,7 +165,7 @@ impl Place {
     }
 
     fn run(&self, program: &str, scene: &str) -> (Outcome, Vec<EventKind>) {
-        let (files, catalogue) = data();
+        let Built { files, catalogue, .. } = built();
         let parsed = Scene::parse(&Source::new("scene.yaml", scene), files);
         let scene = parsed.unwrap_or_else(|found| panic!("{found:?}\n{scene}"));
         let tree = syntax::parse(&Source::new("LAW.H", program));
@@ -723,7 +716,7 @@ proptest! {
 fn the_worked_programs_find_their_workpieces() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).expect("an example");
-    let (files, catalogue) = data();
+    let Built { files, catalogue, .. } = built();
     let on = catalogue.on("tnc640").expect("a control");
     for (name, called, point, table) in [
         ("cyc401", "35K47", glam::dvec3(0.0, 0.0, 50.0), 21.0),

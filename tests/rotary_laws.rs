@@ -13,26 +13,20 @@ use ciklo::engine::machine::Machine;
 use ciklo::engine::run::{Content, Engine, EventKind, NoTexts, Outcome, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::expr::QRef;
-use ciklo::spec::Catalogue;
 use ciklo::syntax;
 use proptest::prelude::*;
 
-const CONTROLS: [&str; 3] = ["tnc640", "tnc320", "tnc426-430"];
+#[path = "support/built.rs"]
+mod built;
+use built::{Built, built};
 
-fn data() -> &'static (ciklo::data::Files, Catalogue) {
-    static DATA: OnceLock<(ciklo::data::Files, Catalogue)> = OnceLock::new();
-    DATA.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        (files, catalogue)
-    })
-}
+const CONTROLS: [&str; 3] = ["tnc640", "tnc320", "tnc426-430"];
 
 /// The machines that come with the program, by name.
 fn machines() -> &'static [Machine] {
     static ALL: OnceLock<Vec<Machine>> = OnceLock::new();
     ALL.get_or_init(|| {
-        let files = &data().0;
+        let files = &built().files;
         let all: Vec<Machine> =
             Machine::names(files).iter().map(|name| Machine::named(name, files).expect("a machine")).collect();
         assert!(all.len() >= 4);
@@ -46,7 +40,7 @@ fn has(machine: &Machine, letter: char) -> bool {
 
 /// A definition with the parameters that the cycle has on the control; those not given are 0.
 fn cycle(control: &str, number: u32, values: &[(u16, f64)]) -> String {
-    let on = data().1.on(control).expect("a control");
+    let on = built().catalogue.on(control).expect("a control");
     let found = on.cycles.iter().find(|(key, _)| key.number == number && key.to_string().starts_with("TCH PROBE"));
     let mut text = format!("TCH PROBE {number}\n");
     for param in &found.expect("the control has the cycle").1.params {
@@ -67,7 +61,7 @@ fn scene(machine: &Machine, start: &str, solid: &str, turn: &str) -> String {
 }
 
 fn run(control: &str, program: &str, scene: &str) -> (Outcome, Vec<EventKind>) {
-    let (files, catalogue) = data();
+    let Built { files, catalogue, .. } = built();
     let parsed = Scene::parse(&Source::new("scene.yaml", scene), files);
     let scene = parsed.unwrap_or_else(|found| panic!("{found:?}\n{scene}"));
     let tree = syntax::parse(&Source::new("LAW.H", program));

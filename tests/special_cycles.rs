@@ -1,30 +1,24 @@
 //! Dwell, program call, orientation and tolerance as programs use them, and the feed of the tool call wherever a cycle
 //! takes it instead of a number.
 use std::fmt::Write as _;
-use std::sync::OnceLock;
 
 use ciklo::diag::Source;
 use ciklo::engine::run::{Engine, Event, EventKind, NoTexts, Outcome, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::expr::{QKind, QRef};
-use ciklo::spec::{Catalogue, Cycle, Keyword};
+use ciklo::spec::{Cycle, Keyword};
 use ciklo::syntax;
+
+#[path = "support/built.rs"]
+mod built;
+use built::{Built, built};
 
 const SCENE: &str = "scene: 1\ntools: [{T: 1, L: 80, R: 3}]\nstart: [0, 0, 50]\n";
 const HEAD: &str = "TOOL CALL 1 Z S1000 F500\nL Z+20 R0 FMAX M3\n";
 
-fn world() -> &'static (ciklo::data::Files, Catalogue) {
-    static WORLD: OnceLock<(ciklo::data::Files, Catalogue)> = OnceLock::new();
-    WORLD.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        (files, catalogue)
-    })
-}
-
 /// A program and those that it can call.
 fn run(program: &str, others: &[(&str, &str)]) -> (Outcome, Vec<Event>) {
-    let (files, catalogue) = world();
+    let Built { files, catalogue, .. } = built();
     let on = catalogue.on("tnc640").expect("a control");
     let scene = Scene::parse(&Source::new("scene.yaml", SCENE), files).expect("a scene");
     let tree = syntax::parse(&Source::new("MAIN.H", program));
@@ -160,7 +154,7 @@ fn a_tolerance_is_told_until_it_is_reset() {
 
 /// Cycles of which a parameter may be the word, with the values of their printed examples.
 fn with_word(word: &str) -> Vec<(&'static Cycle, Vec<u32>)> {
-    let (_, catalogue) = world();
+    let Built { catalogue, .. } = built();
     let on = catalogue.on("tnc640").expect("a control");
     let takes = |cycle: &'static Cycle| {
         let takes = cycle.params.iter().filter(|param| param.words.iter().any(|known| known == word));
@@ -206,7 +200,7 @@ fn the_feed_of_the_tool_call_is_taken_at_the_definition() {
 /// A word that a parameter does not offer is refused in every cycle that offers none.
 #[test]
 fn words_that_are_not_offered_are_refused() {
-    let (_, catalogue) = world();
+    let Built { catalogue, .. } = built();
     let on = catalogue.on("tnc640").expect("a control");
     let mut looked = 0;
     for cycle in on.cycles.values().filter(|cycle| cycle.key.keyword == Keyword::CyclDef) {

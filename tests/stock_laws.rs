@@ -5,7 +5,6 @@
 //! program and its scene, which `ciklo run --stock` executes.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::fmt::Write as _;
-use std::sync::OnceLock;
 
 use ciklo::diag::Source;
 use ciklo::engine::geometry::{Axis, WorkingPlane};
@@ -13,10 +12,13 @@ use ciklo::engine::run::{Engine, NoTexts, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::Shape;
 use ciklo::engine::stock::{Machining, Report, Stock};
-use ciklo::spec::Catalogue;
 use ciklo::syntax;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
+
+#[path = "support/built.rs"]
+mod built;
+use built::{Built, built};
 
 /// How far a surface may lie beside its place, mm; what the run adds up stays far below.
 const NEAR: f64 = 1e-4;
@@ -25,15 +27,6 @@ const HALF: f64 = 50.0;
 const HEIGHT: f64 = 30.0;
 /// Size of the columns.
 const RESOLUTION: f64 = 1.3;
-
-fn world() -> &'static (ciklo::data::Files, Catalogue) {
-    static WORLD: OnceLock<(ciklo::data::Files, Catalogue)> = OnceLock::new();
-    WORLD.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        (files, catalogue)
-    })
-}
 
 /// The tool axis, the tool, and the surface of the blank along the tool axis.
 #[derive(Clone, Debug)]
@@ -117,7 +110,7 @@ impl Setup {
 
     /// Machines and asks for what every run must keep to.
     fn machined(&self, body: &str) -> Result<(Stock, Report, String), TestCaseError> {
-        let (files, catalogue) = world();
+        let Built { files, catalogue, .. } = built();
         let (program, scene) = (self.program(body), self.scene());
         let both = format!("\n{program}\n{scene}");
         let on = catalogue.on("tnc640").expect("a control");

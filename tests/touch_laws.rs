@@ -4,37 +4,22 @@
 //! Truths are calculated here from the scene's numbers, with plain trigonometry and nothing of the engine.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::OnceLock;
 
 use ciklo::conform::{self, LogTexts, Partner, Silence, World};
 use ciklo::diag::Source;
 use ciklo::engine::run::{Content, Engine, Event, EventKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::expr::QRef;
-use ciklo::locale::Locales;
-use ciklo::spec::Catalogue;
 use ciklo::syntax;
 use proptest::prelude::*;
 use serde_json::Value;
 
-struct Data {
-    files: ciklo::data::Files,
-    catalogue: Catalogue,
-    locales: Locales,
-}
-
-fn data() -> &'static Data {
-    static DATA: OnceLock<Data> = OnceLock::new();
-    DATA.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-        Data { files, catalogue, locales }
-    })
-}
+#[path = "support/built.rs"]
+mod built;
+use built::built;
 
 fn run(control: &str, program: &str, scene: &str) -> (Outcome, Vec<Event>) {
-    let data = data();
+    let data = built();
     let on = data.catalogue.on(control).expect("a control");
     let parsed = Scene::parse(&Source::new("scene.yaml", scene), &data.files);
     let scene = parsed.unwrap_or_else(|found| panic!("{found:?}\n{scene}"));
@@ -353,7 +338,7 @@ impl Failing {
         if outcome.tables.iter().any(|(file, _)| !told.contains(file.as_str())) {
             wrong("a table was changed");
         }
-        let Some(cycle) = data().catalogue.on(control).and_then(|on| {
+        let Some(cycle) = built().catalogue.on(control).and_then(|on| {
             on.cycles.values().find(|known| after[0].at.cycle.as_ref().is_some_and(|(key, _)| known.key == *key))
         }) else {
             return;
@@ -401,7 +386,7 @@ impl Partner for Failing {
 }
 
 fn world() -> World<'static> {
-    let data = data();
+    let data = built();
     World { catalogue: &data.catalogue, locales: &data.locales, files: &data.files }
 }
 

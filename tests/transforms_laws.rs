@@ -5,31 +5,19 @@
 //!
 //! The matrices are multiplied here, with plain trigonometry and nothing of the engine.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
-use std::sync::OnceLock;
 
 use ciklo::diag::Source;
 use ciklo::engine::run::{Engine, EventKind, MoveKind, NoTexts, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::spec::Catalogue;
 use ciklo::syntax;
 use proptest::prelude::*;
 
-struct World {
-    files: ciklo::data::Files,
-    catalogue: Catalogue,
-}
-
-fn world() -> &'static World {
-    static WORLD: OnceLock<World> = OnceLock::new();
-    WORLD.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        World { files, catalogue }
-    })
-}
+#[path = "support/built.rs"]
+mod built;
+use built::built;
 
 fn run(program: &str, scene: &str) -> (Outcome, Vec<EventKind>) {
-    let world = world();
+    let world = built();
     let on = world.catalogue.on("tnc640").expect("a control");
     let scene = Scene::parse(&Source::new("scene.yaml", scene), &world.files);
     let scene = scene.unwrap_or_else(|found| panic!("{found:?}"));

@@ -7,6 +7,8 @@
 //! path without compensation, against the corners of the outline. `CASES=2000 cargo test --release --test contour_laws`
 //! tries more of them.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
+#[path = "../support/built.rs"]
+mod built;
 mod leads;
 mod outline;
 mod path;

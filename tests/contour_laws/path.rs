@@ -2,15 +2,14 @@
 //!
 //! Invariant: the way is that of the machine, led back through the transformations by the formulas here.
 use std::fmt::Write as _;
-use std::sync::OnceLock;
 
+use crate::built::{Built, built};
 use ciklo::diag::Source;
 use ciklo::engine::geometry::{Axis, WorkingPlane};
 use ciklo::engine::run::{Engine, EventKind, MoveKind, NoTexts, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::Path;
 use ciklo::engine::stock::{Machining, Stock};
-use ciklo::spec::Catalogue;
 use ciklo::syntax;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
@@ -20,15 +19,6 @@ use std::f64::consts::TAU;
 pub(super) const NEAR: f64 = 1e-6;
 /// Half the extent of the blank in the working plane.
 const HALF: f64 = 70.0;
-
-fn world() -> &'static (ciklo::data::Files, Catalogue) {
-    static WORLD: OnceLock<(ciklo::data::Files, Catalogue)> = OnceLock::new();
-    WORLD.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        (files, catalogue)
-    })
-}
 
 /// As many cases as `CASES` says, or a few.
 pub(super) fn config(few: u32) -> ProptestConfig {
@@ -189,7 +179,7 @@ pub(super) struct Ran {
 
 /// Runs a program with a tool of that radius in units of the program.
 pub(super) fn run(view: &View, program: &str, tool: f64) -> Ran {
-    let (files, catalogue) = world();
+    let Built { files, catalogue, .. } = built();
     let text = view.scene(tool);
     let scene = Scene::parse(&Source::new("scene.yaml", text.as_str()), files).expect("a scene");
     let tree = syntax::parse(&Source::new("LAW.H", program));

@@ -138,11 +138,14 @@ proptest! {
         let [h0, h1, h2, h3] = heights;
         let (along, aside) = if turned { (size.y, size.x) } else { (size.x, size.y) };
         let slope = ((h1 - h0).abs().max((h2 - h3).abs()) / along).hypot((h3 - h0).abs().max((h2 - h1).abs()) / aside);
-        // Seen from above, a ball whose lowest point runs along a slope cuts deeper beside it by r (1/cos - 1), and
-        // leaves ridges of s²/8r between lines.
+        // No two points of the surface differ in height by more than `slope` times their distance d over ground. The lowest
+        // point of the ball runs on the surface, and d beside it the ball is r - √(r² - d²) higher. So at a place it is below
+        // the surface by at most slope·d - r + √(r² - d²), which is greatest for the d whose tangent has that slope:
         let sinks = r * ((1.0 + slope * slope).sqrt() - 1.0) + 1e-3;
+        // Some line passes within half a gap of every place, and there the ball has left no more than this:
         let gap = across / (cuts - 1.0);
-        let ridge = r - (r * r - (gap / 2.0).min(r) * (gap / 2.0).min(r)).sqrt() + slope * gap + 1e-3;
+        let aside = (gap / 2.0).min(r);
+        let ridge = r - (r * r - aside * aside).sqrt() + slope * aside + 1e-3;
         let (columns, rows) = stock.size();
         for row in 0..rows {
             for column in 0..columns {

@@ -172,8 +172,16 @@ pub(super) fn widest(pieces: &[Piece], index: usize, radius: f64, step: f64) -> 
         let cos = (left * left - bend * bend - radius * radius) / (2.0 * bend * radius);
         if left <= 0.0 { 2.0 * radius } else { radius - radius * cos.clamp(-1.0, 1.0) }
     };
+    // Whichever way the tool goes within such a bend, what it meets lies outside the circle that the lap before has left, at
+    // `left` from the centre of the bend. That part of the tool is widest where the tool is farthest out, on the bend:
+    // between the two points in which both circles cross or, if these lie behind its middle, as wide as the tool.
+    let front = |bend: f64| {
+        let left = bend - step + radius;
+        let along = (bend * bend + left * left - radius * radius) / (2.0 * bend);
+        if left <= 0.0 || along <= bend { 2.0 * radius } else { 2.0 * (left * left - along * along).max(0.0).sqrt() }
+    };
     let mut allowed = step;
-    let (mut sharp, mut round) = (false, false);
+    let (mut sharp, mut narrowest) = (false, f64::INFINITY);
     let mut look = |indices: &mut dyn Iterator<Item = usize>| {
         let mut way = 0.0;
         for n in indices {
@@ -183,7 +191,7 @@ pub(super) fn widest(pieces: &[Piece], index: usize, radius: f64, step: f64) -> 
                 sharp = true;
             }
             if piece.bend.is_finite() {
-                round = round || piece.bend < 3.0 * radius;
+                narrowest = narrowest.min(piece.bend);
                 allowed = allowed.max(bent(piece.bend).min(corner));
             }
             way += piece.length;
@@ -194,6 +202,6 @@ pub(super) fn widest(pieces: &[Piece], index: usize, radius: f64, step: f64) -> 
     };
     look(&mut (0..=index).rev());
     look(&mut (index + 1..pieces.len()));
-    // Straight towards a wall that is bent nearly as the tool is, all of its front meets the strip.
-    if sharp && round { 2.0 * radius } else { allowed }
+    // Where the tool turns sharply, it goes straight towards a wall that is bent.
+    if sharp && narrowest.is_finite() { allowed.max(front(narrowest)) } else { allowed }
 }

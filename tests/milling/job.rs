@@ -2,7 +2,6 @@
 //!
 //! Invariant: sizes in here are those of the program; `View` leads from the program to the workpiece.
 use std::fmt::Write as _;
-use std::sync::OnceLock;
 
 use ciklo::diag::Source;
 use ciklo::engine::geometry::{Axis, Frame, WorkingPlane};
@@ -10,12 +9,12 @@ use ciklo::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Outcome, S
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::Shape;
 use ciklo::engine::stock::{FindingKind, Machining, Report};
-use ciklo::spec::Catalogue;
 use ciklo::syntax;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
 use super::field::{Move, Piece, follow, widest};
+use crate::built::{Built, built};
 
 /// How far a surface may lie beside its place, mm; what the run adds up stays far below.
 pub(super) const NEAR: f64 = 1e-4;
@@ -27,15 +26,6 @@ const RESOLUTION: f64 = 1.1;
 pub(super) const PLUNGE: f64 = 150.0;
 pub(super) const MILL: f64 = 500.0;
 pub(super) const FINISH: f64 = 600.0;
-
-fn world() -> &'static (ciklo::data::Files, Catalogue) {
-    static WORLD: OnceLock<(ciklo::data::Files, Catalogue)> = OnceLock::new();
-    WORLD.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        (files, catalogue)
-    })
-}
 
 /// As many cases as `PROPTEST_CASES` says, or a few.
 pub(super) fn config() -> ProptestConfig {
@@ -255,7 +245,7 @@ impl Job {
 
     /// The same in a scene with more in it.
     pub(super) fn run_with(&self, more: &str, body: &str, see: &mut dyn FnMut(&Event)) -> (Outcome, String) {
-        let (files, catalogue) = world();
+        let Built { files, catalogue, .. } = built();
         let (program, scene) = (self.program(body), self.scene() + more);
         let on = catalogue.on("tnc640").expect("a control");
         let read = Scene::parse(&Source::new("scene.yaml", scene.as_str()), files).expect("a scene");
@@ -287,7 +277,7 @@ impl Job {
         body: &str,
         short_edges: bool,
     ) -> Result<(Done, ciklo::engine::stock::Stock), TestCaseError> {
-        let (files, _) = world();
+        let Built { files, .. } = built();
         let (program, scene) = (self.program(body), self.scene());
         let read = Scene::parse(&Source::new("scene.yaml", scene.as_str()), files).expect("a scene");
         let tree = syntax::parse(&Source::new("LAW.H", program.as_str()));

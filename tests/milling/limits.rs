@@ -150,7 +150,7 @@ proptest! {
         let angle = if cycle == 252 && strategy == 0 { 0.0 } else { job.angle };
         let job = Job { angle, surface: job.surface.abs(), ..job };
         let allowances = if finish && cycle < 256 { [(368, 0.1 * job.tool()), (369, 0.3)] } else { [(368, 0.0), (369, 0.0)] };
-        let mut of = |sign: f64| {
+        let of = |sign: f64| {
             let mut changes = vec![(201, sign * job.depth), (366, f64::from(strategy))];
             changes.extend(allowances);
             if cycle > 255 {

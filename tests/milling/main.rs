@@ -6,6 +6,8 @@
 //! program and a scene, which `ciklo run --stock` executes. `PROPTEST_CASES=1000 cargo test --release --test milling`
 //! tries more of them.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
+#[path = "../support/built.rs"]
+mod built;
 mod faces;
 mod field;
 mod job;

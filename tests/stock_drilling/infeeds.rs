@@ -3,7 +3,8 @@ use ciklo::engine::run::{EventKind, Status};
 use ciklo::spec::{Cycle, Keyword};
 use proptest::prelude::*;
 
-use super::setup::{config, of_cycle, run, world};
+use super::setup::{config, of_cycle, run};
+use crate::built::{Built, built};
 
 /// The parameter by which infeeds decrease; the infeed, the least one, the depth.
 const LESS: &str = "Q212";
@@ -13,7 +14,7 @@ const DEPTH: &str = "Q201";
 
 /// The cycles that have it, each with the parameters of its printed example.
 fn cycles() -> Vec<(u32, Vec<(String, String)>)> {
-    let (_, catalogue) = world();
+    let Built { catalogue, .. } = built();
     let on = catalogue.on("tnc640").expect("a control");
     let has = |cycle: &&Cycle| {
         cycle.file.parameters.iter().any(|parameter| parameter.q.is_some_and(|q| q.to_string() == LESS))

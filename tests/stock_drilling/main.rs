@@ -6,6 +6,8 @@
 //! `PROPTEST_CASES=2000 cargo test --release --test stock_drilling` tries more of them.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 mod boring;
+#[path = "../support/built.rs"]
+mod built;
 mod clock;
 mod findings;
 mod groove;

@@ -1,14 +1,13 @@
 //! Programs, scenes and runs that the laws share.
 use std::fmt::Write as _;
-use std::sync::OnceLock;
 
+use crate::built::{Built, built};
 use ciklo::diag::Source;
 use ciklo::engine::geometry::{Axis, WorkingPlane};
 use ciklo::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Outcome, Status, Threaded};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::Shape;
 use ciklo::engine::stock::{Machining, Report, Stock, Watch};
-use ciklo::spec::Catalogue;
 use ciklo::syntax;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
@@ -18,15 +17,6 @@ pub(super) const NEAR: f64 = 1e-4;
 /// Half the extent of the blank in the plane, and its height.
 pub(super) const HALF: f64 = 24.0;
 pub(super) const HEIGHT: f64 = 30.0;
-
-pub(super) fn world() -> &'static (ciklo::data::Files, Catalogue) {
-    static WORLD: OnceLock<(ciklo::data::Files, Catalogue)> = OnceLock::new();
-    WORLD.get_or_init(|| {
-        let files = ciklo::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        (files, catalogue)
-    })
-}
 
 pub(super) fn config() -> ProptestConfig {
     let mut config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
@@ -84,7 +74,7 @@ pub(super) struct Made {
 }
 
 pub(super) fn run(program: &str, scene: &str) -> (Outcome, Vec<Event>) {
-    let (files, catalogue) = world();
+    let Built { files, catalogue, .. } = built();
     let on = catalogue.on("tnc640").expect("a control");
     let read = Scene::parse(&Source::new("scene.yaml", scene), files).expect("a scene");
     let tree = syntax::parse(&Source::new("LAW.H", program));
@@ -96,7 +86,7 @@ pub(super) fn run(program: &str, scene: &str) -> (Outcome, Vec<Event>) {
 
 /// The run with its stock; events with what was found among them.
 pub(super) fn machine(program: &str, scene: &str, resolution: f64) -> (Outcome, Vec<Event>, Stock, Report) {
-    let (files, catalogue) = world();
+    let Built { files, catalogue, .. } = built();
     let on = catalogue.on("tnc640").expect("a control");
     let read = Scene::parse(&Source::new("scene.yaml", scene), files).expect("a scene");
     let tree = syntax::parse(&Source::new("LAW.H", program));

@@ -414,11 +414,14 @@ impl<'r> Reader<'r> {
     }
 
     fn fit(&mut self, entries: &Entries<Argument>, action: &Action) {
-        let points = match entries.get("circle") {
+        let points = match entries.get("circle").or_else(|| entries.get("sphere")) {
             Some(Argument::List(points)) => points.iter().filter_map(|point| self.argument(point)).next(),
             Some(list) => self.argument(list),
             None => None,
         };
+        if let Some(more) = entries.get("and") {
+            self.part(more, Quantity::Length, &action.place);
+        }
         if let (Some(bind), Some((expr, measure))) = (&action.bind, points) {
             self.demand(&expr, &action.place, measure, Quantity::Length);
             for field in ["centre", "radius"] {
