@@ -275,7 +275,7 @@ fn functions_that_a_manual_does_not_show_are_told() {
             assert!(used.contains(shown), "{} {shown}\n{used:?}", on.id());
         }
     }
-    for (from, to) in pairs(&data) {
+    for (from, to) in pairs(data) {
         let conversion = data.convert(&books, (from, to), Form::AsWritten, FUNCTIONS);
         let told: BTreeMap<String, &str> = conversion
             .found
