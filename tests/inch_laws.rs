@@ -8,7 +8,7 @@ use ciklo::conform::{self, LogTexts};
 use ciklo::diag::Source;
 use ciklo::engine::run::{Engine, Event, EventKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::spec::{Catalogue, Cycle, Keyword, OnControl, Param, TakesEffect};
+use ciklo::spec::{Cycle, Keyword, OnControl, Param, TakesEffect};
 use ciklo::syntax;
 use proptest::prelude::*;
 use serde_json::Value;
