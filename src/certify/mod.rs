@@ -142,7 +142,7 @@ impl Tally {
             rule.findings += 1;
             rule.programs.insert(at);
         }
-        let blocks = facts.events.iter().filter(|event| matches!(event, crate::check::Event::Block)).count();
+        let blocks = facts.acting().count();
         let verdict = Verdict::of(errors > 0, judged);
         self.programs.push(ProgramReport { file: file.to_owned(), verdict, blocks, errors, warnings });
     }

@@ -1,19 +1,22 @@
 //! What the rules need to know of a program, read off once.
 //!
-//! Invariant: nothing is judged here; the order of events is that of the text, and [`Flow`] says
-//! whether that can be the order of the run.
+//! A definition is kept as little more than its place, and read again by those who ask for its values: long programs
+//! have many of them. Invariant: nothing is judged here; [`Flow`] says whether the order of the text can be that of the
+//! run.
 use std::borrow::Cow;
+use std::collections::HashMap;
+use std::ops::Deref;
 
 use super::fields;
 use super::flow::{Run, stops};
-use super::labels::fold;
+use super::labels::{Kept, has_kind};
 use super::{Against, CycleLabels, values};
 use crate::diag::Span;
+use crate::expr::QRef;
 use crate::fields::key;
-use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, Refusal, TakesEffect};
+use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
 use crate::syntax::{
-    Block, BlockKind, CycleForm, CycleView, MFunction, OldCycleLine, Parameter, Program, StatementKind, Value,
-    ValueKind,
+    Block, BlockKind, CycleDef, CycleForm, CycleView, MFunction, Parameter, Program, StatementKind, Value, ValueKind,
 };
 
 /// A program with its cycle definitions resolved for a control.
@@ -23,9 +26,7 @@ pub struct Facts<'a> {
     /// What it is checked against.
     pub against: Against<'a>,
     /// Its cycle definitions, in order.
-    pub definitions: Vec<Definition<'a>>,
-    /// What happens, in the order of the text.
-    pub events: Vec<Event>,
+    pub definitions: Vec<Defined<'a>>,
     /// Whether the text's order can be trusted.
     pub flow: Flow,
     /// Whether lengths are inches.
@@ -34,22 +35,48 @@ pub struct Facts<'a> {
     pub run: Run,
     /// The language of its labels, if any of them is known.
     pub language: Option<String>,
+    /// The blocks that are more than plain movements, definitions and comments: few in long programs.
+    marked: Vec<u32>,
+    begins: bool,
+    /// The first END PGM.
+    pub(super) end: Option<usize>,
+    /// The first block whose number is not greater than the one before, and that number.
+    pub(super) falling: Option<(usize, u32)>,
+    /// Whether it has arcs about a centre or with a radius.
+    pub(super) arcs: bool,
 }
 
-/// A cycle definition.
-pub struct Definition<'a> {
+/// A cycle definition and what the control knows of its cycle.
+pub struct Defined<'a> {
     /// As written.
     pub view: CycleView<'a>,
     /// Its key.
     pub key: CycleKey,
     /// What the control knows of it.
     pub known: Known<'a>,
+    /// Whether a line of it cannot be read.
+    pub torn: bool,
+    /// What is kept of a described cycle.
+    pub(super) kept: Option<&'a Kept>,
+}
+
+/// A cycle definition with its values.
+pub struct Definition<'a> {
+    own: Defined<'a>,
     /// Its parameters or fields as written, those of described cycles with their specification.
     pub items: Vec<Item<'a>>,
     /// What a described cycle needs and the definition lacks.
     pub missing: Vec<&'a Param>,
-    /// Whether a line of it cannot be read.
-    pub torn: bool,
+    /// Whether every item is a parameter of the cycle and stands behind those that the cycle names before it.
+    pub(super) in_order: bool,
+}
+
+impl<'a> Deref for Definition<'a> {
+    type Target = Defined<'a>;
+
+    fn deref(&self) -> &Defined<'a> {
+        &self.own
+    }
 }
 
 /// A parameter or field as written.
@@ -63,7 +90,7 @@ pub struct Item<'a> {
     /// The value's place.
     pub value_span: Span,
     /// The value in capitals as the specification's examples are written: `+60`, `X+60`, `#5`, `"AB"`.
-    pub printed: String,
+    pub printed: Cow<'a, str>,
     /// The value, if it is a single one.
     pub value: Option<Value>,
     /// The number that the parameter written for it certainly has.
@@ -72,26 +99,8 @@ pub struct Item<'a> {
     pub label: Option<Span>,
     /// The place of its specification among the cycle's parameters.
     pub index: Option<usize>,
-    /// The label made ready for comparison.
-    pub(super) folded: Option<Cow<'a, str>>,
     /// Why its parameter refuses the value.
     pub(super) refusal: Option<Refusal>,
-}
-
-/// Something that happens in a program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Event {
-    /// A cycle definition, by index.
-    Define(usize),
-    /// A call of the last cycle.
-    Call {
-        /// Its place.
-        span: Span,
-        /// Whether it is a block of its own, `CYCL CALL`, that moves nowhere before.
-        alone: bool,
-    },
-    /// The block that follows, which is neither comment nor blank.
-    Block,
 }
 
 /// What is known of the order of the run.
@@ -114,27 +123,31 @@ pub struct Flow {
 impl<'a> Facts<'a> {
     /// The facts of a program.
     pub fn of(program: &'a Program, against: &Against<'a>) -> Self {
-        let definitions = program.cycles().into_iter().map(|view| Definition::of(program, view, against)).collect();
         let mut facts = Self {
             program,
             against: *against,
-            definitions,
-            events: Vec::new(),
+            definitions: Vec::new(),
             flow: Flow::default(),
             inch: false,
             run: Run::default(),
             language: None,
+            marked: Vec::new(),
+            begins: false,
+            end: None,
+            falling: None,
+            arcs: false,
         };
+        let mut known: HashMap<CycleKey, (Known<'a>, Option<&'a Kept>)> = HashMap::new();
+        program.each_cycle(|view| {
+            let key = key(view.keyword, view.number);
+            let (known, kept) =
+                *known.entry(key).or_insert_with(|| (against.on.known(key), against.labels.kept(key)));
+            let torn = matches!(view.form, CycleForm::Parameters(written) if !written.errors.is_empty());
+            facts.definitions.push(Defined { view, key, known, torn, kept });
+        });
+        facts.definitions.shrink_to_fit();
         facts.follow();
-        facts.run = Run::of(program, &facts.definitions);
-        for item in facts.definitions.iter_mut().flat_map(|definition| &mut definition.items) {
-            if let Some(ValueKind::Q { negative, .. }) = item.value.map(|value| value.kind)
-                && let Some(number) = facts.run.number_at(item.value_span)
-            {
-                item.number = Some(if negative { -number } else { number });
-            }
-            item.refusal = values::refused(item, facts.inch);
-        }
+        facts.run = Run::of(&facts);
         facts.language = against.language.map(str::to_owned).or_else(|| super::labels::language_of(&facts));
         facts
     }
@@ -145,34 +158,38 @@ impl<'a> Facts<'a> {
     }
 
     /// Whether the program begins with BEGIN PGM: it is a whole one.
-    pub fn begins(&self) -> bool {
-        self.program.blocks().iter().any(|block| matches!(block.kind, BlockKind::BeginPgm(_)))
+    pub const fn begins(&self) -> bool {
+        self.begins
     }
 
     /// Whether a block that cannot be read begins with the word.
     pub fn unread(&self, word: &str) -> bool {
-        let unread = |block: &&Block| matches!(block.kind, BlockKind::Unknown(_));
-        let mut unread = self.program.blocks().iter().filter(unread);
-        unread.any(|block| {
+        let mut unread = self.marked().filter(|(_, block)| matches!(block.kind, BlockKind::Unknown(_)));
+        unread.any(|(_, block)| {
             let text = self.text(self.content(block));
             text.get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word))
         })
     }
 
     /// The blocks that are more than comments.
-    pub fn acting(&self) -> impl Iterator<Item = &'a Block> {
-        let silent =
-            |block: &&Block| matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_));
-        self.program.blocks().iter().filter(move |block| !silent(block))
+    pub fn acting(&self) -> impl DoubleEndedIterator<Item = &'a Block> {
+        self.program.blocks().iter().filter(|block| !is_silent(block))
+    }
+
+    /// The blocks, with their places among all, that are neither comments nor of definitions, movements without M
+    /// functions left out.
+    pub fn marked(&self) -> impl DoubleEndedIterator<Item = (usize, &'a Block)> {
+        let blocks = self.program.blocks();
+        self.marked.iter().filter_map(|index| Some((*index as usize, blocks.get(*index as usize)?)))
     }
 
     /// The M functions of a block.
-    pub fn functions(&self, block: &'a Block) -> &'a [MFunction] {
+    pub fn functions(&self, block: &'a Block) -> Cow<'a, [MFunction]> {
         match &block.kind {
-            BlockKind::Motion(motion) if motion.has_functions() => &motion.functions,
-            BlockKind::Functions(list) | BlockKind::Stop(list) => list,
-            BlockKind::CyclCall(call) => &call.functions,
-            _ => &[],
+            BlockKind::Motion(motion) => Cow::Owned(motion.functions()),
+            BlockKind::Functions(list) | BlockKind::Stop(list) => Cow::Borrowed(list),
+            BlockKind::CyclCall(call) => Cow::Borrowed(&call.functions),
+            _ => Cow::Borrowed(&[]),
         }
     }
 
@@ -196,38 +213,63 @@ impl<'a> Facts<'a> {
     }
 
     /// The labels of a definition's cycle.
-    pub fn labels(&self, definition: &Definition<'_>) -> Option<&'a CycleLabels> {
-        self.against.labels.cycle(definition.key)
+    pub fn labels(&self, definition: &Defined<'a>) -> Option<&'a CycleLabels> {
+        let (cycle, kept) = definition.cycle().zip(definition.kept)?;
+        Some(self.against.labels.labels_of(cycle, kept))
     }
 
-    /// The definitions of described cycles with their specifications.
-    pub fn described(&self) -> impl Iterator<Item = (&Definition<'a>, &'a Cycle)> {
-        self.definitions.iter().filter_map(|definition| match definition.known {
-            Known::Described(cycle) => Some((definition, cycle)),
-            _ => None,
-        })
+    /// The definitions with their values.
+    pub fn readings(&self) -> impl Iterator<Item = Definition<'a>> {
+        self.definitions.iter().map(|definition| self.read(definition))
     }
 
-    /// Walks through the blocks and notes what happens.
-    fn follow(&mut self) {
-        let mut next = 0;
-        // A fragment is called from a program or copied into one: what comes before and behind it is not known.
-        self.events.reserve(self.program.blocks().len() + self.definitions.len());
-        let begins = |block: &Block| matches!(block.kind, BlockKind::BeginPgm(_));
-        self.flow.programs |= !self.program.blocks().iter().any(begins);
-        for (index, block) in self.program.blocks().iter().enumerate() {
-            if !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_)) {
-                self.events.push(Event::Block);
+    /// The definitions of described cycles with their values and specifications. Each is read anew: a rule that needs
+    /// no others is one of those that are carried out together.
+    pub fn described(&self) -> impl Iterator<Item = (Definition<'a>, &'a Cycle)> {
+        self.definitions
+            .iter()
+            .filter_map(|definition| definition.cycle().map(|cycle| (self.read(definition), cycle)))
+    }
+
+    /// A definition with its values.
+    pub fn read(&self, definition: &Defined<'a>) -> Definition<'a> {
+        let mut read = Definition::of(self.program, definition);
+        for item in &mut read.items {
+            if let Some(ValueKind::Q { negative, .. }) = item.value.map(|value| value.kind)
+                && let Some(number) = self.run.number_at(item.value_span)
+            {
+                item.number = Some(if negative { -number } else { number });
             }
+            item.refusal = values::refused(item, self.inch);
+        }
+        read
+    }
+
+    /// Walks through the blocks and notes what they are.
+    fn follow(&mut self) {
+        let mut last = None;
+        for (index, block) in self.program.blocks().iter().enumerate() {
             // A block that may be skipped may not happen.
-            self.flow.jumps |= block.skip;
             self.flow.skips |= block.skip;
-            while self.definitions.get(next).is_some_and(|definition| definition.view.first == index) {
-                self.events.push(Event::Define(next));
-                next += 1;
+            if let Some(number) = block.number {
+                let before = last.replace(number).filter(|before| number <= *before && self.falling.is_none());
+                self.falling = self.falling.or(before.map(|before| (index, before)));
             }
             match &block.kind {
-                BlockKind::BeginPgm(frame) => self.inch = frame.inch,
+                BlockKind::Empty
+                | BlockKind::Comment
+                | BlockKind::Structure(_)
+                | BlockKind::CycleDef(_)
+                | BlockKind::OldCycleLine(_) => continue,
+                BlockKind::Motion(motion) => {
+                    self.arcs |= matches!(motion.path(), crate::syntax::Path::C | crate::syntax::Path::Cr);
+                    let outline = motion.outline();
+                    if !outline.has_functions() && !outline.names_axis_twice() {
+                        continue;
+                    }
+                }
+                BlockKind::BeginPgm(frame) => (self.inch, self.begins) = (frame.inch, true),
+                BlockKind::EndPgm(_) => self.end = self.end.or(Some(index)),
                 BlockKind::CallLbl(_) | BlockKind::FnJump(_) => self.flow.jumps = true,
                 BlockKind::CallPgm(_) => self.flow.programs = true,
                 BlockKind::Statement(statement) => match statement.kind {
@@ -236,81 +278,41 @@ impl<'a> Facts<'a> {
                     _ => {}
                 },
                 BlockKind::Unknown(_) | BlockKind::Iso(_) => (self.flow.opaque, self.flow.unread) = (true, true),
-                BlockKind::Motion(motion) if motion.has_functions() => self.note(&motion.functions, None),
-                BlockKind::Functions(list) | BlockKind::Stop(list) => self.note(list, None),
-                BlockKind::CyclCall(call) => {
-                    self.note(&call.functions, Some(call.head));
-                }
                 _ => {}
             }
+            each_function(block, |number| self.flow.modal |= number == 89);
+            // No memory holds so many blocks that this is not enough.
+            self.marked.extend(u32::try_from(index).ok());
         }
-    }
-
-    /// The calls that a block makes.
-    fn note(&mut self, list: &[MFunction], call: Option<Span>) {
-        let mut calls: Vec<Span> = call.into_iter().collect();
-        for function in list {
-            self.flow.modal |= function.number == 89;
-            if matches!(function.number, 89 | 99) {
-                calls.push(function.span);
-            }
-        }
-        let alone = call.is_some();
-        self.events.extend(calls.into_iter().map(|span| Event::Call { span, alone }));
+        self.marked.shrink_to_fit();
+        self.flow.jumps |= self.flow.skips;
+        // A fragment is called from a program or copied into one: what comes before and behind it is not known.
+        self.flow.programs |= !self.begins;
     }
 }
 
-impl<'a> Definition<'a> {
-    fn of(program: &'a Program, view: CycleView<'a>, against: &Against<'a>) -> Self {
-        let key = key(view.keyword, view.number);
-        let known = against.on.known(key);
-        let cycle = match known {
+/// Whether a block is a comment or blank.
+pub(super) fn is_silent(block: &Block) -> bool {
+    matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_))
+}
+
+/// The numbers of a block's M functions, in the order written.
+pub(super) fn each_function(block: &Block, mut each: impl FnMut(u16)) {
+    match &block.kind {
+        BlockKind::Motion(motion) => motion.each_function(each),
+        BlockKind::Functions(list) | BlockKind::Stop(list) => list.iter().for_each(|own| each(own.number)),
+        BlockKind::CyclCall(call) => call.functions.iter().for_each(|own| each(own.number)),
+        _ => {}
+    }
+}
+
+impl<'a> Defined<'a> {
+    /// The cycle, if the control describes it.
+    pub const fn cycle(&self) -> Option<&'a Cycle> {
+        match self.known {
             Known::Described(cycle) => Some(cycle),
             _ => None,
-        };
-        let mut definition = Self { view, key, known, items: Vec::new(), missing: Vec::new(), torn: false };
-        match definition.view.form.clone() {
-            CycleForm::Parameters(written) => {
-                definition.torn = !written.errors.is_empty();
-                definition.parameters(program, written, cycle);
-            }
-            CycleForm::Lines(lines) => definition.lines(program, &lines, cycle),
         }
-        definition
-    }
-
-    fn parameters(&mut self, program: &'a Program, written: &'a crate::syntax::CycleDef, cycle: Option<&'a Cycle>) {
-        self.items.reserve_exact(written.parameters.len());
-        for parameter in &written.parameters {
-            let printed = program.slice(parameter.value.span);
-            let quoted = printed.starts_with('"');
-            let param = cycle.and_then(|cycle| cycle.written(parameter.q));
-            self.items.push(Item {
-                index: index_of(cycle, param),
-                folded: parameter.label.map(|label| fold(program.slice(label))),
-                param,
-                name: name_of(program, parameter),
-                span: parameter.span,
-                value_span: parameter.value.span,
-                printed: if quoted { printed.to_owned() } else { printed.to_uppercase() },
-                value: Some(parameter.value),
-                number: None,
-                label: parameter.label,
-                refusal: None,
-            });
-        }
-        let Some(cycle) = cycle else { return };
-        let written =
-            |param: &Param| self.items.iter().any(|item| item.param.is_some_and(|own| std::ptr::eq(own, param)));
-        let needed = |param: &&Param| param.field.as_ref().is_none_or(|field| field.form == 0 && !field.optional);
-        self.missing = cycle.params.iter().filter(|param| needed(param) && !written(param)).collect();
-    }
-
-    fn lines(&mut self, program: &'a Program, lines: &[&'a OldCycleLine], cycle: Option<&'a Cycle>) {
-        let Some(cycle) = cycle else { return };
-        let matched = fields::matching(program, cycle, lines);
-        self.items = matched.items;
-        self.missing = matched.missing;
     }
 
     /// When the cycle acts, if that is known. All touch-probe cycles act when they are defined.
@@ -321,6 +323,89 @@ impl<'a> Definition<'a> {
             _ => None,
         }
     }
+
+    /// Whether its cycle has a parameter of that kind.
+    pub(super) fn has_kind(&self, kind: ParameterKind) -> bool {
+        self.cycle().is_some_and(|cycle| has_kind(cycle, kind))
+    }
+}
+
+impl<'a> Definition<'a> {
+    /// Reads a definition, without what depends on the run.
+    pub(super) fn of(program: &'a Program, own: &Defined<'a>) -> Self {
+        let own =
+            Defined { view: own.view.clone(), key: own.key, known: own.known, torn: own.torn, kept: own.kept };
+        let mut definition = Self { own, items: Vec::new(), missing: Vec::new(), in_order: false };
+        let cycle = definition.cycle();
+        match (definition.own.view.form.clone(), cycle) {
+            (CycleForm::Parameters(written), cycle) => definition.parameters(program, written, cycle),
+            (CycleForm::Lines(lines), Some(cycle)) => {
+                let matched = fields::matching(program, cycle, &lines);
+                definition.items = matched.items;
+                definition.missing = matched.missing;
+            }
+            (CycleForm::Lines(_), None) => {}
+        }
+        definition
+    }
+
+    fn parameters(&mut self, program: &'a Program, written: &'a CycleDef, cycle: Option<&'a Cycle>) {
+        self.items.reserve_exact(written.parameters.len());
+        let (mut place, mut last) = (Place::default(), None);
+        self.in_order = cycle.is_some();
+        for parameter in &written.parameters {
+            let printed = program.slice(parameter.value.span);
+            let index = cycle.and_then(|cycle| place.of(cycle, parameter.q));
+            let param = cycle.zip(index).and_then(|(cycle, index)| cycle.params.get(index));
+            self.in_order &= index.is_some() && last < index;
+            last = index;
+            self.items.push(Item {
+                index,
+                param,
+                name: name_of(program, parameter),
+                span: parameter.span,
+                value_span: parameter.value.span,
+                printed: if printed.starts_with('"') { Cow::Borrowed(printed) } else { capitals(printed) },
+                value: Some(parameter.value),
+                number: None,
+                label: parameter.label,
+                refusal: None,
+            });
+        }
+        let Some(cycle) = cycle else { return };
+        if self.in_order && self.items.len() == cycle.params.len() {
+            return;
+        }
+        let mut there = vec![false; cycle.params.len()];
+        for index in self.items.iter().filter_map(|item| item.index) {
+            there[index] = true;
+        }
+        let needed = |param: &Param| param.field.as_ref().is_none_or(|field| field.form == 0 && !field.optional);
+        let missing = cycle.params.iter().zip(there).filter(|(param, there)| !there && needed(param));
+        self.missing = missing.map(|(param, _)| param).collect();
+    }
+}
+
+/// Finds parameters in a cycle; most are written in its order.
+#[derive(Default)]
+pub(super) struct Place {
+    next: usize,
+}
+
+impl Place {
+    /// The place of the parameter among those of the cycle.
+    pub(super) fn of(&mut self, cycle: &Cycle, q: QRef) -> Option<usize> {
+        let is_next = cycle.params.get(self.next).is_some_and(|param| param.q == Some(q));
+        let found = if is_next { Some(self.next) } else { cycle.place_of(q) };
+        self.next = found.map_or(self.next, |at| at + 1);
+        found
+    }
+}
+
+/// A text in capitals.
+pub(super) fn capitals(text: &str) -> Cow<'_, str> {
+    let is_capital = |byte: &u8| byte.is_ascii() && !byte.is_ascii_lowercase();
+    if text.as_bytes().iter().all(is_capital) { Cow::Borrowed(text) } else { Cow::Owned(text.to_uppercase()) }
 }
 
 /// The parameter as messages call it: as it is written, if that is how controls write it.

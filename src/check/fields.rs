@@ -4,8 +4,7 @@
 //! another one in each language. Invariant: every written word is an item of the result.
 use std::borrow::Cow;
 
-use super::facts::{Item, index_of};
-use super::labels::fold;
+use super::facts::{Item, capitals, index_of};
 use crate::diag::Span;
 use crate::fields::{first, stands_on};
 use crate::spec::{Cycle, Field, Param, Shape};
@@ -80,19 +79,18 @@ fn item<'a>(
     let closed_up = |text: &str| text.split_ascii_whitespace().collect::<String>();
     let value = program.slice(first.value.span);
     let printed = match shape {
-        Some(Shape::Row) => format!("#{value}"),
+        Some(Shape::Row) => Cow::Owned(format!("#{value}").to_uppercase()),
         Some(Shape::Position | Shape::AxisDirection | Shape::AxisCoordinate | Shape::Axes | Shape::Centre) => {
             let closed =
                 |word: &NamedWord| format!("{}{}", program.slice(word.name), closed_up(program.slice(word.value.span)));
-            words.iter().map(closed).collect::<Vec<_>>().join(" ")
+            Cow::Owned(words.iter().map(closed).collect::<Vec<_>>().join(" ").to_uppercase())
         }
-        Some(Shape::Word) if name.starts_with(['I', 'i']) => format!("I{value}"),
-        _ => value.to_owned(),
+        Some(Shape::Word) if name.starts_with(['I', 'i']) => Cow::Owned(format!("I{value}").to_uppercase()),
+        _ => capitals(value),
     };
     let label = (shape == Some(Shape::Labelled)).then_some(first.name);
     Item {
         index: index_of(Some(cycle), param.map(|(param, _)| param)),
-        folded: label.map(|label| fold(program.slice(label))),
         param: param.map(|(param, _)| param),
         name: Cow::Owned(format!("{}.{} {name}", line.number, line.line).trim_end().to_owned()),
         span,
@@ -101,7 +99,7 @@ fn item<'a>(
         } else {
             span
         },
-        printed: printed.to_uppercase(),
+        printed,
         value: (words.len() == 1 && shape != Some(Shape::Axes)).then_some(first.value),
         number: None,
         label,

@@ -3,11 +3,12 @@
 //! Names are replaced by the formulas that they stand for until only numbers and Q parameters are
 //! left. Invariant: a guard that needs anything else (a parameter that is not certain, the tool, the machine)
 //! says nothing; of the state of the control it hears what is certain.
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::{Aspect, Definition, Facts};
+use super::{Aspect, Definition, Facts, Modal};
 use crate::expr::{Code, Env, EvalError, Expr, Node, QRef, Resolve, Type, Value, compile};
-use crate::spec::{Cycle, Entries, Formula, Guard, OnControl, Param};
+use crate::spec::{Cycle, Entries, Formula, Guard, OnControl, Outcome, Param};
 use crate::syntax::ValueKind;
 
 /// How deep names may stand for names; longer chains are circles, which the checks of the
@@ -15,28 +16,33 @@ use crate::syntax::ValueKind;
 const MAX_DEPTH: usize = 16;
 
 /// A guard with its condition in terms of Q parameters, as far as that goes.
-pub(super) struct Ready<'c> {
-    /// The guard.
-    pub(super) guard: &'c Guard,
+pub(super) struct Ready {
+    /// Its code, if it has one.
+    pub(super) code: Option<String>,
+    /// What then.
+    pub(super) then: Option<Outcome>,
+    /// The parameters that its condition reads.
+    pub(super) reads: BTreeSet<QRef>,
     /// Its condition.
-    pub(super) condition: Expr,
+    condition: Expr,
     /// The condition compiled; nothing if it needs more than parameters.
-    code: Option<Code>,
+    compiled: Option<Code>,
     /// Whether it asks for the state of the control.
     asks_state: bool,
 }
 
-impl<'c> Ready<'c> {
-    fn new(guard: &'c Guard, condition: Expr) -> Self {
-        let code = compile(&condition, &OnlyParameters).ok();
+impl Ready {
+    fn new(guard: &Guard, condition: Expr) -> Self {
+        let compiled = compile(&condition, &OnlyParameters).ok();
         let mut asks_state = false;
         condition.walk(&mut |expr| asks_state |= matches!(&expr.node, Node::Name(path) if state(path).is_some()));
-        Self { guard, condition, code, asks_state }
+        let code = guard.code.as_ref().map(|code| code.as_str().to_owned());
+        Self { code, then: guard.then, reads: condition.q_refs().into_iter().collect(), condition, compiled, asks_state }
     }
 }
 
 /// The guards of a cycle, those of fragments included.
-pub(super) fn of<'c>(on: &'c OnControl, cycle: &'c Cycle) -> Vec<Ready<'c>> {
+pub(super) fn of(on: &OnControl, cycle: &Cycle) -> Vec<Ready> {
     let names = |path: &[String]| match path {
         [name] => cycle.file.lets.get(name).map(|formula| formula.expr.clone()),
         _ => None,
@@ -46,12 +52,12 @@ pub(super) fn of<'c>(on: &'c OnControl, cycle: &'c Cycle) -> Vec<Ready<'c>> {
     found
 }
 
-fn collect<'c>(
-    on: &'c OnControl,
-    guards: &'c [Guard],
+fn collect(
+    on: &OnControl,
+    guards: &[Guard],
     names: &dyn Fn(&[String]) -> Option<Expr>,
     depth: usize,
-    found: &mut Vec<Ready<'c>>,
+    found: &mut Vec<Ready>,
 ) {
     for guard in guards {
         if let Some(when) = &guard.when {
@@ -98,8 +104,8 @@ fn replaced(expr: &Expr, names: &dyn Fn(&[String]) -> Option<Expr>, depth: usize
 pub(super) struct Written {
     pub(super) numbers: Vec<(QRef, f64)>,
     pub(super) texts: Vec<(QRef, Arc<str>)>,
-    /// What guards ask about the state, in the order of [`STATES`].
-    states: [Option<Value>; STATES.len()],
+    /// The state before the definition, of which guards ask what [`STATES`] names.
+    modal: Option<Modal>,
 }
 
 /// What guards may ask about the state of the control, besides the parameters. The machine builder may have other ways
@@ -117,10 +123,9 @@ impl Written {
     /// The values that are known: those written as numbers or texts, and those that this control lacks.
     pub(super) fn of(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle) -> Self {
         let modal = facts.run.before(definition.view.first);
-        let states = STATES.map(|(_, aspect)| Some(Value::Bool(modal?.is(aspect).known()?)));
         let mut numbers = Vec::with_capacity(cycle.lacking.len() + definition.items.len());
         numbers.extend_from_slice(&cycle.lacking);
-        let mut known = Self { numbers, texts: Vec::new(), states };
+        let mut known = Self { numbers, texts: Vec::new(), modal };
         for item in &definition.items {
             let (Some(q), Some(value)) = (item.param.and_then(read_as), item.value) else { continue };
             match value.kind {
@@ -149,9 +154,15 @@ impl Written {
         compile(&replaced(&condition.expr, &names, 0), &OnlyParameters).ok()?.truth(self).ok()
     }
 
+    /// Whether something of the state is so, by its place in [`STATES`]; nothing if that is not certain.
+    fn state(&self, at: usize) -> Option<bool> {
+        let (_, aspect) = STATES.get(at)?;
+        self.modal?.is(*aspect).known()
+    }
+
     /// Whether a guard's condition holds; nothing if that cannot be said.
-    pub(super) fn holds(&self, ready: &Ready<'_>) -> Option<bool> {
-        if let Some(code) = &ready.code {
+    pub(super) fn holds(&self, ready: &Ready) -> Option<bool> {
+        if let Some(code) = &ready.compiled {
             return code.truth(self).ok();
         }
         if !ready.asks_state {
@@ -178,7 +189,7 @@ struct WithState<'w>(&'w Written);
 impl Resolve for WithState<'_> {
     fn name(&self, path: &[String]) -> Option<(usize, Type)> {
         let at = state(path)?;
-        self.0.states.get(at)?.as_ref().map(|_| (at, Type::Bool))
+        self.0.state(at).map(|_| (at, Type::Bool))
     }
 }
 
@@ -194,7 +205,11 @@ impl Env for Written {
     fn slot(&self, slot: usize) -> &Value {
         // Only names of what is known have a slot.
         const NONE: &Value = &Value::Number(f64::NAN);
-        self.states.get(slot).and_then(Option::as_ref).unwrap_or(NONE)
+        match self.state(slot) {
+            Some(true) => &Value::Bool(true),
+            Some(false) => &Value::Bool(false),
+            None => NONE,
+        }
     }
 
     fn number(&self, q: QRef) -> Result<f64, EvalError> {

@@ -1,4 +1,5 @@
-//! The labels of a control's cycles in all languages, and the language of a program.
+//! The labels of a control's cycles in all languages, what else the checker keeps of a cycle, and the language of a
+//! program.
 //!
 //! Invariant: a text that a language lacks matches nothing; labels are compared without regard to
 //! case and blanks, as programs come from many hands.
@@ -6,16 +7,27 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-use super::facts::Facts;
+use super::facts::{Defined, Facts, Place};
+use super::flow::Deed;
+use super::guards::{self, Ready};
 use crate::locale::{Language, Locales};
-use crate::spec::{Cycle, CycleKey, OnControl};
+use crate::spec::{Cycle, CycleKey, Known, OnControl, ParameterKind};
+use crate::syntax::CycleForm;
 use crate::text::{CycleText, Vocabulary};
 
 /// The labels of a control, put together when a cycle is first asked for.
 pub struct LabelBook<'a> {
     on: &'a OnControl,
     locales: &'a Locales,
-    cycles: BTreeMap<CycleKey, OnceLock<CycleLabels>>,
+    cycles: BTreeMap<CycleKey, Kept>,
+}
+
+/// What is kept of a cycle for all its definitions.
+#[derive(Default)]
+pub(super) struct Kept {
+    labels: OnceLock<CycleLabels>,
+    guards: OnceLock<Vec<Ready>>,
+    deed: OnceLock<Deed>,
 }
 
 /// The labels of a cycle in all languages, in the order of their tags.
@@ -58,6 +70,7 @@ impl ParamLabels {
     }
 
     /// Whether a label made ready by [`fold`] is this one.
+    #[inline]
     pub(super) fn matches_folded(&self, printed: &str) -> bool {
         self.folded.iter().any(|own| own == printed)
     }
@@ -100,16 +113,43 @@ fn folded(label: &str) -> String {
 impl<'a> LabelBook<'a> {
     /// The labels of a control in all languages that are loaded.
     pub fn new(on: &'a OnControl, locales: &'a Locales) -> Self {
-        Self { on, locales, cycles: on.cycles.keys().map(|key| (*key, OnceLock::new())).collect() }
+        Self { on, locales, cycles: on.cycles.keys().map(|key| (*key, Kept::default())).collect() }
     }
 
     /// The labels of a cycle; nothing if the control does not describe it.
     pub fn cycle(&self, key: CycleKey) -> Option<&CycleLabels> {
         let cycle = self.on.cycles.get(&key)?;
-        Some(self.cycles.get(&key)?.get_or_init(|| CycleLabels {
-            languages: self.locales.iter().map(|language| labels(self.on, cycle, language)).collect(),
-        }))
+        Some(self.labels_of(cycle, self.cycles.get(&key)?))
     }
+
+    /// What is kept of a cycle that the control describes.
+    pub(super) fn kept(&self, key: CycleKey) -> Option<&Kept> {
+        self.cycles.get(&key)
+    }
+
+    /// The labels of a cycle of which that is kept.
+    pub(super) fn labels_of<'k>(&self, cycle: &Cycle, kept: &'k Kept) -> &'k CycleLabels {
+        kept.labels.get_or_init(|| CycleLabels {
+            languages: self.locales.iter().map(|language| labels(self.on, cycle, language)).collect(),
+        })
+    }
+
+    /// Its guards.
+    pub(super) fn guards_of<'k>(&self, cycle: &Cycle, kept: &'k Kept) -> &'k [Ready] {
+        kept.guards.get_or_init(|| guards::of(self.on, cycle))
+    }
+}
+
+impl Kept {
+    /// What the definitions of the cycle do to the state of the control.
+    pub(super) fn deed(&self, cycle: &Cycle) -> &Deed {
+        self.deed.get_or_init(|| Deed::of(Known::Described(cycle), cycle.key.keyword))
+    }
+}
+
+/// Whether a parameter of the cycle is of that kind.
+pub(super) fn has_kind(cycle: &Cycle, kind: ParameterKind) -> bool {
+    cycle.params.iter().any(|param| param.kind == kind)
 }
 
 fn labels(on: &OnControl, cycle: &Cycle, language: &Language) -> LanguageLabels {
@@ -135,20 +175,49 @@ impl CycleLabels {
 /// The language that most of the program's names and labels belong to; among equals the language of
 /// the control's manual.
 pub(super) fn language_of(facts: &Facts<'_>) -> Option<String> {
-    let mut votes: BTreeMap<&str, usize> = BTreeMap::new();
-    for (definition, _) in facts.described() {
-        let Some(labels) = facts.labels(definition) else { continue };
-        let name = definition.view.name.map(|name| fold(facts.text(name)));
-        for language in &labels.languages {
-            let named = name.as_ref().is_some_and(|name| language.name.matches_folded(name));
-            let labelled = definition.items.iter().filter(|item| {
-                let own = item.index.and_then(|index| language.params.get(index));
-                item.folded.as_ref().zip(own).is_some_and(|(label, own)| own.matches_folded(label))
-            });
-            *votes.entry(&language.tag).or_default() += labelled.count() + usize::from(named);
+    // Every cycle has the languages in the same order.
+    let mut votes: Vec<(&str, usize)> = Vec::new();
+    for definition in &facts.definitions {
+        let Some((cycle, labels)) = definition.cycle().zip(facts.labels(definition)) else { continue };
+        if votes.is_empty() {
+            votes = labels.languages.iter().map(|language| (language.tag.as_str(), 0)).collect();
         }
+        if let Some(name) = definition.view.name {
+            let name = fold(facts.text(name));
+            for (language, (_, votes)) in labels.languages.iter().zip(&mut votes) {
+                *votes += usize::from(language.name.matches_folded(&name));
+            }
+        }
+        each_label(facts, definition, cycle, |index, label| {
+            let label = fold(label);
+            for (language, (_, votes)) in labels.languages.iter().zip(&mut votes) {
+                *votes += usize::from(language.params.get(index).is_some_and(|own| own.matches_folded(&label)));
+            }
+        });
     }
     let manual = facts.against.on.control.language.as_str();
     let best = votes.into_iter().filter(|(_, count)| *count > 0).max_by_key(|(tag, count)| (*count, *tag == manual));
     best.map(|(tag, _)| tag.to_owned())
+}
+
+/// The labels of a definition with the places of their parameters in the cycle.
+fn each_label<'a>(facts: &Facts<'a>, definition: &Defined<'a>, cycle: &'a Cycle, mut each: impl FnMut(usize, &'a str)) {
+    match &definition.view.form {
+        CycleForm::Parameters(written) => {
+            let mut place = Place::default();
+            for parameter in &written.parameters {
+                let own = place.of(cycle, parameter.q);
+                if let (Some(own), Some(label)) = (own, parameter.label) {
+                    each(own, facts.text(label));
+                }
+            }
+        }
+        CycleForm::Lines(_) => {
+            for item in &facts.read(definition).items {
+                if let (Some(own), Some(label)) = (item.index, item.label) {
+                    each(own, facts.text(label));
+                }
+            }
+        }
+    }
 }

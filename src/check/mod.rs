@@ -15,7 +15,7 @@ mod values;
 
 pub use allow::CODES as ALLOW_CODES;
 pub use config::{Config, Known, Settings};
-pub use facts::{Definition, Event, Facts, Flow, Item};
+pub use facts::{Defined, Definition, Facts, Flow, Item};
 pub use flow::{Aspect, CycleCall, Graph, Mark, Modal, Pending, Run, Tri, Use, Way};
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels};
 pub use rules::RULES;
@@ -71,7 +71,26 @@ pub fn check(program: &Program, against: &Against<'_>) -> Vec<Diagnostic> {
     for rule in RULES {
         (rule.run)(rule, &facts, &mut found);
     }
+    for definition in facts.readings() {
+        for (rule, each) in rules::OF_DEFINITIONS {
+            each(rule, &facts, &definition, &mut found);
+        }
+    }
     allow::apply(program, against, &mut found);
-    found.sort_by_key(|diagnostic| diagnostic.place.as_ref().map(|place| (place.span.start, place.span.end)));
+    // Of findings at one place those of the parser come first, then those of rules in the order of their codes.
+    let place = |own: &Diagnostic| own.place.as_ref().map(|place| (place.span.start, place.span.end));
+    found.sort_by(|one, other| place(one).cmp(&place(other)).then_with(|| rank(one.code).cmp(&rank(other.code))));
     found
+}
+
+/// Where findings of a code stand among those at the same place.
+fn rank(code: &str) -> usize {
+    let place = |code: &str| RULES.iter().position(|rule| rule.code == code);
+    match place(code) {
+        Some(at) => at + 1,
+        None if code.starts_with("syntax-") => 0,
+        None if ALLOW_CODES.contains(&code) => RULES.len() + 1,
+        // Guards have codes of their own.
+        None => place(rules::GUARD).map_or(0, |at| at + 1),
+    }
 }

@@ -3,7 +3,7 @@
 //! A value that is another parameter is refused only if its number is certain wherever the run comes from.
 use std::borrow::Cow;
 
-use super::{Facts, Item};
+use super::{Definition, Item};
 use crate::expr::QKind;
 use crate::spec::{MM_PER_INCH, Param, ParameterKind, Refusal, number_refusal_in, refusal};
 use crate::syntax::ValueKind;
@@ -33,7 +33,21 @@ pub(super) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
     {
         return number_refusal_in(param, number, MM_PER_INCH);
     }
-    refusal(param, &single_signed(&item.printed))
+    match item.value.map(|value| value.kind) {
+        Some(ValueKind::Number(number)) if is_plain(param, &item.printed) => number_refusal_in(param, number, 1.0),
+        _ => refusal(param, &single_signed(&item.printed)),
+    }
+}
+
+/// Whether a number is printed as every reader of numbers reads it, for a parameter that takes any number.
+fn is_plain(param: &Param, printed: &str) -> bool {
+    let digits = printed.as_bytes();
+    let digits = digits.strip_prefix(b"+").or_else(|| digits.strip_prefix(b"-")).unwrap_or(digits);
+    let takes = matches!(
+        param.kind,
+        ParameterKind::Number | ParameterKind::Integer | ParameterKind::NumberOrName | ParameterKind::QNumber
+    );
+    takes && param.field.is_none() && digits.first().is_some_and(u8::is_ascii_digit)
 }
 
 /// What kind of value belongs where the parameter is written: of one that takes a number or a name, the Q parameter
@@ -67,20 +81,18 @@ fn single_signed(printed: &str) -> Cow<'_, str> {
 pub(super) fn shown(item: &Item<'_>) -> String {
     match item.number {
         Some(number) => format!("{} ({number})", item.printed),
-        None => item.printed.clone(),
+        None => item.printed.to_string(),
     }
 }
 
-/// Runs through all values and the reasons to refuse them.
-pub(super) fn each_refused<'f, 'a>(
-    facts: &'f Facts<'a>,
-    mut tell: impl FnMut(&'f Item<'a>, &'a Param, &'f Refusal, String),
+/// Runs through the values of a definition that are refused.
+pub(super) fn each_refused<'d, 'a>(
+    definition: &'d Definition<'a>,
+    mut tell: impl FnMut(&'d Item<'a>, &'a Param, &'d Refusal, String),
 ) {
-    for (definition, _) in facts.described() {
-        for item in &definition.items {
-            if let (Some(param), Some(refusal)) = (item.param, &item.refusal) {
-                tell(item, param, refusal, definition.key.to_string());
-            }
+    for item in &definition.items {
+        if let (Some(param), Some(refusal)) = (item.param, &item.refusal) {
+            tell(item, param, refusal, definition.key.to_string());
         }
     }
 }

@@ -56,7 +56,7 @@ pub struct Statement {
 /// The statements of a program, in order. Comments, structure blocks and blank lines are none.
 pub fn statements(program: &Program, against: &Against<'_>) -> Vec<Statement> {
     let facts = Facts::of(program, against);
-    let described = facts.definitions.iter().flat_map(|definition| &definition.items);
+    let described = facts.readings().flat_map(|definition| definition.items);
     let fields = described.filter_map(|item| Some((item.label?.start, item.index?))).collect();
     let speaks =
         |block: &&Block| !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_));

@@ -69,7 +69,7 @@ impl Writer<'_, '_> {
                 Some((field, q)) if field.shape == Shape::Q => {
                     given.copy = QRef::parse(&item.printed).filter(|named| *named != q).map(|named| (named, q));
                 }
-                Some((_, q)) => given.values.push((q.to_string(), item.printed.clone())),
+                Some((_, q)) => given.values.push((q.to_string(), item.printed.to_string())),
                 None => self.dropped(definition.key, &item.name, &item.printed, item.span, false),
             }
         }
@@ -99,7 +99,7 @@ impl Writer<'_, '_> {
             match (written, field.stands_for) {
                 (Some(item), _) => {
                     used.push(item.name.clone());
-                    given.values.push((field.id.as_str().to_owned(), item.printed.clone()));
+                    given.values.push((field.id.as_str().to_owned(), item.printed.to_string()));
                 }
                 (None, Some(q)) if field.shape == Shape::Q => {
                     given.values.push((field.id.as_str().to_owned(), q.to_string()));

@@ -23,7 +23,7 @@ impl Writer<'_, '_> {
             let Some((at, target)) = counterpart(own, other, field) else {
                 let refused =
                     self.at("convert-field-lacking", Severity::Error, item.span).arg("parameter", &*item.name);
-                let refused = refused.arg("value", item.printed.as_str()).arg("cycle", definition.key.to_string());
+                let refused = refused.arg("value", item.printed.as_ref()).arg("cycle", definition.key.to_string());
                 self.found.push(refused.arg("control", self.request.to.on.id()));
                 continue;
             };

@@ -61,8 +61,8 @@ pub fn convert(program: &Program, request: &Request<'_>) -> Conversion {
     let facts = Facts::of(program, &request.from);
     let mut writer = Writer { program, facts: &facts, request, edits: Vec::new(), found: Vec::new() };
     writer.found.extend(program.diagnostics());
-    for definition in &facts.definitions {
-        writer.definition(definition);
+    for definition in facts.readings() {
+        writer.definition(&definition);
     }
     writer.functions();
     let Writer { mut edits, mut found, .. } = writer;

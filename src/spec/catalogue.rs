@@ -155,7 +155,12 @@ impl Cycle {
 
     /// The parameter that a definition writes under that Q number.
     pub fn written(&self, q: QRef) -> Option<&Param> {
-        self.params.iter().find(|param| param.q == Some(q) || param.q_of_name() == Some(q))
+        self.params.get(self.place_of(q)?)
+    }
+
+    /// The place of that parameter among all.
+    pub fn place_of(&self, q: QRef) -> Option<usize> {
+        self.params.iter().position(|param| param.q == Some(q) || param.q_of_name() == Some(q))
     }
 
     /// Whether it is written in the old form, a block a line.

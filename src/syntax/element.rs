@@ -1,18 +1,16 @@
 //! Contour elements, read in full when they are first asked for.
 //!
 //! Programs of CAM systems are millions of them, and few readers look at every word. The parser checks each and keeps
-//! where it stands. Invariant: what is read later is what the parser accepted.
+//! where it stands and an outline of it. Invariant: what is read later is what the parser accepted, and the outline says
+//! nothing that the words do not say.
 use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
 use super::cursor::{Cursor, Read};
 use super::motion;
 use super::path::Path;
-use super::tree::Motion;
+use super::tree::{Amount, Compensation, Coord, FeedKind, MFunction, Motion, Operand};
 use crate::diag::{Source, Span};
-
-/// The bit of a length that says that M functions are among the words.
-const FUNCTIONS: u16 = 1 << 15;
 
 /// A contour element or positioning; its words are those of the [`Motion`] that it stands for.
 #[derive(Clone)]
@@ -22,8 +20,121 @@ pub struct Element {
     /// Where the words behind the name begin.
     start: u32,
     /// How long they are.
-    length: u16,
+    length: u8,
     path: Path,
+    outline: Outline,
+    /// The number of its M function, if it has one only, or [`SEVERAL`].
+    function: u8,
+}
+
+/// Stands for M functions whose numbers are not kept.
+const SEVERAL: u8 = u8::MAX;
+
+/// What the words of an element are, as far as it is kept beside the place where they stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Outline(u8);
+
+/// Whether and how an element says its radius compensation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Compensates {
+    /// It does not.
+    Unsaid,
+    /// `R0`.
+    Off,
+    /// `RL` or `RR`.
+    Beside,
+    /// `R+` or `R-`.
+    Along,
+}
+
+impl Outline {
+    const FUNCTIONS: u8 = 1;
+    const PARAMETERS: u8 = 1 << 1;
+    const COORDS: u8 = 1 << 2;
+    const TWICE: u8 = 1 << 3;
+    const RAPID: u8 = 1 << 4;
+    const FEED: u8 = 1 << 5;
+    const COMPENSATION: u8 = 6;
+
+    /// The outline of words.
+    pub fn of(motion: &Motion) -> Self {
+        let bit = |is: bool, bit: u8| if is { bit } else { 0 };
+        let q = |operand: &Operand| matches!(operand.amount, Amount::Q { .. });
+        let feed = motion.feed.map(|feed| feed.kind);
+        let fed_by_q = match &feed {
+            Some(FeedKind::Value(own) | FeedKind::PerRevolution(own) | FeedKind::PerTooth(own)) => q(own),
+            _ => false,
+        };
+        let parameters =
+            motion.coords.iter().any(|coord| q(&coord.value)) || motion.radius.as_ref().is_some_and(q) || fed_by_q;
+        let compensation = match motion.compensation {
+            None => Compensates::Unsaid,
+            Some(Compensation::R0) => Compensates::Off,
+            Some(Compensation::Rl | Compensation::Rr) => Compensates::Beside,
+            Some(Compensation::Longer | Compensation::Shorter) => Compensates::Along,
+        };
+        Self(
+            bit(!motion.functions.is_empty(), Self::FUNCTIONS)
+                | bit(parameters, Self::PARAMETERS)
+                | bit(!motion.coords.is_empty(), Self::COORDS)
+                | bit(axis_twice(&motion.coords).is_some(), Self::TWICE)
+                | bit(feed == Some(FeedKind::Max), Self::RAPID)
+                | bit(feed.is_some_and(|feed| feed != FeedKind::Max), Self::FEED)
+                | ((compensation as u8) << Self::COMPENSATION),
+        )
+    }
+
+    const fn has(self, bit: u8) -> bool {
+        self.0 & bit != 0
+    }
+
+    /// Whether M functions are among the words.
+    pub const fn has_functions(self) -> bool {
+        self.has(Self::FUNCTIONS)
+    }
+
+    /// Whether a coordinate, the radius or the feed is a parameter.
+    pub const fn has_parameters(self) -> bool {
+        self.has(Self::PARAMETERS)
+    }
+
+    /// Whether it has coordinates.
+    pub const fn has_coords(self) -> bool {
+        self.has(Self::COORDS)
+    }
+
+    /// Whether an axis is named twice.
+    pub const fn names_axis_twice(self) -> bool {
+        self.has(Self::TWICE)
+    }
+
+    /// Whether it says `FMAX`.
+    pub const fn is_rapid(self) -> bool {
+        self.has(Self::RAPID)
+    }
+
+    /// Whether it says a feed that is not `FMAX`.
+    pub const fn has_feed(self) -> bool {
+        self.has(Self::FEED)
+    }
+
+    /// Its radius compensation.
+    pub const fn compensates(self) -> Compensates {
+        match self.0 >> Self::COMPENSATION {
+            0 => Compensates::Unsaid,
+            1 => Compensates::Off,
+            2 => Compensates::Beside,
+            _ => Compensates::Along,
+        }
+    }
+}
+
+/// The first coordinate whose axis is named before, and where that is.
+pub fn axis_twice(coords: &[Coord]) -> Option<(&Coord, &Coord)> {
+    coords.iter().enumerate().find_map(|(at, coord)| {
+        let first = coords.iter().take(at).find(|first| first.axis == coord.axis)?;
+        Some((first, coord))
+    })
 }
 
 /// What the parser needs to check elements one by one.
@@ -47,14 +158,18 @@ impl<'s> Checker<'s> {
         let span = Span::new(cursor.at, cursor.end);
         self.words.clear(path);
         motion::motion(cursor, &mut self.words)?;
-        let functions = if self.words.functions.is_empty() { 0 } else { FUNCTIONS };
-        let length = u16::try_from(span.end - span.start).ok().filter(|length| *length < FUNCTIONS);
-        let (read, start, length) = match (u32::try_from(span.start), length) {
-            (Ok(start), Some(length)) => (OnceLock::new(), start, length),
+        let function = match self.words.functions.as_slice() {
+            [] => 0,
+            [only] => u8::try_from(only.number).unwrap_or(SEVERAL),
+            _ => SEVERAL,
+        };
+        let (read, start, length) = match (u32::try_from(span.start), u8::try_from(span.end - span.start)) {
+            (Ok(start), Ok(length)) => (OnceLock::new(), start, length),
             // Too far away or too long to be found again by small numbers.
             _ => (OnceLock::from(Box::new(self.words.clone())), 0, 0),
         };
-        Ok(Element { source: Arc::clone(self.source), read, start, length: length | functions, path })
+        let outline = Outline::of(&self.words);
+        Ok(Element { source: Arc::clone(self.source), read, start, length, path, outline, function })
     }
 }
 
@@ -64,23 +179,48 @@ impl Element {
         self.path
     }
 
+    /// What is known of its words without reading them.
+    pub const fn outline(&self) -> Outline {
+        self.outline
+    }
+
     /// Whether M functions are among its words; known without reading them.
     pub const fn has_functions(&self) -> bool {
-        self.length & FUNCTIONS != 0
+        self.outline.has_functions()
+    }
+
+    /// The numbers of its M functions, in the order written; most often known without reading them.
+    pub fn each_function(&self, mut each: impl FnMut(u16)) {
+        match self.function {
+            _ if !self.has_functions() => {}
+            SEVERAL => self.functions().iter().for_each(|function| each(function.number)),
+            only => each(u16::from(only)),
+        }
+    }
+
+    /// Its M functions, read anew and not kept.
+    pub fn functions(&self) -> Vec<MFunction> {
+        if self.has_functions() { self.words().functions } else { Vec::new() }
     }
 
     /// Its words, read anew and not kept: for those who look at each element of a long program once.
     pub fn words(&self) -> Motion {
-        self.read.get().map_or_else(|| self.again(), |read| (**read).clone())
+        let mut words = Motion::new(self.path);
+        self.read_into(&mut words);
+        words
     }
 
-    fn again(&self) -> Motion {
+    /// Its words in place of others, whose room they take.
+    pub fn read_into(&self, words: &mut Motion) {
+        if let Some(read) = self.read.get() {
+            words.clone_from(read);
+            return;
+        }
+        words.clear(self.path);
         let start = self.start as usize;
-        let span = Span::new(start, start + usize::from(self.length & !FUNCTIONS));
-        let mut words = Motion::new(self.path);
+        let span = Span::new(start, start + usize::from(self.length));
         // It was read once without an error.
-        let _ = motion::motion(&mut Cursor::new(self.source.text(), span), &mut words);
-        words
+        let _ = motion::motion(&mut Cursor::new(self.source.text(), span), words);
     }
 }
 
@@ -88,7 +228,7 @@ impl Deref for Element {
     type Target = Motion;
 
     fn deref(&self) -> &Motion {
-        self.read.get_or_init(|| Box::new(self.again()))
+        self.read.get_or_init(|| Box::new(self.words()))
     }
 }
 

@@ -25,7 +25,7 @@ mod view;
 mod words;
 
 pub use document::{Document, Piece};
-pub use element::Element;
+pub use element::{Compensates, Element, Outline, axis_twice};
 pub use iso::{Dialect, IsoBlock, IsoKind, is_of_language, is_older, is_path};
 pub use path::{Approach, Path};
 pub use statement::*;
@@ -157,6 +157,13 @@ impl Program {
 
     /// The cycle definitions: each with Q parameters, and the lines of each of the old form as one.
     pub fn cycles(&self) -> Vec<CycleView<'_>> {
-        view::cycles(&self.blocks)
+        let mut all = Vec::new();
+        self.each_cycle(|view| all.push(view));
+        all
+    }
+
+    /// Hands over the cycle definitions one by one.
+    pub fn each_cycle<'p>(&'p self, each: impl FnMut(CycleView<'p>)) {
+        view::each_cycle(&self.blocks, each);
     }
 }

@@ -318,7 +318,7 @@ pub struct Motion {
 
 impl Motion {
     /// An element without words.
-    pub(super) const fn new(path: Path) -> Self {
+    pub const fn new(path: Path) -> Self {
         Self {
             path,
             coords: Vec::new(),

@@ -34,9 +34,10 @@ pub enum CycleForm<'p> {
     Lines(Vec<&'p OldCycleLine>),
 }
 
-/// The definitions of a program, in order.
-pub(super) fn cycles(blocks: &[Block]) -> Vec<CycleView<'_>> {
-    let mut found: Vec<CycleView<'_>> = Vec::new();
+/// Hands over the definitions of a program, in order.
+pub(super) fn each_cycle<'p>(blocks: &'p [Block], mut each: impl FnMut(CycleView<'p>)) {
+    // The last one, and whether it may go on.
+    let mut last: Option<CycleView<'_>> = None;
     let mut open = false;
     for (index, block) in blocks.iter().enumerate() {
         match &block.kind {
@@ -44,7 +45,7 @@ pub(super) fn cycles(blocks: &[Block]) -> Vec<CycleView<'_>> {
             BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Unknown(_) => {}
             BlockKind::CycleDef(cycle) => {
                 open = false;
-                found.push(CycleView {
+                let view = CycleView {
                     keyword: cycle.keyword,
                     number: cycle.number,
                     name: cycle.name,
@@ -53,18 +54,19 @@ pub(super) fn cycles(blocks: &[Block]) -> Vec<CycleView<'_>> {
                     last: index,
                     line: block.line,
                     form: CycleForm::Parameters(cycle),
-                });
+                };
+                last.replace(view).into_iter().for_each(&mut each);
             }
             BlockKind::OldCycleLine(line) => {
-                if !(open && found.last_mut().is_some_and(|last| joins(last, line, index))) {
-                    found.push(start(line, index, block.line));
+                if !(open && last.as_mut().is_some_and(|last| joins(last, line, index))) {
+                    last.replace(start(line, index, block.line)).into_iter().for_each(&mut each);
                 }
                 open = true;
             }
             _ => open = false,
         }
     }
-    found
+    last.into_iter().for_each(each);
 }
 
 fn start(line: &OldCycleLine, index: usize, at: usize) -> CycleView<'_> {

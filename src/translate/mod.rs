@@ -55,7 +55,7 @@ fn write(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding,
     let mut writer = Writer { facts: &facts, to, encoding, changes: Vec::new(), diagnostics: Vec::new() };
     let most = against.on.control.label.max_length;
     for (definition, _) in facts.described() {
-        let Some(labels) = facts.labels(definition) else { continue };
+        let Some(labels) = facts.labels(&definition) else { continue };
         let own = |pick: &dyn Fn(&crate::check::LanguageLabels) -> Option<usize>| {
             labels.languages.iter().any(|language| pick(language).is_some())
         };

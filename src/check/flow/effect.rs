@@ -1,25 +1,53 @@
-//! What the definition of a cycle does to the state, read off its specification once.
+//! What the definition of a cycle does to the state, read off its specification once for all its definitions.
 //!
 //! Invariant: a cycle of which nothing is known may do anything.
-use super::state::{Aspect, Known, State, Tri};
+use std::collections::HashMap;
+
+use super::state::{Aspect, Known, Pending, State, Tri};
 use super::step::pend;
-use crate::check::Definition;
+use crate::check::{Defined, Definition, Facts};
 use crate::expr::{QKind, QRef};
 use crate::spec::{
-    Action, Argument, Body, Cycle, Item, Keyword, Known as Of, ParameterKind, TakesEffect, Transformation, Verb,
+    Action, Argument, Body, Cycle, CycleKey, Item, Keyword, Known as Of, ParameterKind, TakesEffect, Transformation,
+    Verb,
 };
-use crate::syntax::{CycleForm, CycleView, OldCycleLine, ValueKind};
+use crate::syntax::{CycleForm, CycleKeyword, CycleView, OldCycleLine, ValueKind};
 
-/// What a definition does.
+/// What the definitions of a cycle do.
 #[derive(Debug, Default)]
-pub(super) struct Effect {
+pub(in crate::check) struct Deed {
     /// Anything may happen.
     anything: bool,
     /// A call means it from here on.
     pends: Option<bool>,
-    aspects: Vec<(Aspect, Tri)>,
-    /// The parameters that it writes: those of the definition, with what is written for them.
-    written: Vec<(QRef, Written)>,
+    aspects: Vec<(Aspect, Then)>,
+    /// The parameters that it writes its results into.
+    results: Vec<QRef>,
+}
+
+/// What becomes of an aspect.
+#[derive(Clone, Copy, Debug)]
+enum Then {
+    Certain(Tri),
+    /// The lines of the definition tell.
+    Told,
+}
+
+impl From<Tri> for Then {
+    fn from(tri: Tri) -> Self {
+        Self::Certain(tri)
+    }
+}
+
+/// What the definitions of a program do.
+pub(super) struct Effects<'f, 'a> {
+    definitions: &'f [Defined<'a>],
+    /// The first block of each.
+    firsts: Vec<u32>,
+    /// What those of cycles do that are not described.
+    others: HashMap<CycleKey, Deed>,
+    /// The parameters that definitions name as those that they write to.
+    named: HashMap<usize, Vec<QRef>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -29,72 +57,119 @@ enum Written {
     Something,
 }
 
-impl Effect {
-    pub(super) fn of(definition: &Definition<'_>) -> Self {
-        let mut effect = Self { written: written(definition), ..Self::default() };
-        match definition.known {
-            Of::Described(cycle) => effect.described(definition, cycle),
+impl<'f, 'a> Effects<'f, 'a> {
+    pub(super) fn of(facts: &'f Facts<'a>) -> Self {
+        let definitions = facts.definitions.as_slice();
+        // No memory holds so many blocks that this is not enough.
+        let firsts = definitions.iter().map(|own| u32::try_from(own.view.first).unwrap_or(u32::MAX)).collect();
+        let (mut others, mut named) = (HashMap::new(), HashMap::new());
+        for (index, definition) in definitions.iter().enumerate() {
+            if definition.kept.is_none() {
+                others.entry(definition.key).or_insert_with(|| Deed::of(definition.known, definition.key.keyword));
+            }
+            let names = names(facts, definition);
+            if !names.is_empty() {
+                named.insert(index, names);
+            }
+        }
+        Self { definitions, firsts, others, named }
+    }
+
+    /// Does what the definition does that begins with a block.
+    pub(super) fn apply(&self, block: usize, state: &mut State) {
+        let found = u32::try_from(block).ok().and_then(|block| self.firsts.binary_search(&block).ok());
+        let Some((index, definition)) = found.and_then(|index| Some((index, self.definitions.get(index)?))) else {
+            return;
+        };
+        let deed = match (definition.kept, definition.cycle()) {
+            (Some(kept), Some(cycle)) => Some(kept.deed(cycle)),
+            _ => self.others.get(&definition.key),
+        };
+        let Some(deed) = deed else { return };
+        let named = self.named.get(&index).map_or(&[] as &[QRef], Vec::as_slice);
+        let writes = !named.is_empty() || !deed.results.is_empty() || writes(&definition.view);
+        if deed.anything || (definition.torn && !writes) {
+            state.forget();
+        }
+        write(&definition.view, state);
+        for q in named.iter().chain(&deed.results) {
+            state.set(*q, Known::Unknown);
+        }
+        for (aspect, then) in &deed.aspects {
+            let value = match then {
+                Then::Certain(value) => *value,
+                Then::Told => changed(*aspect, &definition.view),
+            };
+            state.modal.set(*aspect, value);
+        }
+        match deed.pends {
+            Some(true) => pend(index, state),
+            Some(false) => state.modal.pending = Pending::Unknown,
+            None => {}
+        }
+    }
+}
+
+impl Deed {
+    /// What definitions of a cycle do.
+    pub(in crate::check) fn of(known: Of<'_>, keyword: Keyword) -> Self {
+        let mut deed = Self::default();
+        match known {
+            Of::Described(cycle) => deed.described(cycle),
             Of::Named(named) => {
                 // Touch probe cycles act at once; of others nobody knows when.
-                effect.pends = (definition.key.keyword != Keyword::TchProbe).then_some(false);
-                effect.aspects.push((Aspect::Feed, Tri::Unknown));
-                effect.aspects.push((Aspect::Contour, Tri::Unknown));
-                effect.aspects.push((Aspect::Pattern, Tri::Unknown));
-                effect.aspects.push((Aspect::Compensation, Tri::Unknown));
+                deed.pends = (keyword != Keyword::TchProbe).then_some(false);
+                for aspect in [Aspect::Feed, Aspect::Contour, Aspect::Pattern, Aspect::Compensation] {
+                    deed.aspects.push((aspect, Tri::Unknown.into()));
+                }
                 match named.activates {
-                    Some(transformation) => {
-                        let aspect = aspect(transformation);
-                        effect.aspects.push((aspect, changed(aspect, &definition.view)));
-                    }
+                    Some(transformation) => deed.aspects.push((aspect(transformation), Then::Told)),
                     None => {
-                        effect.aspects.extend([(Aspect::DatumShift, Tri::Unknown), (Aspect::Rotation, Tri::Unknown)])
+                        for aspect in [Aspect::DatumShift, Aspect::Rotation] {
+                            deed.aspects.push((aspect, Tri::Unknown.into()));
+                        }
                     }
                 }
             }
-            Of::Builders | Of::Unknown => effect.anything = true,
+            Of::Builders | Of::Unknown => deed.anything = true,
         }
-        effect.anything |= definition.torn && effect.written.is_empty();
-        effect
+        deed
     }
 
-    fn described(&mut self, definition: &Definition<'_>, cycle: &Cycle) {
+    fn described(&mut self, cycle: &Cycle) {
         match cycle.file.takes_effect {
             TakesEffect::OnCall => self.pends = Some(true),
-            TakesEffect::OnDefinition => self.aspects.push((Aspect::Feed, Tri::Unknown)),
+            TakesEffect::OnDefinition => self.aspects.push((Aspect::Feed, Tri::Unknown.into())),
         }
-        for results in &cycle.file.results {
-            if let Some(q) = results.q {
-                self.written.push((q, Written::Something));
-            }
-        }
+        self.results.extend(cycle.file.results.iter().filter_map(|results| results.q));
         let mut verbs = Vec::new();
         cycle.file.run.iter().for_each(|item| actions(item, &mut verbs));
         for action in verbs {
             match (action.verb, &action.argument) {
                 (Verb::Transform, Argument::Many(entries)) => {
                     for (name, argument) in &entries.0 {
-                        self.transforms(name.as_str(), argument, definition);
+                        self.transforms(name.as_str(), argument);
                     }
                 }
                 (Verb::Remember, Argument::Many(entries)) => {
                     if entries.0.iter().any(|(name, _)| name.as_str() == "contour") {
-                        self.aspects.push((Aspect::Contour, Tri::Yes));
+                        self.aspects.push((Aspect::Contour, Tri::Yes.into()));
                     }
                 }
                 (Verb::Strategy, Argument::One(name)) if name.as_str() == "call-program" => self.anything = true,
                 (Verb::Spindle | Verb::Orient, _) if cycle.file.takes_effect == TakesEffect::OnDefinition => {
-                    self.aspects.push((Aspect::Spindle, Tri::Unknown));
+                    self.aspects.push((Aspect::Spindle, Tri::Unknown.into()));
                 }
                 _ => {}
             }
         }
     }
 
-    fn transforms(&mut self, what: &str, argument: &Argument, definition: &Definition<'_>) {
+    fn transforms(&mut self, what: &str, argument: &Argument) {
         let aspect = match what {
             "datum-shift" => Aspect::DatumShift,
             "datum-row" => {
-                self.aspects.push((Aspect::DatumShift, Tri::Unknown));
+                self.aspects.push((Aspect::DatumShift, Tri::Unknown.into()));
                 return;
             }
             "mirroring" => Aspect::Mirroring,
@@ -106,85 +181,93 @@ impl Effect {
                 let cancels =
                     |word: &Argument| matches!(word, Argument::One(name) if name.as_str() == "radius-compensation");
                 if matches!(argument, Argument::List(words) if words.iter().any(cancels)) {
-                    self.aspects.push((Aspect::Compensation, Tri::No));
+                    self.aspects.push((Aspect::Compensation, Tri::No.into()));
                 }
                 return;
             }
             _ => {
                 for aspect in [Aspect::DatumShift, Aspect::Rotation] {
-                    self.aspects.push((aspect, Tri::Unknown));
+                    self.aspects.push((aspect, Tri::Unknown.into()));
                 }
                 return;
             }
         };
-        self.aspects.push((aspect, changed(aspect, &definition.view)));
-    }
-
-    /// Does it; `index` is that of the definition.
-    pub(super) fn apply(&self, index: usize, state: &mut State) {
-        if self.anything {
-            state.forget();
-        }
-        let read = |written: Written| match written {
-            Written::Number(number) => Known::Number(number),
-            Written::Parameter(negative, q) => match state.get(q) {
-                Known::Number(number) => Known::Number(if negative { -number } else { number }),
-                _ => Known::Unknown,
-            },
-            Written::Something => Known::Unknown,
-        };
-        // All are read before the first one is written.
-        let values: Vec<(QRef, Known)> = self.written.iter().map(|(q, written)| (*q, read(*written))).collect();
-        for (q, value) in values {
-            state.set(q, value);
-        }
-        for (aspect, value) in &self.aspects {
-            state.modal.set(*aspect, *value);
-        }
-        match self.pends {
-            Some(true) => pend(index, state),
-            Some(false) => state.modal.pending = super::state::Pending::Unknown,
-            None => {}
-        }
+        self.aspects.push((aspect, Then::Told));
     }
 }
 
-/// What a definition writes into parameters: its own, and those whose numbers it is given.
-fn written(definition: &Definition<'_>) -> Vec<(QRef, Written)> {
-    let mut all = Vec::new();
-    match &definition.view.form {
-        CycleForm::Parameters(cycle) => {
-            for parameter in &cycle.parameters {
-                let value = match parameter.value.kind {
-                    ValueKind::Number(number) if number.is_finite() => Written::Number(number),
-                    ValueKind::Q { negative, q } if q.kind != QKind::Qs => Written::Parameter(negative, q),
-                    _ => Written::Something,
-                };
-                all.push((parameter.q, value));
-            }
-        }
-        CycleForm::Lines(lines) => {
-            for word in lines.iter().flat_map(|line| &line.words) {
-                // A result may go there.
-                if let (Keyword::TchProbe, ValueKind::Q { q, .. }) = (definition.key.keyword, word.value.kind) {
-                    all.push((q, Written::Something));
-                }
-            }
-        }
+/// Whether a definition writes into parameters of its own.
+fn writes(view: &CycleView<'_>) -> bool {
+    match &view.form {
+        CycleForm::Parameters(cycle) => !cycle.parameters.is_empty(),
+        CycleForm::Lines(_) => results_in_lines(view).next().is_some(),
     }
-    for item in &definition.items {
-        let names = item.param.is_some_and(|param| param.kind == ParameterKind::QNumber);
-        match item.value.map(|value| value.kind) {
-            Some(ValueKind::Number(number)) if names => {
+}
+
+/// The parameters that lines name: a result may go there.
+fn results_in_lines<'v>(view: &'v CycleView<'_>) -> impl Iterator<Item = QRef> + 'v {
+    let lines = match &view.form {
+        CycleForm::Lines(lines) if view.keyword == CycleKeyword::TchProbe => lines.as_slice(),
+        _ => &[],
+    };
+    lines.iter().flat_map(|line| &line.words).filter_map(|word| match word.value.kind {
+        ValueKind::Q { q, .. } => Some(q),
+        _ => None,
+    })
+}
+
+/// Writes what a definition writes into its parameters.
+fn write(view: &CycleView<'_>, state: &mut State) {
+    let CycleForm::Parameters(cycle) = &view.form else {
+        for q in results_in_lines(view) {
+            state.set(q, Known::Unknown);
+        }
+        return;
+    };
+    let written = |kind: ValueKind| match kind {
+        ValueKind::Number(number) if number.is_finite() => Written::Number(number),
+        ValueKind::Q { negative, q } if q.kind != QKind::Qs => Written::Parameter(negative, q),
+        _ => Written::Something,
+    };
+    let read = |written: Written, state: &State| match written {
+        Written::Number(number) => Known::Number(number),
+        Written::Parameter(negative, q) => match state.get(q) {
+            Known::Number(number) => Known::Number(if negative { -number } else { number }),
+            _ => Known::Unknown,
+        },
+        Written::Something => Known::Unknown,
+    };
+    let reads = cycle.parameters.iter().any(|own| matches!(own.value.kind, ValueKind::Q { .. }));
+    if reads {
+        // All are read before the first one is written.
+        let values: Vec<(QRef, Known)> =
+            cycle.parameters.iter().map(|own| (own.q, read(written(own.value.kind), state))).collect();
+        values.into_iter().for_each(|(q, value)| state.set(q, value));
+        return;
+    }
+    for own in &cycle.parameters {
+        let value = read(written(own.value.kind), state);
+        state.set(own.q, value);
+    }
+}
+
+/// The parameters whose numbers a definition is given.
+fn names(facts: &Facts<'_>, definition: &Defined<'_>) -> Vec<QRef> {
+    if !definition.has_kind(ParameterKind::QNumber) {
+        return Vec::new();
+    }
+    let read = Definition::of(facts.program, definition);
+    let named = read.items.iter().filter(|item| item.param.is_some_and(|own| own.kind == ParameterKind::QNumber));
+    named
+        .filter_map(|item| match item.value.map(|value| value.kind) {
+            Some(ValueKind::Number(number)) => {
                 // The value is the number of a parameter, so it is a small whole number.
-                let number = if (0.0..65536.0).contains(&number) { number as u16 } else { 0 };
-                all.push((QRef::q(number), Written::Something));
+                Some(QRef::q(if (0.0..65536.0).contains(&number) { number as u16 } else { 0 }))
             }
-            Some(ValueKind::Q { q, .. }) if names => all.push((q, Written::Something)),
-            _ => {}
-        }
-    }
-    all
+            Some(ValueKind::Q { q, .. }) => Some(q),
+            _ => None,
+        })
+        .collect()
 }
 
 fn aspect(transformation: Transformation) -> Aspect {

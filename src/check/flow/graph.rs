@@ -3,10 +3,11 @@
 //! Invariant: nothing is executed here; labels that parameters choose may be any label.
 use std::collections::BTreeMap;
 
-use crate::check::Definition;
+use crate::check::facts::each_function;
+use crate::check::{Definition, Facts};
 use crate::diag::Span;
 use crate::spec::ParameterKind;
-use crate::syntax::{Amount, Block, BlockKind, Label, LabelRef, MFunction, Program, ValueKind};
+use crate::syntax::{Amount, Block, BlockKind, Label, LabelRef, Program, ValueKind};
 
 /// Which label: a number or a name.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -79,13 +80,11 @@ pub struct Graph {
 }
 
 impl Graph {
-    pub(super) fn of(program: &Program, definitions: &[Definition<'_>]) -> Self {
+    pub(super) fn of(facts: &Facts<'_>) -> Self {
+        let program = facts.program;
         let mut graph = Self { leaders: vec![0], blocks: program.blocks().len(), ..Self::default() };
-        let mut lists = contour_labels(program, definitions);
-        for (index, block) in program.blocks().iter().enumerate() {
-            for (span, mark) in lists.remove(&index).into_iter().flatten() {
-                graph.uses.push(Use { block: index, span, mark: Some(mark), way: Way::Named });
-            }
+        graph.contour_labels(facts);
+        for (index, block) in facts.marked() {
             match &block.kind {
                 BlockKind::Lbl(label) => match mark_of(program, label) {
                     Some(Mark::Number(0)) => graph.lead(index + 1),
@@ -119,7 +118,30 @@ impl Graph {
                 _ => {}
             }
         }
+        graph.uses.sort_by_key(|own| own.block);
         graph
+    }
+
+    /// The labels that definitions list, by the last block of each definition.
+    fn contour_labels(&mut self, facts: &Facts<'_>) {
+        for definition in facts.definitions.iter().filter(|own| own.has_kind(ParameterKind::LabelList)) {
+            for item in &Definition::of(facts.program, definition).items {
+                if item.param.is_none_or(|param| param.kind != ParameterKind::LabelList) {
+                    continue;
+                }
+                let mut at = item.value_span.start;
+                for part in facts.text(item.value_span).split('/') {
+                    let name = part.trim();
+                    let from = at + (part.len() - part.trim_start().len());
+                    at += part.len() + 1;
+                    if let Ok(number) = name.parse() {
+                        let span = Span::new(from, from + name.len());
+                        let (block, mark) = (definition.view.last, Some(Mark::Number(number)));
+                        self.uses.push(Use { block, span, mark, way: Way::Named });
+                    }
+                }
+            }
+        }
     }
 
     fn lead(&mut self, index: usize) {
@@ -170,14 +192,9 @@ impl Graph {
 
 /// Whether the program ends with the block.
 pub(in crate::check) fn stops(block: &Block) -> bool {
-    let ends = |list: &[MFunction]| list.iter().any(|function| matches!(function.number, 2 | 30));
-    match &block.kind {
-        BlockKind::EndPgm(_) => true,
-        BlockKind::Motion(motion) => ends(&motion.functions),
-        BlockKind::Functions(list) | BlockKind::Stop(list) => ends(list),
-        BlockKind::CyclCall(call) => ends(&call.functions),
-        _ => false,
-    }
+    let mut ends = matches!(block.kind, BlockKind::EndPgm(_));
+    each_function(block, |number| ends |= matches!(number, 2 | 30));
+    ends
 }
 
 /// Which label is named; nothing if a parameter chooses it.
@@ -189,30 +206,6 @@ pub(super) fn mark_of(program: &Program, label: &LabelRef) -> Option<Mark> {
     }
 }
 
-/// The labels that definitions list, by the last block of each definition.
-fn contour_labels(program: &Program, definitions: &[Definition<'_>]) -> BTreeMap<usize, Vec<(Span, Mark)>> {
-    let mut all: BTreeMap<usize, Vec<(Span, Mark)>> = BTreeMap::new();
-    for definition in definitions {
-        for item in &definition.items {
-            if item.param.is_none_or(|param| param.kind != ParameterKind::LabelList) {
-                continue;
-            }
-            let printed = program.slice(item.value_span);
-            let mut at = item.value_span.start;
-            for part in printed.split('/') {
-                let name = part.trim();
-                let from = at + (part.len() - part.trim_start().len());
-                at += part.len() + 1;
-                if let Ok(number) = name.parse() {
-                    let place = Span::new(from, from + name.len());
-                    all.entry(definition.view.last).or_default().push((place, Mark::Number(number)));
-                }
-            }
-        }
-    }
-    all
-}
-
 /// The parameters that a block reads, with their places.
 pub(super) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef, Span)>) {
     let operand = |operand: &crate::syntax::Operand, found: &mut Vec<_>| {
@@ -221,7 +214,8 @@ pub(super) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef, Span)>) {
         }
     };
     match &block.kind {
-        BlockKind::Motion(motion) => {
+        BlockKind::Motion(motion) if motion.outline().has_parameters() => {
+            let motion = motion.words();
             motion.coords.iter().for_each(|coord| operand(&coord.value, found));
             motion.radius.iter().for_each(|radius| operand(radius, found));
             motion.feed.iter().for_each(|feed| feed_reads(feed, found));

@@ -4,6 +4,7 @@
 //! Every way that the run can take is followed with what is certain on it; where ways meet, what differs is
 //! unknown. Invariant: certain means certain on every way. A program that takes too long to follow is one of
 //! which nothing is known.
+mod circles;
 mod effect;
 mod graph;
 mod state;
@@ -16,11 +17,14 @@ pub use graph::{Graph, Mark, Use, Way};
 use state::Known;
 pub use state::{Aspect, Modal, Pending, Tri};
 
-use super::Definition;
+use super::Facts;
+use super::facts::each_function;
 use crate::diag::Span;
 use crate::expr::QRef;
-use crate::syntax::{BlockKind, MFunction, Program};
-use effect::Effect;
+use crate::syntax::{Block, BlockKind, MFunction};
+use circles::circles;
+pub(super) use effect::Deed;
+use effect::Effects;
 use graph::{End, reads};
 use state::{State, Touched};
 use step::Steps;
@@ -72,12 +76,11 @@ struct Outline {
 
 impl Run {
     /// Follows a program.
-    pub(super) fn of(program: &Program, definitions: &[Definition<'_>]) -> Self {
-        let effects = definitions.iter().map(|own| (own.view.first, Effect::of(own))).collect();
-        let steps = Steps { program, effects };
-        let graph = Graph::of(program, definitions);
+    pub(super) fn of(facts: &Facts<'_>) -> Self {
+        let steps = Steps { program: facts.program, effects: Effects::of(facts) };
+        let graph = Graph::of(facts);
         let mut walk = Walk::new(&steps, graph);
-        walk.start(program);
+        walk.start(kind(facts));
         let finished = walk.follow();
         walk.result(finished)
     }
@@ -97,22 +100,17 @@ impl Run {
     /// The calls, by index of use, by which a subprogram calls itself, be it through others.
     pub fn recursive_calls(&self) -> impl Iterator<Item = usize> {
         let target = |call: usize| self.graph.block_of(self.graph.uses.get(call)?.mark.as_ref()?);
-        let returns_to = move |from: usize, to: usize| {
-            let (mut seen, mut open) = (BTreeSet::from([from]), vec![from]);
-            while let Some(part) = open.pop() {
-                if part == to {
-                    return true;
-                }
-                let calls = self.parts.get(&part).map_or(&[] as &[usize], |own| &own.calls);
-                open.extend(calls.iter().filter_map(|call| target(*call)).filter(|next| seen.insert(*next)));
-            }
-            false
-        };
-        let calls = self.parts.iter().flat_map(|(part, own)| own.calls.iter().map(move |call| (*part, *call)));
-        let found: BTreeSet<usize> = calls
-            .filter(|(part, call)| target(*call).is_some_and(|to| returns_to(to, *part)))
-            .map(|(_, call)| call)
-            .collect();
+        let blocks: Vec<usize> = self.parts.keys().copied().collect();
+        let place = |block: usize| blocks.binary_search(&block).ok();
+        let callees = |own: &Outline| own.calls.iter().filter_map(|call| place(target(*call)?)).collect();
+        let inner: Vec<Vec<usize>> = self.parts.values().map(callees).collect();
+        // Parts that come back to themselves are those that reach each other.
+        let circle = circles(&inner);
+        let mut found = BTreeSet::new();
+        for (at, own) in self.parts.values().enumerate() {
+            let back = |call: &&usize| target(**call).and_then(place).is_some_and(|to| circle[to] == circle[at]);
+            found.extend(own.calls.iter().filter(back));
+        }
         found.into_iter()
     }
 
@@ -144,8 +142,8 @@ enum Caller {
 /// A run of blocks with who has called it.
 type Node = (usize, Caller);
 
-struct Walk<'w, 'p> {
-    steps: &'w Steps<'p>,
+struct Walk<'w, 'f, 'p> {
+    steps: &'w Steps<'f, 'p>,
     graph: Graph,
     entries: BTreeMap<Node, State>,
     /// What each called label may change, and where it returns.
@@ -170,8 +168,8 @@ struct Part {
     blocks: usize,
 }
 
-impl<'w, 'p> Walk<'w, 'p> {
-    fn new(steps: &'w Steps<'p>, graph: Graph) -> Self {
+impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
+    fn new(steps: &'w Steps<'f, 'p>, graph: Graph) -> Self {
         Self {
             steps,
             graph,
@@ -185,12 +183,11 @@ impl<'w, 'p> Walk<'w, 'p> {
         }
     }
 
-    fn start(&mut self, program: &Program) {
-        if program.blocks().is_empty() {
+    fn start(&mut self, (main, blank): (bool, bool)) {
+        if self.graph.blocks == 0 {
             return;
         }
         self.parts();
-        let (main, blank) = kind(program);
         let state = State::begin(main, blank);
         self.enter((0, Caller::Nobody), &state);
         // Contours that cycles read, and labels that a parameter chooses, are come to from anywhere.
@@ -343,16 +340,35 @@ impl<'w, 'p> Walk<'w, 'p> {
         };
         let all: usize = self.graph.uses.iter().filter(calls_of).filter_map(size).sum();
         self.shared = all > self.graph.blocks.saturating_mul(16).saturating_add(50_000);
-        // What a part calls changes what it changes.
-        let mut changed = true;
-        while changed {
-            changed = false;
-            for (start, inner) in &calls {
-                for callee in inner {
-                    let add = self.parts.get(callee).map(|part| part.touched.clone()).unwrap_or_default();
-                    if let Some(part) = self.parts.get_mut(start) {
-                        changed |= part.touched.add(&add);
-                    }
+        self.spread(&calls);
+    }
+
+    /// What a part calls changes what it changes.
+    fn spread(&mut self, calls: &BTreeMap<usize, BTreeSet<usize>>) {
+        let starts: Vec<usize> = calls.keys().copied().collect();
+        let place = |run: &usize| starts.binary_search(run).ok();
+        let inner: Vec<Vec<usize>> =
+            calls.values().map(|own| own.iter().filter_map(place).collect()).collect();
+        let circle = circles(&inner);
+        let mut groups: Vec<Vec<usize>> = vec![Vec::new(); circle.len()];
+        for (at, circle) in circle.iter().enumerate() {
+            groups[*circle].push(at);
+        }
+        // Circles are numbered from the inside: what is called by others comes before them.
+        let mut patience = self.graph.blocks.saturating_mul(PATIENCE).saturating_add(100_000);
+        for group in &groups {
+            let mut all = Touched::default();
+            let members = group.iter().flat_map(|at| std::iter::once(at).chain(&inner[*at]));
+            for own in members.filter_map(|at| self.parts.get(starts.get(*at)?)) {
+                all.add(&own.touched);
+                patience = patience.saturating_sub(own.touched.size());
+            }
+            if patience == 0 {
+                all = Touched::everything();
+            }
+            for at in group {
+                if let Some(part) = starts.get(*at).and_then(|start| self.parts.get_mut(start)) {
+                    part.touched = all.clone();
                 }
             }
         }
@@ -421,7 +437,7 @@ impl<'w, 'p> Walk<'w, 'p> {
             }
         }
         let blocks = self.steps.program.blocks();
-        let mut read = Vec::new();
+        let (mut read, mut calls, mut seen) = (Vec::new(), Vec::new(), Vec::<Modal>::new());
         run.unset = self.first_pass();
         for (at, first) in self.graph.leaders.iter().enumerate() {
             let nodes = (at, Caller::Nobody)..=(at, Caller::Use(usize::MAX));
@@ -457,12 +473,12 @@ impl<'w, 'p> Walk<'w, 'p> {
                         _ => {}
                     }
                 }
-                let mut calls = Vec::new();
-                calls_in(&block.kind, &mut calls);
-                for span in calls {
+                calls.clear();
+                calls_in(block, &mut calls);
+                for span in calls.iter().copied() {
                     // Each way of coming here by itself: the same block may be right for one and wrong for another.
-                    let mut seen: Vec<Modal> = Vec::new();
-                    for modal in states.iter().map(|state| self.steps.at_call(block, state).modal) {
+                    seen.clear();
+                    for modal in states.iter().map(|state| self.steps.at_call(block, state)) {
                         if !seen.contains(&modal) {
                             seen.push(modal);
                             run.calls.push(CycleCall { span, block: index, modal });
@@ -470,8 +486,9 @@ impl<'w, 'p> Walk<'w, 'p> {
                     }
                 }
                 states.iter_mut().for_each(|state| self.steps.step(index, block, state));
-                stopped = stops(block) && !block.skip;
-                if stops(block)
+                let ends = stops(block);
+                stopped = ends && !block.skip;
+                if ends
                     && let Some(modal) = states.iter().map(|state| state.modal).reduce(|one, other| one.join(&other))
                 {
                     run.ends.push((index, modal));
@@ -517,32 +534,40 @@ impl<'w, 'p> Walk<'w, 'p> {
 }
 
 /// The places where a block calls a cycle.
-fn calls_in(kind: &BlockKind, found: &mut Vec<Span>) {
-    let list: &[MFunction] = match kind {
-        BlockKind::Motion(motion) => &motion.functions,
-        BlockKind::Functions(list) | BlockKind::Stop(list) => list,
-        BlockKind::CyclCall(call) => {
-            found.push(call.head);
-            &call.functions
+fn calls_in(block: &Block, found: &mut Vec<Span>) {
+    let calls = |own: &MFunction| matches!(own.number, 89 | 99);
+    let mut any = false;
+    each_function(block, |number| any |= matches!(number, 89 | 99));
+    if let BlockKind::CyclCall(call) = &block.kind {
+        found.push(call.head);
+    }
+    match &block.kind {
+        _ if !any => {}
+        BlockKind::Motion(motion) => {
+            found.extend(motion.functions().iter().filter(|own| calls(own)).map(|own| own.span));
         }
-        _ => return,
-    };
-    found.extend(list.iter().filter(|function| matches!(function.number, 89 | 99)).map(|function| function.span));
+        BlockKind::Functions(list) | BlockKind::Stop(list) => {
+            found.extend(list.iter().filter(|own| calls(own)).map(|own| own.span));
+        }
+        BlockKind::CyclCall(call) => {
+            found.extend(call.functions.iter().filter(|own| calls(own)).map(|own| own.span));
+        }
+        _ => {}
+    }
 }
 
 /// Whether a program is one that is started, not one that others call: it names its blank or its tools or ends with
 /// M2 or M30; and whether it names its blank.
-fn kind(program: &Program) -> (bool, bool) {
-    let (mut begins, mut main, mut blank) = (false, false, false);
-    for block in program.blocks() {
+fn kind(facts: &Facts<'_>) -> (bool, bool) {
+    let (mut main, mut blank) = (false, false);
+    for (_, block) in facts.marked() {
         match &block.kind {
-            BlockKind::BeginPgm(_) => begins = true,
             BlockKind::BlkForm(_) => blank = true,
             BlockKind::Statement(statement) => blank |= statement.kind == crate::syntax::StatementKind::BlkForm,
             BlockKind::ToolCall(_) => main = true,
-            BlockKind::EndPgm(_) => {}
+            BlockKind::BeginPgm(_) | BlockKind::EndPgm(_) => {}
             _ => main |= stops(block),
         }
     }
-    (begins && (main || blank), begins && blank)
+    (facts.begins() && (main || blank), facts.begins() && blank)
 }

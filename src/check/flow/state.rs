@@ -1,7 +1,8 @@
 //! What is known of the control's state between two blocks.
 //!
 //! Invariant: everything only ever becomes less certain when ways of the run meet, so that following them ends.
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeSet, HashMap};
+use std::hash::{BuildHasherDefault, Hasher};
 
 use crate::expr::{QKind, QRef};
 
@@ -9,18 +10,14 @@ use crate::expr::{QKind, QRef};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tri {
     /// Certainly not.
-    No,
+    No = 1,
     /// Certainly.
-    Yes,
+    Yes = 2,
     /// On some ways, or it depends on what the program does not say.
-    Unknown,
+    Unknown = 3,
 }
 
 impl Tri {
-    fn join(self, other: Self) -> Self {
-        if self == other { self } else { Self::Unknown }
-    }
-
     /// The answer of what is known to be true or false.
     pub fn of(known: Option<bool>) -> Self {
         known.map_or(Self::Unknown, |known| if known { Self::Yes } else { Self::No })
@@ -71,8 +68,6 @@ pub enum Aspect {
     Contour,
 }
 
-const ASPECTS: usize = Aspect::Contour as usize + 1;
-
 /// The cycle that a call means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pending {
@@ -87,35 +82,43 @@ pub enum Pending {
 /// The modal state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Modal {
-    aspects: [Tri; ASPECTS],
+    /// Two bits for each aspect, those of [`Tri`]: what two states disagree about has both.
+    aspects: u64,
     /// The cycle that a call means.
     pub pending: Pending,
 }
 
+/// The same for all aspects.
+const fn all(value: Tri) -> u64 {
+    (u64::MAX / 3) * value as u64
+}
+
+const fn shift(aspect: Aspect) -> u32 {
+    2 * aspect as u32
+}
+
 impl Modal {
     /// The state at the beginning of a program.
-    pub(super) const BEGIN: Self = Self { aspects: [Tri::No; ASPECTS], pending: Pending::None };
+    pub(super) const BEGIN: Self = Self { aspects: all(Tri::No), pending: Pending::None };
     /// Nothing is known.
-    pub(super) const UNKNOWN: Self = Self { aspects: [Tri::Unknown; ASPECTS], pending: Pending::Unknown };
+    pub(super) const UNKNOWN: Self = Self { aspects: all(Tri::Unknown), pending: Pending::Unknown };
 
     /// What is known of an aspect.
-    pub fn is(&self, aspect: Aspect) -> Tri {
-        self.aspects[aspect as usize]
+    pub const fn is(&self, aspect: Aspect) -> Tri {
+        match (self.aspects >> shift(aspect)) & 3 {
+            1 => Tri::No,
+            2 => Tri::Yes,
+            _ => Tri::Unknown,
+        }
     }
 
-    pub(super) fn set(&mut self, aspect: Aspect, value: Tri) {
-        self.aspects[aspect as usize] = value;
+    pub(super) const fn set(&mut self, aspect: Aspect, value: Tri) {
+        self.aspects = self.aspects & !(3 << shift(aspect)) | ((value as u64) << shift(aspect));
     }
 
     pub(super) fn join(&self, other: &Self) -> Self {
-        let mut joined = *self;
-        for (own, other) in joined.aspects.iter_mut().zip(&other.aspects) {
-            *own = own.join(*other);
-        }
-        if joined.pending != other.pending {
-            joined.pending = Pending::Unknown;
-        }
-        joined
+        let pending = if self.pending == other.pending { self.pending } else { Pending::Unknown };
+        Self { aspects: self.aspects | other.aspects, pending }
     }
 }
 
@@ -130,11 +133,37 @@ pub(super) enum Known {
     Unknown,
 }
 
+/// Hashes parameters: there are not so many of them that anybody could choose bad ones.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Mix(u64);
+
+impl Hasher for Mix {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|byte| self.write_u64(u64::from(*byte)));
+    }
+
+    fn write_u16(&mut self, number: u16) {
+        self.write_u64(u64::from(number));
+    }
+
+    fn write_u64(&mut self, number: u64) {
+        self.0 = (self.0.rotate_left(26) ^ number).wrapping_mul(0xF135_7AEA_2E62_A9C5);
+    }
+
+    fn write_isize(&mut self, number: isize) {
+        self.write_u64(number.unsigned_abs() as u64);
+    }
+}
+
 /// Modal state and parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct State {
     pub(super) modal: Modal,
-    numbers: BTreeMap<QRef, Known>,
+    numbers: HashMap<QRef, Known, BuildHasherDefault<Mix>>,
     /// What holds of parameters that are not in the map.
     others: Known,
 }
@@ -147,7 +176,7 @@ impl State {
     /// known that no other has filled its parameters.
     pub(super) fn begin(main: bool, blank: bool) -> Self {
         let modal = if main { Modal::BEGIN } else { Modal::UNKNOWN };
-        Self { modal, numbers: BTreeMap::new(), others: if blank { Known::Unset } else { Known::Unknown } }
+        Self { modal, numbers: HashMap::default(), others: if blank { Known::Unset } else { Known::Unknown } }
     }
 
     /// Where nothing is known.
@@ -184,14 +213,14 @@ impl State {
 
     /// Both ways lead here.
     pub(super) fn join(&self, other: &Self) -> Self {
-        let keys: BTreeSet<QRef> = self.numbers.keys().chain(other.numbers.keys()).copied().collect();
         let meet = |q: QRef| {
             let (own, other) = (self.get(q), other.get(q));
             (q, if own == other { own } else { Known::Unknown })
         };
+        let others = other.numbers.keys().filter(|q| !self.numbers.contains_key(q));
         Self {
             modal: self.modal.join(&other.modal),
-            numbers: keys.into_iter().map(meet).collect(),
+            numbers: self.numbers.keys().chain(others).map(|q| meet(*q)).collect(),
             others: if self.others == other.others { self.others } else { Known::Unknown },
         }
     }
@@ -202,11 +231,7 @@ impl State {
             return exit.clone();
         }
         let mut state = before.clone();
-        for (aspect, touched) in touched.aspects.iter().enumerate() {
-            if *touched {
-                state.modal.aspects[aspect] = exit.modal.aspects[aspect];
-            }
-        }
+        state.modal.aspects = state.modal.aspects & !touched.aspects | exit.modal.aspects & touched.aspects;
         if touched.pending {
             state.modal.pending = exit.modal.pending;
         }
@@ -220,7 +245,8 @@ impl State {
 /// What a part of a program may change.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Touched {
-    aspects: [bool; ASPECTS],
+    /// Both bits of each aspect.
+    aspects: u64,
     pending: bool,
     parameters: BTreeSet<QRef>,
     /// Anything at all.
@@ -231,24 +257,25 @@ impl Touched {
     /// Adds what a block changes: found by its effect on two opposite states.
     pub(super) fn note(&mut self, before: &[State; 2], after: &[State; 2]) {
         for (before, after) in before.iter().zip(after) {
-            for (index, touched) in self.aspects.iter_mut().enumerate() {
-                *touched |= before.modal.aspects[index] != after.modal.aspects[index];
-            }
+            let changed = before.modal.aspects ^ after.modal.aspects;
+            let (low, high) = (changed & all(Tri::No), changed & all(Tri::Yes));
+            self.aspects |= low | high | (low << 1) | (high >> 1);
             self.pending |= before.modal.pending != after.modal.pending;
             self.everything |= before.others != after.others;
             self.parameters.extend(after.numbers.keys());
         }
     }
 
-    pub(super) fn add(&mut self, other: &Self) -> bool {
-        let before = self.clone();
-        for (own, other) in self.aspects.iter_mut().zip(&other.aspects) {
-            *own |= other;
-        }
+    pub(super) fn add(&mut self, other: &Self) {
+        self.aspects |= other.aspects;
         self.pending |= other.pending;
         self.everything |= other.everything;
         self.parameters.extend(&other.parameters);
-        *self != before
+    }
+
+    /// How many parameters it names.
+    pub(super) fn size(&self) -> usize {
+        self.parameters.len()
     }
 
     /// Everything may change.
@@ -259,7 +286,7 @@ impl Touched {
     /// The two states that together show what a block changes.
     pub(super) fn probes() -> [State; 2] {
         let mut yes = State::begin(true, true);
-        yes.modal.aspects = [Tri::Yes; ASPECTS];
+        yes.modal.aspects = all(Tri::Yes);
         [State::begin(true, true), yes]
     }
 }

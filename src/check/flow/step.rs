@@ -3,35 +3,31 @@
 //! Invariant: what is not known for certain to stay as it is, is forgotten.
 use std::sync::Arc;
 
-use super::effect::Effect;
-use super::state::{Aspect, Known, Pending, State, Tri};
+use super::effect::Effects;
+use super::state::{Aspect, Known, Modal, Pending, State, Tri};
+use crate::check::facts::each_function;
 use crate::expr::{Code, Env, EvalError, Expr, QKind, QRef, Resolve, Type, Value, compile};
 use crate::syntax::{
-    Amount, Block, BlockKind, CallForm, Compensation, Feed, FeedKind, FnAssign, FnOp, MFunction, Motion, Operand, Path,
-    Program, Statement, StatementKind, ValueKind,
+    Amount, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, Operand, Path, Program,
+    Statement, StatementKind, ValueKind,
 };
 
 /// What stepping needs besides the state.
-pub(super) struct Steps<'a> {
+pub(super) struct Steps<'f, 'a> {
     pub(super) program: &'a Program,
-    /// What the definitions do, in the order of their first blocks.
-    pub(super) effects: Vec<(usize, Effect)>,
+    /// What the definitions do.
+    pub(super) effects: Effects<'f, 'a>,
 }
 
-impl Steps<'_> {
+impl Steps<'_, '_> {
     /// The state behind the M functions at the start of a block, where its call happens.
-    pub(super) fn at_call(&self, block: &Block, state: &State) -> State {
-        let mut state = state.clone();
-        match &block.kind {
-            BlockKind::Motion(motion) => {
-                self.motion(motion, &mut state);
-                start(&motion.functions, &mut state);
-            }
-            BlockKind::Functions(list) | BlockKind::Stop(list) => start(list, &mut state),
-            BlockKind::CyclCall(call) => start(&call.functions, &mut state),
-            _ => {}
+    pub(super) fn at_call(&self, block: &Block, state: &State) -> Modal {
+        let mut modal = state.modal;
+        if let BlockKind::Motion(motion) = &block.kind {
+            self.motion(motion, &mut modal);
         }
-        state
+        start(block, &mut modal);
+        modal
     }
 
     /// Carries the state over a block; what may be skipped may also not happen.
@@ -46,10 +42,10 @@ impl Steps<'_> {
     fn act(&self, index: usize, block: &Block, state: &mut State) {
         match &block.kind {
             BlockKind::Motion(motion) => {
-                self.motion(motion, state);
-                functions(&motion.functions, state);
+                self.motion(motion, &mut state.modal);
+                functions(block, &mut state.modal);
             }
-            BlockKind::Functions(list) | BlockKind::Stop(list) => functions(list, state),
+            BlockKind::Functions(_) | BlockKind::Stop(_) => functions(block, &mut state.modal),
             BlockKind::ToolCall(call) => {
                 if call.tool.is_some() {
                     let named = if call.axis.is_some() { Tri::Yes } else { Tri::Unknown };
@@ -64,12 +60,12 @@ impl Steps<'_> {
                 if call.speed.is_some() || call.cutting_speed.is_some() {
                     state.modal.set(Aspect::Speed, Tri::Yes);
                 }
-                feed(call.feed.as_ref(), state);
+                feed(call.feed.as_ref(), &mut state.modal);
             }
             BlockKind::CyclCall(call) => {
-                functions(&call.functions, state);
-                feed(call.feed.as_ref(), state);
-                called(state);
+                functions(block, &mut state.modal);
+                feed(call.feed.as_ref(), &mut state.modal);
+                called(&mut state.modal);
                 if let CallForm::Position(_) = call.form {
                     state.modal.set(Aspect::Feed, Tri::Unknown);
                 }
@@ -80,13 +76,7 @@ impl Steps<'_> {
                 state.set(formula.target, value);
             }
             BlockKind::TextFormula(formula) => state.set(formula.target, Known::Unknown),
-            BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) => {
-                if let Ok(at) = self.effects.binary_search_by_key(&index, |(first, _)| *first)
-                    && let Some((_, effect)) = self.effects.get(at)
-                {
-                    effect.apply(at, state);
-                }
-            }
+            BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) => self.effects.apply(index, state),
             BlockKind::GlobalDef(definition) => {
                 for parameter in &definition.parameters {
                     state.set(parameter.q, Known::Unknown);
@@ -104,18 +94,21 @@ impl Steps<'_> {
         }
     }
 
-    fn motion(&self, motion: &Motion, state: &mut State) {
-        match motion.compensation {
-            Some(Compensation::R0) => state.modal.set(Aspect::Compensation, Tri::No),
-            Some(_) => state.modal.set(Aspect::Compensation, Tri::Yes),
-            None => {}
+    fn motion(&self, motion: &Element, modal: &mut Modal) {
+        let outline = motion.outline();
+        match outline.compensates() {
+            Compensates::Off => modal.set(Aspect::Compensation, Tri::No),
+            Compensates::Beside | Compensates::Along => modal.set(Aspect::Compensation, Tri::Yes),
+            Compensates::Unsaid => {}
         }
-        match motion.path {
-            Path::Cc | Path::Fpol => state.modal.set(Aspect::Pole, Tri::Yes),
-            Path::Dep(_) => state.modal.set(Aspect::Compensation, Tri::No),
+        match motion.path() {
+            Path::Cc | Path::Fpol => modal.set(Aspect::Pole, Tri::Yes),
+            Path::Dep(_) => modal.set(Aspect::Compensation, Tri::No),
             _ => {}
         }
-        feed(motion.feed.as_ref(), state);
+        if outline.has_feed() {
+            modal.set(Aspect::Feed, Tri::Yes);
+        }
     }
 
     fn statement(&self, statement: &Statement, state: &mut State) {
@@ -178,38 +171,36 @@ fn number(code: &Code, state: &State) -> Known {
     }
 }
 
-fn feed(feed: Option<&Feed>, state: &mut State) {
+fn feed(feed: Option<&Feed>, modal: &mut Modal) {
     match feed.map(|feed| feed.kind) {
         None | Some(FeedKind::Max) => {}
-        Some(_) => state.modal.set(Aspect::Feed, Tri::Yes),
+        Some(_) => modal.set(Aspect::Feed, Tri::Yes),
     }
 }
 
 /// What a cycle leaves behind: its feed may stay.
-fn called(state: &mut State) {
-    state.modal.set(Aspect::Feed, Tri::Unknown);
+const fn called(modal: &mut Modal) {
+    modal.set(Aspect::Feed, Tri::Unknown);
 }
 
-/// M functions that act at the start of their block.
-fn start(list: &[MFunction], state: &mut State) {
-    for function in list {
-        if matches!(function.number, 3 | 4 | 13 | 14) {
-            state.modal.set(Aspect::Spindle, Tri::Yes);
+/// The M functions that act at the start of their block.
+fn start(block: &Block, modal: &mut Modal) {
+    each_function(block, |number| {
+        if matches!(number, 3 | 4 | 13 | 14) {
+            modal.set(Aspect::Spindle, Tri::Yes);
         }
-    }
+    });
 }
 
-fn functions(list: &[MFunction], state: &mut State) {
-    start(list, state);
-    for function in list {
-        match function.number {
-            0 | 2 | 5 | 6 | 30 => state.modal.set(Aspect::Spindle, Tri::No),
-            89 | 99 => called(state),
-            1 | 3 | 4 | 8 | 9 | 13 | 14 | 90..=199 => {}
-            // What else an M function does is the machine builder's affair.
-            _ => state.modal.set(Aspect::Spindle, Tri::Unknown),
-        }
-    }
+fn functions(block: &Block, modal: &mut Modal) {
+    start(block, modal);
+    each_function(block, |number| match number {
+        0 | 2 | 5 | 6 | 30 => modal.set(Aspect::Spindle, Tri::No),
+        89 | 99 => called(modal),
+        1 | 3 | 4 | 8 | 9 | 13 | 14 | 90..=199 => {}
+        // What else an M function does is the machine builder's affair.
+        _ => modal.set(Aspect::Spindle, Tri::Unknown),
+    });
 }
 
 /// The value of an operand.

@@ -26,9 +26,13 @@ struct Way {
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let tolerance = if facts.inch { TOLERANCE / MM_PER_INCH } else { TOLERANCE };
+    if !facts.arcs {
+        return;
+    }
     let mut way = Way::default();
+    let mut words = Motion::new(Path::L);
     for block in facts.program.blocks() {
-        let wrong = way.follow(block, tolerance);
+        let wrong = way.follow(block, &mut words, tolerance);
         if let Some((what, first, second)) = wrong {
             let finding = rule.at(facts, facts.content(block)).arg("what", what);
             found.push(finding.arg("first", rounded(first)).arg("second", rounded(second)));
@@ -42,13 +46,16 @@ fn rounded(value: f64) -> Arg {
 
 impl Way {
     /// Follows a block: what is wrong with its arc.
-    fn follow(&mut self, block: &Block, tolerance: f64) -> Option<(&'static str, f64, f64)> {
+    fn follow(&mut self, block: &Block, words: &mut Motion, tolerance: f64) -> Option<(&'static str, f64, f64)> {
         if block.skip {
             self.forget();
             return None;
         }
         match &block.kind {
-            BlockKind::Motion(motion) => self.motion(motion, tolerance),
+            BlockKind::Motion(motion) => {
+                motion.read_into(words);
+                self.motion(words, tolerance)
+            }
             BlockKind::ToolCall(call) => {
                 if call.tool.is_some() || call.axis.is_some() {
                     self.plane = call.axis == Some(Axis::Z);

@@ -1,28 +1,28 @@
 //! An axis that stands twice in a block.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Place, Severity};
-use crate::syntax::{BlockKind, CallForm, Coord};
+use crate::syntax::{BlockKind, CallForm, axis_twice};
 
 pub(super) const RULE: Rule = Rule { code: "axis-twice", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    for block in facts.program.blocks() {
-        let coords: &[Coord] = match &block.kind {
-            BlockKind::Motion(motion) => &motion.coords,
-            BlockKind::BlkForm(form) => &form.coords,
-            BlockKind::CyclCall(call) => match &call.form {
-                CallForm::Position(coords) => coords,
+    for (_, block) in facts.marked() {
+        let motion = match &block.kind {
+            BlockKind::Motion(motion) if motion.outline().names_axis_twice() => Some(motion.words()),
+            _ => None,
+        };
+        let coords = match (&block.kind, &motion) {
+            (_, Some(motion)) => motion.coords.as_slice(),
+            (BlockKind::BlkForm(form), _) => form.coords.as_slice(),
+            (BlockKind::CyclCall(call), _) => match &call.form {
+                CallForm::Position(coords) => coords.as_slice(),
                 _ => continue,
             },
             _ => continue,
         };
-        for (at, coord) in coords.iter().enumerate() {
-            let first = coords.iter().take(at).find(|first| first.axis == coord.axis);
-            if let Some(first) = first {
-                let place = Place::new(facts.program.source(), first.span);
-                found.push(rule.at(facts, coord.span).arg("axis", coord.axis.name()).related("first-place", place));
-                break;
-            }
+        if let Some((first, coord)) = axis_twice(coords) {
+            let place = Place::new(facts.program.source(), first.span);
+            found.push(rule.at(facts, coord.span).arg("axis", coord.axis.name()).related("first-place", place));
         }
     }
 }

@@ -8,7 +8,7 @@ pub(super) const RULE: Rule = Rule { code: "blank-wrong", severity: Severity::Wa
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut first: Option<(&Block, &BlkForm)> = None;
-    for block in facts.program.blocks() {
+    for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::BlkForm(form) if form.part == 1 => {
                 if let Some((alone, _)) = first.replace((block, form)) {

@@ -4,9 +4,11 @@
 //! behind the definition of a pattern, which has called the cycle before it by itself already.
 //! Otherwise the call means the last cycle that is called, whatever was defined since. Silent where
 //! blocks are repeated, called or skipped, and behind cycles of which nothing is known.
-use crate::check::{Definition, Event, Facts, Rule};
+use crate::check::facts::is_silent;
+use crate::check::{Defined, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::{Action, Argument, Body, Cycle, Item, Known, TakesEffect, Verb};
+use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "call-of-def-active-cycle", severity: Severity::Error, run };
 
@@ -14,26 +16,38 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if facts.flow.jumps || facts.flow.programs {
         return;
     }
-    let (mut last, mut callable, mut blocks_since): (Option<&Definition<'_>>, bool, usize) = (None, false, 0);
-    for event in &facts.events {
-        match event {
-            Event::Define(index) => {
-                last = facts.definitions.get(*index);
-                callable |= last.is_none_or(|last| last.takes_effect() != Some(TakesEffect::OnDefinition));
-                blocks_since = 0;
-            }
-            Event::Block => blocks_since += 1,
-            Event::Call { span, alone } => {
-                let Some(last) = last.filter(|last| last.takes_effect() == Some(TakesEffect::OnDefinition)) else {
-                    continue;
-                };
-                let pattern = matches!(last.known, Known::Described(cycle) if calls_last(cycle));
-                if !callable || (pattern && *alone && blocks_since == 1) {
-                    found.push(rule.at(facts, *span).arg("cycle", last.key.to_string()));
-                }
-            }
+    let active = |own: &Defined<'_>| own.takes_effect() == Some(TakesEffect::OnDefinition);
+    if !facts.definitions.iter().any(active) {
+        return;
+    }
+    let mut coming = facts.definitions.iter().peekable();
+    let (mut last, mut callable): (Option<&Defined<'_>>, bool) = (None, false);
+    for (index, block) in facts.marked() {
+        while let Some(next) = coming.next_if(|next| next.view.first < index) {
+            callable |= !active(next);
+            last = Some(next);
+        }
+        let Some(last) = last.filter(|last| active(last)) else { continue };
+        let own = match &block.kind {
+            BlockKind::CyclCall(call) => Some(call.head),
+            _ => None,
+        };
+        let pattern = || matches!(last.known, Known::Described(cycle) if calls_last(cycle));
+        if callable && !(own.is_some() && directly_behind(facts, last.view.first, index) && pattern()) {
+            continue;
+        }
+        let functions = facts.functions(block);
+        let called = functions.iter().filter(|own| matches!(own.number, 89 | 99)).map(|own| own.span);
+        for span in own.into_iter().chain(called) {
+            found.push(rule.at(facts, span).arg("cycle", last.key.to_string()));
         }
     }
+}
+
+/// Whether only comments stand between two blocks.
+fn directly_behind(facts: &Facts<'_>, before: usize, at: usize) -> bool {
+    let blocks = facts.program.blocks().get(..at).unwrap_or_default();
+    blocks.iter().rposition(|block| !is_silent(block)) == Some(before)
 }
 
 /// Whether a cycle calls the one that was defined before it.

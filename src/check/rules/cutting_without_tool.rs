@@ -4,7 +4,7 @@
 //! (M91, M92) and of rotary axes alone are left alone.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Axis, BlockKind, Coord, FeedKind, Path};
+use crate::syntax::{Axis, BlockKind, Coord, Path};
 
 pub(super) const RULE: Rule = Rule { code: "cutting-without-tool", severity: Severity::Warning, run };
 
@@ -15,11 +15,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         for block in facts.program.blocks().get(from..to).unwrap_or_default() {
             let BlockKind::Motion(motion) = &block.kind else { continue };
+            if motion.outline().is_rapid() {
+                continue;
+            }
+            let motion = motion.words();
             let machine = motion.functions.iter().any(|function| matches!(function.number, 91 | 92));
-            let rapid = motion.feed.is_some_and(|feed| feed.kind == FeedKind::Max);
             let turns = |coord: &Coord| matches!(coord.axis, Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W);
             let moves = !matches!(motion.path, Path::Cc | Path::Fpol) && !motion.coords.iter().all(turns);
-            if moves && !machine && !rapid {
+            if moves && !machine {
                 found.push(rule.at(facts, facts.content(block)));
                 return;
             }

@@ -3,7 +3,7 @@
 //! A pattern behind it calls it. Silent in programs that call others, which may call it, and with M89, and where a block
 //! behind it cannot be read.
 use super::call_of_def_active_cycle::calls_last;
-use crate::check::{Definition, Facts, Modal, Pending, Rule};
+use crate::check::{Defined, Facts, Modal, Pending, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::{Known, TakesEffect};
 use crate::syntax::BlockKind;
@@ -29,18 +29,19 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             *called = true;
         }
     }
+    let mut unread = facts.marked().filter(|(_, block)| matches!(block.kind, BlockKind::Unknown(_)));
+    let last_unread = unread.next_back().map(|(index, _)| index);
     for (definition, called) in facts.definitions.iter().zip(called) {
         let waits = definition.takes_effect() == Some(TakesEffect::OnCall);
         let reached = facts.run.before(definition.view.first).is_some();
         // What cannot be read may be the call.
-        let behind = facts.program.blocks().get(definition.view.last + 1..).unwrap_or_default();
-        let unread = facts.flow.unread && behind.iter().any(|block| matches!(block.kind, BlockKind::Unknown(_)));
+        let unread = last_unread.is_some_and(|unread| unread > definition.view.last);
         if waits && reached && !called && !unread {
             found.push(rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string()));
         }
     }
 }
 
-fn calls_by_itself(definition: &Definition<'_>) -> bool {
+fn calls_by_itself(definition: &Defined<'_>) -> bool {
     matches!(definition.known, Known::Described(cycle) if calls_last(cycle))
 }

@@ -15,8 +15,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         for block in facts.program.blocks().get(from..to).unwrap_or_default() {
             let BlockKind::Motion(motion) = &block.kind else { continue };
-            let moves = !matches!(motion.path, Path::Cc | Path::Fpol) && !motion.coords.is_empty();
-            if moves && motion.feed.is_none() {
+            let moves = !matches!(motion.path(), Path::Cc | Path::Fpol) && motion.outline().has_coords();
+            if moves && !motion.outline().has_feed() && !motion.outline().is_rapid() {
                 found.push(rule.at(facts, facts.content(block)));
                 return;
             }

@@ -7,7 +7,7 @@ pub(super) const RULE: Rule = Rule { code: "frame-mismatch", severity: Severity:
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut begin: Option<&Frame> = None;
-    for block in facts.program.blocks() {
+    for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::BeginPgm(frame) => begin = Some(frame),
             BlockKind::EndPgm(end) => {

@@ -33,14 +33,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         match definition.known {
             Known::Described(cycle) if is_harmless(cycle) => {}
             Known::Described(_) => return,
-            _ => match floor(definition) {
+            _ => match floor(&facts.read(definition)) {
                 Some(floor) => floors.push(floor),
                 None => return,
             },
         }
     }
     for (definition, cycle) in facts.described() {
-        let written = Written::of(facts, definition, cycle);
+        let written = Written::of(facts, &definition, cycle);
         let is = |meaning: &&str| cycle.params.iter().find(|param| param.is.as_str() == *meaning);
         let [Some(main), Some(minor), Some(height)] = MEASURED.each_ref().map(is) else { continue };
         let value = |param| written.number_of(param);
@@ -50,7 +50,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let item = definition.items.iter().find(|item| item.param.is_some_and(|own| std::ptr::eq(own, height)));
         if let (Some(item), true) = (item, measured < floor.height) {
             let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref());
-            let finding = finding.arg("cycle", definition.key.to_string()).arg("value", item.printed.as_str());
+            let finding = finding.arg("cycle", definition.key.to_string()).arg("value", item.printed.as_ref());
             found.push(finding.arg("milling", floor.cycle.as_str()).arg("floor", Arg::Number(floor.height)));
         }
     }

@@ -20,7 +20,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut corner: Option<(Span, f64)> = None;
     for block in facts.program.blocks() {
         match &block.kind {
-            BlockKind::Motion(motion) => feed = feed.or_else(|| fast(motion.feed.as_ref())),
+            BlockKind::Motion(motion) if feed.is_none() && motion.outline().has_feed() => {
+                feed = fast(motion.words().feed.as_ref());
+            }
             BlockKind::ToolCall(call) => feed = feed.or_else(|| fast(call.feed.as_ref())),
             BlockKind::BlkForm(form) => {
                 let far = form.coords.iter().filter_map(|coord| match coord.value.amount {

@@ -57,7 +57,8 @@ mod unknown_parameter;
 mod unreachable;
 mod wrong_value_kind;
 
-use super::Rule;
+use super::{Definition, Facts, Rule};
+use crate::diag::Diagnostic;
 
 /// All rules, in the order of their codes. The findings of `guard` have the codes of the
 /// specifications' guards.
@@ -120,3 +121,27 @@ pub const RULES: &[&Rule] = &[
     &unreachable::RULE,
     &wrong_value_kind::RULE,
 ];
+
+/// Looks at one definition.
+pub(super) type Each = fn(&Rule, &Facts<'_>, &Definition<'_>, &mut Vec<Diagnostic>);
+
+/// The rules that look at one definition after the other, with what they do: each definition is read once for all.
+pub(super) const OF_DEFINITIONS: &[(&Rule, Each)] = &[
+    (&choice_not_offered::RULE, choice_not_offered::each),
+    (&clearance_height_too_low::RULE, clearance_height_too_low::each),
+    (&duplicate_parameter::RULE, duplicate_parameter::each),
+    (&guard::RULE, guard::each),
+    (&label_of_another_language::RULE, label_of_another_language::each),
+    (&label_of_another_parameter::RULE, label_of_another_parameter::each),
+    (&misordered_parameter::RULE, misordered_parameter::each),
+    (&missing_parameter::RULE, missing_parameter::each),
+    (&out_of_range::RULE, out_of_range::each),
+    (&unknown_parameter::RULE, unknown_parameter::each),
+    (&wrong_value_kind::RULE, wrong_value_kind::each),
+];
+
+/// What those rules do by themselves: nothing.
+fn together(_: &Rule, _: &Facts<'_>, _: &mut Vec<Diagnostic>) {}
+
+/// The code of the rule whose findings have codes of their own.
+pub(super) const GUARD: &str = guard::RULE.code;

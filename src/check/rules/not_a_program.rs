@@ -11,7 +11,7 @@ pub(super) const RULE: Rule = Rule { code: "not-a-program", severity: Severity::
 const LEAST: usize = 4;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    if facts.program.blocks().iter().any(|block| matches!(block.kind, BlockKind::BeginPgm(_) | BlockKind::EndPgm(_))) {
+    if facts.begins() || facts.end.is_some() {
         return;
     }
     let (mut all, mut unread) = (0, 0);

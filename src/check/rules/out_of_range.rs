@@ -3,14 +3,15 @@
 //! Silent where the manual prints no range. Ranges of lengths and feeds are in mm; in a program in inches the limit is
 //! told in inches.
 use crate::check::values::{each_refused, shown};
-use crate::check::{Facts, Rule};
+use super::together;
+use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
 use crate::spec::{ParameterKind, Refusal};
 
-pub(super) const RULE: Rule = Rule { code: "out-of-range", severity: Severity::Error, run };
+pub(super) const RULE: Rule = Rule { code: "out-of-range", severity: Severity::Error, run: together };
 
-fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    each_refused(facts, |item, param, refusal, cycle| {
+pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
+    each_refused(definition, |item, param, refusal, cycle| {
         let (side, limit) = match *refusal {
             Refusal::Below(limit) => ("below", limit),
             Refusal::Above(limit) => ("above", limit),

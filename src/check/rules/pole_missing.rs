@@ -14,7 +14,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         for block in facts.program.blocks().get(from..to).unwrap_or_default() {
             let BlockKind::Motion(motion) = &block.kind else { continue };
-            if matches!(motion.path, Path::C | Path::Cp | Path::Lp | Path::Ctp) {
+            if matches!(motion.path(), Path::C | Path::Cp | Path::Lp | Path::Ctp) {
                 found.push(rule.at(facts, facts.content(block)));
                 return;
             }

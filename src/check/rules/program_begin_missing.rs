@@ -1,12 +1,11 @@
 //! A program that ends with END PGM and does not begin with BEGIN PGM.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "program-begin-missing", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let ends = facts.program.blocks().iter().any(|block| matches!(block.kind, BlockKind::EndPgm(_)));
+    let ends = facts.end.is_some();
     if !ends || facts.begins() || facts.unread("BEGIN") {
         return;
     }

@@ -9,7 +9,7 @@ pub(super) const RULE: Rule = Rule { code: "program-calls-itself", severity: Sev
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut own = None;
-    for block in facts.program.blocks() {
+    for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::BeginPgm(frame) => own = Some(facts.text(frame.name).trim()),
             BlockKind::CallPgm(name) => {

@@ -1,16 +1,15 @@
 //! A program that begins with BEGIN PGM and has no END PGM: its end is missing, or more than its end.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "program-end-missing", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let ends = facts.program.blocks().iter().any(|block| matches!(block.kind, BlockKind::EndPgm(_)));
+    let ends = facts.end.is_some();
     if ends || !facts.begins() || facts.unread("END") {
         return;
     }
-    if let Some(last) = facts.acting().last() {
+    if let Some(last) = facts.acting().next_back() {
         found.push(rule.at(facts, facts.content(last)));
     }
 }

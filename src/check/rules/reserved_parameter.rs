@@ -12,7 +12,7 @@ pub(super) const RULE: Rule = Rule { code: "reserved-parameter", severity: Sever
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut told = BTreeSet::new();
-    for block in facts.program.blocks() {
+    for (_, block) in facts.marked() {
         let (target, span) = match &block.kind {
             BlockKind::FnAssign(assign) => (assign.target, assign.target_span),
             BlockKind::Formula(formula) => (formula.target, formula.target_span),

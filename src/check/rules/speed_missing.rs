@@ -12,7 +12,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         for block in facts.program.blocks().get(from..to).unwrap_or_default() {
-            let on = facts.functions(block).iter().find(|function| matches!(function.number, 3 | 4 | 13 | 14));
+            let functions = facts.functions(block);
+            let on = functions.iter().find(|function| matches!(function.number, 3 | 4 | 13 | 14));
             if let Some(function) = on {
                 found.push(rule.at(facts, function.span));
                 return;

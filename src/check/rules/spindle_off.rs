@@ -5,7 +5,7 @@
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::spec::{Cycle, Group, Known};
-use crate::syntax::{BlockKind, Compensation};
+use crate::syntax::{BlockKind, Compensates};
 
 pub(super) const RULE: Rule = Rule { code: "spindle-off", severity: Severity::Warning, run };
 
@@ -29,9 +29,10 @@ fn contour(facts: &Facts<'_>) -> Option<Span> {
         }
         for block in facts.program.blocks().get(from..to).unwrap_or_default() {
             let BlockKind::Motion(motion) = &block.kind else { continue };
-            let compensated = matches!(motion.compensation, Some(Compensation::Rl | Compensation::Rr));
+            let outline = motion.outline();
+            let compensated = outline.compensates() == Compensates::Beside;
             // M functions of the machine builder may turn it on.
-            if compensated && !motion.coords.is_empty() && motion.functions.is_empty() {
+            if compensated && outline.has_coords() && !outline.has_functions() {
                 return Some(facts.content(block));
             }
         }

@@ -2,6 +2,8 @@
 //!
 //! Only said where both are called, neither is jumped to or repeated, and nothing but blocks that always follow each
 //! other stands between the labels.
+use std::collections::BTreeMap;
+
 use crate::check::{Facts, Mark, Rule, Way};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, Label};
@@ -9,8 +11,9 @@ use crate::syntax::{BlockKind, Label};
 pub(super) const RULE: Rule = Rule { code: "subprogram-runs-on", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let only_called = only_called(facts);
     let mut before: Option<(String, crate::diag::Span)> = None;
-    for block in facts.program.blocks() {
+    for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::Lbl(label) => {
                 let mark = match label.target {
@@ -22,7 +25,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                     before = None;
                     continue;
                 }
-                let called = only_called(facts, &mark);
+                let called = only_called.get(&mark).is_some_and(|own| *own);
                 if let (true, Some((name, span))) = (called, &before) {
                     let finding = rule.at(facts, *span).arg("label", name.as_str()).arg("next", mark.to_string());
                     found.push(finding);
@@ -36,7 +39,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-fn only_called(facts: &Facts<'_>, mark: &Mark) -> bool {
-    let mut uses = facts.run.graph.uses.iter().filter(|own| own.mark.as_ref() == Some(mark)).peekable();
-    uses.peek().is_some() && uses.all(|own| own.way == Way::Call)
+/// The labels that something leads to, and whether that are calls only.
+fn only_called<'f>(facts: &'f Facts<'_>) -> BTreeMap<&'f Mark, bool> {
+    let mut called = BTreeMap::new();
+    for own in &facts.run.graph.uses {
+        if let Some(mark) = &own.mark {
+            *called.entry(mark).or_insert(true) &= own.way == Way::Call;
+        }
+    }
+    called
 }

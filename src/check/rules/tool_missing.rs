@@ -2,7 +2,7 @@
 //!
 //! Said once a program. Silent behind calls of other programs and blocks that are not analysed (turning has no tool
 //! axis), and in programs that name neither blank nor tool: others call them.
-use crate::check::{Aspect, Definition, Facts, Rule, Tri};
+use crate::check::{Aspect, Defined, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::{Keyword, Known};
 
@@ -13,7 +13,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let calls = facts.run.calls.iter().filter(|call| missing(call.modal) && !facts.definitions.is_empty());
     // What a cycle of the machine builder needs, nobody knows.
     let probe =
-        |own: &&Definition<'_>| own.key.keyword == Keyword::TchProbe && matches!(own.known, Known::Described(_));
+        |own: &&Defined<'_>| own.key.keyword == Keyword::TchProbe && matches!(own.known, Known::Described(_));
     let probes = facts.definitions.iter().filter(probe);
     let probes = probes.filter(|own| facts.run.before(own.view.first).is_some_and(missing)).map(|own| own.view.head);
     let first = calls.map(|call| call.span).chain(probes).min_by_key(|span| span.start);

@@ -2,30 +2,32 @@
 //!
 //! If it has none of all that are written, that is said once, at the cycle. Where nothing else is missing, it is a warning:
 //! later software versions have parameters of which the manuals here do not speak.
-use crate::check::{Facts, Rule};
+use super::together;
+use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 
-pub(super) const RULE: Rule = Rule { code: "unknown-parameter", severity: Severity::Error, run };
+pub(super) const RULE: Rule = Rule { code: "unknown-parameter", severity: Severity::Error, run: together };
 
 /// How many parameters must not fit before the cycle is doubted.
 const LEAST: usize = 2;
 
-fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    for (definition, _) in facts.described() {
-        let strange = definition.items.iter().filter(|item| item.param.is_none());
-        let number = strange.clone().count();
-        // Where nothing fits, the number of the cycle is wrong rather than each parameter.
-        if number >= LEAST && number == definition.items.len() {
-            let names: Vec<&str> = strange.map(|item| item.name.as_ref()).collect();
-            let finding = rule.at(facts, definition.view.head).arg("parameter", names.join(", "));
-            found.push(finding.arg("cycle", definition.key.to_string()));
-            continue;
-        }
-        for item in strange {
-            let addition = definition.missing.is_empty() && crate::expr::QRef::parse(&item.name).is_some();
-            let severity = if addition { Severity::Warning } else { rule.severity };
-            let finding = rule.at(facts, item.span).arg("parameter", item.name.as_ref());
-            found.push(Diagnostic { severity, ..finding }.arg("cycle", definition.key.to_string()));
-        }
+pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
+    if definition.in_order || definition.cycle().is_none() {
+        return;
+    }
+    let strange = definition.items.iter().filter(|item| item.param.is_none());
+    let number = strange.clone().count();
+    // Where nothing fits, the number of the cycle is wrong rather than each parameter.
+    if number >= LEAST && number == definition.items.len() {
+        let names: Vec<&str> = strange.map(|item| item.name.as_ref()).collect();
+        let finding = rule.at(facts, definition.view.head).arg("parameter", names.join(", "));
+        found.push(finding.arg("cycle", definition.key.to_string()));
+        return;
+    }
+    for item in strange {
+        let addition = definition.missing.is_empty() && crate::expr::QRef::parse(&item.name).is_some();
+        let severity = if addition { Severity::Warning } else { rule.severity };
+        let finding = rule.at(facts, item.span).arg("parameter", item.name.as_ref());
+        found.push(Diagnostic { severity, ..finding }.arg("cycle", definition.key.to_string()));
     }
 }

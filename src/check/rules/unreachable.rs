@@ -17,9 +17,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // One part in one piece is told once.
     let mut told = false;
     for (from, to, modal) in facts.run.stretches() {
+        if modal.is_some() {
+            ended |= facts.end.is_some_and(|end| end < to);
+            told = false;
+            continue;
+        }
         for block in blocks.get(from..to).unwrap_or_default() {
             ended |= matches!(block.kind, BlockKind::EndPgm(_));
-            if modal.is_some() || ended {
+            if ended {
                 told = false;
                 continue;
             }

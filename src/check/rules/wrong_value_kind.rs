@@ -1,14 +1,15 @@
 //! A value of a kind that the parameter does not take: a text instead of a number, a word that it
 //! does not offer, a fraction where a whole number is needed, nothing at all.
 use crate::check::values::{each_refused, kind, shown};
-use crate::check::{Facts, Rule};
+use super::together;
+use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::Refusal;
 
-pub(super) const RULE: Rule = Rule { code: "wrong-value-kind", severity: Severity::Error, run };
+pub(super) const RULE: Rule = Rule { code: "wrong-value-kind", severity: Severity::Error, run: together };
 
-fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    each_refused(facts, |item, param, refusal, cycle| {
+pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
+    each_refused(definition, |item, param, refusal, cycle| {
         if *refusal == Refusal::Kind {
             let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref()).arg("cycle", cycle);
             let finding = finding.arg("kind", kind(item, param).as_str()).arg("value", shown(item));
