@@ -4,7 +4,7 @@
 //! locale files at the edge of the program, never here. Invariant: this module knows no language and
 //! no rule.
 use std::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A stretch of bytes in a source, end exclusive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -37,26 +37,38 @@ pub struct Position {
     pub column: usize,
 }
 
-/// A text with the name of the file it came from and the starts of its lines.
+/// A text with the name of the file it came from.
 pub struct Source {
     name: String,
     text: String,
-    lines: Vec<usize>,
+    lines: OnceLock<Lines>,
+}
+
+/// Where lines start, found when it is first asked for.
+struct Lines {
+    count: usize,
+    /// The start of each line whose number, counted from 0, is a multiple of [`STEP`].
+    starts: Vec<usize>,
+}
+
+/// Of so many lines one is remembered; the others are counted from there.
+const STEP: usize = 64;
+
+/// The starts of lines behind `from` up to `to`; lines end at `\n`, `\r\n` or a lone `\r`.
+fn starts(text: &str, from: usize, to: usize) -> impl Iterator<Item = usize> + '_ {
+    let bytes = text.as_bytes();
+    let part = bytes.get(from..to.min(bytes.len())).unwrap_or_default().iter().enumerate();
+    part.filter_map(move |(at, byte)| {
+        let at = from + at;
+        let ends = *byte == b'\n' || (*byte == b'\r' && bytes.get(at + 1) != Some(&b'\n'));
+        ends.then_some(at + 1)
+    })
 }
 
 impl Source {
     /// A source with the given display name; lines end at `\n`, `\r\n` or a lone `\r`.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Arc<Self> {
-        let text = text.into();
-        let mut lines = vec![0];
-        let bytes = text.as_bytes();
-        for (at, &byte) in bytes.iter().enumerate() {
-            let ends = byte == b'\n' || (byte == b'\r' && bytes.get(at + 1) != Some(&b'\n'));
-            if ends {
-                lines.push(at + 1);
-            }
-        }
-        Arc::new(Self { name: name.into(), text, lines })
+        Arc::new(Self { name: name.into(), text: text.into(), lines: OnceLock::new() })
     }
 
     /// The name as the user gave it.
@@ -71,19 +83,40 @@ impl Source {
 
     /// How many lines it has.
     pub fn lines(&self) -> usize {
-        self.lines.len()
+        self.table().count
+    }
+
+    fn table(&self) -> &Lines {
+        self.lines.get_or_init(|| {
+            let mut lines = Lines { count: 1, starts: vec![0] };
+            for start in starts(&self.text, 0, self.text.len()) {
+                if lines.count % STEP == 0 {
+                    lines.starts.push(start);
+                }
+                lines.count += 1;
+            }
+            lines
+        })
+    }
+
+    /// The number (from 1) of the line that holds the byte, and its start.
+    fn line_at(&self, byte: usize) -> (usize, usize) {
+        let table = self.table();
+        let step = table.starts.partition_point(|start| *start <= byte).saturating_sub(1);
+        let first = table.starts.get(step).copied().unwrap_or_default();
+        let behind = starts(&self.text, first, byte);
+        behind.fold((step * STEP + 1, first), |(line, _), start| (line + 1, start))
     }
 
     /// The number (from 1) of the line that holds the byte.
     pub fn line_of(&self, byte: usize) -> usize {
-        self.lines.partition_point(|&start| start <= byte).max(1)
+        self.line_at(byte).0
     }
 
     /// Line and column of a byte; a byte past the end counts as the end.
     pub fn position(&self, byte: usize) -> Position {
         let byte = byte.min(self.text.len());
-        let line = self.line_of(byte);
-        let start = self.lines[line - 1];
+        let (line, start) = self.line_at(byte);
         let before = self.text.get(start..byte).unwrap_or_default();
         Position { line, column: before.chars().count() + 1 }
     }

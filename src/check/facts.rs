@@ -362,7 +362,7 @@ impl<'a> Definition<'a> {
             self.items.push(Item {
                 index,
                 param,
-                name: name_of(program, parameter),
+                name: name_of(program, &parameter),
                 span: parameter.span,
                 value_span: parameter.value.span,
                 printed: if printed.starts_with('"') { Cow::Borrowed(printed) } else { capitals(printed) },

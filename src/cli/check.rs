@@ -14,7 +14,6 @@ use crate::check::{self, Against, Config, LabelBook, Settings};
 use crate::diag::{Diagnostic, Severity, Source};
 use crate::locale::{Args, Language, Locales, Scope, Ui};
 use crate::spec::{Catalogue, OnControl};
-use crate::syntax::encoding;
 use crate::system;
 use crate::table::{self, TableKind};
 
@@ -144,7 +143,7 @@ fn found_in(
     if let Some(found) = known.and_then(|(cache, key)| cache.find(key, || program::source_of(&job.path, &bytes))) {
         return Ok(found);
     }
-    let file = program::understood(&job.path, &encoding::decode(&bytes), catalogue);
+    let file = program::understood_bytes(&job.path, bytes, catalogue);
     let found = file.findings(check::check(&file.program, against));
     if let Some((cache, key)) = known {
         cache.keep(key, &found);

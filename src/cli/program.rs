@@ -86,6 +86,13 @@ pub(super) fn understood(path: &Path, decoded: &Decoded, catalogue: &Catalogue) 
     Understood::new(syntax::parse(&source), decoded.encoding, catalogue)
 }
 
+/// The same of the bytes of a file, which become the text if they can: copies of long programs cost.
+pub(super) fn understood_bytes(path: &Path, bytes: Vec<u8>, catalogue: &Catalogue) -> Understood {
+    let decoded = encoding::decode_owned(bytes);
+    let source = Source::new(path.display().to_string(), decoded.text);
+    Understood::new(syntax::parse(&source), decoded.encoding, catalogue)
+}
+
 /// Reads a program; `-` is standard input.
 pub(super) fn read(path: &Path) -> Result<File, Failure> {
     let decoded = encoding::decode_owned(system::read(path)?);

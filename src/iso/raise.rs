@@ -495,7 +495,7 @@ impl Raising<'_, '_> {
         let key = fields::key(cycle.keyword, cycle.number);
         let code = self.codes.code(key).ok_or(Refusal { code: "iso-no-code", span: cycle.head })?;
         let name = cycle.name.map_or(String::new(), |name| format!(" {}", self.text(name)));
-        Ok(self.parameters(code + &name, &cycle.parameters))
+        Ok(self.parameters(code + &name, &cycle.parameters.to_vec()))
     }
 
     fn global(&self, definition: &GlobalDef) -> Written {

@@ -30,7 +30,7 @@ pub fn layout(program: &Program) -> Vec<Edit> {
         }
         match &block.kind {
             BlockKind::CycleDef(cycle) if cycle.errors.is_empty() => {
-                columns(program, block, &cycle.parameters, &mut edits)
+                columns(program, block, &cycle.parameters.to_vec(), &mut edits)
             }
             BlockKind::Motion(motion) => signs(program, &motion.coords, &mut edits),
             BlockKind::BlkForm(form) => signs(program, &form.coords, &mut edits),

@@ -8,8 +8,8 @@ use std::sync::Arc;
 use super::cursor::{Cursor, Read, trim};
 use super::element::Checker;
 use super::lines::{Line, line_at};
-use super::statement::{GlobalDef, StatementKind};
-use super::tree::{Block, BlockKind, CycleDef, CycleKeyword, Parameter, SyntaxError};
+use super::statement::StatementKind;
+use super::tree::{Block, BlockKind, Parameter, SyntaxError};
 use super::{blocks, cycle};
 use crate::diag::{Source, Span};
 
@@ -36,10 +36,9 @@ pub(super) struct Assembled {
 
 pub(super) fn assemble(source: &Arc<Source>) -> Assembled {
     let text = source.text();
-    // As many as lines are too many where definitions have many lines; what is too much is given back.
-    let blocks = Vec::with_capacity(source.lines());
+    let blocks = Vec::new();
     let checker = RefCell::new(Checker::new(source));
-    let mut assembler = Assembler { text, at: 0, line: 1, blocks, warnings: Vec::new(), checker };
+    let mut assembler = Assembler { text, at: 0, line: 1, blocks, warnings: Vec::new(), checker, room: Vec::new() };
     while let Some(line) = line_at(text.as_bytes(), assembler.at) {
         assembler.block(line);
     }
@@ -56,6 +55,8 @@ struct Assembler<'t> {
     line: usize,
     blocks: Vec<Block>,
     warnings: Vec<SyntaxError>,
+    /// Room for the parameters of a definition.
+    room: Vec<Parameter>,
 }
 
 impl Assembler<'_> {
@@ -170,6 +171,14 @@ impl Assembler<'_> {
         // In a formula a dash and a word could go on with it.
         let inside = error.code == "syntax-formula" && error.span.start > next.content.start;
         behind && in_words && (error.span.start == next.content.start || inside)
+    }
+
+    /// A block of one line, that is read already, or of several joined by `~`.
+    fn written(&mut self, first: Line, kind: BlockKind, remark: Option<Span>) {
+        if first.joined || takes_lines(&kind) {
+            return self.joined(first);
+        }
+        self.push(&first, first.next, 1, kind, remark);
     }
 
     /// A block of one line or of several joined by `~`.
@@ -329,18 +338,19 @@ impl Assembler<'_> {
     }
 
     fn cycle(&mut self, first: Line) {
-        let (kind, remark) = self.read(first.content);
-        let (definition, global) = match kind {
-            BlockKind::CycleDef(definition) => (definition, false),
-            // It has the form of a cycle's definition, and is none.
-            BlockKind::GlobalDef(global) => (Box::new(as_cycle(*global)), true),
-            _ => return self.joined(first),
-        };
-        let inline = !definition.parameters.is_empty();
+        let (mut kind, remark) = self.read(first.content);
+        let mut parameters = std::mem::take(&mut self.room);
+        match &kind {
+            BlockKind::CycleDef(definition) => parameters.extend(&definition.parameters),
+            BlockKind::GlobalDef(_) => {}
+            _ => return self.written(first, kind, remark),
+        }
+        let inline = !parameters.is_empty();
         let mut body = CycleBody {
             first,
             last: first,
-            definition: *definition,
+            parameters,
+            errors: Vec::new(),
             end: first.next,
             lines: 1,
             tilde: first.joined || inline,
@@ -352,13 +362,15 @@ impl Assembler<'_> {
         if body.last.joined {
             self.dangling(&body.last);
         }
-        let CycleBody { definition, end, lines, .. } = body;
-        let kind = if global {
-            let CycleDef { number, head, name, parameters, errors, .. } = definition;
-            BlockKind::GlobalDef(Box::new(GlobalDef { number, head, name, parameters, errors }))
-        } else {
-            BlockKind::CycleDef(Box::new(definition))
-        };
+        let CycleBody { mut parameters, errors, end, lines, .. } = body;
+        match &mut kind {
+            BlockKind::CycleDef(own) => (own.parameters, own.errors) = (parameters.as_slice().into(), errors),
+            // It has the form of a cycle's definition, and is none.
+            BlockKind::GlobalDef(own) => (own.parameters, own.errors) = (parameters.clone(), errors),
+            _ => {}
+        }
+        parameters.clear();
+        self.room = parameters;
         self.push(&first, end, lines, kind, remark);
     }
 
@@ -374,20 +386,20 @@ impl Assembler<'_> {
                 Role::Between => {}
                 Role::Torn(error) if !body.last.joined && torn.len() < MAX_TORN => torn.push(error),
                 Role::Torn(error) if body.last.joined => {
-                    body.definition.errors.push(error);
+                    body.errors.push(error);
                     body.take(line, &mut lines);
                 }
                 Role::Torn(_) => return,
                 Role::Parameter(parameter) => {
-                    body.definition.errors.append(&mut torn);
-                    body.definition.parameters.push(parameter);
+                    body.errors.append(&mut torn);
+                    body.parameters.push(parameter);
                     body.numbered |= line.number.is_some();
                     body.tilde |= line.joined;
                     body.take(line, &mut lines);
                 }
                 Role::Unreadable(error) => {
-                    body.definition.errors.append(&mut torn);
-                    body.definition.errors.push(error);
+                    body.errors.append(&mut torn);
+                    body.errors.push(error);
                     body.take(line, &mut lines);
                 }
                 Role::Comment => {
@@ -462,7 +474,7 @@ impl Assembler<'_> {
             return Role::Between;
         }
         let label = line.comment.and_then(|comment| cycle::label(self.text, comment));
-        if let Some(last) = body.definition.parameters.last_mut()
+        if let Some(last) = body.parameters.last_mut()
             && last.label.is_none()
             && body.last.comment.is_none()
         {
@@ -483,17 +495,13 @@ fn takes_lines(kind: &BlockKind) -> bool {
     }
 }
 
-fn as_cycle(global: GlobalDef) -> CycleDef {
-    let GlobalDef { number, head, name, parameters, errors } = global;
-    CycleDef { keyword: CycleKeyword::CyclDef, number, head, name, parameters, errors }
-}
-
 /// A cycle definition in the making.
 struct CycleBody {
     first: Line,
     /// The last line that was taken.
     last: Line,
-    definition: CycleDef,
+    parameters: Vec<Parameter>,
+    errors: Vec<SyntaxError>,
     end: usize,
     lines: usize,
     /// Whether its lines are joined by `~`.
@@ -521,7 +529,7 @@ impl CycleBody {
         match (line.number.is_some(), self.first.number.is_some()) {
             // Only a listing that numbers every line has numbers here.
             (true, _) => {
-                let listing = self.definition.parameters.is_empty() || self.numbered;
+                let listing = self.parameters.is_empty() || self.numbered;
                 tight && line.comment.is_some() && (self.last.joined || (listing && !self.tilde))
             }
             _ if self.last.joined => true,

@@ -4,6 +4,7 @@
 //! printed and never decide anything.
 use super::SHORTEST_LABEL;
 use super::cursor::{Cursor, Read, skip_blanks, trim};
+use super::parameters::Parameters;
 use super::statement::{GlobalDef, NamedWord};
 use super::tree::{Axis, BlockKind, CycleDef, CycleKeyword, OldCycleLine, Operand, Parameter, Value, ValueKind};
 use super::words::from_operand;
@@ -68,6 +69,7 @@ pub(super) fn head(cursor: &mut Cursor<'_>) -> Read<BlockKind> {
     if !old {
         let head = Span::new(start, cursor.at);
         let (name, parameters) = name_and_parameters(cursor)?;
+        let parameters = Parameters::from(parameters.as_slice());
         let definition = CycleDef { keyword, number, head, name, parameters, errors: Vec::new() };
         return Ok(BlockKind::CycleDef(Box::new(definition)));
     }

@@ -117,15 +117,16 @@ impl<'t> Reader<'t> {
             Err(error) => BlockKind::Unknown(Box::new(error)),
         };
         let (mut end, mut more) = (last.next, 0);
-        if let Some((parameters, errors)) = parameters_of(&mut kind) {
+        if let Some((mut parameters, mut errors)) = parameters_of(&mut kind) {
             if let [parameter] = parameters.as_mut_slice()
                 && parameter.label.is_none()
             {
                 parameter.label = comment.and_then(|comment| cycle::label(self.text, comment));
             }
             if !ended {
-                (end, more) = self.parameters(&first, &last, parameters, errors);
+                (end, more) = self.parameters(&first, &last, &mut parameters, &mut errors);
             }
+            put_back(&mut kind, parameters, errors);
         }
         first.comment = first.comment.or(last.comment);
         self.push(&first, Span::new(first.start, end), lines + more, kind);
@@ -408,15 +409,26 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// The list that parameters on lines of their own go to, if a block is a definition.
-fn parameters_of(kind: &mut BlockKind) -> Option<(&mut Vec<Parameter>, &mut Vec<SyntaxError>)> {
+/// Takes the list that parameters on lines of their own go to, if a block is a definition.
+fn parameters_of(kind: &mut BlockKind) -> Option<(Vec<Parameter>, Vec<SyntaxError>)> {
+    use std::mem::take;
     match kind {
         BlockKind::Iso(block) if matches!(block.kind, IsoKind::Cycle(_)) => {
-            Some((&mut block.parameters, &mut block.errors))
+            Some((take(&mut block.parameters), take(&mut block.errors)))
         }
-        BlockKind::GlobalDef(definition) => Some((&mut definition.parameters, &mut definition.errors)),
-        BlockKind::CycleDef(definition) => Some((&mut definition.parameters, &mut definition.errors)),
+        BlockKind::GlobalDef(own) => Some((take(&mut own.parameters), take(&mut own.errors))),
+        BlockKind::CycleDef(own) => Some((own.parameters.to_vec(), take(&mut own.errors))),
         _ => None,
+    }
+}
+
+/// Puts that list back.
+fn put_back(kind: &mut BlockKind, parameters: Vec<Parameter>, errors: Vec<SyntaxError>) {
+    match kind {
+        BlockKind::Iso(block) => (block.parameters, block.errors) = (parameters, errors),
+        BlockKind::GlobalDef(own) => (own.parameters, own.errors) = (parameters, errors),
+        BlockKind::CycleDef(own) => (own.parameters, own.errors) = (parameters.as_slice().into(), errors),
+        _ => {}
     }
 }
 

@@ -118,7 +118,7 @@ fn parameter<'p>(program: &'p Program, parameter: &Parameter) -> CycleParameter<
 
 fn cycle<'p>(program: &'p Program, view: &CycleView<'p>) -> Cycle<'p> {
     let parameters = match &view.form {
-        CycleForm::Parameters(definition) => definition.parameters.iter().map(|own| parameter(program, own)).collect(),
+        CycleForm::Parameters(definition) => definition.parameters.iter().map(|own| parameter(program, &own)).collect(),
         CycleForm::Lines(lines) => lines
             .iter()
             .flat_map(|line| line.words.iter().map(move |word| (line, word)))

@@ -4,6 +4,7 @@
 //! its text; nothing here knows what a cycle's number or parameter means.
 use super::element::Element;
 use super::iso::IsoBlock;
+use super::parameters::Parameters;
 use super::path::Path;
 use super::statement::{ContourFormula, GlobalDef, NamedWord, PatternDef, Statement, TextFormula};
 use crate::diag::Span;
@@ -558,13 +559,13 @@ pub struct CycleDef {
     /// The printed name.
     pub name: Option<Span>,
     /// The parameters in the order written.
-    pub parameters: Vec<Parameter>,
+    pub parameters: Parameters,
     /// What cannot be read inside, at most one for a line.
     pub errors: Vec<SyntaxError>,
 }
 
 /// A parameter of a cycle definition.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
     /// From `Q` to the end of the value.
     pub span: Span,

@@ -211,7 +211,7 @@ pub(crate) fn with_lengths(
         let key = fields::key(view.keyword, view.number);
         let cycle = all.iter().find(|cycle| cycle.key == key);
         match (&view.form, cycle) {
-            (CycleForm::Parameters(written), Some(cycle)) => twin.parameters(&written.parameters, &[cycle]),
+            (CycleForm::Parameters(written), Some(cycle)) => twin.parameters(&written.parameters.to_vec(), &[cycle]),
             (CycleForm::Lines(lines), Some(cycle)) if cycle.is_old_style() => twin.fields(cycle, lines),
             _ => {}
         }

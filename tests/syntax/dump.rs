@@ -22,7 +22,7 @@ pub(crate) fn dump(program: &Program) -> String {
             }
         }
         if let BlockKind::CycleDef(cycle) = &block.kind {
-            cycle.parameters.iter().for_each(|parameter| self::parameter(program, parameter, &mut out));
+            cycle.parameters.iter().for_each(|parameter| self::parameter(program, &parameter, &mut out));
             for error in &cycle.errors {
                 let _ = writeln!(out, "    ! {} {:?}, not {}", error.code, program.slice(error.span), error.expected);
             }

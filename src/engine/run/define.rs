@@ -194,10 +194,10 @@ impl<'e> Run<'_, 'e> {
         }
         for param in &cycle.params {
             let Some(q) = param.q else { continue };
-            let is_it = |parameter: &&Parameter| parameter.q == q || param.q_of_name() == Some(parameter.q);
+            let is_it = |parameter: &Parameter| parameter.q == q || param.q_of_name() == Some(parameter.q);
             let found = written.parameters.iter().rev().find(is_it);
             let content = match found {
-                Some(parameter) => self.parameter_value(param, parameter).map_err(|fault| of_cycle(fault, q))?,
+                Some(parameter) => self.parameter_value(param, &parameter).map_err(|fault| of_cycle(fault, q))?,
                 None => match param.neutral {
                     Some(neutral) => Content::Number(neutral),
                     None => return Err(of_cycle(Fault::program("parameter-missing"), q).into()),
