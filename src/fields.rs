@@ -68,15 +68,14 @@ fn width(program: &Program, field: &Field, words: &[NamedWord]) -> usize {
 }
 
 fn is_axis(name: &str, incremental: bool) -> bool {
-    let upper = name.to_ascii_uppercase();
-    let name = if incremental { upper.strip_prefix('I').unwrap_or(&upper) } else { &upper };
-    name.len() == 1 && Axis::by_name(name.as_bytes()).is_some()
+    let name = if incremental { name.strip_prefix(['I', 'i']).unwrap_or(name) } else { name };
+    matches!(name.as_bytes(), [letter] if Axis::by_name(&[letter.to_ascii_uppercase()]).is_some())
 }
 
 fn is_of_centre(program: &Program, word: &NamedWord) -> bool {
     let valued = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
-    let upper = program.slice(word.name).to_ascii_uppercase();
-    valued && upper.strip_prefix("CC").is_some_and(|axis| is_axis(axis, false))
+    let (centre, axis) = program.slice(word.name).split_at_checked(2).unwrap_or_default();
+    valued && centre.eq_ignore_ascii_case("CC") && is_axis(axis, false)
 }
 
 fn is_coordinate(program: &Program, word: &NamedWord, incremental: bool) -> bool {

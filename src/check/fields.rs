@@ -16,6 +16,13 @@ pub(super) struct Matched<'a> {
     pub(super) items: Vec<Item<'a>>,
     /// Fields that must be there and are not.
     pub(super) missing: Vec<&'a Param>,
+}
+
+/// Which words are which fields of a form.
+struct Fit<'a> {
+    /// The words of each field, with it and their line.
+    words: Vec<(&'a OldCycleLine, &'a [NamedWord], Option<(&'a Param, &'a Field)>)>,
+    missing: Vec<&'a Param>,
     /// Words that are no field.
     strange: usize,
 }
@@ -23,44 +30,45 @@ pub(super) struct Matched<'a> {
 /// Reads the lines by the form that fits them best.
 pub(super) fn matching<'a>(program: &'a Program, cycle: &'a Cycle, lines: &[&'a OldCycleLine]) -> Matched<'a> {
     let forms = (0..cycle.file.forms.len()).map(|form| by_form(program, cycle, form, lines));
-    let best = forms.min_by_key(|matched| matched.strange + matched.missing.len());
+    let best = forms.min_by_key(|fit| fit.strange + fit.missing.len());
     // A cycle without lines has no field that a word could be, and lacks all its parameters.
-    best.unwrap_or_else(|| {
+    let best = best.unwrap_or_else(|| {
         let unread = by_form(program, cycle, usize::MAX, lines);
-        Matched { missing: cycle.params.iter().collect(), ..unread }
-    })
+        Fit { missing: cycle.params.iter().collect(), ..unread }
+    });
+    let items = best.words.into_iter().filter_map(|(line, words, param)| item(program, cycle, line, words, param));
+    Matched { items: items.collect(), missing: best.missing }
 }
 
-fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a OldCycleLine]) -> Matched<'a> {
+fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a OldCycleLine]) -> Fit<'a> {
     let fields: Vec<(&Param, &Field)> = cycle.fields(form).collect();
-    let mut matched = Matched { items: Vec::new(), missing: Vec::new(), strange: 0 };
-    let mut found: Vec<&Param> = Vec::new();
+    let mut fit = Fit { words: Vec::new(), missing: Vec::new(), strange: 0 };
+    let mut open: Vec<(&Param, &Field)> = Vec::with_capacity(fields.len());
     for line in lines {
-        let mut open: Vec<(&Param, &Field)> =
-            fields.iter().copied().filter(|(_, field)| stands_on(field, line)).collect();
+        open.clear();
+        open.extend(fields.iter().copied().filter(|(_, field)| stands_on(field, line)));
         let mut words = line.words.as_slice();
-        while let Some(word) = words.first() {
+        while !words.is_empty() {
             let (param, count) = match first(program, open.iter().map(|(_, field)| *field), words) {
-                Some((at, count)) => {
-                    let own = open.drain(..=at).next_back();
-                    found.extend(own.map(|(param, _)| param));
-                    (own, count)
-                }
+                Some((at, count)) => (open.drain(..=at).next_back(), count),
                 None => {
-                    matched.strange += 1;
+                    fit.strange += 1;
                     (None, 1)
                 }
             };
             let (own, rest) = words.split_at(count.min(words.len()));
-            matched.items.push(item(program, cycle, line, own, word, param));
+            fit.words.push((line, own, param));
             words = rest;
         }
     }
+    // Which fields were found, by their order.
+    let mut found: Vec<*const Field> =
+        fit.words.iter().filter_map(|(_, _, own)| own.map(|(_, field)| std::ptr::from_ref(field))).collect();
+    found.sort_unstable();
     let is_missing =
-        |param: &Param, field: &Field| !field.optional && !found.iter().any(|own| std::ptr::eq(*own, param));
-    matched.missing =
-        fields.iter().filter(|(param, field)| is_missing(param, field)).map(|(param, _)| *param).collect();
-    matched
+        |field: &Field| !field.optional && found.binary_search(&std::ptr::from_ref(field)).is_err();
+    fit.missing = fields.iter().filter(|(_, field)| is_missing(field)).map(|(param, _)| *param).collect();
+    fit
 }
 
 fn item<'a>(
@@ -68,10 +76,9 @@ fn item<'a>(
     cycle: &Cycle,
     line: &OldCycleLine,
     words: &'a [NamedWord],
-    first: &NamedWord,
     param: Option<(&'a Param, &'a Field)>,
-) -> Item<'a> {
-    let last = words.last().unwrap_or(first);
+) -> Option<Item<'a>> {
+    let (first, last) = words.first().zip(words.last())?;
     let span = Span::new(first.span.start, last.span.end);
     let name = program.slice(first.name);
     let shape = param.map(|(_, field)| field.shape);
@@ -89,7 +96,7 @@ fn item<'a>(
         _ => capitals(value),
     };
     let label = (shape == Some(Shape::Labelled)).then_some(first.name);
-    Item {
+    Some(Item {
         index: index_of(Some(cycle), param.map(|(param, _)| param)),
         param: param.map(|(param, _)| param),
         name: Cow::Owned(format!("{}.{} {name}", line.number, line.line).trim_end().to_owned()),
@@ -104,5 +111,5 @@ fn item<'a>(
         number: None,
         label,
         refusal: None,
-    }
+    })
 }

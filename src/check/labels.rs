@@ -11,7 +11,7 @@ use super::facts::{Defined, Facts, Place};
 use super::flow::Deed;
 use super::guards::{self, Ready};
 use crate::locale::{Language, Locales};
-use crate::spec::{Cycle, CycleKey, Known, OnControl, ParameterKind};
+use crate::spec::{Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Shape};
 use crate::syntax::CycleForm;
 use crate::text::{CycleText, Vocabulary};
 
@@ -69,8 +69,12 @@ impl ParamLabels {
         self.matches_folded(&fold(printed))
     }
 
+    /// Whether a printed label is this one letter by letter, as [`fold`] leaves it.
+    pub(super) fn is_exactly(&self, printed: &str) -> bool {
+        self.folded.iter().any(|own| own == printed)
+    }
+
     /// Whether a label made ready by [`fold`] is this one.
-    #[inline]
     pub(super) fn matches_folded(&self, printed: &str) -> bool {
         self.folded.iter().any(|own| own == printed)
     }
@@ -166,6 +170,12 @@ fn labels(on: &OnControl, cycle: &Cycle, language: &Language) -> LanguageLabels 
 }
 
 impl CycleLabels {
+    /// The label of a parameter made ready for comparison; nothing is to do for one that is known as it is printed.
+    pub(super) fn folded<'t>(&self, param: usize, printed: &'t str) -> Cow<'t, str> {
+        let known = |language: &LanguageLabels| language.params.get(param).is_some_and(|own| own.is_exactly(printed));
+        if self.languages.iter().any(known) { Cow::Borrowed(printed) } else { fold(printed) }
+    }
+
     /// The labels in a language.
     pub fn language(&self, tag: &str) -> Option<&LanguageLabels> {
         self.languages.iter().find(|language| language.tag == tag)
@@ -189,7 +199,7 @@ pub(super) fn language_of(facts: &Facts<'_>) -> Option<String> {
             }
         }
         each_label(facts, definition, cycle, |index, label| {
-            let label = fold(label);
+            let label = labels.folded(index, label);
             for (language, (_, votes)) in labels.languages.iter().zip(&mut votes) {
                 *votes += usize::from(language.params.get(index).is_some_and(|own| own.matches_folded(&label)));
             }
@@ -213,6 +223,10 @@ fn each_label<'a>(facts: &Facts<'a>, definition: &Defined<'a>, cycle: &'a Cycle,
             }
         }
         CycleForm::Lines(_) => {
+            let labelled = |param: &Param| param.field.as_ref().is_some_and(|field| field.shape == Shape::Labelled);
+            if !cycle.params.iter().any(labelled) {
+                return;
+            }
             for item in &facts.read(definition).items {
                 if let (Some(own), Some(label)) = (item.index, item.label) {
                     each(own, facts.text(label));

@@ -80,7 +80,7 @@ fn spelled(program: &Program, block: &Block, fields: &BTreeMap<usize, usize>) ->
         }
         BlockKind::Statement(own) => statement(program, own),
         // What Klartext has no equivalent of stands in a comment.
-        BlockKind::Iso(_) => closed_up(program.slice(block.comment.unwrap_or(block.span))),
+        BlockKind::Iso(_) => closed_up(program.slice(block.comment().unwrap_or(block.span))),
         kind => {
             let content = content(program, block);
             let first: String = content.chars().take_while(char::is_ascii_alphabetic).collect();

@@ -16,7 +16,7 @@ impl Writer<'_, '_> {
         let (Some(first), Some(last)) = (blocks.first(), blocks.last()) else { return };
         let head = definition.view.head;
         let is_line = |kind: &BlockKind| matches!(kind, BlockKind::OldCycleLine(_) | BlockKind::CycleDef(_));
-        let commented = own.is_old_style() && blocks.iter().any(|block| block.comment.is_some());
+        let commented = own.is_old_style() && blocks.iter().any(|block| block.comment().is_some());
         if blocks.iter().any(|block| !is_line(&block.kind) || block.skip) || commented {
             let stays = self.at("convert-form-stays", Severity::Error, head).arg("cycle", definition.key.to_string());
             self.found.push(stays);

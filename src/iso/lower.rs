@@ -71,7 +71,7 @@ pub fn to_klartext(program: &Program, codes: &Codes<'_>, labels: Option<&dyn Lab
         let Some(home) = program.blocks().get(*index) else { return };
         (own.line, own.number) = (home.line, home.number.or(own.number));
         if *refused {
-            own.kind = match (&home.kind, own.comment) {
+            own.kind = match (&home.kind, own.comment()) {
                 (BlockKind::Unknown(error), Some(comment)) => BlockKind::Unknown(Box::new(SyntaxError {
                     span: Span::new(comment.start + 1, comment.end),
                     ..**error
@@ -184,7 +184,7 @@ impl Lowering<'_, '_> {
         let has_labels = matches!(&block.kind, BlockKind::Iso(own) if !own.parameters.is_empty())
             || matches!(&block.kind, BlockKind::CycleDef(_) | BlockKind::GlobalDef(_));
         let comment = block
-            .comment
+            .comment()
             .filter(|_| !has_labels && !matches!(block.kind, BlockKind::Comment | BlockKind::Structure(_)));
         if comment.is_none() && remarks.is_empty() {
             return;
@@ -251,7 +251,7 @@ impl Lowering<'_, '_> {
 
     fn comment_block(&mut self, block: &Block) {
         self.begin(block);
-        if let Some(comment) = block.comment {
+        if let Some(comment) = block.comment() {
             self.out.copy(comment);
         } else {
             self.out.put("; ");

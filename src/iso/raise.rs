@@ -134,7 +134,7 @@ impl Raising<'_, '_> {
         }
         self.text.push_str(content);
         let labelled = matches!(&block.kind, BlockKind::CycleDef(_) | BlockKind::GlobalDef(_));
-        match block.comment.filter(|_| !labelled) {
+        match block.comment().filter(|_| !labelled) {
             Some(comment) => {
                 let blank = if content.is_empty() { "" } else { " " };
                 let comment =
@@ -149,7 +149,7 @@ impl Raising<'_, '_> {
     }
 
     fn lone_comment(&mut self, block: &Block) {
-        if let Some(comment) = block.comment {
+        if let Some(comment) = block.comment() {
             self.number = self.number.saturating_add(STEP);
             let line = format!("N{} {}*{}", self.number, self.text(comment), self.eol);
             self.text.push_str(&line);
@@ -159,7 +159,8 @@ impl Raising<'_, '_> {
     /// Writes a block as a comment.
     fn left_out(&mut self, block: &Block) {
         let printed = self.flat(self.program.content(block));
-        let comment = Block { comment: None, kind: BlockKind::Comment, ..block.clone() };
+        let mut comment = block.clone().without_comment();
+        comment.kind = BlockKind::Comment;
         self.put(&comment, &format!("; {printed}"));
     }
 

@@ -9,7 +9,7 @@ use super::cursor::{Cursor, Read, trim};
 use super::element::Checker;
 use super::lines::{Line, line_at};
 use super::statement::StatementKind;
-use super::tree::{Block, BlockKind, Parameter, SyntaxError};
+use super::tree::{Block, BlockKind, Comment, Parameter, SyntaxError};
 use super::{blocks, cycle};
 use crate::diag::{Source, Span};
 
@@ -92,7 +92,7 @@ impl Assembler<'_> {
             lines,
             number: first.number,
             skip: first.skip,
-            comment: first.comment,
+            comment: Comment::new(first.start, first.comment),
             kind,
         });
         self.at = end;
@@ -419,14 +419,14 @@ impl Assembler<'_> {
         if line.is_comment() {
             return self.comment_role(body, line, whole);
         }
-        if !cycle::starts_parameter(self.text, line.content) {
+        let read = self.parameter(line);
+        if read.is_err() && !cycle::starts_parameter(self.text, line.content) {
             return match self.read(line.content).0 {
                 BlockKind::Unknown(_) if body.in_comment && self.is_comment_text(line) => Role::Text,
                 BlockKind::Unknown(error) if line.number.is_none() => Role::Torn(*error),
                 _ => Role::Ends,
             };
         }
-        let read = self.parameter(line);
         if !body.accepts(line, read.as_ref().ok()) {
             return Role::Ends;
         }

@@ -86,21 +86,27 @@ impl<'t> Cursor<'t> {
     }
 
     /// The byte here, 0 at the end. (A NUL of the text reads the same and fits no rule either.)
+    #[inline]
     pub(super) fn byte(&self) -> u8 {
         self.byte_at(self.at)
     }
 
+    #[inline]
     pub(super) fn byte_at(&self, at: usize) -> u8 {
         if at < self.end { self.bytes.get(at).copied().unwrap_or(0) } else { 0 }
     }
 
     /// Passes blanks and the joints of lines.
+    #[inline]
     pub(super) fn blanks(&mut self) {
         // Most words follow directly or behind one blank.
         self.at += usize::from(self.byte() == b' ');
-        if self.byte().is_ascii_alphanumeric() || matches!(self.byte(), b'+' | b'-') {
-            return;
+        if !(self.byte().is_ascii_alphanumeric() || matches!(self.byte(), b'+' | b'-')) {
+            self.more_blanks();
         }
+    }
+
+    fn more_blanks(&mut self) {
         loop {
             self.at = skip_blanks(self.bytes, self.at, self.end);
             match self.byte() {
@@ -161,6 +167,13 @@ impl<'t> Cursor<'t> {
         if self.done() { Ok(()) } else { Err(self.expected("end")) }
     }
 
+    /// Whether a word goes on at a byte.
+    fn is_letter_at(&self, at: usize) -> bool {
+        let byte = self.byte_at(at);
+        byte.is_ascii_alphabetic()
+            || (byte >= 0x80 && self.text.get(at..self.end).is_some_and(|rest| rest.starts_with(foreign_letter)))
+    }
+
     /// The word of ASCII letters here, without moving.
     pub(super) fn peek_word(&self) -> Word {
         let mut word = Word { letters: [0; 16], len: 0, span: Span::new(self.at, self.at) };
@@ -210,10 +223,11 @@ impl<'t> Cursor<'t> {
     /// Passes blanks and the keyword, if it stands here as a whole word.
     pub(super) fn opt_keyword(&mut self, keyword: &[u8]) -> bool {
         self.blanks();
-        let word = self.peek_word();
-        let hit = word.is(keyword);
+        let end = self.at + keyword.len();
+        let written = self.bytes.get(self.at..end.min(self.end)).unwrap_or_default();
+        let hit = written.eq_ignore_ascii_case(keyword) && !self.is_letter_at(end);
         if hit {
-            self.at = word.span.end;
+            self.at = end;
         }
         hit
     }
@@ -284,15 +298,17 @@ impl<'t> Cursor<'t> {
 
     /// A Q parameter directly here: `Q1`, `QL3`, `QS400`.
     pub(super) fn opt_q(&mut self) -> Option<QRef> {
-        let word = self.peek_word();
-        let kind = match word.as_bytes() {
-            b"Q" => QKind::Q,
-            b"QL" => QKind::Ql,
-            b"QR" => QKind::Qr,
-            b"QS" => QKind::Qs,
+        if !matches!(self.byte(), b'Q' | b'q') {
+            return None;
+        }
+        let (kind, letters) = match self.byte_at(self.at + 1) {
+            b'0'..=b'9' => (QKind::Q, 1),
+            b'L' | b'l' => (QKind::Ql, 2),
+            b'R' | b'r' => (QKind::Qr, 2),
+            b'S' | b's' => (QKind::Qs, 2),
             _ => return None,
         };
-        let mut ahead = Cursor { at: word.span.end, ..*self };
+        let mut ahead = Cursor { at: self.at + letters, ..*self };
         let number = u16::try_from(ahead.opt_whole()?).ok()?;
         self.at = ahead.at;
         Some(QRef { kind, number })

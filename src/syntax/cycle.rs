@@ -160,6 +160,10 @@ fn words(cursor: &mut Cursor<'_>) -> Read<Vec<NamedWord>> {
         if !found.is_empty() && blanks.contains(&b'\t') && !reads_as_field(cursor.text, &word) {
             return Err(here.expected("end"));
         }
+        // Most lines have one or none; long programs have many lines.
+        if found.is_empty() {
+            found.reserve_exact(1);
+        }
         found.push(word);
     }
 }
@@ -367,7 +371,7 @@ impl Assignment {
 pub(super) fn starts_parameter(text: &str, content: Span) -> bool {
     let mut cursor = Cursor::new(text, content);
     cursor.blanks();
-    cursor.opt_q().is_some() && cursor.opt_mark(b'=')
+    matches!(cursor.byte(), b'Q' | b'q') && cursor.opt_q().is_some() && cursor.opt_mark(b'=')
 }
 
 /// Whether content starts like `Q200=` without a blank, as controls print parameters.

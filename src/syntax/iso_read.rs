@@ -11,7 +11,7 @@ use super::element::Checker;
 use super::iso::{IsoBlock, IsoKind, is_of_language, is_path};
 use super::lines::{Line, line_at};
 use super::statement::NamedWord;
-use super::tree::{Axis, Block, BlockKind, Frame, Parameter, SyntaxError, Value, ValueKind};
+use super::tree::{Axis, Block, BlockKind, Comment, Frame, Parameter, SyntaxError, Value, ValueKind};
 use super::words::{from_operand, nameless, opt_value};
 use super::{blocks, cycle, motion};
 use crate::diag::{Source, Span};
@@ -139,7 +139,7 @@ impl<'t> Reader<'t> {
             lines,
             number: first.number,
             skip: first.skip,
-            comment: first.comment,
+            comment: Comment::new(span.start, first.comment),
             kind,
         });
         self.at = span.end;

@@ -1,6 +1,8 @@
 //! Physical lines and their outer parts: skip mark, block number, content, comment, joint.
 //!
 //! Invariant: a line belongs to no block yet; nothing is said of its content but where it stands.
+use memchr::memchr2;
+
 use super::cursor::{skip_blanks, trim};
 use crate::diag::Span;
 
@@ -39,7 +41,7 @@ impl Line {
 /// The line that starts at a byte; nothing at the end of the text.
 pub(super) fn line_at(bytes: &[u8], start: usize) -> Option<Line> {
     let rest = bytes.get(start..).filter(|rest| !rest.is_empty())?;
-    let length = rest.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(rest.len());
+    let length = memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
     let eol = match (rest.get(length), rest.get(length + 1)) {
         (Some(b'\r'), Some(b'\n')) => 2,
         (Some(_), _) => 1,
@@ -140,13 +142,15 @@ fn without_joint(bytes: &[u8], span: Span, never: bool) -> (Span, bool) {
 
 /// The first `;` that stands in no text.
 fn comment_start(bytes: &[u8], span: Span) -> Option<usize> {
-    let mut quoted = false;
-    for (offset, &byte) in bytes.get(span.start..span.end)?.iter().enumerate() {
-        match byte {
-            b'"' => quoted = !quoted,
-            b';' if !quoted => return Some(span.start + offset),
-            _ => {}
+    let line = bytes.get(span.start..span.end)?;
+    let (mut quoted, mut from) = (false, 0);
+    while let Some(at) = line.get(from..).and_then(|rest| memchr2(b'"', b';', rest)).map(|at| from + at) {
+        if line.get(at) == Some(&b'"') {
+            quoted = !quoted;
+        } else if !quoted {
+            return Some(span.start + at);
         }
+        from = at + 1;
     }
     None
 }

@@ -91,10 +91,22 @@ const fn vocabulary(path: Path) -> Option<Vocabulary> {
     }
 }
 
+/// The axis of a coordinate as controls write it, the letter and a number or a sign.
+fn plain_axis(cursor: &Cursor<'_>) -> Option<Axis> {
+    let (letter, next) = (cursor.byte(), cursor.byte_at(cursor.at + 1));
+    let axis = if matches!(letter, b'A'..=b'C' | b'U'..=b'Z') { Axis::by_name(&[letter])? } else { return None };
+    matches!(next, b'+' | b'-' | b'0'..=b'9').then_some(axis)
+}
+
 /// A coordinate, if one starts here.
 fn opt_coord(cursor: &mut Cursor<'_>) -> Read<Option<Coord>> {
     cursor.blanks();
     let start = cursor.at;
+    if let Some(axis) = plain_axis(cursor) {
+        cursor.at += 1;
+        let value = cursor.operand()?;
+        return Ok(Some(Coord { span: Span::new(start, value.span.end), axis, incremental: false, value }));
+    }
     // An axis that the kinematics hide is printed with `&`.
     cursor.at += usize::from(cursor.byte() == b'&');
     let word = cursor.peek_name();

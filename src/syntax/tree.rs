@@ -23,10 +23,41 @@ pub struct Block {
     pub number: Option<u32>,
     /// Whether `/` lets the operator skip the block.
     pub skip: bool,
-    /// The comment from `;` on, without a `~` at its end; of a cycle, the comment of its first line.
-    pub comment: Option<Span>,
+    /// Where its comment stands.
+    pub(super) comment: Comment,
     /// What it says.
     pub kind: BlockKind,
+}
+
+/// The place of a comment, counted from the beginning of its block; empty if there is none.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Comment {
+    start: u32,
+    end: u32,
+}
+
+impl Comment {
+    /// That of a block that begins at a byte.
+    pub(super) fn new(block: usize, comment: Option<Span>) -> Self {
+        // A block that is longer than any file of a control has no comment.
+        let at = |place: usize| u32::try_from(place.checked_sub(block)?).ok();
+        let place = |comment: Span| Some(Self { start: at(comment.start)?, end: at(comment.end)? });
+        comment.and_then(place).unwrap_or_default()
+    }
+}
+
+impl Block {
+    /// The comment from `;` on, without a `~` at its end; of a cycle, the comment of its first line.
+    pub fn comment(&self) -> Option<Span> {
+        let Comment { start, end } = self.comment;
+        let at = |place: u32| self.span.start + place as usize;
+        (start < end).then(|| Span::new(at(start), at(end)))
+    }
+
+    /// The same block, told to have no comment.
+    pub fn without_comment(self) -> Self {
+        Self { comment: Comment::default(), ..self }
+    }
 }
 
 /// What a block says.

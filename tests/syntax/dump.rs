@@ -61,7 +61,7 @@ fn head(program: &Program, block: &Block, out: &mut String) {
     if !body.is_empty() {
         let _ = write!(out, " | {body}");
     }
-    if let Some(comment) = block.comment {
+    if let Some(comment) = block.comment() {
         let _ = write!(out, " | {}", program.slice(comment));
     }
     if let Some(remark) = program.remark(block) {

@@ -21,7 +21,7 @@ use super::Facts;
 use super::facts::each_function;
 use crate::diag::Span;
 use crate::expr::QRef;
-use crate::syntax::{Block, BlockKind, MFunction};
+use crate::syntax::{Block, BlockKind, MFunction, Motion, Path};
 use circles::circles;
 pub(super) use effect::Deed;
 use effect::Effects;
@@ -437,6 +437,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             }
         }
         let blocks = self.steps.program.blocks();
+        let mut words = Motion::new(Path::L);
         let (mut read, mut calls, mut seen) = (Vec::new(), Vec::new(), Vec::<Modal>::new());
         run.unset = self.first_pass();
         for (at, first) in self.graph.leaders.iter().enumerate() {
@@ -474,7 +475,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
                     }
                 }
                 calls.clear();
-                calls_in(block, &mut calls);
+                calls_in(block, &mut words, &mut calls);
                 for span in calls.iter().copied() {
                     // Each way of coming here by itself: the same block may be right for one and wrong for another.
                     seen.clear();
@@ -534,7 +535,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
 }
 
 /// The places where a block calls a cycle.
-fn calls_in(block: &Block, found: &mut Vec<Span>) {
+fn calls_in(block: &Block, words: &mut Motion, found: &mut Vec<Span>) {
     let calls = |own: &MFunction| matches!(own.number, 89 | 99);
     let mut any = false;
     each_function(block, |number| any |= matches!(number, 89 | 99));
@@ -544,7 +545,8 @@ fn calls_in(block: &Block, found: &mut Vec<Span>) {
     match &block.kind {
         _ if !any => {}
         BlockKind::Motion(motion) => {
-            found.extend(motion.functions().iter().filter(|own| calls(own)).map(|own| own.span));
+            motion.read_into(words);
+            found.extend(words.functions.iter().filter(|own| calls(own)).map(|own| own.span));
         }
         BlockKind::Functions(list) | BlockKind::Stop(list) => {
             found.extend(list.iter().filter(|own| calls(own)).map(|own| own.span));

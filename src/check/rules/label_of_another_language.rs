@@ -12,6 +12,9 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     for item in &definition.items {
         let (Some(own), Some(span)) = (item.index, item.label) else { continue };
         let printed = facts.text(span);
+        if spoken.and_then(|language| language.params.get(own)).is_some_and(|labels| labels.is_exactly(printed)) {
+            continue;
+        }
         let folded = fold(printed);
         // Most labels are those of the program's language.
         let right = spoken.and_then(|language| language.params.get(own));

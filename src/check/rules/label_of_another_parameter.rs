@@ -14,6 +14,9 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     for item in &definition.items {
         let (Some(own), Some(span)) = (item.index, item.label) else { continue };
         let printed = facts.text(span);
+        if spoken.params.get(own).is_some_and(|labels| labels.is_exactly(printed)) {
+            continue;
+        }
         let folded = fold(printed);
         let is_own = |language: &crate::check::LanguageLabels| {
             language.params.get(own).is_some_and(|labels| labels.matches_folded(&folded))

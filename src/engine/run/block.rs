@@ -134,7 +134,7 @@ impl<'e> Run<'_, 'e> {
             BlockKind::TextFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
             // What Klartext has no equivalent of is left over, and stands in a comment.
             BlockKind::Iso(_) => {
-                let span = block.comment.unwrap_or(block.span);
+                let span = block.comment().unwrap_or(block.span);
                 return Err(self.not_executed(Span::new(span.start + 1, span.end)).into());
             }
             BlockKind::Unknown(error) => {
