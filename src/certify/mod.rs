@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::Serialize;
 
 use crate::check::Facts;
-use crate::diag::{Diagnostic, Severity, Span};
+use crate::diag::{Diagnostic, Severity};
 use crate::spec::{CycleKey, Known};
 use crate::syntax::{BlockKind, IsoKind};
 
@@ -110,18 +110,19 @@ impl Tally {
         let count = |severity| found.iter().filter(|finding| finding.severity == severity).count();
         let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
         let mut judged = true;
+        let wrong = found.iter().filter(|finding| finding.severity == Severity::Error);
+        let mut wrong: Vec<usize> = wrong.filter_map(|own| own.place.as_ref().map(|place| place.span.start)).collect();
+        wrong.sort_unstable();
         for definition in &facts.definitions {
             let described = matches!(definition.known, Known::Described(_));
             judged &= described;
             let blocks = facts.program.blocks().get(definition.view.first..=definition.view.last).unwrap_or_default();
-            let inside =
-                |span: Span| blocks.iter().any(|block| block.span.start <= span.start && span.start < block.span.end);
-            let is_wrong = |finding: &&Diagnostic| {
-                finding.severity == Severity::Error && finding.place.as_ref().is_some_and(|place| inside(place.span))
-            };
+            let start = blocks.first().map_or(0, |block| block.span.start);
+            let end = blocks.last().map_or(0, |block| block.span.end);
+            let is_wrong = wrong.get(wrong.partition_point(|at| *at < start)).is_some_and(|at| *at < end);
             let entry = self.cycles.entry(definition.key).or_insert((described, 0, 0));
             entry.1 += 1;
-            entry.2 += usize::from(found.iter().any(|finding| is_wrong(&finding)));
+            entry.2 += usize::from(is_wrong);
         }
         for block in facts.program.blocks() {
             let BlockKind::Iso(own) = &block.kind else { continue };

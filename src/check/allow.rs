@@ -32,14 +32,15 @@ pub(super) fn apply(program: &Program, against: &Against<'_>, found: &mut Vec<Di
     let mut all = allowances(program);
     found.retain(|diagnostic| {
         let Some(place) = &diagnostic.place else { return true };
-        let speaks = |own: &&mut Allowance| {
-            let inside = own.block.is_some_and(|block| block.start <= place.span.start && place.span.start < block.end);
-            own.reason && inside && own.rule == diagnostic.code
-        };
+        let at = place.span.start;
+        // They are in the order of their blocks.
+        let first = all.partition_point(|own| own.block.is_some_and(|block| block.end <= at));
         let mut kept = true;
-        for own in all.iter_mut().filter(speaks) {
-            own.used = true;
-            kept = false;
+        for own in all.iter_mut().skip(first).take_while(|own| own.block.is_some_and(|block| block.start <= at)) {
+            if own.reason && own.rule == diagnostic.code {
+                own.used = true;
+                kept = false;
+            }
         }
         kept
     });
@@ -89,6 +90,21 @@ fn allowances(program: &Program) -> Vec<Allowance> {
     all
 }
 
+/// Where the comment with the mark begins in a line, and what stands behind the mark.
+fn marked(line: &str) -> Option<(usize, &str)> {
+    let mut behind = 0;
+    while let Some(at) = line.get(behind..)?.find(';') {
+        let from = behind + at;
+        let rest = line.get(from + 1..)?.trim_start_matches([';', ' ', '\t']);
+        let (mark, words) = rest.split_at_checked(MARK.len()).unwrap_or_default();
+        if mark.eq_ignore_ascii_case(MARK) {
+            return Some((from, words));
+        }
+        behind = line.len() - rest.len();
+    }
+    None
+}
+
 fn collect(program: &Program, block: &Block, all: &mut Vec<Allowance>) {
     let text = program.slice(block.span);
     if !holds(text, MARK) {
@@ -96,12 +112,7 @@ fn collect(program: &Program, block: &Block, all: &mut Vec<Allowance>) {
     }
     let mut at = block.span.start;
     for line in text.split_inclusive(['\n', '\r']) {
-        let comment = line.match_indices(';').find_map(|(from, _)| {
-            let rest = line.get(from + 1..)?.trim_start_matches([';', ' ', '\t']);
-            let (mark, words) = rest.split_at_checked(MARK.len())?;
-            mark.eq_ignore_ascii_case(MARK).then_some((from, words))
-        });
-        if let Some((from, words)) = comment {
+        if let Some((from, words)) = marked(line) {
             let words = words.trim().trim_end_matches('~');
             let mut words = words.split_whitespace();
             if words.next().is_some_and(|verb| verb.eq_ignore_ascii_case(VERB)) {

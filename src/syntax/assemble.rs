@@ -289,15 +289,17 @@ impl Assembler<'_> {
         let (mut end, mut lines) = (from, 0);
         let definition = self.is_definition(content);
         let (mut at, mut pending, mut listing) = (from, 0, first.number.is_some());
+        let mut open_bracket = definition && self.is_open(content.start, from).unwrap_or_default();
         while let Some(line) = self.line_at(at).filter(|line| line.number.is_none()) {
             at = line.next;
             pending += 1;
             let parameter =
                 cycle::starts_tight_parameter(self.text, line.content) && (listing || line.comment.is_some());
-            let open = definition && (self.is_part(line.content) || self.is_open(content.start, end));
+            let open = definition && (self.is_part(line.content) || open_bracket);
             let more = open || self.is_position(line.content);
             if parameter || more {
                 listing |= parameter;
+                open_bracket = definition && self.is_open(end, at).unwrap_or(open_bracket);
                 end = at;
                 lines += std::mem::take(&mut pending);
             } else if !(line.is_blank() || (listing && line.is_comment())) {
@@ -331,10 +333,10 @@ impl Assembler<'_> {
         }
     }
 
-    /// Whether a bracket stands open at the end of a part.
-    fn is_open(&self, start: usize, end: usize) -> bool {
+    /// Whether a bracket stands open at the end of a part; nothing if it has none.
+    fn is_open(&self, start: usize, end: usize) -> Option<bool> {
         let part = self.text.as_bytes().get(start..end).unwrap_or_default();
-        part.iter().rev().find(|b| matches!(b, b'(' | b')')) == Some(&b'(')
+        part.iter().rev().find(|b| matches!(b, b'(' | b')')).map(|last| *last == b'(')
     }
 
     fn cycle(&mut self, first: Line) {

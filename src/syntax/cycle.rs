@@ -284,10 +284,12 @@ fn field_name(cursor: &mut Cursor<'_>) -> Read<Span> {
 /// Whether a word behind a label without a colon is its value: the letter of an axis that ends the line.
 fn is_value_of_label(cursor: &Cursor<'_>, label: Span, word: Span) -> bool {
     let bytes = cursor.text.as_bytes();
-    let label = cursor.text.get(label.start..label.end).unwrap_or_default();
-    let letters = label.chars().filter(|c| c.is_alphabetic()).count();
     let last = skip_blanks(bytes, word.end, cursor.end) >= cursor.end;
-    letters >= SHORTEST_LABEL && last && is_axis(bytes.get(word.start..word.end).unwrap_or_default())
+    // A label is looked through once only, at the end of the line.
+    last && is_axis(bytes.get(word.start..word.end).unwrap_or_default()) && {
+        let label = cursor.text.get(label.start..label.end).unwrap_or_default();
+        label.chars().filter(|c| c.is_alphabetic()).nth(SHORTEST_LABEL - 1).is_some()
+    }
 }
 
 fn is_axis(name: &[u8]) -> bool {

@@ -154,6 +154,8 @@ struct Walk<'w, 'f, 'p> {
     callers: BTreeMap<Caller, BTreeSet<Node>>,
     /// Whether all calls of a part are followed as one, because there are too many of them.
     shared: bool,
+    /// Whether it took too long already to find out what is called.
+    gave_up: bool,
     waiting: VecDeque<Node>,
     queued: BTreeSet<Node>,
 }
@@ -178,6 +180,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             exits: BTreeMap::new(),
             callers: BTreeMap::new(),
             shared: false,
+            gave_up: false,
             waiting: VecDeque::new(),
             queued: BTreeSet::new(),
         }
@@ -187,7 +190,10 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         if self.graph.blocks == 0 {
             return;
         }
-        self.parts();
+        self.gave_up = !self.parts();
+        if self.gave_up {
+            return;
+        }
         let state = State::begin(main, blank);
         self.enter((0, Caller::Nobody), &state);
         // Contours that cycles read, and labels that a parameter chooses, are come to from anywhere.
@@ -229,6 +235,9 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
 
     /// Follows until nothing changes; false if that takes too long.
     fn follow(&mut self) -> bool {
+        if self.gave_up {
+            return false;
+        }
         let mut budget = self.graph.blocks.saturating_mul(PATIENCE).saturating_add(100_000);
         while let Some(node) = self.waiting.pop_front() {
             self.queued.remove(&node);
@@ -301,8 +310,8 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         }
     }
 
-    /// Finds out what called parts may change and where they return.
-    fn parts(&mut self) {
+    /// Finds out what called parts may change and where they return; false if that takes too long.
+    fn parts(&mut self) -> bool {
         let called: BTreeSet<usize> = self
             .graph
             .uses
@@ -319,16 +328,16 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             let (mut seen, mut open) = (BTreeSet::from([start]), vec![start]);
             while let Some(run) = open.pop() {
                 part.blocks += self.graph.run_end(run) - self.graph.leaders[run];
-                patience = patience.saturating_sub(self.graph.run_end(run) - self.graph.leaders[run]);
-                if patience == 0 {
-                    part.touched = Touched::everything();
-                }
+                let Some(rest) = patience.checked_sub(self.graph.run_end(run) - self.graph.leaders[run] + 1) else {
+                    return false;
+                };
+                patience = rest;
                 let mut follow = |run: usize| {
                     if run < self.graph.leaders.len() && seen.insert(run) {
                         open.push(run);
                     }
                 };
-                self.within(run, &mut part, &mut inner, &mut follow, patience > 0);
+                self.within(run, &mut part, &mut inner, &mut follow);
             }
             calls.insert(start, inner);
             self.parts.insert(start, part);
@@ -341,6 +350,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         let all: usize = self.graph.uses.iter().filter(calls_of).filter_map(size).sum();
         self.shared = all > self.graph.blocks.saturating_mul(16).saturating_add(50_000);
         self.spread(&calls);
+        true
     }
 
     /// What a part calls changes what it changes.
@@ -381,17 +391,14 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         part: &mut Part,
         inner: &mut BTreeSet<usize>,
         follow: &mut dyn FnMut(usize),
-        probe: bool,
     ) {
         let blocks = self.steps.program.blocks();
         for index in self.graph.leaders[run]..self.graph.run_end(run) {
             let Some(block) = blocks.get(index) else { return };
-            if probe {
-                let before = Touched::probes();
-                let mut after = before.clone();
-                after.iter_mut().for_each(|state| self.steps.step(index, block, state));
-                part.touched.note(&before, &after);
-            }
+            let before = Touched::probes();
+            let mut after = before.clone();
+            after.iter_mut().for_each(|state| self.steps.step(index, block, state));
+            part.touched.note(&before, &after);
             match self.graph.end(index, block) {
                 End::Stop => {
                     part.outline.stops |= !matches!(block.kind, BlockKind::EndPgm(_));
