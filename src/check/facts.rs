@@ -140,8 +140,7 @@ impl<'a> Facts<'a> {
         let mut known: HashMap<CycleKey, (Known<'a>, Option<&'a Kept>)> = HashMap::new();
         program.each_cycle(|view| {
             let key = key(view.keyword, view.number);
-            let (known, kept) =
-                *known.entry(key).or_insert_with(|| (against.on.known(key), against.labels.kept(key)));
+            let (known, kept) = *known.entry(key).or_insert_with(|| (against.on.known(key), against.labels.kept(key)));
             let torn = matches!(view.form, CycleForm::Parameters(written) if !written.errors.is_empty());
             facts.definitions.push(Defined { view, key, known, torn, kept });
         });
@@ -226,9 +225,7 @@ impl<'a> Facts<'a> {
     /// The definitions of described cycles with their values and specifications. Each is read anew: a rule that needs
     /// no others is one of those that are carried out together.
     pub fn described(&self) -> impl Iterator<Item = (Definition<'a>, &'a Cycle)> {
-        self.definitions
-            .iter()
-            .filter_map(|definition| definition.cycle().map(|cycle| (self.read(definition), cycle)))
+        self.definitions.iter().filter_map(|definition| definition.cycle().map(|cycle| (self.read(definition), cycle)))
     }
 
     /// A definition with its values.
@@ -264,7 +261,7 @@ impl<'a> Facts<'a> {
                 BlockKind::Motion(motion) => {
                     self.arcs |= matches!(motion.path(), crate::syntax::Path::C | crate::syntax::Path::Cr);
                     let outline = motion.outline();
-                    if !outline.has_functions() && !outline.names_axis_twice() {
+                    if !outline.has_functions() && !outline.names_axis_twice() && !motion.ends_with_letter() {
                         continue;
                     }
                 }
@@ -333,8 +330,7 @@ impl<'a> Defined<'a> {
 impl<'a> Definition<'a> {
     /// Reads a definition, without what depends on the run.
     pub(super) fn of(program: &'a Program, own: &Defined<'a>) -> Self {
-        let own =
-            Defined { view: own.view.clone(), key: own.key, known: own.known, torn: own.torn, kept: own.kept };
+        let own = Defined { view: own.view.clone(), key: own.key, known: own.known, torn: own.torn, kept: own.kept };
         let mut definition = Self { own, items: Vec::new(), missing: Vec::new(), in_order: false };
         let cycle = definition.cycle();
         match (definition.own.view.form.clone(), cycle) {

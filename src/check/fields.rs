@@ -65,8 +65,7 @@ fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a
     let mut found: Vec<*const Field> =
         fit.words.iter().filter_map(|(_, _, own)| own.map(|(_, field)| std::ptr::from_ref(field))).collect();
     found.sort_unstable();
-    let is_missing =
-        |field: &Field| !field.optional && found.binary_search(&std::ptr::from_ref(field)).is_err();
+    let is_missing = |field: &Field| !field.optional && found.binary_search(&std::ptr::from_ref(field)).is_err();
     fit.missing = fields.iter().filter(|(_, field)| is_missing(field)).map(|(param, _)| *param).collect();
     fit
 }

@@ -37,7 +37,14 @@ impl Ready {
         let mut asks_state = false;
         condition.walk(&mut |expr| asks_state |= matches!(&expr.node, Node::Name(path) if state(path).is_some()));
         let code = guard.code.as_ref().map(|code| code.as_str().to_owned());
-        Self { code, then: guard.then, reads: condition.q_refs().into_iter().collect(), condition, compiled, asks_state }
+        Self {
+            code,
+            then: guard.then,
+            reads: condition.q_refs().into_iter().collect(),
+            condition,
+            compiled,
+            asks_state,
+        }
     }
 }
 

@@ -23,7 +23,8 @@ pub struct Element {
     length: u8,
     path: Path,
     outline: Outline,
-    /// The number of its M function, if it has one only, or [`SEVERAL`].
+    /// The number of its M function, if it has one only, or [`SEVERAL`]; of one that has none, whether it ends with the
+    /// letter alone.
     function: u8,
 }
 
@@ -159,7 +160,7 @@ impl<'s> Checker<'s> {
         self.words.clear(path);
         motion::motion(cursor, &mut self.words)?;
         let function = match self.words.functions.as_slice() {
-            [] => 0,
+            [] => u8::from(ends_with_letter(cursor.bytes, span)),
             [only] => u8::try_from(only.number).unwrap_or(SEVERAL),
             _ => SEVERAL,
         };
@@ -173,6 +174,10 @@ impl<'s> Checker<'s> {
     }
 }
 
+fn ends_with_letter(bytes: &[u8], span: Span) -> bool {
+    matches!(bytes.get(span.start..span.end), Some([.., b' ' | b'\t', b'M' | b'm']))
+}
+
 impl Element {
     /// The kind of contour element.
     pub const fn path(&self) -> Path {
@@ -182,6 +187,11 @@ impl Element {
     /// What is known of its words without reading them.
     pub const fn outline(&self) -> Outline {
         self.outline
+    }
+
+    /// Whether it has no M function and ends with the letter of one.
+    pub const fn ends_with_letter(&self) -> bool {
+        !self.has_functions() && self.function != 0
     }
 
     /// Whether M functions are among its words; known without reading them.

@@ -357,8 +357,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
     fn spread(&mut self, calls: &BTreeMap<usize, BTreeSet<usize>>) {
         let starts: Vec<usize> = calls.keys().copied().collect();
         let place = |run: &usize| starts.binary_search(run).ok();
-        let inner: Vec<Vec<usize>> =
-            calls.values().map(|own| own.iter().filter_map(place).collect()).collect();
+        let inner: Vec<Vec<usize>> = calls.values().map(|own| own.iter().filter_map(place).collect()).collect();
         let circle = circles(&inner);
         let mut groups: Vec<Vec<usize>> = vec![Vec::new(); circle.len()];
         for (at, circle) in circle.iter().enumerate() {
@@ -385,13 +384,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
     }
 
     /// One run of blocks of a part: what it changes, what it calls, and where it goes on.
-    fn within(
-        &self,
-        run: usize,
-        part: &mut Part,
-        inner: &mut BTreeSet<usize>,
-        follow: &mut dyn FnMut(usize),
-    ) {
+    fn within(&self, run: usize, part: &mut Part, inner: &mut BTreeSet<usize>, follow: &mut dyn FnMut(usize)) {
         let blocks = self.steps.program.blocks();
         for index in self.graph.leaders[run]..self.graph.run_end(run) {
             let Some(block) = blocks.get(index) else { return };

@@ -10,7 +10,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(end) = facts.end else { return };
     let behind = facts.program.blocks().get(end + 1..).unwrap_or_default();
     // The rest of an unread file is told by itself.
-    let next = behind.iter().find(|block| !is_silent(block)).filter(|block| !matches!(block.kind, BlockKind::Unknown(_)));
+    let next =
+        behind.iter().find(|block| !is_silent(block)).filter(|block| !matches!(block.kind, BlockKind::Unknown(_)));
     if let Some(next) = next {
         found.push(rule.at(facts, facts.content(next)));
     }

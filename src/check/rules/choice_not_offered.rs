@@ -1,6 +1,6 @@
 //! A number that is none of the choices which the parameter offers.
-use crate::check::values::{each_refused, shown};
 use super::together;
+use crate::check::values::{each_refused, shown};
 use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::Refusal;

@@ -9,7 +9,7 @@ pub(super) const RULE: Rule = Rule { code: "contour-def-wrong", severity: Severi
 const MOST: usize = 9;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    for block in facts.program.blocks() {
+    for (_, block) in facts.marked() {
         let BlockKind::Statement(statement) = &block.kind else { continue };
         if statement.kind != StatementKind::ContourDef {
             continue;

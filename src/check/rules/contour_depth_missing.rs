@@ -10,10 +10,8 @@ pub(super) const RULE: Rule = Rule { code: "contour-depth-missing", severity: Se
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let declarations: Vec<&Statement> = facts
-        .program
-        .blocks()
-        .iter()
-        .filter_map(|block| match &block.kind {
+        .marked()
+        .filter_map(|(_, block)| match &block.kind {
             BlockKind::Statement(own) if own.kind == StatementKind::DeclareContour => Some(&**own),
             _ => None,
         })

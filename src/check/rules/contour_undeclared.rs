@@ -12,12 +12,12 @@ pub(super) const RULE: Rule = Rule { code: "contour-undeclared", severity: Sever
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let program = facts.program;
-    let blocks = program.blocks();
+    let blocks: Vec<&Block> = facts.marked().map(|(_, block)| block).collect();
     if !blocks.iter().any(|block| matches!(block.kind, BlockKind::ContourFormula(_))) {
         return;
     }
     // What another program names is not known.
-    let elsewhere = |block: &Block| match &block.kind {
+    let elsewhere = |block: &&Block| match &block.kind {
         BlockKind::CallPgm(_) | BlockKind::Unknown(_) => true,
         BlockKind::Statement(statement) => statement.kind == StatementKind::CallSelected,
         _ => false,
@@ -30,7 +30,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !straight {
         named.extend(blocks.iter().filter_map(|block| names(program, block)));
     }
-    for block in blocks {
+    for block in &blocks {
         if let BlockKind::ContourFormula(formula) = &block.kind {
             for (number, span) in formula.reads.iter().filter(|(number, _)| !named.contains(number)) {
                 found.push(rule.at(facts, *span).arg("contour", format!("QC{number}")));

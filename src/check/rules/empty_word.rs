@@ -9,11 +9,11 @@ pub(super) const RULE: Rule = Rule { code: "empty-word", severity: Severity::Not
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let text = facts.program.source().text().as_bytes();
-    for block in facts.program.blocks() {
+    for (_, block) in facts.marked() {
         if !matches!(block.kind, BlockKind::Motion(_) | BlockKind::CyclCall(_)) {
             continue;
         }
-        let end = block.comment.map_or(block.span.end, |comment| comment.start);
+        let end = block.comment().map_or(block.span.end, |comment| comment.start);
         let line = text.get(block.span.start..end).unwrap_or_default().trim_ascii_end();
         if let [.., b' ' | b'\t', b'M' | b'm'] = line {
             let at = block.span.start + line.len();

@@ -2,8 +2,8 @@
 //!
 //! Silent where the manual prints no range. Ranges of lengths and feeds are in mm; in a program in inches the limit is
 //! told in inches.
-use crate::check::values::{each_refused, shown};
 use super::together;
+use crate::check::values::{each_refused, shown};
 use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
 use crate::spec::{ParameterKind, Refusal};

@@ -12,8 +12,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let missing = |modal: crate::check::Modal| modal.is(Aspect::Tool) == Tri::No;
     let calls = facts.run.calls.iter().filter(|call| missing(call.modal) && !facts.definitions.is_empty());
     // What a cycle of the machine builder needs, nobody knows.
-    let probe =
-        |own: &&Defined<'_>| own.key.keyword == Keyword::TchProbe && matches!(own.known, Known::Described(_));
+    let probe = |own: &&Defined<'_>| own.key.keyword == Keyword::TchProbe && matches!(own.known, Known::Described(_));
     let probes = facts.definitions.iter().filter(probe);
     let probes = probes.filter(|own| facts.run.before(own.view.first).is_some_and(missing)).map(|own| own.view.head);
     let first = calls.map(|call| call.span).chain(probes).min_by_key(|span| span.start);

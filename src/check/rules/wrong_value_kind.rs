@@ -1,7 +1,7 @@
 //! A value of a kind that the parameter does not take: a text instead of a number, a word that it
 //! does not offer, a fraction where a whole number is needed, nothing at all.
-use crate::check::values::{each_refused, kind, shown};
 use super::together;
+use crate::check::values::{each_refused, kind, shown};
 use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::Refusal;
