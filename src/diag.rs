@@ -57,10 +57,10 @@ const STEP: usize = 64;
 /// The starts of lines behind `from` up to `to`; lines end at `\n`, `\r\n` or a lone `\r`.
 fn starts(text: &str, from: usize, to: usize) -> impl Iterator<Item = usize> + '_ {
     let bytes = text.as_bytes();
-    let part = bytes.get(from..to.min(bytes.len())).unwrap_or_default().iter().enumerate();
-    part.filter_map(move |(at, byte)| {
+    let part = bytes.get(from..to.min(bytes.len())).unwrap_or_default();
+    memchr::memchr2_iter(b'\n', b'\r', part).filter_map(move |at| {
         let at = from + at;
-        let ends = *byte == b'\n' || (*byte == b'\r' && bytes.get(at + 1) != Some(&b'\n'));
+        let ends = bytes.get(at) == Some(&b'\n') || bytes.get(at + 1) != Some(&b'\n');
         ends.then_some(at + 1)
     })
 }

@@ -259,7 +259,31 @@ pub(super) fn motion(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<()> {
     Ok(())
 }
 
+/// A word as controls write most of them: a letter with its number directly behind it. What it is, is the same as
+/// [`motion_word`] finds, which tries everything.
+fn plain_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
+    let digit = cursor.byte_at(cursor.at + 1).is_ascii_digit();
+    match cursor.byte() {
+        b'R' if digit => radius_word(cursor, motion),
+        b'M' if digit => {
+            motion.functions.extend(opt_function(cursor)?);
+            Ok(true)
+        }
+        b'F' if digit && motion.feed.is_none() && vocabulary(motion.path).is_none() => {
+            let start = cursor.at;
+            cursor.at += 1;
+            let kind = FeedKind::Value(cursor.operand()?);
+            motion.feed = Some(Feed { span: Span::new(start, cursor.at), kind });
+            Ok(true)
+        }
+        _ => Ok(false),
+    }
+}
+
 fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
+    if plain_word(cursor, motion)? {
+        return Ok(true);
+    }
     if let Some(coord) = opt_coord(cursor)? {
         motion.coords.push(coord);
         return Ok(true);

@@ -75,19 +75,24 @@ impl Packed {
         })
     }
 
-    fn unpacked(&self, base: usize) -> Parameter {
-        let at = |place: u32| base + place as usize;
-        let span = |[start, end]: [u32; 2]| Span::new(at(start), at(end));
-        let value = span(self.value);
+    /// The value, which stands at a place.
+    fn value(&self, value: Span) -> ValueKind {
         let [low, high] = self.content;
-        let kind = match self.kind {
+        match self.kind {
             Kind::Number => ValueKind::Number(f64::from_bits(u64::from(low) | (u64::from(high) << 32))),
             Kind::Q(negative) => ValueKind::Q { negative, q: q_of(low, high) },
             Kind::Word => ValueKind::Word,
             Kind::Text => ValueKind::Text(inner(value)),
             Kind::Sign(minus) => ValueKind::Sign(minus),
             Kind::Missing => ValueKind::Missing,
-        };
+        }
+    }
+
+    fn unpacked(&self, base: usize) -> Parameter {
+        let at = |place: u32| base + place as usize;
+        let span = |[start, end]: [u32; 2]| Span::new(at(start), at(end));
+        let value = span(self.value);
+        let kind = self.value(value);
         let start = at(self.start);
         Parameter {
             span: Span::new(start, at(self.end)),
@@ -143,6 +148,19 @@ impl Parameters {
         match &self.0 {
             List::Packed(base, list) => list.get(at).map(|own| own.unpacked(*base)),
             List::Plain(list) => list.get(at).copied(),
+        }
+    }
+
+    /// What is written for each, in the order written; the places in texts count from the first parameter.
+    pub(crate) fn each_value(&self, mut each: impl FnMut(QRef, ValueKind)) {
+        match &self.0 {
+            List::Packed(_, list) => {
+                for own in list {
+                    let [start, end] = own.value;
+                    each(own.q, own.value(Span::new(start as usize, end as usize)));
+                }
+            }
+            List::Plain(list) => list.iter().for_each(|own| each(own.q, own.value.kind)),
         }
     }
 

@@ -237,18 +237,14 @@ fn write(view: &CycleView<'_>, state: &mut State) {
         },
         Written::Something => Known::Unknown,
     };
-    let reads = cycle.parameters.iter().any(|own| matches!(own.value.kind, ValueKind::Q { .. }));
-    if reads {
-        // All are read before the first one is written.
-        let values: Vec<(QRef, Known)> =
-            cycle.parameters.iter().map(|own| (own.q, read(written(own.value.kind), state))).collect();
-        values.into_iter().for_each(|(q, value)| state.set(q, value));
-        return;
-    }
-    for own in &cycle.parameters {
-        let value = read(written(own.value.kind), state);
-        state.set(own.q, value);
-    }
+    // All are read before the first one is written: those that read others wait for those before them.
+    let (mut waits, mut early) = (Vec::new(), false);
+    cycle.parameters.each_value(|_, kind| early |= matches!(kind, ValueKind::Q { .. }));
+    cycle.parameters.each_value(|q, kind| match read(written(kind), state) {
+        value if early => waits.push((q, value)),
+        value => state.set(q, value),
+    });
+    waits.into_iter().for_each(|(q, value)| state.set(q, value));
 }
 
 /// The parameters whose numbers a definition is given.

@@ -192,6 +192,9 @@ impl Graph {
 
 /// Whether the program ends with the block.
 pub(in crate::check) fn stops(block: &Block) -> bool {
+    if matches!(&block.kind, BlockKind::Motion(motion) if !motion.has_functions()) {
+        return false;
+    }
     let mut ends = matches!(block.kind, BlockKind::EndPgm(_));
     each_function(block, |number| ends |= matches!(number, 2 | 30));
     ends

@@ -505,6 +505,9 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
     fn first_pass(&self) -> Vec<(QRef, Span)> {
         let blocks = self.steps.program.blocks();
         let Some(mut state) = self.entries.get(&(0, Caller::Nobody)).cloned() else { return Vec::new() };
+        if !state.may_be_unset() {
+            return Vec::new();
+        }
         let (mut found, mut read, mut back) = (Vec::new(), Vec::new(), Vec::new());
         let mut index = 0;
         let mut patience = blocks.len().saturating_mul(4).saturating_add(10_000);

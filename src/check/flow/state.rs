@@ -205,6 +205,11 @@ impl State {
         })
     }
 
+    /// Whether parameters can be without a value here or later.
+    pub(super) fn may_be_unset(&self) -> bool {
+        self.others == Known::Unset
+    }
+
     pub(super) fn set(&mut self, q: QRef, value: Known) {
         // What the control itself writes is never known.
         let value = if q.kind == QKind::Q && (100..200).contains(&q.number) { Known::Unknown } else { value };

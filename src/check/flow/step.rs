@@ -43,7 +43,9 @@ impl Steps<'_, '_> {
         match &block.kind {
             BlockKind::Motion(motion) => {
                 self.motion(motion, &mut state.modal);
-                functions(block, &mut state.modal);
+                if motion.has_functions() {
+                    functions(block, &mut state.modal);
+                }
             }
             BlockKind::Functions(_) | BlockKind::Stop(_) => functions(block, &mut state.modal),
             BlockKind::ToolCall(call) => {
