@@ -341,11 +341,12 @@ impl Assembler<'_> {
 
     fn cycle(&mut self, first: Line) {
         let (mut kind, remark) = self.read(first.content);
+        if !matches!(kind, BlockKind::CycleDef(_) | BlockKind::GlobalDef(_)) {
+            return self.written(first, kind, remark);
+        }
         let mut parameters = std::mem::take(&mut self.room);
-        match &kind {
-            BlockKind::CycleDef(definition) => parameters.extend(&definition.parameters),
-            BlockKind::GlobalDef(_) => {}
-            _ => return self.written(first, kind, remark),
+        if let BlockKind::CycleDef(definition) = &kind {
+            parameters.extend(&definition.parameters);
         }
         let inline = !parameters.is_empty();
         let mut body = CycleBody {

@@ -15,8 +15,7 @@ pub(super) const RULE: Rule = Rule { code: "main-runs-into-subprogram", severity
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let graph = &facts.run.graph;
     let blocks = facts.program.blocks();
-    let returns: Vec<usize> =
-        facts.marked().filter(|(_, block)| is_return(block)).map(|(index, _)| index).collect();
+    let returns: Vec<usize> = facts.marked().filter(|(_, block)| is_return(block)).map(|(index, _)| index).collect();
     // Whether all that leads to a label are calls that stand before it.
     let mut called: BTreeMap<&Mark, bool> = BTreeMap::new();
     for own in &graph.uses {
