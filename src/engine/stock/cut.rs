@@ -69,14 +69,15 @@ impl Part<'_> {
             let columns = first.saturating_sub(begin)..(last + 1 - begin).min(BLOCK);
             let half = 0.5 * (columns.len() - 1) as f64 * grid.cell.x;
             let middle = DVec2::new(grid.x(begin + columns.start) + half, y);
-            if highest <= sweep.least_near(middle, half) {
-                continue;
-            }
-            if let Some([height, rise]) = sweep.tangent(middle) {
-                let start = height - rise * (middle.x - grid.x(begin)) - HAIR;
-                if !own.is_above(block, columns.clone(), start, rise * grid.cell.x) {
-                    continue;
+            let reached = match sweep.tangent(middle) {
+                Some([height, rise]) => {
+                    let start = height - rise * (middle.x - grid.x(begin)) - HAIR;
+                    own.is_above(block, columns.clone(), start, rise * grid.cell.x)
                 }
+                None => highest > sweep.least_near(middle, half),
+            };
+            if !reached {
+                continue;
             }
             let chunks = columns.start / WIDE * WIDE..columns.end.div_ceil(WIDE) * WIDE;
             sweep.heights([grid.x(begin), grid.cell.x, y], chunks.clone(), &mut heights);

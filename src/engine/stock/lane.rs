@@ -271,7 +271,7 @@ impl Row {
                 } else {
                     tops.apart().get_mut(columns).unwrap_or_default().fill(height);
                 }
-            } else if columns.len() <= WIDE {
+            } else if columns.len() < BLOCK {
                 let (mut low, mut high) = (usize::MAX, 0);
                 for (n, top) in columns.clone().zip(tops.each.get_mut(columns).unwrap_or_default()) {
                     let loss = *top - height;
@@ -290,10 +290,8 @@ impl Row {
                     cut(begin + low, begin + high);
                 }
             } else {
-                let whole = columns.len() == BLOCK && tops.reaches(height);
-                let mut heights = [f64::INFINITY; BLOCK];
-                heights.get_mut(columns).unwrap_or_default().fill(height);
-                tops.lower(begin, 0..BLOCK, &heights, tally, &mut cut);
+                let whole = tops.reaches(height);
+                tops.lower(begin, 0..BLOCK, &[height; BLOCK], tally, &mut cut);
                 tops.level = whole;
             }
         }

@@ -170,9 +170,10 @@ impl Grid {
         if !(to >= 0.0 && from <= to) {
             return None;
         }
-        // Casts cut off what is below zero and beyond the largest number.
-        let (low, high) = (from as usize, (to as usize).min(count - 1));
-        let low = if (low as f64) < from { low + 1 } else { low };
+        // Casts cut off what is beyond the largest number; a grid has fewer columns than that.
+        let (low, high) = (from.max(0.0) as i32, to as i32);
+        let low = if f64::from(low) < from { low + 1 } else { low };
+        let (low, high) = (low as usize, (high as usize).min(count - 1));
         (low <= high).then_some((low, high))
     }
 }
