@@ -29,7 +29,8 @@ pub(super) const FINISH: f64 = 600.0;
 
 /// As many cases as `PROPTEST_CASES` says, or a few.
 pub(super) fn config() -> ProptestConfig {
-    let mut config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
+    let mut config =
+        ProptestConfig { failure_persistence: None, max_global_rejects: 100_000, ..ProptestConfig::default() };
     if std::env::var_os("PROPTEST_CASES").is_none() {
         config.cases = 6;
     }
