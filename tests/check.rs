@@ -5,9 +5,12 @@
 //! What is found stands beside each in `*.expect`; `UPDATE=1 cargo test --test check` writes it anew.
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::{env, fs};
 
-use ciklo::check::{ALLOW_CODES, Against, Facts, LabelBook, RULES, check};
+use ciklo::check::{
+    ALLOW_CODES, Against, Among, Called, Callee, Facts, LabelBook, RULES, Rows, ToolName, check, check_among, named,
+};
 use ciklo::data;
 use ciklo::diag::{Diagnostic, Severity, Source};
 use ciklo::locale::{Locales, Ui};
@@ -68,7 +71,45 @@ fn line(diagnostic: &Diagnostic) -> String {
 
 fn found_in(data: &Data, path: &Path) -> Vec<Diagnostic> {
     let text = fs::read_to_string(path).expect("a program");
-    data.check(head(&text, "control:"), &parse(&Source::new("program.h", text.clone())))
+    let program = parse(&Source::new("program.h", text.clone()));
+    data.with(head(&text, "control:"), |against| {
+        // Those that say so stand among the programs of `tests/check/beside`.
+        if text.lines().next().is_some_and(|line| line.contains("beside")) {
+            check_among(&program, against, &Beside { against, own: stem(path) })
+        } else {
+            check(&program, against)
+        }
+    })
+}
+
+/// The programs of `tests/check/beside`, a tool table with the tools 1 and MILL, and tables with the rows 0 to 3.
+struct Beside<'a> {
+    against: &'a Against<'a>,
+    own: String,
+}
+
+impl Beside<'_> {
+    fn read(name: &str) -> Option<Program> {
+        let path = format!("{}/tests/check/beside/{name}.h", env!("CARGO_MANIFEST_DIR"));
+        fs::read_to_string(path).ok().map(|text| parse(&Source::new("beside.h", text)))
+    }
+}
+
+impl Among for Beside<'_> {
+    fn called(&self, name: &str) -> Called {
+        let name = name.trim_end_matches(".H");
+        let Some(program) = Self::read(name) else { return Called::Missing(Severity::Warning) };
+        let round = named(&program, self.against).iter().any(|called| called.eq_ignore_ascii_case(&self.own));
+        Called::Is { callee: Arc::new(Callee::of(&program, self.against, None)), round }
+    }
+
+    fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {
+        Some(matches!(tool, ToolName::Number(1.0) | ToolName::Name("MILL")))
+    }
+
+    fn has_row(&self, rows: Rows<'_>, row: f64) -> Option<bool> {
+        (rows != Rows::Datums(Some("OTHER.D"))).then(|| [0.0, 1.0, 2.0, 3.0].contains(&row))
+    }
 }
 
 #[test]
@@ -279,10 +320,9 @@ fn edit(lines: &mut Vec<String>, edit: &str) {
     }
 }
 
-/// Of the mistakes that people make, at least 95 of 100 are told at their line; what is missed is listed here.
+/// Of the mistakes that people make, all that are planted are told at their line.
 #[test]
 fn planted_mistakes_are_found_at_their_line() {
-    const KNOWN: [&str; 3] = ["~~", "++-", "RND X5"];
     let data = Data::new();
     let all = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/check/planted.txt")).expect("it");
     let mut missed = Vec::new();
@@ -290,10 +330,11 @@ fn planted_mistakes_are_found_at_their_line() {
     for own in &all {
         let path = format!("{}/tests/check/planted/{}.h", env!("CARGO_MANIFEST_DIR"), own.program);
         let text = fs::read_to_string(path).expect("a program");
+        let control = head(&text, "control:").to_owned();
         let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
         own.edits.iter().for_each(|one| edit(&mut lines, one));
         let text = lines.join("\n") + "\n";
-        let found = data.check("tnc640", &parse(&Source::new("planted.h", text)));
+        let found = data.check(&control, &parse(&Source::new("planted.h", text)));
         let told = |diagnostic: &Diagnostic| {
             let line = diagnostic.place.as_ref().expect("a place").start().line;
             line == own.line && own.codes.contains(&diagnostic.code)
@@ -302,9 +343,7 @@ fn planted_mistakes_are_found_at_their_line() {
             missed.push(format!("{} {}", own.program, own.edits.join(";")));
         }
     }
-    assert!(all.len() >= 200, "{} mistakes", all.len());
-    assert!(missed.len() * 20 <= all.len(), "{missed:#?}");
-    missed.retain(|own| !KNOWN.iter().any(|known| own.contains(known)));
+    assert!(all.len() >= 400, "{} mistakes", all.len());
     assert_eq!(missed, Vec::<String>::new());
 }
 

@@ -155,6 +155,7 @@ fn every_code_has_a_text_in_every_language() {
     }
     let all = [
         "syntax-dangling-continuation",
+        "syntax-doubled-continuation",
         "syntax-formula",
         "syntax-incomplete",
         "syntax-remark",

@@ -232,3 +232,73 @@ fn unknown_labels_are_replaced_when_asked_for() {
     // Without being asked, only what is known to be a label changes.
     assert_eq!(data.translate("tnc640", german, "en", UTF_8).text, german);
 }
+
+/// A definition that a control wrote in another language is read by its numbers; what a programmer wrote stays.
+#[test]
+fn definitions_in_a_language_that_is_not_known_are_read_by_their_numbers() {
+    let data = Data::new();
+    let german = "\
+1 CYCL DEF 7.0 NULLPUNKT
+2 CYCL DEF 7.1 X+10
+3 CYCL DEF 200 BOHREN ~
+  Q200=2 ;SICHERHEITS-ABST. ~
+  Q201=-15 ;TIEFE ~
+  Q206=250 ;VORSCHUB TIEFENZ. ~
+  Q202=5 ;ZUSTELL-TIEFE ~
+  Q210=0 ;VERWEILZEIT OBEN ~
+  Q203=+0 ;KOOR. OBERFLAECHE ~
+  Q204=50 ;2. SICHERHEITS-ABST. ~
+  Q211=0.1 ;unten warten
+4 CYCL DEF 200 DRILLING ~
+  Q200=2 ;ABSTAND ~
+  Q201=-15 ;DEPTH
+5 CYCL DEF 200 ~
+  Q200=2 ~
+  Q201=-15 ;TIEFES LOCH ~
+  Q206=250
+6 L X+10 ;TIEFE
+";
+    let english = "\
+1 CYCL DEF 7.0 DATUM SHIFT
+2 CYCL DEF 7.1 X+10
+3 CYCL DEF 200 DRILLING ~
+  Q200=2 ;SET-UP CLEARANCE ~
+  Q201=-15 ;DEPTH ~
+  Q206=250 ;FEED RATE FOR PLNGNG ~
+  Q202=5 ;PLUNGING DEPTH ~
+  Q210=0 ;DWELL TIME AT TOP ~
+  Q203=+0 ;SURFACE COORDINATE ~
+  Q204=50 ;2ND SET-UP CLEARANCE ~
+  Q211=0.1 ;unten warten
+4 CYCL DEF 200 DRILLING ~
+  Q200=2 ;ABSTAND ~
+  Q201=-15 ;DEPTH
+5 CYCL DEF 200 ~
+  Q200=2 ~
+  Q201=-15 ;TIEFES LOCH ~
+  Q206=250
+6 L X+10 ;TIEFE
+";
+    let translation = data.translate("tnc640", german, "en", UTF_8);
+    assert_else_unchanged(german, &translation);
+    assert_eq!(translation.text, english);
+    let told: Vec<_> =
+        translation.diagnostics.iter().map(|own| (own.code, own.place.as_ref().map(|p| p.start().line))).collect();
+    assert_eq!(told, [("labels-of-unknown-language", Some(1))]);
+    assert_eq!(translation.sources.into_iter().collect::<Vec<_>>(), [("en".to_owned(), 1)]);
+}
+
+/// With a language given, what is in another one stays.
+#[test]
+fn only_labels_of_the_language_that_is_given_are_replaced() {
+    let data = Data::new();
+    let mixed = "1 CYCL DEF 200 VRTANJE\nQ201=-15 ;GLOBINA\n2 CYCL DEF 201 REAMING\nQ201=-5 ;DEPTH\n";
+    let whole = data.translate("tnc640", mixed, "it", UTF_8);
+    assert_eq!(whole.changes.len(), 4, "{:?}", whole.changes);
+    assert_eq!(whole.sources.into_iter().collect::<Vec<_>>(), [("en".to_owned(), 1), ("sl".to_owned(), 1)]);
+    let on = data.catalogue.on("tnc640").expect("the control");
+    let labels = LabelBook::new(on, &data.locales);
+    let against = Against { catalogue: &data.catalogue, on, labels: &labels, language: Some("sl"), readers: &[] };
+    let one = translate(&parse(&Source::new("program.h", mixed)), &against, "it", UTF_8);
+    assert_eq!(one.changes.iter().map(|change| change.from.as_str()).collect::<Vec<_>>(), ["VRTANJE", "GLOBINA"]);
+}

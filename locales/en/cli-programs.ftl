@@ -25,6 +25,7 @@ cli-compare-executed = { $verdict ->
 cli-check-path = NC programs, or folders whose programs (.h, .i) are checked; “-” reads standard input
 cli-check-control = Control of the programs (default: that of ciklo.toml)
 cli-check-config = File with settings (default: ciklo.toml in the folder of each program or above it)
+cli-check-table = Tool, preset or datum table whose rows the programs use
 cli-check-fix = Mend what can be mended without changing what a program does: labels
 cli-check-no-cache = Check every program again, even those that have not changed since the last time
 cli-check-format = Form of the output: text (default), json, sarif, github
@@ -39,6 +40,7 @@ cli-fixed = { $count ->
        *[other] { $count } labels were mended.
     }
 diag-check-no-control = The control of { $path } is not known: --control, or control in ciklo.toml.
+diag-check-no-table = “{ $path }” is no table: its extension is none of .T, .TP, .PR, .D and .PNT.
 diag-fix-no-file = Standard input cannot be mended: name a file.
 diag-fix-file-changed = { $path } was changed meanwhile by someone else; it is left as it is.
 diag-fix-changes-program = { $path } would not be the same program any more; it is left as it is.
@@ -55,6 +57,11 @@ explain-allow-unknown-rule = The word behind “allow” is no rule of the check
 explain-allow-unused = The comment takes nothing back: the rule finds nothing in the block that the comment speaks for, or not on this control.
 
 cli-translate-relabel = Take whatever has the form of a label for one, even in a language that is not known here
+cli-translate-from = Language of the program's labels; only these are replaced (default: each definition in its own)
+cli-translate-sources = { $count ->
+        [one] Language of the labels, with the number of definitions: { $languages }.
+       *[other] Languages of the labels, with the number of definitions: { $languages }.
+    }
 cli-fmt = Lay out programs where they stand: numbers, columns, signs
 cli-fmt-path = NC programs, or folders whose programs (.h, .i) are laid out; “-” reads standard input and writes standard output
 cli-fmt-check = Write nothing; name the programs that would change

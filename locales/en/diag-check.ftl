@@ -1,5 +1,10 @@
 # Findings of the program checker and of the translation of programs.
 
+diag-approach-without-compensation =
+    { $what ->
+        [approach] The contour is approached here without RL or RR.
+       *[departure] The contour is left here, but no radius compensation is active.
+    }
 diag-arc-wrong =
     The arc cannot end here: its { $what ->
         [radius] radius is { $first }, and start and end are { $second } apart
@@ -16,6 +21,8 @@ diag-blank-wrong =
 diag-block-numbers = The block number { $number } follows { $before }.
 diag-call-of-def-active-cycle = { $cycle } acts as soon as it is defined; it must not be called.
 diag-called-but-not-defined = A cycle is called here, but none is defined before.
+diag-called-program-in-other-unit = This program is in { $own }, the called program { $name } in { $other }.
+diag-called-program-missing = The program { $name } does not stand beside this one, where the control looks for it.
 diag-choice-not-offered = { $parameter }={ $value } is none of the choices: { $offered }.
 diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearance height { $parameter }={ $value } must lie above { $least }.
 diag-compensation-at-cycle =
@@ -38,6 +45,7 @@ diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it ex
 diag-defined-but-never-called = { $cycle } is defined here and never called.
 diag-duplicate-parameter = { $parameter } stands twice in { $cycle }.
 diag-empty-word = This M has no number and does nothing.
+diag-feed-zero = The feed is zero here.
 diag-frame-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
 diag-guard = The control objects to these values.
 diag-label-duplicate = The label { $label } is set a second time here.
@@ -46,6 +54,12 @@ diag-label-not-encodable = “{ $label }” has the character “{ $character }�
 diag-label-of-another-language = “{ $label }” is a label in another language ({ $language }); most of the program calls { $parameter } “{ $right }”.
 diag-label-of-another-parameter = “{ $label }” is the label of { $other }, not of { $parameter }.
 diag-label-undefined = No block sets the label { $label }.
+diag-labels-of-unknown-language =
+    { $count ->
+        [one] This definition has labels in a language that is not known here; it was read by its numbers.
+       *[other] { $count } definitions, this is the first, have labels in a language that is not known here; they were read by their numbers.
+    }
+diag-languages-mixed = Most labels are in one language ({ $language }); the definitions in these lines are in another ({ $others }): { $lines }.
 diag-main-runs-into-subprogram = The main part runs into the subprogram { $label } here: neither M2 nor M30 stands before it.
 diag-measuring-height-below-floor = { $cycle } measures at { $parameter }={ $value }, below the floor that { $milling } leaves there, { $floor }.
 diag-metric-values-in-inch = The program is in inches, and { $value } looks like millimetres.
@@ -65,15 +79,23 @@ diag-plane-not-reset = The program ends here with a tilted working plane.
 diag-program-begin-missing = The program does not begin with BEGIN PGM.
 diag-program-calls-itself = The program calls itself: { $name }.
 diag-program-end-missing = The program ends here without END PGM.
+diag-programs-call-in-circle = The program { $name } calls this one back, be it through others.
 diag-repeat-of-later-label = The label { $label } stands behind this repeat.
 diag-reserved-parameter =
     { $parameter } is written here, but the control itself writes Q100 to Q199.
+diag-row-not-in-table =
+    { $table ->
+        [preset] The preset table has no row { $row }.
+       *[datum] The datum table has no row { $row }.
+    }
 diag-speed-missing = The spindle is turned on here, but no speed has been programmed.
 diag-spindle-off = Material is removed here while the spindle stands.
 diag-subprogram-recursive = The subprogram { $label } calls itself here.
 diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: no LBL 0 stands between them.
 diag-subprogram-without-end = The subprogram { $label } comes to the end of the program without LBL 0.
+diag-tool-axis-missing = This tool call names no tool axis, and none was named before.
 diag-tool-missing = A cycle moves here, but no tool call has named the tool axis before.
+diag-tool-not-listed = The tool table has no tool { $tool }.
 diag-transfer-parameter-overwritten =
     { $parameter } belongs to { $cycle }, which is called later: the call takes the value that is written here.
 diag-unknown-cycle = { $cycle } is a cycle of no control known here.

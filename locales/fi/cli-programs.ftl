@@ -25,6 +25,7 @@ cli-compare-executed = { $verdict ->
 cli-check-path = NC-ohjelmat tai hakemistot, joiden ohjelmat (.h, .i) tarkastetaan; ”-” tarkoittaa vakiosyötettä
 cli-check-control = Ohjelmien ohjaus (oletus: ciklo.toml-tiedoston mukainen)
 cli-check-config = Asetustiedosto (oletus: ciklo.toml kunkin ohjelman hakemistossa tai sen yläpuolella)
+cli-check-table = Työkalu-, peruspiste- tai nollapistetaulukko, jonka rivejä ohjelmat käyttävät
 cli-check-fix = Korjaa, minkä voi korjata muuttamatta ohjelman toimintaa: NC-tekstit
 cli-check-no-cache = Tarkasta jokainen ohjelma uudelleen, myös ne, jotka eivät ole muuttuneet viime kerran jälkeen
 cli-check-format = Tulosteen muoto: text (oletus), json, sarif, github
@@ -39,6 +40,7 @@ cli-fixed = { $count ->
        *[other] Korjattiin { $count } NC-tekstiä.
     }
 diag-check-no-control = Ohjelman { $path } ohjaus ei ole tiedossa: --control tai control tiedostossa ciklo.toml.
+diag-check-no-table = ”{ $path }” ei ole taulukko: sen tarkenne ei ole .T, .TP, .PR, .D eikä .PNT.
 diag-fix-no-file = Vakiosyötettä ei voi korjata: nimeä tiedosto.
 diag-fix-file-changed = Joku muu on muuttanut tiedostoa { $path } sillä välin; se jätetään ennalleen.
 diag-fix-changes-program = { $path } ei olisi enää sama ohjelma; se jätetään ennalleen.
@@ -55,6 +57,11 @@ explain-allow-unknown-rule = Sanan ”allow” jäljessä ei ole tarkastimen sä
 explain-allow-unused = Kommentti ei kumoa mitään: sääntö ei löydä mitään lauseesta, jota kommentti koskee, tai ei tällä ohjauksella.
 
 cli-translate-relabel = Pidä NC-tekstinä kaikkea, millä on sen muoto, myös muulla kuin tunnetulla kielellä
+cli-translate-from = Ohjelman NC-tekstien kieli; vain ne korvataan (oletus: kukin määrittely omalla kielellään)
+cli-translate-sources = { $count ->
+        [one] NC-tekstien kieli ja määrittelyjen määrä: { $languages }.
+       *[other] NC-tekstien kielet ja määrittelyjen määrät: { $languages }.
+    }
 cli-fmt = Asettele ohjelmia paikallaan: numerot, sarakkeet, etumerkit
 cli-fmt-path = NC-ohjelmat tai hakemistot, joiden ohjelmat (.h, .i) asetellaan; ”-” tarkoittaa vakiosyötettä ja vakiotulostetta
 cli-fmt-check = Älä kirjoita mitään; nimeä ohjelmat, jotka muuttuisivat

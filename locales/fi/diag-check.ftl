@@ -1,5 +1,10 @@
 # Ohjelmien tarkastuksen ja kääntämisen havainnot; ks. englanninkielinen tiedosto.
 
+diag-approach-without-compensation =
+    { $what ->
+        [approach] Muotoon ajetaan tässä ilman sanaa RL tai RR.
+       *[departure] Muodosta poistutaan tässä, mutta sädekorjaus ei ole voimassa.
+    }
 diag-arc-wrong =
     Kaari ei voi päättyä tähän: { $what ->
         [radius] säde on { $first }, ja alku- ja loppupisteen väli on { $second }
@@ -16,6 +21,8 @@ diag-blank-wrong =
 diag-block-numbers = Lausenumero { $number } seuraa numeroa { $before }.
 diag-call-of-def-active-cycle = Työkierto { $cycle } vaikuttaa heti määrittelyn jälkeen; sitä ei saa kutsua.
 diag-called-but-not-defined = Tässä kutsutaan työkiertoa, mutta sitä ennen ei ole määritelty yhtään.
+diag-called-program-in-other-unit = Tämän ohjelman mittayksikkö on { $own }, kutsutun ohjelman { $name } { $other }.
+diag-called-program-missing = Ohjelma { $name } ei ole tämän ohjelman kansiossa, josta ohjaus etsii sitä.
 diag-choice-not-offered = { $parameter }={ $value } ei ole mikään vaihtoehdoista: { $offered }.
 diag-clearance-height-too-low = { $cycle } koskettaa korkeudella { $touched }: varmuuskorkeuden { $parameter }={ $value } on oltava suurempi kuin { $least }.
 diag-compensation-at-cycle =
@@ -38,6 +45,7 @@ diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
 diag-empty-word = Tässä M-sanassa ei ole numeroa, eikä se tee mitään.
+diag-feed-zero = Syöttöarvo on tässä nolla.
 diag-frame-mismatch = END PGM -lauseessa on { $end }, BEGIN PGM -lauseessa { $begin }.
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
 diag-label-duplicate = Label { $label } asetetaan tässä toisen kerran.
@@ -46,6 +54,12 @@ diag-label-not-encodable = NC-tekstissä ”{ $label }” on merkki ”{ $charac
 diag-label-of-another-language = ”{ $label }” on toisen kielen NC-teksti ({ $language }); ohjelman kielellä parametrin { $parameter } teksti on ”{ $right }”.
 diag-label-of-another-parameter = ”{ $label }” on parametrin { $other } NC-teksti, ei parametrin { $parameter }.
 diag-label-undefined = Mikään lause ei aseta labelia { $label }.
+diag-labels-of-unknown-language =
+    { $count ->
+        [one] Tämän määrittelyn NC-tekstit ovat kieltä, jota ei tässä tunneta; se luettiin numeroidensa perusteella.
+       *[other] { $count } määrittelyn, joista tämä on ensimmäinen, NC-tekstit ovat kieltä, jota ei tässä tunneta; ne luettiin numeroidensa perusteella.
+    }
+diag-languages-mixed = Useimmat NC-tekstit ovat yhtä kieltä ({ $language }); näiden rivien määrittelyt ovat toista ({ $others }): { $lines }.
 diag-main-runs-into-subprogram = Pääohjelma jatkuu tässä suoraan aliohjelmaan { $label }: ennen sitä ei ole M2- eikä M30-toimintoa.
 diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }={ $value }, joka on työkierron { $milling } siihen jättämän pohjan alapuolella ({ $floor }).
 diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää millimetriarvolta.
@@ -65,14 +79,22 @@ diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käänne
 diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
 diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.
 diag-program-end-missing = Ohjelma loppuu tähän ilman END PGM -lausetta.
+diag-programs-call-in-circle = Ohjelma { $name } kutsuu takaisin tätä ohjelmaa, suoraan tai muiden kautta.
 diag-repeat-of-later-label = Label { $label } on vasta tämän toiston jälkeen.
 diag-reserved-parameter = Tässä kirjoitetaan parametriin { $parameter }, mutta parametreihin Q100–Q199 kirjoittaa ohjaus itse.
+diag-row-not-in-table =
+    { $table ->
+        [preset] Peruspistetaulukossa ei ole riviä { $row }.
+       *[datum] Nollapistetaulukossa ei ole riviä { $row }.
+    }
 diag-speed-missing = Kara käynnistetään tässä, mutta kierroslukua ei ole ohjelmoitu.
 diag-spindle-off = Tässä lastutaan karan ollessa pysähdyksissä.
 diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
 diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
 diag-subprogram-without-end = Aliohjelma { $label } päätyy ohjelman loppuun ilman LBL 0 -lausetta.
+diag-tool-axis-missing = Tässä työkalukutsussa ei ole työkaluakselia, eikä sitä ole annettu aiemminkaan.
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään aiempi työkalukutsu ei ole määritellyt työkaluakselia.
+diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
 diag-transfer-parameter-overwritten =
     { $parameter } kuuluu työkiertoon { $cycle }, jota kutsutaan myöhemmin: kutsu käyttää tässä kirjoitettavaa arvoa.
 diag-unknown-cycle = { $cycle } ei ole minkään tässä tunnetun ohjauksen työkierto.

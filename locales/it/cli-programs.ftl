@@ -25,6 +25,7 @@ cli-compare-executed = { $verdict ->
 cli-check-path = Programmi NC, o cartelle di cui si verificano i programmi (.h, .i); «-» legge l’ingresso standard
 cli-check-control = Controllo numerico dei programmi (predefinito: quello di ciklo.toml)
 cli-check-config = File con le impostazioni (predefinito: ciklo.toml nella cartella di ogni programma o sopra di essa)
+cli-check-table = Tabella di utensili, preset o origini di cui i programmi usano le righe
 cli-check-fix = Corregge ciò che si può correggere senza cambiare quel che fa il programma: le etichette
 cli-check-no-cache = Verifica di nuovo ogni programma, anche quelli che dall’ultima volta non sono cambiati
 cli-check-format = Forma dell’uscita: text (predefinita), json, sarif, github
@@ -39,6 +40,7 @@ cli-fixed = { $count ->
        *[other] Corrette { $count } etichette.
     }
 diag-check-no-control = Il controllo numerico di { $path } non è noto: --control, oppure control in ciklo.toml.
+diag-check-no-table = «{ $path }» non è una tabella: la sua estensione non è .T, .TP, .PR, .D o .PNT.
 diag-fix-no-file = L’ingresso standard non si può correggere: indicare un file.
 diag-fix-file-changed = { $path } è stato modificato nel frattempo da altri; resta com’è.
 diag-fix-changes-program = { $path } non sarebbe più lo stesso programma; resta com’è.
@@ -55,6 +57,11 @@ explain-allow-unknown-rule = La parola dopo «allow» non è una regola della ve
 explain-allow-unused = Il commento non revoca nulla: la regola non rileva nulla nel blocco a cui il commento si riferisce, o non su questo controllo numerico.
 
 cli-translate-relabel = Considera etichetta tutto ciò che ne ha la forma, anche in una lingua qui sconosciuta
+cli-translate-from = Lingua delle etichette del programma; solo queste vengono sostituite (predefinito: ogni definizione nella propria)
+cli-translate-sources = { $count ->
+        [one] Lingua delle etichette, con il numero di definizioni: { $languages }.
+       *[other] Lingue delle etichette, con il numero di definizioni: { $languages }.
+    }
 cli-fmt = Impagina i programmi dove si trovano: numeri, colonne, segni
 cli-fmt-path = Programmi NC, o cartelle di cui si impaginano i programmi (.h, .i); «-» legge l’ingresso standard e scrive sull’uscita standard
 cli-fmt-check = Non scrive nulla; nomina i programmi che cambierebbero

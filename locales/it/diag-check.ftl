@@ -1,5 +1,10 @@
 # Segnalazioni della verifica e della traduzione di programmi; vedere il file inglese.
 
+diag-approach-without-compensation =
+    { $what ->
+        [approach] Qui ci si avvicina al profilo senza RL o RR.
+       *[departure] Qui ci si allontana dal profilo, ma nessuna compensazione del raggio è attiva.
+    }
 diag-arc-wrong =
     L’arco non può terminare qui: { $what ->
         [radius] il raggio è { $first } e la distanza tra inizio e fine è { $second }
@@ -16,6 +21,8 @@ diag-blank-wrong =
 diag-block-numbers = Il numero di blocco { $number } segue { $before }.
 diag-call-of-def-active-cycle = { $cycle } è attivo appena viene definito; non deve essere chiamato.
 diag-called-but-not-defined = Qui viene chiamato un ciclo, ma prima non ne è definito alcuno.
+diag-called-program-in-other-unit = Questo programma è in { $own }, il programma chiamato { $name } in { $other }.
+diag-called-program-missing = Il programma { $name } non si trova accanto a questo, dove il controllo lo cerca.
 diag-choice-not-offered = { $parameter }={ $value } non è tra le scelte: { $offered }.
 diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di sicurezza { $parameter }={ $value } deve trovarsi sopra { $least }.
 diag-compensation-at-cycle =
@@ -38,6 +45,7 @@ diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; es
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
 diag-empty-word = Questa M è senza numero e non fa nulla.
+diag-feed-zero = Qui l’avanzamento è zero.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-guard = Il controllo non accetta questi valori.
 diag-label-duplicate = Il label { $label } viene impostato qui per la seconda volta.
@@ -46,6 +54,12 @@ diag-label-not-encodable = «{ $label }» contiene il carattere «{ $character }
 diag-label-of-another-language = «{ $label }» è un’etichetta in un’altra lingua ({ $language }); nel resto del programma { $parameter } si chiama «{ $right }».
 diag-label-of-another-parameter = «{ $label }» è l’etichetta di { $other }, non di { $parameter }.
 diag-label-undefined = Nessun blocco imposta il label { $label }.
+diag-labels-of-unknown-language =
+    { $count ->
+        [one] Questa definizione ha etichette in una lingua qui sconosciuta; è stata letta in base ai suoi numeri.
+       *[other] { $count } definizioni, di cui questa è la prima, hanno etichette in una lingua qui sconosciuta; sono state lette in base ai loro numeri.
+    }
+diag-languages-mixed = La maggior parte delle etichette è in una lingua ({ $language }); le definizioni in queste righe sono in un’altra ({ $others }): { $lines }.
 diag-main-runs-into-subprogram = La parte principale prosegue qui nel sottoprogramma { $label }: prima non c’è né M2 né M30.
 diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value }, sotto il fondo lasciato in quel punto da { $milling }, { $floor }.
 diag-metric-values-in-inch = Il programma è in pollici e { $value } sembra espresso in millimetri.
@@ -65,14 +79,22 @@ diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
 diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
 diag-program-calls-itself = Il programma chiama sé stesso: { $name }.
 diag-program-end-missing = Il programma finisce qui senza END PGM.
+diag-programs-call-in-circle = Il programma { $name } richiama a sua volta questo, direttamente o tramite altri.
 diag-repeat-of-later-label = Il label { $label } si trova dopo questa ripetizione.
 diag-reserved-parameter = Qui viene scritto { $parameter }, ma i parametri da Q100 a Q199 li scrive il controllo stesso.
+diag-row-not-in-table =
+    { $table ->
+        [preset] La tabella Preset non contiene la riga { $row }.
+       *[datum] La tabella origini non contiene la riga { $row }.
+    }
 diag-speed-missing = Qui viene avviato il mandrino, ma non è stato programmato alcun numero di giri.
 diag-spindle-off = Qui viene asportato materiale a mandrino fermo.
 diag-subprogram-recursive = Il sottoprogramma { $label } chiama qui sé stesso.
 diag-subprogram-runs-on = Il sottoprogramma { $label } prosegue nel sottoprogramma { $next }: tra i due non c’è LBL 0.
 diag-subprogram-without-end = Il sottoprogramma { $label } arriva alla fine del programma senza LBL 0.
+diag-tool-axis-missing = Questa chiamata utensile non indica l’asse utensile, e nessuno è stato indicato prima.
 diag-tool-missing = Qui un ciclo esegue movimenti, ma prima nessuna chiamata utensile ha indicato l’asse utensile.
+diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
 diag-transfer-parameter-overwritten =
     { $parameter } appartiene a { $cycle }, che viene chiamato più avanti: la chiamata usa il valore scritto qui.
 diag-unknown-cycle = { $cycle } non è un ciclo di alcun controllo qui noto.

@@ -25,6 +25,7 @@ cli-compare-executed = { $verdict ->
 cli-check-path = Programas NC, ou pastas cujos programas (.h, .i) são verificados; «-» lê a entrada padrão
 cli-check-control = Comando numérico dos programas (predefinição: o de ciklo.toml)
 cli-check-config = Ficheiro com definições (predefinição: ciklo.toml na pasta de cada programa ou acima dela)
+cli-check-table = Tabela de ferramentas, de pontos de referência ou de pontos zero cujas linhas os programas usam
 cli-check-fix = Corrige o que se pode corrigir sem mudar o que o programa faz: as designações
 cli-check-no-cache = Verifica de novo todos os programas, também os que não mudaram desde a última vez
 cli-check-format = Forma da saída: text (predefinição), json, sarif, github
@@ -39,6 +40,7 @@ cli-fixed = { $count ->
        *[other] Corrigidas { $count } designações.
     }
 diag-check-no-control = O comando numérico de { $path } não é conhecido: --control, ou control em ciklo.toml.
+diag-check-no-table = «{ $path }» não é uma tabela: a sua extensão não é .T, .TP, .PR, .D nem .PNT.
 diag-fix-no-file = A entrada padrão não pode ser corrigida: indique um ficheiro.
 diag-fix-file-changed = { $path } foi alterado entretanto por outrem; fica como está.
 diag-fix-changes-program = { $path } deixaria de ser o mesmo programa; fica como está.
@@ -55,6 +57,11 @@ explain-allow-unknown-rule = A palavra a seguir a «allow» não é uma regra da
 explain-allow-unused = O comentário nada anula: a regra nada assinala na frase a que o comentário se refere, ou não neste comando numérico.
 
 cli-translate-relabel = Toma por designação tudo o que tem a forma dela, mesmo num idioma aqui desconhecido
+cli-translate-from = Idioma das designações do programa; só estas são substituídas (predefinição: cada definição no seu)
+cli-translate-sources = { $count ->
+        [one] Idioma das designações, com o número de definições: { $languages }.
+       *[other] Idiomas das designações, com o número de definições: { $languages }.
+    }
 cli-fmt = Dispõe os programas no seu lugar: números, colunas, sinais
 cli-fmt-path = Programas NC, ou pastas cujos programas (.h, .i) são dispostos; «-» lê a entrada padrão e escreve na saída padrão
 cli-fmt-check = Não escreve nada; indica os programas que mudariam

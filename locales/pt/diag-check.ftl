@@ -1,5 +1,10 @@
 # Mensagens da verificação e da tradução de programas; ver o ficheiro inglês.
 
+diag-approach-without-compensation =
+    { $what ->
+        [approach] A aproximação ao contorno faz-se aqui sem RL nem RR.
+       *[departure] Sai-se aqui do contorno, mas nenhuma compensação do raio está ativa.
+    }
 diag-arc-wrong =
     O arco não pode terminar aqui: { $what ->
         [radius] o raio é { $first } e a distância entre o início e o fim é { $second }
@@ -16,6 +21,8 @@ diag-blank-wrong =
 diag-block-numbers = O número de frase { $number } vem depois de { $before }.
 diag-call-of-def-active-cycle = { $cycle } atua logo que é definido; não deve ser chamado.
 diag-called-but-not-defined = Aqui é chamado um ciclo, mas antes não está definido nenhum.
+diag-called-program-in-other-unit = Este programa está em { $own }, o programa chamado { $name } em { $other }.
+diag-called-program-missing = O programa { $name } não está junto deste, onde o comando o procura.
 diag-choice-not-offered = { $parameter }={ $value } não está entre as opções: { $offered }.
 diag-clearance-height-too-low = { $cycle } apalpa em { $touched }: a altura segura { $parameter }={ $value } tem de ficar acima de { $least }.
 diag-compensation-at-cycle =
@@ -38,6 +45,7 @@ diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; exis
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
 diag-empty-word = Este M não tem número e não faz nada.
+diag-feed-zero = O avanço é aqui zero.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-guard = O comando não aceita estes valores.
 diag-label-duplicate = O label { $label } é definido aqui pela segunda vez.
@@ -46,6 +54,12 @@ diag-label-not-encodable = «{ $label }» tem o carácter «{ $character }», qu
 diag-label-of-another-language = «{ $label }» é uma designação noutro idioma ({ $language }); a maior parte do programa designa { $parameter } por «{ $right }».
 diag-label-of-another-parameter = «{ $label }» é a designação de { $other }, não de { $parameter }.
 diag-label-undefined = Nenhuma frase define o label { $label }.
+diag-labels-of-unknown-language =
+    { $count ->
+        [one] Esta definição tem designações num idioma aqui desconhecido; foi lida pelos seus números.
+       *[other] { $count } definições, das quais esta é a primeira, têm designações num idioma aqui desconhecido; foram lidas pelos seus números.
+    }
+diag-languages-mixed = A maioria das designações está num idioma ({ $language }); as definições nestas linhas estão noutro ({ $others }): { $lines }.
 diag-main-runs-into-subprogram = A parte principal continua aqui para dentro do subprograma { $label }: antes não há M2 nem M30.
 diag-measuring-height-below-floor = { $cycle } mede em { $parameter }={ $value }, abaixo do fundo que { $milling } aí deixa, { $floor }.
 diag-metric-values-in-inch = O programa está em polegadas e { $value } parece estar em milímetros.
@@ -65,14 +79,22 @@ diag-plane-not-reset = O programa termina aqui com o plano de maquinação incli
 diag-program-begin-missing = O programa não começa com BEGIN PGM.
 diag-program-calls-itself = O programa chama-se a si próprio: { $name }.
 diag-program-end-missing = O programa acaba aqui sem END PGM.
+diag-programs-call-in-circle = O programa { $name } volta a chamar este, diretamente ou através de outros.
 diag-repeat-of-later-label = O label { $label } fica depois desta repetição.
 diag-reserved-parameter = Aqui escreve-se em { $parameter }, mas é o próprio comando que escreve em Q100 a Q199.
+diag-row-not-in-table =
+    { $table ->
+        [preset] A tabela de pontos de referência não tem a linha { $row }.
+       *[datum] A tabela de pontos zero não tem a linha { $row }.
+    }
 diag-speed-missing = Aqui liga-se o cabeçote, mas não foi programado nenhum número de rotações.
 diag-spindle-off = Aqui remove-se material com o cabeçote parado.
 diag-subprogram-recursive = O subprograma { $label } chama-se aqui a si próprio.
 diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subprograma { $next }: entre eles não há LBL 0.
 diag-subprogram-without-end = O subprograma { $label } chega ao fim do programa sem LBL 0.
+diag-tool-axis-missing = Esta chamada de ferramenta não indica o eixo da ferramenta, e nenhum foi indicado antes.
 diag-tool-missing = Aqui um ciclo executa movimentos, mas antes nenhuma chamada da ferramenta indicou o eixo da ferramenta.
+diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
 diag-transfer-parameter-overwritten =
     { $parameter } pertence a { $cycle }, que é chamado mais adiante: a chamada usa o valor aqui escrito.
 diag-unknown-cycle = { $cycle } não é um ciclo de nenhum comando aqui conhecido.

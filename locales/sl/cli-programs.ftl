@@ -29,6 +29,7 @@ cli-compare-executed = { $verdict ->
 cli-check-path = NC-programi ali mape, katerih programi (.h, .i) se preverijo; »-« pomeni standardni vhod
 cli-check-control = Krmiljenje programov (privzeto: tisto iz ciklo.toml)
 cli-check-config = Datoteka z nastavitvami (privzeto: ciklo.toml v mapi vsakega programa ali nad njo)
+cli-check-table = Preglednica orodij, referenčnih točk ali ničelnih točk, katere vrstice uporabljajo programi
 cli-check-fix = Popravi, kar je mogoče popraviti, ne da bi se delovanje programa spremenilo: oznake
 cli-check-no-cache = Znova preveri vsak program, tudi tiste, ki se od zadnjič niso spremenili
 cli-check-format = Oblika izpisa: text (privzeto), json, sarif, github
@@ -45,6 +46,7 @@ cli-fixed = { $count ->
        *[other] Popravljenih je { $count } oznak.
     }
 diag-check-no-control = Krmiljenje za { $path } ni znano: --control ali control v ciklo.toml.
+diag-check-no-table = »{ $path }« ni preglednica: njena končnica ni .T, .TP, .PR, .D ali .PNT.
 diag-fix-no-file = Standardnega vhoda ni mogoče popraviti: navedite datoteko.
 diag-fix-file-changed = { $path } je medtem spremenil nekdo drug; ostane, kakor je.
 diag-fix-changes-program = { $path } ne bi bil več isti program; ostane, kakor je.
@@ -61,6 +63,11 @@ explain-allow-unknown-rule = Beseda za »allow« ni pravilo preverjanja in ne po
 explain-allow-unused = Komentar ničesar ne prekliče: pravilo v stavku, za katerega velja, ničesar ne najde, ali pa ne na tem krmiljenju.
 
 cli-translate-relabel = Vse, kar ima obliko oznake, velja za oznako, tudi v jeziku, ki tu ni znan
+cli-translate-from = Jezik oznak programa; zamenjajo se samo te (privzeto: vsaka definicija v svojem jeziku)
+cli-translate-sources = { $count ->
+        [one] Jezik oznak s številom definicij: { $languages }.
+       *[other] Jeziki oznak s številom definicij: { $languages }.
+    }
 cli-fmt = Oblikuje programe na njihovem mestu: številke, stolpci, predznaki
 cli-fmt-path = NC-programi ali mape, katerih programi (.h, .i) se oblikujejo; »-« bere standardni vhod in piše na standardni izhod
 cli-fmt-check = Ne zapiše ničesar; izpiše programe, ki bi se spremenili

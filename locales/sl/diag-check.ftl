@@ -1,5 +1,10 @@
 # Findings of the program checker and of the translation of programs.
 
+diag-approach-without-compensation =
+    { $what ->
+        [approach] Primik na konturo je tu brez RL ali RR.
+       *[departure] Tu je odmik s konture, popravek polmera pa ni aktiven.
+    }
 diag-arc-wrong =
     Lok se tu ne more končati: { $what ->
         [radius] polmer je { $first }, razdalja med začetkom in koncem pa { $second }
@@ -16,6 +21,8 @@ diag-blank-wrong =
 diag-block-numbers = Številka stavka { $number } sledi številki { $before }.
 diag-call-of-def-active-cycle = Cikel { $cycle } deluje takoj, ko je definiran; ni ga dovoljeno priklicati.
 diag-called-but-not-defined = Tu se prikliče cikel, pred tem pa ni definiran noben.
+diag-called-program-in-other-unit = Ta program je v { $own }, klicani program { $name } v { $other }.
+diag-called-program-missing = Programa { $name } ni ob tem programu, kjer ga krmiljenje išče.
 diag-choice-not-offered = { $parameter }={ $value } ni med možnostmi: { $offered }.
 diag-clearance-height-too-low = { $cycle } se dotakne pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
 diag-compensation-at-cycle =
@@ -38,6 +45,7 @@ diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obst
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
 diag-empty-word = Ta M nima številke in ne naredi ničesar.
+diag-feed-zero = Pomik je tu nič.
 diag-frame-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
 diag-label-duplicate = Oznaka LBL { $label } je tu postavljena drugič.
@@ -46,6 +54,14 @@ diag-label-not-encodable = V oznaki »{ $label }« je znak »{ $character }«, k
 diag-label-of-another-language = »{ $label }« je oznaka v drugem jeziku ({ $language }); v jeziku programa je oznaka parametra { $parameter } »{ $right }«.
 diag-label-of-another-parameter = »{ $label }« je oznaka parametra { $other }, ne parametra { $parameter }.
 diag-label-undefined = Noben stavek ne postavi oznake LBL { $label }.
+diag-labels-of-unknown-language =
+    { $count ->
+        [one] { $count } definicija, prva je ta, ima oznake v jeziku, ki tu ni znan; prebrana je bila po številkah.
+        [two] { $count } definiciji, prva je ta, imata oznake v jeziku, ki tu ni znan; prebrani sta bili po številkah.
+        [few] { $count } definicije, prva je ta, imajo oznake v jeziku, ki tu ni znan; prebrane so bile po številkah.
+       *[other] { $count } definicij, prva je ta, ima oznake v jeziku, ki tu ni znan; prebrane so bile po številkah.
+    }
+diag-languages-mixed = Večina oznak je v enem jeziku ({ $language }); definicije v teh vrsticah so v drugem ({ $others }): { $lines }.
 diag-main-runs-into-subprogram = Glavni program se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
 diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ $value }, nižje od dna, ki ga tam pusti { $milling } ({ $floor }).
 diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vrednost v milimetrih.
@@ -65,14 +81,22 @@ diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
 diag-program-begin-missing = Program se ne začne z BEGIN PGM.
 diag-program-calls-itself = Program prikliče samega sebe: { $name }.
 diag-program-end-missing = Program se tu konča brez END PGM.
+diag-programs-call-in-circle = Program { $name } kliče nazaj tega, neposredno ali prek drugih.
 diag-repeat-of-later-label = Oznaka LBL { $label } stoji za to ponovitvijo.
 diag-reserved-parameter = Tu se zapiše { $parameter }, v parametre od Q100 do Q199 pa zapisuje krmiljenje samo.
+diag-row-not-in-table =
+    { $table ->
+        [preset] V preglednici referenčnih točk ni vrstice { $row }.
+       *[datum] V preglednici ničelnih točk ni vrstice { $row }.
+    }
 diag-speed-missing = Vreteno se tu vklopi, število vrtljajev pa ni programirano.
 diag-spindle-off = Tu se material odvzema, medtem ko vreteno miruje.
 diag-subprogram-recursive = Podprogram { $label } tu prikliče samega sebe.
 diag-subprogram-runs-on = Podprogram { $label } se nadaljuje v podprogram { $next }: med njima ni LBL 0.
 diag-subprogram-without-end = Podprogram { $label } pride do konca programa brez LBL 0.
+diag-tool-axis-missing = Ta priklic orodja ne navaja orodne osi, pa tudi prej ni bila navedena.
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
+diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
 diag-transfer-parameter-overwritten =
     { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic uporabi tu zapisano vrednost.
 diag-unknown-cycle = { $cycle } ni cikel nobenega od znanih krmiljenj.

@@ -53,3 +53,4 @@ diag-syntax-remark = »{ $found }« stoji za tabulatorjem in ne pripada nobenemu
 diag-syntax-dangling-continuation = Znak ~ napoveduje nadaljnjo vrstico, vendar ne sledi nobena, ki bi pripadala temu stavku.
 diag-syntax-foreign-line = »{ $found }« ni stavek tega jezika; krmiljenje bi ga zavrnilo. Komentar se začne s podpičjem.
 diag-syntax-spelling = »{ $found }« se na krmiljenjih piše { syntax-expected }.
+diag-syntax-doubled-continuation = Tu stoji še en znak ~: za povezavo z naslednjo vrstico zadošča eden.

@@ -38,6 +38,8 @@ pub struct Settings {
     pub control: Option<String>,
     /// The language of the labels.
     pub language: Option<String>,
+    /// The tables that its tools, presets and datums are in, as they are named.
+    pub tables: Vec<String>,
     /// Severities by code; nothing for findings that are left out.
     pub rules: BTreeMap<String, Option<Severity>>,
 }
@@ -84,6 +86,9 @@ impl Config {
         for (_, own) in self.folders.iter().filter(|(pattern, _)| matches(pattern, &path)) {
             settings.control = own.control.clone().or(settings.control);
             settings.language = own.language.clone().or(settings.language);
+            if !own.tables.is_empty() {
+                settings.tables.clone_from(&own.tables);
+            }
             settings.rules.extend(own.rules.clone());
         }
         settings
@@ -130,6 +135,12 @@ impl Reader<'_> {
             match name {
                 "control" => settings.control = self.word(name, value, self.controls),
                 "lang" => settings.language = self.word(name, value, self.languages),
+                "tables" => match value.get_ref() {
+                    DeValue::Array(names) => {
+                        settings.tables.extend(names.iter().filter_map(|name| self.word("tables", name, &|_| true)));
+                    }
+                    _ => self.wrong("config-value", value.span(), name, "tables = [\"…\"]"),
+                },
                 "rules" => match value.get_ref() {
                     DeValue::Table(rules) => self.levels(rules, &mut settings),
                     _ => self.wrong("config-value", value.span(), name, "[rules]"),

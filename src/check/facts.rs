@@ -7,6 +7,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Deref;
 
+use super::among::{self, Among, Callees, ProgramCall};
 use super::fields;
 use super::flow::{Run, stops};
 use super::labels::{Kept, has_kind};
@@ -44,6 +45,12 @@ pub struct Facts<'a> {
     pub(super) falling: Option<(usize, u32)>,
     /// Whether it has arcs about a centre or with a radius.
     pub(super) arcs: bool,
+    /// The programs that it calls.
+    pub calls: Vec<ProgramCall>,
+    /// Those of them that are known.
+    pub(super) callees: Callees,
+    /// What it stands among.
+    pub(super) among: Option<&'a dyn Among>,
 }
 
 /// A cycle definition and what the control knows of its cycle.
@@ -123,6 +130,19 @@ pub struct Flow {
 impl<'a> Facts<'a> {
     /// The facts of a program.
     pub fn of(program: &'a Program, against: &Against<'a>) -> Self {
+        Self::among(program, against, None)
+    }
+
+    /// The facts of a program that stands among others.
+    pub fn among(program: &'a Program, against: &Against<'a>, among: Option<&'a dyn Among>) -> Self {
+        let mut facts = Self::begun(program, against, among);
+        facts.run = Run::of(&facts);
+        facts.language = against.language.map(str::to_owned).or_else(|| super::labels::language_of(&facts));
+        facts
+    }
+
+    /// The facts of a program without its run.
+    pub(super) fn begun(program: &'a Program, against: &Against<'a>, among: Option<&'a dyn Among>) -> Self {
         let mut facts = Self {
             program,
             against: *against,
@@ -136,6 +156,9 @@ impl<'a> Facts<'a> {
             end: None,
             falling: None,
             arcs: false,
+            calls: Vec::new(),
+            callees: Callees::default(),
+            among,
         };
         let mut known: HashMap<CycleKey, (Known<'a>, Option<&'a Kept>)> = HashMap::new();
         program.each_cycle(|view| {
@@ -145,9 +168,9 @@ impl<'a> Facts<'a> {
             facts.definitions.push(Defined { view, key, known, torn, kept });
         });
         facts.definitions.shrink_to_fit();
+        facts.calls = among::calls(&facts);
+        facts.callees = Callees::of(&facts);
         facts.follow();
-        facts.run = Run::of(&facts);
-        facts.language = against.language.map(str::to_owned).or_else(|| super::labels::language_of(&facts));
         facts
     }
 
@@ -268,9 +291,9 @@ impl<'a> Facts<'a> {
                 BlockKind::BeginPgm(frame) => (self.inch, self.begins) = (frame.inch, true),
                 BlockKind::EndPgm(_) => self.end = self.end.or(Some(index)),
                 BlockKind::CallLbl(_) | BlockKind::FnJump(_) => self.flow.jumps = true,
-                BlockKind::CallPgm(_) => self.flow.programs = true,
+                BlockKind::CallPgm(_) => self.flow.programs |= self.calls_unknown(index),
                 BlockKind::Statement(statement) => match statement.kind {
-                    StatementKind::CallSelected => self.flow.programs = true,
+                    StatementKind::CallSelected => self.flow.programs |= self.calls_unknown(index),
                     StatementKind::Function => self.flow.opaque = true,
                     _ => {}
                 },
@@ -285,6 +308,11 @@ impl<'a> Facts<'a> {
         self.flow.jumps |= self.flow.skips;
         // A fragment is called from a program or copied into one: what comes before and behind it is not known.
         self.flow.programs |= !self.begins;
+    }
+
+    /// Whether a block calls a program that may define or call cycles.
+    fn calls_unknown(&self, block: usize) -> bool {
+        self.callees.blocks.get(&block).is_none_or(|callee| callee.through.calls_cycle)
     }
 }
 

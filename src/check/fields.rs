@@ -92,6 +92,7 @@ fn item<'a>(
             Cow::Owned(words.iter().map(closed).collect::<Vec<_>>().join(" ").to_uppercase())
         }
         Some(Shape::Word) if name.starts_with(['I', 'i']) => Cow::Owned(format!("I{value}").to_uppercase()),
+        _ if value.contains('/') && !value.contains('"') => Cow::Owned(closed_up(value).to_uppercase()),
         _ => capitals(value),
     };
     let label = (shape == Some(Shape::Labelled)).then_some(first.name);

@@ -4,6 +4,7 @@
 //! one code, registered in [`RULES`]. Invariant: a rule speaks only where it is certain. What depends
 //! on the run of the program (jumps, parameters calculated, machine data) keeps it silent.
 mod allow;
+mod among;
 mod config;
 mod facts;
 mod fields;
@@ -14,10 +15,12 @@ mod rules;
 mod values;
 
 pub use allow::CODES as ALLOW_CODES;
+pub use among::{Among, Called, Callee, ProgramCall, Rows, ToolName, named};
 pub use config::{Config, Known, Settings};
 pub use facts::{Defined, Definition, Facts, Flow, Item};
 pub use flow::{Aspect, CycleCall, Graph, Mark, Modal, Pending, Run, Tri, Use, Way};
-pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels};
+pub(crate) use labels::is_label;
+pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels, Speech, speech};
 pub use rules::RULES;
 
 use crate::diag::{Diagnostic, Place, Severity, Span};
@@ -66,10 +69,19 @@ pub fn language(program: &Program, against: &Against<'_>) -> Option<String> {
 
 /// Everything that can be said against a program, syntax included, in the order of its text.
 pub fn check(program: &Program, against: &Against<'_>) -> Vec<Diagnostic> {
-    let facts = Facts::of(program, against);
+    found_in(&Facts::of(program, against))
+}
+
+/// The same of a program that stands among others, which it calls, and tables.
+pub fn check_among(program: &Program, against: &Against<'_>, among: &dyn Among) -> Vec<Diagnostic> {
+    found_in(&Facts::among(program, against, Some(among)))
+}
+
+fn found_in(facts: &Facts<'_>) -> Vec<Diagnostic> {
+    let (program, against) = (facts.program, &facts.against);
     let mut found = program.diagnostics();
     for rule in RULES {
-        (rule.run)(rule, &facts, &mut found);
+        (rule.run)(rule, facts, &mut found);
     }
     for definition in facts.readings() {
         for (rule, each) in rules::OF_DEFINITIONS {

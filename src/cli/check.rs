@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use clap::ArgMatches;
 
+use super::among::{Library, Shelf, Standing};
 use super::cache::{self, Cache};
 use super::progress::Progress;
 use super::session::Session;
@@ -19,7 +20,7 @@ use crate::table::{self, TableKind};
 
 pub(super) const COMMAND: Command = Command {
     name: "check",
-    usage: "PATH… [--control CONTROL] [--lang LANG] [--config FILE] [--fix] [--no-cache] [--format FORMAT]",
+    usage: "PATH… [--control CONTROL] [--lang LANG] [--config FILE] [--table FILE]… [--fix] [--no-cache] [--format FORMAT]",
     arguments: own,
     run,
 };
@@ -37,6 +38,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::valued(ui, "control", "CONTROL", "cli-check-control"),
         arguments::valued(ui, "lang", "LANG", "cli-check-lang"),
         arguments::valued(ui, "config", "FILE", "cli-check-config"),
+        arguments::several(ui, "table", "FILE", "cli-check-table"),
         arguments::switch(ui, "fix", "cli-check-fix"),
         arguments::switch(ui, "no-cache", "cli-check-no-cache"),
         arguments::format(ui, &["text", "json", "sarif", "github"]).help(ui.text("cli-check-format", &Args::new())),
@@ -44,12 +46,12 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 }
 
 /// A program to check.
-struct Job<'c> {
-    path: PathBuf,
-    on: &'c OnControl,
-    settings: Settings,
+pub(super) struct Job<'c> {
+    pub(super) path: PathBuf,
+    pub(super) on: &'c OnControl,
+    pub(super) settings: Settings,
     /// Whether it is named itself, not found in a folder.
-    named: bool,
+    pub(super) named: bool,
 }
 
 /// What came of it.
@@ -64,6 +66,11 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     // Other data than that of this program gives other findings.
     let cached = jobs.len() >= cache::LEAST && !fix && !matches.get_flag("no-cache") && session.data().is_none();
     let cache = if cached { Cache::open(session.ui.tag()) } else { None };
+    let library = Library::new(jobs.iter().map(|job| job.path.clone()).collect());
+    let mut tables = Shelf::new(&arguments::all(matches, "table"))?;
+    for job in &jobs {
+        tables.add(&job.settings.tables)?;
+    }
     let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), jobs.len());
     let results = all(&jobs, &progress, |job, books| {
         let labels = books.entry(job.on.id().to_owned()).or_insert_with(|| LabelBook::new(job.on, &locales));
@@ -75,9 +82,11 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
             let other = !job.named && !program::is_table(&file);
             (if other { Vec::new() } else { table::check(kind, &file.source) }, 0)
         } else if fix {
-            mend::file(&job.path, &against, &job.settings)?
+            let place = Standing::new(&library, &tables, job, &against);
+            mend::file(&job.path, &against, &place, &job.settings)?
         } else {
-            (found_in(job, &catalogue, &against, cache.as_ref())?, 0)
+            let place = Standing::new(&library, &tables, job, &against);
+            (found_in(job, &catalogue, &place, cache.as_ref())?, 0)
         };
         job.settings.apply(&mut found);
         Ok((found, fixed))
@@ -135,17 +144,19 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
 fn found_in(
     job: &Job<'_>,
     catalogue: &Catalogue,
-    against: &Against<'_>,
+    place: &Standing<'_>,
     cache: Option<&Cache>,
 ) -> Result<Vec<Diagnostic>, Failure> {
+    let against = place.against();
     let bytes = system::read(&job.path)?;
     let known = cache.map(|cache| (cache, cache.key(&bytes, job.on.id(), against.language)));
     if let Some(found) = known.and_then(|(cache, key)| cache.find(key, || program::source_of(&job.path, &bytes))) {
         return Ok(found);
     }
     let file = program::understood_bytes(&job.path, bytes, catalogue);
-    let found = file.findings(check::check(&file.program, against));
-    if let Some((cache, key)) = known {
+    let found = file.findings(check::check_among(&file.program, against, place));
+    // What other files say is not remembered.
+    if let Some((cache, key)) = known.filter(|_| !place.asked()) {
         cache.keep(key, &found);
     }
     Ok(found)
@@ -224,7 +235,13 @@ impl Configs {
             Some(root) if root != Path::new("") => root,
             _ => Path::new("."),
         };
-        Ok(self.read.get(&file).map(|config| config.of(&system::seen_from(root, path))).unwrap_or_default())
+        let mut settings =
+            self.read.get(&file).map(|config| config.of(&system::seen_from(root, path))).unwrap_or_default();
+        // Tables are named from the folder of the file.
+        for table in &mut settings.tables {
+            *table = root.join(&*table).to_string_lossy().into_owned();
+        }
+        Ok(settings)
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::Failure;
 use super::program::{self, Understood};
-use crate::check::{self, Against, Settings};
+use crate::check::{self, Against, Among, Settings};
 use crate::compare;
 use crate::diag::{Diagnostic, Edit, edited};
 use crate::syntax::encoding::{self, Decoded};
@@ -16,6 +16,7 @@ use crate::system;
 pub(super) fn file(
     path: &Path,
     against: &Against<'_>,
+    among: &dyn Among,
     settings: &Settings,
 ) -> Result<(Vec<Diagnostic>, usize), Failure> {
     if path == Path::new("-") {
@@ -24,7 +25,7 @@ pub(super) fn file(
     let bytes = system::read(path)?;
     let decoded = encoding::decode(&bytes);
     let program = program::understood(path, &decoded, against.catalogue);
-    let mut found = program.findings(check::check(&program.program, against));
+    let mut found = program.findings(check::check_among(&program.program, against, among));
     // What is switched off is not mended either.
     settings.apply(&mut found);
     let edits: Vec<Edit> = found.iter().filter_map(|diagnostic| diagnostic.fix.clone()).collect();
@@ -36,7 +37,7 @@ pub(super) fn file(
     let text = Decoded { text: edited(&decoded.text, &edits), encoding: decoded.encoding };
     let mended = program::understood(path, &text, against.catalogue);
     store(path, &bytes, &decoded, &program, &mended, against)?;
-    Ok((mended.findings(check::check(&mended.program, against)), edits.len()))
+    Ok((mended.findings(check::check_among(&mended.program, against, among)), edits.len()))
 }
 
 /// Puts the new program in the place of the old one.

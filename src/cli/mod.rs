@@ -4,6 +4,7 @@
 //! (wrong words on the command line, a file that cannot be read or written). Invariant: only this
 //! module and `system` touch files, environment and terminal, and no command holds knowledge that a
 //! library module could hold.
+mod among;
 mod annotations;
 mod arguments;
 mod block;

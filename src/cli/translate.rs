@@ -7,13 +7,13 @@ use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, program};
 use crate::check::{Against, LabelBook};
 use crate::diag::{Edit, Severity, edited};
-use crate::locale::Ui;
+use crate::locale::{Args, Language, Ui};
 use crate::system;
 use crate::translate::{self, Translation};
 
 pub(super) const COMMAND: Command = Command {
     name: "translate",
-    usage: "FILE --to LANG [--control CONTROL] [--relabel] [--out FILE]",
+    usage: "FILE --to LANG [--from LANG] [--control CONTROL] [--relabel] [--out FILE]",
     arguments: own,
     run,
 };
@@ -22,6 +22,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
         arguments::file(ui),
         arguments::valued(ui, "to", "LANG", "cli-translate-to").required(true),
+        arguments::valued(ui, "from", "LANG", "cli-translate-from"),
         arguments::valued(ui, "control", "CONTROL", "cli-translate-control"),
         arguments::switch(ui, "relabel", "cli-translate-relabel"),
         arguments::valued(ui, "out", "FILE", "cli-translate-out"),
@@ -31,6 +32,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let to = cycle::language(&locales, &arguments::text(matches, "to"))?.tag();
+    let from = matches.get_one::<String>("from").map(|tag| cycle::language(&locales, tag)).transpose()?;
     let file = program::understand(Path::new(&arguments::text(matches, "file")), &catalogue)?;
     let on = match matches.get_one::<String>("control") {
         Some(id) => Some(cycle::control(&catalogue, id)?),
@@ -38,9 +40,10 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     };
     let Some(on) = on else { return Ok(Outcome::Clean) };
     let labels = LabelBook::new(on, &locales);
-    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+    let against =
+        Against { catalogue: &catalogue, on, labels: &labels, language: from.map(Language::tag), readers: &[] };
     let write = if matches.get_flag("relabel") { translate::relabel } else { translate::translate };
-    let Translation { changes, diagnostics, .. } = write(&file.program, &against, to, file.encoding);
+    let Translation { changes, diagnostics, sources, .. } = write(&file.program, &against, to, file.encoding);
     let edit = |change: &translate::Change| Some(Edit { span: file.exact(change.span)?, text: change.to.clone() });
     let edits: Vec<Edit> = changes.iter().filter_map(edit).collect();
     let text = edited(file.written().source().text(), &edits);
@@ -48,11 +51,19 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     match matches.get_one::<String>("out") {
         Some(out) => {
             system::write(Path::new(out), &bytes)?;
-            let args = crate::locale::Args::new().number("count", edits.len() as f64).text("path", out.as_str());
+            let args = Args::new().number("count", edits.len() as f64).text("path", out.as_str());
             let line = session.ui.text("cli-translated", &args);
             session.output.remark(&line);
         }
         None => session.output.write(&bytes)?,
+    }
+    if from.is_none() && !sources.is_empty() {
+        let mut sources: Vec<(String, usize)> = sources.into_iter().collect();
+        sources.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        let listed: Vec<String> = sources.iter().map(|(tag, count)| format!("{tag} ({count})")).collect();
+        let args = Args::new().number("count", listed.len() as f64).text("languages", listed.join(", "));
+        let line = session.ui.text("cli-translate-sources", &args);
+        session.output.remark(&line);
     }
     // What could not be said in the language stays as it was, and that is told.
     let diagnostics: Vec<_> = diagnostics.into_iter().map(|diagnostic| file.at_home(diagnostic)).collect();

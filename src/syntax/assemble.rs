@@ -193,6 +193,7 @@ impl Assembler<'_> {
             (kind, remark) = self.read(written.content);
             first.comment = written.comment;
         }
+        self.doubled(&written);
         if last.joined {
             self.dangling(&last);
         }
@@ -235,6 +236,15 @@ impl Assembler<'_> {
             }
         }
         (last, lines)
+    }
+
+    /// A second `~` before the joint says nothing: a slip, or a line that went lost between them.
+    fn doubled(&mut self, line: &Line) {
+        if line.twice {
+            let end = line.comment.map_or(line.content.end, |comment| comment.end.max(line.content.end));
+            let span = Span::new(end - 1, end);
+            self.warnings.push(SyntaxError { code: "syntax-doubled-continuation", span, expected: "parameter" });
+        }
     }
 
     fn dangling(&mut self, line: &Line) {
@@ -361,6 +371,7 @@ impl Assembler<'_> {
             loose: true,
             in_comment: first.wraps,
         };
+        self.doubled(&first);
         self.parameters(&mut body);
         if body.last.joined {
             self.dangling(&body.last);
@@ -394,6 +405,7 @@ impl Assembler<'_> {
                 }
                 Role::Torn(_) => return,
                 Role::Parameter(parameter) => {
+                    self.doubled(&line);
                     body.errors.append(&mut torn);
                     body.parameters.push(parameter);
                     body.numbered |= line.number.is_some();

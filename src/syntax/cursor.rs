@@ -314,17 +314,18 @@ impl<'t> Cursor<'t> {
         Some(QRef { kind, number })
     }
 
-    /// A signed number or parameter: `+5`, `-Q3`, `+ Q1`; two signs stand for their product.
+    /// A signed number or parameter: `+5`, `-Q3`, `+ Q1`; two signs stand for their product, three for a mistake.
     pub(super) fn opt_operand(&mut self) -> Option<Operand> {
         let mut ahead = *self;
         ahead.blanks();
         let start = ahead.at;
-        let mut negative = false;
+        let (mut negative, mut signs) = (false, 0);
         while let sign @ (b'+' | b'-') = ahead.byte() {
             negative ^= sign == b'-';
+            signs += 1;
             ahead.at += 1;
             ahead.blanks();
-            if ahead.at - start > 8 {
+            if signs > 2 || ahead.at - start > 8 {
                 return None;
             }
         }

@@ -23,6 +23,8 @@ pub(super) struct Line {
     pub(super) joined: bool,
     /// Whether it stands behind a comment: the next line may be text of the comment.
     pub(super) wraps: bool,
+    /// Whether another `~` stands before the one that joins, with nothing but blanks between them.
+    pub(super) twice: bool,
 }
 
 impl Line {
@@ -57,6 +59,7 @@ pub(super) fn line_at(bytes: &[u8], start: usize) -> Option<Line> {
         comment: None,
         joined: false,
         wraps: false,
+        twice: false,
     };
     let at = head(bytes, end, &mut line);
     parts(bytes, Span::new(at, end), &mut line);
@@ -130,6 +133,8 @@ fn parts(bytes: &[u8], span: Span, line: &mut Line) {
     line.content = content;
     line.comment = comment;
     line.joined = joint_before || joint_behind;
+    line.twice = (joint_before && ends_once(bytes, content))
+        || (joint_behind && comment.is_some_and(|own| ends_once(bytes, own)));
     line.wraps = joint_behind;
 }
 
@@ -138,6 +143,12 @@ fn without_joint(bytes: &[u8], span: Span, never: bool) -> (Span, bool) {
         return (span, false);
     }
     (trim(bytes, Span::new(span.start, span.end - 1)), true)
+}
+
+/// Whether one `~` stands at the end; more are an ornament.
+fn ends_once(bytes: &[u8], span: Span) -> bool {
+    let (before, once) = without_joint(bytes, span, false);
+    once && !without_joint(bytes, before, false).1
 }
 
 /// The first `;` that stands in no text.

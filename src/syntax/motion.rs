@@ -284,10 +284,13 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
     if plain_word(cursor, motion)? {
         return Ok(true);
     }
-    if let Some(coord) = opt_coord(cursor)? {
+    if !motion.path.is_corner()
+        && let Some(coord) = opt_coord(cursor)?
+    {
         motion.coords.push(coord);
         return Ok(true);
     }
+    cursor.blanks();
     let word = cursor.peek_name();
     match word.as_bytes() {
         b"R" => return radius_word(cursor, motion),

@@ -139,6 +139,11 @@ impl Path {
         }
     }
 
+    /// Whether it changes the corner between two elements and leads nowhere itself.
+    pub const fn is_corner(self) -> bool {
+        matches!(self, Self::Rnd | Self::Chf)
+    }
+
     /// Whether `R` with a value is its radius.
     pub const fn has_radius(self) -> bool {
         match self {

@@ -3,10 +3,13 @@
 //!
 //! Cycles and parameters are known by their numbers; what stands there is replaced only if it is the
 //! name or label of the same cycle or parameter in some language, so a programmer's own comments
-//! stay. Invariant: a block number, a blank, a tab, a `~` or a line end is never touched, and the
-//! place where a label begins stays.
-use crate::check::{Against, Facts, ParamLabels};
-use crate::diag::{Diagnostic, Place, Span};
+//! stay. A definition that a control wrote in a language that is not known here is read by its numbers
+//! alone ([`Speech::Foreign`]). Invariant: a block number, a blank, a tab, a `~` or a line end is never
+//! touched, and the place where a label begins stays.
+use std::collections::BTreeMap;
+
+use crate::check::{Against, Definition, Facts, ParamLabels, Speech, is_label, speech};
+use crate::diag::{Arg, Diagnostic, Place, Severity, Span};
 use crate::syntax::Program;
 use crate::syntax::encoding::Encoding;
 
@@ -17,8 +20,11 @@ pub struct Translation {
     pub text: String,
     /// What was replaced, in the order of the text.
     pub changes: Vec<Change>,
-    /// Labels that a language lacks or that the file's encoding cannot write; these stay as they are.
+    /// Labels that a language lacks or that the file's encoding cannot write, which stay as they are; and, once, that
+    /// there are definitions in a language that is not known.
     pub diagnostics: Vec<Diagnostic>,
+    /// How many definitions are in each language, by its tag.
+    pub sources: BTreeMap<String, usize>,
 }
 
 /// Something replaced.
@@ -32,7 +38,8 @@ pub struct Change {
     pub to: String,
 }
 
-/// Writes a program's names and labels in the language `to`.
+/// Writes a program's names and labels in the language `to`. If `against` names the language of the program, only what
+/// is in that language is replaced.
 pub fn translate(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding) -> Translation {
     write(program, against, to, encoding, false)
 }
@@ -44,39 +51,31 @@ pub fn relabel(program: &Program, against: &Against<'_>, to: &str, encoding: Enc
     write(program, against, to, encoding, true)
 }
 
-/// Whether a text looks like a label: letters in capitals, no longer than labels of the control are.
-fn is_label(text: &str, most: u32) -> bool {
-    let letters = text.chars().filter(|c| c.is_alphabetic());
-    letters.count() > 1 && !text.chars().any(char::is_lowercase) && text.chars().count() <= most as usize
-}
-
 fn write(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding, relabel: bool) -> Translation {
     let facts = Facts::of(program, against);
     let mut writer = Writer { facts: &facts, to, encoding, changes: Vec::new(), diagnostics: Vec::new() };
-    let most = against.on.control.label.max_length;
+    let mut sources = BTreeMap::new();
+    let mut foreign: Vec<Span> = Vec::new();
     for (definition, _) in facts.described() {
-        let Some(labels) = facts.labels(&definition) else { continue };
-        let own = |pick: &dyn Fn(&crate::check::LanguageLabels) -> Option<usize>| {
-            labels.languages.iter().any(|language| pick(language).is_some())
-        };
-        let target = labels.language(to);
-        let key = definition.key.to_string();
-        if let Some(name) = definition.view.name {
-            let known = own(&|language| language.name.matches(facts.text(name)).then_some(0));
-            let known = known || (relabel && is_label(facts.text(name), most));
-            writer.replace(name, known, target.map(|target| &target.name), &key, &key);
+        let spoken = speech(&facts, &definition);
+        // Whose language is given is not read by its numbers.
+        let unknown = spoken == Speech::Foreign && against.language.is_none();
+        if unknown {
+            foreign.push(definition.view.head);
         }
-        for item in &definition.items {
-            let (Some(index), Some(span)) = (item.index, item.label) else { continue };
-            let known = own(&|language| language.params.get(index)?.matches(facts.text(span)).then_some(index));
-            let other = || own(&|language| language.params.iter().position(|label| label.matches(facts.text(span))));
-            let known = known || (relabel && is_label(facts.text(span), most) && !other());
-            writer.replace(span, known, target.and_then(|target| target.params.get(index)), &item.name, &key);
+        if let Speech::In(tag) = spoken {
+            *sources.entry(tag).or_default() += 1;
         }
+        writer.definition(&definition, relabel || unknown);
+    }
+    if let Some(first) = foreign.first() {
+        let place = Place::new(program.source(), *first);
+        let note = Diagnostic { severity: Severity::Note, ..Diagnostic::error("labels-of-unknown-language", place) };
+        writer.diagnostics.push(note.arg("count", Arg::Number(foreign.len() as f64)));
     }
     let Writer { mut changes, diagnostics, .. } = writer;
     changes.sort_by_key(|change| change.span.start);
-    Translation { text: changed(program.source().text(), &changes), changes, diagnostics }
+    Translation { text: changed(program.source().text(), &changes), changes, diagnostics, sources }
 }
 
 struct Writer<'f, 'a> {
@@ -87,7 +86,33 @@ struct Writer<'f, 'a> {
     diagnostics: Vec<Diagnostic>,
 }
 
-impl Writer<'_, '_> {
+impl<'a> Writer<'_, 'a> {
+    /// Replaces the name and the labels of a definition; with `by_number` also those that only have the form of labels.
+    fn definition(&mut self, definition: &Definition<'a>, by_number: bool) {
+        let facts = self.facts;
+        let Some(labels) = facts.labels(definition) else { return };
+        let most = facts.against.on.control.label.max_length;
+        let from = facts.against.language;
+        let own = |pick: &dyn Fn(&crate::check::LanguageLabels) -> bool| {
+            labels.languages.iter().any(|language| from.is_none_or(|from| from == language.tag) && pick(language))
+        };
+        let target = labels.language(self.to);
+        let key = definition.key.to_string();
+        if let Some(name) = definition.view.name {
+            let known = own(&|language| language.name.matches(facts.text(name)));
+            let known = known || (by_number && is_label(facts.text(name), most));
+            self.replace(name, known, target.map(|target| &target.name), &key, &key);
+        }
+        for item in &definition.items {
+            let (Some(index), Some(span)) = (item.index, item.label) else { continue };
+            let label = facts.text(span);
+            let known = own(&|language| language.params.get(index).is_some_and(|own| own.matches(label)));
+            let other = || labels.languages.iter().any(|own| own.params.iter().any(|own| own.matches(label)));
+            let known = known || (by_number && is_label(label, most) && !other());
+            self.replace(span, known, target.and_then(|target| target.params.get(index)), &item.name, &key);
+        }
+    }
+
     /// Replaces what stands at `span` by the label, if it is one that is known.
     fn replace(&mut self, span: Span, known: bool, label: Option<&ParamLabels>, parameter: &str, cycle: &str) {
         let from = self.facts.text(span);

@@ -156,7 +156,6 @@ impl Deed {
                         self.aspects.push((Aspect::Contour, Tri::Yes.into()));
                     }
                 }
-                (Verb::Strategy, Argument::One(name)) if name.as_str() == "call-program" => self.anything = true,
                 (Verb::Spindle | Verb::Orient, _) if cycle.file.takes_effect == TakesEffect::OnDefinition => {
                     self.aspects.push((Aspect::Spindle, Tri::Unknown.into()));
                 }

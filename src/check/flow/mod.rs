@@ -24,7 +24,6 @@ use crate::expr::QRef;
 use crate::syntax::{Block, BlockKind, MFunction, Motion, Path};
 use circles::circles;
 pub(super) use effect::Deed;
-use effect::Effects;
 use graph::{End, reads};
 use state::{State, Touched};
 use step::Steps;
@@ -77,10 +76,11 @@ struct Outline {
 impl Run {
     /// Follows a program.
     pub(super) fn of(facts: &Facts<'_>) -> Self {
-        let steps = Steps { program: facts.program, effects: Effects::of(facts) };
+        let steps = Steps::new(facts);
         let graph = Graph::of(facts);
         let mut walk = Walk::new(&steps, graph);
-        walk.start(kind(facts));
+        let (main, blank) = kind(facts);
+        walk.start(&State::begin(main, blank));
         let finished = walk.follow();
         walk.result(finished)
     }
@@ -186,7 +186,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         }
     }
 
-    fn start(&mut self, (main, blank): (bool, bool)) {
+    fn start(&mut self, state: &State) {
         if self.graph.blocks == 0 {
             return;
         }
@@ -194,8 +194,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         if self.gave_up {
             return;
         }
-        let state = State::begin(main, blank);
-        self.enter((0, Caller::Nobody), &state);
+        self.enter((0, Caller::Nobody), state);
         // Contours that cycles read, and labels that a parameter chooses, are come to from anywhere.
         let named = |own: &&Use| own.way == Way::Named;
         let outside: Vec<usize> =
@@ -423,6 +422,28 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         follow(run + 1);
     }
 
+    /// The state at END PGM, where a called program returns; nothing if it comes to M2 or M30, which end everything, or
+    /// to no end at all.
+    fn exit(&self) -> Option<State> {
+        let blocks = self.steps.program.blocks();
+        let mut exit: Option<State> = None;
+        for ((run, caller), state) in &self.entries {
+            let mut state = state.clone();
+            for index in self.graph.leaders.get(*run).copied()?..self.graph.run_end(*run) {
+                let block = blocks.get(index)?;
+                if stops(block) {
+                    if !matches!(block.kind, BlockKind::EndPgm(_)) || *caller != Caller::Nobody {
+                        return None;
+                    }
+                    exit = Some(exit.map_or_else(|| state.clone(), |all| all.join(&state)));
+                    break;
+                }
+                self.steps.step(index, block, &mut state);
+            }
+        }
+        exit
+    }
+
     /// Walks once more through everything that was reached and notes what the rules ask for.
     fn result(mut self, finished: bool) -> Run {
         let mut run = Run::default();
@@ -535,6 +556,51 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         }
         found
     }
+}
+
+/// What a program does to the state of one that calls it.
+#[derive(Debug)]
+pub(super) struct Through {
+    touched: Touched,
+    /// The state at its end, begun with nothing known.
+    exit: State,
+    /// Whether it may call the cycle that the calling program has defined.
+    pub(super) calls_cycle: bool,
+}
+
+impl Through {
+    /// It may do anything.
+    pub(super) fn anything() -> Self {
+        Self { touched: Touched::everything(), exit: State::unknown(), calls_cycle: true }
+    }
+
+    fn apply(&self, state: &mut State) {
+        *state = State::behind(state, &self.exit, &self.touched);
+    }
+}
+
+/// What a program does when another one calls it.
+pub(super) fn through(facts: &Facts<'_>) -> Through {
+    let steps = Steps::new(facts);
+    let mut walk = Walk::new(&steps, Graph::of(facts));
+    walk.start(&State::unknown());
+    if !walk.follow() {
+        return Through::anything();
+    }
+    let Some(mut exit) = walk.exit() else { return Through::anything() };
+    let mut touched = Touched::default();
+    for (index, block) in facts.program.blocks().iter().enumerate() {
+        let before = Touched::probes();
+        let mut after = before.clone();
+        after.iter_mut().for_each(|state| steps.step(index, block, state));
+        touched.note(&before, &after);
+    }
+    // Definitions count for their own program only; local parameters, too.
+    touched.only_global();
+    exit.modal.pending = Pending::Unknown;
+    let run = walk.result(true);
+    let calls_cycle = run.calls.iter().any(|call| !matches!(call.modal.pending, Pending::Definition(_)));
+    Through { touched, exit, calls_cycle }
 }
 
 /// The places where a block calls a cycle.

@@ -271,6 +271,11 @@ impl Touched {
         }
     }
 
+    /// Leaves out what other programs do not see: local parameters.
+    pub(super) fn only_global(&mut self) {
+        self.parameters.retain(|q| q.kind != QKind::Ql);
+    }
+
     pub(super) fn add(&mut self, other: &Self) {
         self.aspects |= other.aspects;
         self.pending |= other.pending;

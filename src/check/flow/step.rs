@@ -5,6 +5,8 @@ use std::sync::Arc;
 
 use super::effect::Effects;
 use super::state::{Aspect, Known, Modal, Pending, State, Tri};
+use crate::check::Facts;
+use crate::check::among::Callees;
 use crate::check::facts::each_function;
 use crate::expr::{Code, Env, EvalError, Expr, QKind, QRef, Resolve, Type, Value, compile};
 use crate::syntax::{
@@ -16,10 +18,46 @@ use crate::syntax::{
 pub(super) struct Steps<'f, 'a> {
     pub(super) program: &'a Program,
     /// What the definitions do.
-    pub(super) effects: Effects<'f, 'a>,
+    effects: Effects<'f, 'a>,
+    /// What called programs do.
+    callees: &'f Callees,
 }
 
-impl Steps<'_, '_> {
+impl<'f, 'a> Steps<'f, 'a> {
+    pub(super) fn new(facts: &'f Facts<'a>) -> Self {
+        Self { program: facts.program, effects: Effects::of(facts), callees: &facts.callees }
+    }
+
+    /// What a call of the pending cycle leaves behind: its feed may stay, and a program may do what it does.
+    fn called(&self, state: &mut State) {
+        state.modal.set(Aspect::Feed, Tri::Unknown);
+        if self.callees.made.is_empty() {
+            return;
+        }
+        match state.modal.pending {
+            Pending::Definition(index) if !self.callees.made.contains(&(index as usize)) => {}
+            Pending::Definition(index) => match self.callees.cycles.get(&(index as usize)) {
+                Some(callee) => callee.through.apply(state),
+                None => state.forget(),
+            },
+            Pending::Unknown => state.forget(),
+            Pending::None => {}
+        }
+    }
+
+    fn functions(&self, block: &Block, state: &mut State) {
+        start(block, &mut state.modal);
+        each_function(block, |number| match number {
+            0 | 2 | 5 | 6 | 30 => state.modal.set(Aspect::Spindle, Tri::No),
+            // From here on every movement calls it.
+            89 if !self.callees.made.is_empty() => state.forget(),
+            89 | 99 => self.called(state),
+            1 | 3 | 4 | 8 | 9 | 13 | 14 | 90..=199 => {}
+            // What else an M function does is the machine builder's affair.
+            _ => state.modal.set(Aspect::Spindle, Tri::Unknown),
+        });
+    }
+
     /// The state behind the M functions at the start of a block, where its call happens.
     pub(super) fn at_call(&self, block: &Block, state: &State) -> Modal {
         let mut modal = state.modal;
@@ -44,10 +82,10 @@ impl Steps<'_, '_> {
             BlockKind::Motion(motion) => {
                 self.motion(motion, &mut state.modal);
                 if motion.has_functions() {
-                    functions(block, &mut state.modal);
+                    self.functions(block, state);
                 }
             }
-            BlockKind::Functions(_) | BlockKind::Stop(_) => functions(block, &mut state.modal),
+            BlockKind::Functions(_) | BlockKind::Stop(_) => self.functions(block, state),
             BlockKind::ToolCall(call) => {
                 if call.tool.is_some() {
                     let named = if call.axis.is_some() { Tri::Yes } else { Tri::Unknown };
@@ -59,15 +97,17 @@ impl Steps<'_, '_> {
                 } else if call.axis.is_some() {
                     state.modal.set(Aspect::Tool, Tri::Yes);
                 }
-                if call.speed.is_some() || call.cutting_speed.is_some() {
-                    state.modal.set(Aspect::Speed, Tri::Yes);
+                // S0 turns nothing.
+                let zero = |own: &Operand| own.amount == Amount::Number(0.0);
+                if let Some(speed) = call.speed.as_ref().or(call.cutting_speed.as_ref()) {
+                    state.modal.set(Aspect::Speed, Tri::of(Some(!zero(speed))));
                 }
                 feed(call.feed.as_ref(), &mut state.modal);
             }
             BlockKind::CyclCall(call) => {
-                functions(block, &mut state.modal);
+                self.functions(block, state);
                 feed(call.feed.as_ref(), &mut state.modal);
-                called(&mut state.modal);
+                self.called(state);
                 if let CallForm::Position(_) = call.form {
                     state.modal.set(Aspect::Feed, Tri::Unknown);
                 }
@@ -90,9 +130,18 @@ impl Steps<'_, '_> {
                 state.modal.set(Aspect::Pattern, Tri::Unknown);
                 state.modal.set(Aspect::Contour, Tri::Unknown);
             }
+            BlockKind::Statement(own) if own.kind == StatementKind::CallSelected => self.program_called(index, state),
             BlockKind::Statement(statement) => self.statement(statement, state),
-            BlockKind::CallPgm(_) | BlockKind::Unknown(_) | BlockKind::Iso(_) => state.forget(),
+            BlockKind::CallPgm(_) => self.program_called(index, state),
+            BlockKind::Unknown(_) | BlockKind::Iso(_) => state.forget(),
             _ => {}
+        }
+    }
+
+    fn program_called(&self, index: usize, state: &mut State) {
+        match self.callees.blocks.get(&index) {
+            Some(callee) => callee.through.apply(state),
+            None => state.forget(),
         }
     }
 
@@ -122,7 +171,6 @@ impl Steps<'_, '_> {
         }
         let word = |at: usize| self.word(statement, at);
         match statement.kind {
-            StatementKind::CallSelected => state.forget(),
             StatementKind::ContourDef | StatementKind::DeclareContour => {
                 state.modal.set(Aspect::Contour, Tri::Yes);
             }
@@ -180,28 +228,12 @@ fn feed(feed: Option<&Feed>, modal: &mut Modal) {
     }
 }
 
-/// What a cycle leaves behind: its feed may stay.
-const fn called(modal: &mut Modal) {
-    modal.set(Aspect::Feed, Tri::Unknown);
-}
-
 /// The M functions that act at the start of their block.
 fn start(block: &Block, modal: &mut Modal) {
     each_function(block, |number| {
         if matches!(number, 3 | 4 | 13 | 14) {
             modal.set(Aspect::Spindle, Tri::Yes);
         }
-    });
-}
-
-fn functions(block: &Block, modal: &mut Modal) {
-    start(block, modal);
-    each_function(block, |number| match number {
-        0 | 2 | 5 | 6 | 30 => modal.set(Aspect::Spindle, Tri::No),
-        89 | 99 => called(modal),
-        1 | 3 | 4 | 8 | 9 | 13 | 14 | 90..=199 => {}
-        // What else an M function does is the machine builder's affair.
-        _ => modal.set(Aspect::Spindle, Tri::Unknown),
     });
 }
 

@@ -1,4 +1,5 @@
 //! The rules, one file each.
+mod approach_without_compensation;
 mod arc_wrong;
 mod axis_twice;
 mod behind_end;
@@ -6,6 +7,8 @@ mod blank_wrong;
 mod block_numbers;
 mod call_of_def_active_cycle;
 mod called_but_not_defined;
+mod called_program_in_other_unit;
+mod called_program_missing;
 mod choice_not_offered;
 mod clearance_height_too_low;
 mod compensation_at_cycle;
@@ -20,15 +23,18 @@ mod cycle_not_covered;
 mod cycle_not_described;
 mod cycle_not_on_control;
 mod defined_but_never_called;
+mod division_by_zero;
 mod duplicate_parameter;
 mod empty_word;
 mod feed_missing;
+mod feed_zero;
 mod frame_mismatch;
 mod guard;
 mod label_duplicate;
 mod label_of_another_language;
 mod label_of_another_parameter;
 mod label_undefined;
+mod languages_mixed;
 mod main_runs_into_subprogram;
 mod measuring_height_below_floor;
 mod metric_values_in_inch;
@@ -43,14 +49,19 @@ mod pole_missing;
 mod program_begin_missing;
 mod program_calls_itself;
 mod program_end_missing;
+mod programs_call_in_circle;
+mod radius_missing;
 mod repeat_of_later_label;
 mod reserved_parameter;
+mod row_not_in_table;
 mod speed_missing;
 mod spindle_off;
 mod subprogram_recursive;
 mod subprogram_runs_on;
 mod subprogram_without_end;
+mod tool_axis_missing;
 mod tool_missing;
+mod tool_not_listed;
 mod transfer_parameter_overwritten;
 mod unknown_cycle;
 mod unknown_parameter;
@@ -63,6 +74,7 @@ use crate::diag::Diagnostic;
 /// All rules, in the order of their codes. The findings of `guard` have the codes of the
 /// specifications' guards.
 pub const RULES: &[&Rule] = &[
+    &approach_without_compensation::RULE,
     &arc_wrong::RULE,
     &axis_twice::RULE,
     &behind_end::RULE,
@@ -70,6 +82,8 @@ pub const RULES: &[&Rule] = &[
     &block_numbers::RULE,
     &call_of_def_active_cycle::RULE,
     &called_but_not_defined::RULE,
+    &called_program_in_other_unit::RULE,
+    &called_program_missing::RULE,
     &choice_not_offered::RULE,
     &clearance_height_too_low::RULE,
     &compensation_at_cycle::RULE,
@@ -84,15 +98,18 @@ pub const RULES: &[&Rule] = &[
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
     &defined_but_never_called::RULE,
+    &division_by_zero::RULE,
     &duplicate_parameter::RULE,
     &empty_word::RULE,
     &feed_missing::RULE,
+    &feed_zero::RULE,
     &frame_mismatch::RULE,
     &guard::RULE,
     &label_duplicate::RULE,
     &label_of_another_language::RULE,
     &label_of_another_parameter::RULE,
     &label_undefined::RULE,
+    &languages_mixed::RULE,
     &main_runs_into_subprogram::RULE,
     &measuring_height_below_floor::RULE,
     &metric_values_in_inch::RULE,
@@ -107,14 +124,19 @@ pub const RULES: &[&Rule] = &[
     &program_begin_missing::RULE,
     &program_calls_itself::RULE,
     &program_end_missing::RULE,
+    &programs_call_in_circle::RULE,
+    &radius_missing::RULE,
     &repeat_of_later_label::RULE,
     &reserved_parameter::RULE,
+    &row_not_in_table::RULE,
     &speed_missing::RULE,
     &spindle_off::RULE,
     &subprogram_recursive::RULE,
     &subprogram_runs_on::RULE,
     &subprogram_without_end::RULE,
+    &tool_axis_missing::RULE,
     &tool_missing::RULE,
+    &tool_not_listed::RULE,
     &transfer_parameter_overwritten::RULE,
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,

@@ -1,6 +1,6 @@
 //! A subprogram that runs into the next one, because no LBL 0 stands between them.
 //!
-//! Only said where both are called, neither is jumped to or repeated, and nothing but blocks that always follow each
+//! Only said where both are called, or read as contours, neither is jumped to or repeated, and nothing but blocks that always follow each
 //! other stands between the labels.
 use std::collections::BTreeMap;
 
@@ -44,7 +44,7 @@ fn only_called<'f>(facts: &'f Facts<'_>) -> BTreeMap<&'f Mark, bool> {
     let mut called = BTreeMap::new();
     for own in &facts.run.graph.uses {
         if let Some(mark) = &own.mark {
-            *called.entry(mark).or_insert(true) &= own.way == Way::Call;
+            *called.entry(mark).or_insert(true) &= matches!(own.way, Way::Call | Way::Named);
         }
     }
     called

@@ -1,0 +1,32 @@
+//! An approach without radius compensation, or a departure while none is active.
+//!
+//! Without a word, or with R0 at a departure, the tool centre runs on the contour. APPR with R0 may be meant; where the
+//! program has one, its departures are left alone. Only said where compensation is certainly off.
+use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{BlockKind, Compensation, Path};
+
+pub(super) const RULE: Rule = Rule { code: "approach-without-compensation", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    // Whether the contour is one that is meant for the tool centre.
+    let mut centre = false;
+    for (from, to, modal) in facts.run.stretches() {
+        let off = modal.is_some_and(|modal| modal.is(Aspect::Compensation) == Tri::No);
+        for block in facts.program.blocks().get(from..to).unwrap_or_default() {
+            let BlockKind::Motion(motion) = &block.kind else { continue };
+            let (what, wrong) = match motion.path() {
+                Path::Appr(_) => {
+                    let written = motion.compensation;
+                    centre |= off && !matches!(written, Some(Compensation::Rl | Compensation::Rr));
+                    ("approach", off && written.is_none())
+                }
+                Path::Dep(_) => ("departure", off && !centre),
+                _ => continue,
+            };
+            if wrong {
+                found.push(rule.at(facts, facts.content(block)).arg("what", what));
+            }
+        }
+    }
+}

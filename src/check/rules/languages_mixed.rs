@@ -1,0 +1,37 @@
+//! Cycle definitions in another language than most of the program.
+//!
+//! Said once a program, at the first of them, with the lines of the others: parts of two programs were put together, or
+//! a subprogram was taken over. Single labels in a definition are another finding.
+use std::collections::BTreeSet;
+
+use crate::check::{Facts, Rule, Speech, speech};
+use crate::diag::{Diagnostic, Place, Severity};
+
+pub(super) const RULE: Rule = Rule { code: "languages-mixed", severity: Severity::Note, run };
+
+/// So many lines are listed.
+const LISTED: usize = 12;
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let Some(language) = facts.language.as_deref() else { return };
+    let source = facts.program.source();
+    let mut first = None;
+    let (mut lines, mut languages) = (Vec::new(), BTreeSet::new());
+    for definition in facts.readings().filter(|own| own.items.iter().any(|item| item.label.is_some())) {
+        let tag = match speech(facts, &definition) {
+            Speech::In(tag) if tag != language => tag,
+            // Three dots stand for a language that is not known.
+            Speech::Foreign => "…".to_owned(),
+            _ => continue,
+        };
+        languages.insert(tag);
+        first.get_or_insert(definition.view.head);
+        lines.push(Place::new(source, definition.view.head).start().line);
+    }
+    let Some(first) = first else { return };
+    let more = if lines.len() > LISTED { ", …" } else { "" };
+    let listed: Vec<String> = lines.iter().take(LISTED).map(ToString::to_string).collect();
+    let languages: Vec<String> = languages.into_iter().collect();
+    let finding = rule.at(facts, first).arg("language", language).arg("others", languages.join(", "));
+    found.push(finding.arg("lines", listed.join(", ") + more));
+}

@@ -1,0 +1,15 @@
+//! An arc CR without its radius.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{BlockKind, Path};
+
+pub(super) const RULE: Rule = Rule { code: "radius-missing", severity: Severity::Error, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for block in facts.program.blocks() {
+        let BlockKind::Motion(motion) = &block.kind else { continue };
+        if motion.path() == Path::Cr && motion.radius.is_none() {
+            found.push(rule.at(facts, facts.content(block)));
+        }
+    }
+}

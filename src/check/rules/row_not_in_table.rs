@@ -1,0 +1,48 @@
+//! A datum or preset of a row that its table lacks.
+//!
+//! Only where the table is named (`--table`, `tables` in `ciklo.toml`); of several datum tables it is the one that SEL
+//! TABLE selects before. Rows that parameters choose are only looked at where their value is certain.
+use crate::check::{Facts, Item, Rows, Rule};
+use crate::diag::{Arg, Diagnostic, Severity};
+use crate::syntax::{BlockKind, ValueKind};
+
+pub(super) const RULE: Rule = Rule { code: "row-not-in-table", severity: Severity::Warning, run };
+
+/// The meanings of parameters that name a row which must be there.
+const PRESET: &str = "preset-number";
+const DATUM: &str = "datum-row";
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let Some(among) = facts.among else { return };
+    for (definition, _) in facts.described() {
+        for item in &definition.items {
+            let meaning = item.param.map_or("", |param| param.is.as_str());
+            let rows = match meaning {
+                PRESET => Rows::Presets,
+                DATUM => Rows::Datums(selected(facts, definition.view.first)),
+                _ => continue,
+            };
+            let Some(row) = number(item) else { continue };
+            if among.has_row(rows, row) == Some(false) {
+                let table = if rows == Rows::Presets { "preset" } else { "datum" };
+                found.push(rule.at(facts, item.value_span).arg("row", Arg::Number(row)).arg("table", table));
+            }
+        }
+    }
+}
+
+fn number(item: &Item<'_>) -> Option<f64> {
+    item.number.or(match item.value?.kind {
+        ValueKind::Number(number) => Some(number),
+        _ => None,
+    })
+}
+
+/// The datum table that was selected last before a block, in the order of the text.
+fn selected<'a>(facts: &Facts<'a>, before: usize) -> Option<&'a str> {
+    let blocks = facts.program.blocks().get(..before).unwrap_or_default();
+    blocks.iter().rev().find_map(|block| match &block.kind {
+        BlockKind::Sel(own) if facts.text(own.what).eq_ignore_ascii_case("TABLE") => Some(facts.text(own.name).trim()),
+        _ => None,
+    })
+}

@@ -1,0 +1,25 @@
+//! A tool call without a tool axis where none was named before.
+//!
+//! Later calls may leave it out. Said once a program, and only where no way of the run has named one.
+use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{Amount, BlockKind, ToolRef};
+
+pub(super) const RULE: Rule = Rule { code: "tool-axis-missing", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (from, to, modal) in facts.run.stretches() {
+        if modal.is_none_or(|modal| modal.is(Aspect::Tool) != Tri::No) {
+            continue;
+        }
+        for block in facts.program.blocks().get(from..to).unwrap_or_default() {
+            let BlockKind::ToolCall(call) = &block.kind else { continue };
+            // Tool 0 is none.
+            let none = matches!(call.tool, Some(ToolRef::Number(own)) if own.amount == Amount::Number(0.0));
+            if call.tool.is_some() && call.axis.is_none() && !none {
+                found.push(rule.at(facts, facts.content(block)));
+                return;
+            }
+        }
+    }
+}

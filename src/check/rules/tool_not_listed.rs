@@ -1,0 +1,40 @@
+//! A tool call of a tool that the tool table lacks.
+//!
+//! Only where the table is named (`--table`, `tables` in `ciklo.toml`). Tool 0, tools that parameters choose and those
+//! that TOOL DEF defines are left alone; each tool is told once.
+use crate::check::{Facts, Rule, ToolName};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{Amount, BlockKind, ToolRef};
+
+pub(super) const RULE: Rule = Rule { code: "tool-not-listed", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let Some(among) = facts.among else { return };
+    let mut passed: Vec<ToolName<'_>> = Vec::new();
+    for block in facts.program.blocks() {
+        let (tool, defined) = match &block.kind {
+            BlockKind::ToolCall(call) => (call.tool, false),
+            BlockKind::ToolDef(def) => (Some(def.tool), def.length.is_some() || def.radius.is_some()),
+            _ => continue,
+        };
+        let name = match tool {
+            Some(ToolRef::Number(operand)) => match operand.amount {
+                Amount::Number(number) if number > 0.0 => ToolName::Number(number),
+                _ => continue,
+            },
+            Some(ToolRef::Name(name)) => ToolName::Name(facts.text(name).trim()),
+            None => continue,
+        };
+        if passed.contains(&name) {
+            continue;
+        }
+        passed.push(name);
+        if !defined && among.has_tool(name) == Some(false) {
+            let shown = match name {
+                ToolName::Number(number) => number.to_string(),
+                ToolName::Name(name) => format!("\"{name}\""),
+            };
+            found.push(rule.at(facts, facts.content(block)).arg("tool", shown));
+        }
+    }
+}

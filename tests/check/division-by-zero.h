@@ -1,0 +1,9 @@
+; control: tnc640
+BEGIN PGM P MM
+BLK FORM 0.1 Z X+0 Y+0 Z-20
+BLK FORM 0.2 X+100 Y+100 Z+0
+Q1 = 0
+FN 4: Q2 = +5 DIV +Q1
+FN 4: Q3 = +5 DIV +0
+M30
+END PGM P MM
