@@ -256,6 +256,20 @@ fn printed_blocks_come_back() {
     assert!(count > 250, "{count}");
 }
 
+/// A code without coordinates would only change what acts: blocks that are no more than that are told and left out.
+#[test]
+fn blocks_without_coordinates_are_refused() {
+    let data = Data::new();
+    let codes = Codes::new(&data.catalogue);
+    for (line, refused) in
+        [("L", true), ("C DR+", true), ("CT M8", true), ("CP DR-", true), ("L M8", false), ("L R0 F100", false)]
+    {
+        let program = read("part.h", &format!("0 BEGIN PGM A MM\n1 CC X+0 Y+0\n2 {line}\n3 END PGM A MM\n"));
+        let raised = to_iso(&program, &codes);
+        assert_eq!(raised.diagnostics.len(), usize::from(refused), "{line}\n{}", raised.text);
+    }
+}
+
 /// Every FN is a D of the same number, and comes back.
 #[test]
 fn functions_are_d_functions() {
@@ -398,8 +412,15 @@ fn long_programs_are_told_in_linear_time() {
     }
 }
 
+/// As many cases as `PROPTEST_CASES` says, or a few: `PROPTEST_CASES=2000 cargo test --release --test iso comes_back`.
+fn cases() -> ProptestConfig {
+    let config = ProptestConfig::default();
+    let asked = env::var_os("PROPTEST_CASES").is_some();
+    ProptestConfig { cases: if asked { config.cases } else { 300 }, ..config }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+    #![proptest_config(cases())]
 
     /// Klartext by way of DIN/ISO is the same program.
     #[test]

@@ -20,6 +20,7 @@ diag-convert-one-file = Several programs are only rewritten with --in-place.
 diag-convert-klartext-first = { $path } is in DIN/ISO: write it in Klartext first (--to-klartext).
 diag-convert-cycle-lacking = { $control } does not have { $cycle }; the definition stays as it is.
 diag-convert-cycle-not-described = The manual of { $control } names { $cycle } but does not describe it: its parameters stay as they are.
+diag-convert-cycle-not-covered = The manuals of { $control } that are known here do not treat cycles such as { $cycle }: the definition stays as it is.
 diag-convert-parameter-added =
     { $import ->
         [yes] { $parameter } = { $value } is added to { $cycle }, as { $control } does with older programs: set it to what is wanted.

@@ -20,6 +20,7 @@ diag-convert-one-file = Useita ohjelmia voi kirjoittaa uudelleen vain valitsimel
 diag-convert-klartext-first = { $path } on DIN/ISO-kielinen: muunna se ensin Klartext-kielelle (--to-klartext).
 diag-convert-cycle-lacking = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; määrittely jää ennalleen.
 diag-convert-cycle-not-described = Ohjauksen { $control } käsikirja mainitsee työkierron { $cycle }, mutta ei kuvaa sitä: parametrit jäävät ennalleen.
+diag-convert-cycle-not-covered = Ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele sellaisia työkiertoja kuin { $cycle }: määrittely jää ennalleen.
 diag-convert-parameter-added =
     { $import ->
         [yes] Työkiertoon { $cycle } lisätään { $parameter } = { $value }, kuten { $control } tekee vanhemmille ohjelmille: aseta haluttu arvo.

@@ -20,6 +20,7 @@ diag-convert-one-file = Più programmi vengono riscritti solo con --in-place.
 diag-convert-klartext-first = { $path } è in DIN/ISO: scriverlo prima in Klartext (--to-klartext).
 diag-convert-cycle-lacking = { $control } non ha { $cycle }; la definizione resta com’è.
 diag-convert-cycle-not-described = Il manuale di { $control } cita { $cycle } ma non lo descrive: i parametri restano come sono.
+diag-convert-cycle-not-covered = I manuali del controllo { $control } qui noti non trattano cicli come { $cycle }: la definizione resta com’è.
 diag-convert-parameter-added =
     { $import ->
         [yes] In { $cycle } viene aggiunto { $parameter } = { $value }, come fa { $control } con i programmi meno recenti: impostare il valore desiderato.

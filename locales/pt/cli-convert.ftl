@@ -21,6 +21,7 @@ diag-convert-one-file = Vários programas só são reescritos com --in-place.
 diag-convert-klartext-first = { $path } está em DIN/ISO: escreva-o primeiro em Klartext (--to-klartext).
 diag-convert-cycle-lacking = { $control } não tem { $cycle }; a definição fica como está.
 diag-convert-cycle-not-described = O manual de { $control } menciona { $cycle } mas não o descreve: os parâmetros ficam como estão.
+diag-convert-cycle-not-covered = Os manuais do comando { $control } aqui conhecidos não tratam de ciclos como { $cycle }: a definição fica como está.
 diag-convert-parameter-added =
     { $import ->
         [yes] Em { $cycle } é acrescentado { $parameter } = { $value }, como { $control } faz com programas mais antigos: defina o valor pretendido.

@@ -22,6 +22,7 @@ diag-convert-one-file = Več programov je mogoče prepisati le z --in-place.
 diag-convert-klartext-first = Program { $path } je v DIN/ISO: najprej ga zapišite v Klartextu (--to-klartext).
 diag-convert-cycle-lacking = Krmiljenje { $control } nima cikla { $cycle }; definicija ostane, kakor je.
 diag-convert-cycle-not-described = Priročnik za { $control } cikel { $cycle } omenja, a ga ne opisuje: parametri ostanejo, kakor so.
+diag-convert-cycle-not-covered = Priročniki krmiljenja { $control }, ki so tu znani, ciklov, kakršen je { $cycle }, ne obravnavajo: definicija ostane, kakor je.
 diag-convert-parameter-added =
     { $import ->
         [yes] V cikel { $cycle } je dodan { $parameter } = { $value }, kakor stori krmiljenje { $control } pri starejših programih: nastavite želeno vrednost.

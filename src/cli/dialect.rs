@@ -12,6 +12,7 @@ use crate::iso::{Codes, Labels, to_iso, to_klartext};
 use crate::locale::{Args, Ui};
 use crate::spec::{CycleKey, Field, OnControl, Param};
 use crate::syntax::Dialect;
+use crate::syntax::encoding::Encoding;
 use crate::system;
 
 /// The arguments that ask for it.
@@ -24,23 +25,28 @@ pub(super) fn own(ui: &Ui) -> Vec<clap::Arg> {
     ]
 }
 
-/// The names and labels of a control in a language.
+/// The names and labels of a control in a language, as far as the file's encoding has their characters.
 struct Words<'a> {
     on: &'a OnControl,
     book: LabelBook<'a>,
     language: &'a str,
+    encoding: Encoding,
 }
 
 impl Words<'_> {
     fn label(&self, key: CycleKey, is_it: &dyn Fn(&Param) -> bool) -> Option<String> {
         let at = self.on.cycles.get(&key)?.params.iter().position(is_it)?;
-        self.book.cycle(key)?.language(self.language)?.params.get(at)?.label.clone()
+        self.writable(self.book.cycle(key)?.language(self.language)?.params.get(at)?.label.clone()?)
+    }
+
+    fn writable(&self, label: String) -> Option<String> {
+        self.encoding.encode(&label).is_ok().then_some(label)
     }
 }
 
 impl Labels for Words<'_> {
     fn name(&self, key: CycleKey) -> Option<String> {
-        self.book.cycle(key)?.language(self.language)?.name.label.clone()
+        self.writable(self.book.cycle(key)?.language(self.language)?.name.label.clone()?)
     }
 
     fn parameter(&self, key: CycleKey, q: QRef) -> Option<String> {
@@ -74,7 +80,7 @@ pub(super) fn write(session: &mut Session, matches: &ArgMatches, path: &str) -> 
         };
         let Some(on) = on else { return Ok(Outcome::Clean) };
         let language = cycle::language_for(&locales, on, matches)?.tag();
-        let words = Words { on, book: LabelBook::new(on, &locales), language };
+        let words = Words { on, book: LabelBook::new(on, &locales), language, encoding: file.encoding };
         let lowered = to_klartext(file.written(), &codes, Some(&words));
         (lowered.program.source().text().to_owned(), lowered.diagnostics)
     };

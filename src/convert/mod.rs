@@ -117,6 +117,7 @@ impl<'a> Writer<'_, 'a> {
         match (definition.known, self.request.to.on.known(definition.key)) {
             (Known::Builders, _) | (_, Known::Builders) => {}
             (_, Known::Unknown) => self.lacking(definition),
+            (Known::Unknown, Known::Described(_)) => self.not_covered(definition, self.request.from.on.id()),
             (_, Known::Described(_)) => self.unsure(definition, self.request.from.on.id()),
             _ => self.unsure(definition, self.request.to.on.id()),
         }
@@ -144,8 +145,17 @@ impl<'a> Writer<'_, 'a> {
     }
 
     fn lacking(&mut self, definition: &Definition<'_>) {
+        // A manual that treats other cycles only is no proof.
+        if !self.request.to.on.covers(definition.key) {
+            return self.not_covered(definition, self.request.to.on.id());
+        }
         let lacking = self.at("convert-cycle-lacking", Severity::Error, definition.view.head);
         self.found.push(lacking.arg("cycle", definition.key.to_string()).arg("control", self.request.to.on.id()));
+    }
+
+    fn not_covered(&mut self, definition: &Definition<'_>, control: &str) {
+        let silent = self.at("convert-cycle-not-covered", Severity::Warning, definition.view.head);
+        self.found.push(silent.arg("cycle", definition.key.to_string()).arg("control", control));
     }
 
     fn unsure(&mut self, definition: &Definition<'_>, control: &str) {

@@ -333,7 +333,8 @@ impl Raising<'_, '_> {
         }
         // A block with nothing but its code would only change what acts.
         let empty = motion.coords.is_empty() && motion.compensation.is_none() && motion.feed.is_none();
-        if empty && line && motion.functions.is_empty() {
+        let corner = matches!(motion.path, Path::Rnd | Path::Chf);
+        if empty && !corner && (!line || motion.functions.is_empty()) {
             return Err(refused());
         }
         if motion.coords.is_empty() && rapid && motion.compensation.is_none() {

@@ -88,6 +88,13 @@ pub(crate) fn block() -> impl Strategy<Value = String> {
         1 => Just("TCH PROBE 0.0 PLANE Q5 X-\nTCH PROBE 0.1 X+5 Y+0 Z-5".to_owned()),
         1 => Just("PLANE SPATIAL SPA+0 SPB+45 SPC+0 STAY".to_owned()),
         1 => Just("PATTERN DEF POS1( X+10 Y+20 Z+0 )".to_owned()),
+        2 => proptest::sample::select(vec![
+            "DECLARE CONTOUR QC1 = \"A.H\" DEPTH5", "DECLARE CONTOUR QC2 = LBL 5", "QC10 = ( QC1 | QC3 ) \\ QC2",
+            "CONTOUR DEF P1 = \"A.H\" I2 = \"B.H\" DEPTH5", "SEL CONTOUR \"A\"", "SEL PATTERN \"P.PNT\"", "TRANS DATUM AXIS X+10", "TRANS DATUM RESET",
+            "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS", "FUNCTION MODE TURN", "PLANE RESET STAY", "PLANE VECTOR BX+0 BY+0 BZ+1 NX+0 NY+0 NZ+1 TURN FMAX", "M128 F500",
+            "GLOBAL DEF 100 GENERAL ~\n Q200=+2 ;CLEARANCE ~\n Q204=50", "TCH PROBE 444 PROBING IN 3-D ~\n Q263=+0 ;A ~\n QS400=\"1-1\"",
+            "SQL SELECT Q5 \"SELECT X FROM T\"", "FN 37: EXPORT Q25", "FN 20: WAIT FOR SYNC", "QL5 = QR3 + 1", "QS1 = SUBSTR( SRC_QS2 BEG0 LEN4 )",
+        ]).prop_map(str::to_owned),
         1 => Just("; a comment * with stars **".to_owned()),
         1 => Just("* - a heading".to_owned()),
         1 => Just("STOP M8".to_owned()),
