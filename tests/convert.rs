@@ -125,7 +125,7 @@ fn the_other_control_finds_its_own_definition() {
 /// A manual that treats touch probes only does not prove that its control has no drilling cycles; one that lists them all does.
 #[test]
 fn cycles_that_a_manual_does_not_treat_are_not_denied() {
-    let data = Data::new();
+    let data = built();
     let books = data.books();
     let own = &data.catalogue.controls["tnc640"];
     let definition = |name: &str| data.definition(own, own.by_name(name).expect("the cycle")).expect("its block");
