@@ -450,8 +450,9 @@ impl Lowering<'_, '_> {
             if !circle {
                 return Err(Refusal::NoEquivalent(radius.span));
             }
-            self.out.put(" ");
-            self.out.copy(radius.span);
+            // `R0` alone would be no radius but no compensation.
+            self.out.put(if self.program.slice(radius.value.span) == "0" { " R+" } else { " R" });
+            self.out.copy(radius.value.span);
             words.take("R");
         }
         if let Some(counter_clockwise) = direction {
