@@ -244,6 +244,19 @@ fn rises_as_programmed(outline: &Outline, program: &Program, path: &[Piece], bot
     Ok(())
 }
 
+/// Whether two neighbours meet anywhere else than where one ends and the other one begins.
+fn cross(one: &Piece, other: &Piece) -> bool {
+    let chords = |piece: &Piece| -> Vec<[DVec2; 2]> {
+        (0..200).map(|n| [piece.at(f64::from(n) / 200.0), piece.at(f64::from(n + 1) / 200.0)]).collect()
+    };
+    let is_joint = |a: DVec2, b: DVec2| a.distance(b) < NEAR;
+    let apart = |[a, b]: [DVec2; 2], p: DVec2, q: DVec2| (b - a).perp_dot(p - a) * (b - a).perp_dot(q - a) < 0.0;
+    let others = chords(other);
+    chords(one).into_iter().any(|[a, b]| {
+        others.iter().any(|&[c, d]| !is_joint(a, d) && !is_joint(b, c) && apart([a, b], c, d) && apart([c, d], a, b))
+    })
+}
+
 /// The control looks at both elements of an inside corner: a tool that beside one of them would cut into the other one
 /// should have been refused.
 fn is_unseen(outline: &Outline, nominal: &[Piece], piece: &Piece, point: DVec2) -> bool {
@@ -251,7 +264,8 @@ fn is_unseen(outline: &Outline, nominal: &[Piece], piece: &Piece, point: DVec2) 
     let side = if outline.left { 1.0 } else { -1.0 };
     let inside =
         |before: &Piece, behind: &Piece| before.heading(before.to).perp_dot(behind.heading(behind.from)) * side > 1e-3;
-    let near = |other: &Piece| other.distance(point) < outline.tool - NEAR;
+    // An outline that crosses itself there has no inside.
+    let near = |other: &Piece| other.distance(point) < outline.tool - NEAR && !cross(other, &nominal[own]);
     let before = own.checked_sub(1).map(|n| nominal[n]).filter(|other| inside(other, &nominal[own]));
     let behind = nominal.get(own + 1).copied().filter(|other| inside(&nominal[own], other));
     !before.iter().chain(&behind).any(near)
