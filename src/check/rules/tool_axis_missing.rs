@@ -1,6 +1,7 @@
 //! A tool call without a tool axis where none was named before.
 //!
-//! Later calls may leave it out. Said once a program, and only where no way of the run has named one.
+//! Later calls may leave it out. Said once a program, and only where no way of the run has named one. Turning tools have no
+//! tool axis: nothing is said of programs with `FUNCTION MODE TURN`.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{Amount, BlockKind, ToolRef};
@@ -16,10 +17,19 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let BlockKind::ToolCall(call) = &block.kind else { continue };
             // Tool 0 is none.
             let none = matches!(call.tool, Some(ToolRef::Number(own)) if own.amount == Amount::Number(0.0));
-            if call.tool.is_some() && call.axis.is_none() && !none {
+            if call.tool.is_some() && call.axis.is_none() && !none && !turns(facts) {
                 found.push(rule.at(facts, facts.content(block)));
                 return;
             }
         }
     }
+}
+
+/// Whether the program switches to turning.
+fn turns(facts: &Facts<'_>) -> bool {
+    let is_turning = |text: &str| {
+        let mut words = text.split_ascii_whitespace().skip_while(|word| word.bytes().all(|b| b.is_ascii_digit()));
+        ["FUNCTION", "MODE", "TURN"].iter().all(|own| words.next().is_some_and(|word| word.eq_ignore_ascii_case(own)))
+    };
+    facts.program.blocks().iter().any(|block| is_turning(facts.program.slice(block.span)))
 }
