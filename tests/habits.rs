@@ -96,7 +96,7 @@ fn translating_there_and_back_keeps_every_byte() {
     let changed = std::cell::Cell::new(0);
     with_data(|habit, against| {
         let text = habit.program();
-        // Labels in lower case come back in capitals.
+        // Labels in lower case come back in capitals, those of other languages in the first one.
         let first = translate(&program(&text), against, "en", UTF_8).text;
         let mut now = first.clone();
         for to in ["fi", "sl", "it", "pt", "en"] {
@@ -106,7 +106,8 @@ fn translating_there_and_back_keeps_every_byte() {
             now = there.text;
         }
         assert_eq!(now, first, "{}", habit.name);
-        assert!(habit.name == "lower case" || first == text, "{}:\n{first}", habit.name);
+        let rewritten = ["lower case", "labels in another language"].contains(&habit.name);
+        assert!(rewritten || first == text, "{}:\n{first}", habit.name);
     });
     assert!(changed.get() > 200, "only {} labels were replaced", changed.get());
 }

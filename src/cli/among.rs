@@ -225,8 +225,12 @@ impl<'s> Standing<'s> {
         self.asked.load(Ordering::Relaxed)
     }
 
+    /// Whether there are tables to ask.
+    pub(super) const fn has_tables(&self) -> bool {
+        !self.tables.is_empty()
+    }
+
     fn tables(&self, kind: TableKind) -> impl Iterator<Item = &'s Table> {
-        self.asked.store(true, Ordering::Relaxed);
         self.tables.iter().copied().filter(move |table| table.kind() == kind)
     }
 }

@@ -149,6 +149,8 @@ fn found_in(
 ) -> Result<Vec<Diagnostic>, Failure> {
     let against = place.against();
     let bytes = system::read(&job.path)?;
+    // What was found without tables says nothing of a check with them.
+    let cache = cache.filter(|_| !place.has_tables());
     let known = cache.map(|cache| (cache, cache.key(&bytes, job.on.id(), against.language)));
     if let Some(found) = known.and_then(|(cache, key)| cache.find(key, || program::source_of(&job.path, &bytes))) {
         return Ok(found);
