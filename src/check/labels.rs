@@ -244,8 +244,8 @@ pub fn speech<'a>(facts: &Facts<'a>, definition: &Definition<'a>) -> Speech {
 
 /// Whether a definition is one that a control wrote in a language that is not loaded.
 ///
-/// All its parameters are the cycle's own; at least half of them have a comment, three of four comments have the form
-/// of labels, and at most one of four is a label in a language that is loaded.
+/// All its parameters are the cycle's own; two or more and at least half of them have a comment, three of four comments
+/// have the form of labels, and at most one of four is a label in a language that is loaded.
 fn is_foreign<'a>(facts: &Facts<'a>, definition: &Definition<'a>, labels: &CycleLabels) -> bool {
     let most = facts.against.on.control.label.max_length;
     let items = &definition.items;
@@ -254,7 +254,6 @@ fn is_foreign<'a>(facts: &Facts<'a>, definition: &Definition<'a>, labels: &Cycle
     }
     let known_name = |name: &str| labels.languages.iter().any(|language| language.name.matches(name));
     let name = definition.view.name.map(|name| facts.text(name));
-    let strange_name = name.is_some_and(|name| is_label(name, most) && !known_name(name));
     let written: Vec<Cow<'_, str>> =
         items.iter().filter_map(|item| item.label).map(|label| fold(facts.text(label))).collect();
     let is_known = |label: &&Cow<'_, str>| {
@@ -264,7 +263,7 @@ fn is_foreign<'a>(facts: &Facts<'a>, definition: &Definition<'a>, labels: &Cycle
         written.iter().filter(is_known).count(),
         items.iter().filter(|item| item.label.is_some_and(|label| is_label(facts.text(label), most))).count(),
     );
-    let enough = !written.is_empty() && written.len() * 2 >= items.len() && (written.len() > 1 || strange_name);
+    let enough = written.len() > 1 && written.len() * 2 >= items.len();
     enough && known * 4 <= written.len() && shaped * 4 >= written.len() * 3 && !name.is_some_and(known_name)
 }
 
