@@ -252,11 +252,11 @@ pub enum FitError {
 const COLLINEAR: f64 = 1e-12;
 /// A fit is near its minimum when a step is below this share of the extent of the points: the sum of squares
 /// is too flat there to choose by, and the gradient decides.
-const NEAR_MINIMUM: f64 = 1e-5;
+pub(super) const NEAR_MINIMUM: f64 = 1e-5;
 /// A fit that has not come near its minimum by then will not.
-const MAX_STEPS: usize = 512;
+pub(super) const MAX_STEPS: usize = 512;
 /// Newton doubles the digits with each step; more steps only repeat the rounding.
-const NEWTON_STEPS: usize = 8;
+pub(super) const NEWTON_STEPS: usize = 8;
 
 /// The circle with the least sum of squared distances from the points (geometric fit): Levenberg's damped
 /// Gauss-Newton iteration, started from the algebraic fit of Kåsa and finished by Newton's method.

@@ -4,7 +4,7 @@
 //! Newton from the algebraic fit, and finished by Newton's method.
 use glam::{DMat4, DVec3, DVec4};
 
-use super::geometry::FitError;
+use super::geometry::{FitError, MAX_STEPS, NEAR_MINIMUM, NEWTON_STEPS};
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,12 +17,6 @@ pub struct Sphere {
 
 /// Points count as lying in one plane when the determinant of their spread is below this share of its greatest value.
 const FLAT: f64 = 1e-14;
-/// A step below this share of the extent of the points is near the minimum.
-const NEAR_MINIMUM: f64 = 1e-5;
-/// A fit that has not come near its minimum by then will not.
-const MAX_STEPS: usize = 512;
-/// Newton doubles the digits with each step; more steps only repeat the rounding.
-const NEWTON_STEPS: usize = 8;
 
 /// The sphere with the least sum of squared distances from the points.
 ///

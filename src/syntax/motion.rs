@@ -230,12 +230,14 @@ pub(super) fn stop(cursor: &mut Cursor<'_>) -> Read<Vec<MFunction>> {
     functions(cursor)
 }
 
+/// The M function that retracts along the tool axis; a feed of its own may stand behind it.
+const M_RETRACT: u16 = 140;
+
 /// M functions up to the end of the block.
 pub(super) fn functions(cursor: &mut Cursor<'_>) -> Read<Vec<MFunction>> {
     let mut found: Vec<MFunction> = Vec::new();
     while !cursor.done() {
-        // How fast M140 retracts.
-        if found.last().is_some_and(|last| last.number == 140) && opt_feed(cursor)?.is_some() {
+        if found.last().is_some_and(|last| last.number == M_RETRACT) && opt_feed(cursor)?.is_some() {
             continue;
         }
         match opt_function(cursor)? {
