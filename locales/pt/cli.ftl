@@ -230,7 +230,7 @@ cli-plot = Desenhar a trajetória da ferramenta e a peça de um programa em SVG
 cli-plot-out = Ficheiro para o desenho
 cli-plot-scene = Ficheiro da cena: máquina, ferramentas, peça (predefinição: sem tabela de ferramentas, pelo que só se conhece a trajetória)
 cli-plot-view = Direção da vista: top, side, isometric (predefinição)
-cli-run-stock = Ficheiro para a peça acabada (STL); a maquinagem é resumida num relatório
+cli-run-stock = Ficheiro para a peça acabada (STL); a maquinação é resumida num relatório
 cli-stock-depth = Maior profundidade de corte: { $value } mm (linha { $line })
 cli-stock-finding = { $program }:{ $line }{ $count ->
         [one] :
