@@ -90,7 +90,7 @@ impl Source {
         self.lines.get_or_init(|| {
             let mut lines = Lines { count: 1, starts: vec![0] };
             for start in starts(&self.text, 0, self.text.len()) {
-                if lines.count % STEP == 0 {
+                if lines.count.is_multiple_of(STEP) {
                     lines.starts.push(start);
                 }
                 lines.count += 1;

@@ -61,8 +61,11 @@ const DRILLING: [(u32, &[(u16, f64)]); 11] = [
     ),
 ];
 
-/// Thread milling: which side the thread is on, and whether its lowest turn is the only one.
-const MILLING: [(u32, bool, &[(u16, f64)]); 5] = [
+/// A cycle, whether its thread lies around a stud, and the parameters that it takes.
+type Threading = (u32, bool, &'static [(u16, f64)]);
+
+/// The cycles that mill threads.
+const MILLING: [Threading; 5] = [
     (262, false, &[(355, 1.0), (351, 1.0), (253, 750.0), (207, 500.0)]),
     (
         263,

@@ -76,11 +76,10 @@ impl Twin<'_, '_> {
     }
 
     fn feed(&mut self, feed: Option<&Feed>) {
-        match feed.map(|feed| feed.kind) {
-            Some(FeedKind::Value(value) | FeedKind::PerRevolution(value) | FeedKind::PerTooth(value)) => {
-                self.operand(&value);
-            }
-            _ => {}
+        if let Some(FeedKind::Value(value) | FeedKind::PerRevolution(value) | FeedKind::PerTooth(value)) =
+            feed.map(|feed| feed.kind)
+        {
+            self.operand(&value);
         }
     }
 
