@@ -28,6 +28,7 @@ diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearanc
 diag-compensation-at-cycle =
     { $cycle } is executed here while radius compensation is active.
 diag-compensation-left-on = Radius compensation is still active here.
+diag-contour-data-missing = { $cycle } is called, but { $data } has not been defined before.
 diag-contour-def-wrong =
     { $what ->
         [many] { $found }: CONTOUR DEF has nine contours at most.
@@ -39,13 +40,22 @@ diag-contour-unnamed =
     { $cycle } is called here, but no contour has been named before.
 diag-cutting-without-tool = The tool moves at feed here, but no tool call stands before.
 diag-cycle-line-alone = The line { $line } has no line { $head } before it.
+diag-cycle-line-empty = Nothing stands on the line { $line } of { $cycle }.
 diag-cycle-not-covered = { $cycle } is not checked: the manuals of the { $control } that are known here do not treat such cycles.
 diag-cycle-not-described = { $cycle } ({ $name }) is named by the manuals and not described: its parameters are not checked.
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
 diag-defined-but-never-called = { $cycle } is defined here and never called.
+diag-direction-unsaid = This arc does not say which way round it goes: DR+ or DR− is missing.
+diag-doubtful-value =
+    { $parameter }={ $value } is hardly meant in { $cycle }: { $is ->
+        [zero] the value is 0
+        [negative] the value is negative
+       *[positive] the value is positive and leads away from the workpiece
+    }.
 diag-duplicate-parameter = { $parameter } stands twice in { $cycle }.
 diag-empty-word = This M has no number and does nothing.
 diag-feed-zero = The feed is zero here.
+diag-field-word-missing = A value stands here without a word; the control shows it with one: { $shown }.
 diag-frame-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
 diag-guard = The control objects to these values.
 diag-label-duplicate = The label { $label } is set a second time here.
@@ -73,6 +83,11 @@ diag-out-of-range =
         [many] { $parameter } lists too many labels: it may list { $limit }.
        *[above] { $parameter }={ $value } is too great: the greatest value is { $limit }.
     }
+diag-out-of-range-elsewhere =
+    { $parameter }={ $value } is hardly meant: the { $control } takes no value { $side ->
+        [below] below
+       *[above] above
+    } { $limit } there.
 diag-parameter-unassigned =
     { $parameter } is read here, but nothing gives it a value before.
 diag-plane-not-reset = The program ends here with a tilted working plane.
@@ -89,6 +104,11 @@ diag-row-not-in-table =
        *[datum] The datum table has no row { $row }.
     }
 diag-speed-missing = The spindle is turned on here, but no speed has been programmed.
+diag-speed-too-high =
+    { $what ->
+        [feed] The feed { $value }
+       *[speed] The spindle speed { $value }
+    } is hardly meant: { $limit } is the greatest that the manuals let anybody enter.
 diag-spindle-off = Material is removed here while the spindle stands.
 diag-subprogram-recursive = The subprogram { $label } calls itself here.
 diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: no LBL 0 stands between them.
@@ -98,6 +118,13 @@ diag-tool-missing = A cycle moves here, but no tool call has named the tool axis
 diag-tool-not-listed = The tool table has no tool { $tool }.
 diag-transfer-parameter-overwritten =
     { $parameter } belongs to { $cycle }, which is called later: the call takes the value that is written here.
+diag-transformation-left-on =
+    The program ends here with an active { $what ->
+        [datum-shift] datum shift
+        [rotation] rotation
+        [mirroring] mirror image
+       *[scaling] scaling factor
+    }.
 diag-unknown-cycle = { $cycle } is a cycle of no control known here.
 diag-unknown-parameter = { $cycle } has no { $parameter } on this control.
 diag-unreachable =

@@ -28,6 +28,7 @@ diag-clearance-height-too-low = { $cycle } koskettaa korkeudella { $touched }: v
 diag-compensation-at-cycle =
     { $cycle } suoritetaan tässä sädekorjauksen ollessa voimassa.
 diag-compensation-left-on = Sädekorjaus on tässä vielä voimassa.
+diag-contour-data-missing = { $cycle } kutsutaan, mutta sitä ennen ei ole määritelty työkiertoa { $data }.
 diag-contour-def-wrong =
     { $what ->
         [many] { $found }: CONTOUR DEF -lauseessa on enintään yhdeksän muotoa.
@@ -39,13 +40,22 @@ diag-contour-unnamed =
     { $cycle } kutsutaan tässä, mutta sitä ennen ei ole nimetty muotoa.
 diag-cutting-without-tool = Työkalu liikkuu tässä syöttöarvolla, mutta ennen sitä ei ole työkalukutsua.
 diag-cycle-line-alone = Rivin { $line } edellä ei ole riviä { $head }.
+diag-cycle-line-empty = Työkierron { $cycle } rivillä { $line } ei ole mitään.
 diag-cycle-not-covered = Työkiertoa { $cycle } ei tarkasteta: ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele tällaisia työkiertoja.
 diag-cycle-not-described = Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sen parametreja ei tarkasteta.
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.
+diag-direction-unsaid = Kaaren kiertosuuntaa ei ole annettu: DR+ tai DR− puuttuu.
+diag-doubtful-value =
+    { $parameter }={ $value } tuskin on tarkoitus työkierrossa { $cycle }: { $is ->
+        [zero] arvo on 0
+        [negative] arvo on negatiivinen
+       *[positive] arvo on positiivinen ja vie poispäin työkappaleesta
+    }.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
 diag-empty-word = Tässä M-sanassa ei ole numeroa, eikä se tee mitään.
 diag-feed-zero = Syöttöarvo on tässä nolla.
+diag-field-word-missing = Arvon edessä ei ole sanaa; ohjaus näyttää sen näin: { $shown }.
 diag-frame-mismatch = END PGM -lauseessa on { $end }, BEGIN PGM -lauseessa { $begin }.
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
 diag-label-duplicate = Label { $label } asetetaan tässä toisen kerran.
@@ -73,6 +83,11 @@ diag-out-of-range =
         [long] Parametrin { $parameter } teksti on liian pitkä: siinä saa olla enintään { $limit } merkkiä.
        *[above] { $parameter }={ $value } on liian suuri: suurin arvo on { $limit }.
     }
+diag-out-of-range-elsewhere =
+    { $parameter }={ $value } tuskin on tarkoitus: ohjaus { $control } ei hyväksy siihen arvoa, joka on { $side ->
+        [below] pienempi
+       *[above] suurempi
+    } kuin { $limit }.
 diag-parameter-unassigned =
     { $parameter } luetaan tässä, mutta sille ei ole sitä ennen annettu arvoa.
 diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
@@ -88,6 +103,11 @@ diag-row-not-in-table =
        *[datum] Nollapistetaulukossa ei ole riviä { $row }.
     }
 diag-speed-missing = Kara käynnistetään tässä, mutta kierroslukua ei ole ohjelmoitu.
+diag-speed-too-high =
+    { $what ->
+        [feed] Syöttöarvo { $value }
+       *[speed] Karan kierrosluku { $value }
+    } tuskin on tarkoitus: suurin arvo, jonka käsikirjat sallivat, on { $limit }.
 diag-spindle-off = Tässä lastutaan karan ollessa pysähdyksissä.
 diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
 diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
@@ -97,6 +117,13 @@ diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään aiemp
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
 diag-transfer-parameter-overwritten =
     { $parameter } kuuluu työkiertoon { $cycle }, jota kutsutaan myöhemmin: kutsu käyttää tässä kirjoitettavaa arvoa.
+diag-transformation-left-on =
+    Ohjelman päättyessä on vielä voimassa { $what ->
+        [datum-shift] nollapisteen siirto
+        [rotation] kierto
+        [mirroring] peilaus
+       *[scaling] mittakerroin
+    }.
 diag-unknown-cycle = { $cycle } ei ole minkään tässä tunnetun ohjauksen työkierto.
 diag-unknown-parameter = Työkierrossa { $cycle } ei ole tässä ohjauksessa parametria { $parameter }.
 diag-unreachable =

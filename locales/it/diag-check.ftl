@@ -28,6 +28,7 @@ diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di 
 diag-compensation-at-cycle =
     { $cycle } viene eseguito qui con la correzione del raggio attiva.
 diag-compensation-left-on = Qui la correzione del raggio è ancora attiva.
+diag-contour-data-missing = { $cycle } viene chiamato, ma { $data } non è stato definito prima.
 diag-contour-def-wrong =
     { $what ->
         [many] { $found }: CONTOUR DEF ha al massimo nove profili.
@@ -39,13 +40,22 @@ diag-contour-unnamed =
     { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
 diag-cycle-line-alone = Prima della riga { $line } non c’è la riga { $head }.
+diag-cycle-line-empty = Nella riga { $line } di { $cycle } non c’è nulla.
 diag-cycle-not-covered = { $cycle } non viene verificato: i manuali del controllo { $control } qui noti non trattano cicli di questo tipo.
 diag-cycle-not-described = { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.
+diag-direction-unsaid = L’arco non indica il senso di rotazione: manca DR+ o DR−.
+diag-doubtful-value =
+    { $parameter }={ $value } in { $cycle } difficilmente è voluto: { $is ->
+        [zero] il valore è 0
+        [negative] il valore è negativo
+       *[positive] il valore è positivo e porta lontano dal pezzo
+    }.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
 diag-empty-word = Questa M è senza numero e non fa nulla.
 diag-feed-zero = Qui l’avanzamento è zero.
+diag-field-word-missing = Qui c’è un valore senza parola; il controllo lo mostra con una parola: { $shown }.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-guard = Il controllo non accetta questi valori.
 diag-label-duplicate = Il label { $label } viene impostato qui per la seconda volta.
@@ -73,6 +83,11 @@ diag-out-of-range =
         [many] { $parameter } elenca troppi label: ne sono ammessi { $limit }.
        *[above] { $parameter }={ $value } è troppo grande: il valore massimo è { $limit }.
     }
+diag-out-of-range-elsewhere =
+    { $parameter }={ $value } difficilmente è voluto: il { $control } non accetta qui valori { $side ->
+        [below] inferiori a
+       *[above] superiori a
+    } { $limit }.
 diag-parameter-unassigned =
     { $parameter } viene letto qui, ma prima nulla gli assegna un valore.
 diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
@@ -88,6 +103,11 @@ diag-row-not-in-table =
        *[datum] La tabella origini non contiene la riga { $row }.
     }
 diag-speed-missing = Qui viene avviato il mandrino, ma non è stato programmato alcun numero di giri.
+diag-speed-too-high =
+    { $what ->
+        [feed] L’avanzamento { $value }
+       *[speed] Il numero di giri del mandrino { $value }
+    } difficilmente è voluto: il valore massimo che i manuali permettono di inserire è { $limit }.
 diag-spindle-off = Qui viene asportato materiale a mandrino fermo.
 diag-subprogram-recursive = Il sottoprogramma { $label } chiama qui sé stesso.
 diag-subprogram-runs-on = Il sottoprogramma { $label } prosegue nel sottoprogramma { $next }: tra i due non c’è LBL 0.
@@ -97,6 +117,13 @@ diag-tool-missing = Qui un ciclo esegue movimenti, ma prima nessuna chiamata ute
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
 diag-transfer-parameter-overwritten =
     { $parameter } appartiene a { $cycle }, che viene chiamato più avanti: la chiamata usa il valore scritto qui.
+diag-transformation-left-on =
+    Il programma termina qui con { $what ->
+        [datum-shift] uno spostamento origine attivo
+        [rotation] una rotazione attiva
+        [mirroring] una specularità attiva
+       *[scaling] un fattore di scala attivo
+    }.
 diag-unknown-cycle = { $cycle } non è un ciclo di alcun controllo qui noto.
 diag-unknown-parameter = Su questo controllo { $cycle } non ha il parametro { $parameter }.
 diag-unreachable =

@@ -28,6 +28,7 @@ diag-clearance-height-too-low = { $cycle } apalpa em { $touched }: a altura segu
 diag-compensation-at-cycle =
     { $cycle } é executado aqui com a correção de raio ativa.
 diag-compensation-left-on = A correção de raio ainda está aqui ativa.
+diag-contour-data-missing = { $cycle } é chamado, mas { $data } não foi definido antes.
 diag-contour-def-wrong =
     { $what ->
         [many] { $found }: CONTOUR DEF tem no máximo nove contornos.
@@ -39,13 +40,22 @@ diag-contour-unnamed =
     { $cycle } é chamado aqui, mas antes não foi indicado nenhum contorno.
 diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
 diag-cycle-line-alone = Antes da linha { $line } não há a linha { $head }.
+diag-cycle-line-empty = Na linha { $line } de { $cycle } não há nada.
 diag-cycle-not-covered = { $cycle } não é verificado: os manuais do comando { $control } aqui conhecidos não tratam de ciclos deste tipo.
 diag-cycle-not-described = { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.
+diag-direction-unsaid = O arco não indica o sentido de rotação: falta DR+ ou DR−.
+diag-doubtful-value =
+    { $parameter }={ $value } em { $cycle } dificilmente é o pretendido: { $is ->
+        [zero] o valor é 0
+        [negative] o valor é negativo
+       *[positive] o valor é positivo e afasta da peça
+    }.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
 diag-empty-word = Este M não tem número e não faz nada.
 diag-feed-zero = O avanço é aqui zero.
+diag-field-word-missing = Aqui há um valor sem palavra; o comando mostra-o com uma: { $shown }.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-guard = O comando não aceita estes valores.
 diag-label-duplicate = O label { $label } é definido aqui pela segunda vez.
@@ -73,6 +83,11 @@ diag-out-of-range =
         [many] { $parameter } indica labels a mais: são permitidos { $limit }.
        *[above] { $parameter }={ $value } é demasiado grande: o valor máximo é { $limit }.
     }
+diag-out-of-range-elsewhere =
+    { $parameter }={ $value } dificilmente é o pretendido: o { $control } não aceita aí valores { $side ->
+        [below] inferiores a
+       *[above] superiores a
+    } { $limit }.
 diag-parameter-unassigned =
     { $parameter } é lido aqui, mas antes nada lhe atribui um valor.
 diag-plane-not-reset = O programa termina aqui com o plano de maquinação inclinado.
@@ -88,6 +103,11 @@ diag-row-not-in-table =
        *[datum] A tabela de pontos zero não tem a linha { $row }.
     }
 diag-speed-missing = Aqui liga-se o cabeçote, mas não foi programado nenhum número de rotações.
+diag-speed-too-high =
+    { $what ->
+        [feed] O avanço { $value }
+       *[speed] A velocidade do mandril { $value }
+    } dificilmente é o pretendido: o valor máximo que os manuais permitem introduzir é { $limit }.
 diag-spindle-off = Aqui remove-se material com o cabeçote parado.
 diag-subprogram-recursive = O subprograma { $label } chama-se aqui a si próprio.
 diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subprograma { $next }: entre eles não há LBL 0.
@@ -97,6 +117,13 @@ diag-tool-missing = Aqui um ciclo executa movimentos, mas antes nenhuma chamada 
 diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
 diag-transfer-parameter-overwritten =
     { $parameter } pertence a { $cycle }, que é chamado mais adiante: a chamada usa o valor aqui escrito.
+diag-transformation-left-on =
+    O programa termina aqui com { $what ->
+        [datum-shift] uma deslocação do ponto zero ativa
+        [rotation] uma rotação ativa
+        [mirroring] um espelho ativo
+       *[scaling] um fator de escala ativo
+    }.
 diag-unknown-cycle = { $cycle } não é um ciclo de nenhum comando aqui conhecido.
 diag-unknown-parameter = Neste comando, { $cycle } não tem o parâmetro { $parameter }.
 diag-unreachable =

@@ -28,6 +28,7 @@ diag-clearance-height-too-low = { $cycle } se dotakne pri { $touched }: varna vi
 diag-compensation-at-cycle =
     { $cycle } se tu izvede pri aktivnem popravku polmera.
 diag-compensation-left-on = Popravek polmera je tu še aktiven.
+diag-contour-data-missing = { $cycle } se prikliče, { $data } pa pred tem ni definiran.
 diag-contour-def-wrong =
     { $what ->
         [many] { $found }: CONTOUR DEF ima največ devet kontur.
@@ -39,13 +40,22 @@ diag-contour-unnamed =
     { $cycle } se tu prikliče, pred tem pa ni navedena nobena kontura.
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
 diag-cycle-line-alone = Pred vrstico { $line } ni vrstice { $head }.
+diag-cycle-line-empty = V vrstici { $line } cikla { $cycle } ni ničesar.
 diag-cycle-not-covered = Cikel { $cycle } se ne preveri: priročniki krmiljenja { $control }, ki so tu znani, takšnih ciklov ne obravnavajo.
 diag-cycle-not-described = Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.
+diag-direction-unsaid = Lok ne pove, v katero smer poteka: manjka DR+ ali DR−.
+diag-doubtful-value =
+    { $parameter }={ $value } v { $cycle } najbrž ni mišljeno: { $is ->
+        [zero] vrednost je 0
+        [negative] vrednost je negativna
+       *[positive] vrednost je pozitivna in vodi proč od obdelovanca
+    }.
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
 diag-empty-word = Ta M nima številke in ne naredi ničesar.
 diag-feed-zero = Pomik je tu nič.
+diag-field-word-missing = Vrednost je tu brez besede; krmiljenje jo prikaže z njo: { $shown }.
 diag-frame-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
 diag-label-duplicate = Oznaka LBL { $label } je tu postavljena drugič.
@@ -75,6 +85,11 @@ diag-out-of-range =
         [many] { $parameter } navaja preveč oznak: največje število oznak je { $limit }.
        *[above] { $parameter }={ $value } je preveliko: največja vrednost je { $limit }.
     }
+diag-out-of-range-elsewhere =
+    { $parameter }={ $value } najbrž ni mišljeno: { $control } tam ne sprejme vrednosti { $side ->
+        [below] pod
+       *[above] nad
+    } { $limit }.
 diag-parameter-unassigned =
     { $parameter } se tu bere, pred tem pa mu nič ne določi vrednosti.
 diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
@@ -90,6 +105,11 @@ diag-row-not-in-table =
        *[datum] V preglednici ničelnih točk ni vrstice { $row }.
     }
 diag-speed-missing = Vreteno se tu vklopi, število vrtljajev pa ni programirano.
+diag-speed-too-high =
+    { $what ->
+        [feed] Pomik { $value }
+       *[speed] Število vrtljajev vretena { $value }
+    } najbrž ni mišljeno: največja vrednost, ki jo priročniki dovolijo vnesti, je { $limit }.
 diag-spindle-off = Tu se material odvzema, medtem ko vreteno miruje.
 diag-subprogram-recursive = Podprogram { $label } tu prikliče samega sebe.
 diag-subprogram-runs-on = Podprogram { $label } se nadaljuje v podprogram { $next }: med njima ni LBL 0.
@@ -99,6 +119,13 @@ diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni d
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
 diag-transfer-parameter-overwritten =
     { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic uporabi tu zapisano vrednost.
+diag-transformation-left-on =
+    Program se tu konča, ko je še { $what ->
+        [datum-shift] aktiven zamik ničelne točke
+        [rotation] aktivna rotacija
+        [mirroring] aktivno zrcaljenje
+       *[scaling] aktiven faktor merila
+    }.
 diag-unknown-cycle = { $cycle } ni cikel nobenega od znanih krmiljenj.
 diag-unknown-parameter = Cikel { $cycle } na tem krmiljenju nima parametra { $parameter }.
 diag-unreachable =

@@ -28,6 +28,10 @@ pub fn meanings(catalogue: &Catalogue) -> Meanings {
                     said.entry(format!("guard-{}", code.as_str())).or_default().insert(when.text.to_string());
                 }
             }
+            for doubt in &cycle.file.doubts {
+                let id = format!("guard-{}", doubt.code.as_str());
+                said.entry(id).or_default().insert(doubt.when.text.to_string());
+            }
             for item in &cycle.file.run {
                 steps(item, cycle, &mut said);
             }

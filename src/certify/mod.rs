@@ -76,13 +76,20 @@ pub struct RuleReport {
     /// Its code.
     pub rule: String,
     /// How bad its findings are.
-    pub severity: &'static str,
+    #[serde(serialize_with = "word")]
+    pub severity: Severity,
     /// How many there are.
     pub findings: usize,
     /// In how many programs.
     pub programs: usize,
     /// The first of them: `file:line:column`.
     pub first: String,
+}
+
+/// A severity as documents name it.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "the signature is that of serde")]
+fn word<S: serde::Serializer>(severity: &Severity, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(severity.as_str())
 }
 
 /// What was seen so far.
@@ -181,7 +188,7 @@ impl Tally {
         rules.sort_by_key(|(code, rule)| (std::cmp::Reverse(rule.severity), std::cmp::Reverse(rule.findings), **code));
         let report = |(code, rule): (&&'static str, &Rule)| RuleReport {
             rule: (*code).to_owned(),
-            severity: rule.severity.as_str(),
+            severity: rule.severity,
             findings: rule.findings,
             programs: rule.programs.len(),
             first: rule.first.clone(),

@@ -9,7 +9,7 @@ use super::Against;
 use super::facts::{Defined, Facts};
 use super::flow::{self, Through};
 use crate::diag::{Severity, Span};
-use crate::syntax::{BlockKind, Program, StatementKind};
+use crate::syntax::{BlockKind, Program, StatementKind, ValueKind};
 
 /// The meaning of a parameter that names a program.
 const PROGRAM: &str = "program-to-call";
@@ -94,6 +94,8 @@ pub struct ProgramCall {
     pub span: Span,
     /// Whether it is made a cycle, which calls execute.
     pub cycle: Option<usize>,
+    /// Whether it is only read, for the contour or the points that it describes.
+    pub read: bool,
     /// What is known of it.
     pub called: Called,
 }
@@ -101,7 +103,7 @@ pub struct ProgramCall {
 /// The programs that a program calls by name, in the order of the text.
 pub fn named(program: &Program, against: &Against<'_>) -> Vec<String> {
     let facts = Facts::begun(program, against, None);
-    facts.calls.iter().map(|call| name(program, call.span).to_owned()).collect()
+    facts.calls.iter().filter(|call| !call.read).map(|call| name(program, call.span).to_owned()).collect()
 }
 
 /// A program's name as calls know it.
@@ -114,7 +116,10 @@ pub(super) fn calls(facts: &Facts<'_>) -> Vec<ProgramCall> {
     let mut calls = places(facts);
     if let Some(among) = facts.among {
         for call in &mut calls {
-            call.called = among.called(name(facts.program, call.span));
+            call.called = match among.called(name(facts.program, call.span)) {
+                Called::Is { .. } if call.read => Called::Unknown,
+                called => called,
+            };
         }
     }
     calls
@@ -128,13 +133,15 @@ fn makes_cycle(definition: &Defined<'_>) -> bool {
 fn places(facts: &Facts<'_>) -> Vec<ProgramCall> {
     let program = facts.program;
     let mut calls = Vec::new();
-    let mut push = |block, span, cycle| calls.push(ProgramCall { block, span, cycle, called: Called::Unknown });
+    let mut push = |block, span, cycle, read| {
+        calls.push(ProgramCall { block, span, cycle, read, called: Called::Unknown });
+    };
     // What CALL SELECTED calls is known where one program is selected only.
     let mut selected: Option<Option<Span>> = None;
     let mut selecting = Vec::new();
     for (index, block) in program.blocks().iter().enumerate() {
         match &block.kind {
-            BlockKind::CallPgm(span) => push(index, *span, None),
+            BlockKind::CallPgm(span) => push(index, *span, None, false),
             BlockKind::Sel(selection) if program.slice(selection.what).eq_ignore_ascii_case("PGM") => {
                 let same = |other: &Option<Span>| {
                     other.is_some_and(|other| name(program, other).eq_ignore_ascii_case(name(program, selection.name)))
@@ -145,18 +152,32 @@ fn places(facts: &Facts<'_>) -> Vec<ProgramCall> {
                     Some(_) => None,
                 });
             }
-            BlockKind::Statement(statement) if statement.kind == StatementKind::CallSelected => selecting.push(index),
+            BlockKind::Sel(selection) if program.slice(selection.what).eq_ignore_ascii_case("CONTOUR") => {
+                push(index, selection.name, None, true);
+            }
+            BlockKind::Statement(statement) => match statement.kind {
+                StatementKind::CallSelected => selecting.push(index),
+                // What is no label there is a file.
+                StatementKind::DeclareContour | StatementKind::ContourDef => {
+                    for word in &statement.words {
+                        if let ValueKind::Text(name) = word.value.kind {
+                            push(index, name, None, true);
+                        }
+                    }
+                }
+                _ => {}
+            },
             _ => {}
         }
     }
     if let Some(Some(span)) = selected {
-        selecting.into_iter().for_each(|index| push(index, span, None));
+        selecting.into_iter().for_each(|index| push(index, span, None, false));
     }
     for (index, definition) in facts.definitions.iter().enumerate().filter(|(_, own)| makes_cycle(own)) {
         let read = facts.read(definition);
         let named = read.items.iter().find(|item| item.param.is_some_and(|param| param.is.as_str() == PROGRAM));
         if let Some(item) = named {
-            push(definition.view.first, item.value_span, Some(index));
+            push(definition.view.first, item.value_span, Some(index), false);
         }
     }
     calls

@@ -17,7 +17,8 @@ use crate::expr::QRef;
 use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
 use crate::syntax::{
-    Block, BlockKind, CycleDef, CycleForm, CycleView, MFunction, Parameter, Program, StatementKind, Value, ValueKind,
+    Block, BlockKind, CycleDef, CycleForm, CycleView, MFunction, Parameter, Path, Program, StatementKind, Value,
+    ValueKind,
 };
 
 /// A program with its cycle definitions resolved for a control.
@@ -45,6 +46,8 @@ pub struct Facts<'a> {
     pub(super) falling: Option<(usize, u32)>,
     /// Whether it has arcs about a centre or with a radius.
     pub(super) arcs: bool,
+    /// Whether it has any arcs that say which way round they go.
+    pub(super) turns: bool,
     /// The programs that it calls.
     pub calls: Vec<ProgramCall>,
     /// Those of them that are known.
@@ -156,6 +159,7 @@ impl<'a> Facts<'a> {
             end: None,
             falling: None,
             arcs: false,
+            turns: false,
             calls: Vec::new(),
             callees: Callees::default(),
             among,
@@ -282,7 +286,8 @@ impl<'a> Facts<'a> {
                 | BlockKind::CycleDef(_)
                 | BlockKind::OldCycleLine(_) => continue,
                 BlockKind::Motion(motion) => {
-                    self.arcs |= matches!(motion.path(), crate::syntax::Path::C | crate::syntax::Path::Cr);
+                    self.arcs |= matches!(motion.path(), Path::C | Path::Cr);
+                    self.turns |= matches!(motion.path(), Path::C | Path::Cr | Path::Cp);
                     let outline = motion.outline();
                     if !outline.has_functions() && !outline.names_axis_twice() && !motion.ends_with_letter() {
                         continue;

@@ -8,7 +8,7 @@ use super::facts::{Item, capitals, index_of};
 use crate::diag::Span;
 use crate::fields::{first, stands_on};
 use crate::spec::{Cycle, Field, Param, Shape};
-use crate::syntax::{NamedWord, OldCycleLine, Program};
+use crate::syntax::{NamedWord, OldCycleLine, Program, ValueKind};
 
 /// A definition of the old form with its fields found.
 pub(super) struct Matched<'a> {
@@ -51,6 +51,7 @@ fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a
         while !words.is_empty() {
             let (param, count) = match first(program, open.iter().map(|(_, field)| *field), words) {
                 Some((at, count)) => (open.drain(..=at).next_back(), count),
+                None if is_bare(program, &open, line) => (open.pop(), 1),
                 None => {
                     fit.strange += 1;
                     (None, 1)
@@ -68,6 +69,13 @@ fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a
     let is_missing = |field: &Field| !field.optional && found.binary_search(&std::ptr::from_ref(field)).is_err();
     fit.missing = fields.iter().filter(|(_, field)| is_missing(field)).map(|(param, _)| *param).collect();
     fit
+}
+
+/// Whether a line has nothing but a value, and can only have one, behind a word that is printed: what it means is clear.
+fn is_bare(program: &Program, open: &[(&Param, &Field)], line: &OldCycleLine) -> bool {
+    let ([(_, field)], [word]) = (open, line.words.as_slice()) else { return false };
+    let number = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
+    field.shape == Shape::Labelled && number && program.slice(word.name).is_empty()
 }
 
 fn item<'a>(
@@ -95,7 +103,7 @@ fn item<'a>(
         _ if value.contains('/') && !value.contains('"') => Cow::Owned(closed_up(value).to_uppercase()),
         _ => capitals(value),
     };
-    let label = (shape == Some(Shape::Labelled)).then_some(first.name);
+    let label = (shape == Some(Shape::Labelled) && !name.is_empty()).then_some(first.name);
     Some(Item {
         index: index_of(Some(cycle), param.map(|(param, _)| param)),
         param: param.map(|(param, _)| param),

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use super::{Aspect, Definition, Facts, Modal};
 use crate::expr::{Code, Env, EvalError, Expr, Node, QRef, Resolve, Type, Value, compile};
-use crate::spec::{Cycle, Entries, Formula, Guard, OnControl, Outcome, Param};
+use crate::spec::{Cycle, Doubt, Entries, Formula, Guard, OnControl, Outcome, Param};
 use crate::syntax::ValueKind;
 
 /// How deep names may stand for names; longer chains are circles, which the checks of the
@@ -21,7 +21,7 @@ pub(super) struct Ready {
     pub(super) code: Option<String>,
     /// What then.
     pub(super) then: Option<Outcome>,
-    /// The parameters that its condition reads.
+    /// The parameters that its condition reads; of a doubt only the one where it is told.
     pub(super) reads: BTreeSet<QRef>,
     /// Its condition.
     condition: Expr,
@@ -32,6 +32,18 @@ pub(super) struct Ready {
 }
 
 impl Ready {
+    /// A relation of values that no control looks at.
+    fn doubt(doubt: &Doubt, condition: Expr) -> Self {
+        Self {
+            code: Some(doubt.code.as_str().to_owned()),
+            then: Some(Outcome::Warn),
+            reads: BTreeSet::from([doubt.about]),
+            compiled: compile(&condition, &OnlyParameters).ok(),
+            condition,
+            asks_state: false,
+        }
+    }
+
     fn new(guard: &Guard, condition: Expr) -> Self {
         let compiled = compile(&condition, &OnlyParameters).ok();
         let mut asks_state = false;
@@ -48,7 +60,7 @@ impl Ready {
     }
 }
 
-/// The guards of a cycle, those of fragments included.
+/// The guards of a cycle, those of fragments included, and what is hardly meant.
 pub(super) fn of(on: &OnControl, cycle: &Cycle) -> Vec<Ready> {
     let names = |path: &[String]| match path {
         [name] => cycle.file.lets.get(name).map(|formula| formula.expr.clone()),
@@ -56,6 +68,7 @@ pub(super) fn of(on: &OnControl, cycle: &Cycle) -> Vec<Ready> {
     };
     let mut found = Vec::new();
     collect(on, &cycle.file.guards, &names, 0, &mut found);
+    found.extend(cycle.file.doubts.iter().map(|own| Ready::doubt(own, replaced(&own.when.expr, &names, 0))));
     found
 }
 

@@ -11,7 +11,7 @@ use super::facts::{Defined, Definition, Facts, Place};
 use super::flow::Deed;
 use super::guards::{self, Ready};
 use crate::locale::{Language, Locales};
-use crate::spec::{Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Shape};
+use crate::spec::{Catalogue, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape};
 use crate::syntax::CycleForm;
 use crate::text::{CycleText, Vocabulary};
 
@@ -20,6 +20,16 @@ pub struct LabelBook<'a> {
     on: &'a OnControl,
     locales: &'a Locales,
     cycles: BTreeMap<CycleKey, Kept>,
+    limits: OnceLock<Limits>,
+}
+
+/// The greatest values that any manual prints for the parameters of cycles.
+#[derive(Debug)]
+pub(super) struct Limits {
+    /// Of a spindle speed.
+    pub(super) speed: Option<f64>,
+    /// Of a feed in mm/min.
+    pub(super) feed: Option<f64>,
 }
 
 /// What is kept of a cycle for all its definitions.
@@ -27,7 +37,17 @@ pub struct LabelBook<'a> {
 pub(super) struct Kept {
     labels: OnceLock<CycleLabels>,
     guards: OnceLock<Vec<Ready>>,
+    ranges: OnceLock<BTreeMap<usize, Elsewhere>>,
     deed: OnceLock<Deed>,
+}
+
+/// The range that other controls' manuals print for a parameter.
+#[derive(Debug)]
+pub(super) struct Elsewhere {
+    pub(super) least: f64,
+    pub(super) greatest: f64,
+    /// The title of one of those controls.
+    pub(super) control: String,
 }
 
 /// The labels of a cycle in all languages, in the order of their tags.
@@ -117,7 +137,8 @@ fn folded(label: &str) -> String {
 impl<'a> LabelBook<'a> {
     /// The labels of a control in all languages that are loaded.
     pub fn new(on: &'a OnControl, locales: &'a Locales) -> Self {
-        Self { on, locales, cycles: on.cycles.keys().map(|key| (*key, Kept::default())).collect() }
+        let cycles = on.cycles.keys().map(|key| (*key, Kept::default())).collect();
+        Self { on, locales, cycles, limits: OnceLock::new() }
     }
 
     /// The labels of a cycle; nothing if the control does not describe it.
@@ -141,6 +162,34 @@ impl<'a> LabelBook<'a> {
     /// Its guards.
     pub(super) fn guards_of<'k>(&self, cycle: &Cycle, kept: &'k Kept) -> &'k [Ready] {
         kept.guards.get_or_init(|| guards::of(self.on, cycle))
+    }
+
+    /// The greatest values that any manual prints.
+    pub(super) fn limits(&self, catalogue: &Catalogue) -> &Limits {
+        self.limits.get_or_init(|| {
+            let all = || catalogue.controls.values().flat_map(|on| on.cycles.values()).flat_map(|cycle| &cycle.params);
+            let greatest = |quantity| {
+                let own = all().filter(|param| param.quantity == quantity).filter_map(|param| param.max);
+                own.max_by(f64::total_cmp)
+            };
+            Limits { speed: greatest(Quantity::Speed), feed: greatest(Quantity::Feed) }
+        })
+    }
+
+    /// The ranges that other controls' manuals print for parameters for which this one's prints none, by their place.
+    pub(super) fn ranges_of<'k>(
+        &self,
+        catalogue: &Catalogue,
+        cycle: &Cycle,
+        kept: &'k Kept,
+    ) -> &'k BTreeMap<usize, Elsewhere> {
+        kept.ranges.get_or_init(|| {
+            let range = |(at, param)| {
+                let (least, greatest, other) = catalogue.range_elsewhere(self.on, cycle, param)?;
+                Some((at, Elsewhere { least, greatest, control: other.control.title.clone() }))
+            };
+            cycle.params.iter().enumerate().filter_map(range).collect()
+        })
     }
 }
 

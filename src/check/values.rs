@@ -85,6 +85,15 @@ pub(super) fn shown(item: &Item<'_>) -> String {
     }
 }
 
+/// The number that is certainly written for a parameter.
+pub(super) fn number(item: &Item<'_>) -> Option<f64> {
+    match item.value?.kind {
+        ValueKind::Number(number) => Some(number),
+        ValueKind::Q { .. } => item.number,
+        _ => None,
+    }
+}
+
 /// Runs through the values of a definition that are refused.
 pub(super) fn each_refused<'d, 'a>(
     definition: &'d Definition<'a>,

@@ -1,15 +1,16 @@
 //! `ciklo certify`: what a folder of programs says of the post-processor that wrote them.
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 use serde::Serialize;
 
-use super::check::PROGRAMS;
+use super::among::{Library, Shelf, Standing};
+use super::check::{Job, PROGRAMS};
 use super::progress::Progress;
 use super::session::{Session, json};
 use super::{Command, Failure, Outcome, arguments, cycle, program};
 use crate::certify::{CycleReport, ProgramReport, RuleReport, Tally, Verdict};
-use crate::check::{Against, Facts, LabelBook, check};
+use crate::check::{Against, Facts, LabelBook, Settings, check_among};
 use crate::diag::Diagnostic;
 use crate::locale::{Args, Ui};
 use crate::system;
@@ -43,20 +44,26 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
     let labels = LabelBook::new(on, &locales);
     let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
-    let (mut paths, mut troubles) = (Vec::new(), Vec::new());
+    let (mut jobs, mut troubles) = (Vec::new(), Vec::new());
     for name in arguments::all(matches, "file") {
         match system::files_below(Path::new(&name), &PROGRAMS) {
-            Ok(found) => paths.extend(found),
+            Ok(found) => {
+                let named = found == [PathBuf::from(&name)];
+                jobs.extend(found.into_iter().map(|path| Job { path, on, settings: Settings::default(), named }));
+            }
             Err(trouble) => troubles.push(Diagnostic::from(trouble)),
         }
     }
-    let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), paths.len());
+    let library = Library::new(jobs.iter().map(|job| job.path.clone()).collect());
+    let shelf = Shelf::new(&[])?;
+    let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), jobs.len());
     let mut tally = Tally::default();
-    for path in &paths {
-        match program::understand(path, &catalogue) {
+    for job in &jobs {
+        match program::understand(&job.path, &catalogue) {
             Ok(file) => {
-                let found = file.findings(check(&file.program, &against));
-                tally.add(&path.display().to_string(), &Facts::of(&file.program, &against), &found);
+                let place = Standing::new(&library, &shelf, job, &against);
+                let found = file.findings(check_among(&file.program, &against, &place));
+                tally.add(&job.path.display().to_string(), &Facts::of(&file.program, &against), &found);
             }
             Err(Failure::Trouble(trouble)) => troubles.push(*trouble),
             Err(failure) => return Err(failure),
@@ -81,7 +88,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         let document = json(&report)?;
         session.output.print(&document)?;
     } else {
-        tell(session, on.id(), &tally)?;
+        tell(session, &on.control.title, &tally)?;
     }
     let last = troubles.pop();
     troubles.iter().for_each(|trouble| session.output.complain(trouble, &session.ui));
@@ -104,7 +111,10 @@ fn tell(session: &mut Session, control: &str, tally: &Tally) -> Result<(), Failu
         lines.push(session.ui.text("cli-certify-cycle", &args));
     }
     for own in tally.rules() {
-        let args = Args::new().text("rule", own.rule).text("severity", own.severity).text("first", own.first);
+        let args = Args::new()
+            .text("rule", own.rule)
+            .text("severity", session.ui.severity(own.severity))
+            .text("first", own.first);
         let args = args.number("count", own.findings as f64).number("programs", own.programs as f64);
         lines.push(session.ui.text("cli-certify-rule", &args));
     }

@@ -173,7 +173,8 @@ impl Writer<'_, '_> {
             };
             let told = self.at(code, Severity::Note, span).arg("function", name).arg("count", count);
             let option = shown.and_then(|own| own.option).unwrap_or_default();
-            self.found.push(told.arg("option", option as usize).arg("control", self.request.to.on.id()));
+            self.found
+                .push(told.arg("option", option as usize).arg("control", self.request.to.on.control.title.as_str()));
         }
     }
 }

@@ -24,7 +24,7 @@ impl Writer<'_, '_> {
                 let refused =
                     self.at("convert-field-lacking", Severity::Error, item.span).arg("parameter", &*item.name);
                 let refused = refused.arg("value", item.printed.as_ref()).arg("cycle", definition.key.to_string());
-                self.found.push(refused.arg("control", self.request.to.on.id()));
+                self.found.push(refused.arg("control", self.request.to.on.control.title.as_str()));
                 continue;
             };
             self.judge(definition.key, &item.name, &item.printed, item.value_span, param, target);

@@ -106,7 +106,7 @@ impl<'a> Writer<'_, 'a> {
             Target::Other(other) => self.other_form(definition, own, other),
             Target::None => match self.request.to.on.known(own.key) {
                 Known::Builders => {}
-                Known::Named(_) => self.unsure(definition, self.request.to.on.id()),
+                Known::Named(_) => self.unsure(definition, &self.request.to.on.control.title),
                 _ => self.lacking(definition),
             },
         }
@@ -117,9 +117,9 @@ impl<'a> Writer<'_, 'a> {
         match (definition.known, self.request.to.on.known(definition.key)) {
             (Known::Builders, _) | (_, Known::Builders) => {}
             (_, Known::Unknown) => self.lacking(definition),
-            (Known::Unknown, Known::Described(_)) => self.not_covered(definition, self.request.from.on.id()),
-            (_, Known::Described(_)) => self.unsure(definition, self.request.from.on.id()),
-            _ => self.unsure(definition, self.request.to.on.id()),
+            (Known::Unknown, Known::Described(_)) => self.not_covered(definition, &self.request.from.on.control.title),
+            (_, Known::Described(_)) => self.unsure(definition, &self.request.from.on.control.title),
+            _ => self.unsure(definition, &self.request.to.on.control.title),
         }
     }
 
@@ -147,10 +147,12 @@ impl<'a> Writer<'_, 'a> {
     fn lacking(&mut self, definition: &Definition<'_>) {
         // A manual that treats other cycles only is no proof.
         if !self.request.to.on.covers(definition.key) {
-            return self.not_covered(definition, self.request.to.on.id());
+            return self.not_covered(definition, &self.request.to.on.control.title);
         }
         let lacking = self.at("convert-cycle-lacking", Severity::Error, definition.view.head);
-        self.found.push(lacking.arg("cycle", definition.key.to_string()).arg("control", self.request.to.on.id()));
+        self.found.push(
+            lacking.arg("cycle", definition.key.to_string()).arg("control", self.request.to.on.control.title.as_str()),
+        );
     }
 
     fn not_covered(&mut self, definition: &Definition<'_>, control: &str) {
@@ -172,7 +174,7 @@ impl<'a> Writer<'_, 'a> {
     fn dropped(&mut self, key: CycleKey, name: &str, value: &str, span: Span, neutral: bool) {
         let severity = if neutral { Severity::Note } else { Severity::Warning };
         let dropped = self.at("convert-parameter-dropped", severity, span).arg("parameter", name).arg("value", value);
-        let dropped = dropped.arg("cycle", key.to_string()).arg("control", self.request.to.on.id());
+        let dropped = dropped.arg("cycle", key.to_string()).arg("control", self.request.to.on.control.title.as_str());
         self.found.push(dropped.arg("neutral", if neutral { "yes" } else { "no" }));
     }
 
@@ -180,14 +182,14 @@ impl<'a> Writer<'_, 'a> {
     fn added(&mut self, key: CycleKey, name: &str, value: &str, span: Span, import: bool) {
         let severity = if import { Severity::Warning } else { Severity::Note };
         let added = self.at("convert-parameter-added", severity, span).arg("parameter", name).arg("value", value);
-        let added = added.arg("cycle", key.to_string()).arg("control", self.request.to.on.id());
+        let added = added.arg("cycle", key.to_string()).arg("control", self.request.to.on.control.title.as_str());
         self.found.push(added.arg("import", if import { "yes" } else { "no" }));
     }
 
     /// Says that the other control needs a value that nobody knows.
     fn no_value(&mut self, key: CycleKey, name: &str, span: Span) {
         let none = self.at("convert-no-value", Severity::Error, span).arg("parameter", name);
-        self.found.push(none.arg("cycle", key.to_string()).arg("control", self.request.to.on.id()));
+        self.found.push(none.arg("cycle", key.to_string()).arg("control", self.request.to.on.control.title.as_str()));
     }
 
     /// Says what the other control objects to in a value that the first one takes.
@@ -202,7 +204,7 @@ impl<'a> Writer<'_, 'a> {
         };
         let severity = if code == "convert-value-refused" { Severity::Error } else { Severity::Warning };
         let judged = self.at(code, severity, span).arg("parameter", name).arg("value", value);
-        self.found.push(judged.arg("cycle", key.to_string()).arg("control", self.request.to.on.id()));
+        self.found.push(judged.arg("cycle", key.to_string()).arg("control", self.request.to.on.control.title.as_str()));
     }
 
     /// The labels of a cycle in the language of the program, on one of the two controls.

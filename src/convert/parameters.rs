@@ -113,7 +113,7 @@ impl Writer<'_, '_> {
             let name = Span::new(item.span.start, item.span.start + item.name.len());
             let told = self.at("convert-parameter-renamed", Severity::Note, item.span).arg("parameter", &*item.name);
             let told = told.arg("new", renamed.to_string()).arg("cycle", definition.key.to_string());
-            self.found.push(told.arg("control", self.request.to.on.id()));
+            self.found.push(told.arg("control", self.request.to.on.control.title.as_str()));
             edits.push((name, renamed.to_string()));
             q = renamed;
         }

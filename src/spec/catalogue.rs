@@ -9,7 +9,7 @@ use super::decode::{Context, Decode, Name};
 use super::filter;
 use super::form::{Choice, CycleFile, Described, Dictionary, Fragment, Meaning, Parameter};
 use super::profile::{Control, Errata, Erratum, Named, Topic, Topics};
-use super::vocabulary::{Keyword, ParameterKind, Quantity, Reference, Shape};
+use super::vocabulary::{Doubtful, Keyword, ParameterKind, Quantity, Reference, Shape};
 use super::yaml::{self, Node};
 use crate::diag::{Diagnostic, Place, Source, dedupe};
 use crate::expr::{QKind, QRef};
@@ -89,6 +89,8 @@ pub struct Param {
     pub words: Vec<String>,
     /// The values offered.
     pub choices: Vec<Choice>,
+    /// The values that are hardly meant.
+    pub doubtful: Vec<Doubtful>,
     /// The condition under which it acts.
     pub effective: Option<Name>,
     /// Its value on controls that lack it.
@@ -342,6 +344,25 @@ impl Catalogue {
         })
     }
 
+    /// The widest range that the controls whose manuals print one give for a parameter of a cycle: its least and greatest
+    /// value, and one of those controls. Nothing if the control itself prints one, or if nobody does.
+    pub fn range_elsewhere(&self, on: &OnControl, cycle: &Cycle, param: &Param) -> Option<(f64, f64, &OnControl)> {
+        if param.min.is_some() || param.max.is_some() {
+            return None;
+        }
+        let same = |other: &&Param| {
+            let field = |own: &Param| own.field.as_ref().map(|field| (field.form, field.line, field.shape));
+            let kind = |own: &Param| (own.q, own.kind, own.quantity);
+            other.is.as_str() == param.is.as_str() && kind(other) == kind(param) && field(other) == field(param)
+        };
+        let others = self.controls.values().filter(|other| other.id() != on.id());
+        let ranges = others.filter_map(|other| {
+            let own = other.cycles.get(&cycle.key)?.params.iter().find(same)?;
+            Some((own.min?, own.max?, other))
+        });
+        ranges.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1), one.2))
+    }
+
     /// The cycles of a control.
     pub fn on(&self, control: &str) -> Option<&OnControl> {
         self.controls.get(control)
@@ -491,6 +512,7 @@ fn resolve(
         max_length: ranges.first().and_then(|range| range.max_length),
         words: words.iter().map(|word| word.word.clone()).collect(),
         choices: parameter.choices.as_ref().unwrap_or(&meaning.choices).clone(),
+        doubtful: parameter.doubtful.as_ref().unwrap_or(&meaning.doubtful).clone(),
         effective: parameter.effective.clone(),
         neutral: parameter.neutral,
         imported: parameter.imported,
@@ -514,6 +536,7 @@ fn share_runs(on: &mut OnControl, found: &mut Vec<Diagnostic>) {
             own.lets = model.file.lets;
             own.conditions = model.file.conditions;
             own.guards.extend(model.file.guards);
+            own.doubts.extend(model.file.doubts);
             own.run = model.file.run;
             if own.results.is_empty() {
                 own.results = model.file.results;

@@ -98,6 +98,8 @@ record! {
         words: Vec<Word>,
         /// The values offered.
         choices: Vec<Choice>,
+        /// Values that are hardly meant, on any control.
+        doubtful: Vec<Doubtful>,
     }
 }
 
@@ -138,6 +140,8 @@ record! {
         words: Option<Vec<Word>>,
         /// Overrides the dictionary.
         choices: Option<Vec<Choice>>,
+        /// Overrides the dictionary.
+        doubtful: Option<Vec<Doubtful>>,
         /// Old form: how it is written.
         shape: Option<Shape>,
         /// Old form: the fixed word of the shape `word`.
@@ -258,6 +262,18 @@ record! {
         r#use as "use": Option<Name>,
         /// Arguments of the fragment.
         with: Entries<Formula>,
+    }
+}
+
+record! {
+    /// A relation of values that is hardly meant: no control looks at it, the checker warns.
+    pub struct Doubt {
+        /// Its code, text `guard-<code>`.
+        code: Name,
+        /// When it applies: a formula of the Q parameters of the cycle.
+        when: Formula,
+        /// The parameter where it is told.
+        about: QRef,
     }
 }
 
@@ -603,6 +619,8 @@ record! {
         conditions: Entries<Formula>,
         /// Guards.
         guards: Vec<Guard>,
+        /// Relations of values that are hardly meant.
+        doubts: Vec<Doubt>,
         /// Its run.
         run: Vec<Item>,
         /// Conformance cases.

@@ -40,6 +40,7 @@ pub fn texts(cycle: &Cycle, on: &OnControl) -> Vec<Text> {
             (None, None) => {}
         }
     }
+    cycle.file.doubts.iter().for_each(|doubt| all.value("guard", doubt.code.as_str()));
     all.found.sort();
     all.found.dedup();
     all.found

@@ -152,6 +152,18 @@ words! {
 }
 
 words! {
+    /// Values of a parameter that no control refuses and hardly anybody means.
+    pub enum Doubtful {
+        /// 0.
+        Zero = "zero",
+        /// Below 0.
+        Negative = "negative",
+        /// Above 0.
+        Positive = "positive",
+    }
+}
+
+words! {
     /// What a guard does when it applies.
     pub enum Outcome {
         /// An error: the program stops.

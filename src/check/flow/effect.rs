@@ -23,6 +23,10 @@ pub(in crate::check) struct Deed {
     aspects: Vec<(Aspect, Then)>,
     /// The parameters that it writes its results into.
     results: Vec<QRef>,
+    /// Whether it keeps the data that other cycles share.
+    keeps: bool,
+    /// Whether it works with them.
+    recalls: bool,
 }
 
 /// What becomes of an aspect.
@@ -110,7 +114,20 @@ impl<'f, 'a> Effects<'f, 'a> {
     }
 }
 
+/// The strategy that reads what another cycle keeps.
+const RECALL: &str = "recall-contour-data";
+
 impl Deed {
+    /// Whether the cycle keeps data that others share.
+    pub(in crate::check) const fn keeps(&self) -> bool {
+        self.keeps
+    }
+
+    /// Whether the cycle works with such data.
+    pub(in crate::check) const fn recalls(&self) -> bool {
+        self.recalls
+    }
+
     /// What definitions of a cycle do.
     pub(in crate::check) fn of(known: Of<'_>, keyword: Keyword) -> Self {
         let mut deed = Self::default();
@@ -119,7 +136,9 @@ impl Deed {
             Of::Named(named) => {
                 // Touch probe cycles act at once; of others nobody knows when.
                 deed.pends = (keyword != Keyword::TchProbe).then_some(false);
-                for aspect in [Aspect::Feed, Aspect::Contour, Aspect::Pattern, Aspect::Compensation] {
+                for aspect in
+                    [Aspect::Feed, Aspect::Contour, Aspect::ContourData, Aspect::Pattern, Aspect::Compensation]
+                {
                     deed.aspects.push((aspect, Tri::Unknown.into()));
                 }
                 match named.activates {
@@ -154,8 +173,12 @@ impl Deed {
                 (Verb::Remember, Argument::Many(entries)) => {
                     if entries.0.iter().any(|(name, _)| name.as_str() == "contour") {
                         self.aspects.push((Aspect::Contour, Tri::Yes.into()));
+                    } else {
+                        self.keeps = true;
+                        self.aspects.push((Aspect::ContourData, Tri::Yes.into()));
                     }
                 }
+                (Verb::Strategy, Argument::One(name)) => self.recalls |= name.as_str() == RECALL,
                 (Verb::Spindle | Verb::Orient, _) if cycle.file.takes_effect == TakesEffect::OnDefinition => {
                     self.aspects.push((Aspect::Spindle, Tri::Unknown.into()));
                 }

@@ -66,6 +66,8 @@ pub enum Aspect {
     Pattern,
     /// A contour has been named.
     Contour,
+    /// The data that contour cycles share have been defined.
+    ContourData,
 }
 
 /// The cycle that a call means.

@@ -13,21 +13,26 @@ mod choice_not_offered;
 mod clearance_height_too_low;
 mod compensation_at_cycle;
 mod compensation_left_on;
+mod contour_data_missing;
 mod contour_def_wrong;
 mod contour_depth_missing;
 mod contour_undeclared;
 mod contour_unnamed;
 mod cutting_without_tool;
 mod cycle_line_alone;
+mod cycle_line_empty;
 mod cycle_not_covered;
 mod cycle_not_described;
 mod cycle_not_on_control;
 mod defined_but_never_called;
+mod direction_unsaid;
 mod division_by_zero;
+mod doubtful_value;
 mod duplicate_parameter;
 mod empty_word;
 mod feed_missing;
 mod feed_zero;
+mod field_word_missing;
 mod frame_mismatch;
 mod guard;
 mod label_duplicate;
@@ -42,6 +47,7 @@ mod misordered_parameter;
 mod missing_parameter;
 mod not_a_program;
 mod out_of_range;
+mod out_of_range_elsewhere;
 mod parameter_unassigned;
 mod pattern_missing;
 mod plane_not_reset;
@@ -55,6 +61,7 @@ mod repeat_of_later_label;
 mod reserved_parameter;
 mod row_not_in_table;
 mod speed_missing;
+mod speed_too_high;
 mod spindle_off;
 mod subprogram_recursive;
 mod subprogram_runs_on;
@@ -63,6 +70,7 @@ mod tool_axis_missing;
 mod tool_missing;
 mod tool_not_listed;
 mod transfer_parameter_overwritten;
+mod transformation_left_on;
 mod unknown_cycle;
 mod unknown_parameter;
 mod unreachable;
@@ -88,21 +96,26 @@ pub const RULES: &[&Rule] = &[
     &clearance_height_too_low::RULE,
     &compensation_at_cycle::RULE,
     &compensation_left_on::RULE,
+    &contour_data_missing::RULE,
     &contour_def_wrong::RULE,
     &contour_depth_missing::RULE,
     &contour_undeclared::RULE,
     &contour_unnamed::RULE,
     &cutting_without_tool::RULE,
     &cycle_line_alone::RULE,
+    &cycle_line_empty::RULE,
     &cycle_not_covered::RULE,
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
     &defined_but_never_called::RULE,
+    &direction_unsaid::RULE,
     &division_by_zero::RULE,
+    &doubtful_value::RULE,
     &duplicate_parameter::RULE,
     &empty_word::RULE,
     &feed_missing::RULE,
     &feed_zero::RULE,
+    &field_word_missing::RULE,
     &frame_mismatch::RULE,
     &guard::RULE,
     &label_duplicate::RULE,
@@ -117,6 +130,7 @@ pub const RULES: &[&Rule] = &[
     &missing_parameter::RULE,
     &not_a_program::RULE,
     &out_of_range::RULE,
+    &out_of_range_elsewhere::RULE,
     &parameter_unassigned::RULE,
     &pattern_missing::RULE,
     &plane_not_reset::RULE,
@@ -130,6 +144,7 @@ pub const RULES: &[&Rule] = &[
     &reserved_parameter::RULE,
     &row_not_in_table::RULE,
     &speed_missing::RULE,
+    &speed_too_high::RULE,
     &spindle_off::RULE,
     &subprogram_recursive::RULE,
     &subprogram_runs_on::RULE,
@@ -138,6 +153,7 @@ pub const RULES: &[&Rule] = &[
     &tool_missing::RULE,
     &tool_not_listed::RULE,
     &transfer_parameter_overwritten::RULE,
+    &transformation_left_on::RULE,
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,
     &unreachable::RULE,
@@ -151,15 +167,20 @@ pub(super) type Each = fn(&Rule, &Facts<'_>, &Definition<'_>, &mut Vec<Diagnosti
 pub(super) const OF_DEFINITIONS: &[(&Rule, Each)] = &[
     (&choice_not_offered::RULE, choice_not_offered::each),
     (&clearance_height_too_low::RULE, clearance_height_too_low::each),
+    (&cycle_line_empty::RULE, cycle_line_empty::each),
     (&duplicate_parameter::RULE, duplicate_parameter::each),
+    (&field_word_missing::RULE, field_word_missing::each),
     (&guard::RULE, guard::each),
     (&label_of_another_language::RULE, label_of_another_language::each),
     (&label_of_another_parameter::RULE, label_of_another_parameter::each),
     (&misordered_parameter::RULE, misordered_parameter::each),
     (&missing_parameter::RULE, missing_parameter::each),
     (&out_of_range::RULE, out_of_range::each),
+    (&out_of_range_elsewhere::RULE, out_of_range_elsewhere::each),
     (&unknown_parameter::RULE, unknown_parameter::each),
     (&wrong_value_kind::RULE, wrong_value_kind::each),
+    // What is worse at the same place is told before.
+    (&doubtful_value::RULE, doubtful_value::each),
 ];
 
 /// What those rules do by themselves: nothing.

@@ -1,9 +1,12 @@
 //! A circle about a centre, or a movement in polar coordinates, before any CC.
 //!
-//! Said once a program, and only in programs that name their blank or their tools.
-use crate::check::{Aspect, Facts, Rule, Tri};
+//! Said once a program, and only in programs that name their blank or their tools. A contour that a cycle reads is looked
+//! at by itself: where the program has a CC elsewhere it is a warning, as the cycle may find that one active.
+use std::collections::BTreeSet;
+
+use crate::check::{Aspect, Facts, Mark, Rule, Tri, Way};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Path};
+use crate::syntax::{Block, BlockKind, Label, Path};
 
 pub(super) const RULE: Rule = Rule { code: "pole-missing", severity: Severity::Error, run };
 
@@ -12,12 +15,59 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if modal.is_none_or(|modal| modal.is(Aspect::Pole) != Tri::No) {
             continue;
         }
-        for block in facts.program.blocks().get(from..to).unwrap_or_default() {
-            let BlockKind::Motion(motion) = &block.kind else { continue };
-            if matches!(motion.path(), Path::C | Path::Cp | Path::Lp | Path::Ctp) {
-                found.push(rule.at(facts, facts.content(block)));
-                return;
-            }
+        let blocks = facts.program.blocks().get(from..to).unwrap_or_default();
+        if let Some(block) = blocks.iter().find(|block| turns(block)) {
+            found.push(rule.at(facts, facts.content(block)));
+            return;
         }
     }
+    let started = facts.run.before(0).is_some_and(|modal| modal.is(Aspect::Pole) == Tri::No);
+    if !started || facts.flow.programs || facts.flow.unread {
+        return;
+    }
+    // Only programs with contours are looked through.
+    let contours = contours(facts);
+    if contours.is_empty() {
+        return;
+    }
+    let sets = facts.program.blocks().iter().any(|block| is_pole(block));
+    for block in contours.into_iter().filter_map(|at| unset(facts, at)) {
+        let severity = if sets { Severity::Warning } else { rule.severity };
+        found.push(Diagnostic { severity, ..rule.at(facts, facts.content(block)) });
+    }
+}
+
+/// Whether a block turns about the centre or counts from the pole.
+fn turns(block: &Block) -> bool {
+    let BlockKind::Motion(motion) = &block.kind else { return false };
+    matches!(motion.path(), Path::C | Path::Cp | Path::Lp | Path::Ctp)
+}
+
+fn is_pole(block: &Block) -> bool {
+    matches!(&block.kind, BlockKind::Motion(motion) if matches!(motion.path(), Path::Cc | Path::Fpol))
+}
+
+/// The blocks of the labels that only cycles read.
+fn contours(facts: &Facts<'_>) -> Vec<usize> {
+    let graph = &facts.run.graph;
+    let led = |way: fn(Way) -> bool| {
+        let uses = graph.uses.iter().filter(move |own| way(own.way));
+        uses.filter_map(|own| own.mark.as_ref()).collect::<BTreeSet<&Mark>>()
+    };
+    let (read, others) = (led(|way| way == Way::Named), led(|way| way != Way::Named));
+    read.difference(&others).filter_map(|mark| graph.block_of(mark)).collect()
+}
+
+/// The first block of a contour that needs a pole and has none before it in the contour.
+fn unset<'f>(facts: &'f Facts<'_>, label: usize) -> Option<&'f Block> {
+    for block in facts.program.blocks().iter().skip(label + 1) {
+        match &block.kind {
+            BlockKind::Lbl(label) if label.target == Label::Number(0) => return None,
+            BlockKind::CallLbl(_) | BlockKind::FnJump(_) => return None,
+            _ if is_pole(block) || facts.ends(block) => return None,
+            _ if turns(block) => return Some(block),
+            _ => {}
+        }
+    }
+    None
 }

@@ -2,9 +2,10 @@
 //!
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`); of several datum tables it is the one that SEL
 //! TABLE selects before. Rows that parameters choose are only looked at where their value is certain.
-use crate::check::{Facts, Item, Rows, Rule};
+use crate::check::values::number;
+use crate::check::{Facts, Rows, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
-use crate::syntax::{BlockKind, ValueKind};
+use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "row-not-in-table", severity: Severity::Warning, run };
 
@@ -29,13 +30,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         }
     }
-}
-
-fn number(item: &Item<'_>) -> Option<f64> {
-    item.number.or(match item.value?.kind {
-        ValueKind::Number(number) => Some(number),
-        _ => None,
-    })
 }
 
 /// The datum table that was selected last before a block, in the order of the text.

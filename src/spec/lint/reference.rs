@@ -4,6 +4,7 @@ use super::super::decode::Name;
 use super::super::form::ManualLines;
 use super::super::vocabulary::Keyword;
 use crate::diag::{Diagnostic, Place};
+use crate::expr::{Expr, Node, QRef};
 
 /// `10`, `10-20` and lists of them with commas; ends in order.
 fn lines_are_well_formed(lines: &str) -> bool {
@@ -71,6 +72,20 @@ pub(super) fn cycle(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) 
             );
         }
     }
+    for doubt in &cycle.file.doubts {
+        let has = |q: QRef| {
+            let stands =
+                |param: &super::super::catalogue::Param| param.field.as_ref().and_then(|field| field.stands_for);
+            cycle.params.iter().any(|param| param.q == Some(q) || stands(param) == Some(q))
+        };
+        let unknown = doubt.when.expr.q_refs().into_iter().chain([doubt.about]).find(|q| !has(*q));
+        let named = expr_names(&doubt.when.expr);
+        if let Some(name) = unknown.map(|q| q.to_string()).or(named) {
+            let unknown = Diagnostic::error("spec-unknown-parameter", doubt.when.place.clone());
+            found.push(unknown.arg("name", name).arg("cycle", cycle.key.to_string()));
+        }
+        super::slug(&doubt.code, found);
+    }
     for guard in &cycle.file.guards {
         if let Some(datum) = &guard.switched_off_by
             && on.datum(datum.as_str()).is_none()
@@ -78,6 +93,17 @@ pub(super) fn cycle(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) 
             found.push(unknown_datum(datum.place.clone(), datum.as_str(), on));
         }
     }
+}
+
+/// The first name in a formula that may read parameters only.
+fn expr_names(expr: &Expr) -> Option<String> {
+    let mut first = None;
+    expr.walk(&mut |expr| {
+        if let (Node::Name(path), None) = (&expr.node, &first) {
+            first = Some(path.join("."));
+        }
+    });
+    first
 }
 
 fn unknown_cycle(place: Place, key: CycleKey, on: &OnControl) -> Diagnostic {

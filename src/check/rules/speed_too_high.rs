@@ -1,0 +1,32 @@
+//! A spindle speed or feed above what a control lets anybody enter.
+//!
+//! The manuals print greatest speeds and feeds for the parameters of cycles; the widest of them is the limit here. Silent
+//! where no manual of the control, nor of another one, prints any.
+use crate::check::{Facts, Rule};
+use crate::diag::{Arg, Diagnostic, Severity};
+use crate::spec::MM_PER_INCH;
+use crate::syntax::{Amount, BlockKind, FeedKind};
+
+pub(super) const RULE: Rule = Rule { code: "speed-too-high", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let limits = facts.against.labels.limits(facts.against.catalogue);
+    for (_, block) in facts.marked() {
+        let BlockKind::ToolCall(call) = &block.kind else { continue };
+        let fed = match call.feed.as_ref().map(|feed| &feed.kind) {
+            Some(FeedKind::Value(feed)) => Some(feed),
+            _ => None,
+        };
+        let unit = if facts.inch { MM_PER_INCH } else { 1.0 };
+        let written = [(call.speed.as_ref(), limits.speed, 1.0, "speed"), (fed, limits.feed, unit, "feed")];
+        for (operand, limit, unit, what) in written {
+            let Some((operand, limit)) = operand.zip(limit) else { continue };
+            let Amount::Number(value) = operand.amount else { continue };
+            if value * unit <= limit {
+                continue;
+            }
+            let finding = rule.at(facts, operand.span).arg("what", what).arg("value", Arg::Number(value));
+            found.push(finding.arg("limit", Arg::Number(limit / unit)));
+        }
+    }
+}
