@@ -116,6 +116,11 @@ impl Assembler<'_> {
                 let bare = bytes.get(call.label.span.end..end).is_some_and(|rest| !rest.is_empty());
                 bare.then_some(SyntaxError { code: SPELLING, span: Span::new(end, end), expected: "value" })
             }
+            // A feed word without its value ends the block.
+            BlockKind::Motion(_) if matches!(bytes.get(..first.content.end), Some([.., b' ' | b'\t', b'F' | b'f'])) => {
+                let end = first.content.end;
+                Some(SyntaxError { code: SPELLING, span: Span::new(end, end), expected: "value" })
+            }
             BlockKind::BeginPgm(frame) | BlockKind::EndPgm(frame) => {
                 let unit = trim(bytes, Span::new(frame.name.end, first.content.end.max(frame.name.end)));
                 match bytes.get(unit.start..unit.end)? {

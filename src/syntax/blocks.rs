@@ -404,9 +404,18 @@ fn operator(cursor: &mut Cursor<'_>, op: FnOp) -> Read<()> {
     if hit { Ok(()) } else { Err(cursor.expected(name)) }
 }
 
+/// A number, a parameter of any kind or a text.
+fn compared(cursor: &mut Cursor<'_>) -> Read<Operand> {
+    if let Some(text) = cursor.opt_text()? {
+        let span = Span::new(text.start - 1, text.end + 1);
+        return Ok(Operand { span, amount: Amount::Text(text) });
+    }
+    cursor.opt_operand().ok_or_else(|| cursor.expected("value"))
+}
+
 /// `IF a EQU b GOTO LBL x`, the `IF` being read; `number` is that of the FN, if one is written.
 fn jump(cursor: &mut Cursor<'_>, number: Option<u32>) -> Read<BlockKind> {
-    let a = cursor.operand()?;
+    let a = compared(cursor)?;
     cursor.blanks();
     let word = cursor.peek_word();
     if word.is(b"IS") && number.is_none_or(|number| number == 9) {
@@ -424,7 +433,7 @@ fn jump(cursor: &mut Cursor<'_>, number: Option<u32>) -> Read<BlockKind> {
         return Err(cursor.expected("relation-of-number"));
     }
     cursor.at = word.span.end;
-    let b = cursor.operand()?;
+    let b = compared(cursor)?;
     cursor.keyword("GOTO")?;
     cursor.keyword("LBL")?;
     let label = label(cursor, true)?;

@@ -142,7 +142,11 @@ impl Program {
             assemble::SPELLING => Severity::Error,
             _ => Severity::Warning,
         };
-        let warnings = self.warnings.iter().map(|error| (severity(error), error));
+        // A word without its value once is a mistake; twice it is how older controls print what was not entered.
+        let empty = |error: &&SyntaxError| error.code == assemble::SPELLING && error.expected == "value";
+        let habit = self.warnings.iter().filter(empty).nth(1).is_some();
+        let told = self.warnings.iter().filter(|error| !(habit && empty(error)));
+        let warnings = told.map(|error| (severity(error), error));
         let mut all: Vec<_> = errors.chain(warnings).collect();
         all.sort_by_key(|(_, error)| error.span.start);
         all.into_iter().map(|(severity, error)| self.diagnostic(severity, error)).collect()

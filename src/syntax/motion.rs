@@ -338,13 +338,11 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
     Ok(true)
 }
 
-/// A feed word without a value before an M function, as older controls print it: `R F M`.
+/// A feed word without a value before an M function or at the end, as older controls print it: `R F M`, `R0 F`.
 fn is_empty_feed(cursor: &Cursor<'_>) -> bool {
     let mut ahead = Cursor { at: cursor.at + 1, ..*cursor };
-    matches!(ahead.byte(), b' ' | b'\t') && {
-        ahead.blanks();
-        matches!(ahead.byte(), b'M' | b'm') && !ahead.peek_word().is(b"MAX")
-    }
+    let apart = matches!(ahead.byte(), b' ' | b'\t');
+    ahead.done() || (apart && matches!(ahead.byte(), b'M' | b'm') && !ahead.peek_word().is(b"MAX"))
 }
 
 /// `R0`, or the radius of an element that has one.

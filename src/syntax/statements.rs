@@ -400,7 +400,14 @@ pub(super) fn fn_block(cursor: &mut Cursor<'_>, number: u32, start: usize) -> Re
             return Err(cursor.expected("F-PRINT"));
         }
     } else if let Some(keyword) = keyword {
-        cursor.keyword(keyword)?;
+        // A parameter may follow without a blank: `SYSREADQ1`.
+        cursor.blanks();
+        let word = cursor.peek_name();
+        if word.is(keyword.as_bytes()) {
+            cursor.at = word.span.end;
+        } else {
+            cursor.keyword(keyword)?;
+        }
     }
     let head = cursor.at;
     let words = match number {

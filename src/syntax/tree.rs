@@ -197,6 +197,8 @@ pub enum Amount {
         /// The parameter.
         q: QRef,
     },
+    /// A text in quotation marks, only where a jump compares; its place without them.
+    Text(Span),
 }
 
 /// Name and unit of `BEGIN PGM` and `END PGM`.

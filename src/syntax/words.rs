@@ -112,6 +112,7 @@ pub(super) fn from_operand(operand: Operand) -> Value {
     let kind = match operand.amount {
         Amount::Number(number) => ValueKind::Number(number),
         Amount::Q { negative, q } => ValueKind::Q { negative, q },
+        Amount::Text(text) => ValueKind::Text(text),
     };
     Value { span: operand.span, kind }
 }

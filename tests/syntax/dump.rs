@@ -183,6 +183,7 @@ fn operand(operand: Operand) -> String {
     match operand.amount {
         Amount::Number(number) => format!("{number}"),
         Amount::Q { negative, q } => format!("{}{q}", if negative { "-" } else { "" }),
+        Amount::Text(_) => "a text".to_owned(),
     }
 }
 

@@ -245,6 +245,7 @@ pub(super) fn value(operand: &Operand, state: &State) -> Known {
             Known::Number(number) => Known::Number(if negative { -number } else { number }),
             _ => Known::Unknown,
         },
+        Amount::Text(_) => Known::Unknown,
     }
 }
 

@@ -112,7 +112,7 @@ impl Way {
                 self.at = end;
                 let radius = match motion.radius?.amount {
                     Amount::Number(radius) => radius.abs(),
-                    Amount::Q { .. } => return None,
+                    Amount::Q { .. } | Amount::Text(_) => return None,
                 };
                 let apart = distance(start, end)?;
                 if flat && apart > 2.0 * radius + tolerance {
@@ -136,7 +136,7 @@ impl Way {
             end[index] = match coord.value.amount {
                 Amount::Number(number) if coord.incremental => self.at[index].map(|from| from + number),
                 Amount::Number(number) => Some(number),
-                Amount::Q { .. } => None,
+                Amount::Q { .. } | Amount::Text(_) => None,
             };
         }
         end

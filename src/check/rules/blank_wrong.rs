@@ -32,7 +32,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 fn corners(rule: &Rule, facts: &Facts<'_>, first: &BlkForm, second: &BlkForm, found: &mut Vec<Diagnostic>) {
     let number = |coord: &Coord| match coord.value.amount {
         Amount::Number(number) => Some(number),
-        Amount::Q { .. } => None,
+        Amount::Q { .. } | Amount::Text(_) => None,
     };
     for high in &second.coords {
         let Some(low) = first.coords.iter().find(|low| low.axis == high.axis) else { continue };

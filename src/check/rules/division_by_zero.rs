@@ -11,7 +11,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(divisor) = assign.b.filter(|_| assign.op == FnOp::Div) else { continue };
         let number = match divisor.amount {
             Amount::Number(number) => Some(number),
-            Amount::Q { .. } => facts.run.number_at(divisor.span),
+            Amount::Q { .. } | Amount::Text(_) => facts.run.number_at(divisor.span),
         };
         if number == Some(0.0) {
             found.push(rule.at(facts, divisor.span));

@@ -2,6 +2,7 @@
 //!
 //! Invariant: an M function that is not listed here is a fault, never ignored.
 use super::fault::Fault;
+use super::motion::Speed;
 use super::program::After;
 use super::world::LOCKED;
 use super::{Content, Done, EventKind, Run};
@@ -11,8 +12,8 @@ use crate::engine::table::{Cell, TableKind};
 use crate::expr::{Env, EvalError, QKind, QRef, Value, atan2d, cosd, sind};
 use crate::spec::Transformation;
 use crate::syntax::{
-    Amount, Axis, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Operand, StatementKind,
-    ToolCall, ToolDef, ToolRef,
+    Amount, Axis, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Operand, Path,
+    StatementKind, ToolCall, ToolDef, ToolRef,
 };
 
 /// What an M function does.
@@ -31,6 +32,8 @@ pub(super) enum Effect {
     MachineCoordinates,
     /// The tool tip is held on the workpiece while rotary axes turn, or no longer.
     HoldTip(bool),
+    /// The tool moves away from the workpiece along its axis.
+    Retract,
     /// Corners of the block are gone round in another way.
     Corner,
     /// It changes nothing that events tell (tool change at the machine, display, look-ahead).
@@ -53,6 +56,7 @@ pub(super) fn effect(number: u16) -> Option<Effect> {
         99 => Effect::CallOnce,
         91 => Effect::MachineCoordinates,
         97 | 98 => Effect::Corner,
+        140 => Effect::Retract,
         128 => Effect::HoldTip(true),
         129 => Effect::HoldTip(false),
         6 | 90 | 101 | 102 | 107 | 108 | 120 | 127 | 137 => Effect::Nothing,
@@ -96,13 +100,16 @@ impl<'e> Run<'_, 'e> {
             BlockKind::ToolCall(call) => self.tool_call(call)?,
             BlockKind::ToolDef(definition) => self.tool_definition(definition)?,
             BlockKind::Motion(motion) => {
-                self.before(&motion.functions)?;
+                let goes = motion.path != Path::L || !motion.coords.is_empty();
+                let fed = motion.feed.is_some_and(|feed| feed.kind != FeedKind::Max);
+                self.before(&motion.functions, !goes && !fed)?;
                 let in_machine = motion.functions.iter().any(|m| effect(m.number) == Some(Effect::MachineCoordinates));
                 let positioned = self.motion(motion, in_machine)?;
                 return self.after(&motion.functions, positioned);
             }
             BlockKind::Functions(functions) => {
-                self.before(functions)?;
+                let content = Span::new(block.span.start, block.comment().map_or(block.span.end, |span| span.start));
+                self.before(functions, !self.slice(content).contains(['F', 'f']))?;
                 return self.after(functions, false);
             }
             BlockKind::Lbl(label) => self.label(label)?,
@@ -115,7 +122,7 @@ impl<'e> Run<'_, 'e> {
             BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) => self.define_here()?,
             BlockKind::CyclCall(call) => return self.cycle_call(call),
             BlockKind::Stop(functions) => {
-                self.before(functions)?;
+                self.before(functions, false)?;
                 self.stop()?;
                 return self.after(functions, false);
             }
@@ -159,6 +166,7 @@ impl<'e> Run<'_, 'e> {
                 let value = self.params.number(q)?;
                 Ok(if negative { -value } else { value })
             }
+            Amount::Text(_) => Err(Fault::unsupported("unsupported-block").arg("word", self.slice(operand.span))),
         }
     }
 
@@ -320,7 +328,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn cycle_call(&mut self, call: &CyclCall) -> Done<After> {
-        self.before(&call.functions)?;
+        self.before(&call.functions, false)?;
         match &call.form {
             CallForm::Plain => self.call_last_cycle()?,
             CallForm::Pattern => self.call_on_pattern(call.feed.as_ref())?,
@@ -329,14 +337,13 @@ impl<'e> Run<'_, 'e> {
         self.after(&call.functions, false)
     }
 
-    /// M functions that act at the beginning of their block.
-    fn before(&mut self, functions: &[MFunction]) -> Done {
+    /// M functions that act at the beginning of their block; whether one may retract there.
+    fn before(&mut self, functions: &[MFunction], retracts: bool) -> Done {
         for function in functions {
-            let Some(effect) = effect(function.number) else {
-                let word = self.slice(function.span).trim().to_owned();
-                return Err(Fault::unsupported("unsupported-m").arg("word", word).into());
-            };
+            let Some(effect) = effect(function.number) else { return Err(self.no_function(function).into()) };
             match effect {
+                Effect::Retract if retracts => self.retract(function)?,
+                Effect::Retract => return Err(self.no_function(function).into()),
                 Effect::Spindle(direction) if direction != 0 => self.spindle(direction),
                 Effect::Coolant(true) => self.coolant(true),
                 Effect::HoldTip(true) => self.hold_tip(true)?,
@@ -349,6 +356,34 @@ impl<'e> Run<'_, 'e> {
             }
         }
         Ok(())
+    }
+
+    fn no_function(&self, function: &MFunction) -> Fault {
+        Fault::unsupported("unsupported-m").arg("word", self.slice(function.span).trim())
+    }
+
+    /// `M140 MB50`, `M140 MB MAX`: away from the workpiece at rapid traverse, by a length or to the end of the tool axis.
+    /// Only where the tool stands along an axis of the machine.
+    fn retract(&mut self, function: &MFunction) -> Done {
+        let leans = self.world.system.is_on_workpiece() || self.world.head.is_some();
+        let length = function.with.map(|with| self.slice(with).to_ascii_uppercase());
+        let length = length.as_deref().and_then(|with| with.trim().strip_prefix("MB")).map(str::trim);
+        let tool = self.world.system.plane.tool;
+        let (Some(length), false, false) = (length, leans, self.contour.is_under_way()) else {
+            return Err(self.no_function(function).into());
+        };
+        let now = tool.of(self.world.machine);
+        let to = if length == "MAX" {
+            let axes = &self.world.scene.machine.axes;
+            axes.iter().find(|axis| axis.axis == tool).map_or(now, |axis| axis.max.max(now))
+        } else {
+            match length.replace(',', ".").parse::<f64>() {
+                Ok(length) => now + length * self.unit(),
+                Err(_) => return Err(self.no_function(function).into()),
+            }
+        };
+        let end = tool.with(self.world.machine, to);
+        self.turn_and_go(&[], self.world.to_program(end), Some(end), Ok(Speed::Rapid))
     }
 
     /// M functions that act at the end of their block, and the call of the last cycle.

@@ -127,7 +127,7 @@ impl<'e> Run<'_, 'e> {
                 found.ok_or_else(|| about(Fault::unsupported("unsupported-cycle")))
             }
             Known::Builders => Err(about(Fault::unsupported("unsupported-cycle"))),
-            Known::Unknown => Err(about(Fault::program("cycle-unknown"))),
+            Known::Unknown => Err(about(Fault::unsupported("cycle-unknown"))),
         }
     }
 

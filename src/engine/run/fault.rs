@@ -52,7 +52,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("contour-limit", Class::Limit),
     ("contour-missing", Class::Program),
     ("cycle-depth-limit", Class::Internal),
-    ("cycle-unknown", Class::Program),
+    ("cycle-unknown", Class::Unsupported),
     ("direction-contradicts", Class::Program),
     ("direction-missing", Class::Program),
     ("direction-undefined", Class::Control),

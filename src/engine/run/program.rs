@@ -7,7 +7,7 @@ use super::fault::Fault;
 use super::flow::{Call, program_key};
 use super::{Done, Run};
 use crate::expr::QKind;
-use crate::syntax::{Block, CallLbl, FnJump, Label, LabelRef, Relation};
+use crate::syntax::{Amount, Block, CallLbl, FnJump, Label, LabelRef, Operand, Relation};
 
 /// How it goes on after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -129,6 +129,15 @@ impl<'e> Run<'_, 'e> {
     }
 
     pub(super) fn jump(&mut self, jump: &FnJump) -> Done {
+        let is_text = |operand: &Operand| match operand.amount {
+            Amount::Q { q, .. } => q.kind == QKind::Qs,
+            Amount::Text(_) => true,
+            Amount::Number(_) => false,
+        };
+        if let Some(text) = [&jump.a, &jump.b].into_iter().find(|operand| is_text(operand)) {
+            let word = format!("IF {}", self.slice(text.span));
+            return Err(Fault::unsupported("unsupported-block").arg("word", word).into());
+        }
         let (a, b) = (self.operand(&jump.a)?, self.operand(&jump.b)?);
         let holds = match jump.relation {
             Relation::Equal => a == b,
