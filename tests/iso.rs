@@ -104,6 +104,22 @@ fn programs_are_told_in_klartext() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// Lines before a program do not make it one of the other language, and none is lost.
+#[test]
+fn a_sheet_before_the_program_stays_there() {
+    let data = Data::new();
+    let codes = Codes::new(&data.catalogue);
+    let text = "; setup\n\n( sheet ) ; 2\n0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\n2 L X+1 R0 FMAX\n( a note )\n3 END PGM A MM\n";
+    let program = read("part.h", text);
+    let (iso, back) = by_way_of_iso(&codes, &program).expect("everything has an equivalent");
+    assert!(iso.starts_with("; setup\n\n; ( sheet ) ; 2\n%A G71 *\n"), "{iso}");
+    assert!(iso.contains("; ( a note ) *"), "{iso}");
+    let lowered = to_klartext(&read("part.i", &iso), &codes, None);
+    assert_eq!(lowered.program.errors().count(), 0, "{}", lowered.program.source().text());
+    assert!(data.differences("tnc640", &program, &back).is_empty());
+    assert!(data.differences("tnc640", &program, &lowered.program).is_empty());
+}
+
 /// The table of codes in the page is that of the specifications.
 #[test]
 fn every_code_is_documented() {

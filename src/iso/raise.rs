@@ -55,7 +55,13 @@ pub fn to_iso(program: &Program, codes: &Codes<'_>) -> Raised {
         diagnostics: Vec::new(),
     };
     let mut next = 0;
+    let head =
+        program.blocks().iter().position(|block| matches!(block.kind, BlockKind::BeginPgm(_))).unwrap_or_default();
     for (index, block) in program.blocks().iter().enumerate() {
+        if index < head && matches!(block.kind, BlockKind::Comment) {
+            raising.sheet(block);
+            continue;
+        }
         while views.get(next).is_some_and(|view| view.last < index) {
             next += 1;
         }
@@ -101,7 +107,7 @@ impl Raising<'_, '_> {
                 self.text.push_str(self.eol);
                 return;
             }
-            BlockKind::Comment => Ok(String::new()),
+            BlockKind::Comment => Ok(self.foreign(block)),
             BlockKind::OldCycleLine(_) => match view.filter(|view| view.first == index) {
                 Some(view) => self.old(view),
                 None if view.is_some_and(|view| self.refused == Some(view.first)) => return self.left_out(block),
@@ -120,6 +126,23 @@ impl Raising<'_, '_> {
                 self.left_out(block);
             }
         }
+    }
+
+    /// What stands in a line of other languages, as a comment: nothing in a line that is a comment itself.
+    fn foreign(&self, block: &Block) -> String {
+        let content = self.program.content(block);
+        let end = block.comment().map_or(content.end, |comment| comment.start.min(content.end));
+        let own = self.flat(Span::new(content.start.min(end), end));
+        if own.is_empty() { own } else { format!("; {own}") }
+    }
+
+    /// A comment before the program: a file in DIN/ISO begins with `%` or with such lines.
+    fn sheet(&mut self, block: &Block) {
+        let foreign = self.foreign(block);
+        let comment = block.comment().map_or("", |comment| self.text(comment));
+        let blank = if foreign.is_empty() || comment.is_empty() { "" } else { " " };
+        let line = format!("{foreign}{blank}{comment}{}", self.eol);
+        self.text.push_str(&line);
     }
 
     fn put(&mut self, block: &Block, content: &str) {

@@ -28,9 +28,11 @@ const FIRST_OF_CYCLES: u16 = 100;
 pub(super) fn is_iso(text: &str, name: &str) -> bool {
     let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase());
     let of_kind = matches!(extension.as_deref(), Some("i" | "iso"));
-    let first = text.lines().map(str::trim_start).find(|line| !line.is_empty() && !line.starts_with(';'));
-    let first = first.unwrap_or_default().trim_start_matches(['N', 'n']);
-    let first = first.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
+    let said = |line| {
+        let line = str::trim_start(line).trim_start_matches(['N', 'n']);
+        line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start()
+    };
+    let first = text.lines().map(said).find(|line| !line.is_empty() && !line.starts_with(';')).unwrap_or_default();
     let foreign = |line: &&str| line.is_empty() || *line == "%" || line.starts_with(['(', ';']);
     if first.trim_end() == "%" || first.starts_with('(') {
         // Marks of a transfer and sheets of a simulator stand before programs of both languages.

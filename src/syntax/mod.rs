@@ -139,17 +139,26 @@ impl Program {
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
         let errors = self.errors().map(|error| (Severity::Error, error));
         let severity = |error: &SyntaxError| match error.code {
-            assemble::SPELLING => Severity::Error,
+            // Posts of shops write the long word for years: their controls do not refuse it.
+            assemble::SPELLING if error.expected != "CYCL" => Severity::Error,
             _ => Severity::Warning,
         };
         // A word without its value once is a mistake; twice it is how older controls print what was not entered.
         let empty = |error: &&SyntaxError| error.code == assemble::SPELLING && error.expected == "value";
-        let habit = self.warnings.iter().filter(empty).nth(1).is_some();
+        let mut all_empty = self.warnings.iter().filter(empty);
+        let habit = all_empty.next().is_some() && (all_empty.next().is_some() || self.has_empty_function());
         let told = self.warnings.iter().filter(|error| !(habit && empty(error)));
         let warnings = told.map(|error| (severity(error), error));
         let mut all: Vec<_> = errors.chain(warnings).collect();
         all.sort_by_key(|(_, error)| error.span.start);
         all.into_iter().map(|(severity, error)| self.diagnostic(severity, error)).collect()
+    }
+
+    /// Whether a block ends with an `M` without a number, as older controls print it.
+    fn has_empty_function(&self) -> bool {
+        let ends = |line: &str| matches!(line.trim_end().as_bytes(), [.., b' ' | b'\t', b'M' | b'm']);
+        let mut moving = self.blocks.iter().filter(|block| matches!(block.kind, BlockKind::Motion(_)));
+        moving.any(|block| ends(self.slice(block.span)))
     }
 
     fn diagnostic(&self, severity: Severity, error: &SyntaxError) -> Diagnostic {
