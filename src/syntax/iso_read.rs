@@ -288,7 +288,12 @@ impl<'t> Reader<'t> {
             errors: Vec::new(),
         };
         while !cursor.done() {
+            let start = cursor.at;
             word(&mut cursor, &mut block)?;
+            // Whatever is read must pass something, or this would never end.
+            if cursor.at == start {
+                return Err(cursor.expected("word"));
+            }
         }
         if block.words.is_empty() && block.parameters.is_empty() && !block.functions.is_empty() {
             return Ok(BlockKind::Functions(block.functions));

@@ -165,7 +165,7 @@ fn opt_feed(cursor: &mut Cursor<'_>) -> Read<Option<Feed>> {
 pub(super) fn opt_function(cursor: &mut Cursor<'_>) -> Read<Option<MFunction>> {
     cursor.blanks();
     let start = cursor.at;
-    let word = cursor.peek_word();
+    let word = cursor.peek_name();
     if !word.is(b"M") {
         return Ok(None);
     }
@@ -254,7 +254,9 @@ pub(super) fn motion(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<()> {
         motion.radius = Some(cursor.operand()?);
     }
     while !cursor.done() {
-        if !motion_word(cursor, motion)? {
+        let start = cursor.at;
+        // Whatever is read must pass something, or this would never end.
+        if !motion_word(cursor, motion)? || cursor.at == start {
             return Err(cursor.expected("word"));
         }
     }
