@@ -178,7 +178,8 @@ fn content(program: &Program, block: &Block) -> String {
         if first {
             rest = rest.trim_start_matches('/').trim_start();
             if block.number.is_some() {
-                rest = rest.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
+                rest =
+                    rest.trim_start_matches(['N', 'n']).trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
             }
             rest = rest.trim_start_matches('/');
         }
