@@ -114,7 +114,9 @@ fn a_sheet_before_the_program_stays_there() {
     let (iso, back) = by_way_of_iso(&codes, &program).expect("everything has an equivalent");
     assert!(iso.starts_with("; setup\n\n; ( sheet ) ; 2\n%A G71 *\n"), "{iso}");
     assert!(iso.contains("; ( a note ) *"), "{iso}");
-    let lowered = to_klartext(&read("part.i", &iso), &codes, None);
+    // The mark of a transfer is none of the program.
+    let lowered = to_klartext(&read("part.i", &format!("%\n{iso}%\n")), &codes, None);
+    assert_eq!(lowered.diagnostics.iter().map(|found| found.code).collect::<Vec<_>>(), ["syntax-foreign-line"; 2]);
     assert_eq!(lowered.program.errors().count(), 0, "{}", lowered.program.source().text());
     assert!(data.differences("tnc640", &program, &back).is_empty());
     assert!(data.differences("tnc640", &program, &lowered.program).is_empty());

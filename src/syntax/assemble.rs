@@ -20,7 +20,7 @@ const MAX_TORN: usize = 8;
 pub(super) const REMARK: &str = "syntax-remark";
 
 /// The code of the warning about a line that only other languages have.
-const FOREIGN: &str = "syntax-foreign-line";
+pub(super) const FOREIGN: &str = "syntax-foreign-line";
 
 /// What some write for `CYCL`.
 const CYCLE: &[u8] = b"CYCLE";

@@ -5,7 +5,7 @@
 //! looked at a bounded number of times, whatever the text.
 use std::sync::Arc;
 
-use super::assemble::Assembled;
+use super::assemble::{Assembled, FOREIGN};
 use super::cursor::{Cursor, Read, trim};
 use super::element::Checker;
 use super::iso::{IsoBlock, IsoKind, is_of_language, is_path};
@@ -110,6 +110,12 @@ impl<'t> Reader<'t> {
                 if first.comment.is_some() || first.number.is_none() { BlockKind::Comment } else { BlockKind::Empty };
             let (start, end) = (first.start, first.next);
             return self.push(&first, Span::new(start, end), 1, kind);
+        }
+        let alone = self.text.get(first.content.start..first.content.end) == Some("%");
+        if alone && first.number.is_none() && first.comment.is_none() {
+            // The mark of a transfer, not of the program.
+            self.warnings.push(SyntaxError { code: FOREIGN, span: first.content, expected: "block" });
+            return self.push(&first, Span::new(first.start, first.next), 1, BlockKind::Comment);
         }
         let (last, lines, ended) = if ended { (first, 1, true) } else { self.join(first) };
         let content = Span::new(first.content.start, last.content.end.max(first.content.start));

@@ -234,8 +234,12 @@ impl TableKind {
     }
 }
 
-/// Whether two printed names mean the same column (R-OFFS, R_OFFS, TT:R_OFFS).
+/// Whether two printed names mean the same column (R-OFFS, R_OFFS, TT:R_OFFS; the row's number is NO or NR).
 pub(super) fn same_name(a: &str, b: &str) -> bool {
+    let number = |name: &str| name.eq_ignore_ascii_case("NO") || name.eq_ignore_ascii_case("NR");
+    if number(a) && number(b) {
+        return true;
+    }
     let bare = |name| str::strip_prefix(name, "TT:").unwrap_or(name).bytes();
     let folded = |byte: u8| if byte == b'-' { b'_' } else { byte.to_ascii_uppercase() };
     bare(a).map(folded).eq(bare(b).map(folded))

@@ -91,6 +91,15 @@ fn files_as_controls_write_them_are_read() {
 }
 
 #[test]
+fn the_number_of_a_row_has_two_names() {
+    let text = "BEGIN PRESET  .PR  MM\r\nNR   DOC   ROT   X     Y\r\n0          +0    +10   -\r\n1    VISE  +0,5  +2,5\r\n[END]\r\n";
+    let table = Table::parse(TableKind::Preset, &Source::new("PRESET.PR", text)).expect("a sound table");
+    assert_eq!(table.rows().collect::<Vec<_>>(), [0.0, 1.0]);
+    assert_eq!(table.number(1.0, "X"), Ok(Some(2.5)));
+    assert_eq!(table.number(0.0, "Y"), Ok(None));
+}
+
+#[test]
 fn refusals_are_values() {
     let mut table = presets();
     let file = "TNC:\\table\\PRESET.PR".to_owned();
