@@ -20,6 +20,8 @@ use crate::diag::{Source, Span};
 const LAST_NUMBER: u32 = 99_999_999;
 /// D functions whose words are those of the language; of the others what stands behind the number is kept as it is printed.
 const WORDED: std::ops::RangeInclusive<u16> = 0..=14;
+/// The code that gives a tool its length and radius.
+const TOOL_DEFINITION: f64 = 99.0;
 /// The first code that is the number of a cycle.
 const FIRST_OF_CYCLES: u16 = 100;
 
@@ -555,8 +557,13 @@ fn word(cursor: &mut Cursor<'_>, block: &mut IsoBlock) -> Read<()> {
         }
     };
     cursor.at = start + length;
-    // Behind a label a comma is no decimal sign: `L1,0`.
-    let read = if letters.is(b"L") { label(cursor)? } else { opt_value(cursor)? };
+    // Behind a label a comma is no decimal sign: `L1,0`. Behind G99 it is a length.
+    let defines = |word: &NamedWord| {
+        cursor.byte_at(word.name.start).eq_ignore_ascii_case(&b'G')
+            && word.value.kind == ValueKind::Number(TOOL_DEFINITION)
+    };
+    let calls = letters.is(b"L") && !block.words.iter().any(defines);
+    let read = if calls { label(cursor)? } else { opt_value(cursor)? };
     let value = match read {
         Some(value) => value,
         None => bare(cursor, letters.as_bytes())?,

@@ -237,7 +237,11 @@ const M_RETRACT: u16 = 140;
 pub(super) fn functions(cursor: &mut Cursor<'_>) -> Read<Vec<MFunction>> {
     let mut found: Vec<MFunction> = Vec::new();
     while !cursor.done() {
-        if found.last().is_some_and(|last| last.number == M_RETRACT) && opt_feed(cursor)?.is_some() {
+        if let Some(last) = found.last_mut().filter(|last| last.number == M_RETRACT)
+            && opt_feed(cursor)?.is_some()
+        {
+            last.span.end = cursor.at;
+            last.with = last.with.map(|with| Span::new(with.start, cursor.at));
             continue;
         }
         match opt_function(cursor)? {
