@@ -4,7 +4,7 @@
 //! with a block that no block before it can take as a part, so reading it alone gives what reading the whole gives.
 //! Invariant: the blocks of the pieces, one behind the other, are those of the whole text.
 use super::tree::{Block, BlockKind};
-use super::{Dialect, Program, cycle, iso_read, parse};
+use super::{Dialect, Program, cycle, iso, parse};
 use crate::diag::{Source, Span};
 use crate::syntax::statement::StatementKind;
 
@@ -37,7 +37,7 @@ impl Document {
     /// Reads a text.
     pub fn new(name: impl Into<String>, text: &str) -> Self {
         let name = name.into();
-        let dialect = if iso_read::is_iso(text, &name) { Dialect::Iso } else { Dialect::Klartext };
+        let dialect = if iso::is_iso(text, &name) { Dialect::Iso } else { Dialect::Klartext };
         let mut document = Self { name, pieces: Vec::new(), dialect };
         document.pieces = document.read(text);
         document
@@ -129,7 +129,7 @@ impl Document {
         let speaks = |line: &str| !line.trim_start().is_empty() && !line.trim_start().starts_with(';');
         let texts = || self.pieces.iter().map(|program| program.source().text());
         let head = texts().find(|text| text.lines().any(speaks)).unwrap_or_default();
-        if iso_read::is_iso(head, &self.name) { Dialect::Iso } else { Dialect::Klartext }
+        if iso::is_iso(head, &self.name) { Dialect::Iso } else { Dialect::Klartext }
     }
 
     /// The piece that holds a byte, and where it begins. The end of a piece belongs to it.

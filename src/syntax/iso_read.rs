@@ -25,31 +25,6 @@ const TOOL_DEFINITION: f64 = 99.0;
 /// The first code that is the number of a cycle.
 const FIRST_OF_CYCLES: u16 = 100;
 
-/// Whether a text is a DIN/ISO program: it begins with `%`; a file of that kind may begin with something else, but not
-/// with the first block of Klartext.
-pub(super) fn is_iso(text: &str, name: &str) -> bool {
-    let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase());
-    let of_kind = matches!(extension.as_deref(), Some("i" | "iso"));
-    let said = |line| {
-        let line = str::trim_start(line).trim_start_matches(['N', 'n']);
-        line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start()
-    };
-    let first = text.lines().map(said).find(|line| !line.is_empty() && !line.starts_with(';')).unwrap_or_default();
-    let foreign = |line: &&str| line.is_empty() || *line == "%" || line.starts_with(['(', ';']);
-    if first.trim_end() == "%" || first.starts_with('(') {
-        // Marks of a transfer and sheets of a simulator stand before programs of both languages.
-        let next = text.lines().map(str::trim).find(|line| !foreign(line)).unwrap_or_default();
-        return !is_begin(next.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace()))
-            && (first.starts_with('%') || of_kind);
-    }
-    let klartext = is_begin(first);
-    first.starts_with('%') || (of_kind && !klartext)
-}
-
-fn is_begin(text: &str) -> bool {
-    text.get(..5).is_some_and(|word| word.eq_ignore_ascii_case("BEGIN"))
-}
-
 /// The blocks of a text.
 pub(super) fn assemble(source: &Arc<Source>) -> Assembled {
     let text = source.text();

@@ -55,7 +55,7 @@ pub struct Program {
 
 /// Reads a program. Any text is one; unreadable blocks are [`BlockKind::Unknown`].
 pub fn parse(source: &Arc<Source>) -> Program {
-    let iso = iso_read::is_iso(source.text(), source.name());
+    let iso = iso::is_iso(source.text(), source.name());
     read(source, if iso { Dialect::Iso } else { Dialect::Klartext })
 }
 
