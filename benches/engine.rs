@@ -91,8 +91,8 @@ fn execute(work: &Work, on: &OnControl, scene: &Scene) -> (Duration, usize) {
     let mut events = 0_usize;
     let time = best(|| {
         events = 0;
-        let outcome = Engine::new(&program, on, scene, &NoTexts).run(&mut |event| {
-            black_box(&event);
+        let outcome = Engine::new(&program, on, scene, &NoTexts).observe(&mut |event| {
+            black_box(event);
             events += 1;
         });
         if let Some(diagnostic) = outcome.diagnostic {
@@ -183,8 +183,8 @@ fn streaming() {
     let Ok(mut machining) = Machining::new(&program, &scene, Some(RESOLUTION)) else { return };
     let mut moves = 0;
     println!("memory before the first move          {}", memory());
-    let outcome = Engine::new(&program, on, &scene, &NoTexts).run(&mut |event| {
-        machining.see(&event);
+    let outcome = Engine::new(&program, on, &scene, &NoTexts).observe(&mut |event| {
+        machining.see(event);
         if matches!(event.kind, EventKind::Move { .. }) {
             moves += 1;
             if MARKS.contains(&moves) {

@@ -52,9 +52,9 @@ fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure>
     }
     let mut machining = stock::begin(&file.program, &scene, matches)?;
     let mut track = Track::default();
-    let result = engine.run(&mut |event| {
-        machining.see(&event);
-        track.see(&event, machining.stock());
+    let result = engine.observe(&mut |event| {
+        machining.see(event);
+        track.see(event, machining.stock());
     });
     let (part, _) = machining.finish();
     let view = View::by_word(matches.get_one::<String>("view").map_or("isometric", String::as_str));

@@ -79,10 +79,10 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let followed = part.is_some() || scene.stock.is_some();
     let mut watch = followed.then(|| stock::begin(&file.program, &scene, matches)).transpose()?.map(Watch::new);
     let output = &mut *session.output;
-    let result = engine.run(&mut |event| match &mut watch {
-        Some(watch) => watch.see(event, &mut |event| teller.tell(&event, output)),
-        None => teller.tell(&event, output),
-    });
+    let result = match &mut watch {
+        Some(watch) => engine.run(&mut |event| watch.see(event, &mut |event| teller.tell(&event, output))),
+        None => engine.observe(&mut |event| teller.tell(event, output)),
+    };
     teller.written?;
     let format = arguments::chosen_format(matches);
     if !teller.events && format != "json" {

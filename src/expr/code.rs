@@ -2,8 +2,9 @@
 //! hashes nor allocates.
 use glam::DVec3;
 
+use super::func::{Func, of_one};
 use super::parser::{Expr, Node};
-use super::value::{Value, atan2d, atand, cosd, sind, tand};
+use super::value::{Value, atan2d, cosd, sind};
 use super::{QKind, QRef};
 use crate::diag::Span;
 
@@ -49,88 +50,6 @@ impl Op {
     const fn compares(self) -> bool {
         matches!(self, Self::Eq | Self::Ne | Self::Lt | Self::Le | Self::Gt | Self::Ge)
     }
-}
-
-macro_rules! functions {
-    ($($(#[$doc:meta])* $variant:ident $name:literal $least:literal..=$most:literal $spec:literal,)+) => {
-        /// The functions. Angles are in degrees.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum Func { $($(#[$doc])* $variant),+ }
-
-        impl Func {
-            /// The function of an upper-case name.
-            pub fn by_name(name: &str) -> Option<Self> {
-                match name { $($name => Some(Self::$variant),)+ _ => None }
-            }
-            /// The upper-case name.
-            pub const fn name(self) -> &'static str {
-                match self { $(Self::$variant => $name),+ }
-            }
-            /// The least and the greatest number of arguments.
-            pub const fn arity(self) -> (usize, usize) {
-                match self { $(Self::$variant => ($least, $most)),+ }
-            }
-            /// Whether programs may not use it.
-            pub const fn spec_only(self) -> bool {
-                match self { $(Self::$variant => $spec),+ }
-            }
-        }
-    };
-}
-
-functions! {
-    /// Square root.
-    Sqrt "SQRT" 1..=1 false,
-    /// Square.
-    Sq "SQ" 1..=1 false,
-    /// Sine.
-    Sin "SIN" 1..=1 false,
-    /// Cosine.
-    Cos "COS" 1..=1 false,
-    /// Tangent.
-    Tan "TAN" 1..=1 false,
-    /// Arc sine.
-    Asin "ASIN" 1..=1 false,
-    /// Arc cosine.
-    Acos "ACOS" 1..=1 false,
-    /// Arc tangent.
-    Atan "ATAN" 1..=1 false,
-    /// e to the power.
-    Exp "EXP" 1..=1 false,
-    /// Natural logarithm.
-    Ln "LN" 1..=1 false,
-    /// Decimal logarithm.
-    Log "LOG" 1..=1 false,
-    /// The whole part.
-    Int "INT" 1..=1 false,
-    /// The amount.
-    Abs "ABS" 1..=1 false,
-    /// The part behind the decimal point.
-    Frac "FRAC" 1..=1 false,
-    /// The opposite.
-    Neg "NEG" 1..=1 false,
-    /// The sign: -1, 0 or 1.
-    Sgn "SGN" 1..=1 false,
-    /// `IF(condition, then, otherwise)`.
-    If "IF" 3..=3 true,
-    /// The least.
-    Min "MIN" 2..=4 true,
-    /// The greatest.
-    Max "MAX" 2..=4 true,
-    /// `POINT(main, minor, tool)`.
-    Point "POINT" 3..=3 true,
-    /// `POLAR(centre, radius, angle)`: in the working plane, at the centre's height.
-    Polar "POLAR" 3..=3 true,
-    /// Distance of two points.
-    Dist "DIST" 2..=2 true,
-    /// Length of a vector.
-    Length "LENGTH" 1..=1 true,
-    /// A vector of length 1 in the same direction.
-    Unit "UNIT" 1..=1 true,
-    /// Scalar product.
-    Dot "DOT" 2..=2 true,
-    /// `ANGLE(main, minor)`: direction of a vector in the working plane.
-    Angle "ANGLE" 2..=2 true,
 }
 
 /// The type of a value.
@@ -222,6 +141,8 @@ enum Ins {
     Not(Box<Ins>),
     Negate(Box<Ins>),
     Binary(Op, Box<(Ins, Ins)>),
+    /// Whether two numbers are the same.
+    Same(Box<(Ins, Ins)>),
     Choose(Box<(Ins, Ins, Ins)>),
     Call(Func, Box<[Ins]>),
 }
@@ -310,7 +231,13 @@ fn lower_binary(op: Op, left: &Expr, right: &Expr, names: &dyn Resolve) -> Resul
             Type::Number
         }
     };
-    Ok((Ins::Binary(op, Box::new((a, b))), ty))
+    let sides = Box::new((a, b));
+    let ins = match op {
+        Op::Eq if tb == Type::Number => Ins::Same(sides),
+        Op::Ne if tb == Type::Number => Ins::Not(Box::new(Ins::Same(sides))),
+        _ => Ins::Binary(op, sides),
+    };
+    Ok((ins, ty))
 }
 
 fn lower_call(func: Func, args: &[Expr], names: &dyn Resolve) -> Result<(Ins, Type), TypeError> {
@@ -364,22 +291,27 @@ impl Code {
     }
 
     /// The value.
-    pub fn eval(&self, env: &dyn Env) -> Result<Value, EvalError> {
+    pub fn eval<E: Env + ?Sized>(&self, env: &E) -> Result<Value, EvalError> {
         run(&self.ins, env)
     }
 
+    /// The slot, if it only reads one.
+    pub const fn slot(&self) -> Option<usize> {
+        if let Ins::Slot(slot) = self.ins { Some(slot) } else { None }
+    }
+
     /// The value as a number.
-    pub fn number(&self, env: &dyn Env) -> Result<f64, EvalError> {
+    pub fn number<E: Env + ?Sized>(&self, env: &E) -> Result<f64, EvalError> {
         number(&self.ins, env)
     }
 
     /// The value as true or false.
-    pub fn truth(&self, env: &dyn Env) -> Result<bool, EvalError> {
+    pub fn truth<E: Env + ?Sized>(&self, env: &E) -> Result<bool, EvalError> {
         truth(&self.ins, env)
     }
 
     /// The value as a point.
-    pub fn point(&self, env: &dyn Env) -> Result<DVec3, EvalError> {
+    pub fn point<E: Env + ?Sized>(&self, env: &E) -> Result<DVec3, EvalError> {
         match run(&self.ins, env)? {
             Value::Point(p) => Ok(p),
             _ => Err(EvalError::Kind),
@@ -388,7 +320,7 @@ impl Code {
 }
 
 /// What gives a number, without a value around each step on the way.
-fn number(ins: &Ins, env: &dyn Env) -> Result<f64, EvalError> {
+fn number<E: Env + ?Sized>(ins: &Ins, env: &E) -> Result<f64, EvalError> {
     let of = |value: &Value| if let Value::Number(n) = value { Ok(*n) } else { Err(EvalError::Kind) };
     match ins {
         Ins::Const(value) => of(value),
@@ -396,19 +328,21 @@ fn number(ins: &Ins, env: &dyn Env) -> Result<f64, EvalError> {
         Ins::Q(q) if q.kind != QKind::Qs => env.number(*q),
         Ins::Negate(inner) => Ok(-number(inner, env)?),
         Ins::Binary(op, sides) if op.calculates() => calculated(*op, number(&sides.0, env)?, number(&sides.1, env)?),
+        Ins::Call(func, args) if args.len() == 1 && func.takes_number() => of_one(*func, number(&args[0], env)?),
         Ins::Choose(parts) => number(if truth(&parts.0, env)? { &parts.1 } else { &parts.2 }, env),
         _ => of(&run(ins, env)?),
     }
 }
 
 /// The same for what is true or false.
-fn truth(ins: &Ins, env: &dyn Env) -> Result<bool, EvalError> {
+fn truth<E: Env + ?Sized>(ins: &Ins, env: &E) -> Result<bool, EvalError> {
     match ins {
         Ins::Not(inner) => Ok(!truth(inner, env)?),
         Ins::Binary(op @ (Op::And | Op::Or), sides) => {
             let left = truth(&sides.0, env)?;
             if left == (*op == Op::Or) { Ok(left) } else { truth(&sides.1, env) }
         }
+        Ins::Same(sides) => Ok(number(&sides.0, env)? == number(&sides.1, env)?),
         Ins::Binary(op, sides) if op.orders() => Ok(ordered(*op, number(&sides.0, env)?, number(&sides.1, env)?)),
         _ => match run(ins, env)? {
             Value::Bool(b) => Ok(b),
@@ -417,7 +351,7 @@ fn truth(ins: &Ins, env: &dyn Env) -> Result<bool, EvalError> {
     }
 }
 
-fn run(ins: &Ins, env: &dyn Env) -> Result<Value, EvalError> {
+fn run<E: Env + ?Sized>(ins: &Ins, env: &E) -> Result<Value, EvalError> {
     Ok(match ins {
         Ins::Const(value) => value.clone(),
         Ins::Slot(slot) => env.slot(*slot).clone(),
@@ -427,7 +361,7 @@ fn run(ins: &Ins, env: &dyn Env) -> Result<Value, EvalError> {
             Value::Point(p) => Value::Number(p.to_array()[*axis]),
             _ => return Err(EvalError::Kind),
         },
-        Ins::Not(_) | Ins::Binary(Op::And | Op::Or, _) => Value::Bool(truth(ins, env)?),
+        Ins::Not(_) | Ins::Same(_) | Ins::Binary(Op::And | Op::Or, _) => Value::Bool(truth(ins, env)?),
         Ins::Negate(inner) => match run(inner, env)? {
             Value::Number(n) => Value::Number(-n),
             Value::Point(p) => Value::Point(-p),
@@ -507,7 +441,7 @@ fn finite(result: f64) -> Result<Value, EvalError> {
     if result.is_finite() { Ok(Value::Number(result)) } else { Err(EvalError::Overflow) }
 }
 
-fn call(func: Func, args: &[Ins], env: &dyn Env) -> Result<Value, EvalError> {
+fn call<E: Env + ?Sized>(func: Func, args: &[Ins], env: &E) -> Result<Value, EvalError> {
     match func {
         Func::Min | Func::Max => {
             let mut best = number(&args[0], env)?;
@@ -523,11 +457,11 @@ fn call(func: Func, args: &[Ins], env: &dyn Env) -> Result<Value, EvalError> {
         }
         Func::Angle => Ok(Value::Number(atan2d(number(&args[1], env)?, number(&args[0], env)?))),
         Func::Polar | Func::Dist | Func::Dot | Func::Length | Func::Unit => geometry(func, args, env),
-        _ => unary(func, number(&args[0], env)?),
+        _ => Ok(Value::Number(of_one(func, number(&args[0], env)?)?)),
     }
 }
 
-fn geometry(func: Func, args: &[Ins], env: &dyn Env) -> Result<Value, EvalError> {
+fn geometry<E: Env + ?Sized>(func: Func, args: &[Ins], env: &E) -> Result<Value, EvalError> {
     let Value::Point(first) = run(&args[0], env)? else { return Err(EvalError::Kind) };
     if func == Func::Length {
         return Ok(Value::Number(libm::sqrt(first.dot(first))));
@@ -546,54 +480,6 @@ fn geometry(func: Func, args: &[Ins], env: &dyn Env) -> Result<Value, EvalError>
     } else {
         let between = second - first;
         libm::sqrt(between.dot(between))
-    };
-    finite(value)
-}
-
-fn unary(func: Func, x: f64) -> Result<Value, EvalError> {
-    let domain = |ok: bool| if ok { Ok(()) } else { Err(EvalError::Domain(func, x)) };
-    let value = match func {
-        Func::Sqrt => {
-            domain(x >= 0.0)?;
-            libm::sqrt(x)
-        }
-        Func::Sq => x * x,
-        Func::Sin => sind(x),
-        Func::Cos => cosd(x),
-        Func::Tan => {
-            domain(cosd(x) != 0.0)?;
-            tand(x)
-        }
-        Func::Asin => {
-            domain((-1.0..=1.0).contains(&x))?;
-            libm::asin(x).to_degrees()
-        }
-        Func::Acos => {
-            domain((-1.0..=1.0).contains(&x))?;
-            libm::acos(x).to_degrees()
-        }
-        Func::Atan => atand(x),
-        Func::Exp => libm::exp(x),
-        Func::Ln => {
-            domain(x > 0.0)?;
-            libm::log(x)
-        }
-        Func::Log => {
-            domain(x > 0.0)?;
-            libm::log10(x)
-        }
-        Func::Int => libm::trunc(x),
-        Func::Abs => x.abs(),
-        Func::Frac => x - libm::trunc(x),
-        Func::Neg => -x,
-        Func::Sgn => {
-            if x == 0.0 {
-                0.0
-            } else {
-                x.signum()
-            }
-        }
-        _ => return Err(EvalError::Kind),
     };
     finite(value)
 }

@@ -5,11 +5,13 @@
 //! specifications only stays an error in programs. Invariant: this module knows no cycle and no
 //! block; what a name stands for is decided by the caller's [`Resolve`] and [`Env`].
 mod code;
+mod func;
 mod lexer;
 mod parser;
 mod value;
 
-pub use code::{Code, Env, EvalError, Func, LONGEST_TEXT, Op, Resolve, Type, TypeError, compile};
+pub use code::{Code, Env, EvalError, LONGEST_TEXT, Op, Resolve, Type, TypeError, compile};
+pub use func::Func;
 pub use parser::{Dialect, Expr, ExprError, Node, parse};
 pub use value::{Value, atan2d, atand, cosd, sind, tand};
 

@@ -1,6 +1,7 @@
 //! Expressions as trees with places.
 use super::QRef;
-use super::code::{Func, Op};
+use super::code::Op;
+use super::func::Func;
 use super::lexer::{Token, lex};
 use crate::diag::Span;
 

@@ -423,7 +423,7 @@ impl<'e> Run<'_, 'e> {
         };
         let kind = EventKind::Table { file, row, column: column.to_owned(), value };
         if self.inside > 0 {
-            self.writing.push(Event { at: self.at.clone(), kind });
+            self.writing.push(Event { at: self.event.at.clone(), kind });
         } else {
             self.tell(kind);
         }

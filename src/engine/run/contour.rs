@@ -286,7 +286,7 @@ impl Run<'_, '_> {
             return Err(Fault::program("rounding-misplaced").into());
         }
         self.contour.nominal = Some(to);
-        let at = self.at.clone();
+        let at = self.event.at.clone();
         self.contour.waiting.push_back(Waiting::Plunge { height, speed, at });
         Ok(())
     }
@@ -294,7 +294,7 @@ impl Run<'_, '_> {
     fn piece(&self, kind: Kind, offset: f64, height: f64, speed: Result<Speed, Fault>) -> Piece {
         let block = (self.flow.program, self.flow.block);
         let (start, cut, manner) = (DVec2::ZERO, 0.0, Manner::Usual);
-        Piece { kind, offset, start, cut, height, manner, speed, at: self.at.clone(), block }
+        Piece { kind, offset, start, cut, height, manner, speed, at: self.event.at.clone(), block }
     }
 
     /// The way to a contour waits for its first element.
@@ -406,7 +406,7 @@ impl Run<'_, '_> {
         heading: Option<DVec2>,
         link: Option<(DVec2, Option<DVec2>)>,
     ) -> Done {
-        let at = std::mem::replace(&mut self.at, piece.at.clone());
+        let at = std::mem::replace(&mut self.event.at, piece.at.clone());
         self.contour.releasing = true;
         let plane = self.world.system.plane;
         let done = match &piece.kind {
@@ -419,15 +419,15 @@ impl Run<'_, '_> {
         }
         for waiting in std::mem::take(&mut self.contour.waiting) {
             match waiting {
-                Waiting::Event(event) => self.pass_on(*event),
+                Waiting::Event(event) => self.tell_later(*event),
                 Waiting::Plunge { height, speed, at } => {
-                    self.at = at;
+                    self.event.at = at;
                     self.straight_to(plane.tool.with(self.world.here, height), None, speed)?;
                 }
             }
         }
         if let Some((to, around)) = link {
-            self.at = piece.at;
+            self.event.at = piece.at;
             let height = plane.tool.of(self.world.here);
             let to = plane.lift(to, height);
             match around {
@@ -437,7 +437,7 @@ impl Run<'_, '_> {
                 None => self.straight_to(to, None, piece.speed)?,
             }
         }
-        self.at = at;
+        self.event.at = at;
         self.contour.releasing = false;
         Ok(())
     }
@@ -555,7 +555,7 @@ impl Run<'_, '_> {
         self.modal.feed = feed;
         let what = if chamfer { Break::Chamfer(size) } else { Break::Rounding(size) };
         self.contour.between =
-            Some(Box::new(Between { what, speed, at: self.at.clone(), waiting: self.contour.waiting.len() }));
+            Some(Box::new(Between { what, speed, at: self.event.at.clone(), waiting: self.contour.waiting.len() }));
         Ok(())
     }
 

@@ -13,7 +13,7 @@ use super::world::Tables;
 use super::{Content, Done, EventKind, Leave, Params, Run};
 use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Slot, Step};
 use crate::engine::scene::{Orientation, ParameterValue};
-use crate::expr::{Env, EvalError, QRef, Value};
+use crate::expr::{Env, EvalError, QRef, Type, Value};
 use crate::spec::{Moment, Outcome, Transformation};
 
 /// Cycles that call cycles go no deeper than this.
@@ -26,6 +26,17 @@ enum Cell {
     Value(Value),
     /// Its value could not be calculated.
     Failed(Box<Fault>),
+}
+
+impl Cell {
+    /// Leaves nothing in it. Only texts and faults have memory to give back.
+    #[inline]
+    fn empty(&mut self) {
+        match self {
+            Self::Value(Value::Text(_)) | Self::Failed(_) => *self = Self::Empty,
+            _ => std::mem::forget(std::mem::replace(self, Self::Empty)),
+        }
+    }
 }
 
 /// Memory of executions that are over, for the next one.
@@ -100,7 +111,8 @@ impl<'d, 'e> Exec<'d, 'e> {
         Spare { mut cells, mut sentences }: Spare,
     ) -> Self {
         let plan = &definition.plan;
-        cells.clear();
+        cells.truncate(plan.slots);
+        cells.iter_mut().for_each(Cell::empty);
         cells.resize(plan.slots, Cell::Empty);
         sentences.clear();
         sentences.resize(plan.sentences.len(), false);
@@ -125,6 +137,15 @@ impl<'d, 'e> Exec<'d, 'e> {
     fn show(&mut self, sentence: usize) {
         if let Some(shown) = self.sentences.get_mut(sentence) {
             *shown = true;
+        }
+    }
+
+    /// The same as [`Self::put`] of a number; most slots keep numbers for ever.
+    #[inline]
+    pub(super) fn put_number(&mut self, slot: Slot, number: f64) {
+        match self.cells.get_mut(slot) {
+            Some(Cell::Value(Value::Number(kept))) => *kept = number,
+            _ => self.put(slot, Value::Number(number)),
         }
     }
 
@@ -205,12 +226,12 @@ impl<'e> Run<'_, 'e> {
             return Err(Fault::new(Class::Internal, "cycle-depth-limit").arg("limit", MAX_NESTED as f64).into());
         }
         let plan = &definition.plan;
-        let (outer_at, outer_probing) = (self.at.cycle.clone(), self.probing);
-        self.at.cycle = Some((definition.cycle.key, None));
+        let (outer_at, outer_probing) = (self.event.at.cycle.clone(), self.probing);
+        self.event.at.cycle = Some((definition.cycle.key, None));
         let mut exec = self.exec(definition);
         self.prepare(&mut exec);
         if self.guards(&plan.guards, Moment::Call, &mut exec)? == Verdict::Skip {
-            self.at.cycle = outer_at;
+            self.event.at.cycle = outer_at;
             return Ok(());
         }
         if plan.probes {
@@ -232,7 +253,7 @@ impl<'e> Run<'_, 'e> {
         ended?;
         self.inside -= 1;
         self.probing = outer_probing;
-        self.at.cycle = outer_at;
+        self.event.at.cycle = outer_at;
         Ok(())
     }
 
@@ -243,7 +264,7 @@ impl<'e> Run<'_, 'e> {
         match ended {
             Err(Leave::Fault(fault)) if !fault.of_cycle => self.world.restore(tables),
             Err(Leave::Stopped) => self.world.restore(tables),
-            _ => writing.into_iter().for_each(|event| self.pass_on(event)),
+            _ => writing.into_iter().for_each(|event| self.tell_later(event)),
         }
     }
 
@@ -387,6 +408,13 @@ impl<'e> Run<'_, 'e> {
     /// Evaluates named values; one that fails says so when it is needed.
     pub(super) fn lets(&self, lets: &[Let], exec: &mut Exec<'_, 'e>) {
         for named in lets {
+            if named.value.code.ty() == Type::Number {
+                match self.number(&named.value, exec) {
+                    Ok(number) => exec.put_number(named.slot, number),
+                    Err(fault) => exec.fail(named.slot, fault),
+                }
+                continue;
+            }
             match self.value(&named.value, exec) {
                 Ok(value) => exec.put(named.slot, value),
                 Err(fault) => exec.fail(named.slot, fault),
@@ -415,6 +443,12 @@ impl<'e> Run<'_, 'e> {
     }
 
     pub(super) fn number(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
+        // What most actions are given is a name that has its value.
+        if let Some(slot) = calc.code.slot()
+            && let Some(Cell::Value(Value::Number(number))) = exec.cells.get(slot)
+        {
+            return Ok(*number);
+        }
         Self::needed(calc, exec)?;
         Ok(calc.code.number(&View { exec, params: &self.params })?)
     }
@@ -484,7 +518,7 @@ impl<'e> Run<'_, 'e> {
             return Ok(());
         }
         let key = exec.definition.cycle.key;
-        self.at.cycle = Some((key, Some(Arc::clone(&step.id))));
+        self.event.at.cycle = Some((key, Some(Arc::clone(&step.id))));
         exec.show(step.sentence);
         self.acts(&step.block, exec)
     }

@@ -90,7 +90,7 @@ impl<'e> Run<'_, 'e> {
         };
         self.flow.next = view.last + 1;
         let key = fields::key(view.keyword, view.number);
-        self.at.cycle = Some((key, None));
+        self.event.at.cycle = Some((key, None));
         let known = self.known(key);
         if known.is_err() && self.transformation(key).is_some() {
             return self.activate(key, &view);

@@ -139,7 +139,7 @@ impl<'e> Run<'_, 'e> {
             world: self.world.clone(),
             params: self.params.clone(),
             modal: self.modal,
-            at: self.at.clone(),
+            at: self.event.at.clone(),
             guards: self.guards.clone(),
             executed: self.executed.clone(),
             logs: (self.logs.len(), self.screens.len()),
@@ -153,7 +153,7 @@ impl<'e> Run<'_, 'e> {
         self.world = before.world.clone();
         self.params.clone_from(&before.params);
         self.modal = before.modal;
-        self.at.clone_from(&before.at);
+        self.event.at.clone_from(&before.at);
         self.guards.clone_from(&before.guards);
         self.executed.clone_from(&before.executed);
         self.logs.truncate(before.logs.0);

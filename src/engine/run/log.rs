@@ -99,7 +99,7 @@ impl<'e> Run<'_, 'e> {
         let clock = self.world.scene.clock;
         context.insert("date".to_owned(), format!("{:02}-{:02}-{:04}", clock.day, clock.month, clock.year).into());
         context.insert("time".to_owned(), format!("{}:{:02}:{:02}", clock.hour, clock.minute, clock.second).into());
-        context.insert("program".to_owned(), (*self.at.program).into());
+        context.insert("program".to_owned(), (*self.event.at.program).into());
         let mut words: BTreeMap<String, minijinja::Value> = BTreeMap::new();
         let asked = templates.iter().flat_map(|(_, template)| template.split(TEXT).skip(1));
         for part in asked {

@@ -64,6 +64,7 @@ pub use world::Tool;
 
 use super::plan::{self, Plan, Sentence};
 use super::scene::Scene;
+use super::solid::Path;
 use crate::diag::{Arg, Diagnostic, Place};
 use crate::spec::{Catalogue, Cycle, CycleKey, OnControl};
 use crate::syntax::Program;
@@ -214,11 +215,16 @@ impl<'e> Engine<'e> {
         self
     }
 
-    /// Runs the program to its end and tells every event.
+    /// Runs the program to its end and hands out every event.
     pub fn run(&self, emit: &mut dyn FnMut(Event)) -> Outcome {
+        self.observe(&mut |event| emit(event.clone()))
+    }
+
+    /// Runs the program to its end and shows every event: what is not kept is never copied.
+    pub fn observe(&self, see: &mut dyn FnMut(&Event)) -> Outcome {
         let world = match World::new(self.scene, OfMachine::new(self.on, self.scene)) {
             Ok(world) => world,
-            Err(error) => return self.not_started(error.into(), emit),
+            Err(error) => return self.not_started(error.into(), see),
         };
         let mut programs = vec![Prepared::new(self.program)];
         let mut names = BTreeMap::new();
@@ -226,16 +232,16 @@ impl<'e> Engine<'e> {
             names.insert(name.clone(), programs.len());
             programs.push(Prepared::new(program));
         }
-        let mut run = Run::new(self, programs, names, world, emit);
+        let mut run = Run::new(self, programs, names, world, see);
         let end = run.program();
         run.finish(end)
     }
 
-    fn not_started(&self, fault: Fault, emit: &mut dyn FnMut(Event)) -> Outcome {
+    fn not_started(&self, fault: Fault, see: &mut dyn FnMut(&Event)) -> Outcome {
         let at = At { program: self.program.source().name().into(), ..At::default() };
         let status = fault.class.status();
-        emit(Event { at: at.clone(), kind: EventKind::Error(fault.clone()) });
-        emit(Event { at, kind: EventKind::End(status) });
+        see(&Event { at: at.clone(), kind: EventKind::Error(fault.clone()) });
+        see(&Event { at, kind: EventKind::End(status) });
         Outcome {
             status,
             diagnostic: Some(fault.diagnostic(None)),
@@ -299,7 +305,7 @@ struct Modal {
 /// A run.
 struct Run<'r, 'e> {
     engine: &'r Engine<'e>,
-    emit: &'r mut dyn FnMut(Event),
+    see: &'r mut dyn FnMut(&Event),
     programs: Vec<Prepared<'e>>,
     /// Programs that can be called, by name.
     names: BTreeMap<String, usize>,
@@ -319,7 +325,8 @@ struct Run<'r, 'e> {
     flow: flow::Flow,
     /// The contour that radius compensation, a rounding or an approach has begun.
     contour: contour::Contour,
-    at: At,
+    /// The event told last; its place is that of what is executed now.
+    event: Event,
     /// Guards that applied.
     guards: BTreeSet<(CycleKey, Arc<str>)>,
     /// By cycle: which sentences of its plan were executed.
@@ -354,12 +361,12 @@ impl<'r, 'e> Run<'r, 'e> {
         programs: Vec<Prepared<'e>>,
         names: BTreeMap<String, usize>,
         world: World<'e>,
-        emit: &'r mut dyn FnMut(Event),
+        see: &'r mut dyn FnMut(&Event),
     ) -> Self {
         let at = At { program: engine.program.source().name().into(), ..At::default() };
         Self {
             engine,
-            emit,
+            see,
             flow: flow::Flow::new(&programs),
             programs,
             names,
@@ -373,7 +380,7 @@ impl<'r, 'e> Run<'r, 'e> {
             predefined: BTreeMap::new(),
             contour: contour::Contour::default(),
             retraction: pattern::Retraction::default(),
-            at,
+            event: Event { at, kind: EventKind::End(Status::Done) },
             guards: BTreeSet::new(),
             executed: BTreeMap::new(),
             logs: Vec::new(),
@@ -391,23 +398,41 @@ impl<'r, 'e> Run<'r, 'e> {
         }
     }
 
+    /// Tells what happens here, unless it only happens in a rehearsal.
     #[inline]
     fn tell(&mut self, kind: EventKind) {
-        let at = self.at.clone();
-        self.pass_on(Event { at, kind });
+        self.event.kind = kind;
+        self.tell_it();
     }
 
-    /// Tells an event, unless it only happens in a rehearsal.
-    #[inline]
-    fn pass_on(&mut self, event: Event) {
+    /// Tells the event that is there.
+    fn tell_it(&mut self) {
         if self.contour.holds_events() {
-            self.contour.hold(event);
+            self.contour.hold(self.event.clone());
         } else if self.touching == Touching::AsScene {
-            if let Some(thread) = self.threads.see(&event) {
-                (self.emit)(thread);
+            if let Some(thread) = self.threads.see(&self.event) {
+                (self.see)(&thread);
             }
-            (self.emit)(event);
+            (self.see)(&self.event);
         }
+    }
+
+    /// Tells a move; where one was told before, only its numbers change.
+    fn tell_move(&mut self, kind: MoveKind, from: DVec3, to: DVec3, machine: DVec3, feed: f64, path: Path) {
+        match &mut self.event.kind {
+            EventKind::Move { kind: a, from: b, to: c, machine: d, feed: e, path: f } => {
+                (*a, *b, *c, *d, *e, *f) = (kind, from, to, machine, feed, path);
+            }
+            other => *other = EventKind::Move { kind, from, to, machine, feed, path },
+        }
+        self.tell_it();
+    }
+
+    /// Tells an event that has waited.
+    fn tell_later(&mut self, event: Event) {
+        let at = std::mem::replace(&mut self.event.at, event.at);
+        self.tell(event.kind);
+        self.event.at = at;
     }
 
     /// The plan of a cycle, compiled when it is needed first.
@@ -438,7 +463,7 @@ impl<'r, 'e> Run<'r, 'e> {
 
     fn finish(mut self, end: Done) -> Outcome {
         for event in self.contour.abandon() {
-            (self.emit)(event);
+            (self.see)(&event);
         }
         let (status, fault) = match end {
             Ok(()) => (Status::Done, None),
@@ -455,7 +480,7 @@ impl<'r, 'e> Run<'r, 'e> {
             diagnostic.related.extend(calls.map(|place| ("called-here", place)));
             diagnostic
         });
-        self.at.cycle = None;
+        self.event.at.cycle = None;
         self.tell(EventKind::End(status));
         let shown = self.shown();
         Outcome {

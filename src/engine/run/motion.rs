@@ -11,7 +11,7 @@ use super::fault::{Class, Fault};
 use super::probe::Pressed;
 use super::stylus::ProbeData;
 use super::turn::rotary;
-use super::{Done, EventKind, Run, Touching};
+use super::{Done, Run, Touching};
 use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis};
 use crate::engine::solid::Path as BallPath;
 use crate::expr::{atan2d, cosd, sind};
@@ -400,7 +400,7 @@ impl Run<'_, '_> {
         let from = self.world.here;
         self.count_move()?;
         if self.contour.is_disturbed() {
-            let word = self.at.cycle.as_ref().map_or_else(String::new, |(key, _)| key.to_string());
+            let word = self.event.at.cycle.as_ref().map_or_else(String::new, |(key, _)| key.to_string());
             self.not_beside_contour(word)?;
         }
         self.no_unexecuted()?;
@@ -417,7 +417,7 @@ impl Run<'_, '_> {
         self.world.here = to;
         self.world.machine = machine;
         let path = self.world.path_of_tip(path);
-        self.tell(EventKind::Move { kind, from, to, machine, feed, path });
+        self.tell_move(kind, from, to, machine, feed, path);
         Ok(())
     }
 

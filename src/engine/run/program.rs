@@ -28,7 +28,7 @@ impl<'e> Run<'_, 'e> {
     /// Executes a program that a cycle calls, to its end.
     pub(super) fn execute_program(&mut self, name: &str) -> Done {
         let depth = self.flow.depth();
-        let (at, inside, probing) = (self.at.clone(), self.inside, self.probing);
+        let (at, inside, probing) = (self.event.at.clone(), self.inside, self.probing);
         self.call_program(name)?;
         (self.inside, self.probing) = (0, false);
         // M89 is for the positions of the program that calls.
@@ -37,7 +37,7 @@ impl<'e> Run<'_, 'e> {
         self.blocks(depth + 1)?;
         let same = matches!((&cycle, &self.last_cycle), (Some(before), Some(now)) if Arc::ptr_eq(before, now));
         self.modal.call_always |= always && same;
-        (self.at, self.inside, self.probing) = (at, inside, probing);
+        (self.event.at, self.inside, self.probing) = (at, inside, probing);
         Ok(())
     }
 
@@ -66,12 +66,12 @@ impl<'e> Run<'_, 'e> {
 
     /// Sets the place that events belong to.
     fn locate(&mut self, block: &Block) {
-        self.at.line = block.line;
-        self.at.block = block.number;
-        self.at.cycle = None;
+        self.event.at.line = block.line;
+        self.event.at.block = block.number;
+        self.event.at.cycle = None;
         let name = self.programs.get(self.flow.program).map_or("", |prepared| prepared.program.source().name());
-        if *self.at.program != *name {
-            self.at.program = self.flow.program_name(&self.programs);
+        if *self.event.at.program != *name {
+            self.event.at.program = self.flow.program_name(&self.programs);
         }
     }
 

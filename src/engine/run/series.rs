@@ -39,17 +39,17 @@ impl Members {
     /// Puts the values of a member's fields into its slots, in their order.
     fn put(&self, index: usize, first: Slot, exec: &mut Exec<'_, '_>) {
         let count = self.count();
-        exec.put(first, Value::Number((index + 1) as f64));
-        exec.put(first + 1, Value::Number(count as f64));
+        exec.put_number(first, (index + 1) as f64);
+        exec.put_number(first + 1, count as f64);
         exec.put(first + 2, Value::Bool(index == 0));
         exec.put(first + 3, Value::Bool(index + 1 == count));
         match self {
             Self::Infeeds { from, ends } => {
                 let begin = index.checked_sub(1).and_then(|before| ends.get(before)).unwrap_or(from);
-                exec.put(first + 4, Value::Number(*begin));
-                exec.put(first + 5, Value::Number(ends.get(index).copied().unwrap_or(*begin)));
+                exec.put_number(first + 4, *begin);
+                exec.put_number(first + 5, ends.get(index).copied().unwrap_or(*begin));
             }
-            Self::Angles { start, step, .. } => exec.put(first + 4, Value::Number(start + index as f64 * step)),
+            Self::Angles { start, step, .. } => exec.put_number(first + 4, start + index as f64 * step),
             Self::Count(_) => {}
         }
     }

@@ -5,7 +5,9 @@
 use glam::DVec2;
 
 use super::Grid;
+use super::cutter::Tip;
 use super::lane::{BLOCK, Row, Tally, WIDE};
+use super::onward::Onward;
 use super::sweep::{HAIR, Sweep};
 
 /// The part of a row on which a sweep is carried out.
@@ -42,6 +44,31 @@ pub(super) fn above(grid: &Grid, own: &mut Row, row: usize, sweep: &Sweep, tally
     }
 }
 
+/// The same for a ball that goes on from where it has stood.
+#[inline(always)]
+pub(super) fn onward(
+    grid: &Grid,
+    own: &mut Row,
+    row: usize,
+    (sweep, ball): (&Sweep, &Onward),
+    tally: &mut Tally,
+    across: &mut [f64; 2],
+) {
+    // Columns with a gap in them are looked at one by one.
+    if !own.is_above_floor(sweep.low) {
+        return above(grid, own, row, sweep, tally, across);
+    }
+    let part = Part { grid, sweep, y: grid.y(row) };
+    let (cut, left) = ball.cut(grid, own, part.y, tally);
+    if let Some((first, last)) = cut {
+        part.note(first, across);
+        part.note(last, across);
+    }
+    if let Some(columns) = left {
+        part.curved(own, columns, tally, across);
+    }
+}
+
 impl Part<'_> {
     fn note(&self, column: usize, across: &mut [f64; 2]) {
         let at = self.sweep.across(DVec2::new(self.grid.x(column), self.y));
@@ -60,7 +87,8 @@ impl Part<'_> {
     fn curved(&self, own: &mut Row, (first, last): (usize, usize), tally: &mut Tally, across: &mut [f64; 2]) {
         let Self { grid, sweep, y } = *self;
         let mut heights = [f64::INFINITY; BLOCK];
-        for block in first / BLOCK..=last / BLOCK {
+        let flat = sweep.cutter.tip == Tip::Flat;
+        for block in first / BLOCK..last / BLOCK + 1 {
             let highest = own.highest(block);
             if highest <= sweep.low {
                 continue;
@@ -70,6 +98,7 @@ impl Part<'_> {
             let half = 0.5 * (columns.len() - 1) as f64 * grid.cell.x;
             let middle = DVec2::new(grid.x(begin + columns.start) + half, y);
             let reached = match sweep.tangent(middle) {
+                _ if flat => own.is_above(block, columns.clone(), sweep.low, 0.0),
                 Some([height, rise]) => {
                     let start = height - rise * (middle.x - grid.x(begin)) - HAIR;
                     own.is_above(block, columns.clone(), start, rise * grid.cell.x)

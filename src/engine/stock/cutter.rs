@@ -55,6 +55,11 @@ impl Cutter {
         Some(Self { radius: tool.radius, tip, neck, edges: tool.lcuts.max(0.0) })
     }
 
+    /// Whether its end is half a ball.
+    pub(super) fn is_ball(&self) -> bool {
+        matches!(self.tip, Tip::Round(corner) if corner >= self.radius)
+    }
+
     /// Height of the end above the tip at a distance from the axis that is not beyond the radius.
     pub(super) fn rise(&self, distance: f64) -> f64 {
         match self.tip {

@@ -7,20 +7,24 @@ use std::ops::Range;
 use glam::{DVec2, DVec3};
 
 use super::cutter::Tip;
-use super::lane::{BLOCK, OFFSETS};
-use super::sweep::{Sweep, Way};
+use super::lane::{BLOCK, OFFSETS, WIDE};
+use super::sweep::{Hull, Sweep, Way};
 
 /// Steps of a bisection; each halves an interval of some mm or radians.
 pub(super) const BISECTIONS: usize = 50;
 /// The share of a ball's radius within which its end is not too steep for a tangent to tell something.
 const GENTLE: f64 = 0.98;
 
-/// Gives columns the heights that belong to their numbers.
+/// Gives columns the heights that belong to their numbers, always so many together as are worked on side by side.
 #[inline(always)]
 pub(super) fn fill(out: &mut [f64; BLOCK], columns: Range<usize>, height: impl Fn(f64) -> f64) {
-    let (Some(out), Some(offsets)) = (out.get_mut(columns.clone()), OFFSETS.get(columns)) else { return };
-    for (out, n) in out.iter_mut().zip(offsets) {
-        *out = height(*n);
+    let chunks = columns.start / WIDE..columns.end.div_ceil(WIDE);
+    let (out, offsets) = (out.as_chunks_mut::<WIDE>().0, OFFSETS.as_chunks::<WIDE>().0);
+    let (Some(out), Some(offsets)) = (out.get_mut(chunks.clone()), offsets.get(chunks)) else { return };
+    for (out, offsets) in out.iter_mut().zip(offsets) {
+        for n in 0..WIDE {
+            out[n] = height(offsets[n]);
+        }
     }
 }
 
@@ -183,27 +187,18 @@ impl Sweep {
         -slope.signum() * near
     }
 
-    /// A straight line below which the envelope of a ball on a straight way does not come in the row through a point: its
-    /// height there and how it rises in a mm. The envelope is convex, so that is a tangent.
+    /// A straight line below which nothing of the envelope of a ball comes in the row through a point: its height there and
+    /// how it rises in a mm. The envelope of its hull is convex, so that is a tangent.
     pub(super) fn tangent(&self, p: DVec2) -> Option<[f64; 2]> {
-        let (Way::Line { from, along, length, rise }, Tip::Round(corner)) = (self.way, self.cutter.tip) else {
-            return None;
-        };
-        let radius = self.cutter.radius;
-        if corner < radius {
-            return None;
-        }
+        let Hull { from, along, length, slope, steep, radius } = self.hull?;
         let [u, v, du, dv] = Self::along(from, along, [p.x, 1.0, p.y]);
-        let (top, slope) =
-            if length > 0.0 { (from.z + radius, rise / length) } else { (from.z + radius + rise.min(0.0), 0.0) };
-        let steep = (1.0 + slope * slope).sqrt();
-        let reach = (radius * radius - v * v).max(0.0).sqrt();
         if v.abs() > GENTLE * radius {
             return None;
         }
+        let reach = (radius * radius - v * v).sqrt();
         let best = u - slope / steep * reach;
         if best >= 0.0 && best <= length {
-            return Some([top + slope * u - steep * reach, slope * du + steep * v * dv / reach]);
+            return Some([from.z + slope * u - steep * reach, slope * du + steep * v * dv / reach]);
         }
         let at = between(best, 0.0, length);
         let beyond = u - at;
@@ -212,6 +207,6 @@ impl Sweep {
             return None;
         }
         let depth = rest.sqrt();
-        Some([top + slope * at - depth, (v * dv + beyond * du) / depth])
+        Some([from.z + slope * at - depth, (v * dv + beyond * du) / depth])
     }
 }

@@ -12,12 +12,33 @@ use std::ops::Range;
 pub(super) const BLOCK: usize = 16;
 /// Numbers that are worked on side by side.
 pub(super) const WIDE: usize = 4;
+/// Columns of a block over which a standing ball is looked at together.
+pub(super) const HALF: usize = BLOCK / 2;
 /// Material thinner than this, mm, does not exist.
 pub(super) const SLIVER: f64 = 1e-6;
 
 /// The numbers of the columns of a block.
 pub(super) const OFFSETS: [f64; BLOCK] =
     [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0];
+
+/// The larger of two numbers, without a case for what is none.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// The greatest of numbers that were found side by side.
+#[inline(always)]
+fn greatest([a, b, c, d]: [f64; WIDE]) -> f64 {
+    larger(larger(a, b), larger(c, d))
+}
+
+/// The greatest of the numbers of half a block.
+#[inline(always)]
+fn greatest_of(numbers: &[f64; HALF]) -> f64 {
+    let [a, b, c, d, e, f, g, h] = *numbers;
+    greatest([larger(a, e), larger(b, f), larger(c, g), larger(d, h)])
+}
 
 /// What a move does to the columns.
 #[derive(Clone, Copy, Debug)]
@@ -106,7 +127,7 @@ impl Tops {
                 tops[n] = after;
             }
         }
-        let deepest = deepest.into_iter().fold(0.0, f64::max);
+        let deepest = greatest(deepest);
         if deepest <= 0.0 {
             return;
         }
@@ -128,6 +149,68 @@ impl Tops {
         }
     }
 
+    /// Takes away what lies above the lower sides of balls over a half of the block: `balls` gives the square of half the
+    /// height of the ball over a column, and the height of its middle. What the columns lose, if any of them does.
+    #[inline(always)]
+    fn under(&mut self, half: usize, balls: impl Fn(f64) -> [f64; 2], tally: &mut Tally) -> Option<[f64; HALF]> {
+        let level = [self.highest; HALF];
+        let halves = self.each.as_chunks::<HALF>().0;
+        let tops = if self.level { &level } else { halves.get(half)? };
+        // Whether a column ends above the lower side of its ball is known from squares: no root is drawn where nothing is cut.
+        let (mut rest, mut middle, mut over) = ([0.0; HALF], [0.0; HALF], [f64::NEG_INFINITY; WIDE]);
+        {
+            let ((tops, _), (offsets, _)) = (tops.as_chunks(), OFFSETS.as_chunks());
+            let ((rest, _), (middle, _)) = (rest.as_chunks_mut(), middle.as_chunks_mut());
+            for (((tops, rest), middle), offsets) in tops.iter().zip(rest).zip(middle).zip(offsets) {
+                let (tops, offsets): (&[f64; WIDE], &[f64; WIDE]) = (tops, offsets);
+                let (rest, middle): (&mut [f64; WIDE], &mut [f64; WIDE]) = (rest, middle);
+                for n in 0..WIDE {
+                    [rest[n], middle[n]] = balls(offsets[n]);
+                    let up = middle[n] - tops[n];
+                    let up = if up > 0.0 { up } else { 0.0 };
+                    let more = rest[n] - up * up;
+                    over[n] = if more > over[n] { more } else { over[n] };
+                }
+            }
+        }
+        if greatest(over) < 0.0 {
+            return None;
+        }
+        let highest = self.highest;
+        let tops = self.apart().as_chunks_mut::<HALF>().0.get_mut(half)?;
+        let (mut lost, mut deepest, mut sum) = ([0.0; HALF], [0.0; WIDE], [0.0; WIDE]);
+        {
+            let ((tops, _), (lost, _)) = (tops.as_chunks_mut(), lost.as_chunks_mut());
+            let ((rest, _), (middle, _)) = (rest.as_chunks(), middle.as_chunks());
+            for (((tops, rest), middle), lost) in tops.iter_mut().zip(rest).zip(middle).zip(lost) {
+                let (tops, lost): (&mut [f64; WIDE], &mut [f64; WIDE]) = (tops, lost);
+                let (rest, middle): (&[f64; WIDE], &[f64; WIDE]) = (rest, middle);
+                for n in 0..WIDE {
+                    // Where there is no ball, and in an empty column, there is no number, which is in no order.
+                    let low = middle[n] - rest[n].sqrt();
+                    let after = if low < tops[n] { low } else { tops[n] };
+                    let loss = tops[n] - after;
+                    let loss = if loss > 0.0 { loss } else { 0.0 };
+                    tops[n] = after;
+                    lost[n] = loss;
+                    sum[n] += loss;
+                    deepest[n] = if loss > deepest[n] { loss } else { deepest[n] };
+                }
+            }
+        }
+        tally.height += sum.iter().sum::<f64>();
+        tally.deepest = larger(tally.deepest, greatest(deepest));
+        if tally.highest < highest {
+            for (top, lost) in tops.iter().zip(&lost) {
+                if *lost > 0.0 {
+                    tally.highest = larger(tally.highest, top + lost);
+                }
+            }
+        }
+        self.renew();
+        Some(lost)
+    }
+
     /// After tops were changed.
     fn renew(&mut self) {
         let mut high = [f64::NEG_INFINITY; WIDE];
@@ -136,7 +219,7 @@ impl Tops {
                 *high = if *top > *high { *top } else { *high };
             }
         }
-        self.highest = high.into_iter().fold(f64::NEG_INFINITY, |a, b| if b > a { b } else { a });
+        self.highest = greatest(high);
     }
 
     /// Whether nothing is lower than a height.
@@ -247,13 +330,13 @@ impl Row {
         mut cut: impl FnMut(usize, usize),
     ) {
         let through = height <= self.floor;
-        for block in first / BLOCK..=last / BLOCK {
-            let begin = block * BLOCK;
-            let columns = first.saturating_sub(begin)..(last + 1 - begin).min(BLOCK);
+        for block in first / BLOCK..last / BLOCK + 1 {
             let Some(tops) = self.tops.get_mut(block) else { return };
             if tops.highest <= height {
                 continue;
             }
+            let begin = block * BLOCK;
+            let columns = first.saturating_sub(begin)..(last + 1 - begin).min(BLOCK);
             if through {
                 self.lower_through(block, columns, &[height; BLOCK], tally, &mut cut);
                 continue;
@@ -295,6 +378,44 @@ impl Row {
                 tops.level = whole;
             }
         }
+    }
+
+    /// Takes away what lies above the lower sides of balls over columns, and of others beside them: `balls` gives the square
+    /// of half the height of the ball over a column, and the height of its middle. Nothing is lower than `low`. The first
+    /// and the last column that lose something.
+    #[inline(always)]
+    pub(super) fn balls(
+        &mut self,
+        (first, last): (usize, usize),
+        low: f64,
+        balls: impl Fn(f64) -> [f64; 2],
+        tally: &mut Tally,
+    ) -> Option<(usize, usize)> {
+        let mut ends: Option<(usize, usize)> = None;
+        let mut latest = [0.0; HALF];
+        for half in first / HALF..last / HALF + 1 {
+            let Some(tops) = self.tops.get_mut(half / (BLOCK / HALF)) else { break };
+            if tops.highest <= low {
+                continue;
+            }
+            let begin = half * HALF;
+            let at = begin as f64;
+            let Some(lost) = tops.under(half % (BLOCK / HALF), |n| balls(at + n), tally) else { continue };
+            if let Some((_, last)) = &mut ends {
+                if greatest_of(&lost) > SLIVER {
+                    (*last, latest) = (begin, lost);
+                }
+            } else if let Some(first) = lost.iter().position(|lost| *lost > SLIVER) {
+                (ends, latest) = (Some((begin + first, begin)), lost);
+            }
+        }
+        let (first, last) = ends?;
+        Some((first, last + latest.iter().rposition(|lost| *lost > SLIVER).unwrap_or(0)))
+    }
+
+    /// Whether heights from that one on lie within the topmost stretches of all columns.
+    pub(super) fn is_above_floor(&self, height: f64) -> bool {
+        height > self.floor
     }
 
     /// Takes everything above the heights away from columns of a block; infinity leaves a column alone. Nothing may be lower

@@ -22,6 +22,7 @@ mod kernel;
 mod lane;
 mod mesh;
 mod oblique;
+mod onward;
 mod outline;
 mod pace;
 mod report;
@@ -45,6 +46,7 @@ use super::geometry::{Axis, Frame, WorkingPlane};
 use super::solid::{Body, Path, Shape, SolidError};
 use lane::{Row, SLIVER, Tally};
 use oblique::Oblique;
+use onward::Onward;
 use sweep::Sweep;
 
 /// Rows that lie together in one lane.
@@ -433,16 +435,20 @@ fn work_lane(grid: &Grid, lane: usize, rows: &mut [Row], jobs: &[Job], moves: us
         let Some((first, last)) = Grid::between(min.y, max.y, grid.min.y, grid.each.y, grid.rows) else { continue };
         let Some(tally) = tallies.get_mut(job.owner) else { continue };
         let mut across = [f64::INFINITY, f64::NEG_INFINITY];
+        let onward = if let Swept::Above(sweep) = &job.sweep { Onward::new(sweep) } else { None };
         // The first band of this lane that is not before the first row.
         let own = first / BAND / LANES * LANES + lane;
         let begin = if own < first / BAND { own + LANES } else { own };
         for band in (begin..=last / BAND).step_by(LANES) {
             for row in (band * BAND).max(first)..=(band * BAND + BAND - 1).min(last) {
                 let Some(own) = rows.get_mut(place(row).1) else { continue };
-                match &job.sweep {
-                    Swept::Above(sweep) => cut::above(grid, own, row, sweep, tally, &mut across),
-                    Swept::Between(sweep, head) => cut::between(grid, own, row, sweep, *head, tally, &mut across),
-                    Swept::Oblique(oblique) => oblique.cut(grid, own, row, tally),
+                match (&job.sweep, &onward) {
+                    (Swept::Above(sweep), Some(ball)) => {
+                        cut::onward(grid, own, row, (sweep, ball), tally, &mut across);
+                    }
+                    (Swept::Above(sweep), None) => cut::above(grid, own, row, sweep, tally, &mut across),
+                    (Swept::Between(sweep, head), _) => cut::between(grid, own, row, sweep, *head, tally, &mut across),
+                    (Swept::Oblique(oblique), _) => oblique.cut(grid, own, row, tally),
                 }
             }
         }

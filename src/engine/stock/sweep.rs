@@ -13,6 +13,9 @@ use super::cutter::{Cutter, Tip};
 /// What is left to rounding, mm.
 pub(super) const HAIR: f64 = 1e-9;
 
+/// Angles, in radians, up to which the chord tells well enough where an arc is.
+const SHORT: f64 = 0.4;
+
 /// No part of a row.
 pub(super) const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
@@ -48,11 +51,40 @@ pub(super) enum Way {
     },
 }
 
+/// A ball on a straight way, from its lowest place on, that holds all that a ball covers on its way: that is the way
+/// itself, or of an arc the chord. No point of an arc is farther from the point of its chord at the same share of the way
+/// than the radius times the square of the angle over eight (the second derivative bounds what a chord misses), and both
+/// are at the same height there; so a ball that is larger by so much holds it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hull {
+    /// The centre of the ball at the start.
+    pub from: DVec3,
+    pub along: DVec2,
+    pub length: f64,
+    /// Rise in a mm, and the length of the way that rises so in a mm seen from above.
+    pub slope: f64,
+    pub steep: f64,
+    pub radius: f64,
+}
+
+impl Hull {
+    fn new(from: DVec3, to: DVec3, radius: f64) -> Self {
+        let flat = DVec2::new(to.x - from.x, to.y - from.y);
+        let length = flat.length_squared().sqrt();
+        let along = if length > 0.0 { flat / length } else { DVec2::X };
+        // Of a vertical way only the lower end counts.
+        let (slope, z) = if length > 0.0 { ((to.z - from.z) / length, from.z) } else { (0.0, from.z.min(to.z)) };
+        Self { from: from.with_z(z), along, length, slope, steep: (1.0 + slope * slope).sqrt(), radius }
+    }
+}
+
 /// A tool on its way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sweep {
     pub way: Way,
     pub cutter: Cutter,
+    /// What a ball certainly stays within, unless it goes round far.
+    pub hull: Option<Hull>,
     /// Corners of the rectangle that it covers.
     pub min: DVec2,
     pub max: DVec2,
@@ -75,7 +107,12 @@ impl Sweep {
         let along = if length > 0.0 { flat / length } else { DVec2::X };
         let (a, b) = (DVec2::new(from.x, from.y), DVec2::new(to.x, to.y));
         let way = Way::Line { from, along, length, rise: to.z - from.z };
-        Self::bounded(way, cutter, a.min(b), a.max(b), from.z, to.z)
+        let mut line = Self::bounded(way, cutter, a.min(b), a.max(b), from.z, to.z);
+        if cutter.is_ball() {
+            let up = DVec3::Z * cutter.radius;
+            line.hull = Some(Hull::new(from + up, to + up, cutter.radius));
+        }
+        line
     }
 
     /// An arc from an angle (radians) on; `sweep` is signed.
@@ -92,12 +129,27 @@ impl Sweep {
                 (min, max) = (min.min(way), max.max(way));
             }
         }
-        Self::bounded(way, cutter, centre + min * radius, centre + max * radius, z, z + rise)
+        let mut arc = Self::bounded(way, cutter, centre + min * radius, centre + max * radius, z, z + rise);
+        if cutter.is_ball() && sweep.abs() < SHORT {
+            let up = z + cutter.radius;
+            let (from, to) = ((centre + start * radius).extend(up), (centre + end * radius).extend(up + rise));
+            arc.hull = Some(Hull::new(from, to, cutter.radius + radius * sweep * sweep / 8.0));
+        }
+        arc
     }
 
     fn bounded(way: Way, cutter: Cutter, min: DVec2, max: DVec2, from: f64, to: f64) -> Self {
         let reach = DVec2::splat(cutter.radius);
-        Self { way, cutter, min: min - reach, max: max + reach, low: from.min(to), high: from.max(to), joined: false }
+        Self {
+            way,
+            cutter,
+            min: min - reach,
+            max: max + reach,
+            low: from.min(to),
+            high: from.max(to),
+            joined: false,
+            hull: None,
+        }
     }
 
     /// The same upside down: its heights are the negative upper ends of what a flat tool covers.
@@ -109,6 +161,7 @@ impl Sweep {
         }
         (other.low, other.high) = (-self.high, -self.low);
         other.cutter.tip = Tip::Flat;
+        other.hull = None;
         other
     }
 
@@ -126,6 +179,7 @@ impl Sweep {
             max: self.max + grow,
             low: self.low + lift,
             high: self.high + lift,
+            hull: None,
             ..other
         }
     }
@@ -252,6 +306,9 @@ impl Sweep {
 
     /// The part of a row over which a flat tool stands at the lower end of its ramp, and that height.
     pub(super) fn settled(&self, y: f64) -> Option<([f64; 2], f64)> {
+        if self.cutter.tip != Tip::Flat {
+            return None;
+        }
         let (at, height) = match self.way {
             Way::Line { from, along, length, rise } if rise != 0.0 => {
                 let start = DVec2::new(from.x, from.y);
@@ -263,7 +320,7 @@ impl Sweep {
             _ => return None,
         };
         let square = self.cutter.radius * self.cutter.radius - (y - at.y) * (y - at.y);
-        if self.cutter.tip != Tip::Flat || square <= 0.0 {
+        if square <= 0.0 {
             return None;
         }
         let half = square.sqrt() - HAIR;

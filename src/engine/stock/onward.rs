@@ -1,0 +1,205 @@
+//! A ball that goes on from where it has stood: most moves of a finished surface are of that kind, and short.
+//!
+//! All that it covers at its start is gone. Beyond its end it is lowest over a column where it stands at the end; only in
+//! a strip between start and end the way itself counts. Invariant: a column beyond one limit or the other may be taken for
+//! either, as both give the same height there.
+use glam::{DVec2, DVec3};
+
+use super::Grid;
+use super::lane::{HALF, Row, Tally};
+use super::sweep::{HAIR, Hull, Sweep, Way};
+
+/// What is not less than this along the row counts as standing across it.
+const ALONG: f64 = 1e-9;
+
+/// The part of the plane that lies in a direction from a line.
+#[derive(Clone, Copy, Debug)]
+struct Limit {
+    /// Where the line crosses the row at y = 0, and by how much farther per mm of y; of a line along the rows its y.
+    at: f64,
+    lean: f64,
+    /// +1 if the part lies towards greater x, -1 towards less, 0 for lines along the rows.
+    sign: f64,
+    /// The same for y of lines along the rows.
+    beyond: f64,
+}
+
+impl Limit {
+    /// What lies farther than `offset` in the direction from a point.
+    fn new(point: DVec2, direction: DVec2, offset: f64) -> Self {
+        let reached = direction.dot(point) + offset;
+        if direction.x.abs() > ALONG {
+            let each = direction.x.recip();
+            return Self { at: reached * each, lean: -direction.y * each, sign: direction.x.signum(), beyond: 0.0 };
+        }
+        Self { at: reached * direction.y.signum(), lean: 0.0, sign: 0.0, beyond: direction.y.signum() }
+    }
+
+    /// The part of a row.
+    fn part(&self, y: f64) -> [f64; 2] {
+        let at = self.at + self.lean * y;
+        if self.sign > 0.0 {
+            [at, f64::INFINITY]
+        } else if self.sign < 0.0 {
+            [f64::NEG_INFINITY, at]
+        } else if self.beyond * (y - at) >= 0.0 {
+            [f64::NEG_INFINITY, f64::INFINITY]
+        } else {
+            [f64::INFINITY, f64::NEG_INFINITY]
+        }
+    }
+}
+
+/// A ball on a way that it has come to on another one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Onward {
+    /// Its middle at the end.
+    end: DVec3,
+    square: f64,
+    /// Where it is lowest at the end, and where it is not lowest at the start.
+    ends: Limit,
+    starts: Limit,
+    /// To the left and to the right of the way.
+    sides: [Limit; 2],
+    hull: Hull,
+    is_line: bool,
+    low: f64,
+}
+
+impl Onward {
+    /// Of a way; nothing if more has to be looked at.
+    pub(super) fn new(sweep: &Sweep) -> Option<Self> {
+        let hull = sweep.hull.filter(|hull| sweep.joined && hull.length > 0.0)?;
+        let radius = sweep.cutter.radius;
+        let flat = DVec2::new(hull.from.x, hull.from.y);
+        // On the way up it is lowest somewhat before a column, at most by that, and on the way down behind it.
+        let lag = radius * hull.slope / hull.steep;
+        let (directions, ahead, behind) = match sweep.way {
+            Way::Line { .. } => ([hull.along, hull.along], lag.max(0.0), lag.min(0.0)),
+            // A wide tool may come back to where it was.
+            Way::Arc { radius: wide, rise, start, end, turn, sweep, .. } if rise <= 0.0 && wide >= radius => {
+                let slope = rise / (sweep * wide);
+                ([start, end].map(|arm| turn * DVec2::new(-arm.y, arm.x)), 0.0, radius * slope)
+            }
+            Way::Arc { .. } => return None,
+        };
+        let end = hull.from + (hull.along * hull.length).extend(hull.slope * hull.length);
+        let left = DVec2::new(-hull.along.y, hull.along.x);
+        Some(Self {
+            end,
+            square: radius * radius,
+            ends: Limit::new(DVec2::new(end.x, end.y), directions[1], ahead),
+            starts: Limit::new(flat, directions[0], behind - HAIR),
+            sides: [left, -left].map(|side| Limit::new(flat, side, -hull.radius - HAIR)),
+            hull,
+            is_line: matches!(sweep.way, Way::Line { .. }),
+            low: sweep.low,
+        })
+    }
+
+    /// Takes away what it covers in a row. The first and the last column that lose something, and the columns of an arc
+    /// between its start and its end, which are left.
+    #[inline(always)]
+    pub(super) fn cut(
+        &self,
+        grid: &Grid,
+        own: &mut Row,
+        y: f64,
+        tally: &mut Tally,
+    ) -> (Option<(usize, usize)>, Option<(usize, usize)>) {
+        let index = |x: f64| (x - grid.min.x) * grid.each.x - 0.5;
+        let most = grid.columns as f64 - 1.0;
+        let columns = |from: f64, to: f64| {
+            let (from, to) = (larger(from, 0.0), smaller(to, most));
+            let low = from as i32;
+            let low = if f64::from(low) < from { low + 1 } else { low };
+            let high = to as i32;
+            (from <= to && low <= high).then_some((low as usize, high as usize))
+        };
+        let [mut from, mut to] = self.ends.part(y).map(index);
+        let (mut cut, mut left) = (None, None);
+        // The strip between the lines through start and end, and beside the way.
+        if self.ends.sign != 0.0 || from > to {
+            let [mut first, mut last] = self.starts.part(y).map(index);
+            for side in &self.sides {
+                let [low, high] = side.part(y).map(index);
+                (first, last) = (larger(first, low), smaller(last, high));
+            }
+            if self.ends.sign > 0.0 {
+                last = smaller(last, from);
+            } else if self.ends.sign < 0.0 {
+                first = larger(first, to);
+            }
+            let strip = columns(first, last);
+            if !self.is_line {
+                left = strip;
+            } else if let Some(strip) = strip {
+                cut = self.along(grid, own, strip, y, tally);
+                // What lies in the same half of a block is done.
+                if self.ends.sign > 0.0 {
+                    from = larger(from, ((strip.1 / HALF + 1) * HALF) as f64);
+                } else {
+                    to = smaller(to, (strip.0 / HALF * HALF) as f64 - 1.0);
+                }
+            }
+        }
+        let beside = y - self.end.y;
+        let square = self.square - beside * beside;
+        if square > 0.0 && from <= to {
+            let half = square.sqrt();
+            let stands = [index(self.end.x - half), index(self.end.x + half)];
+            if let Some(columns) = columns(larger(from, stands[0]), smaller(to, stands[1])) {
+                let (away, step, height) = (grid.x(0) - self.end.x, grid.cell.x, self.end.z);
+                let ball = |n: f64| {
+                    let far = away + n * step;
+                    [square - far * far, height]
+                };
+                cut = joined(cut, own.balls(columns, height - half, ball, tally));
+            }
+        }
+        (cut, left)
+    }
+
+    /// The columns between the ends of a straight way.
+    #[inline(always)]
+    fn along(
+        &self,
+        grid: &Grid,
+        own: &mut Row,
+        columns: (usize, usize),
+        y: f64,
+        tally: &mut Tally,
+    ) -> Option<(usize, usize)> {
+        let Hull { from, along, length, slope, steep, radius } = self.hull;
+        let (dx, dy) = (grid.x(0) - from.x, y - from.y);
+        let (u, v) = (dx * along.x + dy * along.y, dy * along.x - dx * along.y);
+        let (du, dv) = (grid.cell.x * along.x, -grid.cell.x * along.y);
+        let (square, lag) = (radius * radius, slope / steep);
+        // It is lowest where the slopes of way and end balance, or at an end of the way.
+        let ball = |n: f64| {
+            let (u, v) = (u + n * du, v + n * dv);
+            let room = square - v * v;
+            let best = smaller(larger(u - lag * larger(room, 0.0).sqrt(), 0.0), length);
+            [room - (u - best) * (u - best), from.z + slope * best]
+        };
+        own.balls(columns, self.low, ball, tally)
+    }
+}
+
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+#[inline(always)]
+fn smaller(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The first and the last column of two parts.
+fn joined(one: Option<(usize, usize)>, other: Option<(usize, usize)>) -> Option<(usize, usize)> {
+    match (one, other) {
+        (Some((a, b)), Some((c, d))) => Some((a.min(c), b.max(d))),
+        (one, other) => one.or(other),
+    }
+}
