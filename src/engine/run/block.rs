@@ -1,6 +1,7 @@
 //! Blocks: what each kind does, and the M functions.
 //!
 //! Invariant: an M function that is not listed here is a fault, never ignored.
+use super::cycle::Exec;
 use super::fault::Fault;
 use super::motion::Speed;
 use super::program::After;
@@ -180,6 +181,18 @@ impl<'e> Run<'_, 'e> {
             self.tell(EventKind::Set { q, value });
         }
         Ok(())
+    }
+
+    /// Sets a Q parameter of the run: where a field says where the result goes, there.
+    pub(super) fn set_of_cycle(&mut self, q: QRef, value: Content, exec: &mut Exec<'_, 'e>) -> Result<(), Fault> {
+        if let (true, Content::Number(number)) = (exec.is_redirected(q), &value) {
+            let Some(target) = exec.redirected(q, *number) else { return Ok(()) };
+            return self.set(target, value);
+        }
+        match (value, exec.definition.scale_of(q)) {
+            (Content::Number(number), scale) if scale != 1.0 => self.set(q, Content::Number(number / scale)),
+            (value, _) => self.set(q, value),
+        }
     }
 
     fn assign(&mut self, assign: &FnAssign) -> Done {

@@ -10,7 +10,7 @@ use super::event::MessageKind;
 use super::fault::{Class, Fault};
 use super::stylus::ProbeData;
 use super::world::Tables;
-use super::{Content, Done, EventKind, Leave, Params, Run};
+use super::{Done, EventKind, Leave, Params, Run};
 use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Slot, Step};
 use crate::engine::scene::{Orientation, ParameterValue};
 use crate::expr::{Env, EvalError, QRef, Type, Value};
@@ -63,6 +63,8 @@ pub(super) struct Exec<'d, 'e> {
     sentences: Vec<bool>,
     /// Whether known names change while the cycle runs.
     changing: bool,
+    /// Whether the values of Q parameters are those of the program.
+    plain: bool,
 }
 
 /// What an expression of a plan sees.
@@ -82,6 +84,9 @@ impl Env for View<'_, '_, '_> {
 
     fn number(&self, q: QRef) -> Result<f64, EvalError> {
         let (exec, plan) = (self.exec, self.exec.plan());
+        if exec.plain {
+            return self.params.number(q);
+        }
         if let Some((_, value)) = plan.constants.iter().find(|(known, _)| *known == q) {
             return Ok(*value);
         }
@@ -125,6 +130,7 @@ impl<'d, 'e> Exec<'d, 'e> {
             switched,
             probe,
             sentences,
+            plain: plan.constants.is_empty() && plan.stands_for.is_empty() && definition.unit == 1.0,
             changing: plan.builtins.iter().any(|(_, builtin)| builtin.changes()),
         }
     }
@@ -152,6 +158,14 @@ impl<'d, 'e> Exec<'d, 'e> {
     pub(super) fn put(&mut self, slot: Slot, value: Value) {
         if let Some(cell) = self.cells.get_mut(slot) {
             *cell = Cell::Value(value);
+        }
+    }
+
+    /// The number in a slot, if it is one.
+    pub(super) fn number_in(&self, slot: Slot) -> Option<f64> {
+        match self.cells.get(slot) {
+            Some(Cell::Value(Value::Number(number))) => Some(*number),
+            _ => None,
         }
     }
 
@@ -229,10 +243,16 @@ impl<'e> Run<'_, 'e> {
         let (outer_at, outer_probing) = (self.event.at.cycle.clone(), self.probing);
         self.event.at.cycle = Some((definition.cycle.key, None));
         let mut exec = self.exec(definition);
-        self.prepare(&mut exec);
-        if self.guards(&plan.guards, Moment::Call, &mut exec)? == Verdict::Skip {
-            self.event.at.cycle = outer_at;
-            return Ok(());
+        if !self.recall(&mut exec) {
+            self.prepare(&mut exec);
+            match self.guards(&plan.guards, Moment::Call, &mut exec)? {
+                Verdict::Skip => {
+                    self.event.at.cycle = outer_at;
+                    return Ok(());
+                }
+                Verdict::Told => {}
+                Verdict::GoOn => self.remember(&exec),
+            }
         }
         if plan.probes {
             self.world.probe()?;
@@ -444,10 +464,8 @@ impl<'e> Run<'_, 'e> {
 
     pub(super) fn number(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
         // What most actions are given is a name that has its value.
-        if let Some(slot) = calc.code.slot()
-            && let Some(Cell::Value(Value::Number(number))) = exec.cells.get(slot)
-        {
-            return Ok(*number);
+        if let Some(number) = calc.code.slot().and_then(|slot| exec.number_in(slot)) {
+            return Ok(number);
         }
         Self::needed(calc, exec)?;
         Ok(calc.code.number(&View { exec, params: &self.params })?)
@@ -469,12 +487,14 @@ impl<'e> Run<'_, 'e> {
     }
 
     pub(super) fn guards(&mut self, guards: &[Guard], at: Moment, exec: &mut Exec<'_, 'e>) -> Done<Verdict> {
+        let mut verdict = Verdict::GoOn;
         for guard in guards.iter().filter(|guard| guard.at == at) {
             let off = |name: &Arc<str>| self.machine_datum(name, exec) == Some(0.0);
             if guard.switched_off_by.as_ref().is_some_and(off) || !self.truth(&guard.when, exec)? {
                 continue;
             }
             self.guards.insert((exec.definition.cycle.key, Arc::clone(&guard.code)));
+            verdict = Verdict::Told;
             let message = |run: &mut Self, kind, answer| {
                 run.tell(EventKind::Message { kind, id: Arc::clone(&guard.code), answer });
             };
@@ -494,7 +514,7 @@ impl<'e> Run<'_, 'e> {
                 }
             }
         }
-        Ok(Verdict::GoOn)
+        Ok(verdict)
     }
 
     pub(super) fn items(&mut self, items: &[Item], exec: &mut Exec<'_, 'e>) -> Done {
@@ -561,25 +581,15 @@ impl<'e> Run<'_, 'e> {
         }
         Ok(())
     }
-
-    /// Sets a Q parameter of the run: where a field says where the result goes, there.
-    pub(super) fn set_of_cycle(&mut self, q: QRef, value: Content, exec: &mut Exec<'_, 'e>) -> Result<(), Fault> {
-        if let (true, Content::Number(number)) = (exec.is_redirected(q), &value) {
-            let Some(target) = exec.redirected(q, *number) else { return Ok(()) };
-            return self.set(target, value);
-        }
-        match (value, exec.definition.scale_of(q)) {
-            (Content::Number(number), scale) if scale != 1.0 => self.set(q, Content::Number(number / scale)),
-            (value, _) => self.set(q, value),
-        }
-    }
 }
 
 /// What guards decide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Verdict {
-    /// The cycle goes on.
+    /// The cycle goes on: none of them applies.
     GoOn,
+    /// It goes on after a message.
+    Told,
     /// It is not executed.
     Skip,
 }

@@ -50,6 +50,8 @@ pub(super) enum FieldValue {
 /// A cycle as it was defined.
 #[derive(Clone, Debug)]
 pub(super) struct Definition<'e> {
+    /// The definitions of a run are numbered.
+    pub(super) id: u64,
     pub(super) cycle: &'e Cycle,
     /// The control whose manual describes it.
     pub(super) on: &'e OnControl,
@@ -103,7 +105,8 @@ impl<'e> Run<'_, 'e> {
         };
         let Values { form, fields } = definition;
         let unit = self.unit();
-        let definition = Definition { cycle, on, plan, unit, form, fields };
+        self.definitions += 1;
+        let definition = Definition { id: self.definitions, cycle, on, plan, unit, form, fields };
         self.at_definition(&definition)?;
         if cycle.file.takes_effect == TakesEffect::OnDefinition {
             return self.execute(&definition);

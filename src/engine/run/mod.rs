@@ -30,6 +30,7 @@ mod plane;
 mod plunge;
 mod probe;
 mod program;
+mod recall;
 mod series;
 mod spindle;
 mod strategy;
@@ -314,6 +315,10 @@ struct Run<'r, 'e> {
     params: Params,
     modal: Modal,
     last_cycle: Option<Arc<Definition<'e>>>,
+    /// How many cycles were defined.
+    definitions: u64,
+    /// What the named values of a definition were when it was called last.
+    recall: Option<recall::Recall>,
     /// The points of the last pattern definition or point table.
     pattern: Option<pattern::Pattern>,
     /// Whether it was written in the program, and not read from a point table.
@@ -375,6 +380,8 @@ impl<'r, 'e> Run<'r, 'e> {
             params: Params::new(),
             modal: Modal::default(),
             last_cycle: None,
+            definitions: 0,
+            recall: None,
             pattern: None,
             pattern_is_defined: false,
             predefined: BTreeMap::new(),

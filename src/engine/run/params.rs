@@ -14,6 +14,8 @@ const COUNT: usize = 2000;
 pub struct Params {
     numbers: [Vec<Option<f64>>; 3],
     texts: Vec<Option<Arc<str>>>,
+    /// How often a value was given or taken.
+    changes: u64,
 }
 
 const fn family(kind: QKind) -> usize {
@@ -27,7 +29,7 @@ const fn family(kind: QKind) -> usize {
 impl Params {
     pub(super) fn new() -> Self {
         let none = || vec![None; COUNT];
-        Self { numbers: [none(), none(), none()], texts: vec![None; COUNT] }
+        Self { numbers: [none(), none(), none()], texts: vec![None; COUNT], changes: 0 }
     }
 
     /// The value of a number parameter.
@@ -53,8 +55,14 @@ impl Params {
         self.texts.get(usize::from(q.number)).cloned().flatten().ok_or(EvalError::Undefined(q))
     }
 
+    /// How often a value was given or taken: while that stays, all values are what they were.
+    pub(super) const fn changes(&self) -> u64 {
+        self.changes
+    }
+
     /// The parameter has no value any more.
     pub(super) fn forget(&mut self, q: QRef) {
+        self.changes += 1;
         let number = usize::from(q.number);
         if q.kind == QKind::Qs {
             self.texts.get_mut(number).map(Option::take);
@@ -77,6 +85,7 @@ impl Params {
     /// There is no such parameter, or the value is of the other kind.
     pub(super) fn set(&mut self, q: QRef, value: &Content) -> Result<bool, EvalError> {
         let index = usize::from(q.number);
+        self.changes += 1;
         match (q.kind, value) {
             (QKind::Qs, Content::Text(text)) => {
                 let cell = self.texts.get_mut(index).ok_or(EvalError::Undefined(q))?;

@@ -81,6 +81,8 @@ pub(super) struct World<'s> {
     pub(super) triggered: usize,
     /// The probe where it stopped after touching, until it moves.
     pub(super) pressed: Option<Pressed>,
+    /// Whether the machine has all linear axes.
+    all_axes: bool,
     /// What machine parameters say of touch probes.
     pub(super) of_machine: OfMachine,
     /// What the operator will say.
@@ -113,6 +115,7 @@ impl<'s> World<'s> {
             spindle_turned: 0.0,
             triggered: 0,
             pressed: None,
+            all_axes: Axis::ALL.into_iter().all(|axis| scene.machine.axis(axis).is_some()),
             of_machine,
             answers: scene.answers.clone(),
             tool: None,
@@ -416,6 +419,11 @@ impl<'s> World<'s> {
     /// The rotary axis that turns about a parallel of the tool axis.
     pub(super) fn table_axis(&self) -> RotaryAxis {
         RotaryAxis(self.system.plane.tool)
+    }
+
+    /// Whether the machine has all linear axes.
+    pub(super) const fn has_all_axes(&self) -> bool {
+        self.all_axes
     }
 
     /// The axes of the machine that a program can move.

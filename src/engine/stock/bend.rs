@@ -10,7 +10,7 @@ use glam::DVec2;
 
 use super::cutter::Tip;
 use super::kernel::{BISECTIONS, fill, under};
-use super::lane::{BLOCK, OFFSETS, WIDE};
+use super::lane::{BLOCK, OFFSETS, WIDE, larger, smaller};
 use super::sweep::{HAIR, NONE, Sweep, Way};
 
 /// Parts of a turn among which the lowest is looked for before the search closes in on it.
@@ -84,31 +84,38 @@ impl Sweep {
             let square = reach * reach - (y - middle) * (y - middle);
             (square >= 0.0).then(|| square.sqrt())
         };
-        let outer = half(centre.y, radius + tool)?;
         if y < self.min.y || y > self.max.y {
             return None;
         }
-        let (mut low, mut high) = (self.min.x.max(centre.x - outer), self.max.x.min(centre.x + outer));
-        if sweep < FRAC_PI_2 + HAIR {
-            let mut covered = NONE;
-            let mut cover = |from: f64, to: f64| covered = [covered[0].min(from), covered[1].max(to)];
-            for way in [start, end] {
-                let stands = centre + way * radius;
-                if let Some(half) = half(stands.y, tool) {
-                    cover(stands.x - half, stands.x + half);
+        if sweep >= FRAC_PI_2 + HAIR {
+            let outer = half(centre.y, radius + tool)?;
+            let (low, high) = (self.min.x.max(centre.x - outer), self.max.x.min(centre.x + outer));
+            return (low <= high).then_some([low, high]);
+        }
+        let [mut low, mut high] = NONE;
+        for way in [start, end] {
+            let stands = centre + way * radius;
+            if let Some(half) = half(stands.y, tool) {
+                low = smaller(low, stands.x - half);
+                high = larger(high, stands.x + half);
+            }
+        }
+        // Where the row crosses the rims of the ring beside the way. A rim is no farther from its chord than its radius times
+        // the square of the angle over eight, so few rows come near it.
+        for reach in [radius + tool, (radius - tool).max(0.0)] {
+            let (from, to) = (centre.y + start.y * reach, centre.y + end.y * reach);
+            let bulge = reach * (sweep * sweep * 0.125) + HAIR;
+            if y < smaller(from, to) - bulge || y > larger(from, to) + bulge {
+                continue;
+            }
+            let Some(half) = half(centre.y, reach) else { continue };
+            for across in [half, -half] {
+                let arm = DVec2::new(across, y - centre.y);
+                if start.perp_dot(arm) * turn >= 0.0 && arm.perp_dot(end) * turn >= 0.0 {
+                    low = smaller(low, centre.x + across);
+                    high = larger(high, centre.x + across);
                 }
             }
-            // Where the row crosses the rims of the ring beside the way.
-            let rims = [Some(outer), half(centre.y, (radius - tool).max(0.0))];
-            for half in rims.into_iter().flatten() {
-                for across in [half, -half] {
-                    let arm = DVec2::new(across, y - centre.y);
-                    if start.perp_dot(arm) * turn >= 0.0 && arm.perp_dot(end) * turn >= 0.0 {
-                        cover(centre.x + across, centre.x + across);
-                    }
-                }
-            }
-            (low, high) = (low.max(covered[0]), high.min(covered[1]));
         }
         (low <= high).then_some([low, high])
     }
@@ -123,8 +130,12 @@ impl Sweep {
             let half = if square > 0.0 && reach > 0.0 { square.sqrt() - HAIR } else { 0.0 };
             (middle.x, half)
         };
-        let (mut at, mut half) = hole(centre, radius - tool);
         let flat = self.cutter.tip == Tip::Flat;
+        if flat && rise < 0.0 && sweep < NARROW {
+            // A short way goes along the hole about its centre, and not around it.
+            return [[low, high], NONE];
+        }
+        let (mut at, mut half) = hole(centre, radius - tool);
         if self.joined && flat && rise >= 0.0 {
             let stood = hole(centre + start * radius, tool);
             if stood.1 > half {

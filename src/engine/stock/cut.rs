@@ -88,7 +88,10 @@ impl Part<'_> {
         let Self { grid, sweep, y } = *self;
         let mut heights = [f64::INFINITY; BLOCK];
         let flat = sweep.cutter.tip == Tip::Flat;
-        for block in first / BLOCK..last / BLOCK + 1 {
+        let mut next = first / BLOCK;
+        while next <= last / BLOCK {
+            let block = next;
+            next += 1;
             let highest = own.highest(block);
             if highest <= sweep.low {
                 continue;

@@ -23,8 +23,14 @@ pub(super) const OFFSETS: [f64; BLOCK] =
 
 /// The larger of two numbers, without a case for what is none.
 #[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
+pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
+}
+
+/// The smaller of two numbers, without a case for what is none.
+#[inline(always)]
+pub(super) fn smaller(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
 }
 
 /// The greatest of numbers that were found side by side.
@@ -329,18 +335,17 @@ impl Row {
         tally: &mut Tally,
         mut cut: impl FnMut(usize, usize),
     ) {
-        let through = height <= self.floor;
-        for block in first / BLOCK..last / BLOCK + 1 {
-            let Some(tops) = self.tops.get_mut(block) else { return };
+        if height <= self.floor {
+            return self.level_through((first, last), height, tally, &mut cut);
+        }
+        let start = first / BLOCK;
+        let blocks = self.tops.get_mut(start..last / BLOCK + 1).unwrap_or_default();
+        for (block, tops) in (start..).zip(blocks) {
             if tops.highest <= height {
                 continue;
             }
             let begin = block * BLOCK;
             let columns = first.saturating_sub(begin)..(last + 1 - begin).min(BLOCK);
-            if through {
-                self.lower_through(block, columns, &[height; BLOCK], tally, &mut cut);
-                continue;
-            }
             if tops.level {
                 let loss = tops.highest - height;
                 tally.height += loss * columns.len() as f64;
@@ -380,6 +385,23 @@ impl Row {
         }
     }
 
+    /// The same where the height may lie below the bottom of a stretch.
+    fn level_through(
+        &mut self,
+        (first, last): (usize, usize),
+        height: f64,
+        tally: &mut Tally,
+        cut: &mut impl FnMut(usize, usize),
+    ) {
+        for block in first / BLOCK..=last / BLOCK {
+            let begin = block * BLOCK;
+            if self.highest(block) > height {
+                let columns = first.saturating_sub(begin)..(last + 1 - begin).min(BLOCK);
+                self.lower_through(block, columns, &[height; BLOCK], tally, cut);
+            }
+        }
+    }
+
     /// Takes away what lies above the lower sides of balls over columns, and of others beside them: `balls` gives the square
     /// of half the height of the ball over a column, and the height of its middle. Nothing is lower than `low`. The first
     /// and the last column that lose something.
@@ -393,7 +415,10 @@ impl Row {
     ) -> Option<(usize, usize)> {
         let mut ends: Option<(usize, usize)> = None;
         let mut latest = [0.0; HALF];
-        for half in first / HALF..last / HALF + 1 {
+        let mut next = first / HALF;
+        while next <= last / HALF {
+            let half = next;
+            next += 1;
             let Some(tops) = self.tops.get_mut(half / (BLOCK / HALF)) else { break };
             if tops.highest <= low {
                 continue;

@@ -6,7 +6,7 @@
 use glam::{DVec2, DVec3};
 
 use super::Grid;
-use super::lane::{HALF, Row, Tally};
+use super::lane::{HALF, Row, Tally, larger, smaller};
 use super::sweep::{HAIR, Hull, Sweep, Way};
 
 /// What is not less than this along the row counts as standing across it.
@@ -111,10 +111,13 @@ impl Onward {
         let most = grid.columns as f64 - 1.0;
         let columns = |from: f64, to: f64| {
             let (from, to) = (larger(from, 0.0), smaller(to, most));
+            if from > to {
+                return None;
+            }
             let low = from as i32;
             let low = if f64::from(low) < from { low + 1 } else { low };
             let high = to as i32;
-            (from <= to && low <= high).then_some((low as usize, high as usize))
+            (low <= high).then_some((low as usize, high as usize))
         };
         let [mut from, mut to] = self.ends.part(y).map(index);
         let (mut cut, mut left) = (None, None);
@@ -184,16 +187,6 @@ impl Onward {
         };
         own.balls(columns, self.low, ball, tally)
     }
-}
-
-#[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
-}
-
-#[inline(always)]
-fn smaller(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
 }
 
 /// The first and the last column of two parts.
