@@ -152,6 +152,8 @@ impl<'e> Run<'_, 'e> {
     fn return_to(&mut self, before: &Before<'e>) {
         self.world = before.world.clone();
         self.params.clone_from(&before.params);
+        // What was kept belongs to values that were never given.
+        self.recall = None;
         self.modal = before.modal;
         self.event.at.clone_from(&before.at);
         self.guards.clone_from(&before.guards);
