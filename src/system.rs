@@ -10,6 +10,8 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::time::Duration;
 use std::{env, fs, thread};
 
+use sha2::{Digest as _, Sha256};
+
 use crate::diag::Diagnostic;
 
 /// Marks a directory as one that was written by us and may be replaced.
@@ -92,6 +94,36 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Trouble> {
         fs::read(path)
     };
     read.map_err(|error| Trouble::new("io-read", path, &error))
+}
+
+/// What the bytes of a file come to, which tells whether somebody has changed it.
+pub type Digest = [u8; 32];
+
+/// The digest of bytes.
+pub fn digest(bytes: &[u8]) -> Digest {
+    Sha256::digest(bytes).into()
+}
+
+/// The digest of a file's bytes, which are not kept.
+///
+/// # Errors
+/// `io-read` if it cannot be read.
+pub fn digest_of(path: &Path) -> Result<Digest, Trouble> {
+    let mut digest = Sha256::new();
+    let mut buffer = vec![0; 1 << 16];
+    let mut read = || -> io::Result<()> {
+        let mut file = fs::File::open(path)?;
+        loop {
+            match io::Read::read(&mut file, &mut buffer) {
+                Ok(0) => return Ok(()),
+                Ok(length) => digest.update(buffer.get(..length).unwrap_or_default()),
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Err(error) => return Err(error),
+            }
+        }
+    };
+    read().map_err(|error| Trouble::new("io-read", path, &error))?;
+    Ok(digest.finalize().into())
 }
 
 /// All files below some directories in `root`, by path with `/`, in the order of paths. Hidden files
@@ -227,17 +259,31 @@ pub fn inside(directory: &Path, name: &str) -> PathBuf {
 /// # Errors
 /// `io-write` if it cannot be written; the old file is then untouched.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Trouble> {
-    write_beside(path, bytes).map_err(|error| Trouble::new("io-write", path, &error))
+    write_parts(path, std::iter::once(bytes))
 }
 
-fn write_beside(path: &Path, bytes: &[u8]) -> io::Result<()> {
+/// Writes a file in parts that lie one behind the other.
+///
+/// # Errors
+/// `io-write` if it cannot be written.
+pub fn write_parts<'p>(path: &Path, parts: impl Iterator<Item = &'p [u8]>) -> Result<(), Trouble> {
+    write_beside(path, parts).map_err(|error| Trouble::new("io-write", path, &error))
+}
+
+fn put_parts<'p>(file: impl io::Write, mut parts: impl Iterator<Item = &'p [u8]>) -> io::Result<()> {
+    let mut file = io::BufWriter::new(file);
+    parts.try_for_each(|part| file.write_all(part))?;
+    file.flush()
+}
+
+fn write_beside<'p>(path: &Path, parts: impl Iterator<Item = &'p [u8]>) -> io::Result<()> {
     // A device such as /dev/stdout or a pipe cannot be replaced by renaming.
     if fs::metadata(path).is_ok_and(|known| !known.is_file()) {
-        return fs::write(path, bytes);
+        return put_parts(fs::File::create(path)?, parts);
     }
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let mut file = temporary(parent(&target))?;
-    file.write_all(bytes)?;
+    put_parts(&mut file, parts)?;
     if let Ok(known) = fs::metadata(&target) {
         file.as_file().set_permissions(known.permissions())?;
     }

@@ -144,6 +144,11 @@ impl<'a> Facts<'a> {
         facts
     }
 
+    /// The facts of a program whose run does not matter: no parameter has a number, and the language is not known.
+    pub fn unrun(program: &'a Program, against: &Against<'a>) -> Self {
+        Self::begun(program, against, None)
+    }
+
     /// The facts of a program without its run.
     pub(super) fn begun(program: &'a Program, against: &Against<'a>, among: Option<&'a dyn Among>) -> Self {
         let mut facts = Self {

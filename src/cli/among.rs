@@ -11,7 +11,6 @@ use super::check::Job;
 use super::{Failure, program};
 use crate::check::{self, Against, Among, Called, Callee, Rows, ToolName};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::encoding;
 use crate::system;
 use crate::table::{Table, TableKind};
 
@@ -85,7 +84,7 @@ impl Library {
             return Some(callee);
         }
         let bytes = system::read(path).ok()?;
-        let file = program::understood(path, &encoding::decode(&bytes), against.catalogue);
+        let file = program::understood_bytes(path, bytes, against.catalogue);
         // What goes round, or on for too long, may do anything.
         let callee = if depth > DEEPEST || self.leads(path, path, against) {
             Callee::anything(&file.program)
@@ -105,7 +104,7 @@ impl Library {
         }
         let mut calls = BTreeSet::new();
         if let Ok(bytes) = system::read(path) {
-            let file = program::understood(path, &encoding::decode(&bytes), against.catalogue);
+            let file = program::understood_bytes(path, bytes, against.catalogue);
             for name in check::named(&file.program, against) {
                 if let Found::File(called) = self.file(path, &name) {
                     calls.insert(called);

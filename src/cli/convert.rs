@@ -11,7 +11,8 @@ use crate::check::{Against, LabelBook};
 use crate::convert::{self, Conversion, Form, Request};
 use crate::diag::{Diagnostic, Severity};
 use crate::locale::{Args, Ui};
-use crate::syntax::{Dialect, encoding};
+use crate::syntax::Dialect;
+use crate::syntax::encoding::{self, Decoded};
 use crate::{syntax, system};
 
 pub(super) const COMMAND: Command = Command {
@@ -89,23 +90,24 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     for name in &names {
         let path = Path::new(name);
         let bytes = system::read(path)?;
-        let decoded = encoding::decode(&bytes);
-        let source = crate::diag::Source::new(name.as_str(), decoded.text.as_str());
+        let digest = system::digest(&bytes);
+        let Decoded { text, encoding } = encoding::decode_owned(bytes);
+        let source = crate::diag::Source::new(name.as_str(), text);
         let program = syntax::parse(&source);
         if program.dialect() == Dialect::Iso {
             return Err(Diagnostic::global("convert-klartext-first").arg("path", name.as_str()).into());
         }
-        let request = Request { from, to, locales: &locales, form, encoding: decoded.encoding };
+        let request = Request { from, to, locales: &locales, form, encoding };
         let conversion = convert::convert(&program, &request);
         errors |= conversion.found.iter().any(|found| found.severity == Severity::Error);
-        let whole = decoded.encoding.encode(&conversion.text).map_err(|sign| program::unwritable(sign, &source))?;
+        let whole = encoding.encode(&conversion.text).map_err(|sign| program::unwritable(sign, &source))?;
         let written = match matches.get_one::<String>("out").map(String::as_str) {
             Some(out) => Some(out),
             None => in_place.then_some(name.as_str()),
         };
         if let Some(written) = written {
             // Nobody may have changed the file between reading and writing.
-            if in_place && system::read(path)? != bytes {
+            if in_place && system::digest_of(path)? != digest {
                 return Err(Diagnostic::global("fix-file-changed").arg("path", name.as_str()).into());
             }
             system::write(Path::new(written), &whole)?;

@@ -6,10 +6,9 @@ use clap::ArgMatches;
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, check, mend, program};
 use crate::check::{Against, LabelBook};
-use crate::diag::{Diagnostic, edited};
-use crate::layout::layout;
+use crate::diag::Diagnostic;
+use crate::layout;
 use crate::locale::{Args, Ui};
-use crate::syntax::encoding::{self, Decoded};
 use crate::system;
 use crate::table::{Table, TableKind};
 
@@ -81,26 +80,29 @@ fn table(session: &mut Session, path: &Path, kind: TableKind, only_check: bool) 
 /// Lays out a file, or says only whether it would change.
 fn file(session: &mut Session, path: &Path, against: &Against<'_>, only_check: bool) -> Result<bool, Failure> {
     let bytes = system::read(path)?;
-    let decoded = encoding::decode(&bytes);
-    let old = program::understood(path, &decoded, against.catalogue);
-    let edits = layout(old.written());
+    let digest = system::digest(&bytes);
+    let old = program::understood_bytes(path, bytes, against.catalogue);
+    let encoding = old.encoding;
+    let changes = !layout::is_laid_out(old.written());
     if path == Path::new("-") && !only_check {
-        let text = edited(&decoded.text, &edits);
-        let bytes = decoded.encoding.encode(&text).map_err(|sign| program::unwritable(sign, old.written().source()))?;
+        let text = layout::laid_out(old.written());
+        let bytes = encoding.encode(&text).map_err(|sign| program::unwritable(sign, old.written().source()))?;
         session.output.write(&bytes)?;
-        return Ok(!edits.is_empty());
+        return Ok(changes);
     }
-    if edits.is_empty() {
+    if !changes {
         return Ok(false);
     }
     if only_check {
         session.output.print(&format!("{}\n", path.display()))?;
-    } else {
-        let text = Decoded { text: edited(&decoded.text, &edits), encoding: decoded.encoding };
-        let new = program::understood(path, &text, against.catalogue);
-        mend::store(path, &bytes, &decoded, &old, &new, against)?;
-        let line = session.ui.text("cli-written", &Args::new().text("path", path.display().to_string()));
-        session.output.remark(&line);
+        return Ok(true);
     }
+    let text = layout::laid_out(old.written());
+    let original = mend::Original::of(path, digest, &old, against);
+    drop(old);
+    let new = program::understood(path, text, encoding, against.catalogue);
+    original.store(&new, against)?;
+    let line = session.ui.text("cli-written", &Args::new().text("path", path.display().to_string()));
+    session.output.remark(&line);
     Ok(true)
 }

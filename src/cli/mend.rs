@@ -9,8 +9,38 @@ use super::program::{self, Understood};
 use crate::check::{self, Against, Among, Settings};
 use crate::compare;
 use crate::diag::{Diagnostic, Edit, edited};
-use crate::syntax::encoding::{self, Decoded};
-use crate::system;
+use crate::system::{self, Digest};
+
+/// What a program must still be when it is written anew.
+pub(super) struct Original<'p> {
+    path: &'p Path,
+    /// What its bytes in the file come to.
+    bytes: Digest,
+    /// What it comes to for a control.
+    program: [u8; 32],
+}
+
+impl<'p> Original<'p> {
+    /// That of a file.
+    pub(super) fn of(path: &'p Path, bytes: Digest, old: &Understood, against: &Against<'_>) -> Self {
+        Self { path, bytes, program: compare::fingerprint(&old.program, against) }
+    }
+
+    /// Puts the new program in the place of the old one. The two are not held at the same time: they may be long.
+    pub(super) fn store(&self, new: &Understood, against: &Against<'_>) -> Result<(), Failure> {
+        let told = |code: &'static str| Diagnostic::global(code).arg("path", self.path.display().to_string());
+        if compare::fingerprint(&new.program, against) != self.program {
+            return Err(told("fix-changes-program").into());
+        }
+        let text = new.written().source();
+        let whole = new.encoding.encode(text.text()).map_err(|sign| program::unwritable(sign, text))?;
+        if system::digest_of(self.path)? != self.bytes {
+            return Err(told("fix-file-changed").into());
+        }
+        system::write(self.path, &whole)?;
+        Ok(())
+    }
+}
 
 /// Fixes a file as far as that is safe: what is found in it then, and how many fixes were made.
 pub(super) fn file(
@@ -23,43 +53,25 @@ pub(super) fn file(
         return Err(Diagnostic::global("fix-no-file").into());
     }
     let bytes = system::read(path)?;
-    let decoded = encoding::decode(&bytes);
-    let program = program::understood(path, &decoded, against.catalogue);
-    let mut found = program.findings(check::check_among(&program.program, against, among));
+    let digest = system::digest(&bytes);
+    let old = program::understood_bytes(path, bytes, against.catalogue);
+    let encoding = old.encoding;
+    let mut found = old.findings(check::check_among(&old.program, against, among));
     // What is switched off is not mended either.
     settings.apply(&mut found);
-    let edits: Vec<Edit> = found.iter().filter_map(|diagnostic| diagnostic.fix.clone()).collect();
-    let writable = |edit: &Edit| decoded.encoding.encode(&edit.text).is_ok();
-    let edits: Vec<Edit> = edits.into_iter().filter(writable).collect();
+    let writable = |edit: &&Edit| encoding.encode(&edit.text).is_ok();
+    let fixes = found.iter().filter_map(|diagnostic| diagnostic.fix.as_ref());
+    let edits: Vec<Edit> = fixes.filter(writable).cloned().collect();
     if edits.is_empty() {
         return Ok((found, 0));
     }
-    let text = Decoded { text: edited(&decoded.text, &edits), encoding: decoded.encoding };
-    let mended = program::understood(path, &text, against.catalogue);
-    store(path, &bytes, &decoded, &program, &mended, against)?;
+    drop(found);
+    let text = edited(old.written().source().text(), &edits);
+    let original = Original::of(path, digest, &old, against);
+    drop(old);
+    let mended = program::understood(path, text, encoding, against.catalogue);
+    original.store(&mended, against)?;
     Ok((mended.findings(check::check_among(&mended.program, against, among)), edits.len()))
-}
-
-/// Puts the new program in the place of the old one.
-pub(super) fn store(
-    path: &Path,
-    bytes: &[u8],
-    decoded: &Decoded,
-    old: &Understood,
-    new: &Understood,
-    against: &Against<'_>,
-) -> Result<(), Failure> {
-    if !compare::compare(&old.program, &new.program, against).is_empty() {
-        let diagnostic = Diagnostic::global("fix-changes-program").arg("path", path.display().to_string());
-        return Err(diagnostic.into());
-    }
-    let text = new.written().source().text();
-    let whole = decoded.encoding.encode(text).map_err(|sign| program::unwritable(sign, old.written().source()))?;
-    if system::read(path)? != bytes {
-        return Err(Diagnostic::global("fix-file-changed").arg("path", path.display().to_string()).into());
-    }
-    system::write(path, &whole)?;
-    Ok(())
 }
 
 #[cfg(test)]
@@ -81,12 +93,11 @@ mod tests {
         let scratch = tempfile::tempdir().unwrap();
         let path = scratch.path().join("a.h");
         let (old, new) = ("1 L X+5 FMAX\n", "1  L X+5 FMAX\n");
+        let understood = |text: &str| program::understood_bytes(&path, text.into(), against.catalogue);
         let put = |text: &str| {
             std::fs::write(&path, text).unwrap();
-            let decoded = encoding::decode(old.as_bytes());
-            let understood =
-                |text: &str| program::understood(&path, &encoding::decode(text.as_bytes()), against.catalogue);
-            store(&path, old.as_bytes(), &decoded, &understood(old), &understood(new), &against)
+            let original = Original::of(&path, system::digest(old.as_bytes()), &understood(old), &against);
+            original.store(&understood(new), &against)
         };
         let Err(Failure::Trouble(trouble)) = put("1 L X+6 FMAX\n") else { panic!("it was written") };
         assert_eq!(trouble.code, "fix-file-changed");

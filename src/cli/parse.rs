@@ -3,7 +3,7 @@ use std::path::Path;
 
 use clap::ArgMatches;
 
-use super::session::{self, Session};
+use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, program};
 use crate::locale::Ui;
 use crate::syntax::json;
@@ -17,12 +17,11 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let file = program::read(Path::new(&arguments::text(matches, "file")))?;
     if matches.get_flag("print") {
-        // Text that came from a file in this encoding can be written in it.
-        let text = file.program.text();
-        let bytes = file.encoding.encode(&text).map_err(|sign| program::not_encodable(sign, &file))?;
-        session.output.write(&bytes)?;
+        let program = &file.program;
+        let pieces = program.blocks().iter().map(|block| program.slice(block.span));
+        program::print_pieces(session, file.encoding, pieces, program.source())?;
     } else {
-        session.output.print(&session::json(&json::document(&file.program))?)?;
+        session.print_json(&json::document(&file.program))?;
     }
     Ok(Outcome::Clean)
 }

@@ -1,16 +1,21 @@
 //! Reading a program with what is needed to write it back.
 //!
 //! Invariant: any file is a program; only one that cannot be read at all is refused.
+use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
 
 use super::Failure;
+use super::session::Session;
 use crate::diag::{Diagnostic, Place, Source, Span};
 use crate::iso::{Codes, Lowered, to_klartext};
 use crate::spec::Catalogue;
-use crate::syntax::encoding::{self, Decoded, Encoding};
+use crate::syntax::encoding::{self, Charset, Decoded, Encoding};
 use crate::syntax::{self, Dialect, Program};
 use crate::system;
+
+/// An encoding in which a text is its own bytes.
+const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
 
 /// A program file.
 pub(super) struct File {
@@ -80,17 +85,16 @@ pub(super) fn understand(path: &Path, catalogue: &Catalogue) -> Result<Understoo
     Ok(Understood::new(program, encoding, catalogue))
 }
 
-/// The same of a text.
-pub(super) fn understood(path: &Path, decoded: &Decoded, catalogue: &Catalogue) -> Understood {
-    let source = Source::new(path.display().to_string(), decoded.text.as_str());
-    Understood::new(syntax::parse(&source), decoded.encoding, catalogue)
+/// The same of a text and the encoding that it has in the file.
+pub(super) fn understood(path: &Path, text: String, encoding: Encoding, catalogue: &Catalogue) -> Understood {
+    let source = Source::new(path.display().to_string(), text);
+    Understood::new(syntax::parse(&source), encoding, catalogue)
 }
 
 /// The same of the bytes of a file, which become the text if they can: copies of long programs cost.
 pub(super) fn understood_bytes(path: &Path, bytes: Vec<u8>, catalogue: &Catalogue) -> Understood {
-    let decoded = encoding::decode_owned(bytes);
-    let source = Source::new(path.display().to_string(), decoded.text);
-    Understood::new(syntax::parse(&source), decoded.encoding, catalogue)
+    let Decoded { text, encoding } = encoding::decode_owned(bytes);
+    understood(path, text, encoding, catalogue)
 }
 
 /// Reads a program; `-` is standard input.
@@ -122,12 +126,58 @@ pub(super) fn source_of(path: &Path, bytes: &[u8]) -> Arc<Source> {
     Source::new(path.display().to_string(), encoding::decode(bytes).text)
 }
 
-/// What to say of a character that the file's encoding does not have.
-pub(super) fn not_encodable(sign: char, file: &File) -> Diagnostic {
-    unwritable(sign, file.program.source())
+/// The pieces of a text with some stretches replaced, in the order of the text.
+pub(super) fn pieces<'t>(
+    text: &'t str,
+    replaced: impl Iterator<Item = (Span, &'t str)>,
+) -> impl Iterator<Item = &'t str> {
+    let length = text.len();
+    let last = std::iter::once((Span::new(length, length), ""));
+    let mut at = 0;
+    replaced.chain(last).flat_map(move |(span, new)| {
+        let from = std::mem::replace(&mut at, span.end);
+        [text.get(from..span.start).unwrap_or_default(), new]
+    })
 }
 
-/// The same of the source of a program.
+/// Writes a text that stands in pieces to a file, without putting it together if its encoding lets that.
+pub(super) fn write_pieces<'t>(
+    path: &Path,
+    encoding: Encoding,
+    pieces: impl Iterator<Item = &'t str>,
+    source: &Arc<Source>,
+) -> Result<(), Failure> {
+    if encoding == UTF_8 {
+        system::write_parts(path, pieces.map(str::as_bytes))?;
+    } else {
+        system::write(path, &encoded(encoding, pieces, source)?)?;
+    }
+    Ok(())
+}
+
+/// The same to standard output.
+pub(super) fn print_pieces<'t>(
+    session: &mut Session,
+    encoding: Encoding,
+    mut pieces: impl Iterator<Item = &'t str>,
+    source: &Arc<Source>,
+) -> Result<(), Failure> {
+    if encoding == UTF_8 {
+        return pieces.try_for_each(|piece| session.output.print(piece));
+    }
+    session.output.write(&encoded(encoding, pieces, source)?)
+}
+
+fn encoded<'t>(
+    encoding: Encoding,
+    pieces: impl Iterator<Item = &'t str>,
+    source: &Arc<Source>,
+) -> Result<Vec<u8>, Failure> {
+    let text: String = pieces.collect();
+    encoding.encode(&text).map(Cow::into_owned).map_err(|sign| unwritable(sign, source).into())
+}
+
+/// What to say of a character that the encoding of the file does not have.
 pub(super) fn unwritable(sign: char, source: &Arc<Source>) -> Diagnostic {
     let place = Place::new(source, 0..0);
     Diagnostic::error("not-encodable", place).arg("sign", sign.to_string())

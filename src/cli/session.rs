@@ -118,6 +118,17 @@ impl<'s> Session<'s> {
         sound(found).map(|()| locales)
     }
 
+    /// Prints a document, for people to read too, as it is made.
+    pub(super) fn print_json(&mut self, document: &impl serde::Serialize) -> Result<(), Failure> {
+        if let Err(error) = serde_json::to_writer_pretty(&mut self.output.stdout, document) {
+            return Err(match error.io_error_kind() {
+                Some(kind) => stdout_failure(&kind.into()),
+                None => Diagnostic::global("internal").arg("detail", error.to_string()).into(),
+            });
+        }
+        self.output.print("\n")
+    }
+
     /// Prints findings as the result of the command, in the order of files and places: as text with a
     /// count at the end, or as JSON lines. Says whether there are errors.
     pub(super) fn report(&mut self, mut found: Vec<Diagnostic>, format: &str) -> Result<bool, Failure> {

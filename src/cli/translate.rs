@@ -6,10 +6,9 @@ use clap::ArgMatches;
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, program};
 use crate::check::{Against, LabelBook};
-use crate::diag::{Edit, Severity, edited};
+use crate::diag::Severity;
 use crate::locale::{Args, Language, Ui};
-use crate::system;
-use crate::translate::{self, Translation};
+use crate::translate::{self, Replacements};
 
 pub(super) const COMMAND: Command = Command {
     name: "translate",
@@ -42,20 +41,20 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let labels = LabelBook::new(on, &locales);
     let against =
         Against { catalogue: &catalogue, on, labels: &labels, language: from.map(Language::tag), readers: &[] };
-    let write = if matches.get_flag("relabel") { translate::relabel } else { translate::translate };
-    let Translation { changes, diagnostics, sources, .. } = write(&file.program, &against, to, file.encoding);
-    let edit = |change: &translate::Change| Some(Edit { span: file.exact(change.span)?, text: change.to.clone() });
-    let edits: Vec<Edit> = changes.iter().filter_map(edit).collect();
-    let text = edited(file.written().source().text(), &edits);
-    let bytes = file.encoding.encode(&text).map_err(|sign| program::unwritable(sign, file.written().source()))?;
+    let relabel = matches.get_flag("relabel");
+    let found = translate::replacements(&file.program, &against, to, file.encoding, relabel);
+    let Replacements { mut changes, diagnostics, sources } = found;
+    changes.retain_mut(|change| file.exact(change.span).map(|span| change.span = span).is_some());
+    let source = file.written().source();
+    let pieces = program::pieces(source.text(), changes.iter().map(|change| (change.span, change.to)));
     match matches.get_one::<String>("out") {
         Some(out) => {
-            system::write(Path::new(out), &bytes)?;
-            let args = Args::new().number("count", edits.len() as f64).text("path", out.as_str());
+            program::write_pieces(Path::new(out), file.encoding, pieces, source)?;
+            let args = Args::new().number("count", changes.len() as f64).text("path", out.as_str());
             let line = session.ui.text("cli-translated", &args);
             session.output.remark(&line);
         }
-        None => session.output.write(&bytes)?,
+        None => program::print_pieces(session, file.encoding, pieces, source)?,
     }
     if from.is_none() && !sources.is_empty() {
         let mut sources: Vec<(String, usize)> = sources.into_iter().collect();

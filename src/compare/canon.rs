@@ -2,13 +2,13 @@
 //!
 //! Invariant: two blocks with the same spelling are read alike by a control. A block whose words may be
 //! names keeps them as they are; only white space between them is made one.
-use std::collections::BTreeMap;
+use std::ops::Range;
 
 use crate::check::{Against, Facts};
 use crate::diag::Span;
 use crate::syntax::{
-    Block, BlockKind, CycleDef, Motion, NamedWord, OldCycleLine, Path, Program, Statement as Worded, ToolCall, ToolRef,
-    Value, ValueKind,
+    Block, BlockKind, CycleDef, CycleForm, Element, Motion, NamedWord, OldCycleLine, Path, Program,
+    Statement as Worded, ToolCall, ToolRef, Value, ValueKind,
 };
 
 /// Kinds of blocks whose words are all known: no name stands in them outside of quotation marks.
@@ -53,118 +53,343 @@ pub struct Statement {
     pub lines: usize,
 }
 
+impl Statement {
+    fn of(block: &Block, text: &str) -> Self {
+        Self { text: text.to_owned(), span: block.span, line: block.line, lines: block.lines }
+    }
+}
+
 /// The statements of a program, in order. Comments, structure blocks and blank lines are none.
 pub fn statements(program: &Program, against: &Against<'_>) -> Vec<Statement> {
-    let facts = Facts::of(program, against);
-    let described = facts.readings().flat_map(|definition| definition.items);
-    let fields = described.filter_map(|item| Some((item.label?.start, item.index?))).collect();
-    let speaks =
-        |block: &&Block| !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_));
-    let write = |block: &Block| {
-        let text = format!("{}{}", if block.skip { "/ " } else { "" }, spelled(program, block, &fields));
-        Statement { text, span: block.span, line: block.line, lines: block.lines }
-    };
-    program.blocks().iter().filter(speaks).map(write).collect()
+    let mut all = Vec::new();
+    each(program, against, |block, text| all.push(Statement::of(block, text)));
+    all
 }
 
-fn spelled(program: &Program, block: &Block, fields: &BTreeMap<usize, usize>) -> String {
-    match &block.kind {
-        BlockKind::CycleDef(cycle) if cycle.errors.is_empty() => definition(program, cycle),
-        BlockKind::OldCycleLine(line) => old_line(program, line, fields),
-        BlockKind::Motion(own) => motion(program, own),
-        BlockKind::ToolCall(call) => tool_call(program, call),
-        BlockKind::CallLbl(call) => {
-            let times =
-                call.repeat.map_or(String::new(), |times| format!(" REP {}", tokens(program.slice(times.span))));
-            format!("CALL LBL {}{times}", tokens(program.slice(call.label.span)))
-        }
-        BlockKind::Statement(own) => statement(program, own),
-        // What Klartext has no equivalent of stands in a comment.
-        BlockKind::Iso(_) => closed_up(program.slice(block.comment().unwrap_or(block.span))),
-        kind => {
-            let content = content(program, block);
-            let first: String = content.chars().take_while(char::is_ascii_alphabetic).collect();
-            let plain = PLAIN.contains(&kind.name()) || NAMELESS.contains(&first.to_ascii_uppercase().as_str());
-            if plain { tokens(&content) } else { closed_up(&content) }
+/// Hands over the statements one by one, with their blocks: long programs have millions of them.
+pub(super) fn each(program: &Program, against: &Against<'_>, mut take: impl FnMut(&Block, &str)) {
+    let mut speller = Speller::new(program, against);
+    for block in program.blocks().iter().filter(|block| speaks(block)) {
+        speller.block(block);
+        take(block, &speller.out);
+    }
+}
+
+/// The statements in some stretches of all, which lie one behind the other.
+pub(super) fn those(program: &Program, against: &Against<'_>, stretches: &[Range<usize>]) -> Vec<Vec<Statement>> {
+    let mut all = vec![Vec::new(); stretches.len()];
+    if stretches.is_empty() {
+        return all;
+    }
+    let mut speller = Speller::new(program, against);
+    let mut wanted = stretches.iter().zip(&mut all).peekable();
+    for (at, block) in program.blocks().iter().filter(|block| speaks(block)).enumerate() {
+        while wanted.next_if(|(stretch, _)| stretch.end <= at).is_some() {}
+        if let Some((stretch, found)) = wanted.peek_mut()
+            && stretch.contains(&at)
+        {
+            speller.block(block);
+            found.push(Statement::of(block, &speller.out));
         }
     }
+    all
 }
 
-/// The words of a contour element in one order; a control reads them in any.
-fn motion(program: &Program, motion: &Motion) -> String {
-    let mut parts = vec![motion.path.name().to_ascii_uppercase()];
-    if let Path::Appr(form) | Path::Dep(form) = motion.path {
-        parts.push(format!("{form:?}"));
+fn speaks(block: &Block) -> bool {
+    !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_))
+}
+
+/// Where words of the old form stand that name a field, and which.
+fn fields(program: &Program, against: &Against<'_>) -> Vec<(usize, usize)> {
+    let facts = Facts::unrun(program, against);
+    let mut fields = Vec::new();
+    for definition in facts.definitions.iter().filter(|own| matches!(own.view.form, CycleForm::Lines(_))) {
+        let items = facts.read(definition).items;
+        fields.extend(items.iter().filter_map(|item| Some((item.label?.start, item.index?))));
     }
-    parts.extend(motion.coords.iter().map(|coord| tokens(program.slice(coord.span))));
-    parts.extend(motion.radius.map(|radius| format!("R {}", tokens(program.slice(radius.span)))));
-    parts.extend(motion.words.iter().map(|word| named(program, word)));
-    parts.extend(motion.counter_clockwise.map(|counter| if counter { "DR +" } else { "DR -" }.to_owned()));
-    parts.extend(motion.compensation.map(|own| format!("{own:?}").to_ascii_uppercase()));
-    parts.extend(motion.feed.map(|feed| tokens(program.slice(feed.span))));
-    parts.extend(motion.functions.iter().map(|function| tokens(program.slice(function.span))));
-    parts.join(" ")
+    fields.sort_unstable();
+    fields
 }
 
-fn tool_call(program: &Program, call: &ToolCall) -> String {
-    let mut parts = vec!["TOOL CALL".to_owned()];
-    parts.extend(call.tool.map(|tool| match tool {
-        ToolRef::Number(number) => tokens(program.slice(number.span)),
-        ToolRef::Name(name) => format!("\"{}\"", program.slice(name)),
-    }));
-    parts.extend(call.axis.map(|axis| axis.name().to_owned()));
-    parts.extend(call.feed.map(|feed| tokens(program.slice(feed.span))));
-    let words = [("S", call.speed), ("VC", call.cutting_speed), ("DL", call.dl), ("DR", call.dr), ("DR2", call.dr2)];
-    for (name, value) in words {
-        parts.extend(value.map(|value| format!("{name} {}", tokens(program.slice(value.span)))));
+/// Writes one block after the other in one spelling.
+struct Speller<'p> {
+    program: &'p Program,
+    fields: Vec<(usize, usize)>,
+    /// The spelling of the block.
+    out: String,
+    /// Where the tokens of the words begin that are being written.
+    tokens: Vec<usize>,
+    /// Room for the words of an element.
+    motion: Motion,
+}
+
+impl<'p> Speller<'p> {
+    fn new(program: &'p Program, against: &Against<'_>) -> Self {
+        let fields = fields(program, against);
+        Self { program, fields, out: String::new(), tokens: Vec::new(), motion: Motion::new(Path::L) }
     }
-    parts.join(" ")
-}
 
-fn statement(program: &Program, own: &Worded) -> String {
-    let words = own.words.iter().map(|word| format!(" {}", named(program, word)));
-    tokens(program.slice(own.head)) + &words.collect::<String>()
-}
-
-fn named(program: &Program, word: &NamedWord) -> String {
-    let name = closed_up(program.slice(word.name)).to_ascii_uppercase();
-    format!("{name} {}", value(program, &word.value))
-}
-
-fn definition(program: &Program, cycle: &CycleDef) -> String {
-    let mut text = format!("{} {}", cycle.keyword.as_str(), cycle.number);
-    for parameter in &cycle.parameters {
-        text.push_str(&format!(" {}={}", parameter.q, value(program, &parameter.value)));
+    fn block(&mut self, block: &Block) {
+        self.out.clear();
+        if block.skip {
+            self.out.push_str("/ ");
+        }
+        match &block.kind {
+            BlockKind::CycleDef(cycle) if cycle.errors.is_empty() => self.definition(cycle),
+            BlockKind::OldCycleLine(line) => self.old_line(line),
+            BlockKind::Motion(own) => self.element(own),
+            BlockKind::ToolCall(call) => self.tool_call(call),
+            BlockKind::CallLbl(call) => {
+                self.out.push_str("CALL LBL ");
+                self.tokens_at(call.label.span);
+                if let Some(times) = call.repeat {
+                    self.out.push_str(" REP ");
+                    self.tokens_at(times.span);
+                }
+            }
+            BlockKind::Statement(own) => self.statement(own),
+            // What Klartext has no equivalent of stands in a comment.
+            BlockKind::Iso(_) => close_up(self.program.slice(block.comment().unwrap_or(block.span)), &mut self.out),
+            kind => {
+                let content = content(self.program, block);
+                let first: String = content.chars().take_while(char::is_ascii_alphabetic).collect();
+                let plain = PLAIN.contains(&kind.name()) || NAMELESS.contains(&first.to_ascii_uppercase().as_str());
+                if plain { self.words(&content) } else { close_up(&content, &mut self.out) }
+            }
+        }
     }
-    text
-}
 
-/// A line of the old form; a printed word that is a label gives way to the number of its field.
-fn old_line(program: &Program, line: &OldCycleLine, fields: &BTreeMap<usize, usize>) -> String {
-    let mut text = format!("{} {}.{}", line.keyword.as_str(), line.number, line.line);
-    for word in &line.words {
-        let name = match fields.get(&word.name.start).filter(|_| word.name.start < word.name.end) {
-            Some(field) => format!("[{field}] "),
-            None => closed_up(program.slice(word.name)).to_ascii_uppercase(),
-        };
-        text.push_str(&format!(" {name}{}", value(program, &word.value)));
+    /// The words of a contour element in one order; a control reads them in any.
+    fn element(&mut self, element: &Element) {
+        let mut motion = std::mem::replace(&mut self.motion, Motion::new(Path::L));
+        element.read_into(&mut motion);
+        // A straight line that only has functions is the block of the functions.
+        let bare = motion.path == Path::L
+            && motion.coords.is_empty()
+            && motion.compensation.is_none()
+            && motion.feed.is_none()
+            && !motion.functions.is_empty();
+        if bare {
+            for (at, function) in motion.functions.iter().enumerate() {
+                self.out.push_str(if at > 0 { " " } else { "" });
+                self.tokens_at(function.span);
+            }
+        } else {
+            self.motion(&motion);
+        }
+        self.motion = motion;
     }
-    text
-}
 
-fn value(program: &Program, value: &Value) -> String {
-    let printed = program.slice(value.span);
-    match value.kind {
-        ValueKind::Number(_) | ValueKind::Q { .. } | ValueKind::Sign(_) => tokens(printed),
-        ValueKind::Word => match tokens(printed).as_str() {
-            "AUTO" => "FAUTO".to_owned(),
-            "MAX" => "FMAX".to_owned(),
-            word if word.starts_with('F') => word.to_owned(),
-            // A list of labels: `1 /2 /3` is `1/2/3`.
-            list if list.starts_with(|c: char| c.is_ascii_digit()) && printed.contains('/') => list.replace(' ', ""),
-            _ => closed_up(printed),
-        },
-        ValueKind::Text(_) | ValueKind::Missing => closed_up(printed),
+    fn motion(&mut self, motion: &Motion) {
+        self.name(motion.path.name());
+        if let Path::Appr(form) | Path::Dep(form) = motion.path {
+            self.out.push_str(&format!(" {form:?}"));
+        }
+        for coord in &motion.coords {
+            self.part(coord.span);
+        }
+        if let Some(radius) = motion.radius {
+            self.out.push_str(" R");
+            self.part(radius.span);
+        }
+        for word in &motion.words {
+            self.out.push(' ');
+            self.named(word);
+        }
+        if let Some(counter) = motion.counter_clockwise {
+            self.out.push_str(if counter { " DR +" } else { " DR -" });
+        }
+        if let Some(own) = motion.compensation {
+            self.out.push(' ');
+            self.name(&format!("{own:?}"));
+        }
+        if let Some(feed) = motion.feed {
+            self.part(feed.span);
+        }
+        for function in &motion.functions {
+            self.part(function.span);
+        }
+    }
+
+    fn tool_call(&mut self, call: &ToolCall) {
+        self.out.push_str("TOOL CALL");
+        match call.tool {
+            Some(ToolRef::Number(number)) => self.part(number.span),
+            Some(ToolRef::Name(name)) => {
+                self.out.push_str(" \"");
+                self.out.push_str(self.program.slice(name));
+                self.out.push('"');
+            }
+            None => {}
+        }
+        if let Some(axis) = call.axis {
+            self.out.push(' ');
+            self.out.push_str(axis.name());
+        }
+        if let Some(feed) = call.feed {
+            self.part(feed.span);
+        }
+        let words =
+            [("S", call.speed), ("VC", call.cutting_speed), ("DL", call.dl), ("DR", call.dr), ("DR2", call.dr2)];
+        for (name, value) in words {
+            if let Some(value) = value {
+                self.out.push(' ');
+                self.out.push_str(name);
+                self.part(value.span);
+            }
+        }
+    }
+
+    fn statement(&mut self, own: &Worded) {
+        self.tokens_at(own.head);
+        for word in &own.words {
+            self.out.push(' ');
+            self.named(word);
+        }
+    }
+
+    fn named(&mut self, word: &NamedWord) {
+        self.printed_name(word.name);
+        self.out.push(' ');
+        self.value(&word.value);
+    }
+
+    fn definition(&mut self, cycle: &CycleDef) {
+        self.out.push_str(&format!("{} {}", cycle.keyword.as_str(), cycle.number));
+        for parameter in &cycle.parameters {
+            self.out.push_str(&format!(" {}=", parameter.q));
+            self.value(&parameter.value);
+        }
+    }
+
+    /// A line of the old form; a printed word that is a label gives way to the number of its field.
+    fn old_line(&mut self, line: &OldCycleLine) {
+        self.out.push_str(&format!("{} {}.{}", line.keyword.as_str(), line.number, line.line));
+        for word in &line.words {
+            self.out.push(' ');
+            let start = word.name.start;
+            match self.fields.binary_search_by_key(&start, |(place, _)| *place).ok().and_then(|at| self.fields.get(at))
+            {
+                Some((_, field)) if start < word.name.end => self.out.push_str(&format!("[{field}] ")),
+                _ => self.printed_name(word.name),
+            }
+            self.value(&word.value);
+        }
+    }
+
+    fn value(&mut self, value: &Value) {
+        let printed = self.program.slice(value.span);
+        match value.kind {
+            ValueKind::Number(_) | ValueKind::Q { .. } | ValueKind::Sign(_) => self.words(printed),
+            ValueKind::Word => {
+                let from = self.out.len();
+                self.words(printed);
+                let word = self.out.get(from..).unwrap_or_default();
+                let other = match word {
+                    "AUTO" => "FAUTO".to_owned(),
+                    "MAX" => "FMAX".to_owned(),
+                    word if word.starts_with('F') => return,
+                    // A list of labels: `1 /2 /3` is `1/2/3`.
+                    list if list.starts_with(|c: char| c.is_ascii_digit()) && printed.contains('/') => {
+                        list.replace(' ', "")
+                    }
+                    _ => closed_up(printed),
+                };
+                self.out.truncate(from);
+                self.out.push_str(&other);
+            }
+            ValueKind::Text(_) | ValueKind::Missing => close_up(printed, &mut self.out),
+        }
+    }
+
+    /// A name with one blank where there were several, in capitals.
+    fn printed_name(&mut self, name: Span) {
+        let from = self.out.len();
+        close_up(self.program.slice(name), &mut self.out);
+        if let Some(own) = self.out.get_mut(from..) {
+            own.make_ascii_uppercase();
+        }
+    }
+
+    /// A word of our own in capitals.
+    fn name(&mut self, name: &str) {
+        self.out.extend(name.chars().map(|c| c.to_ascii_uppercase()));
+    }
+
+    /// A blank, and the tokens that stand there.
+    fn part(&mut self, span: Span) {
+        self.out.push(' ');
+        self.tokens_at(span);
+    }
+
+    fn tokens_at(&mut self, span: Span) {
+        self.words(self.program.slice(span));
+    }
+
+    /// The text in words, numbers and signs with a blank between any two: words in capitals, numbers without
+    /// signs and zeros that say nothing.
+    fn words(&mut self, text: &str) {
+        self.tokens.clear();
+        let mut rest = text;
+        while let Some(sign) = rest.chars().next() {
+            let length = match sign {
+                '"' => rest[1..].find('"').map_or(rest.len(), |at| at + 2),
+                c if c.is_ascii_digit() || is_point(rest) => number_length(rest),
+                c if c.is_alphabetic() || c == '_' => word_length(rest),
+                c => c.len_utf8(),
+            };
+            let (token, behind) = rest.split_at(length.max(1));
+            rest = behind;
+            if sign.is_whitespace() {
+                continue;
+            }
+            let number = sign.is_ascii_digit() || (matches!(sign, '.' | ',') && token.len() > 1);
+            if number {
+                let (whole, fraction) = canonical(token);
+                self.token(whole);
+                if !fraction.is_empty() {
+                    self.out.push('.');
+                    self.out.push_str(fraction);
+                }
+            } else if sign == '"' {
+                self.token(token);
+            } else if token.bytes().all(|byte| byte.is_ascii() && !byte.is_ascii_lowercase()) {
+                self.token(token);
+            } else {
+                self.token(&token.to_uppercase());
+            }
+        }
+    }
+
+    /// A token that was written, the first one before the last one for 1.
+    fn before(&self, by: usize) -> Option<&str> {
+        let at = self.tokens.len().checked_sub(by + 1)?;
+        let end = self.tokens.get(at + 1).map_or(self.out.len(), |next| next - 1);
+        self.out.get(*self.tokens.get(at)?..end)
+    }
+
+    /// Adds a token, a number without its fraction. A plus is left out where it is the sign of what follows, and `F MAX`
+    /// is `FMAX`.
+    fn token(&mut self, token: &str) {
+        let is_value = |token: &str| token.starts_with(|c: char| c.is_ascii_digit()) || token.starts_with('Q');
+        let operand =
+            |token: &str| token.starts_with(|c: char| c.is_ascii_digit() || c == '"') || matches!(token, ")" | "PI");
+        let unary = self.before(0) == Some("+") && !self.before(1).is_some_and(operand);
+        if unary && (is_value(token) || token == "-") {
+            if let Some(start) = self.tokens.pop() {
+                // The blank before it goes too, unless it is the first one.
+                self.out.truncate(start - usize::from(!self.tokens.is_empty()));
+            }
+        }
+        if self.before(0) == Some("F") && matches!(token, "MAX" | "AUTO") {
+            self.out.push_str(token);
+            return;
+        }
+        if !self.tokens.is_empty() {
+            self.out.push(' ');
+        }
+        self.tokens.push(self.out.len());
+        self.out.push_str(token);
     }
 }
 
@@ -204,6 +429,12 @@ fn without_comment(line: &str) -> &str {
 /// The text with one blank where there were several, texts in quotation marks as they are.
 fn closed_up(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
+    close_up(text, &mut out);
+    out
+}
+
+/// Adds it to what is written already.
+fn close_up(text: &str, out: &mut String) {
     let (mut quoted, mut blank) = (false, false);
     for sign in text.trim().chars() {
         quoted ^= sign == '"';
@@ -216,39 +447,6 @@ fn closed_up(text: &str) -> String {
         }
         out.push(sign);
     }
-    out
-}
-
-/// The text in words, numbers and signs with a blank between any two: words in capitals, numbers without
-/// signs and zeros that say nothing.
-fn tokens(text: &str) -> String {
-    let mut all: Vec<String> = Vec::new();
-    let mut rest = text;
-    while let Some(sign) = rest.chars().next() {
-        let length = match sign {
-            '"' => rest[1..].find('"').map_or(rest.len(), |at| at + 2),
-            c if c.is_ascii_digit() || is_point(rest) => number_length(rest),
-            c if c.is_alphabetic() || c == '_' => word_length(rest),
-            c => c.len_utf8(),
-        };
-        let (token, behind) = rest.split_at(length.max(1));
-        rest = behind;
-        if sign.is_whitespace() {
-            continue;
-        }
-        let number = sign.is_ascii_digit() || (matches!(sign, '.' | ',') && token.len() > 1);
-        push(
-            &mut all,
-            if number {
-                canonical(token)
-            } else if sign == '"' {
-                token.to_owned()
-            } else {
-                token.to_uppercase()
-            },
-        );
-    }
-    all.join(" ")
 }
 
 fn is_point(text: &str) -> bool {
@@ -282,35 +480,26 @@ fn number_length(text: &str) -> usize {
     }
 }
 
-/// `007.50` as `7.5`, `,5` as `0.5`, `5.` as `5`.
-fn canonical(number: &str) -> String {
+/// `007.50` as `7.5`, `,5` as `0.5`, `5.` as `5`: what stands before the point and behind it.
+fn canonical(number: &str) -> (&str, &str) {
     let (whole, fraction) = number.split_once(['.', ',']).unwrap_or((number, ""));
     let (whole, fraction) = (whole.trim_start_matches('0'), fraction.trim_end_matches('0'));
-    let whole = if whole.is_empty() { "0" } else { whole };
-    if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") }
-}
-
-/// Adds a token. A plus is left out where it is the sign of what follows, and `F MAX` is `FMAX`.
-fn push(all: &mut Vec<String>, token: String) {
-    let is_value = |token: &str| token.starts_with(|c: char| c.is_ascii_digit()) || token.starts_with('Q');
-    let operand =
-        |token: &str| token.starts_with(|c: char| c.is_ascii_digit() || c == '"') || matches!(token, ")" | "PI");
-    let plus = all.last().is_some_and(|last| last == "+");
-    let unary = plus && !all.len().checked_sub(2).and_then(|at| all.get(at)).is_some_and(|before| operand(before));
-    if unary && (is_value(&token) || token == "-") {
-        all.pop();
-    }
-    if all.last().is_some_and(|last| last == "F") && matches!(token.as_str(), "MAX" | "AUTO") {
-        all.pop();
-        all.push(format!("F{token}"));
-        return;
-    }
-    all.push(token);
+    (if whole.is_empty() { "0" } else { whole }, fraction)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diag::Source;
+    use crate::syntax::parse;
+
+    fn tokens(text: &str) -> String {
+        let program = parse(&Source::new("a.h", text));
+        let (fields, tokens, motion) = (Vec::new(), Vec::new(), Motion::new(Path::L));
+        let mut speller = Speller { program: &program, fields, out: String::new(), tokens, motion };
+        speller.words(text);
+        speller.out
+    }
 
     #[test]
     fn numbers_have_one_spelling() {

@@ -11,10 +11,12 @@ const MOST_PAIRS: usize = 1 << 22;
 
 /// Stretches of `a` and of `b` that differ, in order; between them the lists are the same.
 pub(super) fn hunks<T: Eq + std::hash::Hash>(a: &[T], b: &[T]) -> Vec<(Range<usize>, Range<usize>)> {
-    let mut pairs = Vec::new();
-    let mut open = vec![(0..a.len(), 0..b.len())];
+    // Most programs that are compared are the same but for a few blocks: their equal ends are not kept.
+    let (left, right) = trimmed(a, b, 0..a.len(), 0..b.len(), |_, _| {});
+    let (ends, mut pairs) = ((left.clone(), right.clone()), Vec::new());
+    let mut open = vec![(left, right)];
     while let Some((left, right)) = open.pop() {
-        let (left, right) = trimmed(a, b, left, right, &mut pairs);
+        let (left, right) = trimmed(a, b, left, right, |i, j| pairs.push((i, j)));
         if left.is_empty() || right.is_empty() {
             continue;
         }
@@ -32,41 +34,43 @@ pub(super) fn hunks<T: Eq + std::hash::Hash>(a: &[T], b: &[T]) -> Vec<(Range<usi
         }
     }
     pairs.sort_unstable();
-    between(&pairs, a.len(), b.len())
+    between(&pairs, ends)
 }
 
-/// Cuts off what is equal at both ends.
+/// Cuts off what is equal at both ends, and says which pairs that are.
 fn trimmed<T: Eq>(
     a: &[T],
     b: &[T],
     mut left: Range<usize>,
     mut right: Range<usize>,
-    pairs: &mut Vec<(usize, usize)>,
+    mut equal: impl FnMut(usize, usize),
 ) -> (Range<usize>, Range<usize>) {
     while !left.is_empty() && !right.is_empty() && a[left.start] == b[right.start] {
-        pairs.push((left.start, right.start));
+        equal(left.start, right.start);
         left.start += 1;
         right.start += 1;
     }
     while !left.is_empty() && !right.is_empty() && a[left.end - 1] == b[right.end - 1] {
         left.end -= 1;
         right.end -= 1;
-        pairs.push((left.end, right.end));
+        equal(left.end, right.end);
     }
     (left, right)
 }
 
 /// The longest run of pairs that occur once on each side and come in the same order.
 fn holds<T: Eq + std::hash::Hash>(a: &[T], b: &[T], left: &Range<usize>, right: &Range<usize>) -> Vec<(usize, usize)> {
-    let mut seen: HashMap<&T, [(usize, usize); 2]> = HashMap::new();
+    // How often each occurs on both sides, and where last. No memory holds so many that these numbers are too small.
+    let mut seen: HashMap<&T, [(u32, u32); 2]> = HashMap::new();
     for (side, list, range) in [(0, a, left), (1, b, right)] {
         for at in range.clone() {
             let entry = &mut seen.entry(&list[at]).or_default()[side];
-            *entry = (entry.0 + 1, at);
+            *entry = (entry.0.saturating_add(1), u32::try_from(at).unwrap_or(u32::MAX));
         }
     }
-    let mut unique: Vec<(usize, usize)> =
-        seen.values().filter(|[a, b]| a.0 == 1 && b.0 == 1).map(|[a, b]| (a.1, b.1)).collect();
+    let once = seen.values().filter(|[a, b]| a.0 == 1 && b.0 == 1);
+    let mut unique: Vec<(usize, usize)> = once.map(|[a, b]| (a.1 as usize, b.1 as usize)).collect();
+    drop(seen);
     unique.sort_unstable();
     // Piles: for each length the pair with the smallest end, and for each pair the one before it.
     let mut piles: Vec<usize> = Vec::new();
@@ -117,11 +121,11 @@ fn longest<T: Eq>(a: &[T], b: &[T], left: &Range<usize>, right: &Range<usize>, p
     }
 }
 
-/// What the pairs leave over.
-fn between(pairs: &[(usize, usize)], a: usize, b: usize) -> Vec<(Range<usize>, Range<usize>)> {
+/// What the pairs leave over of two stretches.
+fn between(pairs: &[(usize, usize)], (a, b): (Range<usize>, Range<usize>)) -> Vec<(Range<usize>, Range<usize>)> {
     let mut hunks = Vec::new();
-    let mut from = (0, 0);
-    for &(i, j) in pairs.iter().chain(std::iter::once(&(a, b))) {
+    let mut from = (a.start, b.start);
+    for &(i, j) in pairs.iter().chain(std::iter::once(&(a.end, b.end))) {
         if i > from.0 || j > from.1 {
             hunks.push((from.0..i, from.1..j));
         }

@@ -9,6 +9,10 @@ mod diff;
 
 pub use canon::{Statement, statements};
 
+use std::hash::{DefaultHasher, Hasher as _};
+
+use sha2::{Digest as _, Sha256};
+
 use crate::check::Against;
 use crate::syntax::Program;
 
@@ -24,9 +28,35 @@ pub struct Difference {
 
 /// What is different in two programs, in order; nothing if they are the same.
 pub fn compare(a: &Program, b: &Program, against: &Against<'_>) -> Vec<Difference> {
-    let (a, b) = (statements(a, against), statements(b, against));
-    let texts = |all: &[Statement]| all.iter().map(|own| own.text.clone()).collect::<Vec<_>>();
-    let pick = |all: &[Statement], range: std::ops::Range<usize>| all.get(range).unwrap_or_default().to_vec();
-    let hunks = diff::hunks(&texts(&a), &texts(&b));
-    hunks.into_iter().map(|(left, right)| Difference { a: pick(&a, left), b: pick(&b, right) }).collect()
+    let (left, right) = (marks(a, against), marks(b, against));
+    let (left, right): (Vec<_>, Vec<_>) = diff::hunks(&left, &right).into_iter().unzip();
+    let (left, right) = (canon::those(a, against, &left), canon::those(b, against, &right));
+    left.into_iter().zip(right).map(|(a, b)| Difference { a, b }).collect()
+}
+
+/// A mark of each statement: long programs have millions of them, and texts take more room than the programs. Two marks
+/// that are equal by chance are as likely as 128 coins that all fall alike.
+fn marks(program: &Program, against: &Against<'_>) -> Vec<u128> {
+    let mut marks = Vec::new();
+    canon::each(program, against, |_, text| {
+        let half = |salt: u8| {
+            let mut hasher = DefaultHasher::new();
+            hasher.write_u8(salt);
+            hasher.write(text.as_bytes());
+            u128::from(hasher.finish())
+        };
+        marks.push(half(0) << 64 | half(1));
+    });
+    marks
+}
+
+/// What all statements of a program come to: two programs with the same are the same to a control. With it one of them
+/// can be forgotten before the other is read.
+pub fn fingerprint(program: &Program, against: &Against<'_>) -> [u8; 32] {
+    let mut digest = Sha256::new();
+    canon::each(program, against, |_, text| {
+        digest.update((text.len() as u64).to_le_bytes());
+        digest.update(text.as_bytes());
+    });
+    digest.finalize().into()
 }

@@ -6,9 +6,9 @@ use super::Writer;
 use crate::diag::{Severity, Span};
 use crate::expr::QKind;
 use crate::syntax::{
-    Approach, Block, BlockKind, CallForm, FeedKind, Label, MFunction, Motion, Path, Program, Statement, StatementKind,
-    ToolRef,
+    Approach, Block, BlockKind, CallForm, FeedKind, Label, MFunction, Path, Program, Statement, StatementKind, ToolRef,
 };
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// M functions from here on are the controls' own; machines have the others.
@@ -48,10 +48,11 @@ pub fn functions(program: &Program, block: &Block) -> Vec<(String, Span)> {
             }
         }
         BlockKind::Motion(motion) => {
-            if let Some(own) = path_name(motion) {
+            if let Some(own) = path_name(motion.path()) {
                 name(&own, program.content(block));
             }
-            match motion.feed {
+            let feed = if motion.outline().has_feed() { motion.words().feed } else { None };
+            match feed {
                 Some(feed) if matches!(feed.kind, FeedKind::PerRevolution(_)) => name("FU", feed.span),
                 Some(feed) if matches!(feed.kind, FeedKind::PerTooth(_)) => name("FZ", feed.span),
                 _ => {}
@@ -83,24 +84,24 @@ fn statement_name(program: &Program, statement: &Statement) -> String {
     words.join(" ")
 }
 
-fn path_name(motion: &Motion) -> Option<String> {
+fn path_name(path: Path) -> Option<String> {
     let form = |approach: Approach| format!("{approach:?}").to_ascii_uppercase();
-    Some(match motion.path {
+    Some(match path {
         Path::Appr(approach) => format!("APPR {}", form(approach)),
         Path::Dep(approach) => format!("DEP {}", form(approach)),
         Path::Ln | Path::Fl | Path::Flt | Path::Fc | Path::Fct | Path::Fpol | Path::Spl => {
-            motion.path.name().to_ascii_uppercase()
+            path.name().to_ascii_uppercase()
         }
         _ => return None,
     })
 }
 
-fn m_functions(kind: &BlockKind) -> &[MFunction] {
+fn m_functions(kind: &BlockKind) -> Cow<'_, [MFunction]> {
     match kind {
-        BlockKind::Motion(motion) => &motion.functions,
-        BlockKind::Functions(functions) | BlockKind::Stop(functions) => functions,
-        BlockKind::CyclCall(call) => &call.functions,
-        _ => &[],
+        BlockKind::Motion(motion) => Cow::Owned(motion.functions()),
+        BlockKind::Functions(functions) | BlockKind::Stop(functions) => Cow::Borrowed(functions),
+        BlockKind::CyclCall(call) => Cow::Borrowed(&call.functions),
+        _ => Cow::Borrowed(&[]),
     }
 }
 

@@ -2,8 +2,10 @@
 //!
 //! Invariant: what a control reads stays the same (`compare` says so); a program that is laid out already is
 //! left as it is; nothing knows what a number or label means.
+use std::ops::ControlFlow;
+
 use crate::diag::{Edit, Span};
-use crate::syntax::{Block, BlockKind, CallForm, Coord, Dialect, Parameter, Program};
+use crate::syntax::{Block, BlockKind, CallForm, Coord, Dialect, Motion, Parameter, Path, Program};
 
 /// Blanks before a parameter.
 const INDENT: &str = "    ";
@@ -16,61 +18,106 @@ const LAST_NUMBER: u32 = 99_999_999;
 
 /// What has to change, in the order of the text.
 pub fn layout(program: &Program) -> Vec<Edit> {
-    if program.dialect() == Dialect::Iso {
-        return iso(program);
-    }
     let mut edits = Vec::new();
+    let _ = each(program, &mut |edit| {
+        edits.push(edit);
+        ControlFlow::Continue(())
+    });
+    edits
+}
+
+/// Whether nothing has to change.
+pub fn is_laid_out(program: &Program) -> bool {
+    each(program, &mut |_| ControlFlow::Break(())).is_continue()
+}
+
+/// The text of the program as it should be.
+pub fn laid_out(program: &Program) -> String {
+    let text = program.source().text();
+    let (mut out, mut at) = (String::with_capacity(text.len()), 0);
+    let _ = each(program, &mut |edit| {
+        // Of changes that overlap the first one is made.
+        if edit.span.start >= at {
+            out.push_str(text.get(at..edit.span.start).unwrap_or_default());
+            out.push_str(&edit.text);
+            at = edit.span.end;
+        }
+        ControlFlow::Continue(())
+    });
+    out.push_str(text.get(at..).unwrap_or_default());
+    out
+}
+
+/// What is done with a change; the others are not asked for when it breaks.
+type Take<'t> = dyn FnMut(Edit) -> ControlFlow<()> + 't;
+
+/// Hands over what has to change, in the order of the text: long programs have millions of changes.
+fn each(program: &Program, take: &mut Take<'_>) -> ControlFlow<()> {
+    let mut writer = Writer { program, edits: Vec::new() };
+    match program.dialect() {
+        Dialect::Iso => iso(&mut writer, take),
+        Dialect::Klartext => klartext(&mut writer, take),
+    }
+}
+
+fn klartext(writer: &mut Writer<'_>, take: &mut Take<'_>) -> ControlFlow<()> {
+    let program = writer.program;
+    let mut words = Motion::new(Path::L);
     let mut next: Option<u32> = None;
     for block in program.blocks() {
-        for digits in numbers(program, block) {
+        each_number(program, block, |digits| {
             // The first number of the program stays.
             let number = next.or_else(|| program.slice(digits).parse().ok()).unwrap_or(0);
-            put(program, digits, &number.to_string(), &mut edits);
+            writer.number(digits, number);
             next = Some(number.saturating_add(1));
-        }
+        });
         match &block.kind {
             BlockKind::CycleDef(cycle) if cycle.errors.is_empty() => {
-                columns(program, block, &cycle.parameters.to_vec(), &mut edits)
+                writer.columns(block, &cycle.parameters.to_vec());
             }
-            BlockKind::Motion(motion) => signs(program, &motion.coords, &mut edits),
-            BlockKind::BlkForm(form) => signs(program, &form.coords, &mut edits),
+            BlockKind::Motion(motion) if motion.outline().has_coords() => {
+                motion.read_into(&mut words);
+                writer.signs(&words.coords);
+            }
+            BlockKind::BlkForm(form) => writer.signs(&form.coords),
             BlockKind::CyclCall(call) => {
                 if let CallForm::Position(coords) = &call.form {
-                    signs(program, coords, &mut edits);
+                    writer.signs(coords);
                 }
             }
             _ => {}
         }
+        writer.hand_over(take)?;
     }
-    edits.sort_by_key(|edit| edit.span);
-    edits
+    ControlFlow::Continue(())
 }
 
 /// The numbers of a DIN/ISO program, each as far behind the one before it as the second is behind the first, and the
 /// columns of its cycles. The last block keeps its number.
-fn iso(program: &Program) -> Vec<Edit> {
-    let mut edits = Vec::new();
-    let numbered: Vec<(u32, Span)> = program.blocks().iter().filter_map(|block| number_of(program, block)).collect();
-    let step = match numbered.as_slice() {
-        [first, second, ..] if second.0 > first.0 && second.0 < LAST_NUMBER => second.0 - first.0,
+fn iso(writer: &mut Writer<'_>, take: &mut Take<'_>) -> ControlFlow<()> {
+    let program = writer.program;
+    let mut numbered = program.blocks().iter().filter_map(|block| number_of(program, block));
+    let (first, second) = (numbered.next(), numbered.next());
+    let step = match (first, second) {
+        (Some((first, _)), Some((second, _))) if second > first && second < LAST_NUMBER => second - first,
         _ => ISO_STEP,
     };
-    let mut next = numbered.first().map_or(0, |(number, _)| *number);
-    for (number, digits) in numbered {
-        if number < LAST_NUMBER {
-            put(program, digits, &next.to_string(), &mut edits);
+    let mut next = first.map_or(0, |(number, _)| number);
+    for block in program.blocks() {
+        if let Some((number, digits)) = number_of(program, block)
+            && number < LAST_NUMBER
+        {
+            writer.number(digits, next);
             next = next.saturating_add(step).min(LAST_NUMBER - 1);
         }
-    }
-    for block in program.blocks() {
         if let BlockKind::Iso(own) = &block.kind
             && own.errors.is_empty()
         {
-            columns(program, block, &own.parameters, &mut edits);
+            writer.columns(block, &own.parameters);
         }
+        writer.hand_over(take)?;
     }
-    edits.sort_by_key(|edit| edit.span);
-    edits
+    ControlFlow::Continue(())
 }
 
 /// The number behind the `N` of a block, and its digits.
@@ -83,58 +130,86 @@ fn number_of(program: &Program, block: &Block) -> Option<(u32, Span)> {
     Some((number, Span::new(start, start + length)))
 }
 
-fn put(program: &Program, span: Span, text: &str, edits: &mut Vec<Edit>) {
-    if program.slice(span) != text {
-        edits.push(Edit { span, text: text.to_owned() });
-    }
-}
-
-/// The places of the numbers of a block; of a definition whose lines are all numbered, several.
-fn numbers(program: &Program, block: &Block) -> Vec<Span> {
-    let mut found = Vec::new();
+/// Hands over the places of the numbers of a block; of a definition whose lines are all numbered, several.
+fn each_number(program: &Program, block: &Block, mut take: impl FnMut(Span)) {
+    let of_lines = matches!(block.kind, BlockKind::CycleDef(_));
     let mut at = block.span.start;
     for line in program.slice(block.span).split_inclusive(['\n', '\r']) {
         let first = at == block.span.start;
-        let counted = if first { block.number.is_some() } else { matches!(block.kind, BlockKind::CycleDef(_)) };
-        let digits = line.trim_start_matches([' ', '\t', '/']);
-        let start = at + (line.len() - digits.len());
-        let length = digits.bytes().take_while(u8::is_ascii_digit).count();
-        if counted && length > 0 {
-            found.push(Span::new(start, start + length));
+        let counted = if first { block.number.is_some() } else { of_lines };
+        if counted {
+            let digits = line.trim_start_matches([' ', '\t', '/']);
+            let start = at + (line.len() - digits.len());
+            let length = digits.bytes().take_while(u8::is_ascii_digit).count();
+            if length > 0 {
+                take(Span::new(start, start + length));
+            }
+        }
+        if !of_lines {
+            return;
         }
         at += line.len();
     }
-    found
 }
 
-/// Puts parameters, each on its own line, and their comments below each other.
-fn columns(program: &Program, block: &Block, parameters: &[Parameter], edits: &mut Vec<Edit>) {
-    let width = |span: Span| program.slice(span).chars().count();
-    let widest = parameters.iter().map(|parameter| width(parameter.span)).max().unwrap_or(0).max(NARROWEST);
-    for parameter in parameters {
-        let text = program.source().text();
-        let before = text.get(block.span.start..parameter.span.start).unwrap_or_default();
-        let blanks = before.len() - before.trim_end_matches([' ', '\t']).len();
-        let start = parameter.span.start - blanks;
-        if before.trim_end_matches([' ', '\t']).ends_with(['\n', '\r']) {
-            put(program, Span::new(start, parameter.span.start), INDENT, edits);
-        }
-        let behind = text.get(parameter.span.end..block.span.end).unwrap_or_default();
-        let gap = behind.len() - behind.trim_start_matches([' ', '\t']).len();
-        if behind.get(gap..).is_some_and(|rest| rest.starts_with(';')) {
-            let blanks = " ".repeat(widest - width(parameter.span) + 1);
-            put(program, Span::new(parameter.span.end, parameter.span.end + gap), &blanks, edits);
+/// Collects what has to change in a block.
+struct Writer<'p> {
+    program: &'p Program,
+    edits: Vec<Edit>,
+}
+
+impl Writer<'_> {
+    /// Hands over what was collected, in the order of the text.
+    fn hand_over(&mut self, take: &mut Take<'_>) -> ControlFlow<()> {
+        self.edits.sort_by_key(|edit| edit.span);
+        self.edits.drain(..).try_for_each(take)
+    }
+
+    fn put(&mut self, span: Span, text: &str) {
+        if self.program.slice(span) != text {
+            self.edits.push(Edit { span, text: text.to_owned() });
         }
     }
-}
 
-/// Gives coordinates without a sign their plus.
-fn signs(program: &Program, coords: &[Coord], edits: &mut Vec<Edit>) {
-    for coord in coords {
-        let value = program.slice(coord.value.span);
-        if value.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | 'Q' | 'q')) {
-            let at = coord.value.span.start;
-            edits.push(Edit { span: Span::new(at, at), text: "+".to_owned() });
+    /// Puts a block number where one stands.
+    fn number(&mut self, span: Span, number: u32) {
+        let written = self.program.slice(span);
+        let same = !(written.len() > 1 && written.starts_with('0')) && written.parse() == Ok(number);
+        if !same {
+            self.put(span, &number.to_string());
+        }
+    }
+
+    /// Puts parameters, each on its own line, and their comments below each other.
+    fn columns(&mut self, block: &Block, parameters: &[Parameter]) {
+        let program = self.program;
+        let width = |span: Span| program.slice(span).chars().count();
+        let widest = parameters.iter().map(|parameter| width(parameter.span)).max().unwrap_or(0).max(NARROWEST);
+        for parameter in parameters {
+            let text = program.source().text();
+            let before = text.get(block.span.start..parameter.span.start).unwrap_or_default();
+            let bare = before.trim_end_matches([' ', '\t']);
+            let start = parameter.span.start - (before.len() - bare.len());
+            if bare.ends_with(['\n', '\r']) {
+                self.put(Span::new(start, parameter.span.start), INDENT);
+            }
+            let behind = text.get(parameter.span.end..block.span.end).unwrap_or_default();
+            let gap = behind.len() - behind.trim_start_matches([' ', '\t']).len();
+            if behind.get(gap..).is_some_and(|rest| rest.starts_with(';')) {
+                let blanks = " ".repeat(widest - width(parameter.span) + 1);
+                self.put(Span::new(parameter.span.end, parameter.span.end + gap), &blanks);
+            }
+        }
+    }
+
+    /// Gives coordinates without a sign their plus.
+    fn signs(&mut self, coords: &[Coord]) {
+        for coord in coords {
+            let value = self.program.slice(coord.value.span);
+            if value.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | 'Q' | 'q')) {
+                let at = coord.value.span.start;
+                self.edits.push(Edit { span: Span::new(at, at), text: "+".to_owned() });
+            }
         }
     }
 }

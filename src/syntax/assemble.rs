@@ -5,12 +5,13 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
+use super::body::{CycleBody, Role};
 use super::cursor::{Cursor, Read, trim};
 use super::element::Checker;
 use super::lines::{Line, line_at};
 use super::statement::StatementKind;
 use super::tree::{Block, BlockKind, Comment, Parameter, SyntaxError};
-use super::{blocks, cycle};
+use super::{blocks, cycle, plain};
 use crate::diag::{Source, Span};
 
 /// How many unreadable lines may stand between two parameters of one cycle.
@@ -39,7 +40,11 @@ pub(super) fn assemble(source: &Arc<Source>) -> Assembled {
     let blocks = Vec::new();
     let checker = RefCell::new(Checker::new(source));
     let mut assembler = Assembler { text, at: 0, line: 1, blocks, warnings: Vec::new(), checker, room: Vec::new() };
-    while let Some(line) = line_at(text.as_bytes(), assembler.at) {
+    loop {
+        if assembler.plain() {
+            continue;
+        }
+        let Some(line) = line_at(text.as_bytes(), assembler.at) else { break };
         assembler.block(line);
     }
     let mut blocks = assembler.blocks;
@@ -66,6 +71,24 @@ impl Assembler<'_> {
 
     fn content(&self, span: Span) -> Read<BlockKind> {
         blocks::content(&mut Cursor::new(self.text, span), &mut self.checker.borrow_mut())
+    }
+
+    /// Makes the block of a contour element in the usual words, if the next line is one.
+    fn plain(&mut self) -> bool {
+        let Some(own) = plain::element(self.text.as_bytes(), self.at) else { return false };
+        let Some(element) = self.checker.borrow().plain(&own) else { return false };
+        self.blocks.push(Block {
+            span: Span::new(self.at, own.next),
+            line: self.line,
+            lines: 1,
+            number: own.number,
+            skip: false,
+            comment: Comment::default(),
+            kind: BlockKind::Motion(element),
+        });
+        self.at = own.next;
+        self.line += 1;
+        true
     }
 
     /// Makes the block that starts with `first`.
@@ -396,8 +419,17 @@ impl Assembler<'_> {
     /// Takes the lines that belong to the cycle, as far as they go.
     fn parameters(&mut self, body: &mut CycleBody) {
         let (mut at, mut lines, mut torn) = (body.end, 0, Vec::new());
-        while let Some(line) = self.line_at(at) {
-            let role = if line.is_blank() { Role::Between } else { self.role(body, &line, torn.is_empty()) };
+        loop {
+            let (line, role) = match plain::parameter(self.text, at) {
+                Some((line, assignment, label)) => (line, body.parameter(&line, assignment, label)),
+                // A contour element is no part of a definition.
+                None if plain::element(self.text.as_bytes(), at).is_some() => return,
+                None => match self.line_at(at) {
+                    Some(line) if line.is_blank() => (line, Role::Between),
+                    Some(line) => (line, self.role(body, &line, torn.is_empty())),
+                    None => return,
+                },
+            };
             at = line.next;
             lines += 1;
             match role {
@@ -441,25 +473,23 @@ impl Assembler<'_> {
         }
         let read = self.parameter(line);
         if read.is_err() && !cycle::starts_parameter(self.text, line.content) {
+            // A block, or one that cannot be read.
+            if line.number.is_some() {
+                return Role::Ends;
+            }
             return match self.read(line.content).0 {
                 BlockKind::Unknown(_) if body.in_comment && self.is_comment_text(line) => Role::Text,
-                BlockKind::Unknown(error) if line.number.is_none() => Role::Torn(*error),
+                BlockKind::Unknown(error) => Role::Torn(*error),
                 _ => Role::Ends,
             };
         }
-        if !body.accepts(line, read.as_ref().ok()) {
-            return Role::Ends;
-        }
-        body.loose &= read.as_ref().is_ok_and(|assignment| !assignment.tight);
         match read {
-            Ok(assignment) => Role::Parameter(Parameter {
-                span: assignment.span,
-                q: assignment.q,
-                q_span: assignment.q_span,
-                value: assignment.value,
-                label: line.comment.and_then(|comment| cycle::label(self.text, comment)),
-            }),
-            Err(error) => Role::Unreadable(error),
+            Ok(own) => body.parameter(line, own, line.comment.and_then(|comment| cycle::label(self.text, comment))),
+            Err(_) if !body.accepts(line, None) => Role::Ends,
+            Err(error) => {
+                body.loose = false;
+                Role::Unreadable(error)
+            }
         }
     }
 
@@ -513,72 +543,4 @@ fn takes_lines(kind: &BlockKind) -> bool {
         BlockKind::Statement(statement) => statement.kind == StatementKind::ContourDef,
         _ => false,
     }
-}
-
-/// A cycle definition in the making.
-struct CycleBody {
-    first: Line,
-    /// The last line that was taken.
-    last: Line,
-    parameters: Vec<Parameter>,
-    errors: Vec<SyntaxError>,
-    end: usize,
-    lines: usize,
-    /// Whether its lines are joined by `~`.
-    tilde: bool,
-    /// Whether its parameters have block numbers.
-    numbered: bool,
-    /// Whether all its parameters have blanks before `=`, as simulators print them.
-    loose: bool,
-    /// Whether the last line ends with a comment that goes on.
-    in_comment: bool,
-}
-
-impl CycleBody {
-    /// Takes a line and the `lines` counted since the last one.
-    fn take(&mut self, line: Line, lines: &mut usize) {
-        self.in_comment = line.wraps;
-        self.last = line;
-        self.end = line.next;
-        self.lines += std::mem::take(lines);
-    }
-
-    /// Whether a line `Qn=…` is a parameter of this cycle and not an assignment behind it.
-    fn accepts(&self, line: &Line, read: Option<&cycle::Assignment>) -> bool {
-        let tight = read.is_none_or(|assignment| assignment.tight);
-        match (line.number.is_some(), self.first.number.is_some()) {
-            // Only a listing that numbers every line has numbers here.
-            (true, _) => {
-                let listing = self.parameters.is_empty() || self.numbered;
-                tight && line.comment.is_some() && (self.last.joined || (listing && !self.tilde))
-            }
-            _ if self.last.joined => true,
-            (false, true) => true,
-            (false, false) => {
-                (tight && (line.comment.is_some() || (!self.tilde && read.is_some())))
-                    || (self.loose
-                        && !self.tilde
-                        && line.comment.is_some()
-                        && read.is_some_and(cycle::Assignment::is_of_cycle))
-            }
-        }
-    }
-}
-
-/// What a line is to the cycle before it.
-enum Role {
-    /// No part of it.
-    Ends,
-    /// Part of it if more of it follows.
-    Between,
-    /// A parameter.
-    Parameter(Parameter),
-    /// A parameter that cannot be read.
-    Unreadable(SyntaxError),
-    /// Nothing that can be read: part of it if more of it follows.
-    Torn(SyntaxError),
-    /// A comment of it.
-    Comment,
-    /// What a comment of it goes on with.
-    Text,
 }

@@ -8,7 +8,8 @@ use std::sync::{Arc, OnceLock};
 
 use super::cursor::{Cursor, Read};
 use super::motion;
-use super::path::Path;
+use super::path::{Path, PathCode};
+use super::plain::PlainElement;
 use super::tree::{Amount, Compensation, Coord, FeedKind, MFunction, Motion, Operand};
 use crate::diag::{Source, Span};
 
@@ -21,7 +22,7 @@ pub struct Element {
     start: u32,
     /// How long they are.
     length: u8,
-    path: Path,
+    path: PathCode,
     outline: Outline,
     /// The number of its M function, if it has one only, or [`SEVERAL`]; of one that has none, whether it ends with the
     /// letter alone.
@@ -29,16 +30,17 @@ pub struct Element {
 }
 
 /// Stands for M functions whose numbers are not kept.
-const SEVERAL: u8 = u8::MAX;
+pub(super) const SEVERAL: u8 = u8::MAX;
 
 /// What the words of an element are, as far as it is kept beside the place where they stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outline(u8);
 
 /// Whether and how an element says its radius compensation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Compensates {
     /// It does not.
+    #[default]
     Unsaid,
     /// `R0`.
     Off,
@@ -46,6 +48,18 @@ pub enum Compensates {
     Beside,
     /// `R+` or `R-`.
     Along,
+}
+
+/// What an outline says.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Sketch {
+    pub(super) functions: bool,
+    pub(super) parameters: bool,
+    pub(super) coords: bool,
+    pub(super) twice: bool,
+    /// Whether the feed is `FMAX`, if one is said.
+    pub(super) feed: Option<bool>,
+    pub(super) compensates: Compensates,
 }
 
 impl Outline {
@@ -59,7 +73,6 @@ impl Outline {
 
     /// The outline of words.
     pub fn of(motion: &Motion) -> Self {
-        let bit = |is: bool, bit: u8| if is { bit } else { 0 };
         let q = |operand: &Operand| matches!(operand.amount, Amount::Q { .. });
         let feed = motion.feed.map(|feed| feed.kind);
         let fed_by_q = match &feed {
@@ -68,20 +81,35 @@ impl Outline {
         };
         let parameters =
             motion.coords.iter().any(|coord| q(&coord.value)) || motion.radius.as_ref().is_some_and(q) || fed_by_q;
-        let compensation = match motion.compensation {
+        let compensates = match motion.compensation {
             None => Compensates::Unsaid,
             Some(Compensation::R0) => Compensates::Off,
             Some(Compensation::Rl | Compensation::Rr) => Compensates::Beside,
             Some(Compensation::Longer | Compensation::Shorter) => Compensates::Along,
         };
+        Self::new(Sketch {
+            functions: !motion.functions.is_empty(),
+            parameters,
+            coords: !motion.coords.is_empty(),
+            twice: axis_twice(&motion.coords).is_some(),
+            feed: feed.map(|feed| feed == FeedKind::Max),
+            compensates,
+        })
+    }
+
+    /// The outline that says so.
+    pub(super) const fn new(sketch: Sketch) -> Self {
+        const fn bit(is: bool, bit: u8) -> u8 {
+            if is { bit } else { 0 }
+        }
         Self(
-            bit(!motion.functions.is_empty(), Self::FUNCTIONS)
-                | bit(parameters, Self::PARAMETERS)
-                | bit(!motion.coords.is_empty(), Self::COORDS)
-                | bit(axis_twice(&motion.coords).is_some(), Self::TWICE)
-                | bit(feed == Some(FeedKind::Max), Self::RAPID)
-                | bit(feed.is_some_and(|feed| feed != FeedKind::Max), Self::FEED)
-                | ((compensation as u8) << Self::COMPENSATION),
+            bit(sketch.functions, Self::FUNCTIONS)
+                | bit(sketch.parameters, Self::PARAMETERS)
+                | bit(sketch.coords, Self::COORDS)
+                | bit(sketch.twice, Self::TWICE)
+                | bit(matches!(sketch.feed, Some(true)), Self::RAPID)
+                | bit(matches!(sketch.feed, Some(false)), Self::FEED)
+                | ((sketch.compensates as u8) << Self::COMPENSATION),
         )
     }
 
@@ -170,7 +198,16 @@ impl<'s> Checker<'s> {
             _ => (OnceLock::from(Box::new(self.words.clone())), 0, 0),
         };
         let outline = Outline::of(&self.words);
+        let path = PathCode::of(path);
         Ok(Element { source: Arc::clone(self.source), read, start, length, path, outline, function })
+    }
+
+    /// The same of a line in the usual words; nothing if it is too far away or too long for small numbers.
+    pub(super) fn plain(&self, own: &PlainElement) -> Option<Element> {
+        let PlainElement { words, path, outline, function, .. } = *own;
+        let start = u32::try_from(words.start).ok()?;
+        let length = u8::try_from(words.end - words.start).ok()?;
+        Some(Element { source: Arc::clone(self.source), read: OnceLock::new(), start, length, path, outline, function })
     }
 }
 
@@ -181,7 +218,7 @@ fn ends_with_letter(bytes: &[u8], span: Span) -> bool {
 impl Element {
     /// The kind of contour element.
     pub const fn path(&self) -> Path {
-        self.path
+        self.path.path()
     }
 
     /// What is known of its words without reading them.
@@ -215,7 +252,7 @@ impl Element {
 
     /// Its words, read anew and not kept: for those who look at each element of a long program once.
     pub fn words(&self) -> Motion {
-        let mut words = Motion::new(self.path);
+        let mut words = Motion::new(self.path());
         self.read_into(&mut words);
         words
     }
@@ -226,7 +263,7 @@ impl Element {
             words.clone_from(read);
             return;
         }
-        words.clear(self.path);
+        words.clear(self.path());
         let start = self.start as usize;
         let span = Span::new(start, start + usize::from(self.length));
         // It was read once without an error.

@@ -3,7 +3,8 @@
 //! Invariant: it shows what is printed in the program and nothing that a specification knows.
 use std::collections::BTreeMap;
 
-use serde::Serialize;
+use serde::ser::SerializeSeq as _;
+use serde::{Serialize, Serializer};
 
 use super::{BlockKind, CycleForm, CycleView, IsoKind, Parameter, Program, Value};
 
@@ -21,7 +22,40 @@ pub struct ParseDocument<'p> {
     /// Lines that cannot be read.
     pub unknown: Vec<UnknownLine<'p>>,
     /// Cycle definitions.
-    pub cycles: Vec<Cycle<'p>>,
+    pub cycles: Cycles<'p>,
+}
+
+/// The cycle definitions of a program, each made when it is written: long programs have many.
+#[derive(Clone, Copy, Debug)]
+pub struct Cycles<'p>(&'p Program);
+
+impl<'p> Cycles<'p> {
+    /// All of them, in the order of their lines.
+    pub fn to_vec(self) -> Vec<Cycle<'p>> {
+        let mut all = Vec::new();
+        self.0.each_cycle(|view| all.push(cycle(self.0, &view)));
+        all.extend(codes(self.0));
+        all.sort_by_key(|cycle| cycle.line);
+        all
+    }
+}
+
+impl Serialize for Cycles<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        // Codes of cycles stand among the others.
+        if codes(self.0).next().is_some() {
+            return serializer.collect_seq(self.to_vec());
+        }
+        let mut list = serializer.serialize_seq(None)?;
+        let mut done = Ok(());
+        self.0.each_cycle(|view| {
+            if done.is_ok() {
+                done = list.serialize_element(&cycle(self.0, &view));
+            }
+        });
+        done?;
+        list.end()
+    }
 }
 
 /// A line that cannot be read.
@@ -69,7 +103,7 @@ pub fn document(program: &Program) -> ParseDocument<'_> {
         blocks: program.blocks().len(),
         kinds,
         unknown: unknown(program),
-        cycles: cycles(program),
+        cycles: Cycles(program),
     }
 }
 
@@ -84,8 +118,8 @@ fn unknown(program: &Program) -> Vec<UnknownLine<'_>> {
     program.errors().map(|error| at(error.span.start)).collect()
 }
 
-/// The definitions of Klartext, or the codes of cycles in a DIN/ISO program.
-fn cycles(program: &Program) -> Vec<Cycle<'_>> {
+/// The codes of cycles in a DIN/ISO program.
+fn codes(program: &Program) -> impl Iterator<Item = Cycle<'_>> {
     let written = program.blocks().iter().filter_map(|block| match &block.kind {
         BlockKind::Iso(own) => match own.kind {
             IsoKind::Cycle(code) => Some((block.line, code, own)),
@@ -93,7 +127,7 @@ fn cycles(program: &Program) -> Vec<Cycle<'_>> {
         },
         _ => None,
     });
-    let written = written.map(|(line, code, block)| {
+    written.map(|(line, code, block)| {
         let words = block.words.iter().skip(1).map(|word| CycleParameter {
             q: program.slice(word.name).to_owned(),
             value: program.slice(word.value.span),
@@ -101,11 +135,7 @@ fn cycles(program: &Program) -> Vec<Cycle<'_>> {
         });
         let parameters = words.chain(block.parameters.iter().map(|own| parameter(program, own))).collect();
         Cycle { keyword: "G", number: u32::from(code), line, parameters }
-    });
-    let defined: Vec<Cycle<'_>> = program.cycles().iter().map(|cycle| self::cycle(program, cycle)).collect();
-    let mut all: Vec<Cycle<'_>> = defined.into_iter().chain(written).collect();
-    all.sort_by_key(|cycle| cycle.line);
-    all
+    })
 }
 
 fn parameter<'p>(program: &'p Program, parameter: &Parameter) -> CycleParameter<'p> {

@@ -6,6 +6,7 @@
 //! blocks are written and no cycle: numbers, labels and names mean nothing here.
 mod assemble;
 mod blocks;
+mod body;
 mod cursor;
 mod cycle;
 mod document;
@@ -18,6 +19,7 @@ mod lines;
 mod motion;
 mod parameters;
 mod path;
+mod plain;
 mod statement;
 mod statements;
 mod texts;

@@ -3,7 +3,7 @@
 //! Invariant: what is given back is what was put in.
 use super::tree::{Parameter, Value, ValueKind};
 use crate::diag::Span;
-use crate::expr::QRef;
+use crate::expr::{QKind, QRef};
 
 /// Parameters in the order written.
 #[derive(Clone, Debug, Default)]
@@ -26,53 +26,77 @@ impl Default for List {
 #[derive(Clone, Copy, Debug)]
 struct Packed {
     start: u32,
-    end: u32,
-    value: [u32; 2],
-    /// Empty for none.
-    label: [u32; 2],
     /// The number, or the parameter that is the value.
     content: [u32; 2],
-    q: QRef,
+    q: u16,
+    /// Bytes between the name and the value, of the value, between it and the label, and of the label: none for none.
+    value_length: u16,
+    label_gap: u16,
+    label_length: u16,
+    value_gap: u8,
     q_length: u8,
+    q_kind: QKind,
     kind: Kind,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     Number,
-    Q(bool),
+    Q,
+    MinusQ,
     Word,
     Text,
-    Sign(bool),
+    Plus,
+    Minus,
     Missing,
 }
 
 impl Packed {
+    /// The parameter in little room; nothing if it would not be the same again.
     fn of(base: usize, own: &Parameter) -> Option<Self> {
-        let at = |place: usize| u32::try_from(place.checked_sub(base)?).ok();
-        let span = |span: Span| Some([at(span.start)?, at(span.end)?]);
-        let [start, end] = span(own.span)?;
+        fn between<T: TryFrom<usize>>(from: usize, to: usize) -> Option<T> {
+            T::try_from(to.checked_sub(from)?).ok()
+        }
         let bits = |bits: u64| [bits as u32, (bits >> 32) as u32];
         let (kind, content) = match own.value.kind {
             ValueKind::Number(number) => (Kind::Number, bits(number.to_bits())),
-            ValueKind::Q { negative, q } => (Kind::Q(negative), [u32::from(q.number), q.kind as u32]),
+            ValueKind::Q { negative, q } => {
+                (if negative { Kind::MinusQ } else { Kind::Q }, [u32::from(q.number), q.kind as u32])
+            }
             ValueKind::Word => (Kind::Word, [0, 0]),
             ValueKind::Text(inside) if inside == inner(own.value.span) => (Kind::Text, [0, 0]),
             ValueKind::Text(_) => return None,
-            ValueKind::Sign(minus) => (Kind::Sign(minus), [0, 0]),
+            ValueKind::Sign(minus) => (if minus { Kind::Minus } else { Kind::Plus }, [0, 0]),
             ValueKind::Missing => (Kind::Missing, [0, 0]),
         };
-        let named = own.q_span.start == own.span.start && own.label.is_none_or(|label| label.start < label.end);
+        let (value, label) = (own.value.span, own.label);
+        let as_usual = own.q_span.start == own.span.start
+            && own.span.end == end_of(own.q_span, value)
+            && label.is_none_or(|label| label.start < label.end);
         Some(Self {
-            start,
-            end,
-            value: span(own.value.span)?,
-            label: own.label.map_or(Some([0, 0]), span)?,
+            start: between(base, own.span.start).filter(|_| as_usual)?,
             content,
-            q: own.q,
-            q_length: u8::try_from(own.q_span.end - own.q_span.start).ok().filter(|_| named)?,
+            q: own.q.number,
+            value_length: between(value.start, value.end)?,
+            label_gap: label.map_or(Some(0), |label| between(value.end, label.start))?,
+            label_length: label.map_or(Some(0), |label| between(label.start, label.end))?,
+            value_gap: between(own.q_span.end, value.start)?,
+            q_length: between(own.q_span.start, own.q_span.end)?,
+            q_kind: own.q.kind,
             kind,
         })
+    }
+
+    const fn q(&self) -> QRef {
+        QRef { kind: self.q_kind, number: self.q }
+    }
+
+    /// The place of the name, and that of the value.
+    fn places(&self, base: usize) -> (Span, Span) {
+        let start = base + self.start as usize;
+        let q = Span::new(start, start + usize::from(self.q_length));
+        let from = q.end + usize::from(self.value_gap);
+        (q, Span::new(from, from + usize::from(self.value_length)))
     }
 
     /// The value, which stands at a place.
@@ -80,28 +104,32 @@ impl Packed {
         let [low, high] = self.content;
         match self.kind {
             Kind::Number => ValueKind::Number(f64::from_bits(u64::from(low) | (u64::from(high) << 32))),
-            Kind::Q(negative) => ValueKind::Q { negative, q: q_of(low, high) },
+            Kind::Q => ValueKind::Q { negative: false, q: q_of(low, high) },
+            Kind::MinusQ => ValueKind::Q { negative: true, q: q_of(low, high) },
             Kind::Word => ValueKind::Word,
             Kind::Text => ValueKind::Text(inner(value)),
-            Kind::Sign(minus) => ValueKind::Sign(minus),
+            Kind::Plus => ValueKind::Sign(false),
+            Kind::Minus => ValueKind::Sign(true),
             Kind::Missing => ValueKind::Missing,
         }
     }
 
     fn unpacked(&self, base: usize) -> Parameter {
-        let at = |place: u32| base + place as usize;
-        let span = |[start, end]: [u32; 2]| Span::new(at(start), at(end));
-        let value = span(self.value);
-        let kind = self.value(value);
-        let start = at(self.start);
+        let (q_span, value) = self.places(base);
+        let label = value.end + usize::from(self.label_gap);
         Parameter {
-            span: Span::new(start, at(self.end)),
-            q: self.q,
-            q_span: Span::new(start, start + usize::from(self.q_length)),
-            value: Value { span: value, kind },
-            label: (self.label[0] < self.label[1]).then(|| span(self.label)),
+            span: Span::new(q_span.start, end_of(q_span, value)),
+            q: self.q(),
+            q_span,
+            value: Value { span: value, kind: self.value(value) },
+            label: (self.label_length > 0).then(|| Span::new(label, label + usize::from(self.label_length))),
         }
     }
+}
+
+/// Where a parameter ends: with its value, or with the `=` behind its name.
+fn end_of(q: Span, value: Span) -> usize {
+    value.end.max(q.end + 1)
 }
 
 /// The place of a text without its quotation marks.
@@ -110,7 +138,6 @@ const fn inner(span: Span) -> Span {
 }
 
 fn q_of(number: u32, kind: u32) -> QRef {
-    use crate::expr::QKind;
     let kind = [QKind::Q, QKind::Ql, QKind::Qr, QKind::Qs].into_iter().find(|own| *own as u32 == kind);
     QRef { kind: kind.unwrap_or(QKind::Q), number: u16::try_from(number).unwrap_or_default() }
 }
@@ -156,8 +183,7 @@ impl Parameters {
         match &self.0 {
             List::Packed(_, list) => {
                 for own in list {
-                    let [start, end] = own.value;
-                    each(own.q, own.value(Span::new(start as usize, end as usize)));
+                    each(own.q(), own.value(own.places(0).1));
                 }
             }
             List::Plain(list) => list.iter().for_each(|own| each(own.q, own.value.kind)),

@@ -153,3 +153,104 @@ impl Path {
         }
     }
 }
+
+/// A path in one byte: long programs have millions of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum PathCode {
+    L,
+    Lp,
+    Ln,
+    Axis,
+    Cc,
+    C,
+    Cr,
+    Ct,
+    Cp,
+    Ctp,
+    Rnd,
+    Chf,
+    Fl,
+    Flt,
+    Fc,
+    Fct,
+    Fpol,
+    Spl,
+    ApprLt,
+    ApprLn,
+    ApprCt,
+    ApprLct,
+    ApprPlt,
+    ApprPln,
+    ApprPct,
+    ApprPlct,
+    DepLt,
+    DepLn,
+    DepCt,
+    DepLct,
+    DepPlt,
+    DepPln,
+    DepPct,
+    DepPlct,
+}
+
+/// All paths, in the order of their codes.
+const PATHS: [(PathCode, Path); 34] = [
+    (PathCode::L, Path::L),
+    (PathCode::Lp, Path::Lp),
+    (PathCode::Ln, Path::Ln),
+    (PathCode::Axis, Path::Axis),
+    (PathCode::Cc, Path::Cc),
+    (PathCode::C, Path::C),
+    (PathCode::Cr, Path::Cr),
+    (PathCode::Ct, Path::Ct),
+    (PathCode::Cp, Path::Cp),
+    (PathCode::Ctp, Path::Ctp),
+    (PathCode::Rnd, Path::Rnd),
+    (PathCode::Chf, Path::Chf),
+    (PathCode::Fl, Path::Fl),
+    (PathCode::Flt, Path::Flt),
+    (PathCode::Fc, Path::Fc),
+    (PathCode::Fct, Path::Fct),
+    (PathCode::Fpol, Path::Fpol),
+    (PathCode::Spl, Path::Spl),
+    (PathCode::ApprLt, Path::Appr(Approach::Lt)),
+    (PathCode::ApprLn, Path::Appr(Approach::Ln)),
+    (PathCode::ApprCt, Path::Appr(Approach::Ct)),
+    (PathCode::ApprLct, Path::Appr(Approach::Lct)),
+    (PathCode::ApprPlt, Path::Appr(Approach::Plt)),
+    (PathCode::ApprPln, Path::Appr(Approach::Pln)),
+    (PathCode::ApprPct, Path::Appr(Approach::Pct)),
+    (PathCode::ApprPlct, Path::Appr(Approach::Plct)),
+    (PathCode::DepLt, Path::Dep(Approach::Lt)),
+    (PathCode::DepLn, Path::Dep(Approach::Ln)),
+    (PathCode::DepCt, Path::Dep(Approach::Ct)),
+    (PathCode::DepLct, Path::Dep(Approach::Lct)),
+    (PathCode::DepPlt, Path::Dep(Approach::Plt)),
+    (PathCode::DepPln, Path::Dep(Approach::Pln)),
+    (PathCode::DepPct, Path::Dep(Approach::Pct)),
+    (PathCode::DepPlct, Path::Dep(Approach::Plct)),
+];
+
+impl PathCode {
+    /// The code of a path.
+    pub(super) fn of(path: Path) -> Self {
+        PATHS.iter().find(|(_, own)| *own == path).map_or(Self::L, |(code, _)| *code)
+    }
+
+    /// The path that it stands for.
+    pub(super) const fn path(self) -> Path {
+        PATHS[self as usize].1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_path_has_its_code() {
+        for (at, (code, path)) in PATHS.iter().enumerate() {
+            assert_eq!((*code as usize, code.path(), PathCode::of(*path)), (at, *path, *code));
+        }
+    }
+}

@@ -29,19 +29,25 @@ pub struct Block {
     pub kind: BlockKind,
 }
 
-/// The place of a comment, counted from the beginning of its block; empty if there is none.
+/// The place of a comment, counted from the beginning of its block, as bytes that need no room beside them; empty if
+/// there is none.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Comment {
-    start: u32,
-    end: u32,
+    start: [u8; 4],
+    length: [u8; 3],
 }
 
 impl Comment {
     /// That of a block that begins at a byte.
     pub(super) fn new(block: usize, comment: Option<Span>) -> Self {
         // A block that is longer than any file of a control has no comment.
-        let at = |place: usize| u32::try_from(place.checked_sub(block)?).ok();
-        let place = |comment: Span| Some(Self { start: at(comment.start)?, end: at(comment.end)? });
+        let place = |comment: Span| {
+            let start = u32::try_from(comment.start.checked_sub(block)?).ok()?.to_le_bytes();
+            let [a, b, c, 0] = u32::try_from(comment.end.checked_sub(comment.start)?).ok()?.to_le_bytes() else {
+                return None;
+            };
+            Some(Self { start, length: [a, b, c] })
+        };
         comment.and_then(place).unwrap_or_default()
     }
 }
@@ -49,9 +55,10 @@ impl Comment {
 impl Block {
     /// The comment from `;` on, without a `~` at its end; of a cycle, the comment of its first line.
     pub fn comment(&self) -> Option<Span> {
-        let Comment { start, end } = self.comment;
-        let at = |place: u32| self.span.start + place as usize;
-        (start < end).then(|| Span::new(at(start), at(end)))
+        let Comment { start, length: [a, b, c] } = self.comment;
+        let start = self.span.start + u32::from_le_bytes(start) as usize;
+        let end = start + u32::from_le_bytes([a, b, c, 0]) as usize;
+        (start < end).then(|| Span::new(start, end))
     }
 
     /// The same block, told to have no comment.

@@ -38,20 +38,66 @@ pub struct Change {
     pub to: String,
 }
 
+/// A label in the place of another one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Replacement<'a> {
+    /// The place of the old one.
+    pub span: Span,
+    /// The new one.
+    pub to: &'a str,
+}
+
+/// What is replaced in a program, and the rest of a [`Translation`]: long programs have millions of labels, and a text of
+/// their own for each takes more room than the program.
+#[derive(Debug)]
+pub struct Replacements<'a> {
+    /// What is replaced, in the order of the text.
+    pub changes: Vec<Replacement<'a>>,
+    /// As in [`Translation`].
+    pub diagnostics: Vec<Diagnostic>,
+    /// As in [`Translation`].
+    pub sources: BTreeMap<String, usize>,
+}
+
 /// Writes a program's names and labels in the language `to`. If `against` names the language of the program, only what
 /// is in that language is replaced.
 pub fn translate(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding) -> Translation {
-    write(program, against, to, encoding, false)
+    write(program, replacements(program, against, to, encoding, false))
 }
 
 /// As [`translate`], and whatever has the form of a label where one stands is one, in a language that is not known
 /// here or of an older software: cycles and parameters are known by their numbers anyway. A label of another
 /// parameter of the cycle stays, for it may tell of a mistake.
 pub fn relabel(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding) -> Translation {
-    write(program, against, to, encoding, true)
+    write(program, replacements(program, against, to, encoding, true))
 }
 
-fn write(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding, relabel: bool) -> Translation {
+fn write(program: &Program, found: Replacements<'_>) -> Translation {
+    let Replacements { changes, diagnostics, sources } = found;
+    let text = program.source().text();
+    let (mut out, mut at) = (String::with_capacity(text.len()), 0);
+    for change in &changes {
+        out.push_str(text.get(at..change.span.start).unwrap_or_default());
+        out.push_str(change.to);
+        at = change.span.end;
+    }
+    out.push_str(text.get(at..).unwrap_or_default());
+    let change = |own: Replacement<'_>| Change {
+        span: own.span,
+        from: program.slice(own.span).to_owned(),
+        to: own.to.to_owned(),
+    };
+    Translation { text: out, changes: changes.into_iter().map(change).collect(), diagnostics, sources }
+}
+
+/// What [`translate`] replaces, or what [`relabel`] does.
+pub fn replacements<'a>(
+    program: &'a Program,
+    against: &Against<'a>,
+    to: &str,
+    encoding: Encoding,
+    relabel: bool,
+) -> Replacements<'a> {
     let facts = Facts::of(program, against);
     let mut writer = Writer { facts: &facts, to, encoding, changes: Vec::new(), diagnostics: Vec::new() };
     let mut sources = BTreeMap::new();
@@ -75,14 +121,14 @@ fn write(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding,
     }
     let Writer { mut changes, diagnostics, .. } = writer;
     changes.sort_by_key(|change| change.span.start);
-    Translation { text: changed(program.source().text(), &changes), changes, diagnostics, sources }
+    Replacements { changes, diagnostics, sources }
 }
 
 struct Writer<'f, 'a> {
     facts: &'f Facts<'a>,
     to: &'f str,
     encoding: Encoding,
-    changes: Vec<Change>,
+    changes: Vec<Replacement<'a>>,
     diagnostics: Vec<Diagnostic>,
 }
 
@@ -114,7 +160,7 @@ impl<'a> Writer<'_, 'a> {
     }
 
     /// Replaces what stands at `span` by the label, if it is one that is known.
-    fn replace(&mut self, span: Span, known: bool, label: Option<&ParamLabels>, parameter: &str, cycle: &str) {
+    fn replace(&mut self, span: Span, known: bool, label: Option<&'a ParamLabels>, parameter: &str, cycle: &str) {
         let from = self.facts.text(span);
         if !known {
             return;
@@ -134,18 +180,6 @@ impl<'a> Writer<'_, 'a> {
             self.diagnostics.push(foreign.arg("character", character.to_string()));
             return;
         }
-        self.changes.push(Change { span, from: from.to_owned(), to: to.to_owned() });
+        self.changes.push(Replacement { span, to });
     }
-}
-
-fn changed(text: &str, changes: &[Change]) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut at = 0;
-    for change in changes {
-        out.push_str(text.get(at..change.span.start).unwrap_or_default());
-        out.push_str(&change.to);
-        at = change.span.end;
-    }
-    out.push_str(text.get(at..).unwrap_or_default());
-    out
 }

@@ -10,7 +10,10 @@ pub(super) const RULE: Rule = Rule { code: "feed-zero", severity: Severity::Warn
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for block in facts.program.blocks() {
         let BlockKind::Motion(motion) = &block.kind else { continue };
-        let Some(feed) = motion.feed else { continue };
+        if !motion.outline().has_feed() || !may_be_zero(facts.text(block.span)) {
+            continue;
+        }
+        let Some(feed) = motion.words().feed else { continue };
         let (FeedKind::Value(own) | FeedKind::PerRevolution(own) | FeedKind::PerTooth(own)) = feed.kind else {
             continue;
         };
@@ -18,4 +21,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.at(facts, feed.span));
         }
     }
+}
+
+/// Whether an `F` stands in the text that no digit but 0 follows. Long programs have millions of feeds.
+fn may_be_zero(text: &str) -> bool {
+    let bytes = text.as_bytes();
+    memchr::memchr2_iter(b'F', b'f', bytes).any(|at| {
+        let mut behind = bytes.get(at + 1..).unwrap_or_default().iter();
+        !behind.find(|byte| !matches!(byte, b' ' | b'+' | b'A'..=b'Z')).is_some_and(|byte| matches!(byte, b'1'..=b'9'))
+    })
 }

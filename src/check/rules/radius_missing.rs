@@ -8,7 +8,7 @@ pub(super) const RULE: Rule = Rule { code: "radius-missing", severity: Severity:
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for block in facts.program.blocks() {
         let BlockKind::Motion(motion) = &block.kind else { continue };
-        if motion.path() == Path::Cr && motion.radius.is_none() {
+        if motion.path() == Path::Cr && motion.words().radius.is_none() {
             found.push(rule.at(facts, facts.content(block)));
         }
     }
