@@ -4,7 +4,7 @@ use ciklo::data;
 use ciklo::diag::Source;
 use ciklo::locale::Locales;
 use ciklo::spec::Catalogue;
-use ciklo::syntax::{BlockKind, Program, parse};
+use ciklo::syntax::{Block, BlockKind, Program, parse};
 
 /// How often things are repeated.
 const MANY: usize = 20_000;
@@ -53,6 +53,13 @@ fn labels_that_run_into_each_other_are_followed_as_far_as_patience_goes() {
 fn a_parameter_that_is_written_again_and_again_is_told_each_time() {
     let again = "Q200=2 ;SET-UP CLEARANCE\n".repeat(MANY);
     assert_eq!(count("duplicate-parameter", &[format!("5 CYCL DEF 200 DRILLING\n{again}")]), [MANY - 1]);
+}
+
+#[test]
+#[cfg(target_pointer_width = "64")]
+fn a_block_takes_little_room() {
+    // A hundred megabytes of contour are three million of them, and commands hold six times the text at most.
+    assert!(size_of::<Block>() <= 80, "{}", size_of::<Block>());
 }
 
 #[test]

@@ -17,7 +17,8 @@ cli-examples-convert =
     ciklo convert part.h --to-iso > part.i
     ciklo convert part.i --to-klartext --lang it --out pezzo.h
 diag-convert-one-file = Several programs are only rewritten with --in-place.
-diag-convert-klartext-first = { $path } is in DIN/ISO: write it in Klartext first (--to-klartext).
+diag-convert-iso-stays = “{ $found }” would change, and its new form cannot be written in DIN/ISO; the block stays as it was.
+diag-convert-iso-unread = Klartext has no equivalent of “{ $found }”; the block stays as it was and is not looked at.
 diag-convert-cycle-lacking = { $control } does not have { $cycle }; the definition stays as it is.
 diag-convert-cycle-not-described = The manual of { $control } names { $cycle } but does not describe it: its parameters stay as they are.
 diag-convert-cycle-not-covered = The manuals of { $control } that are known here do not treat cycles such as { $cycle }: the definition stays as it is.

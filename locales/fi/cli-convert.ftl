@@ -17,7 +17,8 @@ cli-examples-convert =
     ciklo convert part.h --to-iso > part.i
     ciklo convert part.i --to-klartext --lang it --out pezzo.h
 diag-convert-one-file = Useita ohjelmia voi kirjoittaa uudelleen vain valitsimella --in-place.
-diag-convert-klartext-first = { $path } on DIN/ISO-kielinen: muunna se ensin Klartext-kielelle (--to-klartext).
+diag-convert-iso-stays = ”{ $found }” muuttuisi, mutta sen uutta muotoa ei voi kirjoittaa DIN/ISO-kielellä; lause jää ennalleen.
+diag-convert-iso-unread = Klartext-kielessä ei ole vastinetta tälle: ”{ $found }”; lause jää ennalleen eikä sitä tarkasteta.
 diag-convert-cycle-lacking = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; määrittely jää ennalleen.
 diag-convert-cycle-not-described = Ohjauksen { $control } käsikirja mainitsee työkierron { $cycle }, mutta ei kuvaa sitä: parametrit jäävät ennalleen.
 diag-convert-cycle-not-covered = Ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele sellaisia työkiertoja kuin { $cycle }: määrittely jää ennalleen.

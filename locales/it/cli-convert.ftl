@@ -17,7 +17,8 @@ cli-examples-convert =
     ciklo convert part.h --to-iso > part.i
     ciklo convert part.i --to-klartext --lang it --out pezzo.h
 diag-convert-one-file = Più programmi vengono riscritti solo con --in-place.
-diag-convert-klartext-first = { $path } è in DIN/ISO: scriverlo prima in Klartext (--to-klartext).
+diag-convert-iso-stays = «{ $found }» cambierebbe, ma la nuova forma non si può scrivere in DIN/ISO; il blocco resta com’era.
+diag-convert-iso-unread = In Klartext non c’è equivalente di «{ $found }»; il blocco resta com’era e non viene esaminato.
 diag-convert-cycle-lacking = { $control } non ha { $cycle }; la definizione resta com’è.
 diag-convert-cycle-not-described = Il manuale di { $control } cita { $cycle } ma non lo descrive: i parametri restano come sono.
 diag-convert-cycle-not-covered = I manuali del controllo { $control } qui noti non trattano cicli come { $cycle }: la definizione resta com’è.

@@ -18,7 +18,8 @@ cli-examples-convert =
     ciklo convert part.h --to-iso > part.i
     ciklo convert part.i --to-klartext --lang it --out pezzo.h
 diag-convert-one-file = Vários programas só são reescritos com --in-place.
-diag-convert-klartext-first = { $path } está em DIN/ISO: escreva-o primeiro em Klartext (--to-klartext).
+diag-convert-iso-stays = «{ $found }» mudaria, mas a nova forma não se pode escrever em DIN/ISO; a frase fica como estava.
+diag-convert-iso-unread = Em Klartext não há equivalente de «{ $found }»; a frase fica como estava e não é examinada.
 diag-convert-cycle-lacking = { $control } não tem { $cycle }; a definição fica como está.
 diag-convert-cycle-not-described = O manual de { $control } menciona { $cycle } mas não o descreve: os parâmetros ficam como estão.
 diag-convert-cycle-not-covered = Os manuais do comando { $control } aqui conhecidos não tratam de ciclos como { $cycle }: a definição fica como está.

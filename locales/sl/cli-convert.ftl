@@ -19,7 +19,8 @@ cli-examples-convert =
     ciklo convert part.h --to-iso > part.i
     ciklo convert part.i --to-klartext --lang it --out pezzo.h
 diag-convert-one-file = Več programov je mogoče prepisati le z --in-place.
-diag-convert-klartext-first = Program { $path } je v DIN/ISO: najprej ga zapišite v Klartextu (--to-klartext).
+diag-convert-iso-stays = »{ $found }« bi se spremenil, nove oblike pa v DIN/ISO ni mogoče zapisati; stavek ostane, kakor je bil.
+diag-convert-iso-unread = Klartext nima ustreznice za »{ $found }«; stavek ostane, kakor je bil, in se ne pregleda.
 diag-convert-cycle-lacking = Krmiljenje { $control } nima cikla { $cycle }; definicija ostane, kakor je.
 diag-convert-cycle-not-described = Priročnik za { $control } cikel { $cycle } omenja, a ga ne opisuje: parametri ostanejo, kakor so.
 diag-convert-cycle-not-covered = Priročniki krmiljenja { $control }, ki so tu znani, ciklov, kakršen je { $cycle }, ne obravnavajo: definicija ostane, kakor je.

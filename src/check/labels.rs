@@ -291,6 +291,24 @@ pub fn speech<'a>(facts: &Facts<'a>, definition: &Definition<'a>) -> Speech {
     best.map_or(Speech::Silent, |(tag, _)| Speech::In(tag.to_owned()))
 }
 
+/// Whether a definition says nothing in another language: it has no labels, or its name and labels are letter by letter
+/// those of the language. Most definitions of long programs are such.
+pub(super) fn is_in(facts: &Facts<'_>, definition: &Defined<'_>, tag: &str) -> bool {
+    let Some((cycle, labels)) = definition.cycle().zip(facts.labels(definition)) else { return true };
+    if matches!(definition.view.form, CycleForm::Lines(_)) && !has_labelled(cycle) {
+        return true;
+    }
+    let Some(spoken) = labels.language(tag) else { return false };
+    let (mut any, mut all) = (false, definition.view.name.is_none_or(|name| spoken.name.is_exactly(facts.text(name))));
+    if all {
+        each_label(facts, definition, cycle, |index, label| {
+            any = true;
+            all &= spoken.params.get(index).is_some_and(|own| own.is_exactly(label));
+        });
+    }
+    any && all
+}
+
 /// Whether a definition is one that a control wrote in a language that is not loaded.
 ///
 /// All its parameters are the cycle's own; two or more and at least half of them have a comment, three of four comments
@@ -357,8 +375,7 @@ fn each_label<'a>(facts: &Facts<'a>, definition: &Defined<'a>, cycle: &'a Cycle,
             }
         }
         CycleForm::Lines(_) => {
-            let labelled = |param: &Param| param.field.as_ref().is_some_and(|field| field.shape == Shape::Labelled);
-            if !cycle.params.iter().any(labelled) {
+            if !has_labelled(cycle) {
                 return;
             }
             for item in &facts.read(definition).items {
@@ -368,4 +385,10 @@ fn each_label<'a>(facts: &Facts<'a>, definition: &Defined<'a>, cycle: &'a Cycle,
             }
         }
     }
+}
+
+/// Whether words stand before the values of the old form that are labels.
+fn has_labelled(cycle: &Cycle) -> bool {
+    let labelled = |param: &Param| param.field.as_ref().is_some_and(|field| field.shape == Shape::Labelled);
+    cycle.params.iter().any(labelled)
 }

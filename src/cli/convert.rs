@@ -6,7 +6,7 @@ use clap::builder::PossibleValuesParser;
 use serde::Serialize;
 
 use super::session::{Session, json};
-use super::{Command, Failure, Outcome, arguments, cycle, dialect, program};
+use super::{Command, Failure, Outcome, arguments, by_klartext, cycle, dialect, program};
 use crate::check::{Against, LabelBook};
 use crate::convert::{self, Conversion, Form, Request};
 use crate::diag::{Diagnostic, Severity};
@@ -94,11 +94,11 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         let Decoded { text, encoding } = encoding::decode_owned(bytes);
         let source = crate::diag::Source::new(name.as_str(), text);
         let program = syntax::parse(&source);
-        if program.dialect() == Dialect::Iso {
-            return Err(Diagnostic::global("convert-klartext-first").arg("path", name.as_str()).into());
-        }
         let request = Request { from, to, locales: &locales, form, encoding };
-        let conversion = convert::convert(&program, &request);
+        let conversion = match program.dialect() {
+            Dialect::Iso => by_klartext::convert(&program, &request),
+            Dialect::Klartext => convert::convert(&program, &request),
+        };
         errors |= conversion.found.iter().any(|found| found.severity == Severity::Error);
         let whole = encoding.encode(&conversion.text).map_err(|sign| program::unwritable(sign, &source))?;
         let written = match matches.get_one::<String>("out").map(String::as_str) {

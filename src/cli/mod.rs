@@ -9,6 +9,7 @@ mod annotations;
 mod arguments;
 mod block;
 mod build;
+mod by_klartext;
 mod cache;
 mod certify;
 mod check;

@@ -4,6 +4,7 @@
 //! a subprogram was taken over. Single labels in a definition are another finding.
 use std::collections::BTreeSet;
 
+use crate::check::labels::is_in;
 use crate::check::{Facts, Rule, Speech, speech};
 use crate::diag::{Diagnostic, Place, Severity};
 
@@ -17,7 +18,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let source = facts.program.source();
     let mut first = None;
     let (mut lines, mut languages) = (Vec::new(), BTreeSet::new());
-    for definition in facts.readings().filter(|own| own.items.iter().any(|item| item.label.is_some())) {
+    for definition in facts.definitions.iter().filter(|own| !is_in(facts, own, language)) {
+        let definition = facts.read(definition);
+        if definition.items.iter().all(|item| item.label.is_none()) {
+            continue;
+        }
         let tag = match speech(facts, &definition) {
             Speech::In(tag) if tag != language => tag,
             // Three dots stand for a language that is not known.

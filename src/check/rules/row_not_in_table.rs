@@ -3,8 +3,9 @@
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`); of several datum tables it is the one that SEL
 //! TABLE selects before. Rows that parameters choose are only looked at where their value is certain.
 use crate::check::values::number;
-use crate::check::{Facts, Rows, Rule};
+use crate::check::{Defined, Facts, Rows, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
+use crate::spec::Param;
 use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "row-not-in-table", severity: Severity::Warning, run };
@@ -15,7 +16,10 @@ const DATUM: &str = "datum-row";
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(among) = facts.among else { return };
-    for (definition, _) in facts.described() {
+    let names_row = |param: &Param| matches!(param.is.as_str(), PRESET | DATUM);
+    let names_rows = |own: &&Defined<'_>| own.cycle().is_some_and(|cycle| cycle.params.iter().any(names_row));
+    for definition in facts.definitions.iter().filter(names_rows) {
+        let definition = facts.read(definition);
         for item in &definition.items {
             let meaning = item.param.map_or("", |param| param.is.as_str());
             let rows = match meaning {
