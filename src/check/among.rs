@@ -20,6 +20,10 @@ pub trait Among: Sync {
     fn called(&self, name: &str) -> Called;
     /// Whether the tool table has a tool; nothing if it is not known which table that is.
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool>;
+    /// Whether it is known of any table which rows it has.
+    fn knows_rows(&self) -> bool {
+        true
+    }
     /// Whether a table has a row; nothing if it is not known which table that is.
     fn has_row(&self, rows: Rows<'_>, row: f64) -> Option<bool>;
 }

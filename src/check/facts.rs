@@ -149,6 +149,13 @@ impl<'a> Facts<'a> {
         Self::begun(program, against, None)
     }
 
+    /// The same with the language of its labels.
+    pub fn spoken(program: &'a Program, against: &Against<'a>) -> Self {
+        let mut facts = Self::unrun(program, against);
+        facts.language = against.language.map(str::to_owned).or_else(|| super::labels::language_of(&facts));
+        facts
+    }
+
     /// The facts of a program without its run.
     pub(super) fn begun(program: &'a Program, against: &Against<'a>, among: Option<&'a dyn Among>) -> Self {
         let mut facts = Self {
@@ -368,13 +375,12 @@ impl<'a> Defined<'a> {
 impl<'a> Definition<'a> {
     /// Reads a definition, without what depends on the run.
     pub(super) fn of(program: &'a Program, own: &Defined<'a>) -> Self {
-        let own = Defined { view: own.view.clone(), key: own.key, known: own.known, torn: own.torn, kept: own.kept };
-        let mut definition = Self { own, items: Vec::new(), missing: Vec::new(), in_order: false };
-        let cycle = definition.cycle();
-        match (definition.own.view.form.clone(), cycle) {
+        let copy = Defined { view: own.view.clone(), key: own.key, known: own.known, torn: own.torn, kept: own.kept };
+        let mut definition = Self { own: copy, items: Vec::new(), missing: Vec::new(), in_order: false };
+        match (&own.view.form, own.cycle()) {
             (CycleForm::Parameters(written), cycle) => definition.parameters(program, written, cycle),
             (CycleForm::Lines(lines), Some(cycle)) => {
-                let matched = fields::matching(program, cycle, &lines);
+                let matched = fields::matching(program, cycle, lines);
                 definition.items = matched.items;
                 definition.missing = matched.missing;
             }

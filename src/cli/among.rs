@@ -263,6 +263,10 @@ impl Among for Standing<'_> {
         }))
     }
 
+    fn knows_rows(&self) -> bool {
+        self.has_tables()
+    }
+
     fn has_row(&self, rows: Rows<'_>, row: f64) -> Option<bool> {
         let (kind, name) = match rows {
             Rows::Presets => (TableKind::Preset, None),

@@ -8,11 +8,11 @@ use serde::Serialize;
 use super::session::{Session, json};
 use super::{Command, Failure, Outcome, arguments, by_klartext, cycle, dialect, program};
 use crate::check::{Against, LabelBook};
-use crate::convert::{self, Conversion, Form, Request};
-use crate::diag::{Diagnostic, Severity};
+use crate::convert::{self, Conversion, Form, Request, Step};
+use crate::diag::{Diagnostic, Edit, Severity};
 use crate::locale::{Args, Ui};
-use crate::syntax::Dialect;
 use crate::syntax::encoding::{self, Decoded};
+use crate::syntax::{Dialect, Program};
 use crate::{syntax, system};
 
 pub(super) const COMMAND: Command = Command {
@@ -95,12 +95,15 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         let source = crate::diag::Source::new(name.as_str(), text);
         let program = syntax::parse(&source);
         let request = Request { from, to, locales: &locales, form, encoding };
-        let conversion = match program.dialect() {
-            Dialect::Iso => by_klartext::convert(&program, &request),
-            Dialect::Klartext => convert::convert(&program, &request),
+        let format = arguments::chosen_format(matches);
+        let converted = match program.dialect() {
+            Dialect::Iso => Converted::Whole(by_klartext::convert(&program, &request)),
+            Dialect::Klartext if format == "json" => Converted::Whole(convert::convert(&program, &request)),
+            Dialect::Klartext => Converted::long(&program, &request),
         };
-        errors |= conversion.found.iter().any(|found| found.severity == Severity::Error);
-        let whole = encoding.encode(&conversion.text).map_err(|sign| program::unwritable(sign, &source))?;
+        errors |= converted.errors();
+        let edits = converted.edits();
+        let pieces = || program::pieces(source.text(), edits.iter().map(|edit| (edit.span, edit.text.as_str())));
         let written = match matches.get_one::<String>("out").map(String::as_str) {
             Some(out) => Some(out),
             None => in_place.then_some(name.as_str()),
@@ -110,22 +113,67 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
             if in_place && system::digest_of(path)? != digest {
                 return Err(Diagnostic::global("fix-file-changed").arg("path", name.as_str()).into());
             }
-            system::write(Path::new(written), &whole)?;
-            let args = Args::new().number("count", conversion.edits.len() as f64).text("path", written);
+            program::write_pieces(Path::new(written), encoding, pieces(), &source)?;
+            let args = Args::new().number("count", edits.len() as f64).text("path", written);
             let line = session.ui.text("cli-converted", &args);
             session.output.remark(&line);
         }
-        if arguments::chosen_format(matches) == "json" {
-            let document = json(&report(session, name, (from.on.id(), to.on.id()), &conversion))?;
-            session.output.print(&document)?;
-            continue;
+        match &converted {
+            Converted::Whole(conversion) if format == "json" => {
+                let document = json(&report(session, name, (from.on.id(), to.on.id()), conversion))?;
+                session.output.print(&document)?;
+                continue;
+            }
+            _ if written.is_none() => program::print_pieces(session, encoding, pieces(), &source)?,
+            _ => {}
         }
-        if written.is_none() {
-            session.output.write(&whole)?;
+        match &converted {
+            Converted::Whole(conversion) => {
+                conversion.found.iter().for_each(|found| session.output.complain(found, &session.ui));
+            }
+            Converted::Long { .. } => convert::each(&program, &request, &mut |step| {
+                if let Step::Found(found) = step {
+                    session.output.complain(&found, &session.ui);
+                }
+            }),
         }
-        conversion.found.iter().for_each(|found| session.output.complain(found, &session.ui));
     }
     Ok(if errors { Outcome::Errors } else { Outcome::Clean })
+}
+
+/// What a conversion gave.
+enum Converted {
+    Whole(Conversion),
+    /// What is told of a long program takes more room than the program: it is found once more when it is told.
+    Long {
+        edits: Vec<Edit>,
+        errors: bool,
+    },
+}
+
+impl Converted {
+    fn long(program: &Program, request: &Request<'_>) -> Self {
+        let (mut edits, mut errors) = (Vec::new(), false);
+        convert::each(program, request, &mut |step| match step {
+            Step::Edit(edit) => edits.push(edit),
+            Step::Found(found) => errors |= found.severity == Severity::Error,
+        });
+        Self::Long { edits, errors }
+    }
+
+    fn edits(&self) -> &[Edit] {
+        match self {
+            Self::Whole(conversion) => &conversion.edits,
+            Self::Long { edits, .. } => edits,
+        }
+    }
+
+    fn errors(&self) -> bool {
+        match self {
+            Self::Whole(conversion) => conversion.found.iter().any(|found| found.severity == Severity::Error),
+            Self::Long { errors, .. } => *errors,
+        }
+    }
 }
 
 fn report<'r>(

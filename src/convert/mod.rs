@@ -58,17 +58,61 @@ pub struct Conversion {
 
 /// Rewrites a program for another control.
 pub fn convert(program: &Program, request: &Request<'_>) -> Conversion {
-    let facts = Facts::of(program, &request.from);
+    let (mut edits, mut found) = (Vec::new(), Vec::new());
+    each(program, request, &mut |step| match step {
+        Step::Edit(edit) => edits.push(edit),
+        Step::Found(diagnostic) => found.push(diagnostic),
+    });
+    Conversion { text: edited(program.source().text(), &edits), edits, found }
+}
+
+/// A part of a conversion.
+#[derive(Debug)]
+pub enum Step {
+    /// Something rewritten.
+    Edit(Edit),
+    /// Something told.
+    Found(Diagnostic),
+}
+
+/// Rewrites a program and hands over what is rewritten and what is told, each in the order of the text: of a long
+/// program there is more to tell than there is text.
+pub fn each(program: &Program, request: &Request<'_>, take: &mut dyn FnMut(Step)) {
+    let facts = Facts::spoken(program, &request.from);
     let mut writer = Writer { program, facts: &facts, request, edits: Vec::new(), found: Vec::new() };
-    writer.found.extend(program.diagnostics());
+    let syntax = program.diagnostics().into_iter().map(|own| (key(&own, Teller::Parser), own));
+    writer.functions();
+    let functions = std::mem::take(&mut writer.found).into_iter().map(|own| (key(&own, Teller::Functions), own));
+    let mut others: Vec<_> = syntax.chain(functions).collect();
+    others.sort_by_key(|(key, _)| *key);
+    let mut others = others.into_iter().peekable();
     for definition in facts.readings() {
         writer.definition(&definition);
+        writer.edits.sort_by_key(|edit| edit.span);
+        writer.edits.drain(..).for_each(|edit| take(Step::Edit(edit)));
+        writer.found.sort_by_key(|own| key(own, Teller::Definitions));
+        for own in writer.found.drain(..) {
+            let before = key(&own, Teller::Definitions);
+            while let Some((_, other)) = others.next_if(|(key, _)| *key < before) {
+                take(Step::Found(other));
+            }
+            take(Step::Found(own));
+        }
     }
-    writer.functions();
-    let Writer { mut edits, mut found, .. } = writer;
-    edits.sort_by_key(|edit| edit.span);
-    found.sort_by_key(|diagnostic| diagnostic.place.as_ref().map(|place| (place.span.start, place.span.end)));
-    Conversion { text: edited(program.source().text(), &edits), edits, found }
+    others.for_each(|(_, own)| take(Step::Found(own)));
+}
+
+/// Whose finding comes first of those at one place.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Teller {
+    Parser,
+    Definitions,
+    Functions,
+}
+
+/// Where a finding stands among all.
+fn key(own: &Diagnostic, teller: Teller) -> (Option<(usize, usize)>, Teller) {
+    (own.place.as_ref().map(|place| (place.span.start, place.span.end)), teller)
 }
 
 struct Writer<'w, 'a> {

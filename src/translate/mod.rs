@@ -98,7 +98,7 @@ pub fn replacements<'a>(
     encoding: Encoding,
     relabel: bool,
 ) -> Replacements<'a> {
-    let facts = Facts::of(program, against);
+    let facts = Facts::spoken(program, against);
     let mut writer = Writer { facts: &facts, to, encoding, changes: Vec::new(), diagnostics: Vec::new() };
     let mut sources = BTreeMap::new();
     let mut foreign: Vec<Span> = Vec::new();

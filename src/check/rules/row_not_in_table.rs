@@ -15,7 +15,7 @@ const PRESET: &str = "preset-number";
 const DATUM: &str = "datum-row";
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let Some(among) = facts.among else { return };
+    let Some(among) = facts.among.filter(|among| among.knows_rows()) else { return };
     let names_row = |param: &Param| matches!(param.is.as_str(), PRESET | DATUM);
     let names_rows = |own: &&Defined<'_>| own.cycle().is_some_and(|cycle| cycle.params.iter().any(names_row));
     for definition in facts.definitions.iter().filter(names_rows) {
