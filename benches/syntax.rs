@@ -7,11 +7,15 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use ciklo::check::{Against, LabelBook, check};
+use ciklo::compare::compare;
 use ciklo::data;
 use ciklo::diag::{Source, Span};
+use ciklo::layout::laid_out;
 use ciklo::locale::Locales;
 use ciklo::spec::Catalogue;
+use ciklo::syntax::encoding::{Charset, Encoding};
 use ciklo::syntax::{Document, parse};
+use ciklo::translate::replacements;
 
 const MEGABYTE: usize = 1_000_000;
 const ROUNDS: u32 = 9;
@@ -83,14 +87,26 @@ fn main() {
         let source = Source::new("long.h", text);
         let program = parse(&source);
         let (parsed, _) = (memory(), peak());
-        let found = check(&program, &against);
+        let found = check(&program, &against).len();
         let most = peak();
         if let (Some(before), Some(parsed), Some(most)) = (before, parsed, most) {
             let times = |now: f64| 1.0 + (now - before) / size;
             let (megabytes, tree, all) = (size / MEGABYTE as f64, times(parsed), times(most));
             println!(
-                "{name:8} {megabytes:5.1} MB   memory parsed {tree:.1}, while checking {all:.1} times the text ({} findings)",
-                found.len()
+                "{name:8} {megabytes:5.1} MB   memory parsed {tree:.1}, while checking {all:.1} times the text ({found} findings)"
+            );
+            // The most of each, the tree and the text included; what is made is dropped again.
+            let most = |work: &dyn Fn()| {
+                peak();
+                work();
+                peak().map_or(f64::NAN, times)
+            };
+            let laid_out = most(&|| drop(black_box(laid_out(&program))));
+            let compared = most(&|| drop(black_box(compare(&program, &program, &against))));
+            let encoding = Encoding { charset: Charset::Utf8, bom: false };
+            let translated = most(&|| drop(black_box(replacements(&program, &against, "en", encoding, true))));
+            println!(
+                "{name:8} {megabytes:5.1} MB   memory while laying out {laid_out:.1}, comparing {compared:.1}, translating {translated:.1} times the text"
             );
         }
     }

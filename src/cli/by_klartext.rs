@@ -13,6 +13,10 @@ const SYNTAX: &str = "syntax-";
 /// What Klartext has no equivalent of is not looked at.
 const NO_EQUIVALENT: &str = "klartext-no-equivalent";
 
+/// Findings that say what was done.
+const DONE: [&str; 4] =
+    ["convert-parameter-added", "convert-parameter-dropped", "convert-parameter-renamed", "convert-form"];
+
 /// Rewrites a program in DIN/ISO for another control.
 pub(super) fn convert(written: &Program, request: &Request<'_>) -> Conversion {
     let codes = Codes::new(request.from.catalogue);
@@ -25,32 +29,38 @@ pub(super) fn convert(written: &Program, request: &Request<'_>) -> Conversion {
         _ => finding,
     }));
     let (mut edits, mut made) = (Vec::new(), Vec::new());
+    let mut refused = Vec::new();
     for edit in &conversion.edits {
         match block(written, &lowered, edit, &codes) {
             Some(new) => {
                 edits.push(new);
                 made.push(edit.clone());
             }
-            None => found.push(stays(&lowered, edit.span)),
+            None => refused.push(lowered.blocks(edit.span)),
         }
     }
     let mut text = edited(written.source().text(), &edits);
     if !edits.is_empty() && !is_same(&text, &lowered, &made, &codes, request) {
-        found.extend(made.iter().map(|edit| stays(&lowered, edit.span)));
-        edits.clear();
+        refused.extend(edits.drain(..).map(|edit| edit.span));
         text = written.source().text().to_owned();
     }
+    // What would have been done there is not done.
+    let inside = |own: &Diagnostic, home: &Span| {
+        own.place.as_ref().is_some_and(|place| home.start <= place.span.start && place.span.end <= home.end)
+    };
+    found.retain(|own| !(DONE.contains(&own.code) && refused.iter().any(|home| inside(own, home))));
+    found.extend(refused.iter().map(|home| stays(written, *home)));
     found.sort_by_key(|finding| finding.place.as_ref().map(|place| (place.span.start, place.span.end)));
     Conversion { text, edits, found }
 }
 
 /// That a definition is not written anew.
-fn stays(lowered: &Lowered, span: Span) -> Diagnostic {
-    let place = Place::new(lowered.program.source(), span);
-    let found = lowered.program.slice(span).lines().next().unwrap_or_default().trim().to_owned();
-    lowered
-        .at_home(Diagnostic { severity: Severity::Error, ..Diagnostic::error("convert-iso-stays", place) })
-        .arg("found", found)
+fn stays(written: &Program, home: Span) -> Diagnostic {
+    let block = written.blocks().iter().find(|block| block.span == home);
+    let content = block.map_or(home, |block| written.content(block));
+    let found = written.slice(content).lines().next().unwrap_or_default().trim();
+    let place = Place::new(written.source(), Span::new(content.start, content.start + found.len()));
+    Diagnostic { severity: Severity::Error, ..Diagnostic::error("convert-iso-stays", place) }.arg("found", found)
 }
 
 /// Whether the new program says in Klartext what was written there.
@@ -81,15 +91,29 @@ fn block(written: &Program, lowered: &Lowered, edit: &Edit, codes: &Codes<'_>) -
         return None;
     }
     let labelled = own.parameters.iter().any(|parameter| parameter.label.is_some());
-    let lines = numberless.trim_end().lines().map(|line| if labelled { line.to_owned() } else { without_label(line) });
     let eol = if written.slice(home).contains("\r\n") { "\r\n" } else { "\n" };
-    let joined = lines.collect::<Vec<_>>().join(if old.lines == 1 && !labelled { " " } else { eol });
+    let mut lines = numberless.trim_end().lines();
+    let code = lines.next()?;
+    // The code and what stands behind it stay, unless it is another one.
     let content = written.content(old);
-    let head = written.slice(Span::new(home.start, content.start));
-    let ended = written.slice(home).trim_end().ends_with('*');
-    let joined = if ended { joined.as_str() } else { joined.trim_end_matches('*').trim_end() };
-    let tail = written.slice(home);
-    let tail = tail.get(tail.trim_end_matches(['\r', '\n']).len()..).unwrap_or_default();
+    let first = own.parameters.first().map_or(content.end, |parameter| parameter.span.start);
+    let kept = written.slice(Span::new(content.start, first));
+    let begins = |text: &str| text.split([' ', '*', ';', '\r', '\n']).next().map(str::to_ascii_uppercase);
+    let head = if begins(kept) == begins(code) {
+        written.slice(Span::new(home.start, first)).to_owned()
+    } else if kept.contains(';') {
+        return None;
+    } else {
+        let gap = kept.get(kept.trim_end().len()..).unwrap_or_default();
+        format!("{}{code}{gap}", written.slice(Span::new(home.start, content.start)))
+    };
+    let indent = head.rsplit_once('\n').map_or("", |(_, indent)| indent);
+    let between = if old.lines == 1 && !labelled { " ".to_owned() } else { format!("{eol}{indent}") };
+    let lines = lines.map(|line| if labelled { line.to_owned() } else { without_label(line) });
+    let joined = lines.collect::<Vec<_>>().join(&between);
+    let whole = written.slice(home);
+    let (body, tail) = whole.split_at(whole.trim_end_matches(['\r', '\n']).len());
+    let joined = if body.trim_end().ends_with('*') { &joined } else { joined.trim_end_matches('*').trim_end() };
     Some(Edit { span: home, text: format!("{head}{joined}{tail}") })
 }
 
@@ -101,7 +125,7 @@ fn has_more(text: &str) -> bool {
 /// A line of a definition without its label; the end of the block stays.
 fn without_label(line: &str) -> String {
     match line.split_once(';') {
-        Some((value, label)) => value.trim_end().to_owned() + if label.ends_with('*') { " *" } else { "" },
+        Some((value, label)) => value.trim_end().to_owned() + if label.ends_with('*') { "*" } else { "" },
         None => line.to_owned(),
     }
 }
