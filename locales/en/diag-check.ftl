@@ -15,6 +15,7 @@ diag-behind-end = Blocks stand here behind END PGM.
 diag-blank-wrong =
     { $what ->
         [first] BLK FORM 0.2 has no BLK FORM 0.1 before it.
+        [cylinder] The cylinder has no radius or diameter, or no length.
         [second] BLK FORM 0.1 has no BLK FORM 0.2 behind it.
        *[order] In the axis { $axis } the coordinate of the second corner of the blank is not greater than that of the first one.
     }
@@ -53,10 +54,11 @@ diag-doubtful-value =
        *[positive] the value is positive and leads away from the workpiece
     }.
 diag-duplicate-parameter = { $parameter } stands twice in { $cycle }.
-diag-empty-word = This M has no number and does nothing.
+diag-empty-word = This { $word } has no value and does nothing.
 diag-feed-zero = The feed is zero here.
 diag-field-word-missing = A value stands here without a word; the control shows it with one: { $shown }.
 diag-frame-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
+diag-function-misspelled = No control knows { $word } here; { $meant } may be meant.
 diag-guard = The control objects to these values.
 diag-label-duplicate = The label { $label } is set a second time here.
 diag-label-missing = The language “{ $language }” has no label for { $parameter } of { $cycle }.
@@ -90,6 +92,7 @@ diag-out-of-range-elsewhere =
     } { $limit } there.
 diag-parameter-unassigned =
     { $parameter } is read here, but nothing gives it a value before.
+diag-plane-incomplete = This PLANE lacks { $word }.
 diag-plane-not-reset = The program ends here with a tilted working plane.
 diag-program-begin-missing = The program does not begin with BEGIN PGM.
 diag-program-calls-itself = The program calls itself: { $name }.
@@ -104,11 +107,14 @@ diag-row-not-in-table =
        *[datum] The datum table has no row { $row }.
     }
 diag-speed-missing = The spindle is turned on here, but no speed has been programmed.
-diag-speed-too-high =
+diag-speed-out-of-range =
     { $what ->
         [feed] The feed { $value }
        *[speed] The spindle speed { $value }
-    } is hardly meant: { $limit } is the greatest that the manuals let anybody enter.
+    } is hardly meant: { $side ->
+        [below] it is negative
+       *[above] { $limit } is the greatest that the manuals let anybody enter
+    }.
 diag-spindle-off = Material is removed here while the spindle stands.
 diag-subprogram-recursive = The subprogram { $label } calls itself here.
 diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: no LBL 0 stands between them.
@@ -132,6 +138,7 @@ diag-unreachable =
         [label] Nothing leads to this label.
        *[block] The run never comes to this block.
     }
+diag-word-twice = { $word } stands twice in this block.
 diag-wrong-value-kind =
     { $parameter } of { $cycle } takes { $kind ->
         [integer] a whole number

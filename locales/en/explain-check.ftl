@@ -30,11 +30,12 @@ explain-direction-unsaid = The manuals show C, CR and CP with the direction of r
 explain-division-by-zero = FN 4 divides, and the control refuses to divide by zero. A parameter is looked at where its value is certain. Example: FN 4: Q1 = +5 DIV +0.
 explain-doubtful-value = The manual permits the value, but nothing sensible comes of it: a feed or diameter of 0, a plunging depth of 0, a milling depth above the surface. Parameters that do not act are left alone. Example: Q202=+0 in CYCL DEF 200.
 explain-duplicate-parameter = The definition gives the same parameter or field two values; it cannot be said which one is meant.
-explain-empty-word = Older controls and some post-processors print the word of an M function even in blocks that have none. It does nothing; newer controls may refuse the block. Said once a program.
+explain-empty-word = Older controls and some post-processors print the words of the radius compensation and of M functions even in blocks that have none. They do nothing; newer controls may refuse the block, and the value may have been forgotten. Each is said once a program. Example: L X+10 R FMAX.
 explain-feed-missing = A movement without FMAX needs a feed: in its block, in one before it, or in the tool call. Said once a program, and only where no way of the run has programmed one.
 explain-feed-zero = With F0 the tool does not move. F0 in a tool call is left alone. Example: L X+10 F0.
 explain-field-word-missing = In the old form a word of the language of the control stands before such a value. Programs of other systems leave it out; what the value means is clear, as the line has no other, but whether the control reads it so no manual says. Example: CYCL DEF 9.1 5.
 explain-frame-mismatch = BEGIN PGM and END PGM of a program have the same name and the same unit. Otherwise the end may belong to another program.
+explain-function-misspelled = The word behind FUNCTION MODE or FUNCTION RESET is none that is known here, and one letter away from one that is. Other words are left alone, as newer software has more of them. Example: FUNCTION MODE TUNR.
 explain-guard = The specifications state under which conditions a control refuses a cycle, skips it, warns or asks. Each such guard has a code of its own; it is only checked with what is certain: values that the program writes, parameters with a certain value, transformations that are certainly active.
 explain-label-duplicate = A program may set each label once; only LBL 0, the end of a subprogram, may stand in it as often as needed. With two labels of the same name nobody can say which one is called.
 explain-label-missing = The program cannot be written wholly in this language: a text of the specifications is not translated yet. The old label stays. ciklo coverage lists what is missing.
@@ -54,18 +55,19 @@ explain-out-of-range = The control's manual prints a range for the parameter, an
 explain-out-of-range-elsewhere = The manual of this control prints no range for the parameter, that of another control does, and the value lies outside. Of several ranges the widest counts. Parameters that do not act are left alone. Example: Q262=-75 in TCH PROBE 421 on the TNC 320.
 explain-parameter-unassigned = On every way that the run can take, the parameter is read before it is written. It keeps what an earlier program or the operator left in it; its number may be mistyped. Only Q0 to Q99, QS0 to QS99 and QL are looked at, each once, in programs with a blank, and not behind calls of other programs.
 explain-pattern-missing = CYCL CALL PAT calls the cycle on the points of a pattern, which PATTERN DEF defines or SEL PATTERN selects before.
+explain-plane-incomplete = Each form of PLANE has words of its own, all of which are entered, and one of MOVE, TURN and STAY says how the axes turn. Example: PLANE SPATIAL SPA+0 SPC+0 STAY.
 explain-plane-not-reset = The working plane is certainly still tilted where the program ends, and stays so for what is run next. PLANE RESET or CYCL DEF 19 without angles reset it. Said once a program.
 explain-pole-missing = C turns about the circle centre, LP, CP and CTP count from the pole; both are set by CC. Said once a program.
 explain-program-begin-missing = A program has END PGM, but no block BEGIN PGM with its name and unit. The beginning may be lost.
 explain-program-calls-itself = CALL PGM names the program that it stands in, so that the call never ends. Only said where the call names no folder.
 explain-program-end-missing = A program begins with BEGIN PGM and has no END PGM: the file may have been cut off, so that more than the last block is missing.
 explain-programs-call-in-circle = Programs that call each other in a circle never come to an end, and controls refuse them. Where conditional jumps or blocks that may be skipped are in the program it is a warning, as one of them may end the circle. Example: A.H calls B.H, and B.H calls A.H.
-explain-radius-missing = CR is an arc with a radius: R and its value stand in the same block. Example: CR X+20 Y+0 DR-.
+explain-radius-missing = CR is an arc with a radius, and RND rounds a corner with one: R and its value stand in the same block. Example: CR X+20 Y+0 DR-.
 explain-repeat-of-later-label = CALL LBL … REP repeats the part between the label and itself, so the label stands before it. Said where it stands behind.
 explain-reserved-parameter = The control keeps tool data, results of touch-probe cycles and states in Q100 to Q199 and QS100 to QS199 and overwrites them at any time. Use another parameter. Said once for each.
 explain-row-not-in-table = Only where the table is named with --table or in ciklo.toml; of several datum tables it is the one that SEL TABLE selects before. A row that a parameter chooses is looked at where its value is certain.
 explain-speed-missing = TOOL CALL gives the spindle speed with S. Said once a program, where a tool has been called and no call has given a speed.
-explain-speed-too-high = The manuals print no limit for the tool call, but for the speeds and feeds of cycles; the greatest of those limits counts. What the machine can do is not known here. Example: TOOL CALL 5 Z S200000.
+explain-speed-out-of-range = The manuals print no limit for the tool call, but for the speeds and feeds of cycles; the greatest of those limits counts. What the machine can do is not known here. Example: TOOL CALL 5 Z S200000.
 explain-spindle-off = A machining cycle is called, or a contour begins with RL or RR, and nothing has turned the spindle on (M3, M4, M13, M14), or it was stopped since (M0, M5, M6). Behind a tool call and M functions of the machine builder nothing is said. Said once a program.
 explain-subprogram-recursive = A subprogram must not call itself, be it directly or through others: the calls never end. In programs with conditional jumps or blocks that may be skipped this is a warning, as they may end it.
 explain-subprogram-runs-on = A subprogram ends with LBL 0. Without it the next one is executed along with it. Said where both are called and nothing jumps to them.
@@ -78,4 +80,5 @@ explain-transformation-left-on = A machine parameter decides whether M2, M30 and
 explain-unknown-cycle = The number stands for no cycle in any manual that the specifications come from, and not for one of the machine builder (300 to 399, 500 to 599). Check keyword and number: CYCL DEF 32 and TCH PROBE 32 are different cycles. Example: CYCL DEF 299.
 explain-unknown-parameter = The parameter or field is not among those that the control's manual lists for the cycle. It belongs to another cycle or another control, or its number is mistyped. Example: Q999 in CYCL DEF 247.
 explain-unreachable = Behind M2, M30 or the end of a part no call, repeat or jump leads to these blocks, so that they are never executed. For a subprogram that nothing calls this is a note.
+explain-word-twice = A PLANE, a blank and a part of a pattern have each word once, and each point of PATTERN DEF has a number of its own. Example: PLANE SPATIAL SPA+0 SPA+45 SPC+0 STAY.
 explain-wrong-value-kind = The value is of a kind that the parameter does not take: a text instead of a number, a fraction where a whole number is needed, a word that the manual does not list for it, or nothing. A Q parameter is a good value unless its number is certain and does not fit. Example: Q201=FAUTO.

@@ -15,6 +15,7 @@ diag-behind-end = Tässä on lauseita vielä END PGM -lauseen jälkeen.
 diag-blank-wrong =
     { $what ->
         [first] Lauseen BLK FORM 0.2 edellä ei ole lausetta BLK FORM 0.1.
+        [cylinder] Sylinteriltä puuttuu säde tai halkaisija taikka pituus.
         [second] Lauseen BLK FORM 0.1 jäljessä ei ole lausetta BLK FORM 0.2.
        *[order] Akselilla { $axis } aihion toisen kulman koordinaatti ei ole suurempi kuin ensimmäisen.
     }
@@ -53,10 +54,11 @@ diag-doubtful-value =
        *[positive] arvo on positiivinen ja vie poispäin työkappaleesta
     }.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
-diag-empty-word = Tässä M-sanassa ei ole numeroa, eikä se tee mitään.
+diag-empty-word = Tässä sanassa { $word } ei ole arvoa, eikä se tee mitään.
 diag-feed-zero = Syöttöarvo on tässä nolla.
 diag-field-word-missing = Arvon edessä ei ole sanaa; ohjaus näyttää sen näin: { $shown }.
 diag-frame-mismatch = END PGM -lauseessa on { $end }, BEGIN PGM -lauseessa { $begin }.
+diag-function-misspelled = Mikään ohjaus ei tunne tässä sanaa { $word }; ehkä tarkoitetaan sanaa { $meant }.
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
 diag-label-duplicate = Label { $label } asetetaan tässä toisen kerran.
 diag-label-missing = Kielellä ”{ $language }” ei ole NC-tekstiä työkierron { $cycle } parametrille { $parameter }.
@@ -90,6 +92,7 @@ diag-out-of-range-elsewhere =
     } kuin { $limit }.
 diag-parameter-unassigned =
     { $parameter } luetaan tässä, mutta sille ei ole sitä ennen annettu arvoa.
+diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
 diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
 diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
 diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.
@@ -103,11 +106,14 @@ diag-row-not-in-table =
        *[datum] Nollapistetaulukossa ei ole riviä { $row }.
     }
 diag-speed-missing = Kara käynnistetään tässä, mutta kierroslukua ei ole ohjelmoitu.
-diag-speed-too-high =
+diag-speed-out-of-range =
     { $what ->
         [feed] Syöttöarvo { $value }
        *[speed] Karan kierrosluku { $value }
-    } tuskin on tarkoitus: suurin arvo, jonka käsikirjat sallivat, on { $limit }.
+    } tuskin on tarkoitus: { $side ->
+        [below] se on negatiivinen
+       *[above] suurin arvo, jonka käsikirjat sallivat, on { $limit }
+    }.
 diag-spindle-off = Tässä lastutaan karan ollessa pysähdyksissä.
 diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
 diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
@@ -131,6 +137,7 @@ diag-unreachable =
         [label] Mikään ei johda tähän labeliin.
        *[block] Suoritus ei koskaan tule tähän lauseeseen.
     }
+diag-word-twice = { $word } on tässä lauseessa kahdesti.
 diag-wrong-value-kind =
     Työkierron { $cycle } parametrin { $parameter } arvoksi kelpaa { $kind ->
         [integer] kokonaisluku

@@ -15,6 +15,7 @@ diag-behind-end = Qui ci sono blocchi dopo END PGM.
 diag-blank-wrong =
     { $what ->
         [first] Prima di BLK FORM 0.2 non c’è BLK FORM 0.1.
+        [cylinder] Al cilindro manca il raggio o il diametro, oppure la lunghezza.
         [second] Dopo BLK FORM 0.1 non c’è BLK FORM 0.2.
        *[order] Nell’asse { $axis } la coordinata del secondo vertice del pezzo grezzo non è maggiore di quella del primo.
     }
@@ -53,10 +54,11 @@ diag-doubtful-value =
        *[positive] il valore è positivo e porta lontano dal pezzo
     }.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
-diag-empty-word = Questa M è senza numero e non fa nulla.
+diag-empty-word = Questa { $word } è senza valore e non fa nulla.
 diag-feed-zero = Qui l’avanzamento è zero.
 diag-field-word-missing = Qui c’è un valore senza parola; il controllo lo mostra con una parola: { $shown }.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
+diag-function-misspelled = Nessun controllo conosce qui { $word }; forse si intende { $meant }.
 diag-guard = Il controllo non accetta questi valori.
 diag-label-duplicate = Il label { $label } viene impostato qui per la seconda volta.
 diag-label-missing = La lingua «{ $language }» non ha un’etichetta per { $parameter } di { $cycle }.
@@ -90,6 +92,7 @@ diag-out-of-range-elsewhere =
     } { $limit }.
 diag-parameter-unassigned =
     { $parameter } viene letto qui, ma prima nulla gli assegna un valore.
+diag-plane-incomplete = In questo PLANE manca { $word }.
 diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
 diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
 diag-program-calls-itself = Il programma chiama sé stesso: { $name }.
@@ -103,11 +106,14 @@ diag-row-not-in-table =
        *[datum] La tabella origini non contiene la riga { $row }.
     }
 diag-speed-missing = Qui viene avviato il mandrino, ma non è stato programmato alcun numero di giri.
-diag-speed-too-high =
+diag-speed-out-of-range =
     { $what ->
         [feed] L’avanzamento { $value }
        *[speed] Il numero di giri del mandrino { $value }
-    } difficilmente è voluto: il valore massimo che i manuali permettono di inserire è { $limit }.
+    } difficilmente è voluto: { $side ->
+        [below] è negativo
+       *[above] il valore massimo che i manuali permettono di inserire è { $limit }
+    }.
 diag-spindle-off = Qui viene asportato materiale a mandrino fermo.
 diag-subprogram-recursive = Il sottoprogramma { $label } chiama qui sé stesso.
 diag-subprogram-runs-on = Il sottoprogramma { $label } prosegue nel sottoprogramma { $next }: tra i due non c’è LBL 0.
@@ -131,6 +137,7 @@ diag-unreachable =
         [label] Nulla conduce a questo label.
        *[block] L’esecuzione non arriva mai a questo blocco.
     }
+diag-word-twice = { $word } compare due volte in questo blocco.
 diag-wrong-value-kind =
     Il parametro { $parameter } di { $cycle } accetta { $kind ->
         [integer] un numero intero

@@ -15,6 +15,7 @@ diag-behind-end = Há aqui frases depois de END PGM.
 diag-blank-wrong =
     { $what ->
         [first] Antes de BLK FORM 0.2 não há BLK FORM 0.1.
+        [cylinder] Falta ao cilindro o raio ou o diâmetro, ou a longitude.
         [second] Depois de BLK FORM 0.1 não há BLK FORM 0.2.
        *[order] No eixo { $axis }, a coordenada do segundo vértice do bloco não é maior do que a do primeiro.
     }
@@ -53,10 +54,11 @@ diag-doubtful-value =
        *[positive] o valor é positivo e afasta da peça
     }.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
-diag-empty-word = Este M não tem número e não faz nada.
+diag-empty-word = Este { $word } não tem valor e não faz nada.
 diag-feed-zero = O avanço é aqui zero.
 diag-field-word-missing = Aqui há um valor sem palavra; o comando mostra-o com uma: { $shown }.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
+diag-function-misspelled = Nenhum comando conhece aqui { $word }; talvez se pretenda { $meant }.
 diag-guard = O comando não aceita estes valores.
 diag-label-duplicate = O label { $label } é definido aqui pela segunda vez.
 diag-label-missing = O idioma «{ $language }» não tem designação para { $parameter } de { $cycle }.
@@ -90,6 +92,7 @@ diag-out-of-range-elsewhere =
     } { $limit }.
 diag-parameter-unassigned =
     { $parameter } é lido aqui, mas antes nada lhe atribui um valor.
+diag-plane-incomplete = Neste PLANE falta { $word }.
 diag-plane-not-reset = O programa termina aqui com o plano de maquinação inclinado.
 diag-program-begin-missing = O programa não começa com BEGIN PGM.
 diag-program-calls-itself = O programa chama-se a si próprio: { $name }.
@@ -103,11 +106,14 @@ diag-row-not-in-table =
        *[datum] A tabela de pontos zero não tem a linha { $row }.
     }
 diag-speed-missing = Aqui liga-se o cabeçote, mas não foi programado nenhum número de rotações.
-diag-speed-too-high =
+diag-speed-out-of-range =
     { $what ->
         [feed] O avanço { $value }
        *[speed] A velocidade do mandril { $value }
-    } dificilmente é o pretendido: o valor máximo que os manuais permitem introduzir é { $limit }.
+    } dificilmente é o pretendido: { $side ->
+        [below] o valor é negativo
+       *[above] o valor máximo que os manuais permitem introduzir é { $limit }
+    }.
 diag-spindle-off = Aqui remove-se material com o cabeçote parado.
 diag-subprogram-recursive = O subprograma { $label } chama-se aqui a si próprio.
 diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subprograma { $next }: entre eles não há LBL 0.
@@ -131,6 +137,7 @@ diag-unreachable =
         [label] Nada conduz a este label.
        *[block] A execução nunca chega a esta frase.
     }
+diag-word-twice = { $word } está duas vezes nesta frase.
 diag-wrong-value-kind =
     O parâmetro { $parameter } de { $cycle } aceita { $kind ->
         [integer] um número inteiro

@@ -15,6 +15,7 @@ diag-behind-end = Tu so še stavki za END PGM.
 diag-blank-wrong =
     { $what ->
         [first] Pred BLK FORM 0.2 ni BLK FORM 0.1.
+        [cylinder] Valju manjka polmer ali premer oziroma dolžina.
         [second] Za BLK FORM 0.1 ni BLK FORM 0.2.
        *[order] Na osi { $axis } koordinata drugega oglišča surovca ni večja od koordinate prvega.
     }
@@ -53,10 +54,11 @@ diag-doubtful-value =
        *[positive] vrednost je pozitivna in vodi proč od obdelovanca
     }.
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
-diag-empty-word = Ta M nima številke in ne naredi ničesar.
+diag-empty-word = Beseda { $word } tu nima vrednosti in ne naredi ničesar.
 diag-feed-zero = Pomik je tu nič.
 diag-field-word-missing = Vrednost je tu brez besede; krmiljenje jo prikaže z njo: { $shown }.
 diag-frame-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
+diag-function-misspelled = Nobeno krmiljenje tu ne pozna besede { $word }; morda je mišljeno { $meant }.
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
 diag-label-duplicate = Oznaka LBL { $label } je tu postavljena drugič.
 diag-label-missing = Jezik »{ $language }« nima oznake za { $parameter } cikla { $cycle }.
@@ -92,6 +94,7 @@ diag-out-of-range-elsewhere =
     } { $limit }.
 diag-parameter-unassigned =
     { $parameter } se tu bere, pred tem pa mu nič ne določi vrednosti.
+diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
 diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
 diag-program-begin-missing = Program se ne začne z BEGIN PGM.
 diag-program-calls-itself = Program prikliče samega sebe: { $name }.
@@ -105,11 +108,14 @@ diag-row-not-in-table =
        *[datum] V preglednici ničelnih točk ni vrstice { $row }.
     }
 diag-speed-missing = Vreteno se tu vklopi, število vrtljajev pa ni programirano.
-diag-speed-too-high =
+diag-speed-out-of-range =
     { $what ->
         [feed] Pomik { $value }
        *[speed] Število vrtljajev vretena { $value }
-    } najbrž ni mišljeno: največja vrednost, ki jo priročniki dovolijo vnesti, je { $limit }.
+    } najbrž ni mišljeno: { $side ->
+        [below] vrednost je negativna
+       *[above] največja vrednost, ki jo priročniki dovolijo vnesti, je { $limit }
+    }.
 diag-spindle-off = Tu se material odvzema, medtem ko vreteno miruje.
 diag-subprogram-recursive = Podprogram { $label } tu prikliče samega sebe.
 diag-subprogram-runs-on = Podprogram { $label } se nadaljuje v podprogram { $next }: med njima ni LBL 0.
@@ -133,6 +139,7 @@ diag-unreachable =
         [label] Nič ne vodi do te oznake LBL.
        *[block] Izvajanje nikoli ne pride do tega stavka.
     }
+diag-word-twice = { $word } je v tem stavku navedeno dvakrat.
 diag-wrong-value-kind =
     Parameter { $parameter } cikla { $cycle } sprejme { $kind ->
         [integer] celo število

@@ -30,11 +30,12 @@ explain-direction-unsaid = Priročniki v vsakem stavku C, CR in CP navajajo smer
 explain-division-by-zero = FN 4 deli, deljenje z ničlo pa krmiljenje zavrne. Parameter se preveri, kadar je njegova vrednost zanesljiva. Primer: FN 4: Q1 = +5 DIV +0.
 explain-doubtful-value = Priročnik vrednost dovoljuje, vendar iz nje ne nastane nič smiselnega: pomik ali premer 0, globina primika 0, globina rezkanja nad površino. Parametri, ki ne delujejo, se ne obravnavajo. Primer: Q202=+0 v CYCL DEF 200.
 explain-duplicate-parameter = Definicija daje istemu parametru ali polju dve vrednosti; ni mogoče reči, katera je mišljena.
-explain-empty-word = Starejša krmiljenja in nekateri postprocesorji izpišejo besedo M-funkcije tudi v stavkih, ki je nimajo. Beseda ne naredi ničesar; novejša krmiljenja lahko stavek zavrnejo. Javi se enkrat za vsak program.
+explain-empty-word = Starejša krmiljenja in nekateri postprocesorji izpišejo besedi popravka polmera in M-funkcije tudi v stavkih, ki ju nimajo. Besedi ne naredita ničesar; novejša krmiljenja lahko stavek zavrnejo, vrednost pa je morda pozabljena. Vsaka se javi enkrat za vsak program. Primer: L X+10 R FMAX.
 explain-feed-missing = Premik brez FMAX potrebuje pomik: v svojem stavku, v prejšnjem stavku ali v priklicu orodja. Javi se enkrat za vsak program in samo, če ni programiran na nobeni poti izvajanja.
 explain-feed-zero = Z F0 se orodje ne premika. F0 v priklicu orodja ni obravnavan. Primer: L X+10 F0.
 explain-field-word-missing = V stari obliki je pred tako vrednostjo beseda v jeziku krmiljenja. Programi drugih sistemov jo izpuščajo; pomen vrednosti je jasen, saj v vrstici ni druge, ali jo krmiljenje tako prebere, pa ne pove noben priročnik. Primer: CYCL DEF 9.1 5.
 explain-frame-mismatch = BEGIN PGM in END PGM programa imata isto ime in isto enoto. Sicer konec morda pripada drugemu programu.
+explain-function-misspelled = Beseda za FUNCTION MODE ali FUNCTION RESET tu ni znana in se od znane razlikuje za eno črko. Druge besede se ne obravnavajo, saj jih ima novejša programska oprema več. Primer: FUNCTION MODE TUNR.
 explain-guard = Specifikacije navajajo, pod katerimi pogoji krmiljenje cikel zavrne, preskoči, opozori ali vpraša. Vsako tako preverjanje ima svojo kodo; opravi se samo s tem, kar je zanesljivo: z vrednostmi, zapisanimi v programu, parametri z zanesljivo znano vrednostjo in zanesljivo aktivnimi preračunavanji koordinat.
 explain-label-duplicate = Program sme vsako oznako LBL postaviti enkrat; samo LBL 0, konec podprograma, se sme ponavljati. Pri dveh enakih oznakah ni mogoče reči, katera je priklicana.
 explain-label-missing = Programa ni mogoče v celoti zapisati v tem jeziku: neko besedilo specifikacij še ni prevedeno. Stara oznaka ostane. Ukaz ciklo coverage našteje, kaj manjka.
@@ -54,18 +55,19 @@ explain-out-of-range = Priročnik krmiljenja navaja za parameter razpon, vrednos
 explain-out-of-range-elsewhere = Priročnik tega krmiljenja za parameter ne navaja razpona, priročnik drugega ga, in vrednost je zunaj njega. Od več razponov velja najširši. Parametri, ki ne delujejo, se ne obravnavajo. Primer: Q262=-75 v TCH PROBE 421 na TNC 320.
 explain-parameter-unassigned = Na vsaki možni poti izvajanja se parameter bere, preden se vanj kaj zapiše. V njem je, kar je v njem pustil prejšnji program ali uporabnik; številka je morda napačno vnesena. Preverijo se samo Q0 do Q99, QS0 do QS99 in QL, vsak enkrat, v programih s surovcem, ne pa po priklicih drugih programov.
 explain-pattern-missing = CYCL CALL PAT prikliče cikel na točkah vzorca, ki ga prej definira PATTERN DEF ali izbere SEL PATTERN.
+explain-plane-incomplete = Vsaka oblika PLANE ima svoje besede, ki se vnesejo vse, ena od besed MOVE, TURN in STAY pa pove, kako se osi zavrtijo. Primer: PLANE SPATIAL SPA+0 SPC+0 STAY.
 explain-plane-not-reset = Obdelovalna ravnina je na koncu programa zanesljivo še zavrtena in taka ostane za naslednji program. Ponastavi jo PLANE RESET ali CYCL DEF 19 brez kotov. Javi se enkrat za vsak program.
 explain-pole-missing = C kroži okrog središča kroga, LP, CP in CTP štejejo od pola; oboje določi CC. Javi se enkrat za vsak program.
 explain-program-begin-missing = Program ima END PGM, nima pa stavka BEGIN PGM z imenom in enoto. Začetek je morda izgubljen.
 explain-program-calls-itself = CALL PGM navaja program, v katerem stoji, zato se priklic nikoli ne konča. Javi se samo, če priklic ne navaja mape.
 explain-program-end-missing = Program se začne z BEGIN PGM in nima END PGM: datoteka je morda odrezana, tako da manjka več kot zadnji stavek.
 explain-programs-call-in-circle = Programi, ki se kličejo v krogu, se nikoli ne končajo in krmiljenja jih zavrnejo. Če so v programu pogojni skoki ali stavki, ki se lahko preskočijo, je to opozorilo, saj lahko kateri od njih krog prekine. Primer: A.H kliče B.H in B.H kliče A.H.
-explain-radius-missing = CR je lok s polmerom: R in njegova vrednost stojita v istem stavku. Primer: CR X+20 Y+0 DR-.
+explain-radius-missing = CR je lok s polmerom, RND pa vogal zaokroži s polmerom: R in njegova vrednost stojita v istem stavku. Primer: CR X+20 Y+0 DR-.
 explain-repeat-of-later-label = CALL LBL … REP ponovi del programa od oznake do tega stavka, zato mora oznaka stati pred njim. Javi se, če stoji za njim.
 explain-reserved-parameter = Krmiljenje hrani v parametrih od Q100 do Q199 in od QS100 do QS199 podatke o orodju, rezultate ciklov tipalnega sistema in stanja ter jih lahko kadar koli prepiše. Uporabite drug parameter. Javi se enkrat za vsakega.
 explain-row-not-in-table = Samo kadar je preglednica navedena s stikalom --table ali v ciklo.toml; od več preglednic ničelnih točk velja tista, ki jo prej izbere SEL TABLE. Vrstica, ki jo izbere parameter, se preveri, kadar je njegova vrednost zanesljiva.
 explain-speed-missing = Število vrtljajev navede TOOL CALL s S. Javi se enkrat za vsak program, če je orodje priklicano in noben priklic ni navedel števila vrtljajev.
-explain-speed-too-high = Priročniki za priklic orodja ne navajajo meje, za vrtljaje in pomike v ciklih pa jo; velja največja od teh meja. Česa je zmožen stroj, tu ni znano. Primer: TOOL CALL 5 Z S200000.
+explain-speed-out-of-range = Priročniki za priklic orodja ne navajajo meje, za vrtljaje in pomike v ciklih pa jo; velja največja od teh meja. Česa je zmožen stroj, tu ni znano. Primer: TOOL CALL 5 Z S200000.
 explain-spindle-off = Prikliče se obdelovalni cikel ali se kontura začne z RL ali RR, vretena pa ni nič vklopilo (M3, M4, M13, M14) ali pa je bilo vmes ustavljeno (M0, M5, M6). Po priklicu orodja in M-funkcijah proizvajalca stroja se nič ne javi. Javi se enkrat za vsak program.
 explain-subprogram-recursive = Podprogram ne sme priklicati samega sebe, ne neposredno ne prek drugih: priklici se ne bi nikoli končali. V programih s pogojnimi skoki ali preskočljivimi stavki je to opozorilo, saj ti lahko priklice končajo.
 explain-subprogram-runs-on = Podprogram se konča z LBL 0. Brez njega se izvede še naslednji. Javi se, če sta oba priklicana in nobeden ni cilj skoka.
@@ -78,4 +80,5 @@ explain-transformation-left-on = Strojni parameter določa, ali M2, M30 in END P
 explain-unknown-cycle = Številka ne pomeni cikla v nobenem priročniku, na katerem temeljijo specifikacije, in tudi ne cikla proizvajalca stroja (od 300 do 399, od 500 do 599). Preverite ključno besedo in številko: CYCL DEF 32 in TCH PROBE 32 sta različna cikla. Primer: CYCL DEF 299.
 explain-unknown-parameter = Parameter ali polje ni med tistimi, ki jih priročnik krmiljenja navaja za cikel. Pripada drugemu ciklu ali krmiljenju ali pa je številka napačno vnesena. Primer: Q999 v CYCL DEF 247.
 explain-unreachable = Za M2, M30 ali koncem dela programa do teh stavkov ne vodi noben priklic, ponovitev ali skok, zato se nikoli ne izvedejo. Za podprogram, ki ga nič ne prikliče, je to opomba.
+explain-word-twice = PLANE, surovec in del vzorca imajo vsako besedo enkrat, vsaka točka v PATTERN DEF pa ima svojo številko. Primer: PLANE SPATIAL SPA+0 SPA+45 SPC+0 STAY.
 explain-wrong-value-kind = Vrednost je vrste, ki je parameter ne sprejme: besedilo namesto števila, decimalno število namesto celega, beseda, ki je priročnik zanj ne navaja, ali nič. Q-parameter je dovoljena vrednost, razen če je njegova številčna vrednost zanesljivo znana in ne ustreza. Primer: Q201=FAUTO.

@@ -3,11 +3,10 @@
 //! Names are replaced by the formulas that they stand for until only numbers and Q parameters are
 //! left. Invariant: a guard that needs anything else (a parameter that is not certain, the tool, the machine)
 //! says nothing; of the state of the control it hears what is certain.
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::{Aspect, Definition, Facts, Modal};
-use crate::expr::{Code, Env, EvalError, Expr, Node, QRef, Resolve, Type, Value, compile};
+use crate::expr::{Code, Env, EvalError, Expr, Node, Op, QRef, Resolve, Type, Value, compile};
 use crate::spec::{Cycle, Doubt, Entries, Formula, Guard, OnControl, Outcome, Param};
 use crate::syntax::ValueKind;
 
@@ -21,8 +20,9 @@ pub(super) struct Ready {
     pub(super) code: Option<String>,
     /// What then.
     pub(super) then: Option<Outcome>,
-    /// The parameters that its condition reads; of a doubt only the one where it is told.
-    pub(super) reads: BTreeSet<QRef>,
+    /// What its condition says in other words: one of these holds. The parameters that each reads, those first that its
+    /// last part reads; of a doubt only the one where it is told.
+    pub(super) ways: Vec<Way>,
     /// Its condition.
     condition: Expr,
     /// The condition compiled; nothing if it needs more than parameters.
@@ -31,13 +31,50 @@ pub(super) struct Ready {
     asks_state: bool,
 }
 
+/// One of several ways in which a condition holds.
+pub(super) struct Way {
+    /// Nothing if it needs more than parameters, or if there is no other way.
+    compiled: Option<Code>,
+    /// The parameters that it reads.
+    pub(super) reads: Vec<QRef>,
+}
+
+fn ways(condition: &Expr) -> Vec<Way> {
+    let mut parts = Vec::new();
+    split(condition, Op::Or, &mut parts);
+    let way = |part: &&Expr| {
+        let mut conditions = Vec::new();
+        split(part, Op::And, &mut conditions);
+        let reads = conditions.iter().rev().flat_map(|own| own.q_refs()).collect();
+        Way { compiled: compile(part, &OnlyParameters).ok(), reads }
+    };
+    parts.iter().map(way).collect()
+}
+
+/// The parts of an expression between operators of a kind.
+fn split<'e>(expr: &'e Expr, op: Op, parts: &mut Vec<&'e Expr>) {
+    match &expr.node {
+        Node::Binary(own, left, right) if *own == op => {
+            split(left, op, parts);
+            split(right, op, parts);
+        }
+        _ => parts.push(expr),
+    }
+}
+
 impl Ready {
+    /// The way in which it holds, as far as that can be said.
+    pub(super) fn way(&self, written: &Written) -> Option<&Way> {
+        let holds = |way: &&Way| way.compiled.as_ref().is_some_and(|code| code.truth(written) == Ok(true));
+        self.ways.iter().find(holds).or(self.ways.first())
+    }
+
     /// A relation of values that no control looks at.
     fn doubt(doubt: &Doubt, condition: Expr) -> Self {
         Self {
             code: Some(doubt.code.as_str().to_owned()),
             then: Some(Outcome::Warn),
-            reads: BTreeSet::from([doubt.about]),
+            ways: vec![Way { compiled: None, reads: vec![doubt.about] }],
             compiled: compile(&condition, &OnlyParameters).ok(),
             condition,
             asks_state: false,
@@ -52,7 +89,7 @@ impl Ready {
         Self {
             code,
             then: guard.then,
-            reads: condition.q_refs().into_iter().collect(),
+            ways: ways(&condition),
             condition,
             compiled,
             asks_state,

@@ -25,6 +25,10 @@ pub(super) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
         }
         Some(ValueKind::Text(_)) if kind == ParameterKind::Number => return Some(Refusal::Kind),
         Some(ValueKind::Number(_)) if kind == ParameterKind::Text && param.q.is_some() => return Some(Refusal::Kind),
+        // A text stands in quotation marks.
+        Some(ValueKind::Word) if kind == ParameterKind::Text && param.q.is_some() => {
+            return (!param.words.iter().any(|word| *word == item.printed)).then_some(Refusal::Kind);
+        }
         _ => {}
     }
     // The manuals print ranges in mm.

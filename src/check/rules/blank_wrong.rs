@@ -2,7 +2,7 @@
 //! missing, or one of the two lines is.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Amount, BlkForm, Block, BlockKind, Coord};
+use crate::syntax::{Amount, BlkForm, Block, BlockKind, Coord, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "blank-wrong", severity: Severity::Warning, run };
 
@@ -19,6 +19,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 Some((_, corner)) => corners(rule, facts, corner, form, found),
                 None => found.push(rule.at(facts, facts.content(block)).arg("what", "first")),
             },
+            BlockKind::Statement(own) if own.kind == StatementKind::BlkForm => {
+                let text = facts.text(facts.content(block)).to_ascii_uppercase();
+                let mut words = text.split_ascii_whitespace().skip(2);
+                let has = |names: &[&str]| {
+                    own.words.iter().any(|word| names.iter().any(|own| facts.text(word.name).eq_ignore_ascii_case(own)))
+                };
+                if words.next() == Some("CYLINDER") && !(has(&["R", "D"]) && has(&["L"])) {
+                    found.push(rule.at(facts, facts.content(block)).arg("what", "cylinder"));
+                }
+            }
             // A line that cannot be read may be the missing one.
             BlockKind::Unknown(_) => return,
             _ => {}

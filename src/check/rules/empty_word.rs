@@ -1,6 +1,7 @@
-//! A block that ends with an `M` without a number, as older controls and their posts print it.
+//! A block with an `R` without a value, or one that ends with an `M` without a number, as older controls and their posts
+//! print them.
 //!
-//! It does nothing. Said once a program.
+//! They do nothing. Each is said once a program.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::syntax::BlockKind;
@@ -8,6 +9,13 @@ use crate::syntax::BlockKind;
 pub(super) const RULE: Rule = Rule { code: "empty-word", severity: Severity::Note, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (letter, place) in [("R", compensation(facts)), ("M", function(facts))] {
+        found.extend(place.map(|span| rule.at(facts, span).arg("word", letter)));
+    }
+}
+
+/// The first `M` at the end of a block.
+fn function(facts: &Facts<'_>) -> Option<Span> {
     let text = facts.program.source().text().as_bytes();
     for (_, block) in facts.marked() {
         if !matches!(block.kind, BlockKind::Motion(_) | BlockKind::CyclCall(_)) {
@@ -17,8 +25,26 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let line = text.get(block.span.start..end).unwrap_or_default().trim_ascii_end();
         if let [.., b' ' | b'\t', b'M' | b'm'] = line {
             let at = block.span.start + line.len();
-            found.push(rule.at(facts, Span::new(at - 1, at)));
-            return;
+            return Some(Span::new(at - 1, at));
         }
     }
+    None
+}
+
+/// The first `R` by itself in a movement.
+fn compensation(facts: &Facts<'_>) -> Option<Span> {
+    let blocks = facts.program.blocks();
+    let text = facts.program.source().text();
+    let alone = |at: &usize| matches!(text.as_bytes().get(at + 2), None | Some(b' ' | b'\t' | b'\r' | b'\n' | b';'));
+    for at in text.match_indices(" R").map(|(at, _)| at).filter(alone) {
+        let block = blocks.partition_point(|block| block.span.end <= at);
+        let moves = |block: &&crate::syntax::Block| {
+            let before_comment = block.comment().is_none_or(|comment| at < comment.start);
+            matches!(block.kind, BlockKind::Motion(_)) && block.span.start <= at && before_comment
+        };
+        if blocks.get(block).is_some_and(|block| moves(&block)) {
+            return Some(Span::new(at + 1, at + 2));
+        }
+    }
+    None
 }

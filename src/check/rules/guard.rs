@@ -9,7 +9,7 @@ use super::together;
 use crate::check::guards::{Ready, Written, read_as};
 use crate::check::{Definition, Facts, Item, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::spec::{Cycle, Outcome, Param};
+use crate::spec::{Cycle, Outcome};
 use crate::text;
 
 pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run: together };
@@ -23,29 +23,40 @@ pub(super) fn each(_: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, fou
     let written = Written::of(facts, definition, cycle);
     for ready in guards {
         if written.holds(ready) == Some(true) {
-            found.extend(finding(facts, definition, cycle, ready));
+            found.extend(finding(facts, definition, cycle, ready, &written));
         }
     }
 }
 
-fn finding(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle, ready: &Ready) -> Option<Diagnostic> {
+fn finding(
+    facts: &Facts<'_>,
+    definition: &Definition<'_>,
+    cycle: &Cycle,
+    ready: &Ready,
+    written: &Written,
+) -> Option<Diagnostic> {
     let code = ready.code.as_deref()?;
     let severity = match ready.then {
         Some(Outcome::Error) | None => Severity::Error,
         Some(Outcome::Skip | Outcome::Warn | Outcome::Confirm) => Severity::Warning,
     };
-    let place = place(definition, ready).unwrap_or(definition.view.head);
+    let place = place(definition, ready, written).unwrap_or(definition.view.head);
     let rule = Rule { code: lasting(code), severity, run: together };
     let sentence = text::guard_sentence(facts.against.on, cycle, code, facts.against.readers);
     Some(rule.at(facts, place).arg("message", sentence.unwrap_or_else(|| code.to_owned())))
 }
 
-/// The first parameter written that the guard reads, rather one that measures something than one that chooses.
-fn place(definition: &Definition<'_>, ready: &Ready) -> Option<Span> {
-    let reads = |param: &Param| read_as(param).is_some_and(|q| ready.reads.contains(&q));
-    let items = definition.items.iter().filter(|item| item.param.is_some_and(reads));
-    let chooses = |item: &&Item<'_>| item.param.is_some_and(|param| !param.choices.is_empty());
-    items.min_by_key(chooses).map(|item| item.span)
+/// The first parameter written that the guard reads, rather one that measures something than one that chooses, and one
+/// that its last condition reads.
+fn place(definition: &Definition<'_>, ready: &Ready, written: &Written) -> Option<Span> {
+    let reads = &ready.way(written)?.reads;
+    let rank = |item: &Item<'_>| {
+        let param = item.param?;
+        let q = read_as(param)?;
+        Some((!param.choices.is_empty(), reads.iter().position(|own| *own == q)?))
+    };
+    let ranked = definition.items.iter().filter_map(|item| Some((rank(item)?, item)));
+    ranked.min_by_key(|(rank, _)| *rank).map(|(_, item)| item.span)
 }
 
 /// The code for as long as the program runs. There are as many as the specifications have guards.

@@ -34,6 +34,7 @@ mod feed_missing;
 mod feed_zero;
 mod field_word_missing;
 mod frame_mismatch;
+mod function_misspelled;
 mod guard;
 mod label_duplicate;
 mod label_of_another_language;
@@ -50,6 +51,7 @@ mod out_of_range;
 mod out_of_range_elsewhere;
 mod parameter_unassigned;
 mod pattern_missing;
+mod plane_incomplete;
 mod plane_not_reset;
 mod pole_missing;
 mod program_begin_missing;
@@ -61,7 +63,7 @@ mod repeat_of_later_label;
 mod reserved_parameter;
 mod row_not_in_table;
 mod speed_missing;
-mod speed_too_high;
+mod speed_out_of_range;
 mod spindle_off;
 mod subprogram_recursive;
 mod subprogram_runs_on;
@@ -74,6 +76,7 @@ mod transformation_left_on;
 mod unknown_cycle;
 mod unknown_parameter;
 mod unreachable;
+mod word_twice;
 mod wrong_value_kind;
 
 use super::{Definition, Facts, Rule};
@@ -117,6 +120,7 @@ pub const RULES: &[&Rule] = &[
     &feed_zero::RULE,
     &field_word_missing::RULE,
     &frame_mismatch::RULE,
+    &function_misspelled::RULE,
     &guard::RULE,
     &label_duplicate::RULE,
     &label_of_another_language::RULE,
@@ -133,6 +137,7 @@ pub const RULES: &[&Rule] = &[
     &out_of_range_elsewhere::RULE,
     &parameter_unassigned::RULE,
     &pattern_missing::RULE,
+    &plane_incomplete::RULE,
     &plane_not_reset::RULE,
     &pole_missing::RULE,
     &program_begin_missing::RULE,
@@ -144,7 +149,7 @@ pub const RULES: &[&Rule] = &[
     &reserved_parameter::RULE,
     &row_not_in_table::RULE,
     &speed_missing::RULE,
-    &speed_too_high::RULE,
+    &speed_out_of_range::RULE,
     &spindle_off::RULE,
     &subprogram_recursive::RULE,
     &subprogram_runs_on::RULE,
@@ -157,6 +162,7 @@ pub const RULES: &[&Rule] = &[
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,
     &unreachable::RULE,
+    &word_twice::RULE,
     &wrong_value_kind::RULE,
 ];
 

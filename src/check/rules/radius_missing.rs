@@ -1,4 +1,4 @@
-//! An arc CR without its radius.
+//! An arc CR or a rounding RND without its radius.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, Path};
@@ -8,7 +8,7 @@ pub(super) const RULE: Rule = Rule { code: "radius-missing", severity: Severity:
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for block in facts.program.blocks() {
         let BlockKind::Motion(motion) = &block.kind else { continue };
-        if motion.path() == Path::Cr && motion.words().radius.is_none() {
+        if matches!(motion.path(), Path::Cr | Path::Rnd) && motion.words().radius.is_none() {
             found.push(rule.at(facts, facts.content(block)));
         }
     }

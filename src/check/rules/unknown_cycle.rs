@@ -1,17 +1,31 @@
 //! A cycle that no manual of the specifications names and that is not the machine builder's. A warning: controls have
 //! cycles of other software versions, of which the manuals here do not speak.
 use super::cycle_not_on_control::elsewhere;
-use crate::check::{Facts, Rule};
+use crate::check::{Defined, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::spec::Known;
+use crate::spec::{CycleKey, Keyword, Known};
+use crate::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "unknown-cycle", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in &facts.definitions {
-        let unknown = matches!(definition.known, Known::Unknown) && facts.against.on.covers(definition.key);
-        if unknown && elsewhere(facts, definition.key).is_empty() {
+        let covered = facts.against.on.covers(definition.key) && elsewhere(facts, definition.key).is_empty();
+        let unknown = matches!(definition.known, Known::Unknown);
+        if unknown && (covered || has_other_keyword(facts, definition)) {
             found.push(rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string()));
         }
     }
+}
+
+/// Whether the control has a cycle of that number behind the other keyword, and this definition is written like it. In the
+/// old form both keywords have cycles of the same numbers.
+pub(super) fn has_other_keyword(facts: &Facts<'_>, definition: &Defined<'_>) -> bool {
+    let other = match definition.key.keyword {
+        Keyword::CyclDef => Keyword::TchProbe,
+        Keyword::TchProbe => Keyword::CyclDef,
+    };
+    let known = facts.against.on.known(CycleKey::new(other, definition.key.number));
+    let new = matches!(definition.view.form, CycleForm::Parameters(_));
+    new && matches!(known, Known::Described(cycle) if !cycle.is_old_style())
 }

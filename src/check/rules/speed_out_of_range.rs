@@ -1,4 +1,4 @@
-//! A spindle speed or feed above what a control lets anybody enter.
+//! A spindle speed or feed in a tool call that is negative, or above what a control lets anybody enter.
 //!
 //! The manuals print greatest speeds and feeds for the parameters of cycles; the widest of them is the limit here. Silent
 //! where no manual of the control, nor of another one, prints any.
@@ -7,7 +7,7 @@ use crate::diag::{Arg, Diagnostic, Severity};
 use crate::spec::MM_PER_INCH;
 use crate::syntax::{Amount, BlockKind, FeedKind};
 
-pub(super) const RULE: Rule = Rule { code: "speed-too-high", severity: Severity::Warning, run };
+pub(super) const RULE: Rule = Rule { code: "speed-out-of-range", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let limits = facts.against.labels.limits(facts.against.catalogue);
@@ -22,10 +22,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         for (operand, limit, unit, what) in written {
             let Some((operand, limit)) = operand.zip(limit) else { continue };
             let Amount::Number(value) = operand.amount else { continue };
-            if value * unit <= limit {
-                continue;
-            }
-            let finding = rule.at(facts, operand.span).arg("what", what).arg("value", Arg::Number(value));
+            let side = match value * unit {
+                value if value < 0.0 => "below",
+                value if value > limit => "above",
+                _ => continue,
+            };
+            let finding = rule.at(facts, operand.span).arg("what", what).arg("side", side);
+            let finding = finding.arg("value", Arg::Number(value));
             found.push(finding.arg("limit", Arg::Number(limit / unit)));
         }
     }

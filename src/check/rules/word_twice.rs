@@ -1,0 +1,34 @@
+//! A word that stands twice in a block that may have it once: an angle of PLANE, a dimension of a blank, a part of a
+//! pattern or one of its points.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Place, Severity, Span};
+use crate::syntax::{BlockKind, NamedWord, StatementKind};
+
+pub(super) const RULE: Rule = Rule { code: "word-twice", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let words = |words: &[NamedWord]| words.iter().map(|word| word.name).collect::<Vec<_>>();
+    for (_, block) in facts.marked() {
+        match &block.kind {
+            BlockKind::Statement(own) if matches!(own.kind, StatementKind::Plane | StatementKind::BlkForm) => {
+                tell(rule, facts, &words(&own.words), found);
+            }
+            BlockKind::PatternDef(own) => {
+                tell(rule, facts, &own.items.iter().map(|item| item.name).collect::<Vec<_>>(), found);
+                own.items.iter().for_each(|item| tell(rule, facts, &words(&item.words), found));
+            }
+            _ => {}
+        }
+    }
+}
+
+fn tell(rule: &Rule, facts: &Facts<'_>, names: &[Span], found: &mut Vec<Diagnostic>) {
+    for (at, name) in names.iter().enumerate() {
+        let text = facts.text(*name).trim();
+        let same = |own: &&Span| !text.is_empty() && facts.text(**own).trim().eq_ignore_ascii_case(text);
+        if let Some(first) = names.iter().take(at).find(same) {
+            let place = Place::new(facts.program.source(), *first);
+            found.push(rule.at(facts, *name).arg("word", text).related("first-place", place));
+        }
+    }
+}
