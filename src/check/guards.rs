@@ -20,8 +20,7 @@ pub(super) struct Ready {
     pub(super) code: Option<String>,
     /// What then.
     pub(super) then: Option<Outcome>,
-    /// What its condition says in other words: one of these holds. The parameters that each reads, those first that its
-    /// last part reads; of a doubt only the one where it is told.
+    /// What its condition says in other words: one of these holds. Of a doubt only the parameter where it is told.
     pub(super) ways: Vec<Way>,
     /// Its condition.
     condition: Expr,
@@ -35,8 +34,8 @@ pub(super) struct Ready {
 pub(super) struct Way {
     /// Nothing if it needs more than parameters, or if there is no other way.
     compiled: Option<Code>,
-    /// The parameters that it reads.
-    pub(super) reads: Vec<QRef>,
+    /// The parameters that it reads, by how much they are to blame: those of the left side of the last condition first.
+    pub(super) reads: Vec<Vec<QRef>>,
 }
 
 fn ways(condition: &Expr) -> Vec<Way> {
@@ -45,7 +44,11 @@ fn ways(condition: &Expr) -> Vec<Way> {
     let way = |part: &&Expr| {
         let mut conditions = Vec::new();
         split(part, Op::And, &mut conditions);
-        let reads = conditions.iter().rev().flat_map(|own| own.q_refs()).collect();
+        let sides = conditions.iter().rev().flat_map(|own| match &own.node {
+            Node::Binary(_, left, right) => vec![left.q_refs(), right.q_refs()],
+            _ => vec![own.q_refs()],
+        });
+        let reads = sides.collect();
         Way { compiled: compile(part, &OnlyParameters).ok(), reads }
     };
     parts.iter().map(way).collect()
@@ -74,7 +77,7 @@ impl Ready {
         Self {
             code: Some(doubt.code.as_str().to_owned()),
             then: Some(Outcome::Warn),
-            ways: vec![Way { compiled: None, reads: vec![doubt.about] }],
+            ways: vec![Way { compiled: None, reads: vec![vec![doubt.about]] }],
             compiled: compile(&condition, &OnlyParameters).ok(),
             condition,
             asks_state: false,
@@ -86,14 +89,7 @@ impl Ready {
         let mut asks_state = false;
         condition.walk(&mut |expr| asks_state |= matches!(&expr.node, Node::Name(path) if state(path).is_some()));
         let code = guard.code.as_ref().map(|code| code.as_str().to_owned());
-        Self {
-            code,
-            then: guard.then,
-            ways: ways(&condition),
-            condition,
-            compiled,
-            asks_state,
-        }
+        Self { code, then: guard.then, ways: ways(&condition), condition, compiled, asks_state }
     }
 }
 

@@ -31,9 +31,8 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     let beside = BESIDE.iter().filter_map(|meaning| needed(&written, cycle, is(meaning)?, 0.0));
     let above = ABOVE.iter().filter_map(|meaning| needed(&written, cycle, is(meaning)?, clearance));
     let highest = beside.chain(above).max_by(|one, other| one.1.total_cmp(&other.1));
-    let written_for = |param: &Param| {
-        definition.items.iter().find(|item| item.param.is_some_and(|own| std::ptr::eq(own, param)))
-    };
+    let written_for =
+        |param: &Param| definition.items.iter().find(|item| item.param.is_some_and(|own| std::ptr::eq(own, param)));
     if let (Some((touched, least)), Some(item)) = (highest.filter(|(_, least)| height <= *least), written_for(param)) {
         // Where the clearance height is one, the other height is the strange one.
         let strange = if height > 0.0 { written_for(touched).unwrap_or(item) } else { item };

@@ -1,5 +1,5 @@
 //! A line of a definition in the old form on which nothing stands, though the cycle has a field there that must not be
-//! left out; of cycles that no manual names also a line with a label only.
+//! left out; of cycles that no manual names also, as a note, a line with a label only.
 use super::together;
 use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
@@ -36,14 +36,14 @@ fn unknown(
 ) {
     for line in lines.iter().filter(|line| line.line > 0) {
         let is_label = |name: &str| name.chars().filter(|c| c.is_alphabetic()).count() >= SHORTEST_LABEL;
-        let empty = match line.words.as_slice() {
-            [] => true,
-            [word] => word.value.kind == ValueKind::Missing && is_label(facts.text(word.name)),
-            _ => false,
+        // Some posts print the label of a dwell that they do not need.
+        let severity = match line.words.as_slice() {
+            [] => rule.severity,
+            [word] if word.value.kind == ValueKind::Missing && is_label(facts.text(word.name)) => Severity::Note,
+            _ => continue,
         };
-        if empty {
-            let name = format!("{}.{}", line.number, line.line);
-            found.push(rule.at(facts, line.head).arg("line", name).arg("cycle", definition.key.to_string()));
-        }
+        let name = format!("{}.{}", line.number, line.line);
+        let finding = rule.at(facts, line.head).arg("line", name).arg("cycle", definition.key.to_string());
+        found.push(Diagnostic { severity, ..finding });
     }
 }

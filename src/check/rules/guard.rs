@@ -53,7 +53,7 @@ fn place(definition: &Definition<'_>, ready: &Ready, written: &Written) -> Optio
     let rank = |item: &Item<'_>| {
         let param = item.param?;
         let q = read_as(param)?;
-        Some((!param.choices.is_empty(), reads.iter().position(|own| *own == q)?))
+        Some((!param.choices.is_empty(), reads.iter().position(|own| own.contains(&q))?))
     };
     let ranked = definition.items.iter().filter_map(|item| Some((rank(item)?, item)));
     ranked.min_by_key(|(rank, _)| *rank).map(|(_, item)| item.span)
