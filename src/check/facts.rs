@@ -46,7 +46,7 @@ pub struct Facts<'a> {
     pub(super) falling: Option<(usize, u32)>,
     /// Whether it has arcs about a centre or with a radius.
     pub(super) arcs: bool,
-    /// Whether it has any arcs that say which way round they go.
+    /// Whether it has arcs that must say which way round they go.
     pub(super) turns: bool,
     /// The programs that it calls.
     pub calls: Vec<ProgramCall>,

@@ -1,4 +1,6 @@
 //! A tool change, or the end of the program, while radius compensation is certainly active.
+//!
+//! Of programs without a blank and a tool, which others may read as a contour, the end is left alone.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::BlockKind;
@@ -17,7 +19,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         }
     }
-    for (block, modal) in &facts.run.ends {
+    // A contour that others read keeps its compensation to the end.
+    let started = facts.run.before(0).is_some_and(|modal| modal.is(Aspect::Compensation) == Tri::No);
+    for (block, modal) in facts.run.ends.iter().filter(|_| started) {
         if modal.is(Aspect::Compensation) == Tri::Yes
             && let Some(block) = blocks.get(*block)
         {

@@ -2,6 +2,8 @@
 //! print them.
 //!
 //! They do nothing. Each is said once a program.
+use memchr::memmem;
+
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::syntax::BlockKind;
@@ -31,12 +33,20 @@ fn function(facts: &Facts<'_>) -> Option<Span> {
     None
 }
 
+/// An `R` by itself.
+const ALONE: [&[u8]; 4] = [b" R ", b" R\r", b" R\n", b" R\t"];
+/// So many of each are looked at: others are words of comments.
+const FEW: usize = 1000;
+
 /// The first `R` by itself in a movement.
 fn compensation(facts: &Facts<'_>) -> Option<Span> {
     let blocks = facts.program.blocks();
-    let text = facts.program.source().text();
-    let alone = |at: &usize| matches!(text.as_bytes().get(at + 2), None | Some(b' ' | b'\t' | b'\r' | b'\n' | b';'));
-    for at in text.match_indices(" R").map(|(at, _)| at).filter(alone) {
+    let text = facts.program.source().text().as_bytes();
+    // Long programs have few of them, if any: what stands behind the letter is looked for with it.
+    let places = ALONE.iter().flat_map(|word| memmem::find_iter(text, word).take(FEW));
+    let mut places: Vec<usize> = places.collect();
+    places.sort_unstable();
+    for at in places {
         let block = blocks.partition_point(|block| block.span.end <= at);
         let moves = |block: &&crate::syntax::Block| {
             let before_comment = block.comment().is_none_or(|comment| at < comment.start);

@@ -5,10 +5,14 @@ use super::together;
 use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::Shape;
+use crate::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "field-word-missing", severity: Severity::Warning, run: together };
 
 pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
+    if matches!(definition.view.form, CycleForm::Parameters(_)) {
+        return;
+    }
     let Some(labels) = facts.labels(definition) else { return };
     for item in definition.items.iter().filter(|item| item.label.is_none()) {
         let Some((index, field)) = item.index.zip(item.param.and_then(|param| param.field.as_ref())) else { continue };

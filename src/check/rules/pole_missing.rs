@@ -30,7 +30,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if contours.is_empty() {
         return;
     }
-    let sets = facts.program.blocks().iter().any(|block| is_pole(block));
+    let sets = facts.program.blocks().iter().any(is_pole);
     for block in contours.into_iter().filter_map(|at| unset(facts, at)) {
         let severity = if sets { Severity::Warning } else { rule.severity };
         found.push(Diagnostic { severity, ..rule.at(facts, facts.content(block)) });
