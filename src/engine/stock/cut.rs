@@ -80,6 +80,13 @@ impl Part<'_> {
         own.level(columns, level, tally, |first, last| {
             self.note(first, across);
             self.note(last, across);
+            // Between them the row may come nearer to the centre of an arc.
+            if let Some(middle) = self.sweep.centre()
+                && self.grid.x(first) < middle.x
+                && middle.x < self.grid.x(last)
+            {
+                across[0] = across[0].min((self.y - middle.y) * (self.y - middle.y));
+            }
         });
     }
 

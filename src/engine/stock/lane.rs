@@ -326,8 +326,7 @@ impl Row {
         above
     }
 
-    /// Takes everything above a height away from columns. Calls `cut` with the first and the last column that lose something,
-    /// block by block.
+    /// Takes everything above a height away from columns. Calls `cut` with the first and the last column that lose something.
     pub(super) fn level(
         &mut self,
         (first, last): (usize, usize),
@@ -338,21 +337,23 @@ impl Row {
         if height <= self.floor {
             return self.level_through((first, last), height, tally, &mut cut);
         }
+        let mut ends: Option<(usize, usize)> = None;
+        let mut lost = |from: usize, to: usize| ends = Some((ends.map_or(from, |(first, _)| first), to));
         let start = first / BLOCK;
         let blocks = self.tops.get_mut(start..last / BLOCK + 1).unwrap_or_default();
-        for (block, tops) in (start..).zip(blocks) {
+        for (n, tops) in blocks.iter_mut().enumerate() {
             if tops.highest <= height {
                 continue;
             }
-            let begin = block * BLOCK;
+            let begin = (start + n) * BLOCK;
             let columns = first.saturating_sub(begin)..(last + 1 - begin).min(BLOCK);
             if tops.level {
                 let loss = tops.highest - height;
                 tally.height += loss * columns.len() as f64;
-                tally.deepest = tally.deepest.max(loss);
-                tally.highest = tally.highest.max(tops.highest);
+                tally.deepest = larger(tally.deepest, loss);
+                tally.highest = larger(tally.highest, tops.highest);
                 if loss > SLIVER {
-                    cut(begin + columns.start, begin + columns.end - 1);
+                    lost(begin + columns.start, begin + columns.end - 1);
                 }
                 if columns.len() == BLOCK {
                     tops.highest = height;
@@ -361,27 +362,36 @@ impl Row {
                 }
             } else if columns.len() < BLOCK {
                 let (mut low, mut high) = (usize::MAX, 0);
+                let (mut sum, mut deepest, mut highest) = (0.0, 0.0, f64::NEG_INFINITY);
                 for (n, top) in columns.clone().zip(tops.each.get_mut(columns).unwrap_or_default()) {
                     let loss = *top - height;
                     if loss > 0.0 {
-                        tally.height += loss;
-                        tally.deepest = tally.deepest.max(loss);
-                        tally.highest = tally.highest.max(*top);
+                        sum += loss;
+                        deepest = larger(deepest, loss);
+                        highest = larger(highest, *top);
                         *top = height;
                         if loss > SLIVER {
                             (low, high) = (low.min(n), n);
                         }
                     }
                 }
-                tops.renew();
+                if deepest > 0.0 {
+                    tally.height += sum;
+                    tally.deepest = larger(tally.deepest, deepest);
+                    tally.highest = larger(tally.highest, highest);
+                    tops.renew();
+                }
                 if low <= high {
-                    cut(begin + low, begin + high);
+                    lost(begin + low, begin + high);
                 }
             } else {
                 let whole = tops.reaches(height);
-                tops.lower(begin, 0..BLOCK, &[height; BLOCK], tally, &mut cut);
+                tops.lower(begin, 0..BLOCK, &[height; BLOCK], tally, &mut lost);
                 tops.level = whole;
             }
+        }
+        if let Some((first, last)) = ends {
+            cut(first, last);
         }
     }
 

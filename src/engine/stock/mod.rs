@@ -44,7 +44,7 @@ use glam::{DVec2, DVec3};
 
 use super::geometry::{Axis, Frame, WorkingPlane};
 use super::solid::{Body, Path, Shape, SolidError};
-use lane::{Row, SLIVER, Tally};
+use lane::{Row, SLIVER, Tally, larger, smaller};
 use oblique::Oblique;
 use onward::Onward;
 use sweep::Sweep;
@@ -168,14 +168,15 @@ impl Grid {
 
     /// Indices from `low` to `high`, both included, whose centres lie between the two coordinates.
     fn between(from: f64, to: f64, origin: f64, each: f64, count: usize) -> Option<(usize, usize)> {
-        let (from, to) = ((from - origin) * each - 0.5, (to - origin) * each - 0.5);
-        if !(to >= 0.0 && from <= to) {
+        let from = larger((from - origin) * each - 0.5, 0.0);
+        let to = smaller((to - origin) * each - 0.5, count as f64 - 1.0);
+        if !(from <= to) {
             return None;
         }
-        // Casts cut off what is beyond the largest number; a grid has fewer columns than that.
-        let (low, high) = (from.max(0.0) as i32, to as i32);
+        // A grid has fewer columns than the largest number that a cast gives.
+        let (low, high) = (from as i32, to as i32);
         let low = if f64::from(low) < from { low + 1 } else { low };
-        let (low, high) = (low as usize, (high as usize).min(count - 1));
+        let (low, high) = (low as usize, high as usize);
         (low <= high).then_some((low, high))
     }
 }

@@ -193,6 +193,14 @@ impl Sweep {
         }
     }
 
+    /// The centre of an arc.
+    pub(super) const fn centre(&self) -> Option<DVec2> {
+        match self.way {
+            Way::Line { .. } => None,
+            Way::Arc { centre, .. } => Some(centre),
+        }
+    }
+
     /// How far points lie to the left of the path, least and most, from the least and the greatest of these numbers.
     pub(super) fn left(&self, [least, most]: [f64; 2]) -> [f64; 2] {
         match self.way {
