@@ -302,3 +302,12 @@ fn only_labels_of_the_language_that_is_given_are_replaced() {
     let one = translate(&parse(&Source::new("program.h", mixed)), &against, "it", UTF_8);
     assert_eq!(one.changes.iter().map(|change| change.from.as_str()).collect::<Vec<_>>(), ["VRTANJE", "GLOBINA"]);
 }
+
+#[test]
+fn a_name_that_a_parameter_follows_closed_up_is_left_alone() {
+    // The mark between them would go with the name, and the parameter would become a part of the new one.
+    let text = "0 BEGIN PGM A MM\n1 CYCL DEF 200 DRILLING[Q200=2 ;SET-UP CLEARANCE\nQ201=-15 ;DEPTH\n2 END PGM A MM\n";
+    let there = Data::new().translate("tnc640", text, "fi", UTF_8).text;
+    assert!(there.contains("DRILLING[Q200=2 ;"), "{there}");
+    assert!(there.contains("Q201=-15 ;SYVYYS"), "{there}");
+}

@@ -141,7 +141,11 @@ fn each_number(program: &Program, block: &Block, mut take: impl FnMut(Span)) {
             let digits = line.trim_start_matches([' ', '\t', '/']);
             let start = at + (line.len() - digits.len());
             let length = digits.bytes().take_while(u8::is_ascii_digit).count();
-            if length > 0 {
+            // In a definition that goes on, `331=+0` is a torn parameter and no number of a line.
+            let behind = digits.as_bytes().get(length);
+            if length > 0
+                && (first || behind.is_none_or(|byte| byte.is_ascii_whitespace() || byte.is_ascii_alphabetic()))
+            {
                 take(Span::new(start, start + length));
             }
         }

@@ -115,7 +115,8 @@ pub fn read(source: &Arc<Source>, found: &mut Vec<Diagnostic>) -> Option<Node> {
             Ok((event, span)) => (event, bytes.span(span)),
             Err(error) => {
                 let at = bytes.span(saphyr_parser::Span::empty(*error.marker()));
-                let end = (at.start + 1).min(source.text().len()).max(at.start);
+                let behind = source.text().get(at.start..).and_then(|rest| rest.chars().next());
+                let end = at.start + behind.map_or(0, char::len_utf8);
                 found.push(
                     Diagnostic::error("spec-yaml-syntax", Place::new(source, at.start..end))
                         .arg("reason", error.info()),

@@ -162,7 +162,9 @@ impl<'a> Writer<'_, 'a> {
     /// Replaces what stands at `span` by the label, if it is one that is known.
     fn replace(&mut self, span: Span, known: bool, label: Option<&'a ParamLabels>, parameter: &str, cycle: &str) {
         let from = self.facts.text(span);
-        if !known {
+        // What a parameter follows closed up ends at a mark that no label has; another label would run into it.
+        let behind = self.facts.program.source().text().get(span.end..);
+        if !known || behind.is_some_and(|rest| rest.starts_with(char::is_alphanumeric)) {
             return;
         }
         let place = Place::new(self.facts.program.source(), span);
