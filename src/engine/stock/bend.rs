@@ -49,13 +49,13 @@ impl Seen {
 
     /// The square of the distance from the start.
     #[inline(always)]
-    fn from_start(&self, p: DVec2) -> f64 {
+    fn beside_start(&self, p: DVec2) -> f64 {
         (p.x - self.radius) * (p.x - self.radius) + p.y * p.y
     }
 
     /// The square of the distance from the end.
     #[inline(always)]
-    fn from_end(&self, p: DVec2) -> f64 {
+    fn beside_end(&self, p: DVec2) -> f64 {
         let (x, y) = (p.x - self.radius * self.end.x, p.y - self.radius * self.end.y);
         x * x + y * y
     }
@@ -202,7 +202,7 @@ impl Sweep {
             let (after, before) = (p.y >= 0.0, p.perp_dot(seen.end) >= 0.0);
             let beside = whole || if less { after && before } else { after || before };
             let off = p.length_squared().sqrt() - seen.radius;
-            let [a, b] = [seen.from_start(p), seen.from_end(p)];
+            let [a, b] = [seen.beside_start(p), seen.beside_end(p)];
             if beside {
                 off * off
             } else if a < b {
@@ -235,7 +235,7 @@ impl Sweep {
         let (most, half) = (seen.radius * seen.radius - square, 0.5 / seen.radius);
         fill(out, columns, |n| {
             let p = seen.at(n);
-            let below = if rise < 0.0 { seen.from_end(p) } else { seen.from_start(p) };
+            let below = if rise < 0.0 { seen.beside_end(p) } else { seen.beside_start(p) };
             let distance = p.length_squared();
             let nearer = 1.0 / distance.sqrt();
             let cos = (distance + most) * half * nearer;
@@ -259,8 +259,8 @@ impl Sweep {
         let (square, slope) = (tool * tool, seen.slope);
         let (once, twice) = (slope * slope / seen.radius, slope * slope / (seen.radius * seen.radius));
         let ends = |p: DVec2| {
-            let last = under(z + rise + tool, square - seen.from_end(p));
-            let first = if self.joined { f64::INFINITY } else { under(z + tool, square - seen.from_start(p)) };
+            let last = under(z + rise + tool, square - seen.beside_end(p));
+            let first = if self.joined { f64::INFINITY } else { under(z + tool, square - seen.beside_start(p)) };
             if first < last { first } else { last }
         };
         // On the way down the tool is lowest behind a column: beyond the end of the way only the end counts.

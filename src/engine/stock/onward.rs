@@ -12,6 +12,9 @@ use super::sweep::{HAIR, Hull, Sweep, Way};
 /// What is not less than this along the row counts as standing across it.
 const ALONG: f64 = 1e-9;
 
+/// The first and the last of some columns.
+type Columns = Option<(usize, usize)>;
+
 /// The part of the plane that lies in a direction from a line.
 #[derive(Clone, Copy, Debug)]
 struct Limit {
@@ -100,13 +103,7 @@ impl Onward {
     /// Takes away what it covers in a row. The first and the last column that lose something, and the columns of an arc
     /// between its start and its end, which are left.
     #[inline(always)]
-    pub(super) fn cut(
-        &self,
-        grid: &Grid,
-        own: &mut Row,
-        y: f64,
-        tally: &mut Tally,
-    ) -> (Option<(usize, usize)>, Option<(usize, usize)>) {
+    pub(super) fn cut(&self, grid: &Grid, own: &mut Row, y: f64, tally: &mut Tally) -> (Columns, Columns) {
         let index = |x: f64| (x - grid.min.x) * grid.each.x - 0.5;
         let most = grid.columns as f64 - 1.0;
         let columns = |from: f64, to: f64| {
@@ -165,14 +162,7 @@ impl Onward {
 
     /// The columns between the ends of a straight way.
     #[inline(always)]
-    fn along(
-        &self,
-        grid: &Grid,
-        own: &mut Row,
-        columns: (usize, usize),
-        y: f64,
-        tally: &mut Tally,
-    ) -> Option<(usize, usize)> {
+    fn along(&self, grid: &Grid, own: &mut Row, columns: (usize, usize), y: f64, tally: &mut Tally) -> Columns {
         let Hull { from, along, length, slope, steep, radius } = self.hull;
         let (dx, dy) = (grid.x(0) - from.x, y - from.y);
         let (u, v) = (dx * along.x + dy * along.y, dy * along.x - dx * along.y);
@@ -190,7 +180,7 @@ impl Onward {
 }
 
 /// The first and the last column of two parts.
-fn joined(one: Option<(usize, usize)>, other: Option<(usize, usize)>) -> Option<(usize, usize)> {
+fn joined(one: Columns, other: Columns) -> Columns {
     match (one, other) {
         (Some((a, b)), Some((c, d))) => Some((a.min(c), b.max(d))),
         (one, other) => one.or(other),
