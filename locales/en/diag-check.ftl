@@ -59,6 +59,7 @@ diag-feed-zero = The feed is zero here.
 diag-field-word-missing = A value stands here without a word; the control shows it with one: { $shown }.
 diag-frame-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
 diag-function-misspelled = No control knows { $word } here; { $meant } may be meant.
+diag-functions-contradict = { $first } and { $second } stand in one block; only one of them can be meant.
 diag-guard = The control objects to these values.
 diag-label-duplicate = The label { $label } is set a second time here.
 diag-label-missing = The language “{ $language }” has no label for { $parameter } of { $cycle }.

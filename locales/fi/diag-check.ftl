@@ -59,6 +59,7 @@ diag-feed-zero = Syöttöarvo on tässä nolla.
 diag-field-word-missing = Arvon edessä ei ole sanaa; ohjaus näyttää sen näin: { $shown }.
 diag-frame-mismatch = END PGM -lauseessa on { $end }, BEGIN PGM -lauseessa { $begin }.
 diag-function-misspelled = Mikään ohjaus ei tunne tässä sanaa { $word }; ehkä tarkoitetaan sanaa { $meant }.
+diag-functions-contradict = { $first } ja { $second } ovat samassa lauseessa; vain toista niistä voidaan tarkoittaa.
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
 diag-label-duplicate = Label { $label } asetetaan tässä toisen kerran.
 diag-label-missing = Kielellä ”{ $language }” ei ole NC-tekstiä työkierron { $cycle } parametrille { $parameter }.

@@ -59,6 +59,7 @@ diag-feed-zero = Qui l’avanzamento è zero.
 diag-field-word-missing = Qui c’è un valore senza parola; il controllo lo mostra con una parola: { $shown }.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-function-misspelled = Nessun controllo conosce qui { $word }; forse si intende { $meant }.
+diag-functions-contradict = { $first } e { $second } sono nello stesso blocco; può essere voluta solo una delle due.
 diag-guard = Il controllo non accetta questi valori.
 diag-label-duplicate = Il label { $label } viene impostato qui per la seconda volta.
 diag-label-missing = La lingua «{ $language }» non ha un’etichetta per { $parameter } di { $cycle }.

@@ -59,6 +59,7 @@ diag-feed-zero = O avanço é aqui zero.
 diag-field-word-missing = Aqui há um valor sem palavra; o comando mostra-o com uma: { $shown }.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-function-misspelled = Nenhum comando conhece aqui { $word }; talvez se pretenda { $meant }.
+diag-functions-contradict = { $first } e { $second } estão na mesma frase; só uma delas pode ser a pretendida.
 diag-guard = O comando não aceita estes valores.
 diag-label-duplicate = O label { $label } é definido aqui pela segunda vez.
 diag-label-missing = O idioma «{ $language }» não tem designação para { $parameter } de { $cycle }.

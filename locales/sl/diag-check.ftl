@@ -59,6 +59,7 @@ diag-feed-zero = Pomik je tu nič.
 diag-field-word-missing = Vrednost je tu brez besede; krmiljenje jo prikaže z njo: { $shown }.
 diag-frame-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
 diag-function-misspelled = Nobeno krmiljenje tu ne pozna besede { $word }; morda je mišljeno { $meant }.
+diag-functions-contradict = { $first } in { $second } sta v istem stavku; mišljena je lahko samo ena od njiju.
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
 diag-label-duplicate = Oznaka LBL { $label } je tu postavljena drugič.
 diag-label-missing = Jezik »{ $language }« nima oznake za { $parameter } cikla { $cycle }.

@@ -36,6 +36,7 @@ explain-feed-zero = Z F0 se orodje ne premika. F0 v priklicu orodja ni obravnava
 explain-field-word-missing = V stari obliki je pred tako vrednostjo beseda v jeziku krmiljenja. Programi drugih sistemov jo izpuščajo; pomen vrednosti je jasen, saj v vrstici ni druge, ali jo krmiljenje tako prebere, pa ne pove noben priročnik. Primer: CYCL DEF 9.1 5.
 explain-frame-mismatch = BEGIN PGM in END PGM programa imata isto ime in isto enoto. Sicer konec morda pripada drugemu programu.
 explain-function-misspelled = Beseda za FUNCTION MODE ali FUNCTION RESET tu ni znana in se od znane razlikuje za eno črko. Druge besede se ne obravnavajo, saj jih ima novejša programska oprema več. Primer: FUNCTION MODE TUNR.
+explain-functions-contradict = M3 in M13 vrtita vreteno v smeri urinega kazalca, M4 in M14 v nasprotni smeri; stavek lahko pove samo eno od tega. Primer: L Z+100 R0 FMAX M3 M4.
 explain-guard = Specifikacije navajajo, pod katerimi pogoji krmiljenje cikel zavrne, preskoči, opozori ali vpraša. Vsako tako preverjanje ima svojo kodo; opravi se samo s tem, kar je zanesljivo: z vrednostmi, zapisanimi v programu, parametri z zanesljivo znano vrednostjo in zanesljivo aktivnimi preračunavanji koordinat.
 explain-label-duplicate = Program sme vsako oznako LBL postaviti enkrat; samo LBL 0, konec podprograma, se sme ponavljati. Pri dveh enakih oznakah ni mogoče reči, katera je priklicana.
 explain-label-missing = Programa ni mogoče v celoti zapisati v tem jeziku: neko besedilo specifikacij še ni prevedeno. Stara oznaka ostane. Ukaz ciklo coverage našteje, kaj manjka.

@@ -35,6 +35,7 @@ mod feed_zero;
 mod field_word_missing;
 mod frame_mismatch;
 mod function_misspelled;
+mod functions_contradict;
 mod guard;
 mod label_duplicate;
 mod label_of_another_language;
@@ -121,6 +122,7 @@ pub const RULES: &[&Rule] = &[
     &field_word_missing::RULE,
     &frame_mismatch::RULE,
     &function_misspelled::RULE,
+    &functions_contradict::RULE,
     &guard::RULE,
     &label_duplicate::RULE,
     &label_of_another_language::RULE,

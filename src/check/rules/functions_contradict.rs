@@ -1,0 +1,27 @@
+//! M functions in one block of which only one can be meant: two that turn the spindle in opposite directions.
+//!
+//! Functions that act at the end of the block, such as M5 and M9, may well stand beside those that act at its start.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+
+pub(super) const RULE: Rule = Rule { code: "functions-contradict", severity: Severity::Warning, run };
+
+/// Of each of these at most one stands in a block.
+const ONE_OF: [&[u16]; 4] = [&[3, 4], &[13, 14], &[3, 14], &[4, 13]];
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (_, block) in facts.marked() {
+        let functions = facts.functions(block);
+        if functions.len() < 2 {
+            continue;
+        }
+        for group in ONE_OF {
+            let mut own = functions.iter().filter(|function| group.contains(&function.number));
+            let (Some(first), Some(second)) = (own.next(), own.next()) else { continue };
+            if first.number != second.number {
+                let finding = rule.at(facts, second.span).arg("first", format!("M{}", first.number));
+                found.push(finding.arg("second", format!("M{}", second.number)));
+            }
+        }
+    }
+}
