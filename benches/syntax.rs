@@ -15,7 +15,7 @@ use ciklo::locale::Locales;
 use ciklo::spec::Catalogue;
 use ciklo::syntax::encoding::{Charset, Encoding};
 use ciklo::syntax::{Document, parse};
-use ciklo::translate::replacements;
+use ciklo::translate::replacing;
 
 const MEGABYTE: usize = 1_000_000;
 const ROUNDS: u32 = 9;
@@ -104,7 +104,9 @@ fn main() {
             let laid_out = most(&|| drop(black_box(laid_out(&program))));
             let compared = most(&|| drop(black_box(compare(&program, &program, &against))));
             let encoding = Encoding { charset: Charset::Utf8, bom: false };
-            let translated = most(&|| drop(black_box(replacements(&program, &against, "en", encoding, true))));
+            let translated = most(&|| {
+                black_box(replacing(&program, &against, "en", encoding, true, |all| all.count()));
+            });
             println!(
                 "{name:8} {megabytes:5.1} MB   memory while laying out {laid_out:.1}, comparing {compared:.1}, translating {translated:.1} times the text"
             );

@@ -1,14 +1,17 @@
 //! `ciklo translate`: a program with the names and labels of another language.
 use std::path::Path;
+use std::sync::Arc;
 
 use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, program};
 use crate::check::{Against, LabelBook};
-use crate::diag::Severity;
+use crate::diag::{Severity, Source, Span};
 use crate::locale::{Args, Language, Ui};
-use crate::translate::{self, Replacements};
+use crate::syntax::Dialect;
+use crate::syntax::encoding::Encoding;
+use crate::translate::{self, Replacement, Told};
 
 pub(super) const COMMAND: Command = Command {
     name: "translate",
@@ -42,19 +45,30 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let against =
         Against { catalogue: &catalogue, on, labels: &labels, language: from.map(Language::tag), readers: &[] };
     let relabel = matches.get_flag("relabel");
-    let found = translate::replacements(&file.program, &against, to, file.encoding, relabel);
-    let Replacements { mut changes, diagnostics, sources } = found;
-    changes.retain_mut(|change| file.exact(change.span).map(|span| change.span = span).is_some());
     let source = file.written().source();
-    let pieces = program::pieces(source.text(), changes.iter().map(|change| (change.span, change.to)));
-    match matches.get_one::<String>("out") {
-        Some(out) => {
-            program::write_pieces(Path::new(out), file.encoding, pieces, source)?;
-            let args = Args::new().number("count", changes.len() as f64).text("path", out.as_str());
-            let line = session.ui.text("cli-translated", &args);
-            session.output.remark(&line);
-        }
-        None => program::print_pieces(session, file.encoding, pieces, source)?,
+    let out = matches.get_one::<String>("out").map(String::as_str);
+    let write = |all: &mut dyn Iterator<Item = Replacement<'_>>| {
+        let mut count = 0;
+        let at_home = all.filter_map(|own| Some((file.exact(own.span)?, own.to)));
+        let mut counted = at_home.inspect(|_| count += 1);
+        // What comes from DIN/ISO stands there in another order.
+        let sorted = file.written().dialect() == Dialect::Iso;
+        let written = if sorted {
+            let mut all: Vec<_> = counted.collect();
+            all.sort_by_key(|(span, _)| *span);
+            put(session, out, file.encoding, &mut all.into_iter(), source)
+        } else {
+            put(session, out, file.encoding, &mut counted, source)
+        };
+        written.map(|()| count)
+    };
+    let (written, Told { diagnostics, sources }) =
+        translate::replacing(&file.program, &against, to, file.encoding, relabel, write);
+    let count = written?;
+    if let Some(out) = out {
+        let args = Args::new().number("count", f64::from(count)).text("path", out);
+        let line = session.ui.text("cli-translated", &args);
+        session.output.remark(&line);
     }
     if from.is_none() && !sources.is_empty() {
         let mut sources: Vec<(String, usize)> = sources.into_iter().collect();
@@ -69,4 +83,19 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     diagnostics.iter().for_each(|diagnostic| session.output.complain(diagnostic, &session.ui));
     let errors = diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
     Ok(if errors { Outcome::Errors } else { Outcome::Clean })
+}
+
+/// Writes the program with what is replaced in it.
+fn put<'t>(
+    session: &mut Session,
+    out: Option<&str>,
+    encoding: Encoding,
+    replaced: &mut dyn Iterator<Item = (Span, &'t str)>,
+    source: &'t Arc<Source>,
+) -> Result<(), Failure> {
+    let pieces = program::pieces(source.text(), replaced);
+    match out {
+        Some(out) => program::write_pieces(Path::new(out), encoding, pieces, source),
+        None => program::print_pieces(session, encoding, pieces, source),
+    }
 }

@@ -47,12 +47,9 @@ pub struct Replacement<'a> {
     pub to: &'a str,
 }
 
-/// What is replaced in a program, and the rest of a [`Translation`]: long programs have millions of labels, and a text of
-/// their own for each takes more room than the program.
-#[derive(Debug)]
-pub struct Replacements<'a> {
-    /// What is replaced, in the order of the text.
-    pub changes: Vec<Replacement<'a>>,
+/// What is told of a translation besides what is replaced.
+#[derive(Debug, Default)]
+pub struct Told {
     /// As in [`Translation`].
     pub diagnostics: Vec<Diagnostic>,
     /// As in [`Translation`].
@@ -62,66 +59,75 @@ pub struct Replacements<'a> {
 /// Writes a program's names and labels in the language `to`. If `against` names the language of the program, only what
 /// is in that language is replaced.
 pub fn translate(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding) -> Translation {
-    write(program, replacements(program, against, to, encoding, false))
+    write(program, against, to, encoding, false)
 }
 
 /// As [`translate`], and whatever has the form of a label where one stands is one, in a language that is not known
 /// here or of an older software: cycles and parameters are known by their numbers anyway. A label of another
 /// parameter of the cycle stays, for it may tell of a mistake.
 pub fn relabel(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding) -> Translation {
-    write(program, replacements(program, against, to, encoding, true))
+    write(program, against, to, encoding, true)
 }
 
-fn write(program: &Program, found: Replacements<'_>) -> Translation {
-    let Replacements { changes, diagnostics, sources } = found;
+fn write(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding, relabel: bool) -> Translation {
     let text = program.source().text();
     let (mut out, mut at) = (String::with_capacity(text.len()), 0);
-    for change in &changes {
-        out.push_str(text.get(at..change.span.start).unwrap_or_default());
-        out.push_str(change.to);
-        at = change.span.end;
-    }
+    let (changes, Told { diagnostics, sources }) = replacing(program, against, to, encoding, relabel, |all| {
+        let write = |own: Replacement<'_>| {
+            out.push_str(text.get(at..own.span.start).unwrap_or_default());
+            out.push_str(own.to);
+            at = own.span.end;
+            Change { span: own.span, from: program.slice(own.span).to_owned(), to: own.to.to_owned() }
+        };
+        all.map(write).collect()
+    });
     out.push_str(text.get(at..).unwrap_or_default());
-    let change = |own: Replacement<'_>| Change {
-        span: own.span,
-        from: program.slice(own.span).to_owned(),
-        to: own.to.to_owned(),
-    };
-    Translation { text: out, changes: changes.into_iter().map(change).collect(), diagnostics, sources }
+    Translation { text: out, changes, diagnostics, sources }
 }
 
-/// What [`translate`] replaces, or what [`relabel`] does.
-pub fn replacements<'a>(
+/// Hands over what [`translate`] replaces, or what [`relabel`] does, in the order of the text: long programs have millions
+/// of labels, and all that is replaced takes as much room as the program.
+pub fn replacing<'a, T>(
     program: &'a Program,
     against: &Against<'a>,
     to: &str,
     encoding: Encoding,
     relabel: bool,
-) -> Replacements<'a> {
+    then: impl FnOnce(&mut dyn Iterator<Item = Replacement<'a>>) -> T,
+) -> (T, Told) {
     let facts = Facts::spoken(program, against);
     let mut writer = Writer { facts: &facts, to, encoding, changes: Vec::new(), diagnostics: Vec::new() };
     let mut sources = BTreeMap::new();
-    let mut foreign: Vec<Span> = Vec::new();
-    for (definition, _) in facts.described() {
+    // The first definition in a language that is not known, and how many there are.
+    let mut foreign: Option<(Span, usize)> = None;
+    let mut definitions = facts.described();
+    let of_next = || {
+        let (definition, _) = definitions.next()?;
         let spoken = speech(&facts, &definition);
         // Whose language is given is not read by its numbers.
         let unknown = spoken == Speech::Foreign && against.language.is_none();
         if unknown {
-            foreign.push(definition.view.head);
+            foreign.get_or_insert((definition.view.head, 0)).1 += 1;
         }
         if let Speech::In(tag) = spoken {
             *sources.entry(tag).or_default() += 1;
         }
         writer.definition(&definition, relabel || unknown);
-    }
-    if let Some(first) = foreign.first() {
-        let place = Place::new(program.source(), *first);
+        let mut changes = std::mem::take(&mut writer.changes);
+        changes.sort_by_key(|change| change.span.start);
+        Some(changes)
+    };
+    let mut all = std::iter::from_fn(of_next).flatten();
+    let done = then(&mut all);
+    // What nobody has asked for is told all the same.
+    all.for_each(drop);
+    let mut diagnostics = writer.diagnostics;
+    if let Some((first, count)) = foreign {
+        let place = Place::new(program.source(), first);
         let note = Diagnostic { severity: Severity::Note, ..Diagnostic::error("labels-of-unknown-language", place) };
-        writer.diagnostics.push(note.arg("count", Arg::Number(foreign.len() as f64)));
+        diagnostics.push(note.arg("count", Arg::Number(count as f64)));
     }
-    let Writer { mut changes, diagnostics, .. } = writer;
-    changes.sort_by_key(|change| change.span.start);
-    Replacements { changes, diagnostics, sources }
+    (done, Told { diagnostics, sources })
 }
 
 struct Writer<'f, 'a> {
