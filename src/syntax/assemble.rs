@@ -14,6 +14,9 @@ use super::tree::{Block, BlockKind, Comment, Parameter, SyntaxError};
 use super::{blocks, cycle, plain};
 use crate::diag::{Source, Span};
 
+/// Bytes of a usual block.
+const USUAL: usize = 32;
+
 /// How many unreadable lines may stand between two parameters of one cycle.
 const MAX_TORN: usize = 8;
 
@@ -37,7 +40,8 @@ pub(super) struct Assembled {
 
 pub(super) fn assemble(source: &Arc<Source>) -> Assembled {
     let text = source.text();
-    let blocks = Vec::new();
+    // Room that is not needed is never touched, and given back.
+    let blocks = Vec::with_capacity(text.len() / USUAL);
     let checker = RefCell::new(Checker::new(source));
     let mut assembler = Assembler { text, at: 0, line: 1, blocks, warnings: Vec::new(), checker, room: Vec::new() };
     loop {
