@@ -149,7 +149,10 @@ impl<'p> Speller<'p> {
             }
             BlockKind::Statement(own) => self.statement(own),
             // What Klartext has no equivalent of stands in a comment.
-            BlockKind::Iso(_) => close_up(self.program.slice(block.comment().unwrap_or(block.span)), &mut self.out),
+            BlockKind::Iso(_) => {
+                let said = block.comment().unwrap_or_else(|| self.program.content(block));
+                close_up(self.program.slice(said), &mut self.out);
+            }
             kind => {
                 let content = content(self.program, block);
                 let first: String = content.chars().take_while(char::is_ascii_alphabetic).collect();

@@ -174,7 +174,7 @@ impl Raising<'_, '_> {
     fn lone_comment(&mut self, block: &Block) {
         if let Some(comment) = block.comment() {
             self.number = self.number.saturating_add(STEP);
-            let line = format!("N{} {}*{}", self.number, self.text(comment), self.eol);
+            let line = format!("N{} {}*{}", self.number, self.text(comment).trim_end(), self.eol);
             self.text.push_str(&line);
         }
     }
