@@ -78,6 +78,30 @@ fn is_bare(program: &Program, open: &[(&Param, &Field)], line: &OldCycleLine) ->
     field.shape == Shape::Labelled && number && program.slice(word.name).is_empty()
 }
 
+/// A text in capitals; most have no other letters than those of ASCII.
+fn in_capitals(mut text: String) -> String {
+    if !text.is_ascii() {
+        return text.to_uppercase();
+    }
+    text.make_ascii_uppercase();
+    text
+}
+
+/// A field as messages call it: `7.1 X`.
+fn name_of(line: &OldCycleLine, word: &str) -> String {
+    let mut name = String::with_capacity(8 + word.len());
+    for (part, mark) in [(line.number, "."), (line.line, " ")] {
+        match part {
+            0..=9 => name.extend(char::from_digit(part, 10)),
+            _ => name.push_str(&part.to_string()),
+        }
+        name.push_str(mark);
+    }
+    name.push_str(word);
+    name.truncate(name.trim_end().len());
+    name
+}
+
 fn item<'a>(
     program: &'a Program,
     cycle: &Cycle,
@@ -95,9 +119,13 @@ fn item<'a>(
     let printed = match shape {
         Some(Shape::Row) => Cow::Owned(format!("#{value}").to_uppercase()),
         Some(Shape::Position | Shape::AxisDirection | Shape::AxisCoordinate | Shape::Axes | Shape::Centre) => {
-            let closed =
-                |word: &NamedWord| format!("{}{}", program.slice(word.name), closed_up(program.slice(word.value.span)));
-            Cow::Owned(words.iter().map(closed).collect::<Vec<_>>().join(" ").to_uppercase())
+            let mut closed = String::with_capacity(span.end - span.start + words.len());
+            for word in words {
+                closed.push_str(if closed.is_empty() { "" } else { " " });
+                closed.push_str(program.slice(word.name));
+                closed.extend(program.slice(word.value.span).split_ascii_whitespace());
+            }
+            Cow::Owned(in_capitals(closed))
         }
         Some(Shape::Word) if name.starts_with(['I', 'i']) => Cow::Owned(format!("I{value}").to_uppercase()),
         _ if value.contains('/') && !value.contains('"') => Cow::Owned(closed_up(value).to_uppercase()),
@@ -107,7 +135,7 @@ fn item<'a>(
     Some(Item {
         index: index_of(Some(cycle), param.map(|(param, _)| param)),
         param: param.map(|(param, _)| param),
-        name: Cow::Owned(format!("{}.{} {name}", line.number, line.line).trim_end().to_owned()),
+        name: Cow::Owned(name_of(line, name)),
         span,
         value_span: if words.len() == 1 && first.value.span.start < first.value.span.end {
             first.value.span

@@ -219,12 +219,6 @@ fn labels(on: &OnControl, cycle: &Cycle, language: &Language) -> LanguageLabels 
 }
 
 impl CycleLabels {
-    /// The label of a parameter made ready for comparison; nothing is to do for one that is known as it is printed.
-    pub(super) fn folded<'t>(&self, param: usize, printed: &'t str) -> Cow<'t, str> {
-        let known = |language: &LanguageLabels| language.params.get(param).is_some_and(|own| own.is_exactly(printed));
-        if self.languages.iter().any(known) { Cow::Borrowed(printed) } else { fold(printed) }
-    }
-
     /// The labels in a language.
     pub fn language(&self, tag: &str) -> Option<&LanguageLabels> {
         self.languages.iter().find(|language| language.tag == tag)
@@ -351,9 +345,18 @@ pub(super) fn language_of(facts: &Facts<'_>) -> Option<String> {
             }
         }
         each_label(facts, definition, cycle, |index, label| {
-            let label = labels.folded(index, label);
-            for (language, (_, votes)) in labels.languages.iter().zip(&mut votes) {
-                *votes += usize::from(language.params.get(index).is_some_and(|own| own.matches_folded(&label)));
+            let mut vote = |label: &str| {
+                let mut any = false;
+                for (language, (_, votes)) in labels.languages.iter().zip(&mut votes) {
+                    let own = language.params.get(index).is_some_and(|own| own.matches_folded(label));
+                    *votes += usize::from(own);
+                    any |= own;
+                }
+                any
+            };
+            // Most labels are printed as they are compared.
+            if !vote(label) && !is_folded(label) {
+                vote(&folded(label));
             }
         });
     }

@@ -1,6 +1,7 @@
 //! M functions in one block of which only one can be meant: two that turn the spindle in opposite directions.
 //!
 //! Functions that act at the end of the block, such as M5 and M9, may well stand beside those that act at its start.
+use crate::check::facts::each_function;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 
@@ -11,10 +12,12 @@ const ONE_OF: [&[u16]; 4] = [&[3, 4], &[13, 14], &[3, 14], &[4, 13]];
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (_, block) in facts.marked() {
-        let functions = facts.functions(block);
-        if functions.len() < 2 {
+        let mut count = 0;
+        each_function(block, |_| count += 1);
+        if count < 2 {
             continue;
         }
+        let functions = facts.functions(block);
         for group in ONE_OF {
             let mut own = functions.iter().filter(|function| group.contains(&function.number));
             let (Some(first), Some(second)) = (own.next(), own.next()) else { continue };

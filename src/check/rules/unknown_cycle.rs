@@ -10,9 +10,11 @@ pub(super) const RULE: Rule = Rule { code: "unknown-cycle", severity: Severity::
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in &facts.definitions {
+        if !matches!(definition.known, Known::Unknown) {
+            continue;
+        }
         let covered = facts.against.on.covers(definition.key) && elsewhere(facts, definition.key).is_empty();
-        let unknown = matches!(definition.known, Known::Unknown);
-        if unknown && (covered || has_other_keyword(facts, definition)) {
+        if covered || has_other_keyword(facts, definition) {
             found.push(rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string()));
         }
     }
