@@ -113,7 +113,7 @@ fn a_sheet_before_the_program_stays_there() {
     let program = read("part.h", text);
     let (iso, back) = by_way_of_iso(&codes, &program).expect("everything has an equivalent");
     assert!(iso.starts_with("; setup\n\n; ( sheet ) ; 2\n%A G71 *\n"), "{iso}");
-    assert!(iso.contains("; ( a note ) *"), "{iso}");
+    assert!(iso.contains("; ( a note )*"), "{iso}");
     // The mark of a transfer is none of the program.
     let lowered = to_klartext(&read("part.i", &format!("%\n{iso}%\n")), &codes, None);
     assert_eq!(lowered.diagnostics.iter().map(|found| found.code).collect::<Vec<_>>(), ["syntax-foreign-line"; 2]);

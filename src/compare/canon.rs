@@ -399,21 +399,11 @@ impl<'p> Speller<'p> {
 /// The text of a block without skip mark, number, comments and continuation, its lines joined by blanks.
 fn content(program: &Program, block: &Block) -> String {
     let remark = program.remark(block).map_or(block.span.end, |remark| remark.start);
+    let start = program.content(block).start;
     let mut out = String::new();
-    let text = program.slice(Span::new(block.span.start, remark.max(block.span.start)));
-    for (line, first) in text.split(['\n', '\r']).zip(std::iter::once(true).chain(std::iter::repeat(false))) {
-        let mut rest = line.trim();
-        if first {
-            rest = rest.trim_start_matches('/').trim_start();
-            if block.number.is_some() {
-                rest =
-                    rest.trim_start_matches(['N', 'n']).trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
-            }
-            rest = rest.trim_start_matches('/');
-        }
-        let rest = without_comment(rest).trim_end();
-        let rest = rest.strip_suffix('~').unwrap_or(rest);
-        out.push_str(rest.trim());
+    for line in program.slice(Span::new(start, remark.max(start))).split(['\n', '\r']) {
+        let rest = without_comment(line).trim_end();
+        out.push_str(rest.strip_suffix('~').unwrap_or(rest).trim());
         out.push(' ');
     }
     out.truncate(out.trim_end().len());

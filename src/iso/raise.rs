@@ -166,6 +166,8 @@ impl Raising<'_, '_> {
                 let comment = format!("{blank}{}*", comment.join(" "));
                 self.text.push_str(&comment);
             }
+            // A comment ends at the mark itself.
+            None if content.starts_with(';') => self.text.push('*'),
             None => self.text.push_str(if content.ends_with('*') { "" } else { " *" }),
         }
         self.text.push_str(self.eol);

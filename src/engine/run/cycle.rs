@@ -28,17 +28,6 @@ enum Cell {
     Failed(Box<Fault>),
 }
 
-impl Cell {
-    /// Leaves nothing in it. Only texts and faults have memory to give back.
-    #[inline]
-    fn empty(&mut self) {
-        match self {
-            Self::Value(Value::Text(_)) | Self::Failed(_) => *self = Self::Empty,
-            _ => std::mem::forget(std::mem::replace(self, Self::Empty)),
-        }
-    }
-}
-
 /// Memory of executions that are over, for the next one.
 #[derive(Default)]
 pub(super) struct Spare {
@@ -116,8 +105,7 @@ impl<'d, 'e> Exec<'d, 'e> {
         Spare { mut cells, mut sentences }: Spare,
     ) -> Self {
         let plan = &definition.plan;
-        cells.truncate(plan.slots);
-        cells.iter_mut().for_each(Cell::empty);
+        cells.clear();
         cells.resize(plan.slots, Cell::Empty);
         sentences.clear();
         sentences.resize(plan.sentences.len(), false);
