@@ -391,14 +391,17 @@ proptest! {
     }
 }
 
-/// The place of a dangling `~` is the mark itself, before a comment or behind it.
+/// The place of a `~` that is dangling or doubled is the mark itself, before a comment or behind it.
 #[test]
-fn a_dangling_mark_is_found_on_either_side_of_a_comment() {
-    for text in ["~~;\u{a0}", "L X+1 ~ ;comment", "L X+1 ;comment ~", "~"] {
+fn a_mark_is_found_on_either_side_of_a_comment() {
+    let dangling = ["~~;\u{a0}", "L X+1 ~ ;comment", "L X+1 ;comment ~", "~"].map(|text| ("dangling", text));
+    let doubled = ["~~;\u{ff}", "L X+1 ~~ ;comment", "L X+1 ;comment ~~"].map(|text| ("doubled", text));
+    for (kind, text) in dangling.into_iter().chain(doubled) {
         let parsed = program(text);
         let findings = parsed.diagnostics();
-        let dangling = findings.iter().find(|finding| finding.code == "syntax-dangling-continuation");
-        let span = dangling.expect("a finding").place.as_ref().expect("a place").span;
+        let code = format!("syntax-{kind}-continuation");
+        let found = findings.iter().find(|finding| finding.code == code);
+        let span = found.expect("a finding").place.as_ref().expect("a place").span;
         assert_eq!(text.get(span.start..span.end), Some("~"), "{text:?}");
     }
 }

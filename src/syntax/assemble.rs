@@ -273,8 +273,10 @@ impl Assembler<'_> {
     /// A second `~` before the joint says nothing: a slip, or a line that went lost between them.
     fn doubled(&mut self, line: &Line) {
         if line.twice {
-            let end = line.comment.map_or(line.content.end, |comment| comment.end.max(line.content.end));
-            let span = Span::new(end - 1, end);
+            // The one that is left is the last byte of the comment or, before one, of the content.
+            let ends = |own: &Span| self.text.get(own.start..own.end).is_some_and(|text| text.ends_with('~'));
+            let Some(own) = line.comment.filter(ends).or(Some(line.content).filter(ends)) else { return };
+            let span = Span::new(own.end - 1, own.end);
             self.warnings.push(SyntaxError { code: "syntax-doubled-continuation", span, expected: "parameter" });
         }
     }
