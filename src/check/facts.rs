@@ -4,13 +4,13 @@
 //! have many of them. Invariant: nothing is judged here; [`Flow`] says whether the order of the text can be that of the
 //! run.
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::ops::Deref;
 
 use super::among::{self, Among, Callees, ProgramCall};
 use super::fields;
 use super::flow::{Run, stops};
-use super::labels::{Kept, has_kind};
+use super::labels::{Kept, Tongues, told_by};
 use super::{Against, CycleLabels, values};
 use crate::diag::Span;
 use crate::expr::QRef;
@@ -37,6 +37,8 @@ pub struct Facts<'a> {
     pub run: Run,
     /// The language of its labels, if any of them is known.
     pub language: Option<String>,
+    /// The place of that language in the book of labels.
+    tongue: Option<u32>,
     /// The blocks that are more than plain movements, definitions and comments: few in long programs.
     marked: Vec<u32>,
     begins: bool,
@@ -68,11 +70,13 @@ pub struct Defined<'a> {
     pub torn: bool,
     /// What is kept of a described cycle.
     pub(super) kept: Option<&'a Kept>,
+    /// The languages whose name and labels it has letter by letter.
+    usual: Tongues,
 }
 
 /// A cycle definition with its values.
 pub struct Definition<'a> {
-    own: Defined<'a>,
+    own: &'a Defined<'a>,
     /// Its parameters or fields as written, those of described cycles with their specification.
     pub items: Vec<Item<'a>>,
     /// What a described cycle needs and the definition lacks.
@@ -85,7 +89,7 @@ impl<'a> Deref for Definition<'a> {
     type Target = Defined<'a>;
 
     fn deref(&self) -> &Defined<'a> {
-        &self.own
+        self.own
     }
 }
 
@@ -140,7 +144,7 @@ impl<'a> Facts<'a> {
     pub fn among(program: &'a Program, against: &Against<'a>, among: Option<&'a dyn Among>) -> Self {
         let mut facts = Self::begun(program, against, among);
         facts.run = Run::of(&facts);
-        facts.language = against.language.map(str::to_owned).or_else(|| super::labels::language_of(&facts));
+        facts.listen();
         facts
     }
 
@@ -152,8 +156,25 @@ impl<'a> Facts<'a> {
     /// The same with the language of its labels.
     pub fn spoken(program: &'a Program, against: &Against<'a>) -> Self {
         let mut facts = Self::unrun(program, against);
-        facts.language = against.language.map(str::to_owned).or_else(|| super::labels::language_of(&facts));
+        facts.listen();
         facts
+    }
+
+    /// Finds out the language of its labels, and which definitions have labels letter by letter.
+    fn listen(&mut self) {
+        let told = told_by(self);
+        self.language = self.against.language.map(str::to_owned).or(told.language);
+        let mut all = self.against.labels.languages();
+        self.tongue = self.language.as_deref().and_then(|own| all.position(|tag| tag == own)?.try_into().ok());
+        for (definition, usual) in self.definitions.iter_mut().zip(told.usual) {
+            definition.usual = usual;
+        }
+    }
+
+    /// Whether the name and the labels of a definition are letter by letter those of the program's language, and it has
+    /// any: most definitions of long programs are such.
+    pub(super) fn has_usual_labels(&self, definition: &Defined<'_>) -> bool {
+        self.tongue.is_some_and(|tongue| definition.usual.has(tongue))
     }
 
     /// The facts of a program without its run.
@@ -166,6 +187,7 @@ impl<'a> Facts<'a> {
             inch: false,
             run: Run::default(),
             language: None,
+            tongue: None,
             marked: Vec::new(),
             begins: false,
             end: None,
@@ -176,12 +198,12 @@ impl<'a> Facts<'a> {
             callees: Callees::default(),
             among,
         };
-        let mut known: HashMap<CycleKey, (Known<'a>, Option<&'a Kept>)> = HashMap::new();
+        let mut known: BTreeMap<CycleKey, (Known<'a>, Option<&'a Kept>)> = BTreeMap::new();
         program.each_cycle(|view| {
             let key = key(view.keyword, view.number);
             let (known, kept) = *known.entry(key).or_insert_with(|| (against.on.known(key), against.labels.kept(key)));
             let torn = matches!(view.form, CycleForm::Parameters(written) if !written.errors.is_empty());
-            facts.definitions.push(Defined { view, key, known, torn, kept });
+            facts.definitions.push(Defined { view, key, known, torn, kept, usual: Tongues::default() });
         });
         facts.definitions.shrink_to_fit();
         facts.calls = among::calls(&facts);
@@ -257,18 +279,18 @@ impl<'a> Facts<'a> {
     }
 
     /// The definitions with their values.
-    pub fn readings(&self) -> impl Iterator<Item = Definition<'a>> {
+    pub fn readings(&self) -> impl Iterator<Item = Definition<'_>> {
         self.definitions.iter().map(|definition| self.read(definition))
     }
 
     /// The definitions of described cycles with their values and specifications. Each is read anew: a rule that needs
     /// no others is one of those that are carried out together.
-    pub fn described(&self) -> impl Iterator<Item = (Definition<'a>, &'a Cycle)> {
+    pub fn described(&self) -> impl Iterator<Item = (Definition<'_>, &'a Cycle)> {
         self.definitions.iter().filter_map(|definition| definition.cycle().map(|cycle| (self.read(definition), cycle)))
     }
 
     /// A definition with its values.
-    pub fn read(&self, definition: &Defined<'a>) -> Definition<'a> {
+    pub fn read<'d>(&'d self, definition: &'d Defined<'a>) -> Definition<'d> {
         let mut read = Definition::of(self.program, definition);
         for item in &mut read.items {
             if let Some(ValueKind::Q { negative, .. }) = item.value.map(|value| value.kind)
@@ -366,17 +388,22 @@ impl<'a> Defined<'a> {
         }
     }
 
+    /// Whether its cycle calls the one that was defined last.
+    pub(super) fn calls_last(&self) -> bool {
+        let of_cycle = self.cycle().zip(self.kept);
+        of_cycle.is_some_and(|(cycle, kept)| kept.deed(cycle).calls_last())
+    }
+
     /// Whether its cycle has a parameter of that kind.
     pub(super) fn has_kind(&self, kind: ParameterKind) -> bool {
-        self.cycle().is_some_and(|cycle| has_kind(cycle, kind))
+        self.cycle().is_some() && self.kept.is_some_and(|kept| kept.has_kind(kind))
     }
 }
 
 impl<'a> Definition<'a> {
     /// Reads a definition, without what depends on the run.
-    pub(super) fn of(program: &'a Program, own: &Defined<'a>) -> Self {
-        let copy = Defined { view: own.view.clone(), key: own.key, known: own.known, torn: own.torn, kept: own.kept };
-        let mut definition = Self { own: copy, items: Vec::new(), missing: Vec::new(), in_order: false };
+    pub(super) fn of(program: &'a Program, own: &'a Defined<'a>) -> Self {
+        let mut definition = Self { own, items: Vec::new(), missing: Vec::new(), in_order: false };
         match (&own.view.form, own.cycle()) {
             (CycleForm::Parameters(written), cycle) => definition.parameters(program, written, cycle),
             (CycleForm::Lines(lines), Some(cycle)) => {

@@ -29,8 +29,18 @@ struct Fit<'a> {
 
 /// Reads the lines by the form that fits them best.
 pub(super) fn matching<'a>(program: &'a Program, cycle: &'a Cycle, lines: &[&'a OldCycleLine]) -> Matched<'a> {
-    let forms = (0..cycle.file.forms.len()).map(|form| by_form(program, cycle, form, lines));
-    let best = forms.min_by_key(|fit| fit.strange + fit.missing.len());
+    let mut best: Option<Fit<'_>> = None;
+    for form in 0..cycle.file.forms.len() {
+        let fit = by_form(program, cycle, form, lines);
+        let misses = |fit: &Fit<'_>| fit.strange + fit.missing.len();
+        if best.as_ref().is_none_or(|best| misses(&fit) < misses(best)) {
+            best = Some(fit);
+        }
+        // Most definitions are written by the first form, to which nothing is strange.
+        if best.as_ref().is_some_and(|best| misses(best) == 0) {
+            break;
+        }
+    }
     // A cycle without lines has no field that a word could be, and lacks all its parameters.
     let best = best.unwrap_or_else(|| {
         let unread = by_form(program, cycle, usize::MAX, lines);
@@ -42,38 +52,39 @@ pub(super) fn matching<'a>(program: &'a Program, cycle: &'a Cycle, lines: &[&'a 
 
 fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a OldCycleLine]) -> Fit<'a> {
     let fields: Vec<(&Param, &Field)> = cycle.fields(form).collect();
-    let mut fit = Fit { words: Vec::new(), missing: Vec::new(), strange: 0 };
-    let mut open: Vec<(&Param, &Field)> = Vec::with_capacity(fields.len());
+    let count = lines.iter().map(|line| line.words.len()).sum();
+    let mut fit = Fit { words: Vec::with_capacity(count), missing: Vec::new(), strange: 0 };
+    // The fields that a line may still have, and those that were found, by their order.
+    let (mut open, mut found) = (Vec::with_capacity(fields.len()), vec![false; fields.len()]);
     for line in lines {
         open.clear();
-        open.extend(fields.iter().copied().filter(|(_, field)| stands_on(field, line)));
+        open.extend((0..fields.len()).filter(|place| stands_on(fields[*place].1, line)));
         let mut words = line.words.as_slice();
         while !words.is_empty() {
-            let (param, count) = match first(program, open.iter().map(|(_, field)| *field), words) {
+            let (place, count) = match first(program, open.iter().map(|place| fields[*place].1), words) {
                 Some((at, count)) => (open.drain(..=at).next_back(), count),
-                None if is_bare(program, &open, line) => (open.pop(), 1),
+                None if is_bare(program, open.iter().map(|place| fields[*place].1), line) => (open.pop(), 1),
                 None => {
                     fit.strange += 1;
                     (None, 1)
                 }
             };
             let (own, rest) = words.split_at(count.min(words.len()));
-            fit.words.push((line, own, param));
+            if let Some(place) = place {
+                found[place] = true;
+            }
+            fit.words.push((line, own, place.map(|place| fields[place])));
             words = rest;
         }
     }
-    // Which fields were found, by their order.
-    let mut found: Vec<*const Field> =
-        fit.words.iter().filter_map(|(_, _, own)| own.map(|(_, field)| std::ptr::from_ref(field))).collect();
-    found.sort_unstable();
-    let is_missing = |field: &Field| !field.optional && found.binary_search(&std::ptr::from_ref(field)).is_err();
-    fit.missing = fields.iter().filter(|(_, field)| is_missing(field)).map(|(param, _)| *param).collect();
+    let lacking = fields.iter().zip(found).filter(|((_, field), found)| !found && !field.optional);
+    fit.missing = lacking.map(|((param, _), _)| *param).collect();
     fit
 }
 
 /// Whether a line has nothing but a value, and can only have one, behind a word that is printed: what it means is clear.
-fn is_bare(program: &Program, open: &[(&Param, &Field)], line: &OldCycleLine) -> bool {
-    let ([(_, field)], [word]) = (open, line.words.as_slice()) else { return false };
+fn is_bare<'f>(program: &Program, mut open: impl Iterator<Item = &'f Field>, line: &OldCycleLine) -> bool {
+    let (Some(field), None, [word]) = (open.next(), open.next(), line.words.as_slice()) else { return false };
     let number = matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. });
     field.shape == Shape::Labelled && number && program.slice(word.name).is_empty()
 }

@@ -33,8 +33,13 @@ pub(super) struct Limits {
 }
 
 /// What is kept of a cycle for all its definitions.
-#[derive(Default)]
 pub(super) struct Kept {
+    /// Its place among the cycles of the control.
+    place: usize,
+    /// Whether words stand before values of its old form that are labels.
+    labelled: bool,
+    /// A bit for each kind that a parameter of it has.
+    kinds: u32,
     labels: OnceLock<CycleLabels>,
     guards: OnceLock<Vec<Ready>>,
     ranges: OnceLock<BTreeMap<usize, Elsewhere>>,
@@ -137,8 +142,14 @@ fn folded(label: &str) -> String {
 impl<'a> LabelBook<'a> {
     /// The labels of a control in all languages that are loaded.
     pub fn new(on: &'a OnControl, locales: &'a Locales) -> Self {
-        let cycles = on.cycles.keys().map(|key| (*key, Kept::default())).collect();
+        let kept = |(place, (key, cycle)): (usize, (&CycleKey, &Cycle))| (*key, Kept::of(place, cycle));
+        let cycles = on.cycles.iter().enumerate().map(kept).collect();
         Self { on, locales, cycles, limits: OnceLock::new() }
+    }
+
+    /// The tags of its languages, in the order in which cycles have them.
+    pub(super) fn languages(&self) -> impl Iterator<Item = &str> {
+        self.locales.iter().map(Language::tag)
     }
 
     /// The labels of a cycle; nothing if the control does not describe it.
@@ -194,15 +205,28 @@ impl<'a> LabelBook<'a> {
 }
 
 impl Kept {
+    fn of(place: usize, cycle: &Cycle) -> Self {
+        let labelled = |param: &Param| param.field.as_ref().is_some_and(|field| field.shape == Shape::Labelled);
+        Self {
+            place,
+            labelled: cycle.params.iter().any(labelled),
+            kinds: cycle.params.iter().fold(0, |kinds, param| kinds | (1 << param.kind as u32)),
+            labels: OnceLock::new(),
+            guards: OnceLock::new(),
+            ranges: OnceLock::new(),
+            deed: OnceLock::new(),
+        }
+    }
+
+    /// Whether a parameter of the cycle is of that kind.
+    pub(super) const fn has_kind(&self, kind: ParameterKind) -> bool {
+        self.kinds & (1 << kind as u32) != 0
+    }
+
     /// What the definitions of the cycle do to the state of the control.
     pub(super) fn deed(&self, cycle: &Cycle) -> &Deed {
         self.deed.get_or_init(|| Deed::of(Known::Described(cycle), cycle.key.keyword))
     }
-}
-
-/// Whether a parameter of the cycle is of that kind.
-pub(super) fn has_kind(cycle: &Cycle, kind: ParameterKind) -> bool {
-    cycle.params.iter().any(|param| param.kind == kind)
 }
 
 fn labels(on: &OnControl, cycle: &Cycle, language: &Language) -> LanguageLabels {
@@ -285,22 +309,12 @@ pub fn speech<'a>(facts: &Facts<'a>, definition: &Definition<'a>) -> Speech {
     best.map_or(Speech::Silent, |(tag, _)| Speech::In(tag.to_owned()))
 }
 
-/// Whether a definition says nothing in another language: it has no labels, or its name and labels are letter by letter
-/// those of the language. Most definitions of long programs are such.
-pub(super) fn is_in(facts: &Facts<'_>, definition: &Defined<'_>, tag: &str) -> bool {
-    let Some((cycle, labels)) = definition.cycle().zip(facts.labels(definition)) else { return true };
-    if matches!(definition.view.form, CycleForm::Lines(_)) && !has_labelled(cycle) {
-        return true;
-    }
-    let Some(spoken) = labels.language(tag) else { return false };
-    let (mut any, mut all) = (false, definition.view.name.is_none_or(|name| spoken.name.is_exactly(facts.text(name))));
-    if all {
-        each_label(facts, definition, cycle, |index, label| {
-            any = true;
-            all &= spoken.params.get(index).is_some_and(|own| own.is_exactly(label));
-        });
-    }
-    any && all
+/// Whether a definition says nothing in another language than the program: it has no labels, or its name and labels are
+/// letter by letter those of the language. Most definitions of long programs are such.
+pub(super) fn is_spoken(facts: &Facts<'_>, definition: &Defined<'_>) -> bool {
+    let Some(kept) = definition.kept.filter(|_| definition.cycle().is_some()) else { return true };
+    let unlabelled = matches!(definition.view.form, CycleForm::Lines(_)) && !kept.labelled;
+    unlabelled || facts.has_usual_labels(definition)
 }
 
 /// Whether a definition is one that a control wrote in a language that is not loaded.
@@ -328,45 +342,127 @@ fn is_foreign<'a>(facts: &Facts<'a>, definition: &Definition<'a>, labels: &Cycle
     enough && known * 4 <= written.len() && shaped * 4 >= written.len() * 3 && !name.is_some_and(known_name)
 }
 
-/// The language that most of the program's names and labels belong to; among equals the language of
-/// the control's manual.
-pub(super) fn language_of(facts: &Facts<'_>) -> Option<String> {
+/// Languages by their places among those of the book: a bit each. More than there are bits nobody has labels in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Tongues(u64);
+
+impl Tongues {
+    const ALL: Self = Self(u64::MAX);
+
+    fn of<'l>(languages: &'l [LanguageLabels], is: impl Fn(&'l LanguageLabels) -> bool) -> Self {
+        let bit = |(place, language)| u64::from(is(language)) << place;
+        Self(languages.iter().take(u64::BITS as usize).enumerate().map(bit).sum())
+    }
+
+    /// Whether the language of that place is among them.
+    pub(super) const fn has(self, place: u32) -> bool {
+        self.0.unbounded_shr(place) & 1 == 1
+    }
+}
+
+/// Which languages have a text as a name or label.
+#[derive(Clone, Copy)]
+struct Heard<'a> {
+    text: &'a str,
+    /// Those that have it without regard to case and blanks.
+    matching: Tongues,
+    /// Those that have it letter by letter.
+    exact: Tongues,
+}
+
+impl<'a> Heard<'a> {
+    fn of<'l>(
+        text: &'a str,
+        languages: &'l [LanguageLabels],
+        own: impl Fn(&'l LanguageLabels) -> Option<&'l ParamLabels>,
+    ) -> Self {
+        let folded = fold(text);
+        Self {
+            text,
+            matching: Tongues::of(languages, |language| own(language).is_some_and(|own| own.matches_folded(&folded))),
+            exact: Tongues::of(languages, |language| own(language).is_some_and(|own| own.is_exactly(text))),
+        }
+    }
+}
+
+/// What was heard last of a cycle: its name and, by their places, the labels of its parameters. Definitions of a cycle
+/// mostly have the same ones.
+#[derive(Default)]
+struct Memory<'a> {
+    name: Option<Heard<'a>>,
+    labels: Vec<Option<Heard<'a>>>,
+}
+
+/// What the names and labels of a program's definitions tell.
+pub(super) struct Told {
+    /// The language that most of them belong to; among equals the language of the control's manual.
+    pub(super) language: Option<String>,
+    /// The languages that have all of a definition's letter by letter, none of one that has no labels.
+    pub(super) usual: Vec<Tongues>,
+}
+
+/// Listens to the names and labels of a program.
+pub(super) fn told_by(facts: &Facts<'_>) -> Told {
     // Every cycle has the languages in the same order.
     let mut votes: Vec<(&str, usize)> = Vec::new();
+    let mut memories: Vec<Memory<'_>> = Vec::new();
+    let mut usual = Vec::with_capacity(facts.definitions.len());
     for definition in &facts.definitions {
-        let Some((cycle, labels)) = definition.cycle().zip(facts.labels(definition)) else { continue };
+        let Some(((cycle, kept), labels)) = definition.cycle().zip(definition.kept).zip(facts.labels(definition))
+        else {
+            usual.push(Tongues::default());
+            continue;
+        };
+        let languages = labels.languages.as_slice();
         if votes.is_empty() {
-            votes = labels.languages.iter().map(|language| (language.tag.as_str(), 0)).collect();
+            votes = languages.iter().map(|language| (language.tag.as_str(), 0)).collect();
         }
-        if let Some(name) = definition.view.name {
-            let name = fold(facts.text(name));
-            for (language, (_, votes)) in labels.languages.iter().zip(&mut votes) {
-                *votes += usize::from(language.name.matches_folded(&name));
-            }
+        if memories.len() <= kept.place {
+            memories.resize_with(kept.place + 1, Memory::default);
         }
-        each_label(facts, definition, cycle, |index, label| {
-            let mut vote = |label: &str| {
-                let mut any = false;
-                for (language, (_, votes)) in labels.languages.iter().zip(&mut votes) {
-                    let own = language.params.get(index).is_some_and(|own| own.matches_folded(label));
-                    *votes += usize::from(own);
-                    any |= own;
+        let Memory { name, labels } = &mut memories[kept.place];
+        let (mut any, mut exact) = (false, Tongues::ALL);
+        let mut hear = |heard: Heard<'_>| {
+            exact.0 &= heard.exact.0;
+            // Most names and labels belong to one language.
+            let mut rest = heard.matching.0;
+            while rest != 0 {
+                if let Some((_, votes)) = votes.get_mut(rest.trailing_zeros() as usize) {
+                    *votes += 1;
                 }
-                any
-            };
-            // Most labels are printed as they are compared.
-            if !vote(label) && !is_folded(label) {
-                vote(&folded(label));
+                rest &= rest - 1;
             }
+        };
+        if let Some(text) = definition.view.name.map(|name| facts.text(name)) {
+            let known = name.filter(|known| known.text == text);
+            let heard = known.unwrap_or_else(|| Heard::of(text, languages, |language| Some(&language.name)));
+            hear(*name.insert(heard));
+        }
+        each_label(facts, definition, cycle, kept, |index, text| {
+            any = true;
+            if labels.len() <= index {
+                labels.resize(index + 1, None);
+            }
+            let last = &mut labels[index];
+            let known = last.filter(|known| known.text == text);
+            let heard = known.unwrap_or_else(|| Heard::of(text, languages, |language| language.params.get(index)));
+            hear(*last.insert(heard));
         });
+        usual.push(if any { exact } else { Tongues::default() });
     }
     let manual = facts.against.on.control.language.as_str();
     let best = votes.into_iter().filter(|(_, count)| *count > 0).max_by_key(|(tag, count)| (*count, *tag == manual));
-    best.map(|(tag, _)| tag.to_owned())
+    Told { language: best.map(|(tag, _)| tag.to_owned()), usual }
 }
 
 /// The labels of a definition with the places of their parameters in the cycle.
-fn each_label<'a>(facts: &Facts<'a>, definition: &Defined<'a>, cycle: &'a Cycle, mut each: impl FnMut(usize, &'a str)) {
+fn each_label<'a>(
+    facts: &Facts<'a>,
+    definition: &Defined<'a>,
+    cycle: &'a Cycle,
+    kept: &Kept,
+    mut each: impl FnMut(usize, &'a str),
+) {
     match &definition.view.form {
         CycleForm::Parameters(written) => {
             let mut place = Place::default();
@@ -378,7 +474,7 @@ fn each_label<'a>(facts: &Facts<'a>, definition: &Defined<'a>, cycle: &'a Cycle,
             }
         }
         CycleForm::Lines(_) => {
-            if !has_labelled(cycle) {
+            if !kept.labelled {
                 return;
             }
             for item in &facts.read(definition).items {
@@ -388,10 +484,4 @@ fn each_label<'a>(facts: &Facts<'a>, definition: &Defined<'a>, cycle: &'a Cycle,
             }
         }
     }
-}
-
-/// Whether words stand before the values of the old form that are labels.
-fn has_labelled(cycle: &Cycle) -> bool {
-    let labelled = |param: &Param| param.field.as_ref().is_some_and(|field| field.shape == Shape::Labelled);
-    cycle.params.iter().any(labelled)
 }

@@ -250,6 +250,22 @@ impl Element {
         if self.has_functions() { self.words().functions } else { Vec::new() }
     }
 
+    /// The place of its M function, if it has one only and ends with it; nothing if that cannot be said without reading
+    /// its words.
+    pub fn last_function(&self) -> Option<(u16, Span)> {
+        let (number, start) = (self.function, self.start as usize);
+        if !self.has_functions() || number == SEVERAL || self.read.get().is_some() {
+            return None;
+        }
+        let text = self.source.text().as_bytes().get(start..start + usize::from(self.length))?.trim_ascii_end();
+        let at = text.iter().rposition(|byte| !byte.is_ascii_digit())?;
+        let (letter, digits) = text.get(at..)?.split_first()?;
+        let written = digits.iter().try_fold(0_u8, |all, digit| all.checked_mul(10)?.checked_add(digit - b'0'))?;
+        let is_function = matches!(letter, b'M' | b'm') && !digits.is_empty() && written == number;
+        let starts_word = at == 0 || matches!(text.get(at - 1), Some(b' ' | b'\t'));
+        (is_function && starts_word).then(|| (u16::from(number), Span::new(start + at, start + at + 1 + digits.len())))
+    }
+
     /// Its words, read anew and not kept: for those who look at each element of a long program once.
     pub fn words(&self) -> Motion {
         let mut words = Motion::new(self.path());

@@ -140,9 +140,9 @@ struct Writer<'f, 'a> {
 
 impl<'a> Writer<'_, 'a> {
     /// Replaces the name and the labels of a definition; with `by_number` also those that only have the form of labels.
-    fn definition(&mut self, definition: &Definition<'a>, by_number: bool) {
+    fn definition(&mut self, definition: &Definition<'_>, by_number: bool) {
         let facts = self.facts;
-        let Some(labels) = facts.labels(definition) else { return };
+        let Some(labels) = facts.against.labels.cycle(definition.key) else { return };
         let most = facts.against.on.control.label.max_length;
         let from = facts.against.language;
         let own = |pick: &dyn Fn(&crate::check::LanguageLabels) -> bool| {

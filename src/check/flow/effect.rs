@@ -27,6 +27,8 @@ pub(in crate::check) struct Deed {
     keeps: bool,
     /// Whether it works with them.
     recalls: bool,
+    /// Whether it calls the cycle that was defined last.
+    calls_last: bool,
 }
 
 /// What becomes of an aspect.
@@ -117,6 +119,9 @@ impl<'f, 'a> Effects<'f, 'a> {
 /// The strategy that reads what another cycle keeps.
 const RECALL: &str = "recall-contour-data";
 
+/// The name of the cycle that was defined last.
+const LAST_CYCLE: &str = "last-cycle";
+
 impl Deed {
     /// Whether the cycle keeps data that others share.
     pub(in crate::check) const fn keeps(&self) -> bool {
@@ -126,6 +131,11 @@ impl Deed {
     /// Whether the cycle works with such data.
     pub(in crate::check) const fn recalls(&self) -> bool {
         self.recalls
+    }
+
+    /// Whether the cycle calls the one that was defined last.
+    pub(in crate::check) const fn calls_last(&self) -> bool {
+        self.calls_last
     }
 
     /// What definitions of a cycle do.
@@ -178,6 +188,7 @@ impl Deed {
                         self.aspects.push((Aspect::ContourData, Tri::Yes.into()));
                     }
                 }
+                (Verb::Call, Argument::One(name)) => self.calls_last |= name.as_str() == LAST_CYCLE,
                 (Verb::Strategy, Argument::One(name)) => self.recalls |= name.as_str() == RECALL,
                 (Verb::Spindle | Verb::Orient, _) if cycle.file.takes_effect == TakesEffect::OnDefinition => {
                     self.aspects.push((Aspect::Spindle, Tri::Unknown.into()));

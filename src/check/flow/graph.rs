@@ -254,7 +254,9 @@ pub(super) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef, Span)>) {
             call.feed.iter().for_each(|feed| feed_reads(feed, found));
         }
         BlockKind::CycleDef(cycle) => {
-            for parameter in &cycle.parameters {
+            let mut any = false;
+            cycle.parameters.each_value(|_, value| any |= matches!(value, ValueKind::Q { .. }));
+            for parameter in cycle.parameters.iter().take_while(|_| any) {
                 if let ValueKind::Q { q, .. } = parameter.value.kind {
                     found.push((q, parameter.value.span));
                 }

@@ -249,9 +249,16 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
     }
 
     fn advance(&mut self, (run, caller): Node) {
-        let Some(mut state) = self.entries.get(&(run, caller)).cloned() else { return };
         let blocks = self.steps.program.blocks();
         let (first, end) = (self.graph.leaders.get(run).copied().unwrap_or(0), self.graph.run_end(run));
+        // What leads nowhere needs no state: only the last block of a run leads out of it.
+        let last = end.checked_sub(1).and_then(|last| Some((last, blocks.get(last)?)));
+        match last.map(|(last, block)| (self.graph.end(last, block), block.skip)) {
+            None | Some((End::Stop, false)) => return,
+            Some((End::Next, _)) if end == self.graph.blocks => return,
+            _ => {}
+        }
+        let Some(mut state) = self.entries.get(&(run, caller)).cloned() else { return };
         for index in first..end {
             let Some(block) = blocks.get(index) else { break };
             self.steps.step(index, block, &mut state);
@@ -614,6 +621,10 @@ fn calls_in(block: &Block, words: &mut Motion, found: &mut Vec<Span>) {
     match &block.kind {
         _ if !any => {}
         BlockKind::Motion(motion) => {
+            if let Some((_, span)) = motion.last_function() {
+                found.push(span);
+                return;
+            }
             motion.read_into(words);
             found.extend(words.functions.iter().filter(|own| calls(own)).map(|own| own.span));
         }

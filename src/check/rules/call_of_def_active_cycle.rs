@@ -7,7 +7,7 @@
 use crate::check::facts::is_silent;
 use crate::check::{Defined, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::spec::{Action, Argument, Body, Cycle, Item, Known, TakesEffect, Verb};
+use crate::spec::TakesEffect;
 use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "call-of-def-active-cycle", severity: Severity::Error, run };
@@ -32,7 +32,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             BlockKind::CyclCall(call) => Some(call.head),
             _ => None,
         };
-        let pattern = || matches!(last.known, Known::Described(cycle) if calls_last(cycle));
+        let pattern = || last.calls_last();
         if callable && !(own.is_some() && directly_behind(facts, last.view.first, index) && pattern()) {
             continue;
         }
@@ -48,20 +48,4 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 fn directly_behind(facts: &Facts<'_>, before: usize, at: usize) -> bool {
     let blocks = facts.program.blocks().get(..at).unwrap_or_default();
     blocks.iter().rposition(|block| !is_silent(block)) == Some(before)
-}
-
-/// Whether a cycle calls the one that was defined before it.
-pub(super) fn calls_last(cycle: &Cycle) -> bool {
-    cycle.file.run.iter().any(item_calls)
-}
-
-fn item_calls(item: &Item) -> bool {
-    let body: &Body = &item.body;
-    let cases = item.choose.iter().flat_map(|case| &case.actions);
-    body.actions.iter().chain(&item.then).chain(cases).any(action_calls)
-        || body.items.iter().chain(&item.items).chain(&item.between).any(item_calls)
-}
-
-fn action_calls(action: &Action) -> bool {
-    action.verb == Verb::Call && matches!(&action.argument, Argument::One(name) if name.as_str() == "last-cycle")
 }

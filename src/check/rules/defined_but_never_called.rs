@@ -2,10 +2,9 @@
 //!
 //! A pattern behind it calls it. Silent in programs that call others, which may call it, and with M89, and where a block
 //! behind it cannot be read.
-use super::call_of_def_active_cycle::calls_last;
-use crate::check::{Defined, Facts, Modal, Pending, Rule};
+use crate::check::{Facts, Modal, Pending, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::spec::{Known, TakesEffect};
+use crate::spec::TakesEffect;
 use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "defined-but-never-called", severity: Severity::Warning, run };
@@ -15,7 +14,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     // The states in which something calls the last cycle.
-    let patterns = facts.definitions.iter().filter(|own| calls_by_itself(own));
+    let patterns = facts.definitions.iter().filter(|own| own.calls_last());
     let patterns = patterns.filter_map(|own| facts.run.before(own.view.first));
     let calls: Vec<Modal> = facts.run.calls.iter().map(|call| call.modal).chain(patterns).collect();
     if calls.iter().any(|modal| modal.pending == Pending::Unknown) {
@@ -40,8 +39,4 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string()));
         }
     }
-}
-
-fn calls_by_itself(definition: &Defined<'_>) -> bool {
-    matches!(definition.known, Known::Described(cycle) if calls_last(cycle))
 }

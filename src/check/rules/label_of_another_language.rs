@@ -7,6 +7,9 @@ use crate::diag::{Diagnostic, Severity};
 pub(super) const RULE: Rule = Rule { code: "label-of-another-language", severity: Severity::Warning, run: together };
 
 pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
+    if facts.has_usual_labels(definition) {
+        return;
+    }
     let Some((language, labels)) = facts.language.as_ref().zip(facts.labels(definition)) else { return };
     let spoken = labels.language(language);
     for item in &definition.items {

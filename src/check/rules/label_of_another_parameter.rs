@@ -9,6 +9,9 @@ use crate::diag::{Diagnostic, Severity};
 pub(super) const RULE: Rule = Rule { code: "label-of-another-parameter", severity: Severity::Warning, run: together };
 
 pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
+    if facts.has_usual_labels(definition) {
+        return;
+    }
     let (Some(language), Some(labels)) = (&facts.language, facts.labels(definition)) else { return };
     let Some((cycle, spoken)) = definition.cycle().zip(labels.language(language)) else { return };
     for item in &definition.items {

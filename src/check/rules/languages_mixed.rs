@@ -4,7 +4,7 @@
 //! a subprogram was taken over. Single labels in a definition are another finding.
 use std::collections::BTreeSet;
 
-use crate::check::labels::is_in;
+use crate::check::labels::is_spoken;
 use crate::check::{Facts, Rule, Speech, speech};
 use crate::diag::{Diagnostic, Place, Severity};
 
@@ -18,7 +18,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let source = facts.program.source();
     let mut first = None;
     let (mut lines, mut languages) = (Vec::new(), BTreeSet::new());
-    for definition in facts.definitions.iter().filter(|own| !is_in(facts, own, language)) {
+    for definition in facts.definitions.iter().filter(|own| !is_spoken(facts, own)) {
         let definition = facts.read(definition);
         if definition.items.iter().all(|item| item.label.is_none()) {
             continue;
