@@ -88,3 +88,11 @@ L X+Q5 Y+Q6 ; no number
 ";
     assert_eq!(laid_out(before), after);
 }
+
+/// Bytes that are no text before a number are not mistaken for it.
+#[test]
+fn a_number_behind_other_bytes_stays() {
+    let text = "%A G71 *\nN10 G00 X+5*\n\0\0N13 G01 X+9*\nN20 M02*\nN99999999 %A G71 *\n";
+    let program = parse(&Source::new("part.i", text));
+    assert_eq!(edited(text, &layout(&program)), text);
+}

@@ -120,14 +120,15 @@ fn iso(writer: &mut Writer<'_>, take: &mut Take<'_>) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// The number behind the `N` of a block, and its digits.
+/// The number behind the `N` of a block, and its digits; nothing if the block does not begin with it.
 fn number_of(program: &Program, block: &Block) -> Option<(u32, Span)> {
     let number = block.number?;
     let text = program.slice(block.span);
     let rest = text.trim_start_matches([' ', '\t', '/', 'N', 'n']);
     let start = block.span.start + (text.len() - rest.len());
     let length = rest.bytes().take_while(u8::is_ascii_digit).count();
-    Some((number, Span::new(start, start + length)))
+    // Something else than blanks may stand before it.
+    (length > 0).then(|| (number, Span::new(start, start + length)))
 }
 
 /// Hands over the places of the numbers of a block; of a definition whose lines are all numbered, several.

@@ -223,6 +223,10 @@ impl<'t> Cursor<'t> {
     /// Passes blanks and the keyword, if it stands here as a whole word.
     pub(super) fn opt_keyword(&mut self, keyword: &[u8]) -> bool {
         self.blanks();
+        // Most words that are asked for differ in their first letter.
+        if !self.byte().eq_ignore_ascii_case(keyword.first().unwrap_or(&0)) {
+            return false;
+        }
         let end = self.at + keyword.len();
         let written = self.bytes.get(self.at..end.min(self.end)).unwrap_or_default();
         let hit = written.eq_ignore_ascii_case(keyword) && !self.is_letter_at(end);
