@@ -216,6 +216,31 @@ fn volumes_are_those_of_geometry() {
     assert!((done.volume - wanted).abs() < 0.003 * wanted, "{} {wanted}", done.volume);
 }
 
+/// A tool of 5 goes around at the radius 10: its rim passes at 5 and 15, and so do the columns at (3, 4), (5, 0), (9, 12)
+/// and (15, 0) from the centre. Rounding decides on which side of them it passes, and differs by where a circle begins;
+/// even so the first level takes all that it is to take, and the second its own infeed.
+#[test]
+fn columns_on_a_wall_go_with_their_level() {
+    let cutter = tool(5.0, Tip::Flat);
+    for start in 0..72 {
+        let mut stock = block(1.0);
+        for level in 1..=3 {
+            let centre = DVec3::new(30.5, 20.5, -f64::from(level));
+            // Each level begins elsewhere.
+            let angle = f64::from(start * 5 + level * 67).to_radians();
+            let from = centre + DVec3::new(angle.cos(), angle.sin(), 0.0) * 10.0;
+            let circle = Path::Arc { centre, axis: DVec3::Z, from, sweep: 360.0, rise: 0.0 };
+            let found = cut(&mut stock, &cutter, DVec3::Z, &[circle]);
+            assert!(found[0].depth <= 1.0 + 1e-9, "from {angle} at {level}: {}", found[0].depth);
+        }
+        for (x, y) in [(3.0, 4.0), (-4.0, 3.0), (5.0, 0.0), (9.0, 12.0), (-12.0, -9.0), (15.0, 0.0), (0.0, -15.0)] {
+            let (column, row) = ((30.0 + x) as usize, (20.0 + y) as usize);
+            assert_eq!(stock.place(column, row).to_array(), [30.5 + x, 20.5 + y]);
+            assert_eq!(stock.top(column, row), Some(-3.0), "the column at {x} {y}, from {start}");
+        }
+    }
+}
+
 #[test]
 fn a_head_behind_a_neck_cuts_from_below() {
     let mut stock = block(0.1);

@@ -21,7 +21,7 @@ pub(super) const NEAR: f64 = 1e-4;
 /// Height of the blank.
 pub(super) const HEIGHT: f64 = 25.0;
 /// Size of the columns.
-const RESOLUTION: f64 = 1.1;
+pub(super) const RESOLUTION: f64 = 1.1;
 /// Feeds, by which moves are told apart: plunging, milling, finishing.
 pub(super) const PLUNGE: f64 = 150.0;
 pub(super) const MILL: f64 = 500.0;
@@ -51,7 +51,7 @@ pub(super) struct View {
 }
 
 impl View {
-    const PLAIN: Self = Self { mirror: [false; 2], turn: 0.0, scale: 1.0 };
+    pub(super) const PLAIN: Self = Self { mirror: [false; 2], turn: 0.0, scale: 1.0 };
 
     /// Where a point of the program lies in the working plane of the workpiece.
     pub(super) fn point(&self, p: DVec2) -> DVec2 {

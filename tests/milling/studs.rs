@@ -4,7 +4,7 @@ use glam::DVec2;
 use proptest::prelude::*;
 
 use super::field::widest;
-use super::job::{HEIGHT, Job, MILL, PLUNGE, View, config, definition, job, mm};
+use super::job::{HEIGHT, Job, MILL, PLUNGE, RESOLUTION, View, config, definition, job, mm};
 use super::pockets::corner_of;
 
 /// The workpiece with a stud on it. What stands higher than the blank does not count in a comparison.
@@ -93,4 +93,54 @@ proptest! {
         let done = keeps(&job, &(body + &job.call(DVec2::ZERO)), stud, overlap)?;
         job.ends(&done, DVec2::ZERO, job.safe())?;
     }
+}
+
+/// Twelve columns of this stock lie on the wall of the stud: 45 of them side by side are 49.08 / 45 wide, and the wall, 15.1
+/// of the stud and 1.26 of its allowance, is 15 of these widths away from the middle column: at (15, 0), (9, 12) and
+/// what lies as they do. Where rounding alone decided whether the rim of the tool reaches them, one was left
+/// by the first level and went with the second, 1.6 deep at an infeed of 0.8.
+#[test]
+fn columns_on_the_wall_of_a_stud() {
+    let view = View { turn: -15.67, ..View::PLAIN };
+    let blank = 49.080_000_000_000_005;
+    let (axis, half) = (ciklo::engine::geometry::Axis::X, DVec2::splat(blank / 2.0));
+    let job = Job {
+        axis,
+        view,
+        radius: 1.5,
+        corner: 0.0,
+        angle: 2.0,
+        edges: 0.0,
+        surface: 0.0,
+        clearance: 1.0,
+        second: 0.0,
+        depth: 14.84,
+        infeed: 0.8,
+        climb: -1.0,
+        half,
+        round: true,
+    };
+    let wide = blank / (blank / RESOLUTION).ceil();
+    let on = |x: f64, y: f64| (x.hypot(y) * wide - 16.36).abs() < 1e-9;
+    assert!(on(15.0, 0.0) && on(9.0, 12.0), "columns are {wide} wide");
+    let body = definition(
+        257,
+        &[
+            (223, 30.2),
+            (222, blank),
+            (368, 1.26),
+            (207, MILL),
+            (351, -1.0),
+            (201, -14.84),
+            (202, 0.8),
+            (206, PLUNGE),
+            (200, 1.0),
+            (203, 0.0),
+            (204, 0.0),
+            (370, 0.1),
+            (376, 0.0),
+        ],
+    );
+    let (done, _) = job.machined(&(body + &job.call(DVec2::ZERO)), false).expect("a stud");
+    job.deepest(&done, 0.8).expect("no cut deeper than the infeed");
 }

@@ -1,6 +1,7 @@
 //! Tools as bodies of revolution: what their envelope removes.
 //!
 //! Invariant: lengths are mm; the tip is where the program's position is, the shank goes on without end.
+use super::sweep::HAIR;
 use crate::engine::run::Tool;
 use crate::expr::tand;
 
@@ -70,6 +71,17 @@ impl Cutter {
             }
             Tip::Point(slope) => slope * distance,
         }
+    }
+
+    /// The same tool, to whose rim the columns belong that lie on it but for rounding: else rounding would decide anew at
+    /// each level whether a column on a wall goes, and a later level would take what the ones before have left as well.
+    /// Ends that are round come up to their rim like a wall; their heights must stay what they are.
+    pub(super) fn closed(self) -> Self {
+        if let Tip::Round(_) = self.tip {
+            return self;
+        }
+        let neck = self.neck.map(|neck| Neck { radius: neck.radius + HAIR, ..neck });
+        Self { radius: self.radius + HAIR, neck, ..self }
     }
 
     /// The same tool made smaller by a skin: only what is deeper in the material than the skin touches it. Its tip

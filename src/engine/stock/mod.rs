@@ -305,7 +305,7 @@ impl Stock {
     pub fn add(&self, batch: &mut Batch, path: &Path, axis: DVec3, cutter: &Cutter, rapid: bool) {
         let owner = batch.moves;
         batch.moves += 1;
-        let (cutter, lift) = if rapid { (cutter.shrunk(SKIN), SKIN) } else { (*cutter, 0.0) };
+        let (cutter, lift) = if rapid { (cutter.shrunk(SKIN), SKIN) } else { (cutter.closed(), 0.0) };
         let tool = self.grid.vector(axis).normalize_or_zero();
         // Rounding of turned coordinates is no inclination.
         let upright = (tool - DVec3::Z).length() < 1e-12;
