@@ -50,7 +50,7 @@ const fn has_no_unit(quantity: Quantity) -> bool {
 }
 
 /// The dictionary says what a parameter measures, and programs in inches are converted by that: said wrongly, it
-/// contradicts what the runs do with the parameter. What they do too little with is in `tests/engine/quantities.txt`.
+/// contradicts what the runs do with the parameter.
 #[test]
 fn a_wrong_quantity_contradicts_the_runs() {
     let (catalogue, _) = Catalogue::load(&ciklo::data::embedded());
@@ -88,10 +88,5 @@ fn a_wrong_quantity_contradicts_the_runs() {
         }
     }
     assert!(tried > 500, "{tried} were tried");
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/engine/quantities.txt");
-    let found = unheld.concat();
-    if std::env::var_os("UPDATE").is_some() {
-        std::fs::write(&path, &found).expect("a writable test file");
-    }
-    assert_eq!(std::fs::read_to_string(&path).unwrap_or_default(), found);
+    assert!(unheld.is_empty(), "no rule notices:\n{}", unheld.concat());
 }

@@ -66,6 +66,9 @@ pub(super) fn formulas(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
                 reader.formula(formula);
             }
             reader.guards(&cycle.file.guards);
+            for doubt in &cycle.file.doubts {
+                reader.formula(&doubt.when);
+            }
             cycle.file.run.iter().for_each(|item| reader.item(item));
         }
     }
@@ -120,10 +123,11 @@ impl<'r> Reader<'r> {
                 }
                 self.names.insert(as_name(field.id.as_str()), measure);
             }
-            // Who chooses from whole numbers chooses a way of working.
+            // Who chooses from whole numbers chooses a way of working, and whole numbers alone count something.
             let chosen = param.choices.len() > 1
                 && param.choices.iter().all(|choice| choice.value.as_str().parse::<i32>().is_ok());
-            if (chosen || !has_unit(param.kind)) && unit(param.quantity) != [0; 3] {
+            let counts = chosen || param.kind == ParameterKind::Integer || !has_unit(param.kind);
+            if counts && unit(param.quantity) != [0; 3] {
                 let cycle = self.cycle.key.to_string();
                 let diagnostic = Diagnostic::error("spec-measure", param.place.clone());
                 self.found.push(diagnostic.arg("reason", "not-a-number").arg("cycle", cycle));

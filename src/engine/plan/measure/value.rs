@@ -13,6 +13,15 @@ fn is_literal(expr: &Expr) -> bool {
     }
 }
 
+/// Whether it is a sign that is written there.
+fn is_sign(expr: &Expr) -> bool {
+    match &expr.node {
+        Node::Number(value) => value.abs() == 1.0,
+        Node::Unary(_, inner) => is_sign(inner),
+        _ => false,
+    }
+}
+
 /// Whether a formula is divided by 2.
 fn is_two(expr: &Expr) -> bool {
     matches!(expr.node, Node::Number(value) if value == 2.0)
@@ -78,6 +87,13 @@ impl Reader<'_> {
                     }
                 }
                 self.binary(*op, one, two, expr, place)
+            }
+            // One sign or the other is a number, as a sign that is asked for is.
+            Node::Call(Func::If, arguments) if arguments.get(1..).is_some_and(|signs| signs.iter().all(is_sign)) => {
+                for argument in arguments {
+                    self.value(argument, place);
+                }
+                NUMBER
             }
             Node::Call(func, arguments) => {
                 let measures: Vec<Measure> = arguments.iter().map(|argument| self.value(argument, place)).collect();
@@ -155,6 +171,7 @@ impl Reader<'_> {
         match (func, measures) {
             (Func::Abs, [one]) => Measure { reference: None, ..*one },
             (Func::Neg, [one]) => opposite(*one),
+            (Func::Sgn, _) => NUMBER,
             (Func::Sin | Func::Cos | Func::Tan, [one]) => {
                 self.wants(*one, Quantity::Angle, expr, place);
                 NUMBER
