@@ -136,7 +136,7 @@ fn lines(points: &[DVec3]) -> Vec<Path> {
     points.windows(2).filter_map(|pair| Some(Path::line(*pair.first()?, *pair.last()?))).collect()
 }
 
-/// A tool that goes down along circles in short arcs.
+/// A tool that goes down along circles in short arcs, from the top again when it is 20 mm deep: what comes later cuts little.
 fn ramps(radius: f64, length: f64, count: usize) -> Vec<Path> {
     let (middle, fall) = (DVec3::new(PART / 2.0, PART / 2.0, 0.0), length / 40.0);
     let turn = length / radius;
@@ -221,6 +221,7 @@ fn removal() {
         ("from the solid, ball 6 mm, 0.25 mm", ball, wave_path(0.0, 0.2), 1.0, vec![]),
         ("levelling, ball 6 mm, 0.25 mm moves", ball, lines(&meander(0.25, 0.2, |_, _| -8.0)), 1.0, vec![]),
         ("helix of 60 mm, flat 10 mm, 0.25 mm", flat, ramps(30.0, 0.25, 40_000), 1.0, vec![]),
+        ("  the same, in the solid alone", flat, ramps(30.0, 0.25, 3_000), 1.0, vec![]),
         ("helix of 60 mm, ball 6 mm, 0.25 mm", ball, ramps(30.0, 0.25, 40_000), 1.0, vec![]),
         ("helix of 6 mm, flat 10 mm, 0.25 mm", flat, ramps(3.0, 0.25, 20_000), 1.0, vec![]),
         ("full helices 14 mm wide, flat 10 mm", flat, helices(), std::f64::consts::TAU * 2.0 / 0.25, vec![]),

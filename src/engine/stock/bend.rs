@@ -9,14 +9,12 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::cutter::Tip;
-use super::kernel::{BISECTIONS, fill, under};
+use super::kernel::{BISECTIONS, fill, fill_few, under};
 use super::lane::{BLOCK, OFFSETS, WIDE, larger, smaller};
-use super::sweep::{HAIR, NONE, Sweep, Way};
+use super::sweep::{HAIR, NARROW, NONE, Sweep, Way};
 
 /// Parts of a turn among which the lowest is looked for before the search closes in on it.
 const PARTS: usize = 16;
-/// The way over which the series of the arc sine alone gives an angle, radians.
-const NARROW: f64 = 0.2;
 /// How far, in radians, an angle may lie off the ends of a way by rounding.
 const EDGE: f64 = 1e-12;
 
@@ -233,7 +231,7 @@ impl Sweep {
     ) {
         let (square, side) = (self.cutter.radius * self.cutter.radius, -rise.signum());
         let (most, half) = (seen.radius * seen.radius - square, 0.5 / seen.radius);
-        fill(out, columns, |n| {
+        let height = |n: f64| {
             let p = seen.at(n);
             let below = if rise < 0.0 { seen.beside_end(p) } else { seen.beside_start(p) };
             let distance = p.length_squared();
@@ -248,7 +246,8 @@ impl Sweep {
             let height = z + seen.slope * if angle < sweep { angle } else { sweep };
             let height = if within { height } else { f64::INFINITY };
             if below <= square { z + rise.min(0.0) } else { height }
-        });
+        };
+        fill_few(out, columns, height);
     }
 
     /// A ball on a helix of a quarter turn at most. Where the slopes of way and end balance, the sine of the angle by which the

@@ -8,6 +8,7 @@ use super::Grid;
 use super::cutter::Tip;
 use super::lane::{BLOCK, Row, Tally, WIDE};
 use super::onward::Onward;
+use super::ramp::Ramp;
 use super::sweep::{HAIR, Sweep};
 
 /// The part of a row on which a sweep is carried out.
@@ -69,25 +70,45 @@ pub(super) fn onward(
     }
 }
 
+/// The same for a flat tool on a ramp.
+pub(super) fn ramp(
+    grid: &Grid,
+    own: &mut Row,
+    row: usize,
+    (sweep, ramp): (&Sweep, &Ramp<'_>),
+    tally: &mut Tally,
+    across: &mut [f64; 2],
+) {
+    // Columns with a gap in them are looked at one by one.
+    if !own.is_above_floor(sweep.low) {
+        return above(grid, own, row, sweep, tally, across);
+    }
+    let part = Part { grid, sweep, y: grid.y(row) };
+    ramp.cut(grid, own, part.y, tally, |first, last| part.note_all((first, last), across));
+}
+
 impl Part<'_> {
     fn note(&self, column: usize, across: &mut [f64; 2]) {
         let at = self.sweep.across(DVec2::new(self.grid.x(column), self.y));
         *across = [across[0].min(at), across[1].max(at)];
     }
 
+    /// What lies between two columns.
+    fn note_all(&self, (first, last): (usize, usize), across: &mut [f64; 2]) {
+        self.note(first, across);
+        self.note(last, across);
+        // Between them the row may come nearer to the centre of an arc.
+        if let Some(middle) = self.sweep.centre()
+            && self.grid.x(first) < middle.x
+            && middle.x < self.grid.x(last)
+        {
+            across[0] = across[0].min((self.y - middle.y) * (self.y - middle.y));
+        }
+    }
+
     /// The envelope is level between these columns.
     fn level(&self, own: &mut Row, columns: (usize, usize), level: f64, tally: &mut Tally, across: &mut [f64; 2]) {
-        own.level(columns, level, tally, |first, last| {
-            self.note(first, across);
-            self.note(last, across);
-            // Between them the row may come nearer to the centre of an arc.
-            if let Some(middle) = self.sweep.centre()
-                && self.grid.x(first) < middle.x
-                && middle.x < self.grid.x(last)
-            {
-                across[0] = across[0].min((self.y - middle.y) * (self.y - middle.y));
-            }
-        });
+        own.level(columns, level, tally, |first, last| self.note_all((first, last), across));
     }
 
     /// The envelope has a height of its own in each column.

@@ -28,6 +28,18 @@ pub(super) fn fill(out: &mut [f64; BLOCK], columns: Range<usize>, height: impl F
     }
 }
 
+/// The same for columns that are seldom more than a few: those are then the only ones.
+#[inline(always)]
+pub(super) fn fill_few(out: &mut [f64; BLOCK], columns: Range<usize>, height: impl Fn(f64) -> f64) {
+    if columns.len() > WIDE {
+        return fill(out, columns, height);
+    }
+    for (out, n) in out.get_mut(columns.clone()).unwrap_or_default().iter_mut().zip(OFFSETS.get(columns).unwrap_or(&[]))
+    {
+        *out = height(*n);
+    }
+}
+
 /// The square root, and nothing where there is none: infinity takes its place.
 #[inline(always)]
 pub(super) fn under(top: f64, rest: f64) -> f64 {
@@ -121,7 +133,7 @@ impl Sweep {
             (u, v, first, last, room >= 0.0 && first <= last)
         };
         match self.cutter.tip {
-            Tip::Flat => fill(out, columns, |n| {
+            Tip::Flat => fill_few(out, columns, |n| {
                 let (u, _, first, last, any) = parts(n);
                 let height = from.z + slope * (u + if slope > 0.0 { first } else { last });
                 if any { height } else { f64::INFINITY }

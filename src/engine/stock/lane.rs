@@ -1,12 +1,13 @@
 //! Rows of columns: the material along parallel lines, and what is taken away from it.
 //!
-//! A column has its topmost stretch of material in two arrays and stretches below it, which few columns have, in a
-//! map. The columns of a block that all end at the same height, as on a plane face, are one number: cutting them again is one
-//! subtraction. Invariant: stretches of a column do not overlap and stand from low to high; an empty column has the top
+//! A column has its topmost stretch of material in two arrays, by blocks (see `tops`), and stretches below it, which few columns
+//! have, in a map. Invariant: stretches of a column do not overlap and stand from low to high; an empty column has the top
 //! minus infinity. What a column holds does not grow with the number of cuts: stretches thinner than [`SLIVER`] are
 //! dropped, so their number is bounded by the height of the blank.
 use std::collections::BTreeMap;
 use std::ops::Range;
+
+use super::tops::{Sum, Tops, greatest_of};
 
 /// Columns that are cut together; the highest top of each such block is known.
 pub(super) const BLOCK: usize = 16;
@@ -33,17 +34,29 @@ pub(super) fn smaller(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
-/// The greatest of numbers that were found side by side.
-#[inline(always)]
-fn greatest([a, b, c, d]: [f64; WIDE]) -> f64 {
-    larger(larger(a, b), larger(c, d))
-}
+/// Nothing, then everything, then nothing.
+const WINDOW: [f64; 3 * BLOCK] = {
+    let mut window = [f64::INFINITY; 3 * BLOCK];
+    let mut n = BLOCK;
+    while n < 2 * BLOCK {
+        window[n] = f64::NEG_INFINITY;
+        n += 1;
+    }
+    window
+};
 
-/// The greatest of the numbers of half a block.
+/// A height for some columns of a block, and infinity for the others.
 #[inline(always)]
-fn greatest_of(numbers: &[f64; HALF]) -> f64 {
-    let [a, b, c, d, e, f, g, h] = *numbers;
-    greatest([larger(a, e), larger(b, f), larger(c, g), larger(d, h)])
+fn only(columns: &Range<usize>, height: f64) -> [f64; BLOCK] {
+    let mut heights = [height; BLOCK];
+    let before = WINDOW.get(BLOCK - columns.start..).and_then(|window| window.first_chunk::<BLOCK>());
+    let after = WINDOW.get(2 * BLOCK - columns.end..).and_then(|window| window.first_chunk::<BLOCK>());
+    if let (Some(before), Some(after)) = (before, after) {
+        for n in 0..BLOCK {
+            heights[n] = larger(heights[n], larger(before[n], after[n]));
+        }
+    }
+    heights
 }
 
 /// What a move does to the columns.
@@ -77,164 +90,6 @@ impl Tally {
             self.deepest = self.deepest.max(high - low);
             self.highest = self.highest.max(high);
         }
-    }
-}
-
-/// The tops of one block.
-#[derive(Clone, Debug)]
-struct Tops {
-    /// What is highest.
-    highest: f64,
-    /// Whether all columns end there; `each` is out of date then.
-    level: bool,
-    each: [f64; BLOCK],
-}
-
-impl Tops {
-    /// The tops one by one.
-    fn apart(&mut self) -> &mut [f64; BLOCK] {
-        if self.level {
-            self.level = false;
-            self.each = [self.highest; BLOCK];
-        }
-        &mut self.each
-    }
-
-    /// Takes everything above the heights away; `begin` is the number of the first column.
-    fn lower(
-        &mut self,
-        begin: usize,
-        columns: Range<usize>,
-        heights: &[f64; BLOCK],
-        tally: &mut Tally,
-        cut: &mut impl FnMut(usize, usize),
-    ) {
-        let chunks = columns.start / WIDE..columns.end.div_ceil(WIDE);
-        let highest = self.highest;
-        let tops = self.apart().as_chunks_mut::<WIDE>().0;
-        // Four sums side by side, so that nothing waits for the one before it.
-        let (mut deepest, mut sum) = ([0.0_f64; WIDE], [0.0_f64; WIDE]);
-        let mut gone = [[0.0_f64; WIDE]; BLOCK / WIDE];
-        let (Some(tops), Some(heights), Some(lost)) =
-            (tops.get_mut(chunks.clone()), heights.as_chunks::<WIDE>().0.get(chunks.clone()), gone.get_mut(chunks))
-        else {
-            return;
-        };
-        for ((tops, heights), lost) in tops.iter_mut().zip(heights).zip(lost) {
-            for n in 0..WIDE {
-                let (top, height) = (tops[n], heights[n]);
-                let after = if height < top { height } else { top };
-                // An empty column and a place without a tool give no number here, which is not greater than zero.
-                let loss = top - after;
-                let loss = if loss > 0.0 { loss } else { 0.0 };
-                lost[n] = loss;
-                sum[n] += loss;
-                deepest[n] = if loss > deepest[n] { loss } else { deepest[n] };
-                tops[n] = after;
-            }
-        }
-        let deepest = greatest(deepest);
-        if deepest <= 0.0 {
-            return;
-        }
-        tally.height += sum.iter().sum::<f64>();
-        tally.deepest = tally.deepest.max(deepest);
-        let gone = gone.as_flattened();
-        if tally.highest < highest {
-            for (top, gone) in self.each.iter().zip(gone) {
-                if *gone > 0.0 {
-                    tally.highest = tally.highest.max(top + gone);
-                }
-            }
-        }
-        self.renew();
-        if deepest > SLIVER {
-            let first = gone.iter().position(|gone| *gone > SLIVER).unwrap_or(0);
-            let last = gone.iter().rposition(|gone| *gone > SLIVER).unwrap_or(0);
-            cut(begin + first, begin + last);
-        }
-    }
-
-    /// Takes away what lies above the lower sides of balls over a half of the block: `balls` gives the square of half the
-    /// height of the ball over a column, and the height of its middle. What the columns lose, if any of them does.
-    #[inline(always)]
-    fn under(&mut self, half: usize, balls: impl Fn(f64) -> [f64; 2], tally: &mut Tally) -> Option<[f64; HALF]> {
-        let level = [self.highest; HALF];
-        let halves = self.each.as_chunks::<HALF>().0;
-        let tops = if self.level { &level } else { halves.get(half)? };
-        // Whether a column ends above the lower side of its ball is known from squares: no root is drawn where nothing is cut.
-        let (mut rest, mut middle, mut over) = ([0.0; HALF], [0.0; HALF], [f64::NEG_INFINITY; WIDE]);
-        {
-            let ((tops, _), (offsets, _)) = (tops.as_chunks(), OFFSETS.as_chunks());
-            let ((rest, _), (middle, _)) = (rest.as_chunks_mut(), middle.as_chunks_mut());
-            for (((tops, rest), middle), offsets) in tops.iter().zip(rest).zip(middle).zip(offsets) {
-                let (tops, offsets): (&[f64; WIDE], &[f64; WIDE]) = (tops, offsets);
-                let (rest, middle): (&mut [f64; WIDE], &mut [f64; WIDE]) = (rest, middle);
-                for n in 0..WIDE {
-                    [rest[n], middle[n]] = balls(offsets[n]);
-                    let up = middle[n] - tops[n];
-                    let up = if up > 0.0 { up } else { 0.0 };
-                    let more = rest[n] - up * up;
-                    over[n] = if more > over[n] { more } else { over[n] };
-                }
-            }
-        }
-        if greatest(over) < 0.0 {
-            return None;
-        }
-        let highest = self.highest;
-        let tops = self.apart().as_chunks_mut::<HALF>().0.get_mut(half)?;
-        let (mut lost, mut deepest, mut sum) = ([0.0; HALF], [0.0; WIDE], [0.0; WIDE]);
-        {
-            let ((tops, _), (lost, _)) = (tops.as_chunks_mut(), lost.as_chunks_mut());
-            let ((rest, _), (middle, _)) = (rest.as_chunks(), middle.as_chunks());
-            for (((tops, rest), middle), lost) in tops.iter_mut().zip(rest).zip(middle).zip(lost) {
-                let (tops, lost): (&mut [f64; WIDE], &mut [f64; WIDE]) = (tops, lost);
-                let (rest, middle): (&[f64; WIDE], &[f64; WIDE]) = (rest, middle);
-                for n in 0..WIDE {
-                    // Where there is no ball, and in an empty column, there is no number, which is in no order.
-                    let low = middle[n] - rest[n].sqrt();
-                    let after = if low < tops[n] { low } else { tops[n] };
-                    let loss = tops[n] - after;
-                    let loss = if loss > 0.0 { loss } else { 0.0 };
-                    tops[n] = after;
-                    lost[n] = loss;
-                    sum[n] += loss;
-                    deepest[n] = if loss > deepest[n] { loss } else { deepest[n] };
-                }
-            }
-        }
-        tally.height += sum.iter().sum::<f64>();
-        tally.deepest = larger(tally.deepest, greatest(deepest));
-        if tally.highest < highest {
-            for (top, lost) in tops.iter().zip(&lost) {
-                if *lost > 0.0 {
-                    tally.highest = larger(tally.highest, top + lost);
-                }
-            }
-        }
-        self.renew();
-        Some(lost)
-    }
-
-    /// After tops were changed.
-    fn renew(&mut self) {
-        let mut high = [f64::NEG_INFINITY; WIDE];
-        for tops in self.each.as_chunks::<WIDE>().0 {
-            for (high, top) in high.iter_mut().zip(tops) {
-                *high = if *top > *high { *top } else { *high };
-            }
-        }
-        self.highest = greatest(high);
-    }
-
-    /// Whether nothing is lower than a height.
-    fn reaches(&self, height: f64) -> bool {
-        let mut reaches = true;
-        for top in &self.each {
-            reaches &= *top >= height;
-        }
-        reaches
     }
 }
 
@@ -338,6 +193,7 @@ impl Row {
             return self.level_through((first, last), height, tally, &mut cut);
         }
         let mut ends: Option<(usize, usize)> = None;
+        let mut sum = Sum::NONE;
         let mut lost = |from: usize, to: usize| ends = Some((ends.map_or(from, |(first, _)| first), to));
         let start = first / BLOCK;
         let blocks = self.tops.get_mut(start..last / BLOCK + 1).unwrap_or_default();
@@ -347,7 +203,9 @@ impl Row {
             }
             let begin = (start + n) * BLOCK;
             let columns = first.saturating_sub(begin)..(last + 1 - begin).min(BLOCK);
-            if tops.level {
+            if columns.len() == BLOCK {
+                tops.level_down(begin, height, &mut sum, &mut lost);
+            } else if tops.level {
                 let loss = tops.highest - height;
                 tally.height += loss * columns.len() as f64;
                 tally.deepest = larger(tally.deepest, loss);
@@ -355,12 +213,8 @@ impl Row {
                 if loss > SLIVER {
                     lost(begin + columns.start, begin + columns.end - 1);
                 }
-                if columns.len() == BLOCK {
-                    tops.highest = height;
-                } else {
-                    tops.apart().get_mut(columns).unwrap_or_default().fill(height);
-                }
-            } else if columns.len() < BLOCK {
+                tops.apart().get_mut(columns).unwrap_or_default().fill(height);
+            } else {
                 let (mut low, mut high) = (usize::MAX, 0);
                 let (mut sum, mut deepest, mut highest) = (0.0, 0.0, f64::NEG_INFINITY);
                 for (n, top) in columns.clone().zip(tops.each.get_mut(columns).unwrap_or_default()) {
@@ -384,13 +238,64 @@ impl Row {
                 if low <= high {
                     lost(begin + low, begin + high);
                 }
-            } else {
-                let whole = tops.reaches(height);
-                tops.lower(begin, 0..BLOCK, &[height; BLOCK], tally, &mut lost);
-                tops.level = whole;
             }
         }
+        sum.into(tally);
         if let Some((first, last)) = ends {
+            cut(first, last);
+        }
+    }
+
+    /// Takes columns down whose topmost stretches begin lower: some of them to a height, the others to heights of their own
+    /// that `heights` gives for a block with a given first column, none of which is lower. Calls `cut` with the first and
+    /// the last column of each run that loses something.
+    #[inline(always)]
+    pub(super) fn sink(
+        &mut self,
+        (first, last): (usize, usize),
+        (from, to): (usize, usize),
+        height: f64,
+        heights: impl Fn(usize, Range<usize>, &mut [f64; BLOCK]),
+        tally: &mut Tally,
+        cut: &mut impl FnMut(usize, usize),
+    ) {
+        let mut run: Option<(usize, usize)> = None;
+        let mut lost = |first: usize, last: usize| match &mut run {
+            Some((_, end)) if *end + 1 == first => *end = last,
+            _ => {
+                if let Some((first, last)) = run.replace((first, last)) {
+                    cut(first, last);
+                }
+            }
+        };
+        let mut sum = Sum::NONE;
+        let start = first / BLOCK;
+        let blocks = self.tops.get_mut(start..last / BLOCK + 1).unwrap_or_default();
+        for (n, tops) in blocks.iter_mut().enumerate() {
+            if tops.highest <= height {
+                continue;
+            }
+            let begin = (start + n) * BLOCK;
+            if from <= begin && begin + BLOCK <= to + 1 {
+                tops.level_down(begin, height, &mut sum, &mut lost);
+                continue;
+            }
+            let columns = first.saturating_sub(begin)..(last + 1 - begin).min(BLOCK);
+            let mut low = only(&columns, height);
+            if !tops.is_above(&low) {
+                continue;
+            }
+            let left = columns.start..from.saturating_sub(begin).min(columns.end);
+            let right = (to + 1).saturating_sub(begin).max(columns.start)..columns.end;
+            for part in [left, right] {
+                if part.start < part.end {
+                    heights(begin, part, &mut low);
+                }
+            }
+            tops.bring_down(begin, &low, &mut sum, &mut lost);
+        }
+        sum.into(tally);
+        if let Some((first, last)) = run {
             cut(first, last);
         }
     }
@@ -413,29 +318,41 @@ impl Row {
     }
 
     /// Takes away what lies above the lower sides of balls over columns, and of others beside them: `balls` gives the square
-    /// of half the height of the ball over a column, and the height of its middle. Nothing is lower than `low`. The first
+    /// of half the height of the ball over a column, and the height of its middle. Nothing is lower than the first height
+    /// `low`, no middle lower than the second, and between two columns no square greater than `most` says. The first
     /// and the last column that lose something.
     #[inline(always)]
     pub(super) fn balls(
         &mut self,
         (first, last): (usize, usize),
-        low: f64,
+        [low, middle]: [f64; 2],
         balls: impl Fn(f64) -> [f64; 2],
+        most: impl Fn(f64, f64) -> f64,
         tally: &mut Tally,
     ) -> Option<(usize, usize)> {
         let mut ends: Option<(usize, usize)> = None;
         let mut latest = [0.0; HALF];
+        let (mut sum, mut likely) = (Sum::NONE, false);
         let mut next = first / HALF;
         while next <= last / HALF {
             let half = next;
             next += 1;
             let Some(tops) = self.tops.get_mut(half / (BLOCK / HALF)) else { break };
             if tops.highest <= low {
+                likely = false;
                 continue;
             }
             let begin = half * HALF;
             let at = begin as f64;
-            let Some(lost) = tops.under(half % (BLOCK / HALF), |n| balls(at + n), tally) else { continue };
+            let up = larger(middle - tops.highest, 0.0);
+            if up * up > most(at, at + (HALF - 1) as f64) {
+                likely = false;
+                continue;
+            }
+            // Where a column has lost something, the next one does as well.
+            let lost = tops.under(half % (BLOCK / HALF), |n| balls(at + n), likely, &mut sum);
+            likely = lost.is_some();
+            let Some(lost) = lost else { continue };
             if let Some((_, last)) = &mut ends {
                 if greatest_of(&lost) > SLIVER {
                     (*last, latest) = (begin, lost);
@@ -444,6 +361,7 @@ impl Row {
                 (ends, latest) = (Some((begin + first, begin)), lost);
             }
         }
+        sum.into(tally);
         let (first, last) = ends?;
         Some((first, last + latest.iter().rposition(|lost| *lost > SLIVER).unwrap_or(0)))
     }

@@ -25,8 +25,10 @@ mod oblique;
 mod onward;
 mod outline;
 mod pace;
+mod ramp;
 mod report;
 mod sweep;
+mod tops;
 mod watch;
 
 pub use compare::Deviation;
@@ -47,6 +49,7 @@ use super::solid::{Body, Path, Shape, SolidError};
 use lane::{Row, SLIVER, Tally, larger, smaller};
 use oblique::Oblique;
 use onward::Onward;
+use ramp::Ramp;
 use sweep::Sweep;
 
 /// Rows that lie together in one lane.
@@ -428,6 +431,21 @@ fn oblique_jobs(batch: &mut Batch, owner: usize, oblique: &Oblique) {
     batch.jobs.extend(oblique.parts().map(|part| Job { owner, sweep: Swept::Oblique(part) }));
 }
 
+/// How a sweep is carried out row by row.
+enum Plan<'s> {
+    Onward(Onward),
+    Ramp(Ramp<'s>),
+    /// All that it covers is looked at.
+    Whole,
+}
+
+impl<'s> Plan<'s> {
+    fn new(grid: &Grid, sweep: &'s Sweep) -> Self {
+        let onward = Onward::new(grid, sweep).map(Self::Onward);
+        onward.or_else(|| Ramp::new(sweep).map(Self::Ramp)).unwrap_or(Self::Whole)
+    }
+}
+
 /// Carries out all jobs in the rows of one lane. What each move did there.
 fn work_lane(grid: &Grid, lane: usize, rows: &mut [Row], jobs: &[Job], moves: usize) -> Vec<Tally> {
     let mut tallies = vec![Tally::NONE; moves];
@@ -436,18 +454,21 @@ fn work_lane(grid: &Grid, lane: usize, rows: &mut [Row], jobs: &[Job], moves: us
         let Some((first, last)) = Grid::between(min.y, max.y, grid.min.y, grid.each.y, grid.rows) else { continue };
         let Some(tally) = tallies.get_mut(job.owner) else { continue };
         let mut across = [f64::INFINITY, f64::NEG_INFINITY];
-        let onward = if let Swept::Above(sweep) = &job.sweep { Onward::new(sweep) } else { None };
+        let plan = if let Swept::Above(sweep) = &job.sweep { Plan::new(grid, sweep) } else { Plan::Whole };
         // The first band of this lane that is not before the first row.
         let own = first / BAND / LANES * LANES + lane;
         let begin = if own < first / BAND { own + LANES } else { own };
         for band in (begin..=last / BAND).step_by(LANES) {
             for row in (band * BAND).max(first)..=(band * BAND + BAND - 1).min(last) {
                 let Some(own) = rows.get_mut(place(row).1) else { continue };
-                match (&job.sweep, &onward) {
-                    (Swept::Above(sweep), Some(ball)) => {
+                match (&job.sweep, &plan) {
+                    (Swept::Above(sweep), Plan::Onward(ball)) => {
                         cut::onward(grid, own, row, (sweep, ball), tally, &mut across);
                     }
-                    (Swept::Above(sweep), None) => cut::above(grid, own, row, sweep, tally, &mut across),
+                    (Swept::Above(sweep), Plan::Ramp(ramp)) => {
+                        cut::ramp(grid, own, row, (sweep, ramp), tally, &mut across);
+                    }
+                    (Swept::Above(sweep), Plan::Whole) => cut::above(grid, own, row, sweep, tally, &mut across),
                     (Swept::Between(sweep, head), _) => cut::between(grid, own, row, sweep, *head, tally, &mut across),
                     (Swept::Oblique(oblique), _) => oblique.cut(grid, own, row, tally),
                 }

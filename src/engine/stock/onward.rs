@@ -18,7 +18,8 @@ type Columns = Option<(usize, usize)>;
 /// The part of the plane that lies in a direction from a line.
 #[derive(Clone, Copy, Debug)]
 struct Limit {
-    /// Where the line crosses the row at y = 0, and by how much farther per mm of y; of a line along the rows its y.
+    /// The number of the column at which the line crosses the row at y = 0, and by how many more per mm of y; of a line along
+    /// the rows its y.
     at: f64,
     lean: f64,
     /// +1 if the part lies towards greater x, -1 towards less, 0 for lines along the rows.
@@ -29,16 +30,17 @@ struct Limit {
 
 impl Limit {
     /// What lies farther than `offset` in the direction from a point.
-    fn new(point: DVec2, direction: DVec2, offset: f64) -> Self {
+    fn new(grid: &Grid, point: DVec2, direction: DVec2, offset: f64) -> Self {
         let reached = direction.dot(point) + offset;
         if direction.x.abs() > ALONG {
             let each = direction.x.recip();
-            return Self { at: reached * each, lean: -direction.y * each, sign: direction.x.signum(), beyond: 0.0 };
+            let (at, lean) = (index(grid, reached * each), -direction.y * each * grid.each.x);
+            return Self { at, lean, sign: direction.x.signum(), beyond: 0.0 };
         }
         Self { at: reached * direction.y.signum(), lean: 0.0, sign: 0.0, beyond: direction.y.signum() }
     }
 
-    /// The part of a row.
+    /// The part of a row, in numbers of columns.
     fn part(&self, y: f64) -> [f64; 2] {
         let at = self.at + self.lean * y;
         if self.sign > 0.0 {
@@ -53,6 +55,12 @@ impl Limit {
     }
 }
 
+/// Where a place lies among the columns of a row.
+#[inline(always)]
+fn index(grid: &Grid, x: f64) -> f64 {
+    (x - grid.min.x) * grid.each.x - 0.5
+}
+
 /// A ball on a way that it has come to on another one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Onward {
@@ -62,8 +70,8 @@ pub(super) struct Onward {
     /// Where it is lowest at the end, and where it is not lowest at the start.
     ends: Limit,
     starts: Limit,
-    /// To the left and to the right of the way.
-    sides: [Limit; 2],
+    /// The numbers of columns between which it stays.
+    within: [f64; 2],
     hull: Hull,
     is_line: bool,
     low: f64,
@@ -71,7 +79,7 @@ pub(super) struct Onward {
 
 impl Onward {
     /// Of a way; nothing if more has to be looked at.
-    pub(super) fn new(sweep: &Sweep) -> Option<Self> {
+    pub(super) fn new(grid: &Grid, sweep: &Sweep) -> Option<Self> {
         let hull = sweep.hull.filter(|hull| sweep.joined && hull.length > 0.0)?;
         let radius = sweep.cutter.radius;
         let flat = DVec2::new(hull.from.x, hull.from.y);
@@ -87,13 +95,12 @@ impl Onward {
             Way::Arc { .. } => return None,
         };
         let end = hull.from + (hull.along * hull.length).extend(hull.slope * hull.length);
-        let left = DVec2::new(-hull.along.y, hull.along.x);
         Some(Self {
             end,
             square: radius * radius,
-            ends: Limit::new(DVec2::new(end.x, end.y), directions[1], ahead),
-            starts: Limit::new(flat, directions[0], behind - HAIR),
-            sides: [left, -left].map(|side| Limit::new(flat, side, -hull.radius - HAIR)),
+            ends: Limit::new(grid, DVec2::new(end.x, end.y), directions[1], ahead),
+            starts: Limit::new(grid, flat, directions[0], behind - HAIR),
+            within: [sweep.min.x, sweep.max.x].map(|x| index(grid, x)),
             hull,
             is_line: matches!(sweep.way, Way::Line { .. }),
             low: sweep.low,
@@ -104,7 +111,6 @@ impl Onward {
     /// between its start and its end, which are left.
     #[inline(always)]
     pub(super) fn cut(&self, grid: &Grid, own: &mut Row, y: f64, tally: &mut Tally) -> (Columns, Columns) {
-        let index = |x: f64| (x - grid.min.x) * grid.each.x - 0.5;
         let most = grid.columns as f64 - 1.0;
         let columns = |from: f64, to: f64| {
             let (from, to) = (larger(from, 0.0), smaller(to, most));
@@ -116,15 +122,13 @@ impl Onward {
             let high = to as i32;
             (low <= high).then_some((low as usize, high as usize))
         };
-        let [mut from, mut to] = self.ends.part(y).map(index);
+        let [mut from, mut to] = self.ends.part(y);
         let (mut cut, mut left) = (None, None);
-        // The strip between the lines through start and end, and beside the way.
+        // The strip between the lines through start and end.
         if self.ends.sign != 0.0 || from > to {
-            let [mut first, mut last] = self.starts.part(y).map(index);
-            for side in &self.sides {
-                let [low, high] = side.part(y).map(index);
-                (first, last) = (larger(first, low), smaller(last, high));
-            }
+            let [first, last] = self.starts.part(y);
+            let [low, high] = self.within;
+            let (mut first, mut last) = (larger(first, low), smaller(last, high));
             if self.ends.sign > 0.0 {
                 last = smaller(last, from);
             } else if self.ends.sign < 0.0 {
@@ -147,14 +151,20 @@ impl Onward {
         let square = self.square - beside * beside;
         if square > 0.0 && from <= to {
             let half = square.sqrt();
-            let stands = [index(self.end.x - half), index(self.end.x + half)];
+            let stands = [index(grid, self.end.x - half), index(grid, self.end.x + half)];
             if let Some(columns) = columns(larger(from, stands[0]), smaller(to, stands[1])) {
                 let (away, step, height) = (grid.x(0) - self.end.x, grid.cell.x, self.end.z);
                 let ball = |n: f64| {
                     let far = away + n * step;
                     [square - far * far, height]
                 };
-                cut = joined(cut, own.balls(columns, height - half, ball, tally));
+                // Nowhere between two columns is it lower than at the one nearer to its middle.
+                let most = |first: f64, last: f64| {
+                    let (first, last) = (away + first * step, away + last * step);
+                    let far = larger(larger(first, -last), 0.0);
+                    square - far * far
+                };
+                cut = joined(cut, own.balls(columns, [height - half, height], ball, most, tally));
             }
         }
         (cut, left)
@@ -175,7 +185,12 @@ impl Onward {
             let best = smaller(larger(u - lag * larger(room, 0.0).sqrt(), 0.0), length);
             [room - (u - best) * (u - best), from.z + slope * best]
         };
-        own.balls(columns, self.low, ball, tally)
+        // In these halves of blocks no ball on the way reaches lower than half the height of one that passes as near.
+        let across = |column: usize| v + column as f64 * dv;
+        let (first, last) = (across(columns.0 / HALF * HALF), across((columns.1 / HALF + 1) * HALF - 1));
+        let near = if first * last > 0.0 { smaller(first.abs(), last.abs()) } else { 0.0 };
+        let low = self.low + radius - larger(square - near * near, 0.0).sqrt() - HAIR;
+        own.balls(columns, [low, low], ball, |_, _| f64::INFINITY, tally)
     }
 }
 

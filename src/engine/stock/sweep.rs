@@ -16,6 +16,9 @@ pub(super) const HAIR: f64 = 1e-9;
 /// Angles, in radians, up to which the chord tells well enough where an arc is.
 const SHORT: f64 = 0.4;
 
+/// The way over which the series of the arc sine alone gives an angle, radians.
+pub(super) const NARROW: f64 = 0.2;
+
 /// No part of a row.
 pub(super) const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
