@@ -14,6 +14,7 @@ diag-axis-twice = The axis { $axis } stands twice in this block.
 diag-behind-end = Blocks stand here behind END PGM.
 diag-blank-wrong =
     { $what ->
+        [axis] { $axis } is missing here: a corner of the blank has three coordinates.
         [first] BLK FORM 0.2 has no BLK FORM 0.1 before it.
         [cylinder] The cylinder has no radius or diameter, or no length.
         [second] BLK FORM 0.1 has no BLK FORM 0.2 behind it.
@@ -29,6 +30,7 @@ diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearanc
 diag-compensation-at-cycle =
     { $cycle } is executed here while radius compensation is active.
 diag-compensation-left-on = Radius compensation is still active here.
+diag-compensation-on-arc = Radius compensation begins in an arc here.
 diag-contour-data-missing = { $cycle } is called, but { $data } has not been defined before.
 diag-contour-def-wrong =
     { $what ->
@@ -39,9 +41,16 @@ diag-contour-depth-missing = { $contour } has no DEPTH, other contours have one.
 diag-contour-undeclared = The formula reads { $contour }, which nothing names before it.
 diag-contour-unnamed =
     { $cycle } is called here, but no contour has been named before.
+diag-corner-wrong =
+    This corner cannot be machined: { $what ->
+        [twice] a rounding or chamfer stands before it already
+        [arc] a chamfer lies between straight lines, and there is an arc
+       *[long] it takes more than the shorter line has, { $least }
+    }.
 diag-cutting-without-tool = The tool moves at feed here, but no tool call stands before.
 diag-cycle-line-alone = The line { $line } has no line { $head } before it.
 diag-cycle-line-empty = Nothing stands on the line { $line } of { $cycle }.
+diag-cycle-line-missing = The line { $missing } is missing before { $line }.
 diag-cycle-not-covered = { $cycle } is not checked: the manuals of the { $control } that are known here do not treat such cycles.
 diag-cycle-not-described = { $cycle } ({ $name }) is named by the manuals and not described: its parameters are not checked.
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
@@ -55,12 +64,20 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } stands twice in { $cycle }.
 diag-empty-word = This { $word } has no value and does nothing.
+diag-feed-negative = The feed is negative here.
 diag-feed-zero = The feed is zero here.
 diag-field-word-missing = A value stands here without a word; the control shows it with one: { $shown }.
 diag-frame-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
 diag-function-misspelled = No control knows { $word } here; { $meant } may be meant.
 diag-functions-contradict = { $first } and { $second } stand in one block; only one of them can be meant.
 diag-guard = The control objects to these values.
+diag-iso-incomplete =
+    This block is incomplete: { $what ->
+        [value] a letter has no value
+        [label] the label is missing (L)
+        [radius] the radius or length is missing (R)
+       *[operand] an operand or the label of a jump is missing (P01, P02, P03)
+    }.
 diag-label-duplicate = The label { $label } is set a second time here.
 diag-label-missing = The language “{ $language }” has no label for { $parameter } of { $cycle }.
 diag-label-not-encodable = “{ $label }” has the character “{ $character }”, which the file's encoding cannot write.
@@ -78,7 +95,14 @@ diag-measuring-height-below-floor = { $cycle } measures at { $parameter }={ $val
 diag-metric-values-in-inch = The program is in inches, and { $value } looks like millimetres.
 diag-misordered-parameter = In { $cycle } the control shows { $parameter } before { $before }.
 diag-missing-parameter = { $cycle } lacks { $parameter }.
+diag-no-result =
+    This formula has no result: { $why ->
+        [division] it divides by zero
+        [large] the number is too large
+       *[domain] a function is given a value that it is not defined for
+    }.
 diag-not-a-program = This file is no NC program.
+diag-number-does-not-exist = { $name } does not exist: the numbers go up to { $greatest }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } is too small: the least value is { $limit }.
@@ -99,6 +123,7 @@ diag-program-begin-missing = The program does not begin with BEGIN PGM.
 diag-program-calls-itself = The program calls itself: { $name }.
 diag-program-end-missing = The program ends here without END PGM.
 diag-programs-call-in-circle = The program { $name } calls this one back, be it through others.
+diag-repeat-count-wrong = A part of a program is repeated a whole number of times that is not negative.
 diag-repeat-of-later-label = The label { $label } stands behind this repeat.
 diag-reserved-parameter =
     { $parameter } is written here, but the control itself writes Q100 to Q199.
@@ -120,6 +145,12 @@ diag-spindle-off = Material is removed here while the spindle stands.
 diag-subprogram-recursive = The subprogram { $label } calls itself here.
 diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: no LBL 0 stands between them.
 diag-subprogram-without-end = The subprogram { $label } comes to the end of the program without LBL 0.
+diag-text-for-number =
+    { $what ->
+        [text] { $parameter } takes a number, and this is a text.
+        [number] { $parameter } takes a text, and this is a number.
+       *[calculation] This is a text; it cannot be calculated with.
+    }
 diag-tool-axis-missing = This tool call names no tool axis, and none was named before.
 diag-tool-missing = A cycle moves here, but no tool call has named the tool axis before.
 diag-tool-not-listed = The tool table has no tool { $tool }.
@@ -134,11 +165,18 @@ diag-transformation-left-on =
     }.
 diag-unknown-cycle = { $cycle } is a cycle of no control known here.
 diag-unknown-parameter = { $cycle } has no { $parameter } on this control.
+diag-unlike-elsewhere =
+    { $what ->
+        [missing] { $cycle } has { $parameter } on the { $control }, and here it is missing.
+        [value] { $parameter }={ $value } in { $cycle } is a value that the { $control } refuses.
+       *[guard] On the { $control } { $cycle } is refused: { $message }
+    }
 diag-unreachable =
     { $part ->
         [label] Nothing leads to this label.
        *[block] The run never comes to this block.
     }
+diag-word-missing = This block lacks { $word }.
 diag-word-twice = { $word } stands twice in this block.
 diag-wrong-value-kind =
     { $parameter } of { $cycle } takes { $kind ->

@@ -10,3 +10,4 @@ guard-measuring-angles-equal = Starting angle and end angle of the measurement a
 guard-points-identical = Two of the points are the same: no direction or intersection follows from them.
 guard-pre-drilled-too-wide = The pre-drilled diameter is not less than the nominal diameter: nothing is left to be milled.
 guard-slot-wider-than-long = The slot is wider than long.
+guard-thread-pitch-too-great = The thread pitch is not less than the nominal diameter.

@@ -14,6 +14,7 @@ diag-axis-twice = Akseli { $axis } on tässä lauseessa kahdesti.
 diag-behind-end = Tässä on lauseita vielä END PGM -lauseen jälkeen.
 diag-blank-wrong =
     { $what ->
+        [axis] Tästä puuttuu { $axis }: aihion kulmalla on kolme koordinaattia.
         [first] Lauseen BLK FORM 0.2 edellä ei ole lausetta BLK FORM 0.1.
         [cylinder] Sylinteriltä puuttuu säde tai halkaisija taikka pituus.
         [second] Lauseen BLK FORM 0.1 jäljessä ei ole lausetta BLK FORM 0.2.
@@ -29,6 +30,7 @@ diag-clearance-height-too-low = { $cycle } koskettaa korkeudella { $touched }: v
 diag-compensation-at-cycle =
     { $cycle } suoritetaan tässä sädekorjauksen ollessa voimassa.
 diag-compensation-left-on = Sädekorjaus on tässä vielä voimassa.
+diag-compensation-on-arc = Sädekorjaus alkaa tässä kaarella.
 diag-contour-data-missing = { $cycle } kutsutaan, mutta sitä ennen ei ole määritelty työkiertoa { $data }.
 diag-contour-def-wrong =
     { $what ->
@@ -39,9 +41,16 @@ diag-contour-depth-missing = Muodolla { $contour } ei ole DEPTH-arvoa, muilla mu
 diag-contour-undeclared = Kaava lukee muodon { $contour }, jota mikään ei nimeä ennen sitä.
 diag-contour-unnamed =
     { $cycle } kutsutaan tässä, mutta sitä ennen ei ole nimetty muotoa.
+diag-corner-wrong =
+    Tätä nurkkaa ei voi koneistaa: { $what ->
+        [twice] sen edellä on jo pyöristys tai viiste
+        [arc] viiste on suorien välissä, mutta tässä on kaari
+       *[long] se vie enemmän kuin lyhyemmässä suorassa on, { $least }
+    }.
 diag-cutting-without-tool = Työkalu liikkuu tässä syöttöarvolla, mutta ennen sitä ei ole työkalukutsua.
 diag-cycle-line-alone = Rivin { $line } edellä ei ole riviä { $head }.
 diag-cycle-line-empty = Työkierron { $cycle } rivillä { $line } ei ole mitään.
+diag-cycle-line-missing = Rivin { $line } edeltä puuttuu rivi { $missing }.
 diag-cycle-not-covered = Työkiertoa { $cycle } ei tarkasteta: ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele tällaisia työkiertoja.
 diag-cycle-not-described = Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sen parametreja ei tarkasteta.
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
@@ -55,12 +64,20 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
 diag-empty-word = Tässä sanassa { $word } ei ole arvoa, eikä se tee mitään.
+diag-feed-negative = Syöttöarvo on tässä negatiivinen.
 diag-feed-zero = Syöttöarvo on tässä nolla.
 diag-field-word-missing = Arvon edessä ei ole sanaa; ohjaus näyttää sen näin: { $shown }.
 diag-frame-mismatch = END PGM -lauseessa on { $end }, BEGIN PGM -lauseessa { $begin }.
 diag-function-misspelled = Mikään ohjaus ei tunne tässä sanaa { $word }; ehkä tarkoitetaan sanaa { $meant }.
 diag-functions-contradict = { $first } ja { $second } ovat samassa lauseessa; vain toista niistä voidaan tarkoittaa.
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
+diag-iso-incomplete =
+    Tämä lause on puutteellinen: { $what ->
+        [value] kirjaimella ei ole arvoa
+        [label] label puuttuu (L)
+        [radius] säde tai pituus puuttuu (R)
+       *[operand] laskettava arvo tai hypyn label puuttuu (P01, P02, P03)
+    }.
 diag-label-duplicate = Label { $label } asetetaan tässä toisen kerran.
 diag-label-missing = Kielellä ”{ $language }” ei ole NC-tekstiä työkierron { $cycle } parametrille { $parameter }.
 diag-label-not-encodable = NC-tekstissä ”{ $label }” on merkki ”{ $character }”, jota tiedoston merkistössä ei ole.
@@ -78,7 +95,14 @@ diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }
 diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää millimetriarvolta.
 diag-misordered-parameter = Työkierrossa { $cycle } ohjaus näyttää parametrin { $parameter } ennen parametria { $before }.
 diag-missing-parameter = Työkierrosta { $cycle } puuttuu { $parameter }.
+diag-no-result =
+    Tällä kaavalla ei ole tulosta: { $why ->
+        [division] siinä jaetaan nollalla
+        [large] luku on liian suuri
+       *[domain] funktiota ei ole määritelty saamalleen arvolle
+    }.
 diag-not-a-program = Tämä tiedosto ei ole NC-ohjelma.
+diag-number-does-not-exist = { $name } ei ole olemassa: numerot päättyvät arvoon { $greatest }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } on liian pieni: pienin arvo on { $limit }.
@@ -99,6 +123,7 @@ diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
 diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.
 diag-program-end-missing = Ohjelma loppuu tähän ilman END PGM -lausetta.
 diag-programs-call-in-circle = Ohjelma { $name } kutsuu takaisin tätä ohjelmaa, suoraan tai muiden kautta.
+diag-repeat-count-wrong = Ohjelmanosa toistetaan kokonaisluvun osoittama määrä kertoja, ei negatiivista.
 diag-repeat-of-later-label = Label { $label } on vasta tämän toiston jälkeen.
 diag-reserved-parameter = Tässä kirjoitetaan parametriin { $parameter }, mutta parametreihin Q100–Q199 kirjoittaa ohjaus itse.
 diag-row-not-in-table =
@@ -119,6 +144,12 @@ diag-spindle-off = Tässä lastutaan karan ollessa pysähdyksissä.
 diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
 diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
 diag-subprogram-without-end = Aliohjelma { $label } päätyy ohjelman loppuun ilman LBL 0 -lausetta.
+diag-text-for-number =
+    { $what ->
+        [text] Parametrin { $parameter } arvo on luku, mutta tämä on teksti.
+        [number] Parametrin { $parameter } arvo on teksti, mutta tämä on luku.
+       *[calculation] Tämä on teksti; sillä ei voi laskea.
+    }
 diag-tool-axis-missing = Tässä työkalukutsussa ei ole työkaluakselia, eikä sitä ole annettu aiemminkaan.
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään aiempi työkalukutsu ei ole määritellyt työkaluakselia.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
@@ -133,11 +164,18 @@ diag-transformation-left-on =
     }.
 diag-unknown-cycle = { $cycle } ei ole minkään tässä tunnetun ohjauksen työkierto.
 diag-unknown-parameter = Työkierrossa { $cycle } ei ole tässä ohjauksessa parametria { $parameter }.
+diag-unlike-elsewhere =
+    { $what ->
+        [missing] Työkierrossa { $cycle } on ohjauksessa { $control } parametri { $parameter }, joka puuttuu tästä.
+        [value] Työkierron { $cycle } arvon { $parameter }={ $value } ohjaus { $control } hylkää.
+       *[guard] Ohjaus { $control } hylkää työkierron { $cycle }: { $message }
+    }
 diag-unreachable =
     { $part ->
         [label] Mikään ei johda tähän labeliin.
        *[block] Suoritus ei koskaan tule tähän lauseeseen.
     }
+diag-word-missing = Tästä lauseesta puuttuu { $word }.
 diag-word-twice = { $word } on tässä lauseessa kahdesti.
 diag-wrong-value-kind =
     Työkierron { $cycle } parametrin { $parameter } arvoksi kelpaa { $kind ->

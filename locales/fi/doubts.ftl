@@ -10,3 +10,4 @@ guard-measuring-angles-equal = Mittauksen aloituskulma ja lopetuskulma ovat yht�
 guard-points-identical = Kaksi pisteistä on sama piste: niistä ei saada suuntaa eikä leikkauspistettä.
 guard-pre-drilled-too-wide = Esiporatun reiän halkaisija ei ole pienempi kuin nimellishalkaisija: jyrsittävää ei jää.
 guard-slot-wider-than-long = Ura on leveämpi kuin pitkä.
+guard-thread-pitch-too-great = Kierteen nousu ei ole pienempi kuin nimellishalkaisija.

@@ -14,6 +14,7 @@ diag-axis-twice = L’asse { $axis } compare due volte in questo blocco.
 diag-behind-end = Qui ci sono blocchi dopo END PGM.
 diag-blank-wrong =
     { $what ->
+        [axis] Qui manca { $axis }: un vertice del pezzo grezzo ha tre coordinate.
         [first] Prima di BLK FORM 0.2 non c’è BLK FORM 0.1.
         [cylinder] Al cilindro manca il raggio o il diametro, oppure la lunghezza.
         [second] Dopo BLK FORM 0.1 non c’è BLK FORM 0.2.
@@ -29,6 +30,7 @@ diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di 
 diag-compensation-at-cycle =
     { $cycle } viene eseguito qui con la correzione del raggio attiva.
 diag-compensation-left-on = Qui la correzione del raggio è ancora attiva.
+diag-compensation-on-arc = La compensazione del raggio inizia qui su un arco.
 diag-contour-data-missing = { $cycle } viene chiamato, ma { $data } non è stato definito prima.
 diag-contour-def-wrong =
     { $what ->
@@ -39,9 +41,16 @@ diag-contour-depth-missing = { $contour } non ha DEPTH, altri profili sì.
 diag-contour-undeclared = La formula legge { $contour }, che nulla indica prima.
 diag-contour-unnamed =
     { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
+diag-corner-wrong =
+    Questo spigolo non si può lavorare: { $what ->
+        [twice] prima c’è già un arrotondamento o uno smusso
+        [arc] uno smusso sta tra due rette, e qui c’è un arco
+       *[long] richiede più di quanto misura la retta più corta, { $least }
+    }.
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
 diag-cycle-line-alone = Prima della riga { $line } non c’è la riga { $head }.
 diag-cycle-line-empty = Nella riga { $line } di { $cycle } non c’è nulla.
+diag-cycle-line-missing = Prima di { $line } manca la riga { $missing }.
 diag-cycle-not-covered = { $cycle } non viene verificato: i manuali del controllo { $control } qui noti non trattano cicli di questo tipo.
 diag-cycle-not-described = { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
@@ -55,12 +64,20 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
 diag-empty-word = Questa { $word } è senza valore e non fa nulla.
+diag-feed-negative = Qui l’avanzamento è negativo.
 diag-feed-zero = Qui l’avanzamento è zero.
 diag-field-word-missing = Qui c’è un valore senza parola; il controllo lo mostra con una parola: { $shown }.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-function-misspelled = Nessun controllo conosce qui { $word }; forse si intende { $meant }.
 diag-functions-contradict = { $first } e { $second } sono nello stesso blocco; può essere voluta solo una delle due.
 diag-guard = Il controllo non accetta questi valori.
+diag-iso-incomplete =
+    Questo blocco è incompleto: { $what ->
+        [value] una lettera è senza valore
+        [label] manca il label (L)
+        [radius] manca il raggio o la lunghezza (R)
+       *[operand] manca un operando o il label di un salto (P01, P02, P03)
+    }.
 diag-label-duplicate = Il label { $label } viene impostato qui per la seconda volta.
 diag-label-missing = La lingua «{ $language }» non ha un’etichetta per { $parameter } di { $cycle }.
 diag-label-not-encodable = «{ $label }» contiene il carattere «{ $character }», che la codifica del file non può scrivere.
@@ -78,7 +95,14 @@ diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value 
 diag-metric-values-in-inch = Il programma è in pollici e { $value } sembra espresso in millimetri.
 diag-misordered-parameter = In { $cycle } il controllo visualizza { $parameter } prima di { $before }.
 diag-missing-parameter = In { $cycle } manca { $parameter }.
+diag-no-result =
+    Questa formula non ha risultato: { $why ->
+        [division] divide per zero
+        [large] il numero è troppo grande
+       *[domain] una funzione riceve un valore per cui non è definita
+    }.
 diag-not-a-program = Questo file non è un programma NC.
+diag-number-does-not-exist = { $name } non esiste: i numeri arrivano a { $greatest }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } è troppo piccolo: il valore minimo è { $limit }.
@@ -99,6 +123,7 @@ diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
 diag-program-calls-itself = Il programma chiama sé stesso: { $name }.
 diag-program-end-missing = Il programma finisce qui senza END PGM.
 diag-programs-call-in-circle = Il programma { $name } richiama a sua volta questo, direttamente o tramite altri.
+diag-repeat-count-wrong = Una parte di programma si ripete un numero intero e non negativo di volte.
 diag-repeat-of-later-label = Il label { $label } si trova dopo questa ripetizione.
 diag-reserved-parameter = Qui viene scritto { $parameter }, ma i parametri da Q100 a Q199 li scrive il controllo stesso.
 diag-row-not-in-table =
@@ -119,6 +144,12 @@ diag-spindle-off = Qui viene asportato materiale a mandrino fermo.
 diag-subprogram-recursive = Il sottoprogramma { $label } chiama qui sé stesso.
 diag-subprogram-runs-on = Il sottoprogramma { $label } prosegue nel sottoprogramma { $next }: tra i due non c’è LBL 0.
 diag-subprogram-without-end = Il sottoprogramma { $label } arriva alla fine del programma senza LBL 0.
+diag-text-for-number =
+    { $what ->
+        [text] { $parameter } accetta un numero, e questo è un testo.
+        [number] { $parameter } accetta un testo, e questo è un numero.
+       *[calculation] Questo è un testo; non ci si può calcolare.
+    }
 diag-tool-axis-missing = Questa chiamata utensile non indica l’asse utensile, e nessuno è stato indicato prima.
 diag-tool-missing = Qui un ciclo esegue movimenti, ma prima nessuna chiamata utensile ha indicato l’asse utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
@@ -133,11 +164,18 @@ diag-transformation-left-on =
     }.
 diag-unknown-cycle = { $cycle } non è un ciclo di alcun controllo qui noto.
 diag-unknown-parameter = Su questo controllo { $cycle } non ha il parametro { $parameter }.
+diag-unlike-elsewhere =
+    { $what ->
+        [missing] { $cycle } ha sul { $control } il parametro { $parameter }, che qui manca.
+        [value] Il { $control } rifiuta il valore { $parameter }={ $value } in { $cycle }.
+       *[guard] Il { $control } rifiuta { $cycle }: { $message }
+    }
 diag-unreachable =
     { $part ->
         [label] Nulla conduce a questo label.
        *[block] L’esecuzione non arriva mai a questo blocco.
     }
+diag-word-missing = In questo blocco manca { $word }.
 diag-word-twice = { $word } compare due volte in questo blocco.
 diag-wrong-value-kind =
     Il parametro { $parameter } di { $cycle } accetta { $kind ->

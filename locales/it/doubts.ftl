@@ -10,3 +10,4 @@ guard-measuring-angles-equal = L’angolo di partenza e l’angolo finale della 
 guard-points-identical = Due dei punti coincidono: non ne risulta né una direzione né un’intersezione.
 guard-pre-drilled-too-wide = Il diametro preforato non è inferiore al diametro nominale: non rimane nulla da fresare.
 guard-slot-wider-than-long = La scanalatura è più larga che lunga.
+guard-thread-pitch-too-great = Il passo del filetto non è inferiore al diametro nominale.

@@ -14,6 +14,7 @@ diag-axis-twice = O eixo { $axis } aparece duas vezes nesta frase.
 diag-behind-end = Há aqui frases depois de END PGM.
 diag-blank-wrong =
     { $what ->
+        [axis] Falta aqui { $axis }: um vértice do bloco tem três coordenadas.
         [first] Antes de BLK FORM 0.2 não há BLK FORM 0.1.
         [cylinder] Falta ao cilindro o raio ou o diâmetro, ou a longitude.
         [second] Depois de BLK FORM 0.1 não há BLK FORM 0.2.
@@ -29,6 +30,7 @@ diag-clearance-height-too-low = { $cycle } apalpa em { $touched }: a altura segu
 diag-compensation-at-cycle =
     { $cycle } é executado aqui com a correção de raio ativa.
 diag-compensation-left-on = A correção de raio ainda está aqui ativa.
+diag-compensation-on-arc = A compensação do raio começa aqui num arco.
 diag-contour-data-missing = { $cycle } é chamado, mas { $data } não foi definido antes.
 diag-contour-def-wrong =
     { $what ->
@@ -39,9 +41,16 @@ diag-contour-depth-missing = { $contour } não tem DEPTH, outros contornos têm.
 diag-contour-undeclared = A fórmula lê { $contour }, que nada indica antes.
 diag-contour-unnamed =
     { $cycle } é chamado aqui, mas antes não foi indicado nenhum contorno.
+diag-corner-wrong =
+    Esta esquina não se pode maquinar: { $what ->
+        [twice] antes dela já há um arredondamento ou um chanfro
+        [arc] um chanfro fica entre retas, e aqui há um arco
+       *[long] exige mais do que mede a reta mais curta, { $least }
+    }.
 diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
 diag-cycle-line-alone = Antes da linha { $line } não há a linha { $head }.
 diag-cycle-line-empty = Na linha { $line } de { $cycle } não há nada.
+diag-cycle-line-missing = Antes de { $line } falta a linha { $missing }.
 diag-cycle-not-covered = { $cycle } não é verificado: os manuais do comando { $control } aqui conhecidos não tratam de ciclos deste tipo.
 diag-cycle-not-described = { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
@@ -55,12 +64,20 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
 diag-empty-word = Este { $word } não tem valor e não faz nada.
+diag-feed-negative = O avanço é aqui negativo.
 diag-feed-zero = O avanço é aqui zero.
 diag-field-word-missing = Aqui há um valor sem palavra; o comando mostra-o com uma: { $shown }.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-function-misspelled = Nenhum comando conhece aqui { $word }; talvez se pretenda { $meant }.
 diag-functions-contradict = { $first } e { $second } estão na mesma frase; só uma delas pode ser a pretendida.
 diag-guard = O comando não aceita estes valores.
+diag-iso-incomplete =
+    Esta frase está incompleta: { $what ->
+        [value] uma letra não tem valor
+        [label] falta o label (L)
+        [radius] falta o raio ou o comprimento (R)
+       *[operand] falta um operando ou o label de um salto (P01, P02, P03)
+    }.
 diag-label-duplicate = O label { $label } é definido aqui pela segunda vez.
 diag-label-missing = O idioma «{ $language }» não tem designação para { $parameter } de { $cycle }.
 diag-label-not-encodable = «{ $label }» tem o carácter «{ $character }», que a codificação do ficheiro não pode escrever.
@@ -78,7 +95,14 @@ diag-measuring-height-below-floor = { $cycle } mede em { $parameter }={ $value }
 diag-metric-values-in-inch = O programa está em polegadas e { $value } parece estar em milímetros.
 diag-misordered-parameter = Em { $cycle }, o comando visualiza { $parameter } antes de { $before }.
 diag-missing-parameter = Em { $cycle } falta { $parameter }.
+diag-no-result =
+    Esta fórmula não tem resultado: { $why ->
+        [division] divide por zero
+        [large] o número é demasiado grande
+       *[domain] uma função recebe um valor para o qual não está definida
+    }.
 diag-not-a-program = Este ficheiro não é um programa NC.
+diag-number-does-not-exist = { $name } não existe: os números vão até { $greatest }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } é demasiado pequeno: o valor mínimo é { $limit }.
@@ -99,6 +123,7 @@ diag-program-begin-missing = O programa não começa com BEGIN PGM.
 diag-program-calls-itself = O programa chama-se a si próprio: { $name }.
 diag-program-end-missing = O programa acaba aqui sem END PGM.
 diag-programs-call-in-circle = O programa { $name } volta a chamar este, diretamente ou através de outros.
+diag-repeat-count-wrong = Uma parte do programa repete-se um número inteiro e não negativo de vezes.
 diag-repeat-of-later-label = O label { $label } fica depois desta repetição.
 diag-reserved-parameter = Aqui escreve-se em { $parameter }, mas é o próprio comando que escreve em Q100 a Q199.
 diag-row-not-in-table =
@@ -119,6 +144,12 @@ diag-spindle-off = Aqui remove-se material com o cabeçote parado.
 diag-subprogram-recursive = O subprograma { $label } chama-se aqui a si próprio.
 diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subprograma { $next }: entre eles não há LBL 0.
 diag-subprogram-without-end = O subprograma { $label } chega ao fim do programa sem LBL 0.
+diag-text-for-number =
+    { $what ->
+        [text] { $parameter } aceita um número, e isto é um texto.
+        [number] { $parameter } aceita um texto, e isto é um número.
+       *[calculation] Isto é um texto; não se pode calcular com ele.
+    }
 diag-tool-axis-missing = Esta chamada de ferramenta não indica o eixo da ferramenta, e nenhum foi indicado antes.
 diag-tool-missing = Aqui um ciclo executa movimentos, mas antes nenhuma chamada da ferramenta indicou o eixo da ferramenta.
 diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
@@ -133,11 +164,18 @@ diag-transformation-left-on =
     }.
 diag-unknown-cycle = { $cycle } não é um ciclo de nenhum comando aqui conhecido.
 diag-unknown-parameter = Neste comando, { $cycle } não tem o parâmetro { $parameter }.
+diag-unlike-elsewhere =
+    { $what ->
+        [missing] { $cycle } tem no { $control } o parâmetro { $parameter }, que aqui falta.
+        [value] O { $control } recusa o valor { $parameter }={ $value } em { $cycle }.
+       *[guard] O { $control } recusa { $cycle }: { $message }
+    }
 diag-unreachable =
     { $part ->
         [label] Nada conduz a este label.
        *[block] A execução nunca chega a esta frase.
     }
+diag-word-missing = Nesta frase falta { $word }.
 diag-word-twice = { $word } está duas vezes nesta frase.
 diag-wrong-value-kind =
     O parâmetro { $parameter } de { $cycle } aceita { $kind ->

@@ -10,3 +10,4 @@ guard-measuring-angles-equal = O ângulo inicial e o ângulo final da medição 
 guard-points-identical = Dois dos pontos são iguais: deles não resulta nem uma direção nem uma interseção.
 guard-pre-drilled-too-wide = O diâmetro do furo prévio não é inferior ao diâmetro nominal: nada resta para fresar.
 guard-slot-wider-than-long = A ranhura é mais larga do que comprida.
+guard-thread-pitch-too-great = O passo de rosca não é inferior ao diâmetro nominal.

@@ -14,6 +14,7 @@ diag-axis-twice = Os { $axis } je v tem stavku navedena dvakrat.
 diag-behind-end = Tu so še stavki za END PGM.
 diag-blank-wrong =
     { $what ->
+        [axis] Tu manjka { $axis }: vogal surovca ima tri koordinate.
         [first] Pred BLK FORM 0.2 ni BLK FORM 0.1.
         [cylinder] Valju manjka polmer ali premer oziroma dolžina.
         [second] Za BLK FORM 0.1 ni BLK FORM 0.2.
@@ -29,6 +30,7 @@ diag-clearance-height-too-low = { $cycle } se dotakne pri { $touched }: varna vi
 diag-compensation-at-cycle =
     { $cycle } se tu izvede pri aktivnem popravku polmera.
 diag-compensation-left-on = Popravek polmera je tu še aktiven.
+diag-compensation-on-arc = Popravek polmera se tu začne na loku.
 diag-contour-data-missing = { $cycle } se prikliče, { $data } pa pred tem ni definiran.
 diag-contour-def-wrong =
     { $what ->
@@ -39,9 +41,16 @@ diag-contour-depth-missing = { $contour } nima DEPTH, druge konture ga imajo.
 diag-contour-undeclared = Formula bere { $contour }, ki je prej nič ne navede.
 diag-contour-unnamed =
     { $cycle } se tu prikliče, pred tem pa ni navedena nobena kontura.
+diag-corner-wrong =
+    Tega vogala ni mogoče obdelati: { $what ->
+        [twice] pred njim je že zaokrožitev ali posneti rob
+        [arc] posneti rob leži med premicama, tu pa je lok
+       *[long] potrebuje več, kot ima krajša premica, { $least }
+    }.
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
 diag-cycle-line-alone = Pred vrstico { $line } ni vrstice { $head }.
 diag-cycle-line-empty = V vrstici { $line } cikla { $cycle } ni ničesar.
+diag-cycle-line-missing = Pred vrstico { $line } manjka vrstica { $missing }.
 diag-cycle-not-covered = Cikel { $cycle } se ne preveri: priročniki krmiljenja { $control }, ki so tu znani, takšnih ciklov ne obravnavajo.
 diag-cycle-not-described = Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
@@ -55,12 +64,20 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
 diag-empty-word = Beseda { $word } tu nima vrednosti in ne naredi ničesar.
+diag-feed-negative = Pomik je tu negativen.
 diag-feed-zero = Pomik je tu nič.
 diag-field-word-missing = Vrednost je tu brez besede; krmiljenje jo prikaže z njo: { $shown }.
 diag-frame-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
 diag-function-misspelled = Nobeno krmiljenje tu ne pozna besede { $word }; morda je mišljeno { $meant }.
 diag-functions-contradict = { $first } in { $second } sta v istem stavku; mišljena je lahko samo ena od njiju.
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
+diag-iso-incomplete =
+    Ta stavek je nepopoln: { $what ->
+        [value] črka nima vrednosti
+        [label] manjka oznaka (L)
+        [radius] manjka polmer ali dolžina (R)
+       *[operand] manjka operand ali oznaka skoka (P01, P02, P03)
+    }.
 diag-label-duplicate = Oznaka LBL { $label } je tu postavljena drugič.
 diag-label-missing = Jezik »{ $language }« nima oznake za { $parameter } cikla { $cycle }.
 diag-label-not-encodable = V oznaki »{ $label }« je znak »{ $character }«, ki ga kodiranje datoteke ne pozna.
@@ -80,7 +97,14 @@ diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ 
 diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vrednost v milimetrih.
 diag-misordered-parameter = V ciklu { $cycle } krmiljenje prikaže { $parameter } pred { $before }.
 diag-missing-parameter = V ciklu { $cycle } manjka { $parameter }.
+diag-no-result =
+    Ta formula nima rezultata: { $why ->
+        [division] v njej se deli z ničlo
+        [large] število je preveliko
+       *[domain] funkcija za dano vrednost ni definirana
+    }.
 diag-not-a-program = Ta datoteka ni NC-program.
+diag-number-does-not-exist = { $name } ne obstaja: številke segajo do { $greatest }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } je premajhno: najmanjša vrednost je { $limit }.
@@ -101,6 +125,7 @@ diag-program-begin-missing = Program se ne začne z BEGIN PGM.
 diag-program-calls-itself = Program prikliče samega sebe: { $name }.
 diag-program-end-missing = Program se tu konča brez END PGM.
 diag-programs-call-in-circle = Program { $name } kliče nazaj tega, neposredno ali prek drugih.
+diag-repeat-count-wrong = Del programa se ponovi celo število krat, ki ni negativno.
 diag-repeat-of-later-label = Oznaka LBL { $label } stoji za to ponovitvijo.
 diag-reserved-parameter = Tu se zapiše { $parameter }, v parametre od Q100 do Q199 pa zapisuje krmiljenje samo.
 diag-row-not-in-table =
@@ -121,6 +146,12 @@ diag-spindle-off = Tu se material odvzema, medtem ko vreteno miruje.
 diag-subprogram-recursive = Podprogram { $label } tu prikliče samega sebe.
 diag-subprogram-runs-on = Podprogram { $label } se nadaljuje v podprogram { $next }: med njima ni LBL 0.
 diag-subprogram-without-end = Podprogram { $label } pride do konca programa brez LBL 0.
+diag-text-for-number =
+    { $what ->
+        [text] { $parameter } sprejme število, to pa je besedilo.
+        [number] { $parameter } sprejme besedilo, to pa je število.
+       *[calculation] To je besedilo; z njim ni mogoče računati.
+    }
 diag-tool-axis-missing = Ta priklic orodja ne navaja orodne osi, pa tudi prej ni bila navedena.
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
@@ -135,11 +166,18 @@ diag-transformation-left-on =
     }.
 diag-unknown-cycle = { $cycle } ni cikel nobenega od znanih krmiljenj.
 diag-unknown-parameter = Cikel { $cycle } na tem krmiljenju nima parametra { $parameter }.
+diag-unlike-elsewhere =
+    { $what ->
+        [missing] { $cycle } ima na krmiljenju { $control } parameter { $parameter }, ki tu manjka.
+        [value] Vrednost { $parameter }={ $value } v { $cycle } krmiljenje { $control } zavrne.
+       *[guard] Krmiljenje { $control } { $cycle } zavrne: { $message }
+    }
 diag-unreachable =
     { $part ->
         [label] Nič ne vodi do te oznake LBL.
        *[block] Izvajanje nikoli ne pride do tega stavka.
     }
+diag-word-missing = V tem stavku manjka { $word }.
 diag-word-twice = { $word } je v tem stavku navedeno dvakrat.
 diag-wrong-value-kind =
     Parameter { $parameter } cikla { $cycle } sprejme { $kind ->

@@ -10,3 +10,4 @@ guard-measuring-angles-equal = Začetni in končni kot merjenja sta enaka.
 guard-points-identical = Dve od točk sta enaki: iz njiju ne izhaja ne smer ne presečišče.
 guard-pre-drilled-too-wide = Premer predhodno izvrtane vrtine ni manjši od želenega premera: za rezkanje ne ostane nič.
 guard-slot-wider-than-long = Utor je širši kot dolg.
+guard-thread-pitch-too-great = Korak navoja ni manjši od želenega premera.

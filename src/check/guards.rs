@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use super::{Aspect, Definition, Facts, Modal};
-use crate::expr::{Code, Env, EvalError, Expr, Node, Op, QRef, Resolve, Type, Value, compile};
+use crate::expr::{Code, Env, EvalError, Expr, Func, Node, Op, QRef, Resolve, Type, Value, compile};
 use crate::spec::{Cycle, Doubt, Entries, Formula, Guard, OnControl, Outcome, Param};
 use crate::syntax::ValueKind;
 
@@ -34,8 +34,35 @@ pub(super) struct Ready {
 pub(super) struct Way {
     /// Nothing if it needs more than parameters, or if there is no other way.
     compiled: Option<Code>,
-    /// The parameters that it reads, by how much they are to blame: those of the left side of the last condition first.
-    pub(super) reads: Vec<Vec<QRef>>,
+    /// The expressions that it compares, by how much they are to blame: the left side of the last condition first.
+    sides: Vec<Expr>,
+}
+
+impl Way {
+    /// The parameters that it reads, in the order of its sides: of a choice only the side that is taken.
+    pub(super) fn reads(&self, written: &Written) -> Vec<Vec<QRef>> {
+        self.sides.iter().map(|side| taken(side, written).q_refs()).collect()
+    }
+}
+
+/// An expression with what is chosen in the place of each choice whose condition is known.
+fn taken(expr: &Expr, written: &Written) -> Expr {
+    let node = match &expr.node {
+        Node::Call(Func::If, args) => {
+            if let [condition, then, otherwise] = args.as_slice()
+                && let Some(truth) = compile(condition, &OnlyParameters).ok().and_then(|code| code.truth(written).ok())
+            {
+                return taken(if truth { then } else { otherwise }, written);
+            }
+            expr.node.clone()
+        }
+        Node::Unary(op, inner) => Node::Unary(*op, Box::new(taken(inner, written))),
+        Node::Binary(op, left, right) => {
+            Node::Binary(*op, Box::new(taken(left, written)), Box::new(taken(right, written)))
+        }
+        plain => plain.clone(),
+    };
+    Expr { node, span: expr.span }
 }
 
 fn ways(condition: &Expr) -> Vec<Way> {
@@ -45,11 +72,11 @@ fn ways(condition: &Expr) -> Vec<Way> {
         let mut conditions = Vec::new();
         split(part, Op::And, &mut conditions);
         let sides = conditions.iter().rev().flat_map(|own| match &own.node {
-            Node::Binary(_, left, right) => vec![left.q_refs(), right.q_refs()],
-            _ => vec![own.q_refs()],
+            Node::Binary(_, left, right) => vec![left.as_ref().clone(), right.as_ref().clone()],
+            _ => vec![(*own).clone()],
         });
-        let reads = sides.collect();
-        Way { compiled: compile(part, &OnlyParameters).ok(), reads }
+        let sides = sides.collect();
+        Way { compiled: compile(part, &OnlyParameters).ok(), sides }
     };
     parts.iter().map(way).collect()
 }
@@ -77,7 +104,7 @@ impl Ready {
         Self {
             code: Some(doubt.code.as_str().to_owned()),
             then: Some(Outcome::Warn),
-            ways: vec![Way { compiled: None, reads: vec![vec![doubt.about]] }],
+            ways: vec![Way { compiled: None, sides: vec![Expr { node: Node::Q(doubt.about), span: condition.span }] }],
             compiled: compile(&condition, &OnlyParameters).ok(),
             condition,
             asks_state: false,

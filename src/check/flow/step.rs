@@ -208,6 +208,17 @@ impl<'f, 'a> Steps<'f, 'a> {
         WORDS.into_iter().find(|word| word.eq_ignore_ascii_case(found)).unwrap_or_default()
     }
 
+    /// Why a formula certainly has no result.
+    pub(super) fn failure(expr: &Expr, state: &State) -> Option<&'static str> {
+        let code = compile(expr, &OnlyParameters).ok()?;
+        match code.number(&Values(state)) {
+            Err(EvalError::DivisionByZero) => Some("division"),
+            Err(EvalError::Domain(..)) => Some("domain"),
+            Err(EvalError::Overflow) => Some("large"),
+            _ => None,
+        }
+    }
+
     fn formula(&self, expr: &Expr, state: &State) -> Known {
         let Ok(code) = compile(expr, &OnlyParameters) else { return Known::Unknown };
         number(&code, state)

@@ -2,7 +2,7 @@
 //! missing, or one of the two lines is.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Amount, BlkForm, Block, BlockKind, Coord, StatementKind};
+use crate::syntax::{Amount, Axis, BlkForm, Block, BlockKind, Coord, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "blank-wrong", severity: Severity::Warning, run };
 
@@ -16,7 +16,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 }
             }
             BlockKind::BlkForm(form) => match first.take() {
-                Some((_, corner)) => corners(rule, facts, corner, form, found),
+                Some((line, corner)) => {
+                    lacking(rule, facts, line, corner, found);
+                    lacking(rule, facts, block, form, found);
+                    corners(rule, facts, corner, form, found);
+                }
                 None => found.push(rule.at(facts, facts.content(block)).arg("what", "first")),
             },
             BlockKind::Statement(own) if own.kind == StatementKind::BlkForm => {
@@ -36,6 +40,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     if let Some((alone, _)) = first {
         found.push(rule.at(facts, facts.content(alone)).arg("what", "second"));
+    }
+}
+
+/// Of a corner with coordinates none can be left out.
+fn lacking(rule: &Rule, facts: &Facts<'_>, block: &Block, form: &BlkForm, found: &mut Vec<Diagnostic>) {
+    let has = |axis: Axis| form.coords.iter().any(|coord| coord.axis == axis);
+    if let Some(axis) = [Axis::X, Axis::Y, Axis::Z].into_iter().find(|axis| !has(*axis)) {
+        found.push(rule.at(facts, facts.content(block)).arg("what", "axis").arg("axis", axis.name()));
     }
 }
 

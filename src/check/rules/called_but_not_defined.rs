@@ -1,7 +1,8 @@
-//! A cycle call (CYCL CALL, M99, M89) with no cycle defined before it, on any way that the run can take.
+//! A cycle call (CYCL CALL, M99, M89, a pattern such as CYCL DEF 220) with no cycle defined before it, on any way that the run can take.
 //!
 //! Silent behind calls of other programs, which may define one, and in programs that name neither blank nor tool:
 //! others call them and may have defined the cycle.
+use super::call_of_def_active_cycle::calls_last;
 use crate::check::{Facts, Pending, Rule};
 use crate::diag::{Diagnostic, Severity};
 
@@ -16,6 +17,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for call in calls.filter(|call| !(told && first < call.block)) {
         if last.replace(call.span) != Some(call.span) {
             found.push(rule.at(facts, call.span));
+        }
+    }
+    patterns(rule, facts, found);
+}
+
+/// Definitions of patterns, which call the cycle that was defined before them.
+fn patterns(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for definition in facts.definitions.iter().filter(|own| own.cycle().is_some_and(calls_last)) {
+        let before = facts.run.before(definition.view.first);
+        if before.is_some_and(|modal| modal.pending == Pending::None) {
+            // The control may keep a cycle of the program before.
+            found.push(Diagnostic { severity: Severity::Warning, ..rule.at(facts, definition.view.head) });
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A cycle that is called, or a touch-probe cycle, while radius compensation is certainly active.
 //!
 //! Cycles compensate for the tool themselves and want R0 where they begin. Said once a program.
-use crate::check::{Aspect, Facts, Pending, Rule, Tri};
+use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::Keyword;
 
@@ -10,8 +10,12 @@ pub(super) const RULE: Rule = Rule { code: "compensation-at-cycle", severity: Se
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let calls =
         facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Compensation) == Tri::Yes).filter_map(|call| {
-            let Pending::Definition(index) = call.modal.pending else { return None };
-            Some((call.span, facts.definitions.get(index as usize)?))
+            let definition = match call.modal.pending {
+                Pending::Definition(index) => facts.definitions.get(index as usize),
+                Pending::Unknown => before(facts, call.block),
+                Pending::None => None,
+            };
+            Some((call.span, definition?))
         });
     let probes = facts.definitions.iter().filter(|own| own.key.keyword == Keyword::TchProbe).filter_map(|own| {
         let active = facts.run.before(own.view.first)?.is(Aspect::Compensation) == Tri::Yes;
@@ -20,4 +24,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if let Some((span, definition)) = calls.chain(probes).min_by_key(|(span, _)| span.start) {
         found.push(rule.at(facts, span).arg("cycle", definition.key.to_string()));
     }
+}
+
+/// The definition before a call of a cycle that is not described, where the order of the text is that of the run.
+fn before<'f, 'a>(facts: &'f Facts<'a>, block: usize) -> Option<&'f Defined<'a>> {
+    if facts.flow.jumps || facts.flow.programs || facts.flow.unread {
+        return None;
+    }
+    let own = facts.definitions.iter().rev().find(|own| own.view.first < block)?;
+    let machines = own.key.keyword == Keyword::CyclDef && (200..300).contains(&own.key.number);
+    machines.then_some(own)
 }

@@ -1,9 +1,10 @@
-//! A word behind FUNCTION MODE or FUNCTION RESET that no control knows and that is one letter away from one that they know.
+//! A word behind FUNCTION MODE or FUNCTION RESET that no control knows and that is one letter away from one that they know;
+//! VCONST: of FUNCTION TURNDATA that is neither ON nor OFF.
 //!
 //! Of other words nothing is said: newer software has more of them.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, StatementKind};
+use crate::syntax::{BlockKind, StatementKind, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "function-misspelled", severity: Severity::Warning, run };
 
@@ -18,6 +19,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let BlockKind::Statement(own) = &block.kind else { continue };
         if own.kind != StatementKind::Function {
             continue;
+        }
+        for word in own.words.iter().filter(|word| facts.text(word.name).trim().eq_ignore_ascii_case("VCONST:")) {
+            let value = facts.text(word.value.span).trim();
+            if word.value.kind == ValueKind::Word && !["ON", "OFF"].iter().any(|own| own.eq_ignore_ascii_case(value)) {
+                found.push(rule.at(facts, word.span).arg("word", value).arg("meant", "ON, OFF"));
+            }
         }
         let mut words = facts.text(facts.content(block)).split_ascii_whitespace().map(str::to_ascii_uppercase);
         let (Some(function), Some(kind), Some(word)) = (words.next(), words.next(), words.next()) else { continue };

@@ -48,8 +48,8 @@ fn finding(
 
 /// The first parameter written that the guard reads, rather one that measures something than one that chooses, and one
 /// that its last condition reads.
-fn place(definition: &Definition<'_>, ready: &Ready, written: &Written) -> Option<Span> {
-    let reads = &ready.way(written)?.reads;
+pub(super) fn place(definition: &Definition<'_>, ready: &Ready, written: &Written) -> Option<Span> {
+    let reads = ready.way(written)?.reads(written);
     let rank = |item: &Item<'_>| {
         let param = item.param?;
         let q = read_as(param)?;

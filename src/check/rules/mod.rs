@@ -13,14 +13,17 @@ mod choice_not_offered;
 mod clearance_height_too_low;
 mod compensation_at_cycle;
 mod compensation_left_on;
+mod compensation_on_arc;
 mod contour_data_missing;
 mod contour_def_wrong;
 mod contour_depth_missing;
 mod contour_undeclared;
 mod contour_unnamed;
+mod corner_wrong;
 mod cutting_without_tool;
 mod cycle_line_alone;
 mod cycle_line_empty;
+mod cycle_line_missing;
 mod cycle_not_covered;
 mod cycle_not_described;
 mod cycle_not_on_control;
@@ -31,12 +34,14 @@ mod doubtful_value;
 mod duplicate_parameter;
 mod empty_word;
 mod feed_missing;
+mod feed_negative;
 mod feed_zero;
 mod field_word_missing;
 mod frame_mismatch;
 mod function_misspelled;
 mod functions_contradict;
 mod guard;
+mod iso_incomplete;
 mod label_duplicate;
 mod label_of_another_language;
 mod label_of_another_parameter;
@@ -47,7 +52,9 @@ mod measuring_height_below_floor;
 mod metric_values_in_inch;
 mod misordered_parameter;
 mod missing_parameter;
+mod no_result;
 mod not_a_program;
+mod number_does_not_exist;
 mod out_of_range;
 mod out_of_range_elsewhere;
 mod parameter_unassigned;
@@ -60,6 +67,7 @@ mod program_calls_itself;
 mod program_end_missing;
 mod programs_call_in_circle;
 mod radius_missing;
+mod repeat_count_wrong;
 mod repeat_of_later_label;
 mod reserved_parameter;
 mod row_not_in_table;
@@ -69,6 +77,7 @@ mod spindle_off;
 mod subprogram_recursive;
 mod subprogram_runs_on;
 mod subprogram_without_end;
+mod text_for_number;
 mod tool_axis_missing;
 mod tool_missing;
 mod tool_not_listed;
@@ -76,7 +85,9 @@ mod transfer_parameter_overwritten;
 mod transformation_left_on;
 mod unknown_cycle;
 mod unknown_parameter;
+mod unlike_elsewhere;
 mod unreachable;
+mod word_missing;
 mod word_twice;
 mod wrong_value_kind;
 
@@ -100,14 +111,17 @@ pub const RULES: &[&Rule] = &[
     &clearance_height_too_low::RULE,
     &compensation_at_cycle::RULE,
     &compensation_left_on::RULE,
+    &compensation_on_arc::RULE,
     &contour_data_missing::RULE,
     &contour_def_wrong::RULE,
     &contour_depth_missing::RULE,
     &contour_undeclared::RULE,
     &contour_unnamed::RULE,
+    &corner_wrong::RULE,
     &cutting_without_tool::RULE,
     &cycle_line_alone::RULE,
     &cycle_line_empty::RULE,
+    &cycle_line_missing::RULE,
     &cycle_not_covered::RULE,
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
@@ -118,12 +132,14 @@ pub const RULES: &[&Rule] = &[
     &duplicate_parameter::RULE,
     &empty_word::RULE,
     &feed_missing::RULE,
+    &feed_negative::RULE,
     &feed_zero::RULE,
     &field_word_missing::RULE,
     &frame_mismatch::RULE,
     &function_misspelled::RULE,
     &functions_contradict::RULE,
     &guard::RULE,
+    &iso_incomplete::RULE,
     &label_duplicate::RULE,
     &label_of_another_language::RULE,
     &label_of_another_parameter::RULE,
@@ -134,7 +150,9 @@ pub const RULES: &[&Rule] = &[
     &metric_values_in_inch::RULE,
     &misordered_parameter::RULE,
     &missing_parameter::RULE,
+    &no_result::RULE,
     &not_a_program::RULE,
+    &number_does_not_exist::RULE,
     &out_of_range::RULE,
     &out_of_range_elsewhere::RULE,
     &parameter_unassigned::RULE,
@@ -147,6 +165,7 @@ pub const RULES: &[&Rule] = &[
     &program_end_missing::RULE,
     &programs_call_in_circle::RULE,
     &radius_missing::RULE,
+    &repeat_count_wrong::RULE,
     &repeat_of_later_label::RULE,
     &reserved_parameter::RULE,
     &row_not_in_table::RULE,
@@ -156,6 +175,7 @@ pub const RULES: &[&Rule] = &[
     &subprogram_recursive::RULE,
     &subprogram_runs_on::RULE,
     &subprogram_without_end::RULE,
+    &text_for_number::RULE,
     &tool_axis_missing::RULE,
     &tool_missing::RULE,
     &tool_not_listed::RULE,
@@ -163,7 +183,9 @@ pub const RULES: &[&Rule] = &[
     &transformation_left_on::RULE,
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,
+    &unlike_elsewhere::RULE,
     &unreachable::RULE,
+    &word_missing::RULE,
     &word_twice::RULE,
     &wrong_value_kind::RULE,
 ];

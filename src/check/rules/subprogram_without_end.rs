@@ -1,15 +1,38 @@
-//! A subprogram that is called and comes to the end of the program without LBL 0.
+//! A subprogram that is called, or a contour that a cycle reads, and that comes to the end of the program without LBL 0.
 //!
 //! Silent where it ends with M2 or M30, which may be meant.
-use crate::check::{Facts, Rule};
+use std::collections::BTreeSet;
+
+use crate::check::{Facts, Rule, Way};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::BlockKind;
+use crate::syntax::{BlockKind, Label};
 
 pub(super) const RULE: Rule = Rule { code: "subprogram-without-end", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (mark, block) in facts.run.endless_parts() {
         if let Some(BlockKind::Lbl(label)) = facts.program.blocks().get(block).map(|block| &block.kind) {
+            found.push(rule.at(facts, label.span).arg("label", mark.to_string()));
+        }
+    }
+    contours(rule, facts, found);
+}
+
+/// Contours that cycles read, without LBL 0 anywhere behind them.
+fn contours(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let blocks = facts.program.blocks();
+    let ends =
+        |block: &crate::syntax::Block| matches!(&block.kind, BlockKind::Lbl(own) if own.target == Label::Number(0));
+    let last = blocks.iter().rposition(ends);
+    let mut told = BTreeSet::new();
+    for own in facts.run.graph.uses.iter().filter(|own| own.way == Way::Named) {
+        let Some(mark) = &own.mark else { continue };
+        let Some(block) = facts.run.graph.block_of(mark).filter(|block| last.is_none_or(|last| last < *block)) else {
+            continue;
+        };
+        if let Some(BlockKind::Lbl(label)) = blocks.get(block).map(|block| &block.kind)
+            && told.insert(block)
+        {
             found.push(rule.at(facts, label.span).arg("label", mark.to_string()));
         }
     }

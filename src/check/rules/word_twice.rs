@@ -1,8 +1,9 @@
 //! A word that stands twice in a block that may have it once: an angle of PLANE, a dimension of a blank, a part of a
-//! pattern or one of its points.
+//! pattern or one of its points, an axis in a line of a cycle.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Place, Severity, Span};
-use crate::syntax::{BlockKind, NamedWord, StatementKind};
+use crate::spec::Keyword;
+use crate::syntax::{BlockKind, CycleForm, NamedWord, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "word-twice", severity: Severity::Warning, run };
 
@@ -20,6 +21,21 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ => {}
         }
     }
+    for definition in &facts.definitions {
+        // Touch-probe cycles name an axis and its range, or the directions of two passes.
+        if definition.key.keyword == Keyword::CyclDef
+            && let CycleForm::Lines(lines) = &definition.view.form
+        {
+            lines.iter().filter(|line| line.line > 0).for_each(|line| axes(rule, facts, &line.words, found));
+        }
+    }
+}
+
+/// The axes of a line of a cycle.
+fn axes(rule: &Rule, facts: &Facts<'_>, words: &[NamedWord], found: &mut Vec<Diagnostic>) {
+    let is_axis = |name: &str| matches!(name.trim().as_bytes(), [b'A'..=b'C' | b'U'..=b'Z']);
+    let names: Vec<Span> = words.iter().map(|word| word.name).filter(|name| is_axis(facts.text(*name))).collect();
+    tell(rule, facts, &names, found);
 }
 
 fn tell(rule: &Rule, facts: &Facts<'_>, names: &[Span], found: &mut Vec<Diagnostic>) {

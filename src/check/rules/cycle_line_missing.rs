@@ -1,0 +1,24 @@
+//! A definition of the old form in which a line is left out: behind line 3 comes line 5.
+//!
+//! Of cycles that are described the parameter that is missing is told instead.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::CycleForm;
+
+pub(super) const RULE: Rule = Rule { code: "cycle-line-missing", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if facts.unread("CYCL") || facts.unread("TCH") {
+        return;
+    }
+    for definition in facts.definitions.iter().filter(|own| own.cycle().is_none()) {
+        let CycleForm::Lines(lines) = &definition.view.form else { continue };
+        for pair in lines.windows(2) {
+            let [before, own] = pair else { continue };
+            if own.line > before.line + 1 {
+                let name = |line: u32| format!("{}.{line}", own.number);
+                found.push(rule.at(facts, own.head).arg("line", name(own.line)).arg("missing", name(before.line + 1)));
+            }
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! A repeat whose number of times is negative or no whole number.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{Amount, BlockKind};
+
+pub(super) const RULE: Rule = Rule { code: "repeat-count-wrong", severity: Severity::Error, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (_, block) in facts.marked() {
+        let BlockKind::CallLbl(call) = &block.kind else { continue };
+        if let Some(times) = call.repeat
+            && let Amount::Number(number) = times.amount
+            && (number < 0.0 || libm::trunc(number) != number)
+        {
+            found.push(rule.at(facts, times.span));
+        }
+    }
+}

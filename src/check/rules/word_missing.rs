@@ -1,0 +1,125 @@
+//! A word without which a block means nothing: an approach without its length or angle, an arc of a free contour without
+//! DR, a pattern without a coordinate or number, FN 16 without its target, a text function without what it reads.
+//!
+//! A block of DIN/ISO that has no equivalent because something is missing in it is told with `iso-incomplete`.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity, Span};
+use crate::syntax::{Approach, BlockKind, Element, NamedWord, Path, PatternDef, Statement, StatementKind, TextFormula};
+
+pub(super) const RULE: Rule = Rule { code: "word-missing", severity: Severity::Warning, run };
+
+/// The forms of a pattern with the words of which none can be left out.
+const PATTERNS: [(&str, &[&str]); 6] = [
+    ("POS", &["X", "Y", "Z"]),
+    ("ROW", &["X", "Y", "D", "NUM", "Z"]),
+    ("PAT", &["X", "Y", "DX", "DY", "NUMX", "NUMY", "Z"]),
+    ("FRAME", &["X", "Y", "DX", "DY", "NUMX", "NUMY", "Z"]),
+    ("CIRC", &["X", "Y", "D", "NUM", "Z"]),
+    ("PITCHCIRC", &["X", "Y", "D", "STEP", "NUM", "Z"]),
+];
+/// The functions on texts with what they are given.
+const TEXTS: [(&str, &[&str]); 7] = [
+    ("SUBSTR", &["SRC_", "BEG", "LEN"]),
+    ("INSTR", &["SRC_", "SEA_", "BEG"]),
+    ("STRCOMP", &["SRC_", "SEA_"]),
+    ("STRLEN", &["SRC_"]),
+    ("TONUMB", &["SRC_"]),
+    ("TOCHAR", &["DAT"]),
+    ("CFGREAD", &["KEY_", "TAG_", "ATR_"]),
+];
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut tell = |span: Span, word: &str| found.push(rule.at(facts, span).arg("word", word));
+    for block in facts.program.blocks() {
+        match &block.kind {
+            BlockKind::Motion(motion) => {
+                if let Some(word) = element(facts, motion) {
+                    tell(facts.content(block), word);
+                }
+            }
+            BlockKind::PatternDef(own) => {
+                for (span, word) in patterns(facts, own) {
+                    tell(span, word);
+                }
+            }
+            BlockKind::Statement(own) => {
+                if let Some(word) = statement(facts, own, facts.content(block)) {
+                    tell(facts.content(block), word);
+                }
+            }
+            BlockKind::TextFormula(own) => {
+                for (span, word) in texts(facts, own) {
+                    tell(span, word);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Whether one of the words has the name, written as it is in programs.
+fn has(facts: &Facts<'_>, words: &[NamedWord], name: &str) -> bool {
+    words.iter().any(|word| facts.text(word.name).trim().eq_ignore_ascii_case(name))
+}
+
+fn element(facts: &Facts<'_>, motion: &Element) -> Option<&'static str> {
+    let approach = match motion.path() {
+        Path::Ln => {
+            let words = motion.words();
+            let directed = |own: &NamedWord| facts.text(own.name).trim().len() == 2;
+            return (!words.words.iter().any(directed)).then_some("NX, NY, NZ");
+        }
+        Path::Fc | Path::Fct => return motion.words().counter_clockwise.is_none().then_some("DR"),
+        Path::Chf => return motion.words().radius.is_none().then_some("CHF"),
+        Path::Appr(form) | Path::Dep(form) => form,
+        _ => return None,
+    };
+    let words = motion.words();
+    let lacks = |name: &str| !has(facts, &words.words, name);
+    match approach {
+        Approach::Lt | Approach::Ln | Approach::Plt | Approach::Pln if lacks("LEN") => Some("LEN"),
+        Approach::Ct | Approach::Pct if lacks("CCA") => Some("CCA"),
+        form if form.has_arc() && words.radius.is_none() => Some("R"),
+        _ => None,
+    }
+}
+
+fn patterns<'f>(facts: &'f Facts<'_>, own: &'f PatternDef) -> impl Iterator<Item = (Span, &'static str)> + 'f {
+    own.items.iter().filter_map(|item| {
+        let name = facts.text(item.name).trim().trim_end_matches(|c: char| c.is_ascii_digit());
+        let (_, needed) = PATTERNS.iter().find(|(own, _)| own.eq_ignore_ascii_case(name))?;
+        let names = || item.words.iter().map(|word| facts.text(word.name).trim());
+        let is = |own: &str, name: &str| {
+            own.eq_ignore_ascii_case(name)
+                || own.strip_prefix(['I', 'i']).is_some_and(|own| own.eq_ignore_ascii_case(name))
+        };
+        let lacking = needed.iter().find(|name| !names().any(|own| is(own, name)))?;
+        Some((item.name, *lacking))
+    })
+}
+
+fn statement(facts: &Facts<'_>, own: &Statement, content: Span) -> Option<&'static str> {
+    let first = || own.words.first().map(|word| facts.text(word.span)).unwrap_or_default();
+    match own.kind {
+        StatementKind::Fn(16) => {
+            let text = first();
+            (own.words.len() == 1 && !text.contains('/') && !text.is_empty()).then_some("/")
+        }
+        StatementKind::Fn(18) if !facts.text(content).contains('=') => Some("="),
+        StatementKind::Fn(18) => (!has(facts, &own.words, "ID")).then_some("ID"),
+        StatementKind::Trans => {
+            let axis = own.words.len() == 1 && first().trim().eq_ignore_ascii_case("AXIS");
+            axis.then_some("X, Y, Z")
+        }
+        _ => None,
+    }
+}
+
+fn texts<'f>(facts: &'f Facts<'_>, own: &'f TextFormula) -> impl Iterator<Item = (Span, &'static str)> + 'f {
+    own.calls.iter().filter_map(|call| {
+        let name = facts.text(call.name).trim();
+        let (_, needed) = TEXTS.iter().find(|(own, _)| own.eq_ignore_ascii_case(name))?;
+        let lacking = needed.iter().find(|name| !has(facts, &call.words, name))?;
+        Some((call.name, *lacking))
+    })
+}
