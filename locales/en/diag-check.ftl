@@ -18,6 +18,7 @@ diag-blank-wrong =
         [first] BLK FORM 0.2 has no BLK FORM 0.1 before it.
         [cylinder] The cylinder has no radius or diameter, or no length.
         [second] BLK FORM 0.1 has no BLK FORM 0.2 behind it.
+        [tool] BLK FORM 0.1 names no tool axis.
        *[order] In the axis { $axis } the coordinate of the second corner of the blank is not greater than that of the first one.
     }
 diag-block-numbers = The block number { $number } follows { $before }.
@@ -31,6 +32,7 @@ diag-compensation-at-cycle =
     { $cycle } is executed here while radius compensation is active.
 diag-compensation-left-on = Radius compensation is still active here.
 diag-compensation-on-arc = Radius compensation begins in an arc here.
+diag-compensation-switched = Radius compensation changes its side here without R0 in between.
 diag-contour-data-missing = { $cycle } is called, but { $data } has not been defined before.
 diag-contour-def-wrong =
     { $what ->
@@ -45,12 +47,15 @@ diag-corner-wrong =
     This corner cannot be machined: { $what ->
         [twice] a rounding or chamfer stands before it already
         [arc] a chamfer lies between straight lines, and there is an arc
+        [alone] no contour element follows it
+        [size] its radius or length is not positive
        *[long] it takes more than the shorter line has, { $least }
     }.
 diag-cutting-without-tool = The tool moves at feed here, but no tool call stands before.
 diag-cycle-line-alone = The line { $line } has no line { $head } before it.
 diag-cycle-line-empty = Nothing stands on the line { $line } of { $cycle }.
 diag-cycle-line-missing = The line { $missing } is missing before { $line }.
+diag-cycle-line-twice = The line { $line } stands twice in this definition.
 diag-cycle-not-covered = { $cycle } is not checked: the manuals of the { $control } that are known here do not treat such cycles.
 diag-cycle-not-described = { $cycle } ({ $name }) is named by the manuals and not described: its parameters are not checked.
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
@@ -119,7 +124,9 @@ diag-parameter-unassigned =
     { $parameter } is read here, but nothing gives it a value before.
 diag-plane-incomplete = This PLANE lacks { $word }.
 diag-plane-not-reset = The program ends here with a tilted working plane.
+diag-probe-while-turning = { $cycle } probes here while the spindle turns.
 diag-program-begin-missing = The program does not begin with BEGIN PGM.
+diag-program-begin-twice = BEGIN PGM stands a second time here.
 diag-program-calls-itself = The program calls itself: { $name }.
 diag-program-end-missing = The program ends here without END PGM.
 diag-programs-call-in-circle = The program { $name } calls this one back, be it through others.

@@ -18,6 +18,7 @@ diag-blank-wrong =
         [first] Lauseen BLK FORM 0.2 edellä ei ole lausetta BLK FORM 0.1.
         [cylinder] Sylinteriltä puuttuu säde tai halkaisija taikka pituus.
         [second] Lauseen BLK FORM 0.1 jäljessä ei ole lausetta BLK FORM 0.2.
+        [tool] BLK FORM 0.1 -lauseesta puuttuu työkaluakseli.
        *[order] Akselilla { $axis } aihion toisen kulman koordinaatti ei ole suurempi kuin ensimmäisen.
     }
 diag-block-numbers = Lausenumero { $number } seuraa numeroa { $before }.
@@ -31,6 +32,7 @@ diag-compensation-at-cycle =
     { $cycle } suoritetaan tässä sädekorjauksen ollessa voimassa.
 diag-compensation-left-on = Sädekorjaus on tässä vielä voimassa.
 diag-compensation-on-arc = Sädekorjaus alkaa tässä kaarella.
+diag-compensation-switched = Sädekorjaus vaihtaa tässä puolta ilman välissä olevaa R0-lausetta.
 diag-contour-data-missing = { $cycle } kutsutaan, mutta sitä ennen ei ole määritelty työkiertoa { $data }.
 diag-contour-def-wrong =
     { $what ->
@@ -45,12 +47,15 @@ diag-corner-wrong =
     Tätä nurkkaa ei voi koneistaa: { $what ->
         [twice] sen edellä on jo pyöristys tai viiste
         [arc] viiste on suorien välissä, mutta tässä on kaari
+        [alone] sen jäljessä ei ole muotoelementtiä
+        [size] sen säde tai pituus ei ole positiivinen
        *[long] se vie enemmän kuin lyhyemmässä suorassa on, { $least }
     }.
 diag-cutting-without-tool = Työkalu liikkuu tässä syöttöarvolla, mutta ennen sitä ei ole työkalukutsua.
 diag-cycle-line-alone = Rivin { $line } edellä ei ole riviä { $head }.
 diag-cycle-line-empty = Työkierron { $cycle } rivillä { $line } ei ole mitään.
 diag-cycle-line-missing = Rivin { $line } edeltä puuttuu rivi { $missing }.
+diag-cycle-line-twice = Rivi { $line } on tässä määrittelyssä kahdesti.
 diag-cycle-not-covered = Työkiertoa { $cycle } ei tarkasteta: ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele tällaisia työkiertoja.
 diag-cycle-not-described = Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sen parametreja ei tarkasteta.
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
@@ -119,7 +124,9 @@ diag-parameter-unassigned =
     { $parameter } luetaan tässä, mutta sille ei ole sitä ennen annettu arvoa.
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
 diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
+diag-probe-while-turning = { $cycle } koskettaa tässä karan pyöriessä.
 diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
+diag-program-begin-twice = BEGIN PGM on tässä toisen kerran.
 diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.
 diag-program-end-missing = Ohjelma loppuu tähän ilman END PGM -lausetta.
 diag-programs-call-in-circle = Ohjelma { $name } kutsuu takaisin tätä ohjelmaa, suoraan tai muiden kautta.

@@ -18,6 +18,7 @@ diag-blank-wrong =
         [first] Prima di BLK FORM 0.2 non c’è BLK FORM 0.1.
         [cylinder] Al cilindro manca il raggio o il diametro, oppure la lunghezza.
         [second] Dopo BLK FORM 0.1 non c’è BLK FORM 0.2.
+        [tool] BLK FORM 0.1 non indica l’asse utensile.
        *[order] Nell’asse { $axis } la coordinata del secondo vertice del pezzo grezzo non è maggiore di quella del primo.
     }
 diag-block-numbers = Il numero di blocco { $number } segue { $before }.
@@ -31,6 +32,7 @@ diag-compensation-at-cycle =
     { $cycle } viene eseguito qui con la correzione del raggio attiva.
 diag-compensation-left-on = Qui la correzione del raggio è ancora attiva.
 diag-compensation-on-arc = La compensazione del raggio inizia qui su un arco.
+diag-compensation-switched = La compensazione del raggio cambia lato qui senza R0 intermedio.
 diag-contour-data-missing = { $cycle } viene chiamato, ma { $data } non è stato definito prima.
 diag-contour-def-wrong =
     { $what ->
@@ -45,12 +47,15 @@ diag-corner-wrong =
     Questo spigolo non si può lavorare: { $what ->
         [twice] prima c’è già un arrotondamento o uno smusso
         [arc] uno smusso sta tra due rette, e qui c’è un arco
+        [alone] non è seguito da un elemento del profilo
+        [size] il suo raggio o la sua lunghezza non è positiva
        *[long] richiede più di quanto misura la retta più corta, { $least }
     }.
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
 diag-cycle-line-alone = Prima della riga { $line } non c’è la riga { $head }.
 diag-cycle-line-empty = Nella riga { $line } di { $cycle } non c’è nulla.
 diag-cycle-line-missing = Prima di { $line } manca la riga { $missing }.
+diag-cycle-line-twice = La riga { $line } compare due volte in questa definizione.
 diag-cycle-not-covered = { $cycle } non viene verificato: i manuali del controllo { $control } qui noti non trattano cicli di questo tipo.
 diag-cycle-not-described = { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
@@ -119,7 +124,9 @@ diag-parameter-unassigned =
     { $parameter } viene letto qui, ma prima nulla gli assegna un valore.
 diag-plane-incomplete = In questo PLANE manca { $word }.
 diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
+diag-probe-while-turning = { $cycle } tasta qui mentre il mandrino gira.
 diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
+diag-program-begin-twice = BEGIN PGM compare qui una seconda volta.
 diag-program-calls-itself = Il programma chiama sé stesso: { $name }.
 diag-program-end-missing = Il programma finisce qui senza END PGM.
 diag-programs-call-in-circle = Il programma { $name } richiama a sua volta questo, direttamente o tramite altri.

@@ -18,6 +18,7 @@ diag-blank-wrong =
         [first] Antes de BLK FORM 0.2 não há BLK FORM 0.1.
         [cylinder] Falta ao cilindro o raio ou o diâmetro, ou a longitude.
         [second] Depois de BLK FORM 0.1 não há BLK FORM 0.2.
+        [tool] BLK FORM 0.1 não indica o eixo da ferramenta.
        *[order] No eixo { $axis }, a coordenada do segundo vértice do bloco não é maior do que a do primeiro.
     }
 diag-block-numbers = O número de frase { $number } vem depois de { $before }.
@@ -31,6 +32,7 @@ diag-compensation-at-cycle =
     { $cycle } é executado aqui com a correção de raio ativa.
 diag-compensation-left-on = A correção de raio ainda está aqui ativa.
 diag-compensation-on-arc = A compensação do raio começa aqui num arco.
+diag-compensation-switched = A compensação do raio muda aqui de lado sem R0 de permeio.
 diag-contour-data-missing = { $cycle } é chamado, mas { $data } não foi definido antes.
 diag-contour-def-wrong =
     { $what ->
@@ -45,12 +47,15 @@ diag-corner-wrong =
     Esta esquina não se pode maquinar: { $what ->
         [twice] antes dela já há um arredondamento ou um chanfro
         [arc] um chanfro fica entre retas, e aqui há um arco
+        [alone] não lhe segue nenhum elemento do contorno
+        [size] o seu raio ou comprimento não é positivo
        *[long] exige mais do que mede a reta mais curta, { $least }
     }.
 diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
 diag-cycle-line-alone = Antes da linha { $line } não há a linha { $head }.
 diag-cycle-line-empty = Na linha { $line } de { $cycle } não há nada.
 diag-cycle-line-missing = Antes de { $line } falta a linha { $missing }.
+diag-cycle-line-twice = A linha { $line } está duas vezes nesta definição.
 diag-cycle-not-covered = { $cycle } não é verificado: os manuais do comando { $control } aqui conhecidos não tratam de ciclos deste tipo.
 diag-cycle-not-described = { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
@@ -119,7 +124,9 @@ diag-parameter-unassigned =
     { $parameter } é lido aqui, mas antes nada lhe atribui um valor.
 diag-plane-incomplete = Neste PLANE falta { $word }.
 diag-plane-not-reset = O programa termina aqui com o plano de maquinação inclinado.
+diag-probe-while-turning = { $cycle } apalpa aqui com o cabeçote a rodar.
 diag-program-begin-missing = O programa não começa com BEGIN PGM.
+diag-program-begin-twice = BEGIN PGM está aqui pela segunda vez.
 diag-program-calls-itself = O programa chama-se a si próprio: { $name }.
 diag-program-end-missing = O programa acaba aqui sem END PGM.
 diag-programs-call-in-circle = O programa { $name } volta a chamar este, diretamente ou através de outros.

@@ -18,6 +18,7 @@ diag-blank-wrong =
         [first] Pred BLK FORM 0.2 ni BLK FORM 0.1.
         [cylinder] Valju manjka polmer ali premer oziroma dolžina.
         [second] Za BLK FORM 0.1 ni BLK FORM 0.2.
+        [tool] V BLK FORM 0.1 ni orodne osi.
        *[order] Na osi { $axis } koordinata drugega oglišča surovca ni večja od koordinate prvega.
     }
 diag-block-numbers = Številka stavka { $number } sledi številki { $before }.
@@ -31,6 +32,7 @@ diag-compensation-at-cycle =
     { $cycle } se tu izvede pri aktivnem popravku polmera.
 diag-compensation-left-on = Popravek polmera je tu še aktiven.
 diag-compensation-on-arc = Popravek polmera se tu začne na loku.
+diag-compensation-switched = Popravek polmera tu zamenja stran brez vmesnega R0.
 diag-contour-data-missing = { $cycle } se prikliče, { $data } pa pred tem ni definiran.
 diag-contour-def-wrong =
     { $what ->
@@ -45,12 +47,15 @@ diag-corner-wrong =
     Tega vogala ni mogoče obdelati: { $what ->
         [twice] pred njim je že zaokrožitev ali posneti rob
         [arc] posneti rob leži med premicama, tu pa je lok
+        [alone] za njim ni konturnega elementa
+        [size] njegov polmer ali dolžina ni pozitivna
        *[long] potrebuje več, kot ima krajša premica, { $least }
     }.
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
 diag-cycle-line-alone = Pred vrstico { $line } ni vrstice { $head }.
 diag-cycle-line-empty = V vrstici { $line } cikla { $cycle } ni ničesar.
 diag-cycle-line-missing = Pred vrstico { $line } manjka vrstica { $missing }.
+diag-cycle-line-twice = Vrstica { $line } je v tej definiciji dvakrat.
 diag-cycle-not-covered = Cikel { $cycle } se ne preveri: priročniki krmiljenja { $control }, ki so tu znani, takšnih ciklov ne obravnavajo.
 diag-cycle-not-described = Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
@@ -121,7 +126,9 @@ diag-parameter-unassigned =
     { $parameter } se tu bere, pred tem pa mu nič ne določi vrednosti.
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
 diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
+diag-probe-while-turning = { $cycle } tu tipa, medtem ko se vreteno vrti.
 diag-program-begin-missing = Program se ne začne z BEGIN PGM.
+diag-program-begin-twice = BEGIN PGM je tu drugič.
 diag-program-calls-itself = Program prikliče samega sebe: { $name }.
 diag-program-end-missing = Program se tu konča brez END PGM.
 diag-programs-call-in-circle = Program { $name } kliče nazaj tega, neposredno ali prek drugih.

@@ -394,6 +394,18 @@ impl<'a> Defined<'a> {
         of_cycle.is_some_and(|(cycle, kept)| kept.deed(cycle).calls_last())
     }
 
+    /// The same definition, read as that of a cycle of another control.
+    pub(super) fn read_as(&self, cycle: &'a Cycle) -> Self {
+        Self {
+            view: self.view.clone(),
+            key: self.key,
+            known: Known::Described(cycle),
+            torn: self.torn,
+            kept: None,
+            usual: Tongues::default(),
+        }
+    }
+
     /// Whether its cycle has a parameter of that kind.
     pub(super) fn has_kind(&self, kind: ParameterKind) -> bool {
         self.cycle().is_some() && self.kept.is_some_and(|kept| kept.has_kind(kind))

@@ -21,7 +21,7 @@ use super::Facts;
 use super::facts::each_function;
 use crate::diag::Span;
 use crate::expr::QRef;
-use crate::syntax::{Block, BlockKind, FnOp, MFunction, Motion, Path};
+use crate::syntax::{Block, BlockKind, MFunction, Motion, Path};
 use circles::circles;
 pub(super) use effect::Deed;
 use graph::{End, reads};
@@ -298,8 +298,9 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             return;
         };
         if own.way != Way::Call {
-            self.enter((target, caller), state);
-            self.enter((run + 1, caller), state);
+            let (taken, passed) = self.steps.branches(own.block, state);
+            self.enter((target, caller), taken.as_ref().unwrap_or(state));
+            self.enter((run + 1, caller), passed.as_ref().unwrap_or(state));
             return;
         }
         let inside = if self.shared { Caller::Outside } else { Caller::Use(at) };
@@ -504,7 +505,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
                         _ => {}
                     }
                 }
-                run.failing.extend(self.failure(block, &states));
+                run.failing.extend(Steps::failing(block, &states));
                 calls.clear();
                 calls_in(block, &mut words, &mut calls);
                 for span in calls.iter().copied() {
@@ -530,26 +531,6 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         run.unset.sort_by_key(|(_, span)| span.start);
         run.graph = self.graph;
         run
-    }
-
-    /// The place of a calculation that fails on every way, and why.
-    fn failure(&self, block: &Block, states: &[State]) -> Option<(Span, &'static str)> {
-        let (span, why) = match &block.kind {
-            BlockKind::Formula(formula) => {
-                let (first, others) = states.split_first()?;
-                let why = Steps::failure(&formula.expr, first)?;
-                (
-                    formula.text,
-                    others.iter().all(|state| Steps::failure(&formula.expr, state) == Some(why)).then_some(why),
-                )
-            }
-            BlockKind::FnAssign(assign) if assign.op == FnOp::Sqrt => {
-                let negative = |state: &State| matches!(step::value(&assign.a, state), Known::Number(a) if a < 0.0);
-                (assign.a.span, (!states.is_empty() && states.iter().all(negative)).then_some("domain"))
-            }
-            _ => return None,
-        };
-        Some((span, why?))
     }
 
     /// The parameters that have no value when the run comes to them first, as far as it can only go one way.

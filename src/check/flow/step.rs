@@ -8,10 +8,11 @@ use super::state::{Aspect, Known, Modal, Pending, State, Tri};
 use crate::check::Facts;
 use crate::check::among::Callees;
 use crate::check::facts::each_function;
+use crate::diag::Span;
 use crate::expr::{Code, Env, EvalError, Expr, QKind, QRef, Resolve, Type, Value, compile};
 use crate::syntax::{
     Amount, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, Operand, Path, Program,
-    Statement, StatementKind, ValueKind,
+    Relation, Statement, StatementKind, ValueKind,
 };
 
 /// What stepping needs besides the state.
@@ -206,6 +207,51 @@ impl<'f, 'a> Steps<'f, 'a> {
         let words = head.chain(statement.words.iter().map(|word| self.program.slice(word.span)));
         let found = words.into_iter().nth(at).unwrap_or_default();
         WORDS.into_iter().find(|word| word.eq_ignore_ascii_case(found)).unwrap_or_default()
+    }
+
+    /// The states where a jump leads and behind it, if they are others than that before it. A switch at the beginning of a
+    /// program may be set otherwise: on the way that its number rules out, the parameters that are compared are unknown.
+    pub(super) fn branches(&self, block: usize, state: &State) -> (Option<State>, Option<State>) {
+        let Some(BlockKind::FnJump(jump)) = self.program.blocks().get(block).map(|block| &block.kind) else {
+            return (None, None);
+        };
+        let (Known::Number(a), Known::Number(b)) = (value(&jump.a, state), value(&jump.b, state)) else {
+            return (None, None);
+        };
+        let holds = match jump.relation {
+            Relation::Equal => a == b,
+            Relation::NotEqual => a != b,
+            Relation::Greater => a > b,
+            Relation::Less => a < b,
+            Relation::Undefined | Relation::Defined => return (None, None),
+        };
+        let mut other = state.clone();
+        for operand in [&jump.a, &jump.b] {
+            if let Amount::Q { q, .. } = operand.amount {
+                other.set(q, Known::Unknown);
+            }
+        }
+        if holds { (None, Some(other)) } else { (Some(other), None) }
+    }
+
+    /// The place of a calculation that fails on every way, and why.
+    pub(super) fn failing(block: &Block, states: &[State]) -> Option<(Span, &'static str)> {
+        let (span, why) = match &block.kind {
+            BlockKind::Formula(formula) => {
+                let (first, others) = states.split_first()?;
+                let why = Self::failure(&formula.expr, first)?;
+                (
+                    formula.text,
+                    others.iter().all(|state| Self::failure(&formula.expr, state) == Some(why)).then_some(why),
+                )
+            }
+            BlockKind::FnAssign(assign) if assign.op == FnOp::Sqrt => {
+                let negative = |state: &State| matches!(value(&assign.a, state), Known::Number(a) if a < 0.0);
+                (assign.a.span, (!states.is_empty() && states.iter().all(negative)).then_some("domain"))
+            }
+            _ => return None,
+        };
+        Some((span, why?))
     }
 
     /// Why a formula certainly has no result.

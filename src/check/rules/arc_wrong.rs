@@ -95,7 +95,8 @@ impl Way {
             Path::Cc if motion.coords.is_empty() => self.centre = self.at,
             // Of a centre with one coordinate the manuals do not say where the other comes from.
             Path::Cc => {
-                let written = |axis: Axis| motion.coord(axis).is_some();
+                // One in another plane is no centre of arcs in this one.
+                let written = |axis: Axis| !others && motion.coord(axis).is_some();
                 self.centre = [end[0].filter(|_| written(Axis::X)), end[1].filter(|_| written(Axis::Y))];
             }
             Path::Rnd | Path::Chf => {}
@@ -103,7 +104,7 @@ impl Way {
                 let (start, centre) = (self.at, self.centre);
                 self.at = end;
                 let (first, second) = (distance(start, centre)?, distance(end, centre)?);
-                if flat && (first - second).abs() > tolerance {
+                if flat && ((first - second).abs() > tolerance || (first == 0.0 && second == 0.0)) {
                     return Some(("centre", first, second));
                 }
             }

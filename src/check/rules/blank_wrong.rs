@@ -17,6 +17,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
             BlockKind::BlkForm(form) => match first.take() {
                 Some((line, corner)) => {
+                    if corner.axis.is_none() {
+                        found.push(rule.at(facts, facts.content(line)).arg("what", "tool"));
+                    }
                     lacking(rule, facts, line, corner, found);
                     lacking(rule, facts, block, form, found);
                     corners(rule, facts, corner, form, found);

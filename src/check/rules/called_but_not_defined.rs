@@ -2,7 +2,6 @@
 //!
 //! Silent behind calls of other programs, which may define one, and in programs that name neither blank nor tool:
 //! others call them and may have defined the cycle.
-use super::call_of_def_active_cycle::calls_last;
 use crate::check::{Facts, Pending, Rule};
 use crate::diag::{Diagnostic, Severity};
 
@@ -24,7 +23,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// Definitions of patterns, which call the cycle that was defined before them.
 fn patterns(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    for definition in facts.definitions.iter().filter(|own| own.cycle().is_some_and(calls_last)) {
+    for definition in facts.definitions.iter().filter(|own| own.calls_last()) {
         let before = facts.run.before(definition.view.first);
         if before.is_some_and(|modal| modal.pending == Pending::None) {
             // The control may keep a cycle of the program before.

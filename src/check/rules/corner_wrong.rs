@@ -9,6 +9,8 @@ use crate::syntax::{Amount, Axis, Block, BlockKind, Element, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "corner-wrong", severity: Severity::Warning, run };
 
+/// How many blocks are looked back through for coordinates.
+const BACK: usize = 8;
 /// What a corner may be too large, mm or inch: coordinates are rounded.
 const TOLERANCE: f64 = 0.01;
 
@@ -19,7 +21,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if !motion.path().is_corner() || block.skip {
             continue;
         }
-        let before = blocks[..index].iter().rev().filter(|block| acts(block)).take(3).collect::<Vec<_>>();
+        let before = blocks[..index].iter().rev().filter(|block| acts(block)).take(BACK).collect::<Vec<_>>();
         let behind = blocks.get(index + 1..).unwrap_or_default().iter().find(|block| acts(block));
         if let Some((what, least)) = wrong(motion, &before, behind) {
             let finding = rule.at(facts, facts.content(block)).arg("what", what);
@@ -31,6 +33,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// Whether a block is more than a comment.
 fn acts(block: &Block) -> bool {
     !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_))
+}
+
+fn is_corner(block: &Block) -> bool {
+    matches!(&block.kind, BlockKind::Motion(motion) if motion.path().is_corner())
 }
 
 fn element(block: Option<&Block>) -> Option<&Element> {
@@ -45,6 +51,17 @@ fn wrong(own: &Element, before: &[&Block], behind: Option<&Block>) -> Option<(&'
     if first.path().is_corner() {
         return Some(("twice", 0.0));
     }
+    if let Amount::Number(size) = own.words().radius.map_or(Amount::Number(1.0), |own| own.amount)
+        && size <= 0.0
+    {
+        return Some(("size", 0.0));
+    }
+    let ends = |block: &Block| {
+        matches!(block.kind, BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) | BlockKind::ToolCall(_))
+    };
+    if behind.is_some_and(ends) {
+        return Some(("alone", 0.0));
+    }
     let second = element(behind)?;
     let arc = |motion: &Element| matches!(motion.path(), Path::C | Path::Cr | Path::Ct | Path::Cp | Path::Ctp);
     if own.path() == Path::Chf && (arc(first) || arc(second)) {
@@ -57,8 +74,9 @@ fn wrong(own: &Element, before: &[&Block], behind: Option<&Block>) -> Option<(&'
         Amount::Number(number) => number.abs(),
         Amount::Q { .. } | Amount::Text(_) => return None,
     };
-    let corner = target(before)?;
-    let start = target(before.get(1..)?)?;
+    let lines: Vec<&Block> = before.iter().copied().filter(|block| !is_corner(block)).collect();
+    let corner = target(&lines)?;
+    let start = target(lines.get(1..)?)?;
     let end = moved(corner, &second.words())?;
     let one = [start[0] - corner[0], start[1] - corner[1]];
     let other = [end[0] - corner[0], end[1] - corner[1]];
@@ -74,16 +92,24 @@ fn wrong(own: &Element, before: &[&Block], behind: Option<&Block>) -> Option<(&'
     (needed.is_finite() && needed > short + TOLERANCE).then_some(("long", short))
 }
 
-/// Where the first of blocks in reverse leads in X and Y, its own words and those of the line before it being numbers.
+/// Where the first of blocks in reverse leads in X and Y: what it does not say, those before it say.
 fn target(before: &[&Block]) -> Option<[f64; 2]> {
-    let own = element(before.first().copied()).filter(|own| own.path() == Path::L)?.words();
-    let from = element(before.get(1).copied()).filter(|own| own.path() == Path::L).map(|own| plain(&own.words()));
-    let [x, y] = plain(&own);
-    let [fx, fy] = from.unwrap_or([None, None]);
-    flat(&own).then_some([
-        x.or(if names(&own, Axis::X) { None } else { fx })?,
-        y.or(if names(&own, Axis::Y) { None } else { fy })?,
-    ])
+    let mut found = [None, None];
+    for block in before {
+        let own = element(Some(block)).filter(|own| matches!(own.path(), Path::L | Path::Appr(_)))?.words();
+        if own.functions.iter().any(|function| !matches!(function.number, 0..=9 | 13 | 14)) {
+            return None;
+        }
+        for ((found, written), axis) in found.iter_mut().zip(plain(&own)).zip([Axis::X, Axis::Y]) {
+            if found.is_none() && own.coord(axis).is_some() {
+                *found = Some(written?);
+            }
+        }
+        if let [Some(x), Some(y)] = found {
+            return Some([x, y]);
+        }
+    }
+    None
 }
 
 /// The absolute numbers of X and Y.
@@ -95,10 +121,6 @@ fn plain(own: &Motion) -> [Option<f64>; 2] {
         },
         _ => None,
     })
-}
-
-fn names(own: &Motion, axis: Axis) -> bool {
-    own.coord(axis).is_some()
 }
 
 fn flat(own: &Motion) -> bool {

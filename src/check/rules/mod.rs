@@ -14,6 +14,7 @@ mod clearance_height_too_low;
 mod compensation_at_cycle;
 mod compensation_left_on;
 mod compensation_on_arc;
+mod compensation_switched;
 mod contour_data_missing;
 mod contour_def_wrong;
 mod contour_depth_missing;
@@ -24,6 +25,7 @@ mod cutting_without_tool;
 mod cycle_line_alone;
 mod cycle_line_empty;
 mod cycle_line_missing;
+mod cycle_line_twice;
 mod cycle_not_covered;
 mod cycle_not_described;
 mod cycle_not_on_control;
@@ -62,7 +64,9 @@ mod pattern_missing;
 mod plane_incomplete;
 mod plane_not_reset;
 mod pole_missing;
+mod probe_while_turning;
 mod program_begin_missing;
+mod program_begin_twice;
 mod program_calls_itself;
 mod program_end_missing;
 mod programs_call_in_circle;
@@ -112,6 +116,7 @@ pub const RULES: &[&Rule] = &[
     &compensation_at_cycle::RULE,
     &compensation_left_on::RULE,
     &compensation_on_arc::RULE,
+    &compensation_switched::RULE,
     &contour_data_missing::RULE,
     &contour_def_wrong::RULE,
     &contour_depth_missing::RULE,
@@ -122,6 +127,7 @@ pub const RULES: &[&Rule] = &[
     &cycle_line_alone::RULE,
     &cycle_line_empty::RULE,
     &cycle_line_missing::RULE,
+    &cycle_line_twice::RULE,
     &cycle_not_covered::RULE,
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
@@ -160,7 +166,9 @@ pub const RULES: &[&Rule] = &[
     &plane_incomplete::RULE,
     &plane_not_reset::RULE,
     &pole_missing::RULE,
+    &probe_while_turning::RULE,
     &program_begin_missing::RULE,
+    &program_begin_twice::RULE,
     &program_calls_itself::RULE,
     &program_end_missing::RULE,
     &programs_call_in_circle::RULE,

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use crate::check::{Aspect, Facts, Mark, Rule, Tri, Way};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Block, BlockKind, Label, Path};
+use crate::syntax::{Approach, Block, BlockKind, Label, Path};
 
 pub(super) const RULE: Rule = Rule { code: "pole-missing", severity: Severity::Error, run };
 
@@ -40,7 +40,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// Whether a block turns about the centre or counts from the pole.
 fn turns(block: &Block) -> bool {
     let BlockKind::Motion(motion) = &block.kind else { return false };
-    matches!(motion.path(), Path::C | Path::Cp | Path::Lp | Path::Ctp)
+    let polar = |form: Approach| matches!(form, Approach::Plt | Approach::Pln | Approach::Pct | Approach::Plct);
+    match motion.path() {
+        Path::C | Path::Cp | Path::Lp | Path::Ctp => true,
+        Path::Appr(form) | Path::Dep(form) => polar(form),
+        _ => false,
+    }
 }
 
 fn is_pole(block: &Block) -> bool {

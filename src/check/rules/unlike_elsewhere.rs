@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use crate::check::guards::{self, Ready, Written};
 use crate::check::values::{refused, shown};
-use crate::check::{Defined, Definition, Facts, Rule};
+use crate::check::{Defined, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::{Cycle, CycleKey, Known, OnControl, Outcome, Refusal};
 use crate::syntax::{CycleForm, ValueKind};
@@ -45,14 +45,8 @@ impl<'a> Other<'a> {
     }
 
     fn compare(&self, rule: &Rule, facts: &Facts<'a>, own: &Defined<'a>, found: &mut Vec<Diagnostic>) {
-        let own = Defined {
-            view: own.view.clone(),
-            key: own.key,
-            known: Known::Described(self.cycle),
-            torn: false,
-            kept: None,
-        };
-        let read: Definition<'_> = facts.read(&own);
+        let own = own.read_as(self.cycle);
+        let read = facts.read(&own);
         let tell = |span, what: &'static str| {
             let finding = rule.at(facts, span).arg("what", what).arg("cycle", own.key.to_string());
             finding.arg("control", self.on.control.title.as_str())

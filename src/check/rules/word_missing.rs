@@ -4,7 +4,9 @@
 //! A block of DIN/ISO that has no equivalent because something is missing in it is told with `iso-incomplete`.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::syntax::{Approach, BlockKind, Element, NamedWord, Path, PatternDef, Statement, StatementKind, TextFormula};
+use crate::syntax::{
+    Approach, Axis, BlockKind, CallForm, Element, NamedWord, Path, PatternDef, Statement, StatementKind, TextFormula,
+};
 
 pub(super) const RULE: Rule = Rule { code: "word-missing", severity: Severity::Warning, run };
 
@@ -45,6 +47,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             BlockKind::Statement(own) => {
                 if let Some(word) = statement(facts, own, facts.content(block)) {
                     tell(facts.content(block), word);
+                }
+            }
+            BlockKind::CyclCall(own) => {
+                if let CallForm::Position(coords) = &own.form {
+                    let axes = [Axis::X, Axis::Y, Axis::Z];
+                    if let Some(axis) = axes.iter().find(|axis| !coords.iter().any(|own| own.axis == **axis)) {
+                        tell(facts.content(block), axis.name());
+                    }
                 }
             }
             BlockKind::TextFormula(own) => {
