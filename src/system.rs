@@ -2,6 +2,8 @@
 //!
 //! Invariant: nothing half-written is ever found under the name that was asked for. A file is written
 //! beside its target and renamed; a directory is filled beside its target and exchanged when whole.
+mod leftover;
+
 use std::ffi::OsString;
 use std::io::{self, BufRead as _, IsTerminal, Write as _};
 use std::path::{Path, PathBuf};
@@ -282,7 +284,7 @@ fn write_beside<'p>(path: &Path, parts: impl Iterator<Item = &'p [u8]>) -> io::R
         return put_parts(fs::File::create(path)?, parts);
     }
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let mut file = temporary(parent(&target))?;
+    let (_leftover, mut file) = leftover::make(|| temporary(parent(&target)), tempfile::NamedTempFile::path)?;
     put_parts(&mut file, parts)?;
     if let Ok(known) = fs::metadata(&target) {
         file.as_file().set_permissions(known.permissions())?;
@@ -317,6 +319,8 @@ pub struct Staged {
     target: PathBuf,
     scratch: tempfile::TempDir,
     whole: PathBuf,
+    /// Dropped last, when the directory is gone.
+    _leftover: leftover::Leftover,
 }
 
 impl Staged {
@@ -332,11 +336,12 @@ impl Staged {
             return Err(Trouble::new("io-foreign-directory", &target, &error));
         }
         fs::create_dir_all(parent(&target)).map_err(trouble)?;
-        let scratch = tempfile::Builder::new().prefix(".ciklo-").tempdir_in(parent(&target)).map_err(trouble)?;
+        let temporary = || tempfile::Builder::new().prefix(".ciklo-").tempdir_in(parent(&target));
+        let (leftover, scratch) = leftover::make(temporary, tempfile::TempDir::path).map_err(trouble)?;
         let whole = scratch.path().join("new");
         fs::create_dir(&whole).map_err(trouble)?;
         fs::write(whole.join(MARK), "ciklo build 1\n").map_err(trouble)?;
-        Ok(Self { target, scratch, whole })
+        Ok(Self { target, scratch, whole, _leftover: leftover })
     }
 
     /// Writes a file of the directory; `path` has `/` and stays inside.
@@ -357,17 +362,19 @@ impl Staged {
     /// # Errors
     /// `io-write` if it cannot be moved; the old one then stands where it stood.
     pub fn commit(self) -> Result<(), Trouble> {
-        let trouble = |error: io::Error| Trouble::new("io-write", &self.target, &error);
         let old = self.scratch.path().join("old");
-        let replaced = self.target.exists();
-        if replaced {
-            fs::rename(&self.target, &old).map_err(trouble)?;
-        }
-        let moved = fs::rename(&self.whole, &self.target);
-        if moved.is_err() && replaced {
-            fs::rename(&old, &self.target).map_err(trouble)?;
-        }
-        moved.map_err(trouble)
+        let exchanged = leftover::undisturbed(|| {
+            let replaced = self.target.exists();
+            if replaced {
+                fs::rename(&self.target, &old)?;
+            }
+            let moved = fs::rename(&self.whole, &self.target);
+            if moved.is_err() && replaced {
+                fs::rename(&old, &self.target)?;
+            }
+            moved
+        });
+        exchanged.map_err(|error| Trouble::new("io-write", &self.target, &error))
     }
 }
 

@@ -47,6 +47,32 @@ fn stored(path: &Path, actual: &str) {
     }
 }
 
+/// A manual takes seconds to write; it grows beside its place, and goes away when the program is told to end.
+#[cfg(unix)]
+#[test]
+fn a_signal_leaves_nothing_half_made() {
+    use std::os::unix::process::ExitStatusExt as _;
+    let folder = tempfile::tempdir().unwrap();
+    let half_made = || {
+        let names = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
+        names.filter(|name| name.to_string_lossy().starts_with(".ciklo-")).count()
+    };
+    for (name, number) in [("-TERM", 15), ("-INT", 2)] {
+        let out = folder.path().join("manual");
+        let mut child = ciklo(&["build", "--out", out.to_str().unwrap()]).stdout(Stdio::null()).spawn().unwrap();
+        let begun = (0..6000).any(|_| {
+            std::thread::sleep(std::time::Duration::from_millis(10));
+            half_made() > 0
+        });
+        assert!(begun, "nothing was begun");
+        let sent = Command::new("kill").args([name, &child.id().to_string()]).status().unwrap();
+        assert!(sent.success());
+        assert_eq!(child.wait().unwrap().signal(), Some(number), "it ends by the signal");
+        assert_eq!(half_made(), 0, "after {name}");
+        assert!(!out.exists());
+    }
+}
+
 /// A case file has lines `$ arguments`, each followed by what the command gave: `exit N`, lines of
 /// standard output, and lines of standard error behind `! `. `| N` at the end of the arguments keeps
 /// the first N lines of each stream. Words in double quotes are one argument.

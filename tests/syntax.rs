@@ -102,7 +102,8 @@ fn the_programs_show_every_kind_of_block() {
     }
     let all = "appr axis begin-pgm blk-form c call-lbl call-pgm call-selected cc chf comment contour-def contour-formula \
                cp cr ct ctp cycl-call cycl-def declare-contour dep empty end-pgm fc fct fl flt fn fn-assign \
-               fn-jump formula fpol fselect function global-def iso-blend iso-cycle iso-modal l lbl ln lp m pattern-def plane rnd sel \
+               fn-jump formula fpol fselect function global-def indirect iso-blend iso-cycle iso-modal l lbl ln lp m pattern-def plane \
+               refused rnd sel \
                set-undefined spl sql stop string-formula structure sysread tch-probe tool-call tool-def trans \
                unknown";
     assert_eq!(seen.into_iter().collect::<Vec<_>>(), all.split_whitespace().collect::<Vec<_>>());

@@ -53,4 +53,6 @@ diag-syntax-remark = “{ $found }” stands behind a tab and belongs to no bloc
 diag-syntax-dangling-continuation = The ~ announces a further line, but none that belongs to this block follows.
 diag-syntax-foreign-line = “{ $found }” is no block of this language; a control would refuse it. Comments begin with a semicolon.
 diag-syntax-spelling = “{ $found }” is not how controls spell it: { syntax-expected }.
+diag-syntax-undescribed = “{ $found }” stands in no manual of this control family; whether a control takes it is not known.
+diag-syntax-refused-block = A control could not read this block: { $found }
 diag-syntax-doubled-continuation = A second ~ stands here: one joins the next line.

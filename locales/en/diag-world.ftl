@@ -41,6 +41,7 @@ diag-solid-helix-unsupported = The ball may touch the workpiece on a helix or wh
 diag-table-no-header = The table must begin with a line "BEGIN", the name of a { $extension } file and the unit.
 diag-table-no-heading = The second line must name the columns, { $column } among them.
 diag-table-no-end = The line [END] is missing.
+diag-table-not-described = No manual describes tables of this kind: only the frame is looked at.
 diag-table-no-row-number = The row has no number: "{ $found }".
 diag-table-duplicate-row = The row { $row } stands twice.
 diag-table-bad-number = { $file }, row { $row }, column { $column }: "{ $found }" is not a number.

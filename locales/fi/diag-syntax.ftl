@@ -53,4 +53,6 @@ diag-syntax-remark = ”{ $found }” on sarkainmerkin jäljessä eikä kuulu mi
 diag-syntax-dangling-continuation = Merkki ~ ilmoittaa jatkorivin, mutta tähän lauseeseen kuuluvaa riviä ei seuraa.
 diag-syntax-foreign-line = ”{ $found }” ei ole tämän kielen lause; ohjaus hylkäisi sen. Kommentti alkaa puolipisteellä.
 diag-syntax-spelling = ”{ $found }” kirjoitetaan ohjauksissa { syntax-expected }.
+diag-syntax-undescribed = ”{ $found }” ei esiinny tämän ohjausperheen ohjekirjoissa; ei tiedetä, hyväksyykö ohjaus sen.
+diag-syntax-refused-block = Ohjaus ei osannut lukea tätä lausetta: { $found }
 diag-syntax-doubled-continuation = Tässä on toinen merkki ~: yksi riittää liittämään seuraavan rivin.

@@ -40,6 +40,7 @@ diag-solid-helix-unsupported = Kosketuskuula saattaa koskettaa työkappaletta ki
 diag-table-no-header = Taulukon ensimmäisellä rivillä on oltava ”BEGIN”, { $extension }-tiedoston nimi ja mittayksikkö.
 diag-table-no-heading = Toisella rivillä on oltava sarakkeiden nimet, muun muassa { $column }.
 diag-table-no-end = Rivi [END] puuttuu.
+diag-table-not-described = Mikään ohjekirja ei kuvaa tällaisia taulukoita: vain kehys tarkastetaan.
 diag-table-no-row-number = Riviltä puuttuu numero: ”{ $found }”.
 diag-table-duplicate-row = Rivi { $row } on taulukossa kahdesti.
 diag-table-bad-number = { $file }, rivi { $row }, sarake { $column }: ”{ $found }” ei ole luku.

@@ -53,4 +53,6 @@ diag-syntax-remark = «{ $found }» segue una tabulazione e non appartiene ad al
 diag-syntax-dangling-continuation = Il carattere ~ annuncia una riga successiva, ma non ne segue alcuna che appartenga a questo blocco.
 diag-syntax-foreign-line = «{ $found }» non è un blocco di questo linguaggio; il controllo lo rifiuterebbe. I commenti iniziano con un punto e virgola.
 diag-syntax-spelling = «{ $found }» sui controlli si scrive { syntax-expected }.
+diag-syntax-undescribed = «{ $found }» non compare in nessun manuale di questa famiglia di controlli; non è noto se un controllo lo accetti.
+diag-syntax-refused-block = Un controllo non è riuscito a leggere questo blocco: { $found }
 diag-syntax-doubled-continuation = Qui c'è un secondo carattere ~: ne basta uno per collegare la riga successiva.

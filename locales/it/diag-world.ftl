@@ -40,6 +40,7 @@ diag-solid-helix-unsupported = La sfera del tastatore può toccare il pezzo dura
 diag-table-no-header = La tabella deve iniziare con una riga contenente "BEGIN", il nome di un file { $extension } e l’unità di misura.
 diag-table-no-heading = La seconda riga deve contenere i nomi delle colonne, tra cui { $column }.
 diag-table-no-end = Manca la riga [END].
+diag-table-not-described = Nessun manuale descrive tabelle di questo tipo: se ne controlla solo la cornice.
 diag-table-no-row-number = La riga non ha numero: «{ $found }».
 diag-table-duplicate-row = La riga { $row } è presente due volte.
 diag-table-bad-number = { $file }, riga { $row }, colonna { $column }: «{ $found }» non è un numero.

@@ -53,4 +53,6 @@ diag-syntax-remark = «{ $found }» está depois de uma tabulação e não perte
 diag-syntax-dangling-continuation = O carácter ~ anuncia mais uma linha, mas não se segue nenhuma que pertença a esta frase.
 diag-syntax-foreign-line = «{ $found }» não é uma frase desta linguagem; o comando recusá-la-ia. Os comentários começam com ponto e vírgula.
 diag-syntax-spelling = «{ $found }» escreve-se { syntax-expected } nos comandos.
+diag-syntax-undescribed = «{ $found }» não consta de nenhum manual desta família de comandos; não se sabe se um comando o aceita.
+diag-syntax-refused-block = Um comando não conseguiu ler esta frase: { $found }
 diag-syntax-doubled-continuation = Há aqui um segundo carácter ~: basta um para ligar a linha seguinte.

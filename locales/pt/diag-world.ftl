@@ -40,6 +40,7 @@ diag-solid-helix-unsupported = A esfera de apalpação pode tocar na peça duran
 diag-table-no-header = A tabela deve começar por uma linha com "BEGIN", o nome de um ficheiro { $extension } e a unidade de medida.
 diag-table-no-heading = A segunda linha deve conter os nomes das colunas, entre eles { $column }.
 diag-table-no-end = Falta a linha [END].
+diag-table-not-described = Nenhum manual descreve tabelas deste tipo: só se verifica a moldura.
 diag-table-no-row-number = A linha não tem número: «{ $found }».
 diag-table-duplicate-row = A linha { $row } aparece duas vezes.
 diag-table-bad-number = { $file }, linha { $row }, coluna { $column }: «{ $found }» não é um número.

@@ -53,4 +53,6 @@ diag-syntax-remark = »{ $found }« stoji za tabulatorjem in ne pripada nobenemu
 diag-syntax-dangling-continuation = Znak ~ napoveduje nadaljnjo vrstico, vendar ne sledi nobena, ki bi pripadala temu stavku.
 diag-syntax-foreign-line = »{ $found }« ni stavek tega jezika; krmiljenje bi ga zavrnilo. Komentar se začne s podpičjem.
 diag-syntax-spelling = »{ $found }« se na krmiljenjih piše { syntax-expected }.
+diag-syntax-undescribed = »{ $found }« ni v nobenem priročniku te družine krmiljenj; ali ga krmiljenje sprejme, ni znano.
+diag-syntax-refused-block = Krmiljenje tega stavka ni moglo prebrati: { $found }
 diag-syntax-doubled-continuation = Tu stoji še en znak ~: za povezavo z naslednjo vrstico zadošča eden.

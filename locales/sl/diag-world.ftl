@@ -40,6 +40,7 @@ diag-solid-helix-unsupported = Tipalna krogla se lahko obdelovanca dotakne pri g
 diag-table-no-header = Preglednica se mora začeti z vrstico, v kateri so »BEGIN«, ime datoteke { $extension } in merska enota.
 diag-table-no-heading = V drugi vrstici morajo biti imena stolpcev, med njimi { $column }.
 diag-table-no-end = Manjka vrstica [END].
+diag-table-not-described = Noben priročnik ne opisuje takih preglednic: preveri se samo okvir.
 diag-table-no-row-number = Vrstica nima številke: »{ $found }«.
 diag-table-duplicate-row = Vrstica { $row } je navedena dvakrat.
 diag-table-bad-number = { $file }, vrstica { $row }, stolpec { $column }: »{ $found }« ni število.

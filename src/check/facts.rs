@@ -334,6 +334,9 @@ impl<'a> Facts<'a> {
                 BlockKind::Statement(statement) => match statement.kind {
                     StatementKind::CallSelected => self.flow.programs |= self.calls_unknown(index),
                     StatementKind::Function => self.flow.opaque = true,
+                    StatementKind::Indirect | StatementKind::Refused => {
+                        (self.flow.opaque, self.flow.unread) = (true, true);
+                    }
                     _ => {}
                 },
                 BlockKind::Unknown(_) | BlockKind::Iso(_) => (self.flow.opaque, self.flow.unread) = (true, true),

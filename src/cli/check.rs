@@ -81,6 +81,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
             let file = program::source(&job.path)?;
             let other = !job.named && !program::is_table(&file);
             (if other { Vec::new() } else { table::check(kind, &file.source) }, 0)
+        } else if let Some(other) = if job.named { program::other_table(&job.path)? } else { None } {
+            (table::check_other(&other), 0)
         } else if fix {
             let place = Standing::new(&library, &tables, job, &against);
             mend::file(&job.path, &against, &place, &job.settings)?

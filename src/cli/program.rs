@@ -115,6 +115,21 @@ pub(super) fn is_table(file: &Text) -> bool {
     file.source.text().trim_start_matches('\u{feff}').starts_with("BEGIN")
 }
 
+/// The text of a table of a kind that no manual describes, such as those of pallets and of pockets: it begins with the name
+/// of a file, and its own name is none of a program.
+pub(super) fn other_table(path: &Path) -> Result<Option<Arc<Source>>, Failure> {
+    let is_program = |own: &std::ffi::OsStr| super::check::PROGRAMS.iter().any(|it| own.eq_ignore_ascii_case(it));
+    if path.extension().is_none_or(is_program) {
+        return Ok(None);
+    }
+    let file = source(path)?;
+    let first = file.source.text().trim_start_matches('\u{feff}').lines().next().unwrap_or_default();
+    let mut words = first.split_whitespace();
+    let begins = words.next() == Some("BEGIN");
+    let named = words.next().is_some_and(|word| !word.eq_ignore_ascii_case("PGM"));
+    Ok((begins && named && first.contains('.')).then_some(file.source))
+}
+
 /// Reads the text of a file that is no program.
 pub(super) fn source(path: &Path) -> Result<Text, Failure> {
     let decoded = encoding::decode_owned(system::read(path)?);

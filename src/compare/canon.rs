@@ -7,7 +7,7 @@ use std::ops::Range;
 use crate::check::{Against, Facts};
 use crate::diag::Span;
 use crate::syntax::{
-    Block, BlockKind, CycleDef, CycleForm, Element, Motion, NamedWord, OldCycleLine, Path, Program,
+    Block, BlockKind, CycleDef, CycleForm, Element, Frame, Motion, NamedWord, OldCycleLine, Path, Program,
     Statement as Worded, ToolCall, ToolRef, Value, ValueKind,
 };
 
@@ -139,6 +139,12 @@ impl<'p> Speller<'p> {
             BlockKind::OldCycleLine(line) => self.old_line(line),
             BlockKind::Motion(own) => self.element(own),
             BlockKind::ToolCall(call) => self.tool_call(call),
+            BlockKind::BeginPgm(frame) => self.frame("BEGIN", frame),
+            BlockKind::EndPgm(frame) => self.frame("END", frame),
+            BlockKind::CallPgm(name) => {
+                self.out.push_str("CALL PGM ");
+                close_up(self.program.slice(*name), &mut self.out);
+            }
             BlockKind::CallLbl(call) => {
                 self.out.push_str("CALL LBL ");
                 self.tokens_at(call.label.span);
@@ -160,6 +166,14 @@ impl<'p> Speller<'p> {
                 if plain { self.words(&content) } else { close_up(&content, &mut self.out) }
             }
         }
+    }
+
+    /// The first and last block of a program. Its name keeps its letters.
+    fn frame(&mut self, word: &str, frame: &Frame) {
+        self.out.push_str(word);
+        self.out.push_str(" PGM ");
+        close_up(self.program.slice(frame.name), &mut self.out);
+        self.out.push_str(if frame.inch { " INCH" } else { " MM" });
     }
 
     /// The words of a contour element in one order; a control reads them in any.
@@ -294,7 +308,7 @@ impl<'p> Speller<'p> {
                     word if word.starts_with('F') => return,
                     // A list of labels: `1 /2 /3` is `1/2/3`.
                     list if list.starts_with(|c: char| c.is_ascii_digit()) && printed.contains('/') => {
-                        list.replace(' ', "")
+                        list.replace([' ', '~'], "")
                     }
                     _ => closed_up(printed),
                 };

@@ -211,7 +211,9 @@ fn entry(program: &Program, word: &IsoWord, own: &Filled<'_>, explicit: bool, ou
             out.push_str(&format!(" {}", joined(name, value)));
         }
         _ if own.param.kind == ParameterKind::LabelList => {
-            for (label, number) in value.split('/').map(str::trim).zip(1..) {
+            for (label, number) in
+                value.split('/').map(|label| label.trim_matches(|c: char| c.is_whitespace() || c == '~')).zip(1..)
+            {
                 out.push_str(&format!(" P{number:02} {label}"));
             }
         }

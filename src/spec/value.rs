@@ -207,9 +207,14 @@ fn labels(param: &Param, text: &str) -> Option<Refusal> {
     most.map(Refusal::TooLong).or_else(|| labels_of(text).find_map(|label| number(param, label)))
 }
 
+/// A label of a list without blanks, and without the joint of two lines.
+fn trimmed(label: &str) -> &str {
+    label.trim_matches(|c: char| c.is_whitespace() || c == '~')
+}
+
 /// The labels of a list that are numbers.
 fn labels_of(text: &str) -> impl Iterator<Item = &str> {
-    text.split('/').map(str::trim).filter(|label| !label.starts_with('"') && !is_q(label))
+    text.split('/').map(trimmed).filter(|label| !label.starts_with('"') && !is_q(label))
 }
 
 fn quoted(param: &Param, text: &str) -> Option<Refusal> {

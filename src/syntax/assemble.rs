@@ -9,9 +9,10 @@ use super::body::{CycleBody, Role};
 use super::cursor::{Cursor, Read, trim};
 use super::element::Checker;
 use super::lines::{Line, line_at};
+use super::path::Path;
 use super::statement::StatementKind;
-use super::tree::{Block, BlockKind, Comment, Parameter, SyntaxError};
-use super::{blocks, cycle, plain};
+use super::tree::{Block, BlockKind, Comment, Label, Parameter, SyntaxError};
+use super::{blocks, cycle, plain, statements};
 use crate::diag::{Source, Span};
 
 /// Bytes of a usual block.
@@ -25,6 +26,12 @@ pub(super) const REMARK: &str = "syntax-remark";
 
 /// The code of the warning about a line that only other languages have.
 pub(super) const FOREIGN: &str = "syntax-foreign-line";
+
+/// The code of the warning about a block that controls may know and no manual describes.
+pub(super) const UNDESCRIBED: &str = "syntax-undescribed";
+
+/// The code of the error about a block that a control could not read, as it says itself.
+pub(super) const REFUSED: &str = "syntax-refused-block";
 
 /// What some write for `CYCL`.
 const CYCLE: &[u8] = b"CYCLE";
@@ -143,10 +150,29 @@ impl Assembler<'_> {
                 let bare = bytes.get(call.label.span.end..end).is_some_and(|rest| !rest.is_empty());
                 bare.then_some(SyntaxError { code: SPELLING, span: Span::new(end, end), expected: "value" })
             }
+            BlockKind::Motion(own)
+                if own.path() == Path::Axis && matches!(bytes.get(first.content.start), Some(b'L' | b'l')) =>
+            {
+                Some(SyntaxError { code: UNDESCRIBED, span: first.content, expected: "block" })
+            }
             // A feed word without its value ends the block.
             BlockKind::Motion(_) if matches!(bytes.get(..first.content.end), Some([.., b' ' | b'\t', b'F' | b'f'])) => {
                 let end = first.content.end;
                 Some(SyntaxError { code: SPELLING, span: Span::new(end, end), expected: "value" })
+            }
+            BlockKind::Lbl(label) if matches!(label.target, Label::Q(_)) => {
+                Some(SyntaxError { code: UNDESCRIBED, span: label.span, expected: "block" })
+            }
+            BlockKind::Statement(own) if own.kind == StatementKind::CallSelected => {
+                let last = self.text.get(own.head.start..own.head.end)?.trim_end();
+                let contour = last.get(last.len().checked_sub(7)?..)?.eq_ignore_ascii_case("CONTOUR");
+                contour.then_some(SyntaxError { code: UNDESCRIBED, span: own.head, expected: "block" })
+            }
+            BlockKind::Statement(own) if own.kind == StatementKind::Indirect => {
+                Some(SyntaxError { code: UNDESCRIBED, span: first.content, expected: "block" })
+            }
+            BlockKind::Statement(own) if own.kind == StatementKind::Refused => {
+                Some(SyntaxError { code: REFUSED, span: first.content, expected: "block" })
             }
             BlockKind::BeginPgm(frame) | BlockKind::EndPgm(frame) => {
                 let unit = trim(bytes, Span::new(frame.name.end, first.content.end.max(frame.name.end)));
@@ -249,10 +275,11 @@ impl Assembler<'_> {
         self.push(&first, end, lines + more, kind, remark);
     }
 
-    /// Whether content is what other languages and transfers have: a comment in brackets, or `%` alone.
+    /// Whether content is what other languages and transfers have: a comment in brackets, or `%` alone; or the number of
+    /// a block and nothing behind it, as generators number their blank lines.
     fn is_foreign(&self, content: Span) -> bool {
         let text = self.text.get(content.start..content.end).unwrap_or_default();
-        text.starts_with('(') || text == "%"
+        text.starts_with('(') || text == "%" || (!text.is_empty() && text.bytes().all(|b| b.is_ascii_digit()))
     }
 
     /// The last line that `~` joins to `first`, and how many lines there are.
@@ -260,7 +287,7 @@ impl Assembler<'_> {
         let (mut last, mut lines) = (first, 1);
         while last.joined {
             match self.after_blanks(last.next) {
-                Some((next, blanks)) if next.number.is_none() => {
+                Some((next, blanks)) if next.number.is_none() || self.is_list(&next) => {
                     last = next;
                     lines += blanks + 1;
                 }
@@ -268,6 +295,14 @@ impl Assembler<'_> {
             }
         }
         (last, lines)
+    }
+
+    /// Whether a line is a part of a list of labels, whose first one looks like the number of a block: `2 /3`.
+    fn is_list(&self, line: &Line) -> bool {
+        let list = |b: &u8| b.is_ascii_digit() || matches!(b, b' ' | b'\t' | b'/' | b',' | b'~');
+        let end = line.content.end.max(line.content.start);
+        let written = self.text.as_bytes().get(line.start..end).unwrap_or_default();
+        written.contains(&b'/') && written.iter().all(list)
     }
 
     /// A second `~` before the joint says nothing: a slip, or a line that went lost between them.
@@ -309,6 +344,9 @@ impl Assembler<'_> {
             Ok(kind) => return (kind, None),
             Err(error) => error,
         };
+        if let Some(kind) = statements::opt_indirect(self.text, content) {
+            return (kind, None);
+        }
         if let Some((before, remark)) = self.without_remark(content, &error)
             && let Ok(kind) = self.content(before)
         {

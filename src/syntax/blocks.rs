@@ -4,8 +4,8 @@ use super::element::Checker;
 use super::path::{Approach, Path};
 use super::statement::TextFormula;
 use super::tree::{
-    Amount, Axis, BlockKind, CallLbl, FnAssign, FnJump, FnOp, Formula, Frame, Label, LabelRef, Operand, Relation,
-    Selection, SyntaxError,
+    Amount, Axis, BlockKind, CallLbl, Compensation, FnAssign, FnJump, FnOp, Formula, Frame, Label, LabelRef, Operand,
+    Relation, Selection, SyntaxError,
 };
 use super::{cycle, motion, statements, texts};
 use crate::diag::Span;
@@ -55,6 +55,13 @@ pub(super) fn content(cursor: &mut Cursor<'_>, checker: &mut Checker<'_>) -> Rea
         b"APPR" => approach(cursor).and_then(|form| element(cursor, Path::Appr(form), checker)),
         b"DEP" => approach(cursor).and_then(|form| element(cursor, Path::Dep(form), checker)),
         name => match Path::by_name(name) {
+            Some(Path::L) => {
+                let behind = *cursor;
+                element(cursor, Path::L, checker).or_else(|error| {
+                    *cursor = behind;
+                    older_along_axis(cursor, checker).ok_or(error)
+                })
+            }
             Some(path) => element(cursor, path, checker),
             None => match closed_up(&word) {
                 Some((path, length)) if cursor.starts_value() => {
@@ -91,6 +98,15 @@ fn along_axis(cursor: &mut Cursor<'_>, checker: &mut Checker<'_>) -> Option<Bloc
     let [coord] = checker.words().coords.as_slice() else { return None };
     let begins = coord.span.start == start;
     (begins && !matches!(coord.axis, Axis::Pr | Axis::Pa)).then_some(BlockKind::Motion(element))
+}
+
+/// The same as the oldest controls and their posts write it: `L X+40 R+ F100`.
+fn older_along_axis(cursor: &mut Cursor<'_>, checker: &mut Checker<'_>) -> Option<BlockKind> {
+    let element = checker.element(cursor, Path::Axis).ok()?;
+    let words = checker.words();
+    let [coord] = words.coords.as_slice() else { return None };
+    let along = matches!(words.compensation, Some(Compensation::Longer | Compensation::Shorter));
+    (along && !matches!(coord.axis, Axis::Pr | Axis::Pa)).then_some(BlockKind::Motion(element))
 }
 
 fn element(cursor: &mut Cursor<'_>, path: Path, checker: &mut Checker<'_>) -> Read<BlockKind> {
@@ -143,19 +159,26 @@ fn last_word(text: &str, start: usize, end: usize) -> Span {
     Span::new(start + at, end)
 }
 
-/// A label: number, name in quotation marks, or (where it is called) a parameter.
+/// A label: number, name in quotation marks, or a parameter; where it is set, one that holds a name.
 fn label(cursor: &mut Cursor<'_>, called: bool) -> Read<LabelRef> {
     cursor.blanks();
     let start = cursor.at;
     let target = if let Some(name) = cursor.opt_text()? {
         Label::Name(name)
-    } else if let Some(q) = cursor.opt_q().filter(|_| called) {
+    } else if let Some(q) = ahead_q(cursor, called) {
         Label::Q(q)
     } else {
         let number = cursor.opt_whole().and_then(|number| u16::try_from(number).ok());
         Label::Number(number.ok_or_else(|| cursor.expected("label"))?)
     };
     Ok(LabelRef { span: Span::new(start, cursor.at), target })
+}
+
+fn ahead_q(cursor: &mut Cursor<'_>, called: bool) -> Option<QRef> {
+    let mut ahead = *cursor;
+    let q = ahead.opt_q().filter(|q| called || q.kind == QKind::Qs)?;
+    *cursor = ahead;
+    Some(q)
 }
 
 fn label_block(cursor: &mut Cursor<'_>) -> Read<BlockKind> {

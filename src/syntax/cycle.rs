@@ -197,11 +197,14 @@ fn word(cursor: &mut Cursor<'_>) -> Read<NamedWord> {
 fn number_or_list(cursor: &mut Cursor<'_>, first: Operand, apart: bool) -> Value {
     let mut end = first.span.end;
     loop {
-        let bar = if apart { skip_blanks(cursor.bytes, end, cursor.end) } else { end };
-        if cursor.byte_at(bar) != b'/' {
+        cursor.at = end;
+        if apart {
+            cursor.blanks();
+        }
+        if cursor.byte() != b'/' {
             break;
         }
-        cursor.at = bar + 1;
+        cursor.at += 1;
         match (cursor.opt_operand(), cursor.opt_text()) {
             (Some(next), _) => end = next.span.end,
             (None, Ok(Some(name))) => end = name.end + 1,

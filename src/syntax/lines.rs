@@ -82,7 +82,7 @@ pub(super) fn content_of(bytes: &[u8], block: Span) -> Span {
 fn head(bytes: &[u8], end: usize, line: &mut Line) -> usize {
     let mut at = skip_blanks(bytes, line.start, end);
     at = skip_mark(bytes, at, end, line);
-    if let Some((number, after)) = block_number(bytes, at, end) {
+    if let Some((number, after)) = block_number(bytes, at, end, line.skip) {
         line.number = Some(number);
         at = skip_mark(bytes, skip_blanks(bytes, after, end), end, line);
     }
@@ -97,9 +97,9 @@ fn skip_mark(bytes: &[u8], at: usize, end: usize, line: &mut Line) -> usize {
     at
 }
 
-/// Digits are a block number if a blank or the start of a block follows them, and not if they are all there is. Some
-/// programs from elsewhere write `N` before them.
-fn block_number(bytes: &[u8], at: usize, end: usize) -> Option<(u32, usize)> {
+/// Digits are a block number if a blank or the start of a block follows them, and not if they are all there is, with or
+/// without a joint. Some programs from elsewhere write `N` before them. Behind a skip mark the block may follow directly.
+fn block_number(bytes: &[u8], at: usize, end: usize, skipped: bool) -> Option<(u32, usize)> {
     let marked = matches!(bytes.get(at), Some(b'N' | b'n'));
     let at = at + usize::from(marked && at + 1 < end);
     let mut value: u32 = 0;
@@ -109,8 +109,10 @@ fn block_number(bytes: &[u8], at: usize, end: usize) -> Option<(u32, usize)> {
         after += 1;
     }
     let content = skip_blanks(bytes, after, end);
-    let apart = content > after || bytes.get(after).is_some_and(|b| matches!(b, b';' | b'*' | b'/'));
-    if after == at || !apart || content >= end {
+    let follows = |b: &u8| matches!(b, b';' | b'*' | b'/') || (skipped && b.is_ascii_alphabetic());
+    let apart = content > after || bytes.get(after).is_some_and(follows);
+    let alone = content >= end || (bytes[content] == b'~' && skip_blanks(bytes, content + 1, end) >= end);
+    if after == at || !apart || alone {
         return None;
     }
     Some((value, after))

@@ -9,11 +9,13 @@ mod blocks;
 mod body;
 mod cursor;
 mod cycle;
+mod definition;
 mod document;
 mod element;
 pub mod encoding;
 mod iso;
 mod iso_read;
+mod iso_words;
 pub mod json;
 mod lines;
 mod motion;
@@ -142,6 +144,7 @@ impl Program {
         let errors = self.errors().map(|error| (Severity::Error, error));
         let severity = |error: &SyntaxError| match error.code {
             // Posts of shops write the long word for years: their controls do not refuse it.
+            assemble::REFUSED => Severity::Error,
             assemble::SPELLING if error.expected != "CYCL" => Severity::Error,
             _ => Severity::Warning,
         };

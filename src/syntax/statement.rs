@@ -21,7 +21,7 @@ pub struct NamedWord {
 pub enum StatementKind {
     /// `BLK FORM CYLINDER`, `ROTATION`, `FILE`.
     BlkForm,
-    /// `CALL SELECTED PGM`.
+    /// `CALL SELECTED PGM`, `CALL SELECTED CYCLE`, `CALL SELECTED CONTOUR`.
     CallSelected,
     /// `CONTOUR DEF`.
     ContourDef,
@@ -33,8 +33,12 @@ pub enum StatementKind {
     Fselect,
     /// `FUNCTION`, and the like that only some controls know.
     Function,
+    /// A block in which a parameter is named by the value of another one, as in `Q[Q5] = 3`.
+    Indirect,
     /// `PLANE`.
     Plane,
+    /// `ERROR = …`: what a control makes of a block that it could not read.
+    Refused,
     /// `Q1 SET UNDEFINED`.
     SetUndefined,
     /// `SQL`.
@@ -55,7 +59,9 @@ impl StatementKind {
             Self::Fn(_) => "fn",
             Self::Fselect => "fselect",
             Self::Function => "function",
+            Self::Indirect => "indirect",
             Self::Plane => "plane",
+            Self::Refused => "refused",
             Self::SetUndefined => "set-undefined",
             Self::Sql => "sql",
             Self::Trans => "trans",

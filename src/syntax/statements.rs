@@ -199,6 +199,7 @@ pub(super) fn opt_statement(cursor: &mut Cursor<'_>, first: &[u8], start: usize)
             words::open(cursor, &[SQL]).map(|words| statement(StatementKind::Sql, start, head, words))
         }
         b"FSELECT" => fselect(cursor, start),
+        b"ERROR" => refused(cursor, start),
         _ => return None,
     })
 }
@@ -274,12 +275,51 @@ pub(super) fn shape(cursor: &mut Cursor<'_>, start: usize) -> Read<BlockKind> {
 
 /// `CALL SELECTED PGM`, the first two words being read.
 pub(super) fn selected(cursor: &mut Cursor<'_>, start: usize) -> Read<BlockKind> {
-    if !cursor.opt_keyword(b"CYCLE") {
+    if !(cursor.opt_keyword(b"CYCLE") || cursor.opt_keyword(b"CONTOUR")) {
         cursor.keyword("PGM")?;
     }
     let head = cursor.at;
     cursor.finish()?;
     Ok(statement(StatementKind::CallSelected, start, head, Vec::new()))
+}
+
+/// A block in which a parameter is named by the value of another one: `Q[Q5] = 3`, `L X+Q[Q5]`. Nothing in it is told apart.
+pub(super) fn opt_indirect(text: &str, content: Span) -> Option<BlockKind> {
+    let mut cursor = Cursor::new(text, content);
+    let written = text.get(content.start..content.end)?;
+    let name = |before: &str| {
+        let before = before.strip_suffix(['L', 'l', 'R', 'r', 'S', 's']).unwrap_or(before);
+        before.ends_with(['Q', 'q'])
+    };
+    let inside = |behind: &str| {
+        let (own, rest) = behind.split_at(behind.find(']')?);
+        let mut own = Cursor::new(own, Span::new(0, own.len()));
+        own.blanks();
+        let q = own.opt_q().is_some() && own.done();
+        let calm = !rest.contains('"');
+        (q && calm).then_some(())
+    };
+    let mut marks = written.match_indices('[');
+    let is_it = marks.any(|(at, _)| {
+        let (before, behind) = (written.get(..at), written.get(at + 1..));
+        before.is_some_and(|before| name(before) && !before.contains('"')) && behind.and_then(inside).is_some()
+    });
+    if !is_it {
+        return None;
+    }
+    let head = cursor.peek_word().span;
+    cursor.at = head.end;
+    let start = content.start;
+    Some(statement(StatementKind::Indirect, start, head.end, vec![printed(&mut cursor).ok()?]))
+}
+
+/// `ERROR = L X+10 Q`: the block as it was written stands behind the sign.
+fn refused(cursor: &mut Cursor<'_>, start: usize) -> Read<BlockKind> {
+    let head = cursor.at;
+    if !cursor.opt_mark(b'=') {
+        return Err(cursor.expected("="));
+    }
+    Ok(statement(StatementKind::Refused, start, head, vec![printed(cursor)?]))
 }
 
 /// `CONTOUR DEF P1 = "A.H" I2 = LBL 3 DEPTH5`.

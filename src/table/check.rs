@@ -17,6 +17,22 @@ pub fn check(kind: TableKind, source: &Arc<Source>) -> Vec<Diagnostic> {
     found
 }
 
+/// What can be said of a table that no manual describes: that only its frame was looked at, and whether it is whole.
+pub fn check_other(source: &Arc<Source>) -> Vec<Diagnostic> {
+    let text = source.text();
+    let first = text.lines().next().unwrap_or_default().len();
+    let told = Diagnostic::error("table-not-described", Place::new(source, 0..first));
+    let mut found = vec![Diagnostic { severity: Severity::Note, ..told }];
+    if !text.lines().any(|line| line.trim() == "[END]") {
+        let end = text.len();
+        found.push(Diagnostic {
+            severity: Severity::Warning,
+            ..Diagnostic::error("table-no-end", Place::new(source, end..end))
+        });
+    }
+    found
+}
+
 fn columns(table: &Table, source: &Arc<Source>) -> Vec<Diagnostic> {
     let at = table.lines.iter().take(table.heading).map(|line| line.text.len() + line.end.len()).sum::<usize>();
     let text = table.lines.get(table.heading).map_or("", |line| line.text.as_str());

@@ -14,7 +14,7 @@ mod column;
 mod error;
 mod text;
 
-pub use check::check;
+pub use check::{check, check_other};
 pub use column::{Column, Quantity, TableKind};
 pub use error::TableError;
 

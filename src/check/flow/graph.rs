@@ -131,8 +131,10 @@ impl Graph {
                 }
                 let mut at = item.value_span.start;
                 for part in facts.text(item.value_span).split('/') {
-                    let name = part.trim();
-                    let from = at + (part.len() - part.trim_start().len());
+                    // The joint of two lines is no part of a label.
+                    let blank = |c: char| c.is_whitespace() || c == '~';
+                    let name = part.trim_matches(blank);
+                    let from = at + (part.len() - part.trim_start_matches(blank).len());
                     at += part.len() + 1;
                     if let Ok(number) = name.parse() {
                         let span = Span::new(from, from + name.len());

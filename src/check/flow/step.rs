@@ -196,6 +196,12 @@ impl<'f, 'a> Steps<'f, 'a> {
             }
             // Functions whose words are not told apart may write any parameter.
             StatementKind::Sql => state.forget_parameters(),
+            // Which parameter is read or written, and what the block does besides, is not known.
+            StatementKind::Indirect | StatementKind::Refused => {
+                let modal = State::unknown().modal;
+                state.forget_parameters();
+                state.modal = modal;
+            }
             _ => {}
         }
     }

@@ -3,6 +3,7 @@
 //! Silent in pieces of programs, and where a block that cannot be read may be the label.
 use crate::check::{Facts, Rule, Way};
 use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{Block, BlockKind, Label};
 
 pub(super) const RULE: Rule = Rule { code: "label-undefined", severity: Severity::Error, run };
 
@@ -11,7 +12,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     // Of a list that names several, the first one is told.
-    let mut list = None;
+    let (mut list, mut own_found) = (None, Vec::new());
     for own in &facts.run.graph.uses {
         let Some(mark) = &own.mark else { continue };
         if facts.run.graph.labels.contains_key(mark) {
@@ -23,6 +24,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if own.way == Way::Named && list.replace(own.block) == Some(own.block) {
             continue;
         }
-        found.push(Diagnostic { severity, ..finding });
+        own_found.push(Diagnostic { severity, ..finding });
+    }
+    // A label that a text parameter names may be any.
+    let of_parameter =
+        |block: &Block| matches!(&block.kind, BlockKind::Lbl(label) if matches!(label.target, Label::Q(_)));
+    if !own_found.is_empty() && !facts.program.blocks().iter().any(of_parameter) {
+        found.append(&mut own_found);
     }
 }
