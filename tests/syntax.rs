@@ -157,10 +157,13 @@ fn every_code_has_a_text_in_every_language() {
     let all = [
         "syntax-dangling-continuation",
         "syntax-doubled-continuation",
+        "syntax-foreign-line",
         "syntax-formula",
         "syntax-incomplete",
+        "syntax-refused-block",
         "syntax-remark",
         "syntax-unclosed-text",
+        "syntax-undescribed",
         "syntax-unexpected",
         "syntax-unknown-block",
     ];
