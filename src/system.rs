@@ -1,7 +1,8 @@
 //! The outside world: files, the environment and the terminal.
 //!
 //! Invariant: nothing half-written is ever found under the name that was asked for. A file is written
-//! beside its target and renamed; a directory is filled beside its target and exchanged when whole.
+//! beside its target and renamed; a directory is filled beside its target and exchanged when whole. Nothing of that is
+//! left behind, also when a signal ends the program.
 mod leftover;
 
 use std::ffi::OsString;
