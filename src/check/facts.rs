@@ -17,8 +17,8 @@ use crate::expr::QRef;
 use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
 use crate::syntax::{
-    Block, BlockKind, CycleDef, CycleForm, CycleView, MFunction, Parameter, Path, Program, StatementKind, Value,
-    ValueKind,
+    Block, BlockKind, Compensates, CycleDef, CycleForm, CycleView, MFunction, Parameter, Path, Program, StatementKind,
+    Value, ValueKind,
 };
 
 /// A program with its cycle definitions resolved for a control.
@@ -41,6 +41,9 @@ pub struct Facts<'a> {
     tongue: Option<u32>,
     /// The blocks that are more than plain movements, definitions and comments: few in long programs.
     marked: Vec<u32>,
+    /// The movements that are more than plain ones for a contour: corners, approaches, free contours, surface normals, and
+    /// those that say RL or RR.
+    shaped: Vec<u32>,
     begins: bool,
     /// The first END PGM.
     pub(super) end: Option<usize>,
@@ -189,6 +192,7 @@ impl<'a> Facts<'a> {
             language: None,
             tongue: None,
             marked: Vec::new(),
+            shaped: Vec::new(),
             begins: false,
             end: None,
             falling: None,
@@ -241,6 +245,13 @@ impl<'a> Facts<'a> {
     pub fn marked(&self) -> impl DoubleEndedIterator<Item = (usize, &'a Block)> {
         let blocks = self.program.blocks();
         self.marked.iter().filter_map(|index| Some((*index as usize, blocks.get(*index as usize)?)))
+    }
+
+    /// Corners, approaches, departures, arcs of free contours, surface normals and movements with RL or RR, with their
+    /// places among all blocks.
+    pub fn shaped(&self) -> impl Iterator<Item = (usize, &'a Block)> {
+        let blocks = self.program.blocks();
+        self.shaped.iter().filter_map(|index| Some((*index as usize, blocks.get(*index as usize)?)))
     }
 
     /// The M functions of a block.
@@ -323,6 +334,13 @@ impl<'a> Facts<'a> {
                     self.arcs |= matches!(motion.path(), Path::C | Path::Cr);
                     self.turns |= matches!(motion.path(), Path::C | Path::Cr | Path::Cp);
                     let outline = motion.outline();
+                    let formed = matches!(
+                        motion.path(),
+                        Path::Rnd | Path::Chf | Path::Appr(_) | Path::Dep(_) | Path::Fc | Path::Fct | Path::Ln
+                    );
+                    if formed || outline.compensates() == Compensates::Beside {
+                        self.shaped.extend(u32::try_from(index).ok());
+                    }
                     if !outline.has_functions() && !outline.names_axis_twice() && !motion.ends_with_letter() {
                         continue;
                     }
@@ -347,6 +365,7 @@ impl<'a> Facts<'a> {
             self.marked.extend(u32::try_from(index).ok());
         }
         self.marked.shrink_to_fit();
+        self.shaped.shrink_to_fit();
         self.flow.jumps |= self.flow.skips;
         // A fragment is called from a program or copied into one: what comes before and behind it is not known.
         self.flow.programs |= !self.begins;

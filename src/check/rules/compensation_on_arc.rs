@@ -8,7 +8,7 @@ use crate::syntax::{BlockKind, Compensates, Path};
 pub(super) const RULE: Rule = Rule { code: "compensation-on-arc", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    for (index, block) in facts.program.blocks().iter().enumerate() {
+    for (index, block) in facts.shaped() {
         let BlockKind::Motion(motion) = &block.kind else { continue };
         let arc = matches!(motion.path(), Path::C | Path::Cr | Path::Ct | Path::Cp | Path::Ctp);
         if arc && motion.outline().compensates() == Compensates::Beside {

@@ -4,34 +4,37 @@
 //! way of the run could come in by.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Place, Severity};
-use crate::syntax::{BlockKind, Compensates, Compensation, Path};
+use crate::syntax::{Block, BlockKind, Compensates, Compensation, Path};
 
 pub(super) const RULE: Rule = Rule { code: "compensation-switched", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let mut last = None;
-    for block in facts.program.blocks() {
-        match &block.kind {
-            BlockKind::Motion(motion) => {
-                let approach = matches!(motion.path(), Path::Appr(_) | Path::Dep(_));
-                match motion.outline().compensates() {
-                    _ if approach || block.skip => last = None,
-                    Compensates::Unsaid => {}
-                    Compensates::Off | Compensates::Along => last = None,
-                    Compensates::Beside => {
-                        let side = motion.words().compensation;
-                        let before = last.replace((side, block.span));
-                        if let Some((other, span)) = before.filter(|(other, _)| *other != side)
-                            && matches!(other, Some(Compensation::Rl | Compensation::Rr))
-                        {
-                            let place = Place::new(facts.program.source(), span);
-                            found.push(rule.at(facts, facts.content(block)).related("first-place", place));
-                        }
-                    }
-                }
-            }
-            BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => {}
-            _ => last = None,
+    let blocks = facts.program.blocks();
+    let mut last: Option<(usize, Compensation)> = None;
+    for (index, block) in facts.shaped() {
+        let BlockKind::Motion(motion) = &block.kind else { continue };
+        let approach = matches!(motion.path(), Path::Appr(_) | Path::Dep(_));
+        if approach || block.skip {
+            last = None;
+        } else if motion.outline().compensates() == Compensates::Beside
+            && let Some(side) = motion.words().compensation
+            && let Some((first, _)) = last.replace((index, side)).filter(|(_, other)| *other != side)
+            && let Some([before, between @ ..]) = blocks.get(first..index)
+            && !between.iter().any(resets)
+        {
+            let place = Place::new(facts.program.source(), before.span);
+            found.push(rule.at(facts, facts.content(block)).related("first-place", place));
         }
+    }
+}
+
+/// Whether a block may end the compensation before it, or be come to from elsewhere.
+fn resets(block: &Block) -> bool {
+    match &block.kind {
+        BlockKind::Motion(motion) => {
+            block.skip || matches!(motion.outline().compensates(), Compensates::Off | Compensates::Along)
+        }
+        BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => false,
+        _ => true,
     }
 }

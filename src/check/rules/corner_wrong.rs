@@ -16,7 +16,7 @@ const TOLERANCE: f64 = 0.01;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let blocks = facts.program.blocks();
-    for (index, block) in blocks.iter().enumerate() {
+    for (index, block) in facts.shaped() {
         let BlockKind::Motion(motion) = &block.kind else { continue };
         if !motion.path().is_corner() || block.skip {
             continue;

@@ -5,7 +5,8 @@
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::syntax::{
-    Approach, Axis, BlockKind, CallForm, Element, NamedWord, Path, PatternDef, Statement, StatementKind, TextFormula,
+    Approach, Axis, Block, BlockKind, CallForm, Element, NamedWord, Path, PatternDef, Statement, StatementKind,
+    TextFormula,
 };
 
 pub(super) const RULE: Rule = Rule { code: "word-missing", severity: Severity::Warning, run };
@@ -32,13 +33,15 @@ const TEXTS: [(&str, &[&str]); 7] = [
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut tell = |span: Span, word: &str| found.push(rule.at(facts, span).arg("word", word));
-    for block in facts.program.blocks() {
+    for (_, block) in facts.shaped() {
+        if let BlockKind::Motion(motion) = &block.kind
+            && let Some(word) = element(facts, block, motion)
+        {
+            tell(facts.content(block), word);
+        }
+    }
+    for (_, block) in facts.marked() {
         match &block.kind {
-            BlockKind::Motion(motion) => {
-                if let Some(word) = element(facts, motion) {
-                    tell(facts.content(block), word);
-                }
-            }
             BlockKind::PatternDef(own) => {
                 for (span, word) in patterns(facts, own) {
                     tell(span, word);
@@ -72,12 +75,15 @@ fn has(facts: &Facts<'_>, words: &[NamedWord], name: &str) -> bool {
     words.iter().any(|word| facts.text(word.name).trim().eq_ignore_ascii_case(name))
 }
 
-fn element(facts: &Facts<'_>, motion: &Element) -> Option<&'static str> {
+fn element(facts: &Facts<'_>, block: &Block, motion: &Element) -> Option<&'static str> {
     let approach = match motion.path() {
+        // Long programs have millions of them.
         Path::Ln => {
-            let words = motion.words();
-            let directed = |own: &NamedWord| facts.text(own.name).trim().len() == 2;
-            return (!words.words.iter().any(directed)).then_some("NX, NY, NZ");
+            let text = facts.text(block.span).as_bytes();
+            let directed =
+                memchr::memchr_iter(b'X', text).any(|at| matches!(text.get(at.wrapping_sub(1)), Some(b'N' | b'T')));
+            let says = || motion.words().words.iter().any(|own| facts.text(own.name).trim().len() == 2);
+            return (!directed && !says()).then_some("NX, NY, NZ");
         }
         Path::Fc | Path::Fct => return motion.words().counter_clockwise.is_none().then_some("DR"),
         Path::Chf => return motion.words().radius.is_none().then_some("CHF"),
