@@ -202,7 +202,7 @@ impl<'a> Facts<'a> {
             callees: Callees::default(),
             among,
         };
-        let mut known: BTreeMap<CycleKey, (Known<'a>, Option<&'a Kept>)> = BTreeMap::new();
+        let mut known = BTreeMap::new();
         program.each_cycle(|view| {
             let key = key(view.keyword, view.number);
             let (known, kept) = *known.entry(key).or_insert_with(|| (against.on.known(key), against.labels.kept(key)));
@@ -512,11 +512,7 @@ pub(super) fn capitals(text: &str) -> Cow<'_, str> {
 /// The parameter as messages call it: as it is written, if that is how controls write it.
 fn name_of<'a>(program: &'a Program, parameter: &Parameter) -> Cow<'a, str> {
     let written = program.slice(parameter.q_span);
-    let usual = match written.as_bytes() {
-        [b'Q', b'1'..=b'9', ..] => true,
-        [b'Q', b'L' | b'R' | b'S', b'1'..=b'9', ..] => true,
-        _ => false,
-    };
+    let usual = matches!(written.as_bytes(), [b'Q', b'1'..=b'9', ..] | [b'Q', b'L' | b'R' | b'S', b'1'..=b'9', ..]);
     if usual { Cow::Borrowed(written) } else { Cow::Owned(parameter.q.to_string()) }
 }
 

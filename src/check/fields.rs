@@ -18,10 +18,13 @@ pub(super) struct Matched<'a> {
     pub(super) missing: Vec<&'a Param>,
 }
 
+/// A field with the parameter that it writes.
+type Written<'a> = (&'a Param, &'a Field);
+
 /// Which words are which fields of a form.
 struct Fit<'a> {
     /// The words of each field, with it and their line.
-    words: Vec<(&'a OldCycleLine, &'a [NamedWord], Option<(&'a Param, &'a Field)>)>,
+    words: Vec<(&'a OldCycleLine, &'a [NamedWord], Option<Written<'a>>)>,
     missing: Vec<&'a Param>,
     /// Words that are no field.
     strange: usize,
@@ -51,7 +54,7 @@ pub(super) fn matching<'a>(program: &'a Program, cycle: &'a Cycle, lines: &[&'a 
 }
 
 fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a OldCycleLine]) -> Fit<'a> {
-    let fields: Vec<(&Param, &Field)> = cycle.fields(form).collect();
+    let fields: Vec<Written<'_>> = cycle.fields(form).collect();
     let count = lines.iter().map(|line| line.words.len()).sum();
     let mut fit = Fit { words: Vec::with_capacity(count), missing: Vec::new(), strange: 0 };
     // The fields that a line may still have, and those that were found, by their order.
@@ -118,7 +121,7 @@ fn item<'a>(
     cycle: &Cycle,
     line: &OldCycleLine,
     words: &'a [NamedWord],
-    param: Option<(&'a Param, &'a Field)>,
+    param: Option<Written<'a>>,
 ) -> Option<Item<'a>> {
     let (first, last) = words.first().zip(words.last())?;
     let span = Span::new(first.span.start, last.span.end);

@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use super::{Aspect, Definition, Facts, Modal};
-use crate::expr::{Code, Env, EvalError, Expr, Func, Node, Op, QRef, Resolve, Type, Value, compile};
+use crate::expr::{Code, Env, EvalError, Expr, Func, Node, OnlyParameters, Op, QRef, Resolve, Type, Value, compile};
 use crate::spec::{Cycle, Doubt, Entries, Formula, Guard, OnControl, Outcome, Param};
 use crate::syntax::ValueKind;
 
@@ -270,14 +270,6 @@ impl Resolve for WithState<'_> {
     fn name(&self, path: &[String]) -> Option<(usize, Type)> {
         let at = state(path)?;
         self.0.state(at).map(|_| (at, Type::Bool))
-    }
-}
-
-struct OnlyParameters;
-
-impl Resolve for OnlyParameters {
-    fn name(&self, _: &[String]) -> Option<(usize, Type)> {
-        None
     }
 }
 

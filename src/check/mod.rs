@@ -85,7 +85,7 @@ fn found_in(facts: &Facts<'_>) -> Vec<Diagnostic> {
     }
     for definition in facts.readings() {
         for (rule, each) in rules::OF_DEFINITIONS {
-            each(rule, &facts, &definition, &mut found);
+            each(rule, facts, &definition, &mut found);
         }
     }
     allow::apply(program, against, &mut found);

@@ -368,9 +368,7 @@ impl<'p> Speller<'p> {
                     self.out.push('.');
                     self.out.push_str(fraction);
                 }
-            } else if sign == '"' {
-                self.token(token);
-            } else if token.bytes().all(|byte| byte.is_ascii() && !byte.is_ascii_lowercase()) {
+            } else if sign == '"' || token.bytes().all(|byte| byte.is_ascii() && !byte.is_ascii_lowercase()) {
                 self.token(token);
             } else {
                 self.token(&token.to_uppercase());
@@ -392,11 +390,12 @@ impl<'p> Speller<'p> {
         let operand =
             |token: &str| token.starts_with(|c: char| c.is_ascii_digit() || c == '"') || matches!(token, ")" | "PI");
         let unary = self.before(0) == Some("+") && !self.before(1).is_some_and(operand);
-        if unary && (is_value(token) || token == "-") {
-            if let Some(start) = self.tokens.pop() {
-                // The blank before it goes too, unless it is the first one.
-                self.out.truncate(start - usize::from(!self.tokens.is_empty()));
-            }
+        if unary
+            && (is_value(token) || token == "-")
+            && let Some(start) = self.tokens.pop()
+        {
+            // The blank before it goes too, unless it is the first one.
+            self.out.truncate(start - usize::from(!self.tokens.is_empty()));
         }
         if self.before(0) == Some("F") && matches!(token, "MAX" | "AUTO") {
             self.out.push_str(token);
@@ -472,7 +471,7 @@ fn word_length(text: &str) -> usize {
         let at = end.checked_sub(name.len())?;
         word.get(at..).filter(|own| own.eq_ignore_ascii_case(name)).map(|_| at)
     };
-    ["QL", "QR", "QS", "Q"].iter().find_map(|name| before(name)).filter(|at| *at > 0).unwrap_or(end)
+    ["QL", "QR", "QS", "Q"].iter().find_map(before).filter(|at| *at > 0).unwrap_or(end)
 }
 
 fn number_length(text: &str) -> usize {

@@ -73,6 +73,16 @@ pub trait Resolve {
     }
 }
 
+/// No names: a formula of Q parameters alone, as programs write them.
+#[derive(Clone, Copy, Debug)]
+pub struct OnlyParameters;
+
+impl Resolve for OnlyParameters {
+    fn name(&self, _: &[String]) -> Option<(usize, Type)> {
+        None
+    }
+}
+
 /// Where values are, asked while evaluating.
 pub trait Env {
     /// The value in a slot.

@@ -10,7 +10,7 @@ mod lexer;
 mod parser;
 mod value;
 
-pub use code::{Code, Env, EvalError, LONGEST_TEXT, Op, Resolve, Type, TypeError, compile};
+pub use code::{Code, Env, EvalError, LONGEST_TEXT, OnlyParameters, Op, Resolve, Type, TypeError, compile};
 pub use func::Func;
 pub use parser::{Dialect, Expr, ExprError, Node, parse};
 pub use value::{Value, atan2d, atand, cosd, sind, tand};

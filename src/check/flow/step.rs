@@ -9,7 +9,7 @@ use crate::check::Facts;
 use crate::check::among::Callees;
 use crate::check::facts::each_function;
 use crate::diag::Span;
-use crate::expr::{Code, Env, EvalError, Expr, QKind, QRef, Resolve, Type, Value, compile};
+use crate::expr::{Code, Env, EvalError, Expr, OnlyParameters, QKind, QRef, Value, compile};
 use crate::syntax::{
     Amount, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, Operand, Path, Program,
     Relation, Statement, StatementKind, ValueKind,
@@ -331,14 +331,6 @@ fn assigned(assign: &FnAssign, state: &State) -> Known {
         _ => return Known::Unknown,
     };
     if result.is_finite() { Known::Number(result) } else { Known::Unknown }
-}
-
-struct OnlyParameters;
-
-impl Resolve for OnlyParameters {
-    fn name(&self, _: &[String]) -> Option<(usize, Type)> {
-        None
-    }
 }
 
 struct Values<'s>(&'s State);

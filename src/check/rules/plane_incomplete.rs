@@ -27,7 +27,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let has = |name: &&str| names().chain(head.clone()).any(|own| own.eq_ignore_ascii_case(name));
         let form = FORMS.iter().find(|(form, _)| has(form));
         let lacking = form.and_then(|(_, needed)| needed.iter().find(|name| !has(name)));
-        let lacking = lacking.copied().or_else(|| (!MOVES.iter().any(|name| has(name))).then_some("MOVE, TURN, STAY"));
+        let lacking = lacking.copied().or_else(|| (!MOVES.iter().any(has)).then_some("MOVE, TURN, STAY"));
         if let Some(lacking) = lacking {
             found.push(rule.at(facts, facts.content(block)).arg("word", lacking));
         }

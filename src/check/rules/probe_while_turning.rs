@@ -1,18 +1,17 @@
 //! A touch-probe cycle for workpieces while the spindle certainly turns.
 //!
-//! Cycles that measure a tool turn it themselves. Silent behind a tool call: whether it stops the spindle is the machine
+//! Cycles that measure a tool turn it themselves. Silent at cycles that no manual of the control describes, and behind a tool call: whether it stops the spindle is the machine
 //! builder's affair. Said once a program.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
-use crate::spec::Keyword;
+use crate::spec::{Group, Keyword};
 
 pub(super) const RULE: Rule = Rule { code: "probe-while-turning", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let tools = |number: u32| matches!(number, 30..=33 | 480..=499);
     let own = facts.definitions.iter().find(|own| {
         own.key.keyword == Keyword::TchProbe
-            && !tools(own.key.number)
+            && own.cycle().is_some_and(|cycle| cycle.file.group != Group::ToolMeasurement)
             && facts.run.before(own.view.first).is_some_and(|modal| modal.is(Aspect::Spindle) == Tri::Yes)
     });
     if let Some(own) = own {

@@ -3,18 +3,10 @@
 //! Texts are joined by `||`; TONUMB and TOCHAR turn one into the other.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::expr::{QKind, Resolve, Type, TypeError, compile};
+use crate::expr::{OnlyParameters, QKind, Type, TypeError, compile};
 use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "text-for-number", severity: Severity::Error, run };
-
-struct OnlyParameters;
-
-impl Resolve for OnlyParameters {
-    fn name(&self, _: &[String]) -> Option<(usize, Type)> {
-        None
-    }
-}
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (_, block) in facts.marked() {

@@ -8,15 +8,6 @@ use crate::engine::geometry::INCH;
 use crate::expr::{self, Code};
 use crate::syntax::{Block, BlockKind, CycleView, Formula, Label, Path, Program};
 
-/// Names are unknown in programs: only Q parameters have values.
-struct NoNames;
-
-impl expr::Resolve for NoNames {
-    fn name(&self, _: &[String]) -> Option<(usize, expr::Type)> {
-        None
-    }
-}
-
 /// What a label is known by.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Key {
@@ -144,5 +135,5 @@ fn rounded(blocks: &[Block]) -> Vec<bool> {
 fn formula(kind: &BlockKind) -> Option<Code> {
     let BlockKind::Formula(formula) = kind else { return None };
     let Formula { expr, .. } = &**formula;
-    expr::compile(expr, &NoNames).ok()
+    expr::compile(expr, &expr::OnlyParameters).ok()
 }

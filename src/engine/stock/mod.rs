@@ -173,7 +173,8 @@ impl Grid {
     fn between(from: f64, to: f64, origin: f64, each: f64, count: usize) -> Option<(usize, usize)> {
         let from = larger((from - origin) * each - 0.5, 0.0);
         let to = smaller((to - origin) * each - 0.5, count as f64 - 1.0);
-        if !(from <= to) {
+        // What is no number is on no side of another.
+        if from.partial_cmp(&to).is_none_or(|order| order.is_gt()) {
             return None;
         }
         // A grid has fewer columns than the largest number that a cast gives.
