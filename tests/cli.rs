@@ -57,7 +57,14 @@ fn a_signal_leaves_nothing_half_made() {
         let names = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
         names.filter(|name| name.to_string_lossy().starts_with(".ciklo-")).count()
     };
+    // Whoever runs the tests in the background may have them pass over a signal; the program passes over it as well.
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).unwrap_or("0");
+    let ignored = u64::from_str_radix(mask.trim(), 16).unwrap();
     for (name, number) in [("-TERM", 15), ("-INT", 2)] {
+        if ignored >> (number - 1) & 1 == 1 {
+            continue;
+        }
         let out = folder.path().join("manual");
         let mut child = ciklo(&["build", "--out", out.to_str().unwrap()]).stdout(Stdio::null()).spawn().unwrap();
         let begun = (0..6000).any(|_| {
