@@ -160,7 +160,8 @@ proptest! {
                     prop_assert!(top <= most, "{} is above {} at {}{}", top, most, flat, done.both);
                 } else {
                     let beyond = (flat - flat.clamp(corner, corner + size)).length();
-                    prop_assert!(beyond < r || (top - job.surface).abs() < 1e-6, "cut beside at {}{}", flat, done.both);
+                    // On the rim of the ball rounding decides whether a column goes.
+                    prop_assert!(beyond < r + 1e-9 || (top - job.surface).abs() < 1e-6, "cut beside at {}{}", flat, done.both);
                 }
             }
         }
