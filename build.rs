@@ -14,15 +14,17 @@ fn main() -> io::Result<()> {
     let mut out = String::from(
         "/// Path and bytes of each embedded file, in the order of paths.\npub(super) static FILES: &[(&str, &[u8])] = &[\n",
     );
-    for (name, path) in &files {
-        let _ = writeln!(out, "    ({name:?}, include_bytes!({:?})),", path.display().to_string());
+    for name in &files {
+        // Beneath the manifest as the compiler finds it: a folder that is moved together with its build stays whole.
+        let beneath = format!("/{name}");
+        let _ = writeln!(out, "    ({name:?}, include_bytes!(concat!(env!(\"CARGO_MANIFEST_DIR\"), {beneath:?}))),");
     }
     out.push_str("];\n");
     let target = PathBuf::from(env::var_os("OUT_DIR").ok_or(io::ErrorKind::NotFound)?);
     fs::write(target.join("embedded.rs"), out)
 }
 
-fn collect(dir: &Path, name: &str, files: &mut Vec<(String, PathBuf)>) -> io::Result<()> {
+fn collect(dir: &Path, name: &str, files: &mut Vec<String>) -> io::Result<()> {
     if !dir.is_dir() {
         return Ok(());
     }
@@ -35,7 +37,7 @@ fn collect(dir: &Path, name: &str, files: &mut Vec<(String, PathBuf)>) -> io::Re
         if entry.file_type()?.is_dir() {
             collect(&entry.path(), &child, files)?;
         } else {
-            files.push((child, entry.path()));
+            files.push(child);
         }
     }
     Ok(())

@@ -7,6 +7,7 @@ mod filter;
 mod form;
 mod lint;
 mod profile;
+mod run_form;
 mod schema;
 mod texts;
 mod value;
@@ -21,6 +22,7 @@ pub use profile::{
     Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Topic, TopicOn, Topics,
     Transformation,
 };
+pub use run_form::*;
 pub use schema::schema;
 pub use texts::{Text, texts};
 pub use value::{MM_PER_INCH, Refusal, number_refusal_in, refusal};

@@ -1,6 +1,7 @@
 //! Which texts a cycle needs: the ids that the locales must have for it.
 use super::catalogue::{Cycle, OnControl};
-use super::form::{Action, Argument, Case, Fragment, Item};
+use super::form::Fragment;
+use super::run_form::{Action, Argument, Case, Item};
 use super::lint::walk;
 use super::vocabulary::Verb;
 

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::super::catalogue::{Cycle, OnControl};
 use super::super::decode::{Entries, Formula, Name};
-use super::super::form::{Action, Argument, Case, ConditionUse, Fragment, Guard, Item};
+use super::super::form::{Fragment, Guard};
+use super::super::run_form::{Action, Argument, Case, ConditionUse, Item};
 use super::super::vocabulary::Verb;
 use crate::diag::Diagnostic;
 
