@@ -61,7 +61,7 @@ fn a_signal_leaves_nothing_half_made() {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).unwrap_or("0");
     let ignored = u64::from_str_radix(mask.trim(), 16).unwrap();
-    for (name, number) in [("-TERM", 15), ("-INT", 2)] {
+    for (name, number) in [("-TERM", 15), ("-INT", 2), ("-HUP", 1)] {
         if ignored >> (number - 1) & 1 == 1 {
             continue;
         }
