@@ -1,5 +1,6 @@
 # Findings of the program checker and of the translation of programs.
 
+diag-approach-twice = The contour is approached here while radius compensation is active: the one before it was not left.
 diag-approach-without-compensation =
     { $what ->
         [approach] The contour is approached here without RL or RR.
@@ -26,6 +27,7 @@ diag-call-of-def-active-cycle = { $cycle } acts as soon as it is defined; it mus
 diag-called-but-not-defined = A cycle is called here, but none is defined before.
 diag-called-program-in-other-unit = This program is in { $own }, the called program { $name } in { $other }.
 diag-called-program-missing = The program { $name } does not stand beside this one, where the control looks for it.
+diag-centre-in-other-plane = The arc leads through another plane than the one in which its centre lies.
 diag-choice-not-offered = { $parameter }={ $value } is none of the choices: { $offered }.
 diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearance height { $parameter }={ $value } must lie above { $least }.
 diag-compensation-at-cycle =
@@ -43,6 +45,19 @@ diag-contour-depth-missing = { $contour } has no DEPTH, other contours have one.
 diag-contour-undeclared = The formula reads { $contour }, which nothing names before it.
 diag-contour-unnamed =
     { $cycle } is called here, but no contour has been named before.
+diag-contour-wrong =
+    { $cycle } cannot machine the contour like this: { $what ->
+        [axis] it moves the tool axis { $word }
+        [approach] { $word } stands in it
+        [tool] { $word } stands in it
+        [call] { $word } stands in it
+        [path] the cycle does not read { $word }
+        [first] its first point does not name both coordinates of the plane
+        [uncompensated] it has neither RL nor RR
+        [many] the cycle machines only the first contour, not { $word }
+       *[open] it does not end where it begins
+    }.
+diag-coordinate-out-of-place = The coordinates do not fit { $path }.
 diag-corner-wrong =
     This corner cannot be machined: { $what ->
         [twice] a rounding or chamfer stands before it already
@@ -73,6 +88,12 @@ diag-feed-negative = The feed is negative here.
 diag-feed-zero = The feed is zero here.
 diag-field-word-missing = A value stands here without a word; the control shows it with one: { $shown }.
 diag-frame-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
+diag-free-contour-wrong =
+    { $what ->
+        [label] A free contour cannot begin directly behind a label.
+        [pole] Polar data stand here without a pole (FPOL).
+       *[open] The free contour is not determined: too little is known of its elements.
+    }
 diag-function-misspelled = No control knows { $word } here; { $meant } may be meant.
 diag-functions-contradict = { $first } and { $second } stand in one block; only one of them can be meant.
 diag-guard = The control objects to these values.
@@ -95,11 +116,19 @@ diag-labels-of-unknown-language =
        *[other] { $count } definitions, this is the first, have labels in a language that is not known here; they were read by their numbers.
     }
 diag-languages-mixed = Most labels are in one language ({ $language }); the definitions in these lines are in another ({ $others }): { $lines }.
+diag-loop-endless = Nothing in the loop that this jump closes can end it.
+diag-machine-coordinates-compensated = Machine coordinates (M91, M92) are programmed here with radius compensation.
 diag-main-runs-into-subprogram = The main part runs into the subprogram { $label } here: neither M2 nor M30 stands before it.
 diag-measuring-height-below-floor = { $cycle } measures at { $parameter }={ $value }, below the floor that { $milling } leaves there, { $floor }.
 diag-metric-values-in-inch = The program is in inches, and { $value } looks like millimetres.
 diag-misordered-parameter = In { $cycle } the control shows { $parameter } before { $before }.
 diag-missing-parameter = { $cycle } lacks { $parameter }.
+diag-mode-wrong =
+    { $what ->
+        [milling] { $cycle } mills or drills, but FUNCTION MODE TURN is active here.
+        [turning] { $cycle } turns, but FUNCTION MODE TURN is not active here.
+       *[data] { $cycle } stands here outside of turning mode.
+    }
 diag-no-result =
     This formula has no result: { $why ->
         [division] it divides by zero
@@ -124,6 +153,7 @@ diag-parameter-unassigned =
     { $parameter } is read here, but nothing gives it a value before.
 diag-plane-incomplete = This PLANE lacks { $word }.
 diag-plane-not-reset = The program ends here with a tilted working plane.
+diag-position-after-contour = This is the first position behind { $cycle }, and it does not name both coordinates of the plane absolutely.
 diag-probe-while-turning = { $cycle } probes here while the spindle turns.
 diag-program-begin-missing = The program does not begin with BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM stands a second time here.
@@ -139,6 +169,7 @@ diag-row-not-in-table =
         [preset] The preset table has no row { $row }.
        *[datum] The datum table has no row { $row }.
     }
+diag-selection-missing = A selected program is called here, but none has been selected.
 diag-speed-missing = The spindle is turned on here, but no speed has been programmed.
 diag-speed-out-of-range =
     { $what ->
@@ -148,10 +179,17 @@ diag-speed-out-of-range =
         [below] it is negative
        *[above] { $limit } is the greatest that the manuals let anybody enter
     }.
+diag-spindle-direction = { $cycle } needs a spindle that turns clockwise, and it turns counter-clockwise here.
 diag-spindle-off = Material is removed here while the spindle stands.
+diag-subprogram-end-alone = This LBL 0 ends no subprogram.
 diag-subprogram-recursive = The subprogram { $label } calls itself here.
 diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: no LBL 0 stands between them.
 diag-subprogram-without-end = The subprogram { $label } comes to the end of the program without LBL 0.
+diag-tcpm-left-on =
+    { $what ->
+        [tool] A tool is called here while M128 or FUNCTION TCPM is active.
+       *[end] The program ends here while M128 or FUNCTION TCPM is active.
+    }
 diag-text-for-number =
     { $what ->
         [text] { $parameter } takes a number, and this is a text.
@@ -159,8 +197,19 @@ diag-text-for-number =
        *[calculation] This is a text; it cannot be calculated with.
     }
 diag-tool-axis-missing = This tool call names no tool axis, and none was named before.
+diag-tool-axis-other =
+    { $what ->
+        [pattern] PATTERN DEF works with the tool axis { $axis } only, and another one is active here.
+       *[blank] The blank names the tool axis { $axis }, and no tool of the program has it.
+    }
 diag-tool-missing = A cycle moves here, but no tool call has named the tool axis before.
 diag-tool-not-listed = The tool table has no tool { $tool }.
+diag-tool-unfit =
+    { $what ->
+        [probe] { $cycle } probes here with the tool that has just machined.
+       *[mill] { $cycle } machines here with the tool that has just probed.
+    }
+diag-tool-unused = The tool { $tool } is called here and changed for another one at once.
 diag-transfer-parameter-overwritten =
     { $parameter } belongs to { $cycle }, which is called later: the call takes the value that is written here.
 diag-transformation-left-on =

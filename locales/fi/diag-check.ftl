@@ -1,5 +1,6 @@
 # Ohjelmien tarkastuksen ja kääntämisen havainnot; ks. englanninkielinen tiedosto.
 
+diag-approach-twice = Muotoon ajetaan tässä sädekorjauksen ollessa voimassa: edellisestä muodosta ei ole poistuttu.
 diag-approach-without-compensation =
     { $what ->
         [approach] Muotoon ajetaan tässä ilman sanaa RL tai RR.
@@ -26,6 +27,7 @@ diag-call-of-def-active-cycle = Työkierto { $cycle } vaikuttaa heti määrittel
 diag-called-but-not-defined = Tässä kutsutaan työkiertoa, mutta sitä ennen ei ole määritelty yhtään.
 diag-called-program-in-other-unit = Tämän ohjelman mittayksikkö on { $own }, kutsutun ohjelman { $name } { $other }.
 diag-called-program-missing = Ohjelma { $name } ei ole tämän ohjelman kansiossa, josta ohjaus etsii sitä.
+diag-centre-in-other-plane = Ympyränkaari kulkee toisessa tasossa kuin missä sen keskipiste on.
 diag-choice-not-offered = { $parameter }={ $value } ei ole mikään vaihtoehdoista: { $offered }.
 diag-clearance-height-too-low = { $cycle } koskettaa korkeudella { $touched }: varmuuskorkeuden { $parameter }={ $value } on oltava suurempi kuin { $least }.
 diag-compensation-at-cycle =
@@ -43,6 +45,19 @@ diag-contour-depth-missing = Muodolla { $contour } ei ole DEPTH-arvoa, muilla mu
 diag-contour-undeclared = Kaava lukee muodon { $contour }, jota mikään ei nimeä ennen sitä.
 diag-contour-unnamed =
     { $cycle } kutsutaan tässä, mutta sitä ennen ei ole nimetty muotoa.
+diag-contour-wrong =
+    { $cycle } ei voi koneistaa muotoa näin: { $what ->
+        [axis] siinä liikutetaan työkaluakselia { $word }
+        [approach] siinä on { $word }
+        [tool] siinä on { $word }
+        [call] siinä on { $word }
+        [path] työkierto ei lue elementtiä { $word }
+        [first] sen ensimmäinen piste ei nimeä tason molempia koordinaatteja
+        [uncompensated] siinä ei ole sanaa RL eikä RR
+        [many] työkierto koneistaa vain ensimmäisen muodon, ei muotoa { $word }
+       *[open] se ei pääty siihen, mistä se alkaa
+    }.
+diag-coordinate-out-of-place = Koordinaatit eivät sovi lauseeseen { $path }.
 diag-corner-wrong =
     Tätä nurkkaa ei voi koneistaa: { $what ->
         [twice] sen edellä on jo pyöristys tai viiste
@@ -73,6 +88,12 @@ diag-feed-negative = Syöttöarvo on tässä negatiivinen.
 diag-feed-zero = Syöttöarvo on tässä nolla.
 diag-field-word-missing = Arvon edessä ei ole sanaa; ohjaus näyttää sen näin: { $shown }.
 diag-frame-mismatch = END PGM -lauseessa on { $end }, BEGIN PGM -lauseessa { $begin }.
+diag-free-contour-wrong =
+    { $what ->
+        [label] Vapaa muoto ei voi alkaa heti labelin jäljestä.
+        [pole] Napakoordinaatteja on tässä ilman napaa (FPOL).
+       *[open] Vapaa muoto jää määräämättä: sen elementeistä tiedetään liian vähän.
+    }
 diag-function-misspelled = Mikään ohjaus ei tunne tässä sanaa { $word }; ehkä tarkoitetaan sanaa { $meant }.
 diag-functions-contradict = { $first } ja { $second } ovat samassa lauseessa; vain toista niistä voidaan tarkoittaa.
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
@@ -95,11 +116,19 @@ diag-labels-of-unknown-language =
        *[other] { $count } määrittelyn, joista tämä on ensimmäinen, NC-tekstit ovat kieltä, jota ei tässä tunneta; ne luettiin numeroidensa perusteella.
     }
 diag-languages-mixed = Useimmat NC-tekstit ovat yhtä kieltä ({ $language }); näiden rivien määrittelyt ovat toista ({ $others }): { $lines }.
+diag-loop-endless = Mikään tämän hypyn sulkemassa silmukassa ei voi päättää sitä.
+diag-machine-coordinates-compensated = Konekoordinaatit (M91, M92) on tässä ohjelmoitu sädekorjauksen kanssa.
 diag-main-runs-into-subprogram = Pääohjelma jatkuu tässä suoraan aliohjelmaan { $label }: ennen sitä ei ole M2- eikä M30-toimintoa.
 diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }={ $value }, joka on työkierron { $milling } siihen jättämän pohjan alapuolella ({ $floor }).
 diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää millimetriarvolta.
 diag-misordered-parameter = Työkierrossa { $cycle } ohjaus näyttää parametrin { $parameter } ennen parametria { $before }.
 diag-missing-parameter = Työkierrosta { $cycle } puuttuu { $parameter }.
+diag-mode-wrong =
+    { $what ->
+        [milling] { $cycle } jyrsii tai poraa, mutta tässä on voimassa FUNCTION MODE TURN.
+        [turning] { $cycle } sorvaa, mutta FUNCTION MODE TURN ei ole tässä voimassa.
+       *[data] { $cycle } on tässä sorvauskäytön ulkopuolella.
+    }
 diag-no-result =
     Tällä kaavalla ei ole tulosta: { $why ->
         [division] siinä jaetaan nollalla
@@ -124,6 +153,7 @@ diag-parameter-unassigned =
     { $parameter } luetaan tässä, mutta sille ei ole sitä ennen annettu arvoa.
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
 diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
+diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, eikä se nimeä tason molempia koordinaatteja absoluuttisina.
 diag-probe-while-turning = { $cycle } koskettaa tässä karan pyöriessä.
 diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
 diag-program-begin-twice = BEGIN PGM on tässä toisen kerran.
@@ -138,6 +168,7 @@ diag-row-not-in-table =
         [preset] Peruspistetaulukossa ei ole riviä { $row }.
        *[datum] Nollapistetaulukossa ei ole riviä { $row }.
     }
+diag-selection-missing = Tässä kutsutaan valittua ohjelmaa, mutta mitään ei ole valittu.
 diag-speed-missing = Kara käynnistetään tässä, mutta kierroslukua ei ole ohjelmoitu.
 diag-speed-out-of-range =
     { $what ->
@@ -147,10 +178,17 @@ diag-speed-out-of-range =
         [below] se on negatiivinen
        *[above] suurin arvo, jonka käsikirjat sallivat, on { $limit }
     }.
+diag-spindle-direction = { $cycle } vaatii myötäpäivään pyörivän karan, mutta tässä se pyörii vastapäivään.
 diag-spindle-off = Tässä lastutaan karan ollessa pysähdyksissä.
+diag-subprogram-end-alone = Tämä LBL 0 ei päätä mitään aliohjelmaa.
 diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
 diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
 diag-subprogram-without-end = Aliohjelma { $label } päätyy ohjelman loppuun ilman LBL 0 -lausetta.
+diag-tcpm-left-on =
+    { $what ->
+        [tool] Tässä kutsutaan työkalua, kun M128 tai FUNCTION TCPM on voimassa.
+       *[end] Ohjelma päättyy tässä, kun M128 tai FUNCTION TCPM on voimassa.
+    }
 diag-text-for-number =
     { $what ->
         [text] Parametrin { $parameter } arvo on luku, mutta tämä on teksti.
@@ -158,8 +196,19 @@ diag-text-for-number =
        *[calculation] Tämä on teksti; sillä ei voi laskea.
     }
 diag-tool-axis-missing = Tässä työkalukutsussa ei ole työkaluakselia, eikä sitä ole annettu aiemminkaan.
+diag-tool-axis-other =
+    { $what ->
+        [pattern] PATTERN DEF toimii vain työkaluakselilla { $axis }, mutta tässä on voimassa toinen.
+       *[blank] Aihio nimeää työkaluakselin { $axis }, mutta sitä ei ole yhdelläkään ohjelman työkalulla.
+    }
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään aiempi työkalukutsu ei ole määritellyt työkaluakselia.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
+diag-tool-unfit =
+    { $what ->
+        [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.
+       *[mill] { $cycle } koneistaa tässä työkalulla, jolla on juuri kosketettu.
+    }
+diag-tool-unused = Työkalu { $tool } kutsutaan tässä ja vaihdetaan heti toiseen.
 diag-transfer-parameter-overwritten =
     { $parameter } kuuluu työkiertoon { $cycle }, jota kutsutaan myöhemmin: kutsu käyttää tässä kirjoitettavaa arvoa.
 diag-transformation-left-on =

@@ -1,5 +1,6 @@
 # Segnalazioni della verifica e della traduzione di programmi; vedere il file inglese.
 
+diag-approach-twice = Qui ci si avvicina al profilo con la compensazione del raggio attiva: il profilo precedente non è stato lasciato.
 diag-approach-without-compensation =
     { $what ->
         [approach] Qui ci si avvicina al profilo senza RL o RR.
@@ -26,6 +27,7 @@ diag-call-of-def-active-cycle = { $cycle } è attivo appena viene definito; non 
 diag-called-but-not-defined = Qui viene chiamato un ciclo, ma prima non ne è definito alcuno.
 diag-called-program-in-other-unit = Questo programma è in { $own }, il programma chiamato { $name } in { $other }.
 diag-called-program-missing = Il programma { $name } non si trova accanto a questo, dove il controllo lo cerca.
+diag-centre-in-other-plane = L’arco percorre un piano diverso da quello del suo centro.
 diag-choice-not-offered = { $parameter }={ $value } non è tra le scelte: { $offered }.
 diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di sicurezza { $parameter }={ $value } deve trovarsi sopra { $least }.
 diag-compensation-at-cycle =
@@ -43,6 +45,19 @@ diag-contour-depth-missing = { $contour } non ha DEPTH, altri profili sì.
 diag-contour-undeclared = La formula legge { $contour }, che nulla indica prima.
 diag-contour-unnamed =
     { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
+diag-contour-wrong =
+    { $cycle } non può lavorare il profilo così: { $what ->
+        [axis] vi si muove l’asse utensile { $word }
+        [approach] contiene { $word }
+        [tool] contiene { $word }
+        [call] contiene { $word }
+        [path] il ciclo non legge { $word }
+        [first] il primo punto non indica entrambe le coordinate del piano
+        [uncompensated] non ha né RL né RR
+        [many] il ciclo lavora solo il primo profilo, non { $word }
+       *[open] non finisce dove comincia
+    }.
+diag-coordinate-out-of-place = Le coordinate non sono adatte a { $path }.
 diag-corner-wrong =
     Questo spigolo non si può lavorare: { $what ->
         [twice] prima c’è già un arrotondamento o uno smusso
@@ -73,6 +88,12 @@ diag-feed-negative = Qui l’avanzamento è negativo.
 diag-feed-zero = Qui l’avanzamento è zero.
 diag-field-word-missing = Qui c’è un valore senza parola; il controllo lo mostra con una parola: { $shown }.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
+diag-free-contour-wrong =
+    { $what ->
+        [label] Un profilo libero non può cominciare subito dopo un label.
+        [pole] Qui vi sono dati polari senza polo (FPOL).
+       *[open] Il profilo libero non è determinato: dei suoi elementi si sa troppo poco.
+    }
 diag-function-misspelled = Nessun controllo conosce qui { $word }; forse si intende { $meant }.
 diag-functions-contradict = { $first } e { $second } sono nello stesso blocco; può essere voluta solo una delle due.
 diag-guard = Il controllo non accetta questi valori.
@@ -95,11 +116,19 @@ diag-labels-of-unknown-language =
        *[other] { $count } definizioni, di cui questa è la prima, hanno etichette in una lingua qui sconosciuta; sono state lette in base ai loro numeri.
     }
 diag-languages-mixed = La maggior parte delle etichette è in una lingua ({ $language }); le definizioni in queste righe sono in un’altra ({ $others }): { $lines }.
+diag-loop-endless = Nulla nel ciclo chiuso da questo salto può farlo terminare.
+diag-machine-coordinates-compensated = Qui si programmano coordinate macchina (M91, M92) con compensazione del raggio.
 diag-main-runs-into-subprogram = La parte principale prosegue qui nel sottoprogramma { $label }: prima non c’è né M2 né M30.
 diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value }, sotto il fondo lasciato in quel punto da { $milling }, { $floor }.
 diag-metric-values-in-inch = Il programma è in pollici e { $value } sembra espresso in millimetri.
 diag-misordered-parameter = In { $cycle } il controllo visualizza { $parameter } prima di { $before }.
 diag-missing-parameter = In { $cycle } manca { $parameter }.
+diag-mode-wrong =
+    { $what ->
+        [milling] { $cycle } fresa o fora, ma qui è attivo FUNCTION MODE TURN.
+        [turning] { $cycle } tornisce, ma qui FUNCTION MODE TURN non è attivo.
+       *[data] { $cycle } sta qui fuori dal modo tornitura.
+    }
 diag-no-result =
     Questa formula non ha risultato: { $why ->
         [division] divide per zero
@@ -124,6 +153,7 @@ diag-parameter-unassigned =
     { $parameter } viene letto qui, ma prima nulla gli assegna un valore.
 diag-plane-incomplete = In questo PLANE manca { $word }.
 diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
+diag-position-after-contour = Questa è la prima posizione dopo { $cycle } e non indica in assoluto entrambe le coordinate del piano.
 diag-probe-while-turning = { $cycle } tasta qui mentre il mandrino gira.
 diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM compare qui una seconda volta.
@@ -138,6 +168,7 @@ diag-row-not-in-table =
         [preset] La tabella Preset non contiene la riga { $row }.
        *[datum] La tabella origini non contiene la riga { $row }.
     }
+diag-selection-missing = Qui si chiama un programma selezionato, ma nessuno è stato selezionato.
 diag-speed-missing = Qui viene avviato il mandrino, ma non è stato programmato alcun numero di giri.
 diag-speed-out-of-range =
     { $what ->
@@ -147,10 +178,17 @@ diag-speed-out-of-range =
         [below] è negativo
        *[above] il valore massimo che i manuali permettono di inserire è { $limit }
     }.
+diag-spindle-direction = { $cycle } richiede un mandrino che giri in senso orario, e qui gira in senso antiorario.
 diag-spindle-off = Qui viene asportato materiale a mandrino fermo.
+diag-subprogram-end-alone = Questo LBL 0 non termina alcun sottoprogramma.
 diag-subprogram-recursive = Il sottoprogramma { $label } chiama qui sé stesso.
 diag-subprogram-runs-on = Il sottoprogramma { $label } prosegue nel sottoprogramma { $next }: tra i due non c’è LBL 0.
 diag-subprogram-without-end = Il sottoprogramma { $label } arriva alla fine del programma senza LBL 0.
+diag-tcpm-left-on =
+    { $what ->
+        [tool] Qui si chiama un utensile con M128 o FUNCTION TCPM attivo.
+       *[end] Il programma termina qui con M128 o FUNCTION TCPM attivo.
+    }
 diag-text-for-number =
     { $what ->
         [text] { $parameter } accetta un numero, e questo è un testo.
@@ -158,8 +196,19 @@ diag-text-for-number =
        *[calculation] Questo è un testo; non ci si può calcolare.
     }
 diag-tool-axis-missing = Questa chiamata utensile non indica l’asse utensile, e nessuno è stato indicato prima.
+diag-tool-axis-other =
+    { $what ->
+        [pattern] PATTERN DEF lavora solo con l’asse utensile { $axis }, e qui ne è attivo un altro.
+       *[blank] Il grezzo indica l’asse utensile { $axis }, che nessun utensile del programma ha.
+    }
 diag-tool-missing = Qui un ciclo esegue movimenti, ma prima nessuna chiamata utensile ha indicato l’asse utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
+diag-tool-unfit =
+    { $what ->
+        [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.
+       *[mill] { $cycle } lavora qui con l’utensile che ha appena tastato.
+    }
+diag-tool-unused = L’utensile { $tool } viene chiamato qui e subito cambiato con un altro.
 diag-transfer-parameter-overwritten =
     { $parameter } appartiene a { $cycle }, che viene chiamato più avanti: la chiamata usa il valore scritto qui.
 diag-transformation-left-on =

@@ -1,5 +1,6 @@
 # Mensagens da verificação e da tradução de programas; ver o ficheiro inglês.
 
+diag-approach-twice = A aproximação ao contorno faz-se aqui com a compensação do raio ativa: o contorno anterior não foi deixado.
 diag-approach-without-compensation =
     { $what ->
         [approach] A aproximação ao contorno faz-se aqui sem RL nem RR.
@@ -26,6 +27,7 @@ diag-call-of-def-active-cycle = { $cycle } atua logo que é definido; não deve 
 diag-called-but-not-defined = Aqui é chamado um ciclo, mas antes não está definido nenhum.
 diag-called-program-in-other-unit = Este programa está em { $own }, o programa chamado { $name } em { $other }.
 diag-called-program-missing = O programa { $name } não está junto deste, onde o comando o procura.
+diag-centre-in-other-plane = O arco percorre um plano diferente daquele em que está o seu centro.
 diag-choice-not-offered = { $parameter }={ $value } não está entre as opções: { $offered }.
 diag-clearance-height-too-low = { $cycle } apalpa em { $touched }: a altura segura { $parameter }={ $value } tem de ficar acima de { $least }.
 diag-compensation-at-cycle =
@@ -43,6 +45,19 @@ diag-contour-depth-missing = { $contour } não tem DEPTH, outros contornos têm.
 diag-contour-undeclared = A fórmula lê { $contour }, que nada indica antes.
 diag-contour-unnamed =
     { $cycle } é chamado aqui, mas antes não foi indicado nenhum contorno.
+diag-contour-wrong =
+    { $cycle } não pode maquinar o contorno assim: { $what ->
+        [axis] nele move-se o eixo da ferramenta { $word }
+        [approach] contém { $word }
+        [tool] contém { $word }
+        [call] contém { $word }
+        [path] o ciclo não lê { $word }
+        [first] o primeiro ponto não indica ambas as coordenadas do plano
+        [uncompensated] não tem RL nem RR
+        [many] o ciclo maquina só o primeiro contorno, não { $word }
+       *[open] não acaba onde começa
+    }.
+diag-coordinate-out-of-place = As coordenadas não são adequadas a { $path }.
 diag-corner-wrong =
     Esta esquina não se pode maquinar: { $what ->
         [twice] antes dela já há um arredondamento ou um chanfro
@@ -73,6 +88,12 @@ diag-feed-negative = O avanço é aqui negativo.
 diag-feed-zero = O avanço é aqui zero.
 diag-field-word-missing = Aqui há um valor sem palavra; o comando mostra-o com uma: { $shown }.
 diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
+diag-free-contour-wrong =
+    { $what ->
+        [label] Um contorno livre não pode começar logo depois de um label.
+        [pole] Há aqui dados polares sem polo (FPOL).
+       *[open] O contorno livre não está determinado: sabe-se demasiado pouco dos seus elementos.
+    }
 diag-function-misspelled = Nenhum comando conhece aqui { $word }; talvez se pretenda { $meant }.
 diag-functions-contradict = { $first } e { $second } estão na mesma frase; só uma delas pode ser a pretendida.
 diag-guard = O comando não aceita estes valores.
@@ -95,11 +116,19 @@ diag-labels-of-unknown-language =
        *[other] { $count } definições, das quais esta é a primeira, têm designações num idioma aqui desconhecido; foram lidas pelos seus números.
     }
 diag-languages-mixed = A maioria das designações está num idioma ({ $language }); as definições nestas linhas estão noutro ({ $others }): { $lines }.
+diag-loop-endless = Nada no ciclo que este salto fecha pode terminá-lo.
+diag-machine-coordinates-compensated = Programam-se aqui coordenadas da máquina (M91, M92) com compensação do raio.
 diag-main-runs-into-subprogram = A parte principal continua aqui para dentro do subprograma { $label }: antes não há M2 nem M30.
 diag-measuring-height-below-floor = { $cycle } mede em { $parameter }={ $value }, abaixo do fundo que { $milling } aí deixa, { $floor }.
 diag-metric-values-in-inch = O programa está em polegadas e { $value } parece estar em milímetros.
 diag-misordered-parameter = Em { $cycle }, o comando visualiza { $parameter } antes de { $before }.
 diag-missing-parameter = Em { $cycle } falta { $parameter }.
+diag-mode-wrong =
+    { $what ->
+        [milling] { $cycle } fresa ou fura, mas aqui está ativo FUNCTION MODE TURN.
+        [turning] { $cycle } torneia, mas FUNCTION MODE TURN não está aqui ativo.
+       *[data] { $cycle } está aqui fora do modo de tornear.
+    }
 diag-no-result =
     Esta fórmula não tem resultado: { $why ->
         [division] divide por zero
@@ -124,6 +153,7 @@ diag-parameter-unassigned =
     { $parameter } é lido aqui, mas antes nada lhe atribui um valor.
 diag-plane-incomplete = Neste PLANE falta { $word }.
 diag-plane-not-reset = O programa termina aqui com o plano de maquinação inclinado.
+diag-position-after-contour = Esta é a primeira posição depois de { $cycle } e não indica ambas as coordenadas do plano em absoluto.
 diag-probe-while-turning = { $cycle } apalpa aqui com o cabeçote a rodar.
 diag-program-begin-missing = O programa não começa com BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM está aqui pela segunda vez.
@@ -138,6 +168,7 @@ diag-row-not-in-table =
         [preset] A tabela de pontos de referência não tem a linha { $row }.
        *[datum] A tabela de pontos zero não tem a linha { $row }.
     }
+diag-selection-missing = Chama-se aqui um programa selecionado, mas nenhum foi selecionado.
 diag-speed-missing = Aqui liga-se o cabeçote, mas não foi programado nenhum número de rotações.
 diag-speed-out-of-range =
     { $what ->
@@ -147,10 +178,17 @@ diag-speed-out-of-range =
         [below] o valor é negativo
        *[above] o valor máximo que os manuais permitem introduzir é { $limit }
     }.
+diag-spindle-direction = { $cycle } precisa de um cabeçote que rode no sentido horário, e aqui roda no sentido anti-horário.
 diag-spindle-off = Aqui remove-se material com o cabeçote parado.
+diag-subprogram-end-alone = Este LBL 0 não termina nenhum subprograma.
 diag-subprogram-recursive = O subprograma { $label } chama-se aqui a si próprio.
 diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subprograma { $next }: entre eles não há LBL 0.
 diag-subprogram-without-end = O subprograma { $label } chega ao fim do programa sem LBL 0.
+diag-tcpm-left-on =
+    { $what ->
+        [tool] Chama-se aqui uma ferramenta com M128 ou FUNCTION TCPM ativo.
+       *[end] O programa termina aqui com M128 ou FUNCTION TCPM ativo.
+    }
 diag-text-for-number =
     { $what ->
         [text] { $parameter } aceita um número, e isto é um texto.
@@ -158,8 +196,19 @@ diag-text-for-number =
        *[calculation] Isto é um texto; não se pode calcular com ele.
     }
 diag-tool-axis-missing = Esta chamada de ferramenta não indica o eixo da ferramenta, e nenhum foi indicado antes.
+diag-tool-axis-other =
+    { $what ->
+        [pattern] PATTERN DEF trabalha só com o eixo da ferramenta { $axis }, e aqui está ativo outro.
+       *[blank] O bloco indica o eixo da ferramenta { $axis }, que nenhuma ferramenta do programa tem.
+    }
 diag-tool-missing = Aqui um ciclo executa movimentos, mas antes nenhuma chamada da ferramenta indicou o eixo da ferramenta.
 diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
+diag-tool-unfit =
+    { $what ->
+        [probe] { $cycle } apalpa aqui com a ferramenta que acabou de maquinar.
+       *[mill] { $cycle } maquina aqui com a ferramenta que acabou de apalpar.
+    }
+diag-tool-unused = A ferramenta { $tool } é chamada aqui e logo trocada por outra.
 diag-transfer-parameter-overwritten =
     { $parameter } pertence a { $cycle }, que é chamado mais adiante: a chamada usa o valor aqui escrito.
 diag-transformation-left-on =

@@ -1,5 +1,6 @@
 # Findings of the program checker and of the translation of programs.
 
+diag-approach-twice = Primik na konturo je tu pri aktivnem popravku polmera: prejšnja kontura ni bila zapuščena.
 diag-approach-without-compensation =
     { $what ->
         [approach] Primik na konturo je tu brez RL ali RR.
@@ -26,6 +27,7 @@ diag-call-of-def-active-cycle = Cikel { $cycle } deluje takoj, ko je definiran; 
 diag-called-but-not-defined = Tu se prikliče cikel, pred tem pa ni definiran noben.
 diag-called-program-in-other-unit = Ta program je v { $own }, klicani program { $name } v { $other }.
 diag-called-program-missing = Programa { $name } ni ob tem programu, kjer ga krmiljenje išče.
+diag-centre-in-other-plane = Krožni lok poteka v drugi ravnini kot njegovo središče.
 diag-choice-not-offered = { $parameter }={ $value } ni med možnostmi: { $offered }.
 diag-clearance-height-too-low = { $cycle } se dotakne pri { $touched }: varna višina { $parameter }={ $value } mora biti nad { $least }.
 diag-compensation-at-cycle =
@@ -43,6 +45,19 @@ diag-contour-depth-missing = { $contour } nima DEPTH, druge konture ga imajo.
 diag-contour-undeclared = Formula bere { $contour }, ki je prej nič ne navede.
 diag-contour-unnamed =
     { $cycle } se tu prikliče, pred tem pa ni navedena nobena kontura.
+diag-contour-wrong =
+    { $cycle } te konture ne more obdelati: { $what ->
+        [axis] v njej je premik orodne osi { $word }
+        [approach] v njej je { $word }
+        [tool] v njej je { $word }
+        [call] v njej je { $word }
+        [path] cikel ne bere elementa { $word }
+        [first] prva točka ne navede obeh koordinat ravnine
+        [uncompensated] v njej ni niti RL niti RR
+        [many] cikel obdela samo prvo konturo, ne { $word }
+       *[open] ne konča se tam, kjer se začne
+    }.
+diag-coordinate-out-of-place = Koordinate ne ustrezajo stavku { $path }.
 diag-corner-wrong =
     Tega vogala ni mogoče obdelati: { $what ->
         [twice] pred njim je že zaokrožitev ali posneti rob
@@ -73,6 +88,12 @@ diag-feed-negative = Pomik je tu negativen.
 diag-feed-zero = Pomik je tu nič.
 diag-field-word-missing = Vrednost je tu brez besede; krmiljenje jo prikaže z njo: { $shown }.
 diag-frame-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
+diag-free-contour-wrong =
+    { $what ->
+        [label] Prosta kontura se ne more začeti takoj za oznako LBL.
+        [pole] Tu so polarni podatki brez pola (FPOL).
+       *[open] Prosta kontura ni določena: o njenih elementih je znanega premalo.
+    }
 diag-function-misspelled = Nobeno krmiljenje tu ne pozna besede { $word }; morda je mišljeno { $meant }.
 diag-functions-contradict = { $first } in { $second } sta v istem stavku; mišljena je lahko samo ena od njiju.
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
@@ -97,11 +118,19 @@ diag-labels-of-unknown-language =
        *[other] { $count } definicij, prva je ta, ima oznake v jeziku, ki tu ni znan; prebrane so bile po številkah.
     }
 diag-languages-mixed = Večina oznak je v enem jeziku ({ $language }); definicije v teh vrsticah so v drugem ({ $others }): { $lines }.
+diag-loop-endless = Nič v zanki, ki jo sklene ta skok, je ne more končati.
+diag-machine-coordinates-compensated = Strojne koordinate (M91, M92) so tu programirane s popravkom polmera.
 diag-main-runs-into-subprogram = Glavni program se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
 diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ $value }, nižje od dna, ki ga tam pusti { $milling } ({ $floor }).
 diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vrednost v milimetrih.
 diag-misordered-parameter = V ciklu { $cycle } krmiljenje prikaže { $parameter } pred { $before }.
 diag-missing-parameter = V ciklu { $cycle } manjka { $parameter }.
+diag-mode-wrong =
+    { $what ->
+        [milling] { $cycle } rezka ali vrta, tu pa je aktiven FUNCTION MODE TURN.
+        [turning] { $cycle } struži, FUNCTION MODE TURN pa tu ni aktiven.
+       *[data] { $cycle } je tu zunaj načina struženja.
+    }
 diag-no-result =
     Ta formula nima rezultata: { $why ->
         [division] v njej se deli z ničlo
@@ -126,6 +155,7 @@ diag-parameter-unassigned =
     { $parameter } se tu bere, pred tem pa mu nič ne določi vrednosti.
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
 diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
+diag-position-after-contour = To je prvi položaj za ciklom { $cycle } in ne navede obeh koordinat ravnine absolutno.
 diag-probe-while-turning = { $cycle } tu tipa, medtem ko se vreteno vrti.
 diag-program-begin-missing = Program se ne začne z BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM je tu drugič.
@@ -140,6 +170,7 @@ diag-row-not-in-table =
         [preset] V preglednici referenčnih točk ni vrstice { $row }.
        *[datum] V preglednici ničelnih točk ni vrstice { $row }.
     }
+diag-selection-missing = Tu se prikliče izbrani program, izbran pa ni bil noben.
 diag-speed-missing = Vreteno se tu vklopi, število vrtljajev pa ni programirano.
 diag-speed-out-of-range =
     { $what ->
@@ -149,10 +180,17 @@ diag-speed-out-of-range =
         [below] vrednost je negativna
        *[above] največja vrednost, ki jo priročniki dovolijo vnesti, je { $limit }
     }.
+diag-spindle-direction = { $cycle } potrebuje vreteno, ki se vrti v desno, tu pa se vrti v levo.
 diag-spindle-off = Tu se material odvzema, medtem ko vreteno miruje.
+diag-subprogram-end-alone = Ta LBL 0 ne konča nobenega podprograma.
 diag-subprogram-recursive = Podprogram { $label } tu prikliče samega sebe.
 diag-subprogram-runs-on = Podprogram { $label } se nadaljuje v podprogram { $next }: med njima ni LBL 0.
 diag-subprogram-without-end = Podprogram { $label } pride do konca programa brez LBL 0.
+diag-tcpm-left-on =
+    { $what ->
+        [tool] Tu se prikliče orodje, medtem ko je aktiven M128 ali FUNCTION TCPM.
+       *[end] Program se tu konča, medtem ko je aktiven M128 ali FUNCTION TCPM.
+    }
 diag-text-for-number =
     { $what ->
         [text] { $parameter } sprejme število, to pa je besedilo.
@@ -160,8 +198,19 @@ diag-text-for-number =
        *[calculation] To je besedilo; z njim ni mogoče računati.
     }
 diag-tool-axis-missing = Ta priklic orodja ne navaja orodne osi, pa tudi prej ni bila navedena.
+diag-tool-axis-other =
+    { $what ->
+        [pattern] PATTERN DEF deluje samo z orodno osjo { $axis }, tu pa je aktivna druga.
+       *[blank] Surovec navede orodno os { $axis }, ki je nima nobeno orodje programa.
+    }
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
+diag-tool-unfit =
+    { $what ->
+        [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.
+       *[mill] { $cycle } tu obdeluje z orodjem, ki je pravkar tipalo.
+    }
+diag-tool-unused = Orodje { $tool } se tu prikliče in takoj zamenja z drugim.
 diag-transfer-parameter-overwritten =
     { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic uporabi tu zapisano vrednost.
 diag-transformation-left-on =

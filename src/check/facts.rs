@@ -41,7 +41,7 @@ pub struct Facts<'a> {
     tongue: Option<u32>,
     /// The blocks that are more than plain movements, definitions and comments: few in long programs.
     marked: Vec<u32>,
-    /// The movements that are more than plain ones for a contour: corners, approaches, free contours, surface normals, and
+    /// The movements that are more than plain ones for a contour: corners, approaches, free contours, surface normals and
     /// those that say RL or RR.
     shaped: Vec<u32>,
     begins: bool,
@@ -247,7 +247,7 @@ impl<'a> Facts<'a> {
         self.marked.iter().filter_map(|index| Some((*index as usize, blocks.get(*index as usize)?)))
     }
 
-    /// Corners, approaches, departures, arcs of free contours, surface normals and movements with RL or RR, with their
+    /// Corners, approaches, departures, elements of free contours, surface normals and movements with RL or RR, with their
     /// places among all blocks.
     pub fn shaped(&self) -> impl Iterator<Item = (usize, &'a Block)> {
         let blocks = self.program.blocks();
@@ -336,12 +336,20 @@ impl<'a> Facts<'a> {
                     let outline = motion.outline();
                     let formed = matches!(
                         motion.path(),
-                        Path::Rnd | Path::Chf | Path::Appr(_) | Path::Dep(_) | Path::Fc | Path::Fct | Path::Ln
+                        Path::Rnd
+                            | Path::Chf
+                            | Path::Appr(_)
+                            | Path::Dep(_)
+                            | Path::Fl
+                            | Path::Flt
+                            | Path::Fc
+                            | Path::Fct
+                            | Path::Ln
                     );
                     if formed || outline.compensates() == Compensates::Beside {
                         self.shaped.extend(u32::try_from(index).ok());
                     }
-                    if !outline.has_functions() && !outline.names_axis_twice() && !motion.ends_with_letter() {
+                    if !outline.has_functions() && !outline.has_odd_coords() && !motion.ends_with_letter() {
                         continue;
                     }
                 }

@@ -6,6 +6,7 @@
 mod allow;
 mod among;
 mod config;
+mod contours;
 mod facts;
 mod fields;
 mod flow;
@@ -22,6 +23,8 @@ pub use flow::{Aspect, CycleCall, Graph, Mark, Modal, Pending, Run, Tri, Use, Wa
 pub(crate) use labels::is_label;
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels, Speech, speech};
 pub use rules::RULES;
+
+use among::name as named_in;
 
 use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::locale::Language;

@@ -335,6 +335,22 @@ record! {
 }
 
 record! {
+    /// What a cycle wants of the contours that it machines.
+    pub struct ContourWanted {
+        /// It goes round them, so they end where they begin.
+        closed: bool,
+        /// RL or RR says on which side it goes.
+        compensated: bool,
+        /// It machines the first of them only.
+        first_only: bool,
+        /// It ends elsewhere than it began: the first position behind it names both coordinates of the plane.
+        displaces: bool,
+        /// The path functions that it reads; all if there are none.
+        paths: Vec<String>,
+    }
+}
+
+record! {
     /// A specification of a cycle.
     pub struct CycleFile {
         /// Its number.
@@ -353,6 +369,10 @@ record! {
         iso: Vec<Iso>,
         /// When it acts.
         takes_effect: TakesEffect,
+        /// It works with a spindle that turns clockwise only.
+        clockwise_only: bool,
+        /// What it wants of the contours that it machines.
+        contour: Option<ContourWanted>,
         /// Its parameters, new form.
         parameters: Vec<Parameter>,
         /// It is only its name: a definition without anything to enter.

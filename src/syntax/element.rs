@@ -10,7 +10,7 @@ use super::cursor::{Cursor, Read};
 use super::motion;
 use super::path::{Path, PathCode};
 use super::plain::PlainElement;
-use super::tree::{Amount, Compensation, Coord, FeedKind, MFunction, Motion, Operand};
+use super::tree::{Amount, Axis, Compensation, Coord, FeedKind, MFunction, Motion, Operand};
 use crate::diag::{Source, Span};
 
 /// A contour element or positioning; its words are those of the [`Motion`] that it stands for.
@@ -56,7 +56,8 @@ pub(super) struct Sketch {
     pub(super) functions: bool,
     pub(super) parameters: bool,
     pub(super) coords: bool,
-    pub(super) twice: bool,
+    /// Whether coordinates want a look: an axis twice, one that the path does not have, or a centre in another plane.
+    pub(super) odd: bool,
     /// Whether the feed is `FMAX`, if one is said.
     pub(super) feed: Option<bool>,
     pub(super) compensates: Compensates,
@@ -66,7 +67,7 @@ impl Outline {
     const FUNCTIONS: u8 = 1;
     const PARAMETERS: u8 = 1 << 1;
     const COORDS: u8 = 1 << 2;
-    const TWICE: u8 = 1 << 3;
+    const ODD: u8 = 1 << 3;
     const RAPID: u8 = 1 << 4;
     const FEED: u8 = 1 << 5;
     const COMPENSATION: u8 = 6;
@@ -91,7 +92,7 @@ impl Outline {
             functions: !motion.functions.is_empty(),
             parameters,
             coords: !motion.coords.is_empty(),
-            twice: axis_twice(&motion.coords).is_some(),
+            odd: axis_twice(&motion.coords).is_some() || is_odd(motion.path, axes_of(&motion.coords)),
             feed: feed.map(|feed| feed == FeedKind::Max),
             compensates,
         })
@@ -106,7 +107,7 @@ impl Outline {
             bit(sketch.functions, Self::FUNCTIONS)
                 | bit(sketch.parameters, Self::PARAMETERS)
                 | bit(sketch.coords, Self::COORDS)
-                | bit(sketch.twice, Self::TWICE)
+                | bit(sketch.odd, Self::ODD)
                 | bit(matches!(sketch.feed, Some(true)), Self::RAPID)
                 | bit(matches!(sketch.feed, Some(false)), Self::FEED)
                 | ((sketch.compensates as u8) << Self::COMPENSATION),
@@ -132,9 +133,9 @@ impl Outline {
         self.has(Self::COORDS)
     }
 
-    /// Whether an axis is named twice.
-    pub const fn names_axis_twice(self) -> bool {
-        self.has(Self::TWICE)
+    /// Whether coordinates want a look: an axis twice, one that the path does not have, or a centre in another plane.
+    pub const fn has_odd_coords(self) -> bool {
+        self.has(Self::ODD)
     }
 
     /// Whether it says `FMAX`.
@@ -164,6 +165,41 @@ pub fn axis_twice(coords: &[Coord]) -> Option<(&Coord, &Coord)> {
         let first = coords.iter().take(at).find(|first| first.axis == coord.axis)?;
         Some((first, coord))
     })
+}
+
+/// The axes of coordinates, a bit each.
+fn axes_of(coords: &[Coord]) -> u16 {
+    coords.iter().fold(0, |axes, coord| axes | axis_bit(coord.axis))
+}
+
+/// The bit of an axis among those of a block.
+pub(super) const fn axis_bit(axis: Axis) -> u16 {
+    1 << axis as u16
+}
+
+/// Whether a block names coordinates that its path does not have, or lacks the one without which it leads nowhere: polar
+/// ones belong to polar paths, an arc about the pole ends at an angle, and a centre lies in a plane.
+const fn misplaced(path: Path, axes: u16) -> bool {
+    let (radius, angle) = (axes & axis_bit(Axis::Pr) != 0, axes & axis_bit(Axis::Pa) != 0);
+    let straight = axes & (axis_bit(Axis::X) | axis_bit(Axis::Y) | axis_bit(Axis::Z));
+    match path {
+        Path::Lp | Path::Ctp => axes != 0 && !radius && !angle,
+        Path::Cp => radius || !angle,
+        Path::Cc => radius || angle || straight.count_ones() > 2,
+        Path::L | Path::Ln | Path::C | Path::Cr | Path::Ct => radius || angle,
+        Path::Rnd | Path::Chf => axes != 0,
+        _ => false,
+    }
+}
+
+/// The same, or a centre that lies in another plane than that of X and Y.
+pub(super) const fn is_odd(path: Path, axes: u16) -> bool {
+    misplaced(path, axes) || (matches!(path, Path::Cc) && axes & axis_bit(Axis::Z) != 0)
+}
+
+/// Whether the coordinates of an element are not those that its path has.
+pub fn is_misplaced(motion: &Motion) -> bool {
+    misplaced(motion.path, axes_of(&motion.coords))
 }
 
 /// What the parser needs to check elements one by one.

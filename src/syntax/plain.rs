@@ -6,7 +6,7 @@ use memchr::memchr3;
 
 use super::cursor::Cursor;
 use super::cycle::Assignment;
-use super::element::{Compensates, Outline, SEVERAL, Sketch};
+use super::element::{Compensates, Outline, SEVERAL, Sketch, axis_bit, is_odd};
 use super::lines::Line;
 use super::path::PathCode;
 use super::tree::{Axis, Value, ValueKind};
@@ -134,9 +134,9 @@ struct Words {
 impl Words {
     #[inline]
     fn coord(&mut self, axis: Axis) {
-        let bit = 1 << axis as u16;
+        let bit = axis_bit(axis);
         self.sketch.coords = true;
-        self.sketch.twice |= self.axes & bit != 0;
+        self.sketch.odd |= self.axes & bit != 0;
         self.axes |= bit;
     }
 
@@ -278,6 +278,7 @@ pub(super) fn element(bytes: &[u8], start: usize) -> Option<PlainElement> {
         words.take(&mut scan, path)?;
         span.end = scan.at;
     }
+    words.sketch.odd |= is_odd(path.path(), words.axes);
     let Words { sketch, function, .. } = words;
     Some(PlainElement { next: scan.next_line(), number, words: span, path, outline: Outline::new(sketch), function })
 }

@@ -8,8 +8,8 @@ use super::step::pend;
 use crate::check::{Defined, Definition, Facts};
 use crate::expr::{QKind, QRef};
 use crate::spec::{
-    Action, Argument, Body, Cycle, CycleKey, Item, Keyword, Known as Of, ParameterKind, TakesEffect, Transformation,
-    Verb,
+    Action, Argument, Body, Cycle, CycleKey, Group, Item, Keyword, Known as Of, ParameterKind, TakesEffect,
+    Transformation, Verb,
 };
 use crate::syntax::{CycleForm, CycleKeyword, CycleView, OldCycleLine, ValueKind};
 
@@ -79,6 +79,11 @@ impl<'f, 'a> Effects<'f, 'a> {
             }
         }
         Self { definitions, firsts, others, named }
+    }
+
+    /// Whether a call of the definition of that index machines the workpiece.
+    pub(super) fn cuts(&self, index: u32) -> bool {
+        self.definitions.get(index as usize).is_some_and(|own| own.cycle().is_some_and(removes_material))
     }
 
     /// Does what the definition does that begins with a block.
@@ -166,6 +171,9 @@ impl Deed {
     }
 
     fn described(&mut self, cycle: &Cycle) {
+        if probes(cycle) {
+            self.aspects.push((Aspect::Probed, Tri::Yes.into()));
+        }
         match cycle.file.takes_effect {
             TakesEffect::OnCall => self.pends = Some(true),
             TakesEffect::OnDefinition => self.aspects.push((Aspect::Feed, Tri::Unknown.into())),
@@ -227,6 +235,18 @@ impl Deed {
         };
         self.aspects.push((aspect, Then::Told));
     }
+}
+
+/// Whether a cycle mills, drills or cuts threads.
+pub(in crate::check) fn removes_material(cycle: &Cycle) -> bool {
+    matches!(cycle.file.group, Group::Drilling | Group::Threads | Group::Pockets | Group::Contours | Group::Surfaces)
+        && cycle.file.takes_effect == TakesEffect::OnCall
+}
+
+/// Whether a cycle touches the workpiece with a probe in the spindle.
+pub(in crate::check) fn probes(cycle: &Cycle) -> bool {
+    matches!(cycle.file.group, Group::Rotation | Group::Datum | Group::Measuring)
+        && cycle.file.keyword == Keyword::TchProbe
 }
 
 /// Whether a definition writes into parameters of its own.

@@ -23,7 +23,7 @@ use crate::diag::Span;
 use crate::expr::QRef;
 use crate::syntax::{Block, BlockKind, MFunction, Motion, Path};
 use circles::circles;
-pub(super) use effect::Deed;
+pub(super) use effect::{Deed, probes, removes_material};
 use graph::{End, reads};
 use state::{State, Touched};
 use step::Steps;

@@ -68,6 +68,18 @@ pub enum Aspect {
     Contour,
     /// The data that contour cycles share have been defined.
     ContourData,
+    /// The control holds the tool tip in its place while rotary axes move (M128, TCPM).
+    Tcpm,
+    /// The spindle was told to turn counter-clockwise.
+    Counterclockwise,
+    /// The tool axis is another one than Z.
+    OtherAxis,
+    /// The tool has probed a workpiece.
+    Probed,
+    /// The tool has machined a workpiece.
+    Cut,
+    /// A program has been selected.
+    Selected,
 }
 
 /// The cycle that a call means.

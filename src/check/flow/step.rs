@@ -11,8 +11,8 @@ use crate::check::facts::each_function;
 use crate::diag::Span;
 use crate::expr::{Code, Env, EvalError, Expr, OnlyParameters, QKind, QRef, Value, compile};
 use crate::syntax::{
-    Amount, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, Operand, Path, Program,
-    Relation, Statement, StatementKind, ValueKind,
+    Amount, Axis, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, Operand, Path,
+    Program, Relation, Statement, StatementKind, ValueKind,
 };
 
 /// What stepping needs besides the state.
@@ -32,6 +32,11 @@ impl<'f, 'a> Steps<'f, 'a> {
     /// What a call of the pending cycle leaves behind: its feed may stay, and a program may do what it does.
     fn called(&self, state: &mut State) {
         state.modal.set(Aspect::Feed, Tri::Unknown);
+        match state.modal.pending {
+            Pending::Definition(index) if self.effects.cuts(index) => state.modal.set(Aspect::Cut, Tri::Yes),
+            Pending::Definition(_) | Pending::None => {}
+            Pending::Unknown => state.modal.set(Aspect::Cut, Tri::Unknown),
+        }
         if self.callees.made.is_empty() {
             return;
         }
@@ -49,13 +54,24 @@ impl<'f, 'a> Steps<'f, 'a> {
     fn functions(&self, block: &Block, state: &mut State) {
         start(block, &mut state.modal);
         each_function(block, |number| match number {
-            0 | 2 | 5 | 6 | 30 => state.modal.set(Aspect::Spindle, Tri::No),
+            // Here another tool may be put in by hand.
+            0 | 6 => {
+                state.modal.set(Aspect::Spindle, Tri::No);
+                tool_unknown(&mut state.modal);
+            }
+            2 | 5 | 30 => state.modal.set(Aspect::Spindle, Tri::No),
+            128 => state.modal.set(Aspect::Tcpm, Tri::Yes),
+            129 => state.modal.set(Aspect::Tcpm, Tri::No),
             // From here on every movement calls it.
             89 if !self.callees.made.is_empty() => state.forget(),
             89 | 99 => self.called(state),
             1 | 3 | 4 | 8 | 9 | 13 | 14 | 90..=199 => {}
             // What else an M function does is the machine builder's affair.
-            _ => state.modal.set(Aspect::Spindle, Tri::Unknown),
+            _ => {
+                state.modal.set(Aspect::Spindle, Tri::Unknown);
+                state.modal.set(Aspect::Counterclockwise, Tri::Unknown);
+                tool_unknown(&mut state.modal);
+            }
         });
     }
 
@@ -86,17 +102,26 @@ impl<'f, 'a> Steps<'f, 'a> {
                     self.functions(block, state);
                 }
             }
-            BlockKind::Functions(_) | BlockKind::Stop(_) => self.functions(block, state),
+            BlockKind::Functions(_) => self.functions(block, state),
+            BlockKind::Stop(_) => {
+                self.functions(block, state);
+                tool_unknown(&mut state.modal);
+            }
             BlockKind::ToolCall(call) => {
                 if call.tool.is_some() {
                     let named = if call.axis.is_some() { Tri::Yes } else { Tri::Unknown };
                     state.modal.set(Aspect::Tool, named);
+                    state.modal.set(Aspect::Probed, Tri::No);
+                    state.modal.set(Aspect::Cut, Tri::No);
                     // Whether the change stops the spindle is the machine builder's affair.
                     if state.modal.is(Aspect::Spindle) != Tri::No {
                         state.modal.set(Aspect::Spindle, Tri::Unknown);
                     }
                 } else if call.axis.is_some() {
                     state.modal.set(Aspect::Tool, Tri::Yes);
+                }
+                if let Some(axis) = call.axis {
+                    state.modal.set(Aspect::OtherAxis, Tri::of(Some(axis != Axis::Z)));
                 }
                 // S0 turns nothing.
                 let zero = |own: &Operand| own.amount == Amount::Number(0.0);
@@ -127,7 +152,11 @@ impl<'f, 'a> Steps<'f, 'a> {
             }
             BlockKind::PatternDef(_) => state.modal.set(Aspect::Pattern, Tri::Yes),
             BlockKind::ContourFormula(_) => state.modal.set(Aspect::Contour, Tri::Yes),
-            BlockKind::Sel(_) => {
+            BlockKind::Sel(own) => {
+                let what = self.program.slice(own.what);
+                if what.eq_ignore_ascii_case("PGM") || what.eq_ignore_ascii_case("CYCLE") {
+                    state.modal.set(Aspect::Selected, Tri::Yes);
+                }
                 state.modal.set(Aspect::Pattern, Tri::Unknown);
                 state.modal.set(Aspect::Contour, Tri::Unknown);
             }
@@ -188,6 +217,31 @@ impl<'f, 'a> Steps<'f, 'a> {
                 if word(0) == "FUNCTION" && matches!(word(1), "TCPM" | "RESET" | "DWELL" | "FEED") =>
             {
                 state.modal.set(Aspect::Feed, Tri::Unknown);
+                match (word(1), word(2)) {
+                    ("TCPM", _) => state.modal.set(Aspect::Tcpm, Tri::Yes),
+                    ("RESET", "TCPM") => state.modal.set(Aspect::Tcpm, Tri::No),
+                    _ => {}
+                }
+            }
+            StatementKind::Function if word(0) == "FUNCTION" && matches!(word(1), "MODE" | "TURNDATA") => {
+                for aspect in [
+                    Aspect::Spindle,
+                    Aspect::Counterclockwise,
+                    Aspect::Speed,
+                    Aspect::Feed,
+                    Aspect::Compensation,
+                    Aspect::Tilting,
+                    Aspect::Tcpm,
+                    Aspect::OtherAxis,
+                ] {
+                    state.modal.set(aspect, Tri::Unknown);
+                }
+                match (word(1), word(2)) {
+                    ("MODE", "TURN") => state.modal.set(Aspect::Turning, Tri::Yes),
+                    ("MODE", "MILL") => state.modal.set(Aspect::Turning, Tri::No),
+                    ("MODE", _) => state.modal.set(Aspect::Turning, Tri::Unknown),
+                    _ => {}
+                }
             }
             StatementKind::Function => {
                 let (modal, parameters) = (State::unknown().modal, state.clone());
@@ -208,7 +262,7 @@ impl<'f, 'a> Steps<'f, 'a> {
 
     /// A word of what names a statement, in capitals if it is one that matters.
     fn word(&self, statement: &Statement, at: usize) -> &'static str {
-        const WORDS: [&str; 6] = ["FUNCTION", "TCPM", "RESET", "DWELL", "FEED", "MODE"];
+        const WORDS: [&str; 9] = ["FUNCTION", "TCPM", "RESET", "DWELL", "FEED", "MODE", "TURN", "MILL", "TURNDATA"];
         let head = self.program.slice(statement.head).split_ascii_whitespace();
         let words = head.chain(statement.words.iter().map(|word| self.program.slice(word.span)));
         let found = words.into_iter().nth(at).unwrap_or_default();
@@ -296,8 +350,15 @@ fn start(block: &Block, modal: &mut Modal) {
     each_function(block, |number| {
         if matches!(number, 3 | 4 | 13 | 14) {
             modal.set(Aspect::Spindle, Tri::Yes);
+            modal.set(Aspect::Counterclockwise, Tri::of(Some(matches!(number, 4 | 14))));
         }
     });
+}
+
+/// Another tool may be in the spindle.
+const fn tool_unknown(modal: &mut Modal) {
+    modal.set(Aspect::Probed, Tri::Unknown);
+    modal.set(Aspect::Cut, Tri::Unknown);
 }
 
 /// The value of an operand.

@@ -8,7 +8,7 @@ pub(super) const RULE: Rule = Rule { code: "axis-twice", severity: Severity::Err
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (_, block) in facts.marked() {
         let motion = match &block.kind {
-            BlockKind::Motion(motion) if motion.outline().names_axis_twice() => Some(motion.words()),
+            BlockKind::Motion(motion) if motion.outline().has_odd_coords() => Some(motion.words()),
             _ => None,
         };
         let coords = match (&block.kind, &motion) {

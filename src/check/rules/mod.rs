@@ -1,4 +1,5 @@
 //! The rules, one file each.
+mod approach_twice;
 mod approach_without_compensation;
 mod arc_wrong;
 mod axis_twice;
@@ -9,6 +10,7 @@ mod call_of_def_active_cycle;
 mod called_but_not_defined;
 mod called_program_in_other_unit;
 mod called_program_missing;
+mod centre_in_other_plane;
 mod choice_not_offered;
 mod clearance_height_too_low;
 mod compensation_at_cycle;
@@ -20,6 +22,8 @@ mod contour_def_wrong;
 mod contour_depth_missing;
 mod contour_undeclared;
 mod contour_unnamed;
+mod contour_wrong;
+mod coordinate_out_of_place;
 mod corner_wrong;
 mod cutting_without_tool;
 mod cycle_line_alone;
@@ -40,6 +44,7 @@ mod feed_negative;
 mod feed_zero;
 mod field_word_missing;
 mod frame_mismatch;
+mod free_contour_wrong;
 mod function_misspelled;
 mod functions_contradict;
 mod guard;
@@ -49,11 +54,14 @@ mod label_of_another_language;
 mod label_of_another_parameter;
 mod label_undefined;
 mod languages_mixed;
+mod loop_endless;
+mod machine_coordinates_compensated;
 mod main_runs_into_subprogram;
 mod measuring_height_below_floor;
 mod metric_values_in_inch;
 mod misordered_parameter;
 mod missing_parameter;
+mod mode_wrong;
 mod no_result;
 mod not_a_program;
 mod number_does_not_exist;
@@ -64,6 +72,7 @@ mod pattern_missing;
 mod plane_incomplete;
 mod plane_not_reset;
 mod pole_missing;
+mod position_after_contour;
 mod probe_while_turning;
 mod program_begin_missing;
 mod program_begin_twice;
@@ -75,16 +84,23 @@ mod repeat_count_wrong;
 mod repeat_of_later_label;
 mod reserved_parameter;
 mod row_not_in_table;
+mod selection_missing;
 mod speed_missing;
 mod speed_out_of_range;
+mod spindle_direction;
 mod spindle_off;
+mod subprogram_end_alone;
 mod subprogram_recursive;
 mod subprogram_runs_on;
 mod subprogram_without_end;
+mod tcpm_left_on;
 mod text_for_number;
 mod tool_axis_missing;
+mod tool_axis_other;
 mod tool_missing;
 mod tool_not_listed;
+mod tool_unfit;
+mod tool_unused;
 mod transfer_parameter_overwritten;
 mod transformation_left_on;
 mod unknown_cycle;
@@ -101,6 +117,7 @@ use crate::diag::Diagnostic;
 /// All rules, in the order of their codes. The findings of `guard` have the codes of the
 /// specifications' guards.
 pub const RULES: &[&Rule] = &[
+    &approach_twice::RULE,
     &approach_without_compensation::RULE,
     &arc_wrong::RULE,
     &axis_twice::RULE,
@@ -111,6 +128,7 @@ pub const RULES: &[&Rule] = &[
     &called_but_not_defined::RULE,
     &called_program_in_other_unit::RULE,
     &called_program_missing::RULE,
+    &centre_in_other_plane::RULE,
     &choice_not_offered::RULE,
     &clearance_height_too_low::RULE,
     &compensation_at_cycle::RULE,
@@ -122,6 +140,8 @@ pub const RULES: &[&Rule] = &[
     &contour_depth_missing::RULE,
     &contour_undeclared::RULE,
     &contour_unnamed::RULE,
+    &contour_wrong::RULE,
+    &coordinate_out_of_place::RULE,
     &corner_wrong::RULE,
     &cutting_without_tool::RULE,
     &cycle_line_alone::RULE,
@@ -142,6 +162,7 @@ pub const RULES: &[&Rule] = &[
     &feed_zero::RULE,
     &field_word_missing::RULE,
     &frame_mismatch::RULE,
+    &free_contour_wrong::RULE,
     &function_misspelled::RULE,
     &functions_contradict::RULE,
     &guard::RULE,
@@ -151,11 +172,14 @@ pub const RULES: &[&Rule] = &[
     &label_of_another_parameter::RULE,
     &label_undefined::RULE,
     &languages_mixed::RULE,
+    &loop_endless::RULE,
+    &machine_coordinates_compensated::RULE,
     &main_runs_into_subprogram::RULE,
     &measuring_height_below_floor::RULE,
     &metric_values_in_inch::RULE,
     &misordered_parameter::RULE,
     &missing_parameter::RULE,
+    &mode_wrong::RULE,
     &no_result::RULE,
     &not_a_program::RULE,
     &number_does_not_exist::RULE,
@@ -166,6 +190,7 @@ pub const RULES: &[&Rule] = &[
     &plane_incomplete::RULE,
     &plane_not_reset::RULE,
     &pole_missing::RULE,
+    &position_after_contour::RULE,
     &probe_while_turning::RULE,
     &program_begin_missing::RULE,
     &program_begin_twice::RULE,
@@ -177,16 +202,23 @@ pub const RULES: &[&Rule] = &[
     &repeat_of_later_label::RULE,
     &reserved_parameter::RULE,
     &row_not_in_table::RULE,
+    &selection_missing::RULE,
     &speed_missing::RULE,
     &speed_out_of_range::RULE,
+    &spindle_direction::RULE,
     &spindle_off::RULE,
+    &subprogram_end_alone::RULE,
     &subprogram_recursive::RULE,
     &subprogram_runs_on::RULE,
     &subprogram_without_end::RULE,
+    &tcpm_left_on::RULE,
     &text_for_number::RULE,
     &tool_axis_missing::RULE,
+    &tool_axis_other::RULE,
     &tool_missing::RULE,
     &tool_not_listed::RULE,
+    &tool_unfit::RULE,
+    &tool_unused::RULE,
     &transfer_parameter_overwritten::RULE,
     &transformation_left_on::RULE,
     &unknown_cycle::RULE,

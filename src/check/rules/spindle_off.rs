@@ -2,9 +2,10 @@
 //!
 //! Said once a program. The spindle stands at the beginning and behind M0, M2, M5, M6 and M30; behind a tool
 //! call and M functions of the machine builder nobody knows.
+use crate::check::flow::removes_material;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::spec::{Cycle, Group, Known};
+use crate::spec::Known;
 use crate::syntax::{BlockKind, Compensates};
 
 pub(super) const RULE: Rule = Rule { code: "spindle-off", severity: Severity::Warning, run };
@@ -38,8 +39,4 @@ fn contour(facts: &Facts<'_>) -> Option<Span> {
         }
     }
     None
-}
-
-fn removes_material(cycle: &Cycle) -> bool {
-    matches!(cycle.file.group, Group::Drilling | Group::Threads | Group::Pockets | Group::Contours | Group::Surfaces)
 }

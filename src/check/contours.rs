@@ -1,0 +1,134 @@
+//! The contours that cycles read from subprograms of the same program, with the cycles that machine them.
+//!
+//! Invariant: a contour names only cycles that certainly machine it; a program that selects contours in another way has
+//! none here.
+use super::flow::{Pending, Way};
+use super::{Defined, Facts};
+use crate::spec::{ContourWanted, ParameterKind};
+use crate::syntax::{Amount, Axis, Block, BlockKind, Label, Motion, Path, StatementKind};
+
+/// A list of contours, the definition that holds it, and the cycles that machine them.
+pub(super) struct Listed<'f, 'a> {
+    /// The definition with the list.
+    pub(super) list: &'f Defined<'a>,
+    /// The definitions of the cycles.
+    pub(super) readers: Vec<&'f Defined<'a>>,
+    /// The blocks of the contours, that of the label and the one that ends it left out.
+    pub(super) contours: Vec<&'a [Block]>,
+}
+
+/// What a cycle wants of the contours that it machines.
+pub(super) fn wanted<'a>(definition: &Defined<'a>) -> Option<&'a ContourWanted> {
+    definition.cycle()?.file.contour.as_ref()
+}
+
+/// The lists of contours of a program that cycles machine.
+pub(super) fn listed<'f, 'a>(facts: &'f Facts<'a>) -> Vec<Listed<'f, 'a>> {
+    let lists: Vec<&Defined<'a>> =
+        facts.definitions.iter().filter(|own| own.has_kind(ParameterKind::LabelList)).collect();
+    if lists.is_empty() || facts.marked().any(|(_, block)| selects(facts, block)) {
+        return Vec::new();
+    }
+    let mut found: Vec<Listed<'f, 'a>> = Vec::new();
+    for call in &facts.run.calls {
+        let Pending::Definition(index) = call.modal.pending else { continue };
+        let Some(reader) = facts.definitions.get(index as usize).filter(|own| wanted(own).is_some()) else { continue };
+        let list = match lists.as_slice() {
+            [only] => Some(*only),
+            _ if facts.flow.jumps => None,
+            several => several.iter().copied().rev().find(|own| own.view.first < call.block),
+        };
+        let Some(list) = list else { continue };
+        let place = found.iter().position(|own| std::ptr::eq(own.list, list)).unwrap_or_else(|| {
+            found.push(Listed { list, readers: Vec::new(), contours: contours(facts, list) });
+            found.len() - 1
+        });
+        if !found[place].readers.iter().any(|own| std::ptr::eq(*own, reader)) {
+            found[place].readers.push(reader);
+        }
+    }
+    found
+}
+
+/// Whether a block names contours in another way than by labels.
+fn selects(facts: &Facts<'_>, block: &Block) -> bool {
+    match &block.kind {
+        BlockKind::Sel(own) => facts.text(own.what).eq_ignore_ascii_case("CONTOUR"),
+        BlockKind::Statement(own) => matches!(own.kind, StatementKind::ContourDef | StatementKind::DeclareContour),
+        BlockKind::CallPgm(_) | BlockKind::Unknown(_) | BlockKind::Iso(_) => true,
+        _ => false,
+    }
+}
+
+fn contours<'a>(facts: &Facts<'a>, list: &Defined<'_>) -> Vec<&'a [Block]> {
+    let graph = &facts.run.graph;
+    let named = graph.uses.iter().filter(|own| own.way == Way::Named && own.block == list.view.last);
+    let starts = named.filter_map(|own| graph.block_of(own.mark.as_ref()?));
+    starts.filter_map(|start| body(facts.program.blocks(), start)).collect()
+}
+
+/// The blocks between a label and the LBL 0 behind it; nothing if it has none.
+fn body(blocks: &[Block], start: usize) -> Option<&[Block]> {
+    let behind = blocks.get(start + 1..)?;
+    let ends = |block: &Block| matches!(&block.kind, BlockKind::Lbl(label) if label.target == Label::Number(0));
+    behind.get(..behind.iter().position(ends)?)
+}
+
+/// The corners of a contour whose elements are all written with numbers, its first point included; nothing if that cannot
+/// be said.
+pub(super) fn corners(blocks: &[Block]) -> Option<Vec<[f64; 2]>> {
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    let (mut at, mut pole, mut polar) = ([None; 2], [None; 2], [None; 2]);
+    for block in blocks {
+        let motion = match &block.kind {
+            BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => continue,
+            BlockKind::Motion(motion) if !block.skip => motion.words(),
+            _ => return None,
+        };
+        match motion.path {
+            Path::Rnd | Path::Chf => continue,
+            Path::Cc => {
+                pole = cartesian(&motion, if motion.coords.is_empty() { at } else { pole })?;
+                continue;
+            }
+            Path::L | Path::C | Path::Cr | Path::Ct => at = cartesian(&motion, at)?,
+            Path::Lp | Path::Cp | Path::Ctp => {
+                for (axis, known) in [Axis::Pr, Axis::Pa].into_iter().zip(&mut polar) {
+                    if let Some((value, incremental)) = number(&motion, axis)? {
+                        *known = Some(if incremental { (*known)? + value } else { value });
+                    }
+                }
+                let ([Some(x), Some(y)], [Some(radius), Some(angle)]) = (pole, polar) else { return None };
+                at = [Some(x + radius * crate::expr::cosd(angle)), Some(y + radius * crate::expr::sind(angle))];
+            }
+            _ => return None,
+        }
+        if !matches!(motion.path, Path::Lp | Path::Cp | Path::Ctp) {
+            polar = [None; 2];
+        }
+        let [Some(x), Some(y)] = at else { return None };
+        points.push([x, y]);
+    }
+    Some(points)
+}
+
+/// The number of an axis and whether it is incremental, if the axis is there; nothing if it is a parameter.
+fn number(motion: &Motion, axis: Axis) -> Option<Option<(f64, bool)>> {
+    match motion.coord(axis) {
+        None => Some(None),
+        Some(coord) => match coord.value.amount {
+            Amount::Number(number) => Some(Some((number, coord.incremental))),
+            _ => None,
+        },
+    }
+}
+
+fn cartesian(motion: &Motion, from: [Option<f64>; 2]) -> Option<[Option<f64>; 2]> {
+    let mut to = from;
+    for (axis, known) in [Axis::X, Axis::Y].into_iter().zip(&mut to) {
+        if let Some((value, incremental)) = number(motion, axis)? {
+            *known = Some(if incremental { (*known)? + value } else { value });
+        }
+    }
+    Some(to)
+}

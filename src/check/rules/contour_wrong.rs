@@ -1,0 +1,146 @@
+//! A contour that a cycle reads from a subprogram and cannot machine: movements of the tool axis, approaches, tool calls or
+//! cycles in it, a first point without both coordinates, no RL or RR, an end elsewhere than the beginning, elements that the
+//! cycle does not read, more contours than it machines.
+//!
+//! A contour may leave it to the control to close it by going on in the line with which it began. Lengths are only compared
+//! where all coordinates are numbers.
+use crate::check::contours::{Listed, corners, listed, wanted};
+use crate::check::{Defined, Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+use crate::spec::{ContourWanted, TakesEffect};
+use crate::syntax::{Axis, Block, BlockKind, Compensates, Motion, Path};
+
+pub(super) const RULE: Rule = Rule { code: "contour-wrong", severity: Severity::Warning, run };
+
+/// How far the end may be from the beginning, mm or inch: coordinates are rounded.
+const TOLERANCE: f64 = 0.01;
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for list in listed(facts) {
+        for reader in &list.readers {
+            if let Some(second) = second_label(facts, &list, reader) {
+                let finding = rule.at(facts, second).arg("what", "many").arg("cycle", reader.key.to_string());
+                found.push(finding.arg("word", facts.text(second).to_owned()));
+            }
+        }
+        for contour in &list.contours {
+            let mut told: Vec<usize> = Vec::new();
+            for reader in &list.readers {
+                let Some(wanted) = wanted(reader) else { continue };
+                for (block, what, word) in wrong(facts, contour, wanted) {
+                    if told.contains(&block.span.start) {
+                        continue;
+                    }
+                    told.push(block.span.start);
+                    let finding = rule.at(facts, facts.content(block)).arg("what", what).arg("word", word);
+                    found.push(finding.arg("cycle", reader.key.to_string()));
+                }
+            }
+        }
+    }
+}
+
+/// The second label of a list of which the cycle reads the first only, if no other cycle reads all.
+fn second_label(facts: &Facts<'_>, list: &Listed<'_, '_>, reader: &Defined<'_>) -> Option<crate::diag::Span> {
+    let all = list.readers.iter().all(|own| wanted(own).is_some_and(|own| own.first_only));
+    if !all || !wanted(reader)?.first_only {
+        return None;
+    }
+    let mut labels = facts.run.graph.uses.iter().filter(|own| own.block == list.list.view.last);
+    labels.nth(1).map(|own| own.span)
+}
+
+/// What is wrong with a contour: the block, what it is, and the word that is named.
+fn wrong<'a>(
+    facts: &Facts<'_>,
+    contour: &'a [Block],
+    wanted: &ContourWanted,
+) -> Vec<(&'a Block, &'static str, String)> {
+    let mut found = Vec::new();
+    let (mut first, mut last, mut compensated, mut unread) = (None, None, false, false);
+    // The development of a cylinder may be described in its own axes.
+    let rotary = |axis: &Axis| matches!(axis, Axis::A | Axis::B | Axis::C);
+    let developed = contour.iter().any(|block| match &block.kind {
+        BlockKind::Motion(motion) => motion.words().coords.iter().any(|coord| rotary(&coord.axis)),
+        _ => false,
+    });
+    for block in contour {
+        match &block.kind {
+            BlockKind::Motion(motion) => {
+                let path = motion.path();
+                compensated |= motion.outline().compensates() == Compensates::Beside;
+                let words = motion.words();
+                if let Some(what) = foreign(&words, wanted).filter(|what| *what != "axis" || !developed) {
+                    let word = if what == "axis" { Axis::Z.name() } else { path.name() };
+                    found.push((block, what, word.to_uppercase()));
+                }
+                if !matches!(path, Path::Cc | Path::Fpol) {
+                    if first.is_none() && !developed && lacks_axis(&words) {
+                        found.push((block, "first", String::new()));
+                    }
+                    first = first.or(Some(block));
+                    last = Some(block);
+                }
+            }
+            BlockKind::ToolCall(_) => found.push((block, "tool", "TOOL CALL".to_owned())),
+            BlockKind::CyclCall(_) => found.push((block, "call", "CYCL CALL".to_owned())),
+            BlockKind::CycleDef(_) if machines(facts, block) => {
+                found.push((block, "call", "CYCL DEF".to_owned()));
+            }
+            BlockKind::CallLbl(_) | BlockKind::FnJump(_) | BlockKind::Lbl(_) | BlockKind::Unknown(_) => unread = true,
+            _ => {}
+        }
+    }
+    let (Some(first), Some(last)) = (first, last) else { return found };
+    if wanted.compensated && !compensated && !unread {
+        found.push((first, "uncompensated", String::new()));
+    }
+    if wanted.closed && !unread && found.is_empty() && corners(contour).is_some_and(|points| is_open(&points)) {
+        found.push((last, "open", String::new()));
+    }
+    found
+}
+
+/// What a cycle that moves the tool itself does not find in a contour.
+fn foreign(motion: &Motion, wanted: &ContourWanted) -> Option<&'static str> {
+    match motion.path {
+        Path::Appr(_) | Path::Dep(_) => Some("approach"),
+        path => {
+            let name = path.name().to_ascii_uppercase();
+            if !wanted.paths.is_empty() && !wanted.paths.contains(&name) {
+                return Some("path");
+            }
+            motion.coord(Axis::Z).map(|_| "axis")
+        }
+    }
+}
+
+/// Whether a first point leaves an axis of the plane unsaid.
+fn lacks_axis(motion: &Motion) -> bool {
+    let has = |axis| motion.coord(axis).is_some_and(|coord| !coord.incremental);
+    matches!(motion.path, Path::L | Path::C | Path::Cr | Path::Ct) && !(has(Axis::X) && has(Axis::Y))
+}
+
+/// Whether a block defines a cycle that is called.
+fn machines(facts: &Facts<'_>, block: &Block) -> bool {
+    let definition = facts
+        .definitions
+        .iter()
+        .find(|own| facts.program.blocks().get(own.view.first).is_some_and(|first| first.span == block.span));
+    definition.is_some_and(|own| own.takes_effect() == Some(TakesEffect::OnCall))
+}
+
+/// Whether the contour does not end where it begins, nor on the line with which it begins.
+fn is_open(points: &[[f64; 2]]) -> bool {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return false };
+    let gap = [first[0] - last[0], first[1] - last[1]];
+    let long = libm::hypot(gap[0], gap[1]);
+    if long <= TOLERANCE {
+        return false;
+    }
+    let Some(second) = points.get(1) else { return true };
+    let begin = [second[0] - first[0], second[1] - first[1]];
+    let across = gap[0] * begin[1] - gap[1] * begin[0];
+    let along = gap[0] * begin[0] + gap[1] * begin[1];
+    !(along > 0.0 && libm::fabs(across) <= TOLERANCE * libm::hypot(begin[0], begin[1]))
+}

@@ -1,0 +1,179 @@
+//! A jump back that nothing in the loop can end: its condition always holds, or compares what the loop does not change, or
+//! changes it away from the end.
+//!
+//! Silent where the loop stops for the operator, calls programs, has another way out, or may be changed by what cannot be
+//! read.
+use crate::check::facts::each_function;
+use crate::check::{Facts, Rule, Use, Way};
+use crate::diag::{Diagnostic, Severity};
+use crate::expr::{QKind, QRef};
+use crate::syntax::{
+    Amount, Block, BlockKind, FnAssign, FnJump, FnOp, Label, Operand, Relation, StatementKind, ValueKind,
+};
+
+pub(super) const RULE: Rule = Rule { code: "loop-endless", severity: Severity::Warning, run };
+
+/// How deep subprograms in a loop are looked into.
+const DEPTH: usize = 8;
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for own in facts.run.graph.uses.iter().filter(|own| own.way == Way::Jump) {
+        let Some(block) = facts.program.blocks().get(own.block) else { continue };
+        let BlockKind::FnJump(jump) = &block.kind else { continue };
+        if !block.skip && never_ends(facts, own, jump) {
+            found.push(rule.at(facts, facts.content(block)));
+        }
+    }
+}
+
+/// What the blocks of a loop do to what its condition compares.
+#[derive(Default)]
+struct Loop<'p> {
+    written: Vec<QRef>,
+    steps: Vec<&'p FnAssign>,
+    /// Something may end it, or change anything.
+    open: bool,
+}
+
+fn never_ends(facts: &Facts<'_>, own: &Use, jump: &FnJump) -> bool {
+    let target = own.mark.as_ref().and_then(|mark| facts.run.graph.block_of(mark));
+    let Some(from) = target.filter(|from| *from <= own.block) else { return false };
+    let mut body = Loop::default();
+    body.add(facts, from, own.block, DEPTH);
+    if body.open {
+        return false;
+    }
+    if let (Amount::Number(a), Amount::Number(b)) = (jump.a.amount, jump.b.amount) {
+        return holds(jump.relation, a, b);
+    }
+    let free = |operand: &Operand| match operand.amount {
+        Amount::Q { q, .. } => q.kind == QKind::Ql || (q.kind == QKind::Q && q.number < 100),
+        Amount::Number(_) => true,
+        Amount::Text(_) => false,
+    };
+    if !free(&jump.a) || !free(&jump.b) || matches!(jump.relation, Relation::Undefined | Relation::Defined) {
+        return false;
+    }
+    let changes = |operand: &Operand| match operand.amount {
+        Amount::Q { q, .. } => body.written.contains(&q),
+        _ => false,
+    };
+    match (changes(&jump.a), changes(&jump.b)) {
+        (false, false) => true,
+        (true, false) => goes_away(&body, &jump.a, jump.relation, true),
+        (false, true) => goes_away(&body, &jump.b, jump.relation, false),
+        (true, true) => false,
+    }
+}
+
+fn holds(relation: Relation, a: f64, b: f64) -> bool {
+    match relation {
+        Relation::Equal => a == b,
+        Relation::NotEqual => a != b,
+        Relation::Greater => a > b,
+        Relation::Less => a < b,
+        Relation::Undefined | Relation::Defined => false,
+    }
+}
+
+/// Whether the only thing that the loop does to the side of a comparison is to move it away from the other side.
+fn goes_away(body: &Loop<'_>, side: &Operand, relation: Relation, left: bool) -> bool {
+    let Amount::Q { q, negative } = side.amount else { return false };
+    if body.written.iter().filter(|own| **own == q).count() != 1 {
+        return false;
+    }
+    let Some(step) = body.steps.iter().find(|own| own.target == q) else { return false };
+    let reads = matches!(step.a.amount, Amount::Q { q: own, negative: false } if own == q);
+    let Some(Amount::Number(by)) = step.b.as_ref().map(|own| own.amount).filter(|_| reads) else { return false };
+    let by = match step.op {
+        FnOp::Add => by,
+        FnOp::Sub => -by,
+        _ => return false,
+    };
+    let grows = if negative { -by } else { by };
+    match relation {
+        Relation::Less => (grows <= 0.0) == left || grows == 0.0,
+        Relation::Greater => (grows >= 0.0) == left || grows == 0.0,
+        _ => false,
+    }
+}
+
+impl<'p> Loop<'p> {
+    /// Adds what the blocks from one to another do.
+    fn add(&mut self, facts: &Facts<'p>, from: usize, to: usize, depth: usize) {
+        if depth == 0 {
+            self.open = true;
+            return;
+        }
+        let graph = &facts.run.graph;
+        for (at, block) in facts.program.blocks().iter().enumerate().take(to + 1).skip(from) {
+            self.block(facts, block);
+            let mut uses = graph.uses.iter().filter(|own| own.block == at && own.way != Way::Named);
+            let Some(own) = uses.next() else { continue };
+            let target = own.mark.as_ref().and_then(|mark| graph.block_of(mark));
+            match (own.way, target) {
+                (Way::Call, Some(part)) => {
+                    let behind = facts.program.blocks().get(part..).unwrap_or_default();
+                    let Some(end) = behind.iter().position(returns) else {
+                        self.open = true;
+                        return;
+                    };
+                    if part <= at && at <= part + end {
+                        self.open = true;
+                        return;
+                    }
+                    self.add(facts, part, part + end, depth - 1);
+                }
+                (Way::Jump | Way::Repeat, Some(part)) if (from..=to).contains(&part) => {}
+                _ => self.open = true,
+            }
+            if self.open {
+                return;
+            }
+        }
+    }
+
+    fn block(&mut self, facts: &Facts<'p>, block: &'p Block) {
+        match &block.kind {
+            BlockKind::FnAssign(assign) => {
+                self.written.push(assign.target);
+                self.steps.push(assign);
+            }
+            BlockKind::Formula(formula) => self.written.push(formula.target),
+            BlockKind::TextFormula(formula) => self.written.push(formula.target),
+            BlockKind::Statement(statement) => {
+                let anything = matches!(
+                    statement.kind,
+                    StatementKind::Sql | StatementKind::Indirect | StatementKind::Refused | StatementKind::CallSelected
+                );
+                self.open |= anything;
+                for word in &statement.words {
+                    if let ValueKind::Q { q, .. } = word.value.kind {
+                        self.written.push(q);
+                    }
+                }
+            }
+            BlockKind::OldCycleLine(line) => {
+                for word in &line.words {
+                    if let ValueKind::Q { q, .. } = word.value.kind {
+                        self.written.push(q);
+                    }
+                }
+            }
+            BlockKind::CycleDef(cycle) => {
+                for parameter in &cycle.parameters {
+                    self.written.push(parameter.q);
+                }
+            }
+            BlockKind::Stop(_) | BlockKind::CallPgm(_) | BlockKind::Unknown(_) | BlockKind::Iso(_) => self.open = true,
+            _ => {}
+        }
+        self.open |= facts.ends(block);
+        // Where the operator starts again, the loop is a series.
+        each_function(block, |number| self.open |= matches!(number, 0 | 1 | 2 | 30));
+    }
+}
+
+fn returns(block: &Block) -> bool {
+    matches!(&block.kind, BlockKind::Lbl(label) if label.target == Label::Number(0))
+}

@@ -1,0 +1,59 @@
+//! The first position in the plane behind a contour cycle with one coordinate only, or an incremental one.
+//!
+//! Such a cycle ends elsewhere than it began, so what is not said is not where it was before. Only said where the position
+//! stands behind the call in the text and nothing leads away between them, with the tool axis Z.
+use crate::check::contours::wanted;
+use crate::check::{Aspect, Facts, Pending, Rule, Tri};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{Axis, Block, BlockKind, Motion, Path};
+
+pub(super) const RULE: Rule = Rule { code: "position-after-contour", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for call in &facts.run.calls {
+        let Pending::Definition(index) = call.modal.pending else { continue };
+        let Some(definition) = facts.definitions.get(index as usize) else { continue };
+        if !wanted(definition).is_some_and(|own| own.displaces) || call.modal.is(Aspect::OtherAxis) != Tri::No {
+            continue;
+        }
+        let behind = facts.program.blocks().get(call.block + 1..).unwrap_or_default();
+        if let Some(block) = first_position(behind) {
+            found.push(rule.at(facts, facts.content(block)).arg("cycle", definition.key.to_string()));
+        }
+    }
+}
+
+/// The first position in the plane, if it does not say all of it.
+fn first_position(behind: &[Block]) -> Option<&Block> {
+    for block in behind {
+        match &block.kind {
+            BlockKind::Motion(motion) => {
+                let words = motion.words();
+                if let Some(complete) = complete(&words) {
+                    return (!complete && !block.skip).then_some(block);
+                }
+            }
+            BlockKind::Empty
+            | BlockKind::Comment
+            | BlockKind::Structure(_)
+            | BlockKind::Functions(_)
+            | BlockKind::ToolCall(_)
+            | BlockKind::ToolDef(_) => {}
+            _ => return None,
+        }
+    }
+    None
+}
+
+/// Whether a position says both coordinates of the plane; nothing if it does not lead through the plane.
+fn complete(motion: &Motion) -> Option<bool> {
+    let machine = motion.functions.iter().any(|own| matches!(own.number, 91 | 92));
+    let own = |axis| motion.coord(axis);
+    let says = |axis| own(axis).is_some_and(|coord| !coord.incremental);
+    match motion.path {
+        Path::L if own(Axis::X).is_none() && own(Axis::Y).is_none() => None,
+        Path::L | Path::Appr(_) => Some(machine || (says(Axis::X) && says(Axis::Y)) || motion.path != Path::L),
+        Path::Cc => None,
+        _ => Some(true),
+    }
+}
