@@ -55,4 +55,5 @@ diag-syntax-foreign-line = “{ $found }” is no block of this language; a cont
 diag-syntax-spelling = “{ $found }” is not how controls spell it: { syntax-expected }.
 diag-syntax-undescribed = “{ $found }” stands in no manual of this control family; whether a control takes it is not known.
 diag-syntax-refused-block = A control could not read this block: { $found }
+diag-syntax-excluding-codes = “{ $found }” and another code of this block exclude each other.
 diag-syntax-doubled-continuation = A second ~ stands here: one joins the next line.

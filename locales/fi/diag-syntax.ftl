@@ -55,4 +55,5 @@ diag-syntax-foreign-line = ”{ $found }” ei ole tämän kielen lause; ohjaus 
 diag-syntax-spelling = ”{ $found }” kirjoitetaan ohjauksissa { syntax-expected }.
 diag-syntax-undescribed = ”{ $found }” ei esiinny tämän ohjausperheen ohjekirjoissa; ei tiedetä, hyväksyykö ohjaus sen.
 diag-syntax-refused-block = Ohjaus ei osannut lukea tätä lausetta: { $found }
+diag-syntax-excluding-codes = ”{ $found }” ja saman lauseen toinen koodi sulkevat toisensa pois.
 diag-syntax-doubled-continuation = Tässä on toinen merkki ~: yksi riittää liittämään seuraavan rivin.

@@ -55,4 +55,5 @@ diag-syntax-foreign-line = «{ $found }» não é uma frase desta linguagem; o c
 diag-syntax-spelling = «{ $found }» escreve-se { syntax-expected } nos comandos.
 diag-syntax-undescribed = «{ $found }» não consta de nenhum manual desta família de comandos; não se sabe se um comando o aceita.
 diag-syntax-refused-block = Um comando não conseguiu ler esta frase: { $found }
+diag-syntax-excluding-codes = «{ $found }» e outro código desta frase excluem-se mutuamente.
 diag-syntax-doubled-continuation = Há aqui um segundo carácter ~: basta um para ligar a linha seguinte.

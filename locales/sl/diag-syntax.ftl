@@ -55,4 +55,5 @@ diag-syntax-foreign-line = »{ $found }« ni stavek tega jezika; krmiljenje bi g
 diag-syntax-spelling = »{ $found }« se na krmiljenjih piše { syntax-expected }.
 diag-syntax-undescribed = »{ $found }« ni v nobenem priročniku te družine krmiljenj; ali ga krmiljenje sprejme, ni znano.
 diag-syntax-refused-block = Krmiljenje tega stavka ni moglo prebrati: { $found }
+diag-syntax-excluding-codes = »{ $found }« in druga koda tega stavka se izključujeta.
 diag-syntax-doubled-continuation = Tu stoji še en znak ~: za povezavo z naslednjo vrstico zadošča eden.

@@ -13,7 +13,7 @@ use super::iso_words::{is_klartext, opt_parameter, word};
 use super::lines::{Line, line_at};
 use super::statement::NamedWord;
 use super::tree::{Axis, Block, BlockKind, Comment, Frame, Parameter, SyntaxError, ValueKind};
-use super::{blocks, cycle};
+use super::{blocks, cycle, iso_doubts};
 use crate::diag::{Source, Span};
 
 /// The number that the controls give to a program's last block.
@@ -26,6 +26,7 @@ pub(super) fn assemble(source: &Arc<Source>) -> Assembled {
     while let Some(line) = line_at(text.as_bytes(), reader.at) {
         reader.block(line);
     }
+    reader.warnings.extend(iso_doubts::without_end(text, &reader.blocks));
     Assembled { blocks: reader.blocks, warnings: reader.warnings }
 }
 
@@ -279,6 +280,10 @@ impl<'t> Reader<'t> {
             return Ok(BlockKind::Comment);
         }
         block.kind = self.kind(&block, content)?;
+        if let Some(span) = iso_doubts::without_letter(&block) {
+            return Err(SyntaxError { code: "syntax-unexpected", span, expected: "word" });
+        }
+        self.warnings.extend(iso_doubts::excluded(self.text, &block));
         Ok(BlockKind::Iso(Box::new(block)))
     }
 

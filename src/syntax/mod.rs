@@ -14,6 +14,7 @@ mod document;
 mod element;
 pub mod encoding;
 mod iso;
+mod iso_doubts;
 mod iso_read;
 mod iso_words;
 pub mod json;

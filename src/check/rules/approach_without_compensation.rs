@@ -4,7 +4,10 @@
 //! program has one, its departures are left alone. Only said where compensation is certainly off.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Compensation, Path};
+use crate::syntax::{BlockKind, Compensation, IsoKind, Path};
+
+/// The code of DIN/ISO for a tangential approach.
+const APPROACH: u16 = 26;
 
 pub(super) const RULE: Rule = Rule { code: "approach-without-compensation", severity: Severity::Warning, run };
 
@@ -14,6 +17,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (from, to, modal) in facts.run.stretches() {
         let off = modal.is_some_and(|modal| modal.is(Aspect::Compensation) == Tri::No);
         for block in facts.program.blocks().get(from..to).unwrap_or_default() {
+            if let BlockKind::Iso(own) = &block.kind
+                && let IsoKind::Blend(code) = own.kind
+                && off
+            {
+                let what = if code == APPROACH { "approach" } else { "departure" };
+                found.push(rule.at(facts, block.comment().unwrap_or(block.span)).arg("what", what));
+            }
             let BlockKind::Motion(motion) = &block.kind else { continue };
             let (what, wrong) = match motion.path() {
                 Path::Appr(_) => {

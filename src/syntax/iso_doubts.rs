@@ -1,0 +1,66 @@
+//! What is wrong in blocks of DIN/ISO that are understood nevertheless.
+//!
+//! Invariant: blocks are only looked at, none is read here.
+use super::iso::{IsoBlock, IsoKind, is_path};
+use super::statement::NamedWord;
+use super::tree::{Block, BlockKind, SyntaxError, ValueKind};
+use crate::diag::Span;
+
+/// Codes of which a block has one: each says what the others of its group would say otherwise.
+fn group(code: u16) -> Option<u8> {
+    match code {
+        17..=20 => Some(1),
+        40..=44 => Some(2),
+        70 | 71 => Some(3),
+        _ if is_path(code) => Some(0),
+        _ => None,
+    }
+}
+
+/// The second of two codes of a block that exclude each other.
+pub(super) fn excluded(text: &str, block: &IsoBlock) -> Option<SyntaxError> {
+    let codes = || block.words.iter().filter_map(|word| Some((word, code(text, word)?)));
+    codes().enumerate().find_map(|(at, (word, own))| {
+        let group = group(own)?;
+        let other = codes().take(at).any(|(_, other)| other != own && self::group(other) == Some(group));
+        other.then_some(SyntaxError { code: "syntax-excluding-codes", span: word.span, expected: "word" })
+    })
+}
+
+fn code(text: &str, word: &NamedWord) -> Option<u16> {
+    match word.value.kind {
+        ValueKind::Number(number) if text.get(word.name.start..word.name.end)?.eq_ignore_ascii_case("G") => {
+            Some(number as u16)
+        }
+        _ => None,
+    }
+}
+
+/// A number without a letter in a block whose words all have one, as behind a second decimal point.
+pub(super) fn without_letter(block: &IsoBlock) -> Option<Span> {
+    let lettered = matches!(
+        block.kind,
+        IsoKind::Path(_) | IsoKind::Centre | IsoKind::Chamfer | IsoKind::Rounding | IsoKind::Blend(_) | IsoKind::Blank(_)
+    );
+    let mut words = block.words.iter().filter(|_| lettered);
+    let stray = |word: &&NamedWord| word.name.start == word.name.end && matches!(word.value.kind, ValueKind::Number(_));
+    words.find(stray).map(|word| word.span)
+}
+
+/// The blocks without the `*` at their end, in a program in which most have it.
+pub(super) fn without_end(text: &str, blocks: &[Block]) -> Vec<SyntaxError> {
+    let acting = |block: &&Block| !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_));
+    let ended = |block: &&Block| text.get(block.span.start..block.span.end).is_none_or(|own| own.contains('*'));
+    let (with, all) = (blocks.iter().filter(acting).filter(ended).count(), blocks.iter().filter(acting).count());
+    if with == all || with * 2 <= all {
+        return Vec::new();
+    }
+    let lacking = blocks.iter().filter(acting).filter(|block| !ended(block));
+    lacking
+        .map(|block| {
+            let own = text.get(block.span.start..block.span.end).unwrap_or_default();
+            let end = block.span.start + own.trim_end().len();
+            SyntaxError { code: "syntax-incomplete", span: Span::new(end, end), expected: "*" }
+        })
+        .collect()
+}
