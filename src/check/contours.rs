@@ -55,7 +55,8 @@ fn selects(facts: &Facts<'_>, block: &Block) -> bool {
     match &block.kind {
         BlockKind::Sel(own) => facts.text(own.what).eq_ignore_ascii_case("CONTOUR"),
         BlockKind::Statement(own) => matches!(own.kind, StatementKind::ContourDef | StatementKind::DeclareContour),
-        BlockKind::CallPgm(_) | BlockKind::Unknown(_) | BlockKind::Iso(_) => true,
+        BlockKind::Iso(_) => !block.is_blend(),
+        BlockKind::CallPgm(_) | BlockKind::Unknown(_) => true,
         _ => false,
     }
 }
@@ -83,6 +84,7 @@ pub(super) fn corners(blocks: &[Block]) -> Option<Vec<[f64; 2]>> {
         let motion = match &block.kind {
             BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => continue,
             BlockKind::Motion(motion) if !block.skip => motion.words(),
+            _ if block.is_blend() => continue,
             _ => return None,
         };
         match motion.path {

@@ -17,8 +17,8 @@ use crate::expr::QRef;
 use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
 use crate::syntax::{
-    Block, BlockKind, Compensates, CycleDef, CycleForm, CycleView, IsoKind, MFunction, Parameter, Path, Program,
-    StatementKind, Value, ValueKind,
+    Block, BlockKind, Compensates, CycleDef, CycleForm, CycleView, MFunction, Parameter, Path, Program, StatementKind,
+    Value, ValueKind,
 };
 
 /// A program with its cycle definitions resolved for a control.
@@ -365,8 +365,7 @@ impl<'a> Facts<'a> {
                     }
                     _ => {}
                 },
-                // It shapes the way to the contour or from it, and ends where the block before ends.
-                BlockKind::Iso(own) if matches!(own.kind, IsoKind::Blend(_)) => {}
+                BlockKind::Iso(_) if block.is_blend() => {}
                 BlockKind::Unknown(_) | BlockKind::Iso(_) => (self.flow.opaque, self.flow.unread) = (true, true),
                 _ => {}
             }

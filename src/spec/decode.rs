@@ -265,12 +265,14 @@ pub struct Formula {
 }
 
 impl Formula {
-    /// The place of a stretch of the expression.
+    /// The place of a stretch of the expression; all of it where the file breaks its lines or escapes characters.
     pub fn at(&self, span: crate::diag::Span) -> Place {
         let whole = self.place.span;
-        let quoted = usize::from(whole.end - whole.start > self.text.len());
-        let start = (whole.start + quoted + span.start).min(whole.end);
-        Place::new(&self.place.source, start..(whole.start + quoted + span.end).clamp(start, whole.end))
+        let written = self.place.source.text().get(whole.start..whole.end);
+        let Some(before) = written.and_then(|written| written.find(&*self.text)) else { return self.place.clone() };
+        let begin = whole.start + before;
+        let start = (begin + span.start).min(whole.end);
+        Place::new(&self.place.source, start..(begin + span.end).clamp(start, whole.end))
     }
 }
 

@@ -36,20 +36,32 @@ fn code(text: &str, word: &NamedWord) -> Option<u16> {
     }
 }
 
-/// A number without a letter in a block whose words all have one, as behind a second decimal point.
-pub(super) fn without_letter(block: &IsoBlock) -> Option<Span> {
-    let lettered = matches!(
-        block.kind,
-        IsoKind::Path(_) | IsoKind::Centre | IsoKind::Chamfer | IsoKind::Rounding | IsoKind::Blend(_) | IsoKind::Blank(_)
-    );
-    let mut words = block.words.iter().filter(|_| lettered);
-    let stray = |word: &&NamedWord| word.name.start == word.name.end && matches!(word.value.kind, ValueKind::Number(_));
-    words.find(stray).map(|word| word.span)
+/// A word that no block of its kind has: a number without a letter where all words have one, as behind a second decimal
+/// point, or an operand more than a D function takes.
+pub(super) fn stray(block: &IsoBlock) -> Option<Span> {
+    let taken = match block.kind {
+        IsoKind::Path(_)
+        | IsoKind::Centre
+        | IsoKind::Chamfer
+        | IsoKind::Rounding
+        | IsoKind::Blend(_)
+        | IsoKind::Blank(_) => {
+            let nameless = |word: &&NamedWord| word.name.start == word.name.end;
+            let mut numbers = block.words.iter().filter(|word| matches!(word.value.kind, ValueKind::Number(_)));
+            return numbers.find(nameless).map(|word| word.span);
+        }
+        // The function, its target and one operand, or two; two operands and a label.
+        IsoKind::Function(0 | 5..=7) => 3,
+        IsoKind::Function(1..=4 | 8..=13) => 4,
+        _ => return None,
+    };
+    block.words.get(taken).map(|word| word.span)
 }
 
 /// The blocks without the `*` at their end, in a program in which most have it.
 pub(super) fn without_end(text: &str, blocks: &[Block]) -> Vec<SyntaxError> {
-    let acting = |block: &&Block| !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_));
+    let acting =
+        |block: &&Block| !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_));
     let ended = |block: &&Block| text.get(block.span.start..block.span.end).is_none_or(|own| own.contains('*'));
     let (with, all) = (blocks.iter().filter(acting).filter(ended).count(), blocks.iter().filter(acting).count());
     if with == all || with * 2 <= all {

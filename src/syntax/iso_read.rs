@@ -280,7 +280,7 @@ impl<'t> Reader<'t> {
             return Ok(BlockKind::Comment);
         }
         block.kind = self.kind(&block, content)?;
-        if let Some(span) = iso_doubts::without_letter(&block) {
+        if let Some(span) = iso_doubts::stray(&block) {
             return Err(SyntaxError { code: "syntax-unexpected", span, expected: "word" });
         }
         self.warnings.extend(iso_doubts::excluded(self.text, &block));

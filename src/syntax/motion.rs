@@ -335,6 +335,14 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
                 cursor.at = word.span.end;
                 return Ok(true);
             }
+            // The second one is that of the retraction.
+            let retraction = motion.functions.last_mut().filter(|last| last.number == M_RETRACT);
+            if let (Some(last), true) = (retraction, motion.feed.is_some()) {
+                let feed = opt_feed(cursor)?;
+                last.span.end = cursor.at;
+                last.with = last.with.map(|with| Span::new(with.start, cursor.at));
+                return Ok(feed.is_some());
+            }
             let feed = if motion.feed.is_none() { opt_feed(cursor)? } else { None };
             motion.feed = motion.feed.or(feed);
             return Ok(feed.is_some());

@@ -4,7 +4,7 @@
 //! its text; nothing here knows what a cycle's number or parameter means.
 pub use super::definition::{CallForm, CyclCall, CycleDef, CycleKeyword, OldCycleLine, Parameter, Value, ValueKind};
 use super::element::Element;
-use super::iso::IsoBlock;
+use super::iso::{IsoBlock, IsoKind};
 use super::path::Path;
 use super::statement::{ContourFormula, GlobalDef, NamedWord, PatternDef, Statement, TextFormula};
 use crate::diag::Span;
@@ -59,6 +59,11 @@ impl Block {
         let start = self.span.start + u32::from_le_bytes(start) as usize;
         let end = start + u32::from_le_bytes([a, b, c, 0]) as usize;
         (start < end).then(|| Span::new(start, end))
+    }
+
+    /// Whether it only rounds the way to a contour or from it: `G26`, `G27`. The block before it says where it ends.
+    pub fn is_blend(&self) -> bool {
+        matches!(&self.kind, BlockKind::Iso(own) if matches!(own.kind, IsoKind::Blend(_)))
     }
 
     /// The same block, told to have no comment.

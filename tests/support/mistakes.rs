@@ -15,6 +15,13 @@ fn source(diagnostic: &Diagnostic) -> &str {
 
 fn place(diagnostic: &Diagnostic) -> String {
     diagnostic.place.as_ref().map_or_else(String::new, |place| {
+        let text = place.source.text();
+        assert!(
+            text.get(place.span.start..place.span.end).is_some(),
+            "{}: {:?} is no place",
+            source(diagnostic),
+            place.span
+        );
         let start = place.start();
         format!("{}:{}", start.line, start.column)
     })

@@ -11,8 +11,8 @@ use crate::check::facts::each_function;
 use crate::diag::Span;
 use crate::expr::{Code, Env, EvalError, Expr, OnlyParameters, QKind, QRef, Value, compile};
 use crate::syntax::{
-    Amount, Axis, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, IsoKind, Operand,
-    Path, Program, Relation, Statement, StatementKind, ValueKind,
+    Amount, Axis, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, Operand, Path,
+    Program, Relation, Statement, StatementKind, ValueKind,
 };
 
 /// What stepping needs besides the state.
@@ -163,7 +163,7 @@ impl<'f, 'a> Steps<'f, 'a> {
             BlockKind::Statement(own) if own.kind == StatementKind::CallSelected => self.program_called(index, state),
             BlockKind::Statement(statement) => self.statement(statement, state),
             BlockKind::CallPgm(_) => self.program_called(index, state),
-            BlockKind::Iso(own) if matches!(own.kind, IsoKind::Blend(_)) => {}
+            BlockKind::Iso(_) if block.is_blend() => {}
             BlockKind::Unknown(_) | BlockKind::Iso(_) => state.forget(),
             _ => {}
         }

@@ -70,6 +70,7 @@ impl Way {
             | BlockKind::BlkForm(_)
             | BlockKind::FnAssign(_)
             | BlockKind::Formula(_) => None,
+            _ if block.is_blend() => None,
             _ => {
                 self.forget();
                 None

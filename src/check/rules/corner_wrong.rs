@@ -32,7 +32,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// Whether a block is more than a comment.
 fn acts(block: &Block) -> bool {
-    !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_))
+    !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_)) && !block.is_blend()
 }
 
 fn is_corner(block: &Block) -> bool {
