@@ -3,7 +3,7 @@
 //! Invariant: blocks are only looked at, none is read here.
 use super::iso::{IsoBlock, IsoKind, is_path};
 use super::statement::NamedWord;
-use super::tree::{Block, BlockKind, SyntaxError, ValueKind};
+use super::tree::{Axis, Block, BlockKind, SyntaxError, ValueKind};
 use crate::diag::Span;
 
 /// Codes of which a block has one: each says what the others of its group would say otherwise.
@@ -37,9 +37,15 @@ fn code(text: &str, word: &NamedWord) -> Option<u16> {
 }
 
 /// A word that no block of its kind has: a number without a letter where all words have one, as behind a second decimal
-/// point, or an operand more than a D function takes.
-pub(super) fn stray(block: &IsoBlock) -> Option<Span> {
+/// point, a second axis of a movement along one, or an operand more than a D function takes.
+pub(super) fn stray(text: &str, block: &IsoBlock) -> Option<Span> {
     let taken = match block.kind {
+        // Along one axis.
+        IsoKind::Path(Some(7)) => {
+            let named = |word: &&NamedWord| text.get(word.name.start..word.name.end).unwrap_or_default();
+            let axis = |word: &&NamedWord| Axis::by_name(named(word).to_ascii_uppercase().as_bytes()).is_some();
+            return block.words.iter().filter(axis).nth(1).map(|word| word.span);
+        }
         IsoKind::Path(_)
         | IsoKind::Centre
         | IsoKind::Chamfer

@@ -18,6 +18,8 @@ use crate::diag::{Source, Span};
 
 /// The number that the controls give to a program's last block.
 const LAST_NUMBER: u32 = 99_999_999;
+/// The last number of a D function.
+const LAST_FUNCTION: f64 = 39.0;
 
 /// The blocks of a text.
 pub(super) fn assemble(source: &Arc<Source>) -> Assembled {
@@ -280,7 +282,7 @@ impl<'t> Reader<'t> {
             return Ok(BlockKind::Comment);
         }
         block.kind = self.kind(&block, content)?;
-        if let Some(span) = iso_doubts::stray(&block) {
+        if let Some(span) = iso_doubts::stray(self.text, &block) {
             return Err(SyntaxError { code: "syntax-unexpected", span, expected: "word" });
         }
         self.warnings.extend(iso_doubts::excluded(self.text, &block));
@@ -348,11 +350,19 @@ impl<'t> Reader<'t> {
         if let Some(function) = block.words.first().filter(|word| is(word, "D"))
             && let ValueKind::Number(number) = function.value.kind
         {
+            if number > LAST_FUNCTION {
+                let span = function.value.span;
+                return Err(SyntaxError { code: "syntax-unexpected", span, expected: "number" });
+            }
             return Ok(IsoKind::Function(number as u16));
         }
         for code in &codes {
             let kind = match code {
                 98 => IsoKind::Label,
+                99 | 51 if !named("T") => {
+                    let span = Span::new(content.end, content.end);
+                    return Err(SyntaxError { code: "syntax-incomplete", span, expected: "tool" });
+                }
                 99 | 51 => IsoKind::ToolDef,
                 30 => IsoKind::Blank(1),
                 31 => IsoKind::Blank(2),

@@ -119,12 +119,18 @@
     Q201== 
 102 L X5 Y-3 FMAX M3
 103 END PGM PART MM
+; 8:14 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
+; 9:25 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
 ; 11:5 klartext-no-equivalent [("found", Text("G26 R2"))]
-; 22:6 klartext-no-equivalent [("found", Text("G07 G43 X+1 Y+2"))]
+; 22:18 syntax-unexpected [("found", Text("Y+2")), ("expected", Text("word"))]
 ; 23:6 klartext-no-equivalent [("found", Text("G01 G43 X+1"))]
 ; 31:6 klartext-no-equivalent [("found", Text("G27 R2"))]
+; 65:26 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
 ; 81:6 klartext-no-equivalent [("found", Text("G83 P01 2 P02 -20 P03 -5 P04 0 P05 500"))]
 ; 90:15 syntax-unexpected [("found", Text("+")), ("expected", Text("word"))]
+; 90:16 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
 ; 91:6 klartext-no-equivalent [("found", Text("X+"))]
 ; 92:11 syntax-incomplete [("found", Text("")), ("expected", Text("number"))]
 ; 95:6 syntax-unexpected [("found", Text("=")), ("expected", Text("parameter"))]
+; 96:9 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
+; 97:14 syntax-incomplete [("found", Text("")), ("expected", Text("*"))]
