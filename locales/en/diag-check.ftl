@@ -145,10 +145,16 @@ diag-out-of-range =
        *[above] { $parameter }={ $value } is too great: the greatest value is { $limit }.
     }
 diag-out-of-range-elsewhere =
-    { $parameter }={ $value } is hardly meant: the { $control } takes no value { $side ->
-        [below] below
-       *[above] above
-    } { $limit } there.
+    { $parameter }={ $value } is hardly meant: { $where ->
+        [control] the { $control } takes no value { $side ->
+                [below] below
+               *[above] above
+            } { $limit } there.
+       *[any] no manual prints a range for such parameters that goes { $side ->
+                [below] below
+               *[above] above
+            } { $limit }.
+    }
 diag-parameter-unassigned =
     { $parameter } is read here, but nothing gives it a value before.
 diag-plane-incomplete = This PLANE lacks { $word }.
@@ -225,6 +231,11 @@ diag-unlike-elsewhere =
     { $what ->
         [missing] { $cycle } has { $parameter } on the { $control }, and here it is missing.
         [value] { $parameter }={ $value } in { $cycle } is a value that the { $control } refuses.
+        [twice] { $parameter } stands twice in { $cycle }.
+        [foreign] { $cycle } has no { $parameter } on the { $control }.
+        [order] { $parameter } stands behind { $before }; in { $cycle } on the { $control } it precedes it.
+        [label] “{ $label }” belongs to { $other } in { $cycle } on the { $control }, not to { $parameter }.
+        [doubt] { $cycle } is doubtful: { $message }
        *[guard] On the { $control } { $cycle } is refused: { $message }
     }
 diag-unreachable =

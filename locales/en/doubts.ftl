@@ -1,13 +1,24 @@
 # Relations of values that no control refuses and hardly anybody means; the checker warns.
 guard-clearance-height-not-above-surface = The clearance height does not lie above the workpiece surface.
+guard-contour-without-extent = Start and end of the contour are the same point: there is nothing to be turned.
 guard-corner-radius-too-great = The corner radius is greater than half of the shorter side.
 guard-decrement-too-great = The decrement is not less than the plunging depth: nothing is left of the second infeed.
 guard-end-above-start = The end point in the tool axis lies above the starting point: the surface is milled from below.
+guard-floor-allowance-too-great = The finishing allowance for the floor is not less than the depth: nothing is left to be roughed.
 guard-greatest-below-least = The greatest dimension is below the least one: no workpiece is within such limits.
 guard-hole-angles-equal = Two of the holes have the same angle: they do not determine a circle.
 guard-least-plunging-depth-too-great = The least plunging depth is greater than the plunging depth.
 guard-measuring-angles-equal = Starting angle and end angle of the measurement are equal.
+guard-measuring-angles-reversed = The end angle of the measurement is below its starting angle.
+guard-nominal-far-from-limits = The nominal dimension is more than a tenth away from the limits of the dimension.
+guard-one-measuring-point = A rotary axis is measured at one point: no axis follows from that. 0 leaves it out.
+guard-pattern-goes-round-again = Number and stepping angle make more than a full circle: positions come to lie on one another.
+guard-pattern-points-identical = Several points are to be machined with a distance of 0: they all lie in the same place.
 guard-points-identical = Two of the points are the same: no direction or intersection follows from them.
 guard-pre-drilled-too-wide = The pre-drilled diameter is not less than the nominal diameter: nothing is left to be milled.
+guard-second-clearance-below-first = The second set-up clearance is less than the first one.
+guard-side-allowance-too-great = The finishing allowances for the side are together not less than the width: nothing is left to be roughed.
+guard-slot-wider-than-circle = The slot is not narrower than the pitch circle.
 guard-slot-wider-than-long = The slot is wider than long.
+guard-slots-overlap = The stepping angle is not greater than the opening angle of the slot: the slots overlap.
 guard-thread-pitch-too-great = The thread pitch is not less than the nominal diameter.

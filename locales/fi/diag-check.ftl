@@ -145,10 +145,16 @@ diag-out-of-range =
        *[above] { $parameter }={ $value } on liian suuri: suurin arvo on { $limit }.
     }
 diag-out-of-range-elsewhere =
-    { $parameter }={ $value } tuskin on tarkoitus: ohjaus { $control } ei hyväksy siihen arvoa, joka on { $side ->
-        [below] pienempi
-       *[above] suurempi
-    } kuin { $limit }.
+    { $parameter }={ $value } tuskin on tarkoitus: { $where ->
+        [control] ohjaus { $control } ei hyväksy siihen arvoa, joka on { $side ->
+                [below] pienempi
+               *[above] suurempi
+            } kuin { $limit }.
+       *[any] mikään käsikirja ei salli tällaisille parametreille arvoa, joka on { $side ->
+                [below] pienempi
+               *[above] suurempi
+            } kuin { $limit }.
+    }
 diag-parameter-unassigned =
     { $parameter } luetaan tässä, mutta sille ei ole sitä ennen annettu arvoa.
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
@@ -224,6 +230,11 @@ diag-unlike-elsewhere =
     { $what ->
         [missing] Työkierrossa { $cycle } on ohjauksessa { $control } parametri { $parameter }, joka puuttuu tästä.
         [value] Työkierron { $cycle } arvon { $parameter }={ $value } ohjaus { $control } hylkää.
+        [twice] { $parameter } on työkierrossa { $cycle } kahdesti.
+        [foreign] Työkierrossa { $cycle } ei ole ohjauksessa { $control } parametria { $parameter }.
+        [order] { $parameter } on parametrin { $before } jäljessä; ohjauksen { $control } työkierrossa { $cycle } se on sen edellä.
+        [label] ”{ $label }” kuuluu ohjauksen { $control } työkierrossa { $cycle } parametrille { $other }, ei parametrille { $parameter }.
+        [doubt] { $cycle } on epäilyttävä: { $message }
        *[guard] Ohjaus { $control } hylkää työkierron { $cycle }: { $message }
     }
 diag-unreachable =

@@ -1,13 +1,24 @@
 # Arvojen suhteita, joita mikään ohjaus ei hylkää mutta joita tuskin tarkoitetaan; ks. englanninkielinen tiedosto.
 guard-clearance-height-not-above-surface = Varmuuskorkeus ei ole työkappaleen yläpinnan yläpuolella.
+guard-contour-without-extent = Muodon alku ja loppu ovat sama piste: sorvattavaa ei ole.
 guard-corner-radius-too-great = Nurkan säde on suurempi kuin puolet lyhyemmästä sivusta.
 guard-decrement-too-great = Vähennysarvo ei ole pienempi kuin asetussyvyys: toisesta asetusliikkeestä ei jää mitään.
 guard-end-above-start = Työkaluakselin loppupiste on alkupisteen yläpuolella: pintaa jyrsitään alhaalta päin.
+guard-floor-allowance-too-great = Pohjan silitysvara ei ole syvyyttä pienempi: rouhittavaa ei jää.
 guard-greatest-below-least = Suurin mitta on pienempi kuin pienin mitta: mikään työkappale ei ole näissä rajoissa.
 guard-hole-angles-equal = Kahdella reiällä on sama kulma: ne eivät määrää ympyrää.
 guard-least-plunging-depth-too-great = Pienin asetussyvyys on suurempi kuin asetussyvyys.
 guard-measuring-angles-equal = Mittauksen aloituskulma ja lopetuskulma ovat yhtä suuret.
+guard-measuring-angles-reversed = Mittauksen loppukulma on alkukulmaa pienempi.
+guard-nominal-far-from-limits = Nimellismitta on yli kymmenesosan päässä mitan rajoista.
+guard-one-measuring-point = Kiertoakseli mitataan yhdestä pisteestä: siitä ei saada akselia. Arvolla 0 se jätetään mittaamatta.
+guard-pattern-goes-round-again = Lukumäärä ja kulma-askel tekevät yli täyden ympyrän: asemat osuvat päällekkäin.
+guard-pattern-points-identical = Useita pisteitä koneistetaan etäisyydellä 0: ne kaikki ovat samassa paikassa.
 guard-points-identical = Kaksi pisteistä on sama piste: niistä ei saada suuntaa eikä leikkauspistettä.
 guard-pre-drilled-too-wide = Esiporatun reiän halkaisija ei ole pienempi kuin nimellishalkaisija: jyrsittävää ei jää.
+guard-second-clearance-below-first = Toinen varmuusetäisyys on ensimmäistä pienempi.
+guard-side-allowance-too-great = Sivujen silitysvarat eivät ole yhteensä leveyttä pienemmät: rouhittavaa ei jää.
+guard-slot-wider-than-circle = Ura ei ole jakoympyrää kapeampi.
 guard-slot-wider-than-long = Ura on leveämpi kuin pitkä.
+guard-slots-overlap = Kulma-askel ei ole uran avautumiskulmaa suurempi: urat menevät päällekkäin.
 guard-thread-pitch-too-great = Kierteen nousu ei ole pienempi kuin nimellishalkaisija.

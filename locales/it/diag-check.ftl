@@ -145,10 +145,16 @@ diag-out-of-range =
        *[above] { $parameter }={ $value } è troppo grande: il valore massimo è { $limit }.
     }
 diag-out-of-range-elsewhere =
-    { $parameter }={ $value } difficilmente è voluto: il { $control } non accetta qui valori { $side ->
-        [below] inferiori a
-       *[above] superiori a
-    } { $limit }.
+    { $parameter }={ $value } difficilmente è voluto: { $where ->
+        [control] il { $control } non accetta qui valori { $side ->
+                [below] inferiori a
+               *[above] superiori a
+            } { $limit }.
+       *[any] nessun manuale ammette per parametri simili valori { $side ->
+                [below] inferiori a
+               *[above] superiori a
+            } { $limit }.
+    }
 diag-parameter-unassigned =
     { $parameter } viene letto qui, ma prima nulla gli assegna un valore.
 diag-plane-incomplete = In questo PLANE manca { $word }.
@@ -224,6 +230,11 @@ diag-unlike-elsewhere =
     { $what ->
         [missing] { $cycle } ha sul { $control } il parametro { $parameter }, che qui manca.
         [value] Il { $control } rifiuta il valore { $parameter }={ $value } in { $cycle }.
+        [twice] { $parameter } compare due volte in { $cycle }.
+        [foreign] { $cycle } sul { $control } non ha il parametro { $parameter }.
+        [order] { $parameter } segue { $before }; in { $cycle } sul { $control } lo precede.
+        [label] «{ $label }» in { $cycle } sul { $control } appartiene a { $other }, non a { $parameter }.
+        [doubt] { $cycle } è dubbio: { $message }
        *[guard] Il { $control } rifiuta { $cycle }: { $message }
     }
 diag-unreachable =

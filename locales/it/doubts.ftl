@@ -1,13 +1,24 @@
 # Rapporti tra valori che nessun controllo rifiuta e che difficilmente sono voluti; vedere il file inglese.
 guard-clearance-height-not-above-surface = L’altezza di sicurezza non si trova al di sopra della superficie del pezzo.
+guard-contour-without-extent = Inizio e fine del profilo sono lo stesso punto: non c’è nulla da tornire.
 guard-corner-radius-too-great = Il raggio dello spigolo è maggiore della metà del lato più corto.
 guard-decrement-too-great = Il decremento non è inferiore alla profondità incremento: del secondo incremento non rimane nulla.
 guard-end-above-start = Il punto finale nell’asse utensile è al di sopra del punto di partenza: la superficie viene fresata dal basso.
+guard-floor-allowance-too-great = Il sovrametallo sul fondo non è inferiore alla profondità: non resta nulla da sgrossare.
 guard-greatest-below-least = La quota massima è inferiore alla quota minima: nessun pezzo rientra in tali limiti.
 guard-hole-angles-equal = Due dei fori hanno lo stesso angolo: non determinano un cerchio.
 guard-least-plunging-depth-too-great = La profondità incremento minima è maggiore della profondità incremento.
 guard-measuring-angles-equal = L’angolo di partenza e l’angolo finale della misurazione sono uguali.
+guard-measuring-angles-reversed = L’angolo finale della misurazione è inferiore a quello di partenza.
+guard-nominal-far-from-limits = La quota nominale dista più di un decimo dai limiti della quota.
+guard-one-measuring-point = Un asse rotativo viene misurato in un solo punto: non ne deriva alcun asse. Con 0 non viene misurato.
+guard-pattern-goes-round-again = Numero e passo angolare superano il giro completo: alcune posizioni coincidono.
+guard-pattern-points-identical = Più punti sono da lavorare a distanza 0: coincidono tutti.
 guard-points-identical = Due dei punti coincidono: non ne risulta né una direzione né un’intersezione.
 guard-pre-drilled-too-wide = Il diametro preforato non è inferiore al diametro nominale: non rimane nulla da fresare.
+guard-second-clearance-below-first = La seconda distanza di sicurezza è inferiore alla prima.
+guard-side-allowance-too-great = I sovrametalli laterali insieme non sono inferiori alla larghezza: non resta nulla da sgrossare.
+guard-slot-wider-than-circle = La scanalatura non è più stretta del cerchio primitivo.
 guard-slot-wider-than-long = La scanalatura è più larga che lunga.
+guard-slots-overlap = Il passo angolare non supera l’angolo di apertura della scanalatura: le scanalature si sovrappongono.
 guard-thread-pitch-too-great = Il passo del filetto non è inferiore al diametro nominale.

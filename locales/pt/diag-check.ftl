@@ -145,10 +145,16 @@ diag-out-of-range =
        *[above] { $parameter }={ $value } é demasiado grande: o valor máximo é { $limit }.
     }
 diag-out-of-range-elsewhere =
-    { $parameter }={ $value } dificilmente é o pretendido: o { $control } não aceita aí valores { $side ->
-        [below] inferiores a
-       *[above] superiores a
-    } { $limit }.
+    { $parameter }={ $value } dificilmente é o pretendido: { $where ->
+        [control] o { $control } não aceita aí valores { $side ->
+                [below] inferiores a
+               *[above] superiores a
+            } { $limit }.
+       *[any] nenhum manual admite para tais parâmetros valores { $side ->
+                [below] inferiores a
+               *[above] superiores a
+            } { $limit }.
+    }
 diag-parameter-unassigned =
     { $parameter } é lido aqui, mas antes nada lhe atribui um valor.
 diag-plane-incomplete = Neste PLANE falta { $word }.
@@ -224,6 +230,11 @@ diag-unlike-elsewhere =
     { $what ->
         [missing] { $cycle } tem no { $control } o parâmetro { $parameter }, que aqui falta.
         [value] O { $control } recusa o valor { $parameter }={ $value } em { $cycle }.
+        [twice] { $parameter } está duas vezes em { $cycle }.
+        [foreign] { $cycle } não tem no { $control } o parâmetro { $parameter }.
+        [order] { $parameter } está depois de { $before }; em { $cycle } no { $control } está antes.
+        [label] «{ $label }» em { $cycle } no { $control } pertence a { $other }, não a { $parameter }.
+        [doubt] { $cycle } é duvidoso: { $message }
        *[guard] O { $control } recusa { $cycle }: { $message }
     }
 diag-unreachable =

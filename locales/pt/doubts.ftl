@@ -1,13 +1,24 @@
 # Relações de valores que nenhum comando recusa e que dificilmente são pretendidas; ver o ficheiro inglês.
 guard-clearance-height-not-above-surface = A altura segura não está acima da superfície da peça.
+guard-contour-without-extent = O início e o fim do contorno são o mesmo ponto: não há nada para tornear.
 guard-corner-radius-too-great = O raio da esquina é maior do que metade do lado mais curto.
 guard-decrement-too-great = O valor de redução não é inferior à profundidade de passo: do segundo passo não resta nada.
 guard-end-above-start = O ponto final no eixo da ferramenta está acima do ponto inicial: a superfície é fresada a partir de baixo.
+guard-floor-allowance-too-great = A medida excedente em profundidade não é menor do que a profundidade: nada fica para desbastar.
 guard-greatest-below-least = A medida maior é inferior à medida menor: nenhuma peça está dentro de tais limites.
 guard-hole-angles-equal = Dois dos furos têm o mesmo ângulo: não determinam um círculo.
 guard-least-plunging-depth-too-great = A profundidade de passo mínima é maior do que a profundidade de passo.
 guard-measuring-angles-equal = O ângulo inicial e o ângulo final da medição são iguais.
+guard-measuring-angles-reversed = O ângulo final da medição é menor do que o inicial.
+guard-nominal-far-from-limits = A medida nominal está a mais de um décimo dos limites da medida.
+guard-one-measuring-point = Um eixo rotativo é medido num só ponto: daí não resulta nenhum eixo. Com 0 não é medido.
+guard-pattern-goes-round-again = A quantidade e o passo angular dão mais do que uma volta completa: há posições sobrepostas.
+guard-pattern-points-identical = Há vários pontos a maquinar à distância 0: ficam todos no mesmo lugar.
 guard-points-identical = Dois dos pontos são iguais: deles não resulta nem uma direção nem uma interseção.
 guard-pre-drilled-too-wide = O diâmetro do furo prévio não é inferior ao diâmetro nominal: nada resta para fresar.
+guard-second-clearance-below-first = A segunda distância de segurança é menor do que a primeira.
+guard-side-allowance-too-great = As medidas excedentes laterais não são, juntas, menores do que a largura: nada fica para desbastar.
+guard-slot-wider-than-circle = A ranhura não é mais estreita do que o círculo teórico.
 guard-slot-wider-than-long = A ranhura é mais larga do que comprida.
+guard-slots-overlap = O passo angular não é maior do que o ângulo de abertura da ranhura: as ranhuras sobrepõem-se.
 guard-thread-pitch-too-great = O passo de rosca não é inferior ao diâmetro nominal.

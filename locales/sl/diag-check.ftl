@@ -147,10 +147,16 @@ diag-out-of-range =
        *[above] { $parameter }={ $value } je preveliko: največja vrednost je { $limit }.
     }
 diag-out-of-range-elsewhere =
-    { $parameter }={ $value } najbrž ni mišljeno: { $control } tam ne sprejme vrednosti { $side ->
-        [below] pod
-       *[above] nad
-    } { $limit }.
+    { $parameter }={ $value } najbrž ni mišljeno: { $where ->
+        [control] { $control } tam ne sprejme vrednosti { $side ->
+                [below] pod
+               *[above] nad
+            } { $limit }.
+       *[any] noben priročnik za take parametre ne navaja vrednosti { $side ->
+                [below] pod
+               *[above] nad
+            } { $limit }.
+    }
 diag-parameter-unassigned =
     { $parameter } se tu bere, pred tem pa mu nič ne določi vrednosti.
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
@@ -226,6 +232,11 @@ diag-unlike-elsewhere =
     { $what ->
         [missing] { $cycle } ima na krmiljenju { $control } parameter { $parameter }, ki tu manjka.
         [value] Vrednost { $parameter }={ $value } v { $cycle } krmiljenje { $control } zavrne.
+        [twice] { $parameter } je v { $cycle } dvakrat.
+        [foreign] { $cycle } na krmiljenju { $control } nima parametra { $parameter }.
+        [order] { $parameter } stoji za { $before }; v { $cycle } na krmiljenju { $control } stoji pred njim.
+        [label] »{ $label }« v { $cycle } na krmiljenju { $control } pripada { $other }, ne { $parameter }.
+        [doubt] { $cycle } je dvomljiv: { $message }
        *[guard] Krmiljenje { $control } { $cycle } zavrne: { $message }
     }
 diag-unreachable =

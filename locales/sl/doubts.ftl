@@ -1,13 +1,24 @@
 # Razmerja vrednosti, ki jih nobeno krmiljenje ne zavrne; glej angleško datoteko.
 guard-clearance-height-not-above-surface = Varna višina ni nad površino obdelovanca.
+guard-contour-without-extent = Začetek in konec konture sta ista točka: struženja ni.
 guard-corner-radius-too-great = Polmer vogala je večji od polovice krajše stranice.
 guard-decrement-too-great = Vrednost pojemanja ni manjša od globine primika: od drugega primika ne ostane nič.
 guard-end-above-start = Končna točka na orodni osi je nad začetno točko: površina se rezka od spodaj.
+guard-floor-allowance-too-great = Globinska nadmera ni manjša od globine: za grobo obdelavo ne ostane nič.
 guard-greatest-below-least = Največja mera je manjša od najmanjše: noben obdelovanec ni v takih mejah.
 guard-hole-angles-equal = Dve od vrtin imata enak kot: kroga ne določita.
 guard-least-plunging-depth-too-great = Najmanjša globina primika je večja od globine primika.
 guard-measuring-angles-equal = Začetni in končni kot merjenja sta enaka.
+guard-measuring-angles-reversed = Končni kot meritve je manjši od začetnega.
+guard-nominal-far-from-limits = Imenska mera je več kot desetino oddaljena od mejnih mer.
+guard-one-measuring-point = Rotacijska os se meri v eni točki: iz tega os ne sledi. Pri 0 se ne izmeri.
+guard-pattern-goes-round-again = Število in kotni korak dasta več kot poln krog: položaji ležijo drug na drugem.
+guard-pattern-points-identical = Več točk naj bi se obdelalo v razmaku 0: vse ležijo na istem mestu.
 guard-points-identical = Dve od točk sta enaki: iz njiju ne izhaja ne smer ne presečišče.
 guard-pre-drilled-too-wide = Premer predhodno izvrtane vrtine ni manjši od želenega premera: za rezkanje ne ostane nič.
+guard-second-clearance-below-first = Druga varnostna razdalja je manjša od prve.
+guard-side-allowance-too-great = Stranski nadmeri skupaj nista manjši od širine: za grobo obdelavo ne ostane nič.
+guard-slot-wider-than-circle = Utor ni ožji od delnega kroga.
 guard-slot-wider-than-long = Utor je širši kot dolg.
+guard-slots-overlap = Kotni korak ni večji od odpiralnega kota utora: utori se prekrivajo.
 guard-thread-pitch-too-great = Korak navoja ni manjši od želenega premera.

@@ -5,7 +5,7 @@
 //! case and blanks, as programs come from many hands.
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::facts::{Defined, Definition, Facts, Place};
 use super::flow::Deed;
@@ -21,6 +21,8 @@ pub struct LabelBook<'a> {
     locales: &'a Locales,
     cycles: BTreeMap<CycleKey, Kept>,
     limits: OnceLock<Limits>,
+    /// Labels of cycles that only other controls describe.
+    elsewhere: Mutex<BTreeMap<CycleKey, Arc<CycleLabels>>>,
 }
 
 /// The greatest values that any manual prints for the parameters of cycles.
@@ -51,8 +53,8 @@ pub(super) struct Kept {
 pub(super) struct Elsewhere {
     pub(super) least: f64,
     pub(super) greatest: f64,
-    /// The title of one of those controls.
-    pub(super) control: String,
+    /// The title of one of those controls; nothing where the range is that of parameters like this one.
+    pub(super) control: Option<String>,
 }
 
 /// The labels of a cycle in all languages, in the order of their tags.
@@ -144,7 +146,7 @@ impl<'a> LabelBook<'a> {
     pub fn new(on: &'a OnControl, locales: &'a Locales) -> Self {
         let kept = |(place, (key, cycle)): (usize, (&CycleKey, &Cycle))| (*key, Kept::of(place, cycle));
         let cycles = on.cycles.iter().enumerate().map(kept).collect();
-        Self { on, locales, cycles, limits: OnceLock::new() }
+        Self { on, locales, cycles, limits: OnceLock::new(), elsewhere: Mutex::default() }
     }
 
     /// The tags of its languages, in the order in which cycles have them.
@@ -168,6 +170,13 @@ impl<'a> LabelBook<'a> {
         kept.labels.get_or_init(|| CycleLabels {
             languages: self.locales.iter().map(|language| labels(self.on, cycle, language)).collect(),
         })
+    }
+
+    /// The labels of a cycle that another control describes and this one does not.
+    pub(super) fn labels_elsewhere(&self, on: &OnControl, cycle: &Cycle) -> Arc<CycleLabels> {
+        let mut known = self.elsewhere.lock().unwrap_or_else(PoisonError::into_inner);
+        let all = || self.locales.iter().map(|language| labels(on, cycle, language)).collect();
+        Arc::clone(known.entry(cycle.key).or_insert_with(|| Arc::new(CycleLabels { languages: all() })))
     }
 
     /// Its guards.
@@ -197,7 +206,8 @@ impl<'a> LabelBook<'a> {
         kept.ranges.get_or_init(|| {
             let range = |(at, param)| {
                 let (least, greatest, other) = catalogue.range_elsewhere(self.on, cycle, param)?;
-                Some((at, Elsewhere { least, greatest, control: other.control.title.clone() }))
+                let control = other.map(|other| other.control.title.clone());
+                Some((at, Elsewhere { least, greatest, control }))
             };
             cycle.params.iter().enumerate().filter_map(range).collect()
         })

@@ -345,8 +345,14 @@ impl Catalogue {
     }
 
     /// The widest range that the controls whose manuals print one give for a parameter of a cycle: its least and greatest
-    /// value, and one of those controls. Nothing if the control itself prints one, or if nobody does.
-    pub fn range_elsewhere(&self, on: &OnControl, cycle: &Cycle, param: &Param) -> Option<(f64, f64, &OnControl)> {
+    /// value, and one of those controls. Where none does, the widest one for parameters of that meaning or, of plain
+    /// numbers, for what it measures, without a control. Nothing if the control itself prints one.
+    pub fn range_elsewhere(
+        &self,
+        on: &OnControl,
+        cycle: &Cycle,
+        param: &Param,
+    ) -> Option<(f64, f64, Option<&OnControl>)> {
         if param.min.is_some() || param.max.is_some() {
             return None;
         }
@@ -358,9 +364,22 @@ impl Catalogue {
         let others = self.controls.values().filter(|other| other.id() != on.id());
         let ranges = others.filter_map(|other| {
             let own = other.cycles.get(&cycle.key)?.params.iter().find(same)?;
-            Some((own.min?, own.max?, other))
+            Some((own.min?, own.max?, Some(other)))
         });
-        ranges.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1), one.2))
+        let wider = |one: (f64, f64, _), other: (f64, f64, _)| (one.0.min(other.0), one.1.max(other.1), one.2);
+        let of_cycle = ranges.reduce(wider);
+        if of_cycle.is_some() || param.field.is_some() {
+            return of_cycle;
+        }
+        let alike =
+            |other: &&Param| other.field.is_none() && other.kind == param.kind && other.quantity == param.quantity;
+        let all =
+            || self.controls.values().flat_map(|on| on.cycles.values()).flat_map(|cycle| &cycle.params).filter(alike);
+        let range = |own: &Param| Some((own.min?, own.max?, None));
+        let meant = all().filter(|other| other.is.as_str() == param.is.as_str()).filter_map(range).reduce(wider);
+        let measures = matches!(param.quantity, Quantity::Length | Quantity::Feed | Quantity::Angle | Quantity::Time);
+        let plain = measures && param.kind == ParameterKind::Number && param.choices.is_empty();
+        meant.or_else(|| all().filter(|_| plain).filter_map(range).reduce(wider))
     }
 
     /// The cycles of a control.

@@ -1,5 +1,5 @@
 //! A number outside of the range that another control's manual prints for the same parameter, where this control's prints
-//! none.
+//! none; or of any manual for parameters of that meaning, or for what the parameter measures.
 //!
 //! What one control refuses, another one hardly takes; only the widest of those ranges counts. Silent where the parameter
 //! does not act.
@@ -32,6 +32,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
         }
         let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref()).arg("side", side);
         let finding = finding.arg("value", shown(item)).arg("limit", Arg::Number(limit / unit));
-        found.push(finding.arg("control", range.control.as_str()));
+        let place = if range.control.is_some() { "control" } else { "any" };
+        found.push(finding.arg("where", place).arg("control", range.control.as_deref().unwrap_or_default()));
     }
 }

@@ -1,15 +1,19 @@
-//! A definition with Q parameters of a cycle that no manual of this control describes, measured by that of another control:
-//! a parameter is missing, or a value is one that the other control refuses.
+//! A definition of a cycle that no manual of this control describes, measured by that of another control: a parameter is
+//! missing, doubled, foreign or behind one that it precedes, its label is that of another parameter, or its value is one
+//! that the other control refuses or that is hardly meant.
 //!
-//! Newer software adds parameters at the end, so only those are missed behind which another one of the cycle stands.
-//! Parameters in addition, names and labels are left alone.
+//! Newer software adds parameters at the end, so only those are missed behind which another one of the cycle stands, and of
+//! those in addition only parameters of other cycles that stand amid the cycle's, or have a lower
+//! number. Names and labels that nobody knows are left alone.
 use std::collections::HashMap;
 
 use crate::check::guards::{self, Ready, Written};
+use crate::check::labels::fold;
 use crate::check::values::{refused, shown};
-use crate::check::{Defined, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::spec::{Cycle, CycleKey, Known, OnControl, Outcome, Refusal};
+use crate::check::{Defined, Definition, Facts, Item, Rule};
+use crate::diag::{Diagnostic, Severity, Span};
+use crate::expr::{QKind, QRef};
+use crate::spec::{Cycle, CycleKey, Known, OnControl, Outcome};
 use crate::syntax::{CycleForm, ValueKind};
 use crate::text;
 
@@ -25,8 +29,7 @@ struct Other<'a> {
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut others: HashMap<CycleKey, Option<Other<'_>>> = HashMap::new();
     for definition in &facts.definitions {
-        let silent = matches!(definition.known, Known::Described(_) | Known::Builders);
-        if silent || definition.torn || !matches!(definition.view.form, CycleForm::Parameters(_)) {
+        if definition.torn || matches!(definition.known, Known::Described(_) | Known::Builders) {
             continue;
         }
         if let Some(other) = others.entry(definition.key).or_insert_with(|| Other::of(facts, definition.key)) {
@@ -45,8 +48,16 @@ impl<'a> Other<'a> {
     }
 
     fn compare(&self, rule: &Rule, facts: &Facts<'a>, own: &Defined<'a>, found: &mut Vec<Diagnostic>) {
+        let lines = matches!(own.view.form, CycleForm::Lines(_));
+        if lines != self.cycle.is_old_style() {
+            return;
+        }
         let own = own.read_as(self.cycle);
         let read = facts.read(&own);
+        // Another cycle may have the number here.
+        if !read.items.is_empty() && read.items.iter().all(|item| item.index.is_none()) {
+            return;
+        }
         let tell = |span, what: &'static str| {
             let finding = rule.at(facts, span).arg("what", what).arg("cycle", own.key.to_string());
             finding.arg("control", self.on.control.title.as_str())
@@ -58,20 +69,77 @@ impl<'a> Other<'a> {
                 found.push(tell(own.view.head, "missing").arg("parameter", param.label_in(own.key.number)));
             }
         }
-        for item in &read.items {
-            let number = matches!(item.value.map(|value| value.kind), Some(ValueKind::Number(_) | ValueKind::Q { .. }));
-            let refusal = refused(item, facts.inch).filter(|own| number && *own != Refusal::Kind);
-            if refusal.is_some() {
-                let finding = tell(item.value_span, "value").arg("parameter", item.name.as_ref());
-                found.push(finding.arg("value", shown(item)));
+        let mut before: Option<&Item<'_>> = None;
+        for (at, item) in read.items.iter().enumerate() {
+            let name = item.name.as_ref();
+            // Words for feeds are many, and PREDEF may stand for any parameter.
+            let word = matches!(item.value.map(|value| value.kind), Some(ValueKind::Word));
+            if !(word && !lines) && refused(item, facts.inch).is_some() {
+                found.push(tell(item.value_span, "value").arg("parameter", name).arg("value", shown(item)));
             }
+            if lines {
+                continue;
+            }
+            if read.items.iter().take(at).any(|first| first.name == item.name) {
+                found.push(tell(item.span, "twice").arg("parameter", name));
+            } else if item.index.is_none()
+                && self.is_foreign(facts, item, Some(at) < read.items.iter().rposition(is_known))
+            {
+                found.push(tell(item.span, "foreign").arg("parameter", name));
+            } else if let Some(before) = before.filter(|before| item.index.is_some() && item.index < before.index) {
+                found.push(tell(item.span, "order").arg("parameter", name).arg("before", before.name.as_ref()));
+            }
+            before = Some(item).filter(|item| is_known(item)).or(before);
         }
+        self.labels(facts, &read, |span, item, other| {
+            let finding = tell(span, "label").arg("label", facts.text(span)).arg("parameter", item.name.as_ref());
+            found.push(finding.arg("other", other));
+        });
         let written = Written::of(facts, &read, self.cycle);
-        for ready in self.guards.iter().filter(|own| matches!(own.then, Some(Outcome::Error) | None)) {
+        for ready in &self.guards {
             let (Some(code), Some(true)) = (&ready.code, written.holds(ready)) else { continue };
             let sentence = text::guard_sentence(self.on, self.cycle, code, facts.against.readers);
             let place = super::guard::place(&read, ready, &written).unwrap_or(own.view.head);
-            found.push(tell(place, "guard").arg("message", sentence.unwrap_or_else(|| code.clone())));
+            let what = if matches!(ready.then, Some(Outcome::Error) | None) { "guard" } else { "doubt" };
+            found.push(tell(place, what).arg("message", sentence.unwrap_or_else(|| code.clone())));
+        }
+        super::doubtful_value::each(&super::doubtful_value::RULE, facts, &read, found);
+    }
+
+    /// Whether a parameter that the cycle does not have belongs to another one, or stands before one that it has.
+    fn is_foreign(&self, facts: &Facts<'_>, item: &Item<'_>, amid: bool) -> bool {
+        let Some(q) = QRef::parse(&item.name).filter(|q| matches!(q.kind, QKind::Q | QKind::Qs)) else { return false };
+        let mut cycles = facts.against.catalogue.controls.values().flat_map(|on| on.cycles.values());
+        let has = cycles.clone().filter(|own| own.key == self.cycle.key).any(|own| own.written(q).is_some());
+        // What newer software adds has a number above those of the cycle.
+        let older = self.cycle.params.iter().filter_map(|param| param.q).any(|own| q.number < own.number);
+        !has && (amid || older) && cycles.any(|own| own.written(q).is_some())
+    }
+
+    /// Labels of another parameter of the cycle, in whatever language.
+    fn labels<'d>(
+        &self,
+        facts: &Facts<'_>,
+        read: &'d Definition<'_>,
+        mut tell: impl FnMut(Span, &'d Item<'_>, String),
+    ) {
+        let mut labels = None;
+        for item in &read.items {
+            let (Some(own), Some(span)) = (item.index, item.label) else { continue };
+            let labels = labels.get_or_insert_with(|| facts.against.labels.labels_elsewhere(self.on, self.cycle));
+            let folded = fold(facts.text(span));
+            let languages = || labels.languages.iter().map(|language| &language.params);
+            if languages().any(|params| params.get(own).is_some_and(|label| label.matches_folded(&folded))) {
+                continue;
+            }
+            let other = languages().find_map(|params| params.iter().position(|label| label.matches_folded(&folded)));
+            if let Some(other) = other.and_then(|at| self.cycle.params.get(at)) {
+                tell(span, item, other.label_in(self.cycle.key.number));
+            }
         }
     }
+}
+
+fn is_known(item: &Item<'_>) -> bool {
+    item.index.is_some()
 }
