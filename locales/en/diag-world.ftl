@@ -57,6 +57,18 @@ diag-table-unknown-column =
         [one] No manual describes the column { $column } here: its cells are not checked.
        *[other] No manual describes the columns { $column } here: their cells are not checked.
     }
+diag-table-doubtful =
+    { $what ->
+        [unit] The first line says neither MM nor INCH.
+        [kind] The first line names a { $found } file, and this is a { $column } file.
+        [column] The column { $column } is missing.
+        [order] The row { $row } stands behind the row { $found }.
+        [behind-end] What stands behind [END] is not read.
+        [astride] Row { $row }: the number in column { $column } reaches into column { $found }.
+        [empty] Row { $row }: column { $column } is empty.
+        [corner] Row { $row }: R2 is greater than R.
+       *[value] Row { $row }: “{ $found }” is hardly meant in column { $column }.
+    }
 diag-table-value-not-taken = Row { $row }: column { $column } does not take “{ $found }”.
 
 diag-stock-form = BLK FORM { $word } is not described in the manuals: give the stock in the scene, or a cuboid by BLK FORM 0.1 and 0.2.

@@ -56,6 +56,18 @@ diag-table-unknown-column =
         [one] Mikään käsikirja ei kuvaa saraketta { $column }: sen soluja ei tarkasteta.
        *[other] Mikään käsikirja ei kuvaa sarakkeita { $column }: niiden soluja ei tarkasteta.
     }
+diag-table-doubtful =
+    { $what ->
+        [unit] Ensimmäisellä rivillä ei ole mittayksikköä MM tai INCH.
+        [kind] Ensimmäinen rivi nimeää { $found }-tiedoston, mutta tämä on { $column }-tiedosto.
+        [column] Sarake { $column } puuttuu.
+        [order] Rivi { $row } on rivin { $found } jäljessä.
+        [behind-end] Rivin [END] jäljessä olevaa ei lueta.
+        [astride] Rivi { $row }: sarakkeen { $column } luku ulottuu sarakkeeseen { $found }.
+        [empty] Rivi { $row }: sarake { $column } on tyhjä.
+        [corner] Rivi { $row }: R2 on suurempi kuin R.
+       *[value] Rivi { $row }: ”{ $found }” tuskin on tarkoitettu sarakkeeseen { $column }.
+    }
 diag-table-value-not-taken = Rivi { $row }: sarake { $column } ei hyväksy arvoa ”{ $found }”.
 diag-stock-blank = BLK FORM -lauseen kulmien on oltava lukuja, ja jokaisen minimin on oltava pienempi kuin maksimin.
 diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: anna aihio asetelmassa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.

@@ -56,6 +56,18 @@ diag-table-unknown-column =
         [one] Nessun manuale descrive la colonna { $column }: le sue celle non vengono controllate.
        *[other] Nessun manuale descrive le colonne { $column }: le loro celle non vengono controllate.
     }
+diag-table-doubtful =
+    { $what ->
+        [unit] La prima riga non indica l’unità di misura MM o INCH.
+        [kind] La prima riga nomina un file { $found }, mentre questo è un file { $column }.
+        [column] Manca la colonna { $column }.
+        [order] La riga { $row } segue la riga { $found }.
+        [behind-end] Ciò che segue [END] non viene letto.
+        [astride] Riga { $row }: il numero della colonna { $column } prosegue nella colonna { $found }.
+        [empty] Riga { $row }: la colonna { $column } è vuota.
+        [corner] Riga { $row }: R2 è maggiore di R.
+       *[value] Riga { $row }: «{ $found }» difficilmente è voluto nella colonna { $column }.
+    }
 diag-table-value-not-taken = Riga { $row }: la colonna { $column } non accetta «{ $found }».
 diag-stock-blank = Gli spigoli di BLK FORM devono essere numeri e ogni minimo deve essere inferiore al suo massimo.
 diag-stock-form = BLK FORM { $word } non è descritto nei manuali: indicare il pezzo grezzo nella scena, oppure un parallelepipedo con BLK FORM 0.1 e 0.2.

@@ -2,17 +2,19 @@
 //!
 //! Invariant: only what a manual prints is asked for; a column that no manual describes is told and left alone.
 use super::text::{self, Heading};
-use super::{Quantity, Table, TableKind, TableUnit, column};
+use super::{Quantity, Table, TableKind, TableUnit, column, doubt};
 use crate::diag::{Diagnostic, Place, Severity, Source};
 use std::sync::Arc;
 
 /// Everything that can be said against a table: what cannot be read, columns that stand twice or that no manual describes,
-/// numbers out of their range, words that a column does not take.
+/// numbers out of their range, words that a column does not take, what is hardly meant.
 pub fn check(kind: TableKind, source: &Arc<Source>) -> Vec<Diagnostic> {
-    let mut found = match Table::parse(kind, source) {
-        Ok(table) => [columns(&table, source), cells(&table, source)].concat(),
-        Err(found) => found,
-    };
+    let (table, mut found) = text::read(kind, source);
+    if let Some(table) = table {
+        found.extend(columns(&table, source));
+        found.extend(cells(&table, source));
+        doubt::told_of(&table, source, &mut found);
+    }
     found.sort_by_key(|finding| finding.place.as_ref().map(|place| place.span));
     found
 }
@@ -24,7 +26,7 @@ pub fn check_other(source: &Arc<Source>) -> Vec<Diagnostic> {
     let told = Diagnostic::error("table-not-described", Place::new(source, 0..first));
     let mut found = vec![Diagnostic { severity: Severity::Note, ..told }];
     if !text.lines().any(|line| line.trim() == "[END]") {
-        let end = text.len();
+        let end = text.trim_end().len();
         found.push(Diagnostic {
             severity: Severity::Warning,
             ..Diagnostic::error("table-no-end", Place::new(source, end..end))

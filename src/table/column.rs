@@ -217,13 +217,54 @@ impl TableKind {
         }
     }
 
-    /// The words of a column that takes no others: TNC 640 manual lines 1583-1640 (FADE), 14907-14913 (TL, DIRECT.). Files that
-    /// a control has written have 0 and 1 in TL.
+    /// The range outside of which a number is hardly meant, in mm: 20 teeth (TNC 320 manual line 6918, TNC 640 line 14906), tool
+    /// numbers TNC 640 line 13327; the greatest lengths and angles are those of the parameters of cycles.
+    pub fn usual(self, column: &Column) -> Option<(f64, f64)> {
+        match (self, column.name) {
+            (Self::Tool, "T") => Some((0.0, 32767.9)),
+            (Self::Tool, "CUT") => Some((0.0, 20.0)),
+            (Self::Tool, "R" | "LCUTS" | "RS" | "CUTWIDTH") => Some((0.0, 99999.9999)),
+            (Self::Tool, "ANGLE") => Some((0.0, 90.0)),
+            (Self::Tool, "T-ANGLE") => Some((0.0, 180.0)),
+            (Self::Probe, "DIST" | "SET_UP") => Some((0.0, 99999.9999)),
+            _ => match column.quantity {
+                Quantity::Key => Some((0.0, 99999.0)),
+                Quantity::Length => Some((-99999.9999, 99999.9999)),
+                Quantity::Angle => Some((-360.0, 360.0)),
+                // Nothing moves at a feed of 0.
+                Quantity::Feed => Some((f64::MIN_POSITIVE, 300_000.0)),
+                Quantity::Number | Quantity::Text => None,
+            },
+        }
+    }
+
+    /// Whether the numbers of a column are whole: tools have numbers with a decimal, too.
+    pub fn is_whole(self, column: &Column) -> bool {
+        match column.quantity {
+            Quantity::Key => self != Self::Tool,
+            _ => matches!(column.name, "CUT" | "TP_NO"),
+        }
+    }
+
+    /// The columns without which nothing can be done with a table; one of the axes is enough for one of datums.
+    pub const fn needed(self) -> &'static [&'static str] {
+        match self {
+            Self::Tool => &["L", "R"],
+            Self::Points => &["X", "Y"],
+            Self::Preset => &["X", "Y", "Z"],
+            Self::Probe | Self::Datum => &[],
+        }
+    }
+
+    /// The words of a column that takes no others: TNC 640 manual lines 1583-1640 (FADE), 14907-14913 (TL, DIRECT.), 10670
+    /// (F_PREPOS, TRACK). Files that a control has written have 0 and 1 in TL.
     pub fn words(self, column: &str) -> Option<&'static [&'static str]> {
         match (self, column) {
             (Self::Tool, "TL") => Some(&["L", "-", "0", "1"]),
             (Self::Tool, "DIRECT.") => Some(&["+", "-"]),
             (Self::Points, "FADE") => Some(&["Y", "N", "-"]),
+            (Self::Probe, "F_PREPOS") => Some(&["FMAX_PROBE", "FMAX_MACHINE", "-"]),
+            (Self::Probe, "TRACK") => Some(&["ON", "OFF", "-"]),
             _ => None,
         }
     }

@@ -11,6 +11,7 @@
 //! characters of its cell only. Numbers go in and out in mm, mm/min and degrees, whatever the table's unit.
 mod check;
 mod column;
+mod doubt;
 mod error;
 mod text;
 

@@ -135,6 +135,14 @@ impl Reader<'_> {
 }
 
 pub(super) fn parse(kind: TableKind, source: &Arc<Source>) -> Result<Table, Vec<Diagnostic>> {
+    match read(kind, source) {
+        (Some(table), found) if found.is_empty() => Ok(table),
+        (_, found) => Err(found),
+    }
+}
+
+/// The table as far as it can be read, which is nothing without names of columns, and its mistakes.
+pub(super) fn read(kind: TableKind, source: &Arc<Source>) -> (Option<Table>, Vec<Diagnostic>) {
     let numbered = lines_of(source.text());
     let mut reader = Reader { source, found: Vec::new() };
     let line =
@@ -151,20 +159,20 @@ pub(super) fn parse(kind: TableKind, source: &Arc<Source>) -> Result<Table, Vec<
     let Some(key) = headings.iter().find(|heading| heading.quantity == Quantity::Key).cloned() else {
         let name = kind.columns().first().map_or("", |column| column.name);
         reader.error("table-no-heading", second_at, second_at + second.len(), vec![("column", name.into())]);
-        return Err(reader.found);
+        return (None, reader.found);
     };
     let end = numbered.iter().skip(1).position(|(_, line)| line.text.trim() == "[END]").map(|at| at + 1);
     if end.is_none() {
-        reader.error("table-no-end", source.text().len(), source.text().len(), Vec::new());
+        // Behind what is there.
+        let last = numbered.iter().rfind(|(_, line)| !line.text.trim().is_empty());
+        let end = last.map_or(source.text().len(), |(start, line)| start + line.text.trim_end().len());
+        reader.error("table-no-end", end, end, Vec::new());
     }
     let end = end.unwrap_or(numbered.len());
     let rows = rows(&mut reader, &numbered, heading + 1..end, &described, &headings, &key);
-    if !reader.found.is_empty() {
-        return Err(reader.found);
-    }
     let lines = numbered.into_iter().map(|(_, line)| line).collect();
     let (file, unit) = (source.name().to_owned(), unit.unwrap_or(TableUnit::Mm));
-    Ok(Table { kind, file, unit, headings, heading, lines, rows, end })
+    (Some(Table { kind, file, unit, headings, heading, lines, rows, end }), reader.found)
 }
 
 /// Which lines are neither names of columns nor rows: blank ones, comments, and what describes the columns (`#STRUCTBEGIN` to

@@ -83,7 +83,8 @@ fn files_as_controls_write_them_are_read() {
     table.add_row(3.0).expect("room");
     assert_eq!(table.to_text(), text.replace("5.1  D", "3\n5.1  D"));
     let found: Vec<_> = ciklo::table::check(TableKind::Tool, &source).iter().map(|d| d.code).collect();
-    assert_eq!(found, ["table-unknown-column"]);
+    // It has no column L, and a line behind the end.
+    assert_eq!(found, ["table-doubtful", "table-unknown-column", "table-doubtful"]);
     // A description without an end leaves no names of columns.
     let open = text.replace("#STRUCTEND", "");
     let found = Table::parse(TableKind::Tool, &Source::new("TOOL.T", open)).expect_err("no names");
@@ -123,7 +124,7 @@ fn mistakes_are_told_together_with_their_places() {
         .map(|d| (d.code, d.place.as_ref().map(|p| (p.start().line, p.start().column)).unwrap_or_default()))
         .collect();
     let expected = [
-        ("table-no-end", (6, 1)),
+        ("table-no-end", (5, 17)),
         ("table-no-row-number", (4, 1)),
         ("table-duplicate-row", (5, 1)),
         ("table-bad-number", (5, 12)),
@@ -135,6 +136,33 @@ fn mistakes_are_told_together_with_their_places() {
     };
     assert_eq!(codes(""), ["table-no-header", "table-no-heading"]);
     assert_eq!(codes("BEGIN X.D MM\nA B C\n[END]"), ["table-no-heading"]);
+}
+
+/// Of the mistakes that people make in tables, each is told at its line; of good tables nothing is said.
+#[test]
+fn broken_tables_are_told_at_their_lines() {
+    let all = include_str!("broken_tables.txt");
+    let mut wrong = Vec::new();
+    let sections = all.split("=== ").skip(1);
+    for section in sections.clone() {
+        let (head, text) = section.split_once('\n').expect("a table");
+        let mut words = head.split(' ');
+        let name = format!("X.{}", words.next().expect("an extension"));
+        let lines = words.next().expect("lines").split(',').map(|line| line.parse().expect("a line"));
+        let lines: Vec<usize> = lines.collect();
+        let kind = TableKind::of_file(&name).expect("a kind");
+        let mut found = ciklo::table::check(kind, &Source::new(name, text));
+        found.retain(|own| own.severity != ciklo::diag::Severity::Note);
+        let told = |own: &ciklo::diag::Diagnostic| {
+            own.place.as_ref().is_some_and(|place| lines.contains(&place.start().line))
+        };
+        let right = if lines == [0] { found.is_empty() } else { found.iter().any(told) };
+        if !right {
+            wrong.push(head);
+        }
+    }
+    assert!(sections.count() > 55);
+    assert_eq!(wrong, Vec::<&str>::new());
 }
 
 #[test]

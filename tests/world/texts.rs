@@ -32,6 +32,8 @@ fn findings() -> Vec<Diagnostic> {
     }
     let values = Source::new("values.t", include_str!("../cli/tables/values.t"));
     all.extend(ciklo::table::check(TableKind::Tool, &values));
+    let doubtful = "BEGIN X.PNT\nNR X\n2 1\n1 1\n[END]\n";
+    all.extend(ciklo::table::check(TableKind::Points, &Source::new("X.PNT", doubtful)));
     all.extend(ciklo::table::check_other(&Source::new("PALLET.P", include_str!("../cli/tables/PALLET.P"))));
     let (file, column, row) = ("X.D".to_owned(), "X".to_owned(), 1.0);
     let errors = [
