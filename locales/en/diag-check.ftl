@@ -96,6 +96,17 @@ diag-free-contour-wrong =
     }
 diag-function-misspelled = No control knows { $word } here; { $meant } may be meant.
 diag-functions-contradict = { $first } and { $second } stand in one block; only one of them can be meant.
+diag-global-def-wrong =
+    { $what ->
+        [unknown] There is no GLOBAL DEF { $number }.
+        [missing] GLOBAL DEF { $number } lacks { $parameter }.
+        [foreign] GLOBAL DEF { $number } does not give { $parameter }.
+        [twice] { $parameter } stands twice in GLOBAL DEF { $number }.
+        [again] GLOBAL DEF { $number } stood before already, and no cycle has used its values.
+        [nothing] PREDEF stands for { $parameter } in { $value }, and no GLOBAL DEF gives it.
+        [behind] PREDEF stands for { $parameter } in { $value }, and the GLOBAL DEF that gives it stands behind.
+       *[value] No cycle takes { $parameter }={ $value }.
+    }
 diag-guard = The control objects to these values.
 diag-iso-incomplete =
     This block is incomplete: { $what ->
@@ -135,6 +146,7 @@ diag-no-result =
         [large] the number is too large
        *[domain] a function is given a value that it is not defined for
     }.
+diag-no-table-open = FN 27 and FN 28 work on the table that FN 26 opened.
 diag-not-a-program = This file is no NC program.
 diag-number-does-not-exist = { $name } does not exist: the numbers go up to { $greatest }.
 diag-out-of-range =
@@ -236,6 +248,7 @@ diag-unlike-elsewhere =
         [order] { $parameter } stands behind { $before }; in { $cycle } on the { $control } it precedes it.
         [label] “{ $label }” belongs to { $other } in { $cycle } on the { $control }, not to { $parameter }.
         [doubt] { $cycle } is doubtful: { $message }
+        [alone] { $parameter }={ $value } in { $cycle } is a value that no cycle with this parameter takes.
        *[guard] On the { $control } { $cycle } is refused: { $message }
     }
 diag-unreachable =
@@ -245,6 +258,20 @@ diag-unreachable =
     }
 diag-word-missing = This block lacks { $word }.
 diag-word-twice = { $word } stands twice in this block.
+diag-word-wrong =
+    { $what ->
+        [below] { $word } is { $value }, which is too little.
+        [above] { $word } is { $value }, which is too much.
+        [whole] { $word } is { $value }, and takes whole numbers only.
+        [offers] Behind { $word } stands one of: { $value }.
+        [contradict] { $word } and { $value } exclude each other.
+        [zero] { $word } must not all be 0.
+        [not-below] { $word } must be less than { $value }.
+        [operator] “{ $word }” stands here for { $value }.
+        [empty] The name is empty.
+        [file] { $value } is no { $word } file.
+       *[tool] { $value } is no tool number: behind the point stands one digit.
+    }
 diag-wrong-value-kind =
     { $parameter } of { $cycle } takes { $kind ->
         [integer] a whole number

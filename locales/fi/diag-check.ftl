@@ -96,6 +96,17 @@ diag-free-contour-wrong =
     }
 diag-function-misspelled = Mikään ohjaus ei tunne tässä sanaa { $word }; ehkä tarkoitetaan sanaa { $meant }.
 diag-functions-contradict = { $first } ja { $second } ovat samassa lauseessa; vain toista niistä voidaan tarkoittaa.
+diag-global-def-wrong =
+    { $what ->
+        [unknown] GLOBAL DEF { $number } ei ole olemassa.
+        [missing] Lauseesta GLOBAL DEF { $number } puuttuu { $parameter }.
+        [foreign] GLOBAL DEF { $number } ei anna parametria { $parameter }.
+        [twice] { $parameter } on lauseessa GLOBAL DEF { $number } kahdesti.
+        [again] GLOBAL DEF { $number } on jo annettu, eikä mikään työkierto ole käyttänyt sen arvoja.
+        [nothing] Työkierrossa { $value } parametrilla { $parameter } on PREDEF, mutta mikään GLOBAL DEF ei anna sitä.
+        [behind] Työkierrossa { $value } parametrilla { $parameter } on PREDEF, mutta sen antava GLOBAL DEF on vasta jäljempänä.
+       *[value] Mikään työkierto ei hyväksy arvoa { $parameter }={ $value }.
+    }
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
 diag-iso-incomplete =
     Tämä lause on puutteellinen: { $what ->
@@ -135,6 +146,7 @@ diag-no-result =
         [large] luku on liian suuri
        *[domain] funktiota ei ole määritelty saamalleen arvolle
     }.
+diag-no-table-open = FN 27 ja FN 28 käsittelevät taulukkoa, jonka FN 26 on avannut.
 diag-not-a-program = Tämä tiedosto ei ole NC-ohjelma.
 diag-number-does-not-exist = { $name } ei ole olemassa: numerot päättyvät arvoon { $greatest }.
 diag-out-of-range =
@@ -235,6 +247,7 @@ diag-unlike-elsewhere =
         [order] { $parameter } on parametrin { $before } jäljessä; ohjauksen { $control } työkierrossa { $cycle } se on sen edellä.
         [label] ”{ $label }” kuuluu ohjauksen { $control } työkierrossa { $cycle } parametrille { $other }, ei parametrille { $parameter }.
         [doubt] { $cycle } on epäilyttävä: { $message }
+        [alone] Työkierron { $cycle } arvoa { $parameter }={ $value } ei hyväksy mikään työkierto, jossa on tämä parametri.
        *[guard] Ohjaus { $control } hylkää työkierron { $cycle }: { $message }
     }
 diag-unreachable =
@@ -244,6 +257,20 @@ diag-unreachable =
     }
 diag-word-missing = Tästä lauseesta puuttuu { $word }.
 diag-word-twice = { $word } on tässä lauseessa kahdesti.
+diag-word-wrong =
+    { $what ->
+        [below] Sanan { $word } arvo { $value } on liian pieni.
+        [above] Sanan { $word } arvo { $value } on liian suuri.
+        [whole] Sanan { $word } arvo on { $value }, vaikka se hyväksyy vain kokonaislukuja.
+        [offers] Sanan { $word } jäljessä on jokin näistä: { $value }.
+        [contradict] { $word } ja { $value } sulkevat pois toisensa.
+        [zero] { $word } eivät saa kaikki olla 0.
+        [not-below] { $word } on oltava pienempi kuin { $value }.
+        [operator] Tässä on ”{ $word }”, vaikka siinä pitää olla { $value }.
+        [empty] Nimi on tyhjä.
+        [file] { $value } ei ole { $word }-tiedosto.
+       *[tool] { $value } ei ole työkalun numero: pisteen jäljessä on yksi numero.
+    }
 diag-wrong-value-kind =
     Työkierron { $cycle } parametrin { $parameter } arvoksi kelpaa { $kind ->
         [integer] kokonaisluku

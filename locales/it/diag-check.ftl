@@ -96,6 +96,17 @@ diag-free-contour-wrong =
     }
 diag-function-misspelled = Nessun controllo conosce qui { $word }; forse si intende { $meant }.
 diag-functions-contradict = { $first } e { $second } sono nello stesso blocco; può essere voluta solo una delle due.
+diag-global-def-wrong =
+    { $what ->
+        [unknown] GLOBAL DEF { $number } non esiste.
+        [missing] In GLOBAL DEF { $number } manca { $parameter }.
+        [foreign] GLOBAL DEF { $number } non fornisce { $parameter }.
+        [twice] { $parameter } compare due volte in GLOBAL DEF { $number }.
+        [again] GLOBAL DEF { $number } compare già prima e nessun ciclo ne ha usato i valori.
+        [nothing] In { $value } per { $parameter } si trova PREDEF, ma nessun GLOBAL DEF lo fornisce.
+        [behind] In { $value } per { $parameter } si trova PREDEF, ma il GLOBAL DEF che lo fornisce viene dopo.
+       *[value] Nessun ciclo ammette { $parameter }={ $value }.
+    }
 diag-guard = Il controllo non accetta questi valori.
 diag-iso-incomplete =
     Questo blocco è incompleto: { $what ->
@@ -135,6 +146,7 @@ diag-no-result =
         [large] il numero è troppo grande
        *[domain] una funzione riceve un valore per cui non è definita
     }.
+diag-no-table-open = FN 27 e FN 28 lavorano sulla tabella aperta da FN 26.
 diag-not-a-program = Questo file non è un programma NC.
 diag-number-does-not-exist = { $name } non esiste: i numeri arrivano a { $greatest }.
 diag-out-of-range =
@@ -235,6 +247,7 @@ diag-unlike-elsewhere =
         [order] { $parameter } segue { $before }; in { $cycle } sul { $control } lo precede.
         [label] «{ $label }» in { $cycle } sul { $control } appartiene a { $other }, non a { $parameter }.
         [doubt] { $cycle } è dubbio: { $message }
+        [alone] { $parameter }={ $value } in { $cycle } è un valore che nessun ciclo con questo parametro ammette.
        *[guard] Il { $control } rifiuta { $cycle }: { $message }
     }
 diag-unreachable =
@@ -244,6 +257,20 @@ diag-unreachable =
     }
 diag-word-missing = In questo blocco manca { $word }.
 diag-word-twice = { $word } compare due volte in questo blocco.
+diag-word-wrong =
+    { $what ->
+        [below] { $word } vale { $value }: troppo poco.
+        [above] { $word } vale { $value }: troppo.
+        [whole] { $word } vale { $value }, ma ammette solo numeri interi.
+        [offers] Dopo { $word } deve trovarsi una di queste parole: { $value }.
+        [contradict] { $word } e { $value } si escludono a vicenda.
+        [zero] { $word } non possono essere tutti 0.
+        [not-below] { $word } deve essere inferiore a { $value }.
+        [operator] Qui si trova «{ $word }» al posto di { $value }.
+        [empty] Il nome è vuoto.
+        [file] { $value } non è un file { $word }.
+       *[tool] { $value } non è un numero di utensile: dopo il punto c’è una cifra sola.
+    }
 diag-wrong-value-kind =
     Il parametro { $parameter } di { $cycle } accetta { $kind ->
         [integer] un numero intero

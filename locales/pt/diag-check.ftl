@@ -96,6 +96,17 @@ diag-free-contour-wrong =
     }
 diag-function-misspelled = Nenhum comando conhece aqui { $word }; talvez se pretenda { $meant }.
 diag-functions-contradict = { $first } e { $second } estão na mesma frase; só uma delas pode ser a pretendida.
+diag-global-def-wrong =
+    { $what ->
+        [unknown] Não existe GLOBAL DEF { $number }.
+        [missing] Em GLOBAL DEF { $number } falta { $parameter }.
+        [foreign] GLOBAL DEF { $number } não fornece { $parameter }.
+        [twice] { $parameter } está duas vezes em GLOBAL DEF { $number }.
+        [again] GLOBAL DEF { $number } já está antes e nenhum ciclo usou os seus valores.
+        [nothing] Em { $value } está PREDEF para { $parameter }, mas nenhum GLOBAL DEF o fornece.
+        [behind] Em { $value } está PREDEF para { $parameter }, mas o GLOBAL DEF que o fornece está depois.
+       *[value] Nenhum ciclo aceita { $parameter }={ $value }.
+    }
 diag-guard = O comando não aceita estes valores.
 diag-iso-incomplete =
     Esta frase está incompleta: { $what ->
@@ -135,6 +146,7 @@ diag-no-result =
         [large] o número é demasiado grande
        *[domain] uma função recebe um valor para o qual não está definida
     }.
+diag-no-table-open = FN 27 e FN 28 trabalham na tabela que FN 26 abriu.
 diag-not-a-program = Este ficheiro não é um programa NC.
 diag-number-does-not-exist = { $name } não existe: os números vão até { $greatest }.
 diag-out-of-range =
@@ -235,6 +247,7 @@ diag-unlike-elsewhere =
         [order] { $parameter } está depois de { $before }; em { $cycle } no { $control } está antes.
         [label] «{ $label }» em { $cycle } no { $control } pertence a { $other }, não a { $parameter }.
         [doubt] { $cycle } é duvidoso: { $message }
+        [alone] { $parameter }={ $value } em { $cycle } é um valor que nenhum ciclo com este parâmetro aceita.
        *[guard] O { $control } recusa { $cycle }: { $message }
     }
 diag-unreachable =
@@ -244,6 +257,20 @@ diag-unreachable =
     }
 diag-word-missing = Nesta frase falta { $word }.
 diag-word-twice = { $word } está duas vezes nesta frase.
+diag-word-wrong =
+    { $what ->
+        [below] { $word } é { $value }: demasiado pouco.
+        [above] { $word } é { $value }: demasiado.
+        [whole] { $word } é { $value }, mas só aceita números inteiros.
+        [offers] A seguir a { $word } está uma destas palavras: { $value }.
+        [contradict] { $word } e { $value } excluem-se mutuamente.
+        [zero] { $word } não podem ser todos 0.
+        [not-below] { $word } tem de ser menor do que { $value }.
+        [operator] Aqui está «{ $word }» em vez de { $value }.
+        [empty] O nome está vazio.
+        [file] { $value } não é um ficheiro { $word }.
+       *[tool] { $value } não é um número de ferramenta: depois do ponto há um só algarismo.
+    }
 diag-wrong-value-kind =
     O parâmetro { $parameter } de { $cycle } aceita { $kind ->
         [integer] um número inteiro

@@ -96,6 +96,17 @@ diag-free-contour-wrong =
     }
 diag-function-misspelled = Nobeno krmiljenje tu ne pozna besede { $word }; morda je mišljeno { $meant }.
 diag-functions-contradict = { $first } in { $second } sta v istem stavku; mišljena je lahko samo ena od njiju.
+diag-global-def-wrong =
+    { $what ->
+        [unknown] GLOBAL DEF { $number } ne obstaja.
+        [missing] V GLOBAL DEF { $number } manjka { $parameter }.
+        [foreign] GLOBAL DEF { $number } ne daje { $parameter }.
+        [twice] { $parameter } je v GLOBAL DEF { $number } dvakrat.
+        [again] GLOBAL DEF { $number } je že naveden in noben cikel še ni uporabil njegovih vrednosti.
+        [nothing] V { $value } je za { $parameter } PREDEF, pa ga noben GLOBAL DEF ne daje.
+        [behind] V { $value } je za { $parameter } PREDEF, GLOBAL DEF, ki ga daje, pa stoji šele za njim.
+       *[value] Noben cikel ne sprejme { $parameter }={ $value }.
+    }
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
 diag-iso-incomplete =
     Ta stavek je nepopoln: { $what ->
@@ -137,6 +148,7 @@ diag-no-result =
         [large] število je preveliko
        *[domain] funkcija za dano vrednost ni definirana
     }.
+diag-no-table-open = FN 27 in FN 28 delata s preglednico, ki jo je odprl FN 26.
 diag-not-a-program = Ta datoteka ni NC-program.
 diag-number-does-not-exist = { $name } ne obstaja: številke segajo do { $greatest }.
 diag-out-of-range =
@@ -237,6 +249,7 @@ diag-unlike-elsewhere =
         [order] { $parameter } stoji za { $before }; v { $cycle } na krmiljenju { $control } stoji pred njim.
         [label] »{ $label }« v { $cycle } na krmiljenju { $control } pripada { $other }, ne { $parameter }.
         [doubt] { $cycle } je dvomljiv: { $message }
+        [alone] Vrednosti { $parameter }={ $value } v { $cycle } ne sprejme noben cikel s tem parametrom.
        *[guard] Krmiljenje { $control } { $cycle } zavrne: { $message }
     }
 diag-unreachable =
@@ -246,6 +259,20 @@ diag-unreachable =
     }
 diag-word-missing = V tem stavku manjka { $word }.
 diag-word-twice = { $word } je v tem stavku navedeno dvakrat.
+diag-word-wrong =
+    { $what ->
+        [below] Vrednost { $value } besede { $word } je premajhna.
+        [above] Vrednost { $value } besede { $word } je prevelika.
+        [whole] { $word } je { $value }, sprejme pa samo cela števila.
+        [offers] Za { $word } stoji eno od: { $value }.
+        [contradict] { $word } in { $value } se izključujeta.
+        [zero] { $word } ne smejo biti vsi 0.
+        [not-below] { $word } mora biti manjši od { $value }.
+        [operator] Tu stoji »{ $word }« namesto { $value }.
+        [empty] Ime je prazno.
+        [file] { $value } ni datoteka { $word }.
+       *[tool] { $value } ni številka orodja: za piko stoji ena števka.
+    }
 diag-wrong-value-kind =
     Parameter { $parameter } cikla { $cycle } sprejme { $kind ->
         [integer] celo število

@@ -14,6 +14,7 @@ mod guards;
 mod labels;
 mod rules;
 mod values;
+mod words;
 
 pub use allow::CODES as ALLOW_CODES;
 pub use among::{Among, Called, Callee, ProgramCall, Rows, ToolName, named};

@@ -3,10 +3,11 @@
 //! A value that is another parameter is refused only if its number is certain wherever the run comes from.
 use std::borrow::Cow;
 
-use super::{Definition, Item};
-use crate::expr::QKind;
+use super::facts::capitals;
+use super::{Definition, Facts, Item};
+use crate::expr::{QKind, QRef};
 use crate::spec::{MM_PER_INCH, Param, ParameterKind, Refusal, number_refusal_in, refusal};
-use crate::syntax::ValueKind;
+use crate::syntax::{Parameter, ValueKind};
 
 /// Why the value is refused; `inch` tells whether lengths of the program are inches.
 pub(super) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
@@ -96,6 +97,37 @@ pub(super) fn number(item: &Item<'_>) -> Option<f64> {
         ValueKind::Q { .. } => item.number,
         _ => None,
     }
+}
+
+/// Whether every cycle with that parameter refuses a value, those of this control or, if it describes none with it, of
+/// all. Nothing where fewer cycles than `least` have it.
+pub(super) fn refused_by_all(facts: &Facts<'_>, q: QRef, written: &Parameter, least: usize) -> Option<bool> {
+    let own = facts.against.on.cycles.values().filter_map(|cycle| cycle.written(q));
+    let all = facts.against.catalogue.controls.values().flat_map(|on| on.cycles.values());
+    let mut params: Vec<&Param> = own.collect();
+    if params.is_empty() {
+        params = all.filter_map(|cycle| cycle.written(q)).collect();
+    }
+    if params.len() < least.max(1) {
+        return None;
+    }
+    let printed = facts.text(written.value.span);
+    let refuses = |param: &&Param| {
+        let item = Item {
+            param: Some(param),
+            name: Cow::Owned(q.to_string()),
+            span: written.span,
+            value_span: written.value.span,
+            printed: capitals(printed),
+            value: Some(written.value),
+            number: None,
+            label: None,
+            index: None,
+            refusal: None,
+        };
+        refused(&item, facts.inch).is_some()
+    };
+    Some(params.iter().all(refuses))
 }
 
 /// Runs through the values of a definition that are refused.

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use super::decode::{Context, Decode, Name};
 use super::filter;
 use super::form::{Choice, CycleFile, Described, Dictionary, Fragment, Meaning, Parameter};
+use super::language::{BlockWords, Global, Tongue};
 use super::profile::{Control, Errata, Erratum, Named, Topic, Topics};
 use super::vocabulary::{Doubtful, Keyword, ParameterKind, Quantity, Reference, Shape};
 use super::yaml::{self, Node};
@@ -251,6 +252,10 @@ pub struct Catalogue {
     pub errata: Vec<Erratum>,
     /// The topics, in the order of the overview.
     pub topics: Vec<Topic>,
+    /// Blocks of the language that are no cycles; those of which more is said come behind others.
+    pub blocks: Vec<BlockWords>,
+    /// What GLOBAL DEF gives.
+    pub globals: Vec<Global>,
 }
 
 struct File {
@@ -267,6 +272,7 @@ struct Files {
     cycles: Vec<File>,
     errata: Vec<File>,
     topics: Vec<File>,
+    language: Vec<File>,
 }
 
 fn sort_files(files: &[(String, String)], found: &mut Vec<Diagnostic>) -> Files {
@@ -280,6 +286,7 @@ fn sort_files(files: &[(String, String)], found: &mut Vec<Diagnostic>) -> Files 
         let Some(node) = yaml::read(&source, found) else { continue };
         let list = match rest.split_once('/') {
             None if rest == "topics.yaml" => &mut sorted.topics,
+            None if rest == "language.yaml" => &mut sorted.language,
             None => &mut sorted.errata,
             Some(("controls", _)) => &mut sorted.controls,
             Some(("parameters", _)) => &mut sorted.dictionary,
@@ -318,6 +325,11 @@ impl Catalogue {
         for file in &files.topics {
             let topics = decode::<Topics>(&file.source, &file.node, &mut found).and_then(|topics| topics.topics);
             catalogue.topics.extend(topics.unwrap_or_default());
+        }
+        for file in &files.language {
+            let Some(tongue) = decode::<Tongue>(&file.source, &file.node, &mut found) else { continue };
+            catalogue.blocks.extend(tongue.blocks.unwrap_or_default());
+            catalogue.globals.extend(tongue.globals.unwrap_or_default());
         }
         for profile in &profiles {
             let on_control = load_control(profile, &files, &mut found);

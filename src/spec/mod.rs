@@ -5,6 +5,7 @@ mod catalogue;
 mod decode;
 mod filter;
 mod form;
+mod language;
 mod lint;
 mod profile;
 mod run_form;
@@ -17,6 +18,7 @@ mod yaml;
 pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Param};
 pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use form::*;
+pub use language::{BlockWords, Gives, Global, Tongue, WordLimit};
 pub use lint::{equals, lint};
 pub use profile::{
     Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Topic, TopicOn, Topics,

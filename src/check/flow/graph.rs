@@ -212,7 +212,7 @@ pub(super) fn mark_of(program: &Program, label: &LabelRef) -> Option<Mark> {
 }
 
 /// The parameters that a block reads, with their places.
-pub(super) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef, Span)>) {
+pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef, Span)>) {
     let operand = |operand: &crate::syntax::Operand, found: &mut Vec<_>| {
         if let Amount::Q { q, .. } = operand.amount {
             found.push((q, operand.span));

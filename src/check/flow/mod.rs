@@ -24,7 +24,8 @@ use crate::expr::QRef;
 use crate::syntax::{Block, BlockKind, MFunction, Motion, Path};
 use circles::circles;
 pub(super) use effect::{Deed, probes, removes_material};
-use graph::{End, reads};
+use graph::End;
+pub(super) use graph::reads;
 use state::{State, Touched};
 use step::Steps;
 

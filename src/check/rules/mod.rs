@@ -47,6 +47,7 @@ mod frame_mismatch;
 mod free_contour_wrong;
 mod function_misspelled;
 mod functions_contradict;
+mod global_def_wrong;
 mod guard;
 mod iso_incomplete;
 mod label_duplicate;
@@ -63,6 +64,7 @@ mod misordered_parameter;
 mod missing_parameter;
 mod mode_wrong;
 mod no_result;
+mod no_table_open;
 mod not_a_program;
 mod number_does_not_exist;
 mod out_of_range;
@@ -109,6 +111,7 @@ mod unlike_elsewhere;
 mod unreachable;
 mod word_missing;
 mod word_twice;
+mod word_wrong;
 mod wrong_value_kind;
 
 use super::{Definition, Facts, Rule};
@@ -165,6 +168,7 @@ pub const RULES: &[&Rule] = &[
     &free_contour_wrong::RULE,
     &function_misspelled::RULE,
     &functions_contradict::RULE,
+    &global_def_wrong::RULE,
     &guard::RULE,
     &iso_incomplete::RULE,
     &label_duplicate::RULE,
@@ -181,6 +185,7 @@ pub const RULES: &[&Rule] = &[
     &missing_parameter::RULE,
     &mode_wrong::RULE,
     &no_result::RULE,
+    &no_table_open::RULE,
     &not_a_program::RULE,
     &number_does_not_exist::RULE,
     &out_of_range::RULE,
@@ -227,6 +232,7 @@ pub const RULES: &[&Rule] = &[
     &unreachable::RULE,
     &word_missing::RULE,
     &word_twice::RULE,
+    &word_wrong::RULE,
     &wrong_value_kind::RULE,
 ];
 

@@ -1,4 +1,5 @@
-//! The number of a parameter above 1999 or of an M function above 999: there are none.
+//! The number of a parameter above 1999, of a local or lasting one above 499, or of an M function above 999: there are none.
+use crate::check::flow::reads;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::expr::QKind;
@@ -8,6 +9,8 @@ pub(super) const RULE: Rule = Rule { code: "number-does-not-exist", severity: Se
 
 /// The greatest number of Q and QS parameters.
 const PARAMETER: u16 = 1999;
+/// The greatest number of QL and QR parameters.
+const LOCAL: u16 = 499;
 /// The greatest number of M functions.
 const FUNCTION: u16 = 999;
 
@@ -23,14 +26,19 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             BlockKind::TextFormula(formula) => (formula.target, formula.target_span),
             _ => continue,
         };
-        let letters = match target.kind {
-            QKind::Q => "Q",
-            QKind::Qs => "QS",
-            _ => continue,
-        };
-        if target.number > PARAMETER {
-            let finding = rule.at(facts, span).arg("name", target.to_string());
-            found.push(finding.arg("greatest", format!("{letters}{PARAMETER}")));
+        let mut read = vec![(target, span)];
+        reads(block, &mut read);
+        for (q, span) in read {
+            let (letters, greatest) = match q.kind {
+                QKind::Q => ("Q", PARAMETER),
+                QKind::Qs => ("QS", PARAMETER),
+                QKind::Ql => ("QL", LOCAL),
+                QKind::Qr => ("QR", LOCAL),
+            };
+            if q.number > greatest {
+                let finding = rule.at(facts, span).arg("name", q.to_string());
+                found.push(finding.arg("greatest", format!("{letters}{greatest}")));
+            }
         }
     }
 }

@@ -4,13 +4,23 @@
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::expr::{OnlyParameters, QKind, Type, TypeError, compile};
-use crate::syntax::BlockKind;
+use crate::spec::Gives;
+use crate::syntax::{BlockKind, TextFormula};
 
 pub(super) const RULE: Rule = Rule { code: "text-for-number", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (_, block) in facts.marked() {
-        let BlockKind::Formula(formula) = &block.kind else { continue };
+        let formula = match &block.kind {
+            BlockKind::Formula(formula) => formula,
+            BlockKind::TextFormula(formula) => {
+                if let Some((what, span)) = text(facts, formula) {
+                    found.push(rule.at(facts, span).arg("what", what).arg("parameter", formula.target.to_string()));
+                }
+                continue;
+            }
+            _ => continue,
+        };
         let target = if formula.target.kind == QKind::Qs { Type::Text } else { Type::Number };
         let (what, span) = match compile(&formula.expr, &OnlyParameters) {
             Ok(code) => match (target, code.ty()) {
@@ -24,5 +34,24 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             Err(_) => continue,
         };
         found.push(rule.at(facts, span).arg("what", what).arg("parameter", formula.target.to_string()));
+    }
+}
+
+/// What is wrong with a formula of functions on texts: what a lone one gives, or texts that are joined, against the target.
+fn text(facts: &Facts<'_>, formula: &TextFormula) -> Option<(&'static str, Span)> {
+    let to_text = formula.target.kind == QKind::Qs;
+    let written = facts.text(formula.text);
+    if written.contains("||") {
+        return (!to_text).then_some(("text", formula.text));
+    }
+    let [call] = formula.calls.as_slice() else { return None };
+    let alone = formula.text.start == call.name.start && written.trim_end().ends_with(')');
+    let name = facts.text(call.name).trim();
+    let mut known = facts.against.catalogue.blocks.iter();
+    let gives = known.find(|own| own.block.eq_ignore_ascii_case(name)).and_then(|own| own.gives).filter(|_| alone)?;
+    match (gives, to_text) {
+        (Gives::Text, false) => Some(("text", formula.text)),
+        (Gives::Number, true) => Some(("number", formula.text)),
+        _ => None,
     }
 }

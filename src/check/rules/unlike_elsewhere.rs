@@ -9,7 +9,7 @@ use std::collections::HashMap;
 
 use crate::check::guards::{self, Ready, Written};
 use crate::check::labels::fold;
-use crate::check::values::{refused, shown};
+use crate::check::values::{refused, refused_by_all, shown};
 use crate::check::{Defined, Definition, Facts, Item, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::expr::{QKind, QRef};
@@ -32,11 +32,28 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if definition.torn || matches!(definition.known, Known::Described(_) | Known::Builders) {
             continue;
         }
-        if let Some(other) = others.entry(definition.key).or_insert_with(|| Other::of(facts, definition.key)) {
-            other.compare(rule, facts, definition, found);
+        match others.entry(definition.key).or_insert_with(|| Other::of(facts, definition.key)) {
+            Some(other) => other.compare(rule, facts, definition, found),
+            None => alone(rule, facts, definition, found),
         }
     }
 }
+
+/// A cycle that nobody describes: a value that every cycle with the parameter refuses.
+fn alone(rule: &Rule, facts: &Facts<'_>, own: &Defined<'_>, found: &mut Vec<Diagnostic>) {
+    let CycleForm::Parameters(written) = &own.view.form else { return };
+    for parameter in written.parameters.iter() {
+        let number = matches!(parameter.value.kind, ValueKind::Number(_));
+        if number && refused_by_all(facts, parameter.q, &parameter, ENOUGH) == Some(true) {
+            let finding = rule.at(facts, parameter.value.span).arg("what", "alone").arg("cycle", own.key.to_string());
+            let finding = finding.arg("parameter", parameter.q.to_string()).arg("control", "");
+            found.push(finding.arg("value", facts.text(parameter.value.span).trim()));
+        }
+    }
+}
+
+/// So many cycles say what a parameter means.
+const ENOUGH: usize = 3;
 
 impl<'a> Other<'a> {
     /// The control with the highest id that describes the cycle.

@@ -2,11 +2,10 @@
 //! DR, a pattern without a coordinate or number, FN 16 without its target, a text function without what it reads.
 //!
 //! A block of DIN/ISO that has no equivalent because something is missing in it is told with `iso-incomplete`.
-use crate::check::{Facts, Rule};
+use crate::check::{Facts, Rule, words};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::syntax::{
     Approach, Axis, Block, BlockKind, CallForm, Element, NamedWord, Path, PatternDef, Statement, StatementKind,
-    TextFormula,
 };
 
 pub(super) const RULE: Rule = Rule { code: "word-missing", severity: Severity::Warning, run };
@@ -20,17 +19,6 @@ const PATTERNS: [(&str, &[&str]); 6] = [
     ("CIRC", &["X", "Y", "D", "NUM", "Z"]),
     ("PITCHCIRC", &["X", "Y", "D", "STEP", "NUM", "Z"]),
 ];
-/// The functions on texts with what they are given.
-const TEXTS: [(&str, &[&str]); 7] = [
-    ("SUBSTR", &["SRC_", "BEG", "LEN"]),
-    ("INSTR", &["SRC_", "SEA_", "BEG"]),
-    ("STRCOMP", &["SRC_", "SEA_"]),
-    ("STRLEN", &["SRC_"]),
-    ("TONUMB", &["SRC_"]),
-    ("TOCHAR", &["DAT"]),
-    ("CFGREAD", &["KEY_", "TAG_", "ATR_"]),
-];
-
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut tell = |span: Span, word: &str| found.push(rule.at(facts, span).arg("word", word));
     for (_, block) in facts.shaped() {
@@ -40,6 +28,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             tell(facts.content(block), word);
         }
     }
+    let functions = words::functions(facts);
     for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::PatternDef(own) => {
@@ -50,6 +39,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             BlockKind::Statement(own) => {
                 if let Some(word) = statement(facts, own, facts.content(block)) {
                     tell(facts.content(block), word);
+                } else if own.kind != StatementKind::Plane {
+                    lacking(facts, block, &mut tell);
                 }
             }
             BlockKind::CyclCall(own) => {
@@ -60,12 +51,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                     }
                 }
             }
-            BlockKind::TextFormula(own) => {
-                for (span, word) in texts(facts, own) {
-                    tell(span, word);
-                }
-            }
+            BlockKind::TextFormula(_) => lacking(facts, block, &mut tell),
+            _ if words::has_function(block, &functions) => lacking(facts, block, &mut tell),
             _ => {}
+        }
+    }
+}
+
+/// The words that the file of the language asks for.
+fn lacking(facts: &Facts<'_>, block: &Block, tell: &mut impl FnMut(Span, &str)) {
+    for words in words::of(facts, block) {
+        if let Some(word) = words.lacking() {
+            tell(words.span(), &word);
         }
     }
 }
@@ -122,20 +119,10 @@ fn statement(facts: &Facts<'_>, own: &Statement, content: Span) -> Option<&'stat
             (own.words.len() == 1 && !text.contains('/') && !text.is_empty()).then_some("/")
         }
         StatementKind::Fn(18) if !facts.text(content).contains('=') => Some("="),
-        StatementKind::Fn(18) => (!has(facts, &own.words, "ID")).then_some("ID"),
         StatementKind::Trans => {
             let axis = own.words.len() == 1 && first().trim().eq_ignore_ascii_case("AXIS");
             axis.then_some("X, Y, Z")
         }
         _ => None,
     }
-}
-
-fn texts<'f>(facts: &'f Facts<'_>, own: &'f TextFormula) -> impl Iterator<Item = (Span, &'static str)> + 'f {
-    own.calls.iter().filter_map(|call| {
-        let name = facts.text(call.name).trim();
-        let (_, needed) = TEXTS.iter().find(|(own, _)| own.eq_ignore_ascii_case(name))?;
-        let lacking = needed.iter().find(|name| !has(facts, &call.words, name))?;
-        Some((call.name, *lacking))
-    })
 }

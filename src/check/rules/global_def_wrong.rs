@@ -1,0 +1,97 @@
+//! A GLOBAL DEF that does not exist, that lacks a parameter, has a foreign or doubled one or a value that no cycle takes, or
+//! that gives other values before a cycle has used the ones given before; PREDEF for a parameter that no GLOBAL DEF gives.
+//!
+//! What each gives is in the file of the language. PREDEF is left alone in parts of programs, which others may precede.
+use std::collections::BTreeMap;
+
+use crate::check::values::refused_by_all;
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity, Span};
+use crate::expr::QRef;
+use crate::spec::CycleKey;
+use crate::syntax::{BlockKind, CycleForm, GlobalDef, ValueKind};
+
+pub(super) const RULE: Rule = Rule { code: "global-def-wrong", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if facts.against.catalogue.globals.is_empty() {
+        return;
+    }
+    let mut given: Vec<(usize, QRef)> = Vec::new();
+    let mut last: BTreeMap<u32, usize> = BTreeMap::new();
+    for (index, block) in facts.marked() {
+        let BlockKind::GlobalDef(own) = &block.kind else { continue };
+        one(rule, facts, own, found);
+        given.extend(own.parameters.iter().map(|own| (index, own.q)));
+        if let Some(before) = last.insert(own.number, index) {
+            let used = facts.definitions.iter().any(|cycle| (before..index).contains(&cycle.view.first));
+            if !used && !facts.flow.jumps && !facts.flow.programs {
+                tell(rule, facts, own.head, "again", own, "", found);
+            }
+        }
+    }
+    if !facts.begins() || !facts.calls.is_empty() || facts.flow.programs {
+        return;
+    }
+    for definition in &facts.definitions {
+        let CycleForm::Parameters(written) = &definition.view.form else { continue };
+        for parameter in written.parameters.iter().filter(|own| own.value.kind == ValueKind::Word) {
+            if !facts.text(parameter.value.span).eq_ignore_ascii_case("PREDEF") {
+                continue;
+            }
+            let mut places = given.iter().filter(|(_, q)| *q == parameter.q).map(|(index, _)| *index).peekable();
+            let what = match places.peek() {
+                None => "nothing",
+                // A part of the program that is called stands where it may.
+                Some(first) if *first > definition.view.first && !facts.flow.jumps => "behind",
+                Some(_) => continue,
+            };
+            let finding = rule.at(facts, parameter.value.span).arg("what", what).arg("number", 0);
+            let key: CycleKey = definition.key;
+            found.push(finding.arg("parameter", parameter.q.to_string()).arg("value", key.to_string()));
+        }
+    }
+}
+
+fn tell(
+    rule: &Rule,
+    facts: &Facts<'_>,
+    span: Span,
+    what: &str,
+    own: &GlobalDef,
+    parameter: &str,
+    found: &mut Vec<Diagnostic>,
+) {
+    let finding = rule.at(facts, span).arg("what", what).arg("number", own.number as usize);
+    let value = if what == "value" { facts.text(span).trim() } else { "" };
+    found.push(finding.arg("parameter", parameter).arg("value", value));
+}
+
+fn one(rule: &Rule, facts: &Facts<'_>, own: &GlobalDef, found: &mut Vec<Diagnostic>) {
+    let Some(known) = facts.against.catalogue.globals.iter().find(|known| known.number == own.number) else {
+        return tell(rule, facts, own.head, "unknown", own, "", found);
+    };
+    for (at, parameter) in own.parameters.iter().enumerate() {
+        let name = parameter.q.to_string();
+        if own.parameters.iter().take(at).any(|before| before.q == parameter.q) {
+            tell(rule, facts, parameter.span, "twice", own, &name, found);
+        } else if !known.parameters.contains(&parameter.q) {
+            tell(rule, facts, parameter.span, "foreign", own, &name, found);
+        } else {
+            let offered = match parameter.value.kind {
+                ValueKind::Number(number) if !known.values.is_empty() => known.values.contains(&number),
+                ValueKind::Number(_) => refused_by_all(facts, parameter.q, &parameter, 1) != Some(true),
+                ValueKind::Missing | ValueKind::Text(_) => false,
+                _ => true,
+            };
+            if !offered {
+                tell(rule, facts, parameter.value.span, "value", own, &name, found);
+            }
+        }
+    }
+    if own.errors.is_empty() && !own.parameters.is_empty() {
+        for q in known.parameters.iter().filter(|q| !own.parameters.iter().any(|own| own.q == **q)) {
+            tell(rule, facts, own.head, "missing", own, &q.to_string(), found);
+        }
+    }
+}

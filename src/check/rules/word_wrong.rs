@@ -1,0 +1,212 @@
+//! A word of a block with a value that it does not take, or that contradicts another word: SPA+400, MOVE and TURN, an error
+//! number of FN 14 that does not exist, a tool number below 0, `FN 4 … / …` for DIV.
+//!
+//! What words take is in the file of the language. Parameters are left alone.
+use crate::check::words::{self, Words};
+use crate::check::{Facts, Rule};
+use crate::diag::{Arg, Diagnostic, Severity, Span};
+use crate::spec::WordLimit;
+use crate::syntax::{Amount, BlockKind, FnOp, Operand, Path, ToolRef};
+
+pub(super) const RULE: Rule = Rule { code: "word-wrong", severity: Severity::Warning, run };
+
+/// The greatest number of a tool, and of decimals in it.
+const TOOL: f64 = 32767.9;
+/// The greatest oversize of a tool in mm.
+const OVERSIZE: f64 = 99.9999;
+
+/// Where the findings go.
+struct Telling<'t, 'f, 'a> {
+    rule: &'t Rule,
+    facts: &'f Facts<'a>,
+    found: &'t mut Vec<Diagnostic>,
+}
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let functions = words::functions(facts);
+    let mut told = Telling { rule, facts, found };
+    for (_, block) in facts.marked() {
+        match &block.kind {
+            BlockKind::Sel(_) | BlockKind::CallPgm(_) | BlockKind::Lbl(_) | BlockKind::CallLbl(_)
+                if is_nameless(facts.text(facts.content(block))) =>
+            {
+                told.tell("empty", facts.content(block), "", "");
+                continue;
+            }
+            BlockKind::Statement(_) | BlockKind::TextFormula(_) | BlockKind::Sel(_) => {}
+            BlockKind::ToolCall(call) => {
+                told.tool(call.tool.as_ref());
+                let oversizes = [("DL", &call.dl), ("DR", &call.dr), ("DR2", &call.dr2)];
+                for (word, value) in oversizes.into_iter().filter_map(|(word, own)| Some((word, own.as_ref()?))) {
+                    told.number(word, value, -OVERSIZE, OVERSIZE);
+                }
+                continue;
+            }
+            BlockKind::ToolDef(own) => {
+                told.tool(Some(&own.tool));
+                if let Some(radius) = &own.radius {
+                    told.number("R", radius, 0.0, f64::MAX);
+                }
+                continue;
+            }
+            BlockKind::FnAssign(own) if own.op == FnOp::Div => {
+                let content = facts.content(block);
+                let text = facts.text(content);
+                let code = text.split(';').next().unwrap_or_default();
+                if code.contains('/') {
+                    told.tell("operator", content, "/", "DIV");
+                }
+                continue;
+            }
+            _ if words::has_function(block, &functions) => {}
+            _ => continue,
+        }
+        for words in words::of(facts, block) {
+            told.words(&words);
+        }
+    }
+    for (_, block) in facts.shaped() {
+        let BlockKind::Motion(motion) = &block.kind else { continue };
+        if !matches!(motion.path(), Path::Appr(_) | Path::Dep(_)) {
+            continue;
+        }
+        let motion = motion.words();
+        for word in &motion.words {
+            let name = facts.text(word.name).trim();
+            let crate::syntax::ValueKind::Number(number) = word.value.kind else { continue };
+            let (least, greatest) = match name {
+                "LEN" => (f64::MIN_POSITIVE, f64::MAX),
+                "CCA" => (f64::MIN_POSITIVE, 360.0),
+                _ => continue,
+            };
+            told.limit(name, number, word.span, least, greatest);
+        }
+    }
+}
+
+/// Whether a name in quotation marks is empty.
+fn is_nameless(text: &str) -> bool {
+    let mut parts = text.split(';').next().unwrap_or_default().split('"').skip(1);
+    parts.next().is_some_and(|name| name.trim().is_empty())
+}
+
+impl Telling<'_, '_, '_> {
+    fn tell(&mut self, what: &str, span: Span, word: &str, value: impl Into<Arg>) {
+        let finding = self.rule.at(self.facts, span).arg("what", what).arg("word", word);
+        self.found.push(finding.arg("value", value));
+    }
+
+    fn tool(&mut self, tool: Option<&ToolRef>) {
+        match tool {
+            Some(ToolRef::Number(own)) => {
+                if let Amount::Number(number) = own.amount
+                    && (number * 10.0).fract().abs() > 1e-9
+                {
+                    self.tell("tool", own.span, "T", Arg::Number(number));
+                } else {
+                    self.number("T", own, 0.0, TOOL);
+                }
+            }
+            Some(ToolRef::Name(span)) if self.facts.text(*span).trim_matches('"').trim().is_empty() => {
+                self.tell("empty", *span, "T", "");
+            }
+            _ => {}
+        }
+    }
+
+    /// A number that is written, or that a parameter certainly has.
+    fn number(&mut self, word: &str, value: &Operand, least: f64, greatest: f64) {
+        let number = match value.amount {
+            Amount::Number(number) => Some(number),
+            Amount::Q { negative, .. } => {
+                let known = self.facts.run.number_at(value.span);
+                known.map(|number| if negative { -number } else { number })
+            }
+            Amount::Text(_) => None,
+        };
+        if let Some(number) = number {
+            self.limit(word, number, value.span, least, greatest);
+        }
+    }
+
+    fn limit(&mut self, word: &str, number: f64, span: Span, least: f64, greatest: f64) {
+        if number < least {
+            self.tell("below", span, word, Arg::Number(number));
+        } else if number > greatest {
+            self.tell("above", span, word, Arg::Number(number));
+        }
+    }
+
+    fn words(&mut self, words: &Words<'_>) {
+        for known in words.known.iter().copied() {
+            for limit in &known.limits {
+                self.limits(words, limit);
+            }
+            for group in &known.one_of {
+                let mut there = group.split(' ').filter(|word| words.has(word));
+                if let (Some(first), Some(second)) = (there.next(), there.next()) {
+                    self.tell("contradict", words.span(), first, second);
+                }
+            }
+            for pair in &known.excludes {
+                let Some((first, second)) =
+                    pair.split_once(' ').filter(|(one, other)| words.has(one) && words.has(other))
+                else {
+                    continue;
+                };
+                self.tell("contradict", words.span(), first, second);
+            }
+            if let Some((extension, (name, span))) = known.file.as_deref().zip(words.quoted())
+                && let Some((_, own)) = name.rsplit_once('.')
+                && !own.eq_ignore_ascii_case(extension.trim_start_matches('.'))
+            {
+                self.tell("file", span, extension, name);
+            }
+            let number = |word: &str| words.each(word).next().and_then(|said| said.number());
+            for group in &known.nonzero {
+                if group.split(' ').all(|word| number(word) == Some(0.0)) {
+                    self.tell("zero", words.span(), group, "0");
+                }
+            }
+            for pair in &known.below {
+                let Some((less, more)) = pair.split_once(' ') else { continue };
+                if let Some((own, other)) = number(less).zip(number(more))
+                    && own >= other
+                {
+                    self.tell("not-below", words.span(), less, more);
+                }
+            }
+        }
+    }
+
+    fn limits(&mut self, words: &Words<'_>, limit: &WordLimit) {
+        for (place, said) in words.each(&limit.word).enumerate() {
+            if !limit.offers.is_empty() {
+                // A word may stand as a value, too: PATHCTRL AXIS.
+                if place > 0 {
+                    break;
+                }
+                let begins = |own: &String| {
+                    said.value.len() >= own.len()
+                        && said.value.get(..own.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(own))
+                };
+                let text = said.value.starts_with('"');
+                let offered = limit
+                    .offers
+                    .iter()
+                    .any(|own| if own == "QS" { begins(own) || text } else { own.eq_ignore_ascii_case(said.value) });
+                if !offered && said.number().is_none() && !said.value.eq_ignore_ascii_case("MAX") {
+                    self.tell("offers", said.span, &limit.word, limit.offers.join(", "));
+                }
+                continue;
+            }
+            let Some(number) = said.number() else { continue };
+            if limit.whole && number.fract() != 0.0 {
+                self.tell("whole", said.span, &limit.word, Arg::Number(number));
+                continue;
+            }
+            let (least, greatest) = (limit.min.unwrap_or(f64::MIN), limit.max.unwrap_or(f64::MAX));
+            self.limit(&limit.word, number, said.span, least, greatest);
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! The words of blocks that are no cycles, as the file of the language describes them.
+//!
+//! Invariant: only words and numbers as they are written are looked at; a parameter is no number here.
+use super::Facts;
+use super::facts::each_function;
+use crate::diag::Span;
+use crate::spec::BlockWords;
+use crate::syntax::{Block, BlockKind, MFunction, Statement, StatementKind};
+
+/// The words of a block, or of an M function or a function on texts in one.
+pub(super) struct Words<'f> {
+    /// What is known of such blocks; what is more special comes behind.
+    pub(super) known: Vec<&'f BlockWords>,
+    /// Its words with their places.
+    tokens: Vec<(&'f str, Span)>,
+}
+
+/// A word as it is written with what stands behind it.
+pub(super) struct Said<'f> {
+    /// The value: a number or another word.
+    pub(super) value: &'f str,
+    /// The place of both.
+    pub(super) span: Span,
+}
+
+impl Said<'_> {
+    /// The number, if it is one.
+    pub(super) fn number(&self) -> Option<f64> {
+        let digits = self.value.trim_start_matches(['+', '-']);
+        let plain = digits.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b','));
+        (plain && digits.bytes().any(|byte| byte.is_ascii_digit())).then_some(())?;
+        self.value.replace(',', ".").parse().ok()
+    }
+}
+
+/// The M functions of which something is known.
+pub(super) fn functions(facts: &Facts<'_>) -> Vec<u16> {
+    let number = |own: &BlockWords| own.block.strip_prefix('M').and_then(|own| own.parse().ok());
+    facts.against.catalogue.blocks.iter().filter_map(number).collect()
+}
+
+/// Whether a block has one of them.
+pub(super) fn has_function(block: &Block, functions: &[u16]) -> bool {
+    let mut any = false;
+    each_function(block, |number| any |= functions.contains(&number));
+    any
+}
+
+/// The words of everything in a block of which something is known.
+pub(super) fn of<'f>(facts: &'f Facts<'_>, block: &'f Block) -> Vec<Words<'f>> {
+    let mut found = Vec::new();
+    match &block.kind {
+        BlockKind::Statement(own) => found.extend(statement(facts, block, own)),
+        BlockKind::Sel(_) => {
+            let span = facts.content(block);
+            let text = facts.program.slice(span);
+            found.extend(known(facts, move |name| is_begun(text, name), span));
+        }
+        BlockKind::TextFormula(own) => {
+            for call in &own.calls {
+                let end = call.words.last().map_or(call.name.end, |word| word.span.end);
+                let name = facts.text(call.name).trim();
+                found.extend(known(facts, |block| block.eq_ignore_ascii_case(name), Span::new(call.name.start, end)));
+            }
+        }
+        _ => {}
+    }
+    for function in facts.functions(block).iter() {
+        found.extend(with_function(facts, function));
+    }
+    found
+}
+
+fn known<'f>(facts: &'f Facts<'_>, is: impl Fn(&str) -> bool + 'f, span: Span) -> Option<Words<'f>> {
+    let known: Vec<&BlockWords> = facts.against.catalogue.blocks.iter().filter(|own| is(&own.block)).collect();
+    if known.is_empty() {
+        return None;
+    }
+    Some(Words { known, tokens: tokens(facts.program.slice(span), span.start) })
+}
+
+fn statement<'f>(facts: &'f Facts<'_>, block: &Block, own: &Statement) -> Option<Words<'f>> {
+    let end = own.words.last().map_or(own.head.end, |word| word.span.end);
+    let span = Span::new(own.head.start, end.max(facts.content(block).end.min(block.span.end)));
+    if let StatementKind::Fn(number) = own.kind {
+        return known(
+            facts,
+            move |name| name.strip_prefix("FN ").and_then(|own| own.parse().ok()) == Some(number),
+            span,
+        );
+    }
+    let text = facts.program.slice(span);
+    known(facts, move |name| is_begun(text, name), span)
+}
+
+/// Whether a text begins with the words.
+fn is_begun(text: &str, words: &str) -> bool {
+    let mut own = text.split_ascii_whitespace();
+    let same = |one: &str, other: &str| one.eq_ignore_ascii_case(other) || is_long_form(one, other);
+    words.split(' ').all(|word| own.next().is_some_and(|own| same(word, own)))
+}
+
+/// `RELATIV` may be written out.
+fn is_long_form(word: &str, written: &str) -> bool {
+    word == "RELATIV" && written.eq_ignore_ascii_case("RELATIVE")
+}
+
+fn with_function<'f>(facts: &'f Facts<'_>, function: &MFunction) -> Option<Words<'f>> {
+    let number = function.number;
+    known(facts, move |name| name.strip_prefix('M').and_then(|own| own.parse().ok()) == Some(number), function.span)
+}
+
+/// The words of a text with their places, without comments; brackets separate them.
+fn tokens(text: &str, start: usize) -> Vec<(&str, Span)> {
+    let (mut found, mut quoted, mut from) = (Vec::new(), false, None);
+    let bytes = text.as_bytes();
+    for (at, byte) in bytes.iter().copied().enumerate() {
+        let ends = !quoted && (byte.is_ascii_whitespace() || matches!(byte, b'(' | b')' | b';' | b'~'));
+        quoted ^= byte == b'"';
+        match (ends, from) {
+            (true, Some(first)) => {
+                found.push((text.get(first..at).unwrap_or_default(), Span::new(start + first, start + at)));
+                from = None;
+            }
+            (false, None) => from = Some(at),
+            _ => {}
+        }
+        if ends && byte == b';' {
+            return found;
+        }
+    }
+    if let Some(first) = from {
+        found.push((text.get(first..).unwrap_or_default(), Span::new(start + first, start + text.len())));
+    }
+    found
+}
+
+impl<'f> Words<'f> {
+    /// Whether a word stands there.
+    pub(super) fn has(&self, word: &str) -> bool {
+        self.tokens.iter().any(|(token, _)| behind(token, word).is_some_and(is_value))
+    }
+
+    /// What is missing: a word of those that are needed, or one of a list. What says more about the block goes first.
+    pub(super) fn lacking(&self) -> Option<String> {
+        self.known.iter().rev().find_map(|known| {
+            let needed = known.needs.iter().find(|word| !self.has(word)).cloned();
+            let asked = |pair: &String| {
+                let (first, second) = pair.split_once(' ')?;
+                (self.has(first) && !self.has(second) && !self.has(&format!("{second}MAX"))).then(|| second.to_owned())
+            };
+            let needed = needed.or_else(|| known.asks.iter().find_map(asked));
+            let mut lists = known.one_of.iter().chain(&known.any_of);
+            let none = |list: &&String| !list.split(' ').any(|word| self.has(word));
+            needed.or_else(|| lists.find(none).map(|list| list.replace(' ', ", ")))
+        })
+    }
+
+    /// The text in quotation marks and its place.
+    pub(super) fn quoted(&self) -> Option<(&'f str, Span)> {
+        let is = |(token, _): &&(&str, Span)| token.starts_with('"');
+        self.tokens.iter().find(is).map(|(token, span)| (token.trim_matches('"'), *span))
+    }
+
+    /// The first of all, to the end of the last one.
+    pub(super) fn span(&self) -> Span {
+        let ends = self.tokens.first().zip(self.tokens.last());
+        ends.map_or(Span::new(0, 0), |((_, first), (_, last))| Span::new(first.start, last.end))
+    }
+
+    /// The word at a place.
+    pub(super) fn at(&self, place: usize) -> Option<(&'f str, Span)> {
+        self.tokens.get(place).copied()
+    }
+
+    /// A word each time that it stands there, with what is behind it.
+    pub(super) fn each<'w>(&'w self, word: &'w str) -> impl Iterator<Item = Said<'f>> + 'w {
+        self.tokens.iter().enumerate().filter_map(move |(at, (token, span))| {
+            let rest = behind(token, word).filter(|rest| is_value(rest) || word.ends_with('_'))?;
+            let rest = rest.trim_start_matches([':', '=']);
+            if !rest.is_empty() {
+                return Some(Said { value: rest, span: *span });
+            }
+            let mut next = self.tokens.iter().skip(at + 1).filter(|(token, _)| !matches!(*token, "=" | ":"));
+            let (value, end) = next.next()?;
+            Some(Said { value: value.trim_start_matches('='), span: Span::new(span.start, end.end) })
+        })
+    }
+}
+
+/// What stands behind the word in its token.
+fn behind<'t>(token: &'t str, word: &str) -> Option<&'t str> {
+    token.get(..word.len()).filter(|begin| begin.eq_ignore_ascii_case(word)).and_then(|_| token.get(word.len()..))
+}
+
+/// Whether that is a value, or none: a letter belongs to a longer word, but for a parameter.
+fn is_value(rest: &str) -> bool {
+    let mut bytes = rest.bytes();
+    match bytes.next() {
+        Some(b'Q' | b'q') => bytes.any(|byte| byte.is_ascii_digit()),
+        Some(first) => {
+            !first.is_ascii_alphabetic() && first != b'-'
+                || matches!(rest.as_bytes(), [b'-', b'0'..=b'9' | b'.' | b'Q', ..])
+        }
+        None => true,
+    }
+}
