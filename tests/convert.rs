@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 use ciklo::check::{Against, LabelBook, check};
 use ciklo::compare::compare;
 use ciklo::conform::{LogTexts, World, executed};
-use ciklo::convert::{Conversion, Form, Request, convert, functions};
+use ciklo::convert::{Conversion, Form, Request, convert};
 use ciklo::diag::{Arg, Severity, Source};
 use ciklo::engine::run::{Engine, Event, EventKind, Status};
 use ciklo::expr::QRef;
 use ciklo::label::{self, Request as BlockRequest};
 use ciklo::spec::OnControl;
 use ciklo::syntax::encoding::{Charset, Encoding};
-use ciklo::syntax::{Program, parse};
+use ciklo::syntax::{Program, functions, parse};
 
 #[path = "support/built.rs"]
 mod built;

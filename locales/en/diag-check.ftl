@@ -6,6 +6,7 @@ diag-approach-without-compensation =
         [approach] The contour is approached here without RL or RR.
        *[departure] The contour is left here, but no radius compensation is active.
     }
+diag-arc-without-tangent = No contour element stands before this tangential arc.
 diag-arc-wrong =
     The arc cannot end here: its { $what ->
         [radius] radius is { $first }, and start and end are { $second } apart
@@ -62,6 +63,7 @@ diag-corner-wrong =
     This corner cannot be machined: { $what ->
         [twice] a rounding or chamfer stands before it already
         [arc] a chamfer lies between straight lines, and there is an arc
+        [first] no contour element stands before it
         [alone] no contour element follows it
         [size] its radius or length is not positive
        *[long] it takes more than the shorter line has, { $least }
@@ -95,6 +97,7 @@ diag-free-contour-wrong =
        *[open] The free contour is not determined: too little is known of its elements.
     }
 diag-function-misspelled = No control knows { $word } here; { $meant } may be meant.
+diag-function-not-on-control = The { $control } does not have { $function }.
 diag-functions-contradict = { $first } and { $second } stand in one block; only one of them can be meant.
 diag-global-def-wrong =
     { $what ->
@@ -132,6 +135,7 @@ diag-machine-coordinates-compensated = Machine coordinates (M91, M92) are progra
 diag-main-runs-into-subprogram = The main part runs into the subprogram { $label } here: neither M2 nor M30 stands before it.
 diag-measuring-height-below-floor = { $cycle } measures at { $parameter }={ $value }, below the floor that { $milling } leaves there, { $floor }.
 diag-metric-values-in-inch = The program is in inches, and { $value } looks like millimetres.
+diag-mirror-of-tool-axis = The tool axis { $axis } cannot be mirrored.
 diag-misordered-parameter = In { $cycle } the control shows { $parameter } before { $before }.
 diag-missing-parameter = { $cycle } lacks { $parameter }.
 diag-mode-wrong =
@@ -169,6 +173,17 @@ diag-out-of-range-elsewhere =
     }
 diag-parameter-unassigned =
     { $parameter } is read here, but nothing gives it a value before.
+diag-pattern-combination =
+    { $what ->
+        [value] { $cycle } cannot call { $called } with { $value }.
+       *[cycle] { $cycle } cannot call { $called }.
+    }
+diag-pattern-wrong =
+    { $what ->
+        [count] { $word } is a whole number of positions, at least 1.
+        [many] { $word }: PATTERN DEF has nine single positions at most.
+       *[diameter] The diameter { $word } of a circle of positions is greater than 0.
+    }
 diag-plane-incomplete = This PLANE lacks { $word }.
 diag-plane-not-reset = The program ends here with a tilted working plane.
 diag-position-after-contour = This is the first position behind { $cycle }, and it does not name both coordinates of the plane absolutely.
@@ -178,7 +193,7 @@ diag-program-begin-twice = BEGIN PGM stands a second time here.
 diag-program-calls-itself = The program calls itself: { $name }.
 diag-program-end-missing = The program ends here without END PGM.
 diag-programs-call-in-circle = The program { $name } calls this one back, be it through others.
-diag-repeat-count-wrong = A part of a program is repeated a whole number of times that is not negative.
+diag-repeat-count-wrong = A part of a program is repeated a whole number of times from 0 to 65534.
 diag-repeat-of-later-label = The label { $label } stands behind this repeat.
 diag-reserved-parameter =
     { $parameter } is written here, but the control itself writes Q100 to Q199.
@@ -220,8 +235,10 @@ diag-tool-axis-other =
         [pattern] PATTERN DEF works with the tool axis { $axis } only, and another one is active here.
        *[blank] The blank names the tool axis { $axis }, and no tool of the program has it.
     }
+diag-tool-feed-missing = The feed of the tool call is taken here, but it has none.
 diag-tool-missing = A cycle moves here, but no tool call has named the tool axis before.
 diag-tool-not-listed = The tool table has no tool { $tool }.
+diag-tool-number-wrong = There is no tool { $tool }.
 diag-tool-unfit =
     { $what ->
         [probe] { $cycle } probes here with the tool that has just machined.
@@ -230,6 +247,12 @@ diag-tool-unfit =
 diag-tool-unused = The tool { $tool } is called here and changed for another one at once.
 diag-transfer-parameter-overwritten =
     { $parameter } belongs to { $cycle }, which is called later: the call takes the value that is written here.
+diag-transformation-forbidden =
+    { $cycle } stands here although { $what ->
+        [datum-shift] a datum shift is active
+        [rotation] a rotation is active
+       *[tilting] the working plane is tilted
+    }, which its manual forbids.
 diag-transformation-left-on =
     The program ends here with an active { $what ->
         [datum-shift] datum shift
@@ -256,6 +279,7 @@ diag-unreachable =
         [label] Nothing leads to this label.
        *[block] The run never comes to this block.
     }
+diag-value-without-sense = The value is { $value } here, which makes no sense.
 diag-word-missing = This block lacks { $word }.
 diag-word-twice = { $word } stands twice in this block.
 diag-word-wrong =

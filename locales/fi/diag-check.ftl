@@ -6,6 +6,7 @@ diag-approach-without-compensation =
         [approach] Muotoon ajetaan tässä ilman sanaa RL tai RR.
        *[departure] Muodosta poistutaan tässä, mutta sädekorjaus ei ole voimassa.
     }
+diag-arc-without-tangent = Tämän tangentiaalisen kaaren edessä ei ole muotoelementtiä.
 diag-arc-wrong =
     Kaari ei voi päättyä tähän: { $what ->
         [radius] säde on { $first }, ja alku- ja loppupisteen väli on { $second }
@@ -62,6 +63,7 @@ diag-corner-wrong =
     Tätä nurkkaa ei voi koneistaa: { $what ->
         [twice] sen edellä on jo pyöristys tai viiste
         [arc] viiste on suorien välissä, mutta tässä on kaari
+        [first] sitä ei edellä muotoelementti
         [alone] sen jäljessä ei ole muotoelementtiä
         [size] sen säde tai pituus ei ole positiivinen
        *[long] se vie enemmän kuin lyhyemmässä suorassa on, { $least }
@@ -95,6 +97,7 @@ diag-free-contour-wrong =
        *[open] Vapaa muoto jää määräämättä: sen elementeistä tiedetään liian vähän.
     }
 diag-function-misspelled = Mikään ohjaus ei tunne tässä sanaa { $word }; ehkä tarkoitetaan sanaa { $meant }.
+diag-function-not-on-control = Ohjauksessa { $control } ei ole toimintoa { $function }.
 diag-functions-contradict = { $first } ja { $second } ovat samassa lauseessa; vain toista niistä voidaan tarkoittaa.
 diag-global-def-wrong =
     { $what ->
@@ -132,6 +135,7 @@ diag-machine-coordinates-compensated = Konekoordinaatit (M91, M92) on tässä oh
 diag-main-runs-into-subprogram = Pääohjelma jatkuu tässä suoraan aliohjelmaan { $label }: ennen sitä ei ole M2- eikä M30-toimintoa.
 diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }={ $value }, joka on työkierron { $milling } siihen jättämän pohjan alapuolella ({ $floor }).
 diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää millimetriarvolta.
+diag-mirror-of-tool-axis = Työkaluakselia { $axis } ei voi peilata.
 diag-misordered-parameter = Työkierrossa { $cycle } ohjaus näyttää parametrin { $parameter } ennen parametria { $before }.
 diag-missing-parameter = Työkierrosta { $cycle } puuttuu { $parameter }.
 diag-mode-wrong =
@@ -169,6 +173,17 @@ diag-out-of-range-elsewhere =
     }
 diag-parameter-unassigned =
     { $parameter } luetaan tässä, mutta sille ei ole sitä ennen annettu arvoa.
+diag-pattern-combination =
+    { $what ->
+        [value] { $cycle } ei voi kutsua työkiertoa { $called }, kun { $value }.
+       *[cycle] { $cycle } ei voi kutsua työkiertoa { $called }.
+    }
+diag-pattern-wrong =
+    { $what ->
+        [count] { $word } on paikkojen lukumäärä: kokonaisluku, vähintään 1.
+        [many] { $word }: PATTERN DEF -lauseessa on enintään yhdeksän yksittäistä paikkaa.
+       *[diameter] Paikkojen ympyrän halkaisija { $word } on suurempi kuin 0.
+    }
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
 diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
 diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, eikä se nimeä tason molempia koordinaatteja absoluuttisina.
@@ -178,7 +193,7 @@ diag-program-begin-twice = BEGIN PGM on tässä toisen kerran.
 diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.
 diag-program-end-missing = Ohjelma loppuu tähän ilman END PGM -lausetta.
 diag-programs-call-in-circle = Ohjelma { $name } kutsuu takaisin tätä ohjelmaa, suoraan tai muiden kautta.
-diag-repeat-count-wrong = Ohjelmanosa toistetaan kokonaisluvun osoittama määrä kertoja, ei negatiivista.
+diag-repeat-count-wrong = Ohjelmanosa toistetaan 0–65534 kertaa, kokonaisluku.
 diag-repeat-of-later-label = Label { $label } on vasta tämän toiston jälkeen.
 diag-reserved-parameter = Tässä kirjoitetaan parametriin { $parameter }, mutta parametreihin Q100–Q199 kirjoittaa ohjaus itse.
 diag-row-not-in-table =
@@ -219,8 +234,10 @@ diag-tool-axis-other =
         [pattern] PATTERN DEF toimii vain työkaluakselilla { $axis }, mutta tässä on voimassa toinen.
        *[blank] Aihio nimeää työkaluakselin { $axis }, mutta sitä ei ole yhdelläkään ohjelman työkalulla.
     }
+diag-tool-feed-missing = Tässä käytetään työkalukutsun syöttöarvoa, mutta sitä ei ole.
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään aiempi työkalukutsu ei ole määritellyt työkaluakselia.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
+diag-tool-number-wrong = Työkalua { $tool } ei ole.
 diag-tool-unfit =
     { $what ->
         [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.
@@ -229,6 +246,12 @@ diag-tool-unfit =
 diag-tool-unused = Työkalu { $tool } kutsutaan tässä ja vaihdetaan heti toiseen.
 diag-transfer-parameter-overwritten =
     { $parameter } kuuluu työkiertoon { $cycle }, jota kutsutaan myöhemmin: kutsu käyttää tässä kirjoitettavaa arvoa.
+diag-transformation-forbidden =
+    { $cycle } on tässä, vaikka { $what ->
+        [datum-shift] nollapisteen siirto on voimassa
+        [rotation] kierto on voimassa
+       *[tilting] koneistustaso on käännetty
+    }; käsikirja kieltää sen.
 diag-transformation-left-on =
     Ohjelman päättyessä on vielä voimassa { $what ->
         [datum-shift] nollapisteen siirto
@@ -255,6 +278,7 @@ diag-unreachable =
         [label] Mikään ei johda tähän labeliin.
        *[block] Suoritus ei koskaan tule tähän lauseeseen.
     }
+diag-value-without-sense = Arvo on tässä { $value }, mikä ei ole mielekäs.
 diag-word-missing = Tästä lauseesta puuttuu { $word }.
 diag-word-twice = { $word } on tässä lauseessa kahdesti.
 diag-word-wrong =

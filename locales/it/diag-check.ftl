@@ -6,6 +6,7 @@ diag-approach-without-compensation =
         [approach] Qui ci si avvicina al profilo senza RL o RR.
        *[departure] Qui ci si allontana dal profilo, ma nessuna compensazione del raggio è attiva.
     }
+diag-arc-without-tangent = Prima di questo arco tangente non c’è alcun elemento di profilo.
 diag-arc-wrong =
     L’arco non può terminare qui: { $what ->
         [radius] il raggio è { $first } e la distanza tra inizio e fine è { $second }
@@ -62,6 +63,7 @@ diag-corner-wrong =
     Questo spigolo non si può lavorare: { $what ->
         [twice] prima c’è già un arrotondamento o uno smusso
         [arc] uno smusso sta tra due rette, e qui c’è un arco
+        [first] non lo precede alcun elemento di profilo
         [alone] non è seguito da un elemento del profilo
         [size] il suo raggio o la sua lunghezza non è positiva
        *[long] richiede più di quanto misura la retta più corta, { $least }
@@ -95,6 +97,7 @@ diag-free-contour-wrong =
        *[open] Il profilo libero non è determinato: dei suoi elementi si sa troppo poco.
     }
 diag-function-misspelled = Nessun controllo conosce qui { $word }; forse si intende { $meant }.
+diag-function-not-on-control = Il { $control } non ha { $function }.
 diag-functions-contradict = { $first } e { $second } sono nello stesso blocco; può essere voluta solo una delle due.
 diag-global-def-wrong =
     { $what ->
@@ -132,6 +135,7 @@ diag-machine-coordinates-compensated = Qui si programmano coordinate macchina (M
 diag-main-runs-into-subprogram = La parte principale prosegue qui nel sottoprogramma { $label }: prima non c’è né M2 né M30.
 diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value }, sotto il fondo lasciato in quel punto da { $milling }, { $floor }.
 diag-metric-values-in-inch = Il programma è in pollici e { $value } sembra espresso in millimetri.
+diag-mirror-of-tool-axis = L’asse utensile { $axis } non si può specchiare.
 diag-misordered-parameter = In { $cycle } il controllo visualizza { $parameter } prima di { $before }.
 diag-missing-parameter = In { $cycle } manca { $parameter }.
 diag-mode-wrong =
@@ -169,6 +173,17 @@ diag-out-of-range-elsewhere =
     }
 diag-parameter-unassigned =
     { $parameter } viene letto qui, ma prima nulla gli assegna un valore.
+diag-pattern-combination =
+    { $what ->
+        [value] { $cycle } non può chiamare { $called } con { $value }.
+       *[cycle] { $cycle } non può chiamare { $called }.
+    }
+diag-pattern-wrong =
+    { $what ->
+        [count] { $word } è un numero intero di posizioni, almeno 1.
+        [many] { $word }: PATTERN DEF ha al massimo nove posizioni singole.
+       *[diameter] Il diametro { $word } di un cerchio di posizioni è maggiore di 0.
+    }
 diag-plane-incomplete = In questo PLANE manca { $word }.
 diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
 diag-position-after-contour = Questa è la prima posizione dopo { $cycle } e non indica in assoluto entrambe le coordinate del piano.
@@ -178,7 +193,7 @@ diag-program-begin-twice = BEGIN PGM compare qui una seconda volta.
 diag-program-calls-itself = Il programma chiama sé stesso: { $name }.
 diag-program-end-missing = Il programma finisce qui senza END PGM.
 diag-programs-call-in-circle = Il programma { $name } richiama a sua volta questo, direttamente o tramite altri.
-diag-repeat-count-wrong = Una parte di programma si ripete un numero intero e non negativo di volte.
+diag-repeat-count-wrong = Una parte di programma si ripete un numero intero di volte, da 0 a 65534.
 diag-repeat-of-later-label = Il label { $label } si trova dopo questa ripetizione.
 diag-reserved-parameter = Qui viene scritto { $parameter }, ma i parametri da Q100 a Q199 li scrive il controllo stesso.
 diag-row-not-in-table =
@@ -219,8 +234,10 @@ diag-tool-axis-other =
         [pattern] PATTERN DEF lavora solo con l’asse utensile { $axis }, e qui ne è attivo un altro.
        *[blank] Il grezzo indica l’asse utensile { $axis }, che nessun utensile del programma ha.
     }
+diag-tool-feed-missing = Qui si prende l’avanzamento della chiamata utensile, che non ne ha.
 diag-tool-missing = Qui un ciclo esegue movimenti, ma prima nessuna chiamata utensile ha indicato l’asse utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
+diag-tool-number-wrong = L’utensile { $tool } non esiste.
 diag-tool-unfit =
     { $what ->
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.
@@ -229,6 +246,12 @@ diag-tool-unfit =
 diag-tool-unused = L’utensile { $tool } viene chiamato qui e subito cambiato con un altro.
 diag-transfer-parameter-overwritten =
     { $parameter } appartiene a { $cycle }, che viene chiamato più avanti: la chiamata usa il valore scritto qui.
+diag-transformation-forbidden =
+    { $cycle } sta qui benché { $what ->
+        [datum-shift] sia attivo uno spostamento origine
+        [rotation] sia attiva una rotazione
+       *[tilting] il piano di lavoro sia ruotato
+    }: il manuale lo vieta.
 diag-transformation-left-on =
     Il programma termina qui con { $what ->
         [datum-shift] uno spostamento origine attivo
@@ -255,6 +278,7 @@ diag-unreachable =
         [label] Nulla conduce a questo label.
        *[block] L’esecuzione non arriva mai a questo blocco.
     }
+diag-value-without-sense = Il valore qui è { $value }, che non ha senso.
 diag-word-missing = In questo blocco manca { $word }.
 diag-word-twice = { $word } compare due volte in questo blocco.
 diag-word-wrong =

@@ -6,6 +6,7 @@ diag-approach-without-compensation =
         [approach] A aproximação ao contorno faz-se aqui sem RL nem RR.
        *[departure] Sai-se aqui do contorno, mas nenhuma compensação do raio está ativa.
     }
+diag-arc-without-tangent = Antes deste arco tangente não há nenhum elemento de contorno.
 diag-arc-wrong =
     O arco não pode terminar aqui: { $what ->
         [radius] o raio é { $first } e a distância entre o início e o fim é { $second }
@@ -62,6 +63,7 @@ diag-corner-wrong =
     Esta esquina não se pode maquinar: { $what ->
         [twice] antes dela já há um arredondamento ou um chanfro
         [arc] um chanfro fica entre retas, e aqui há um arco
+        [first] não o precede nenhum elemento de contorno
         [alone] não lhe segue nenhum elemento do contorno
         [size] o seu raio ou comprimento não é positivo
        *[long] exige mais do que mede a reta mais curta, { $least }
@@ -95,6 +97,7 @@ diag-free-contour-wrong =
        *[open] O contorno livre não está determinado: sabe-se demasiado pouco dos seus elementos.
     }
 diag-function-misspelled = Nenhum comando conhece aqui { $word }; talvez se pretenda { $meant }.
+diag-function-not-on-control = O { $control } não tem { $function }.
 diag-functions-contradict = { $first } e { $second } estão na mesma frase; só uma delas pode ser a pretendida.
 diag-global-def-wrong =
     { $what ->
@@ -132,6 +135,7 @@ diag-machine-coordinates-compensated = Programam-se aqui coordenadas da máquina
 diag-main-runs-into-subprogram = A parte principal continua aqui para dentro do subprograma { $label }: antes não há M2 nem M30.
 diag-measuring-height-below-floor = { $cycle } mede em { $parameter }={ $value }, abaixo do fundo que { $milling } aí deixa, { $floor }.
 diag-metric-values-in-inch = O programa está em polegadas e { $value } parece estar em milímetros.
+diag-mirror-of-tool-axis = O eixo da ferramenta { $axis } não pode ser espelhado.
 diag-misordered-parameter = Em { $cycle }, o comando visualiza { $parameter } antes de { $before }.
 diag-missing-parameter = Em { $cycle } falta { $parameter }.
 diag-mode-wrong =
@@ -169,6 +173,17 @@ diag-out-of-range-elsewhere =
     }
 diag-parameter-unassigned =
     { $parameter } é lido aqui, mas antes nada lhe atribui um valor.
+diag-pattern-combination =
+    { $what ->
+        [value] { $cycle } não pode chamar { $called } com { $value }.
+       *[cycle] { $cycle } não pode chamar { $called }.
+    }
+diag-pattern-wrong =
+    { $what ->
+        [count] { $word } é um número inteiro de posições, pelo menos 1.
+        [many] { $word }: PATTERN DEF tem no máximo nove posições individuais.
+       *[diameter] O diâmetro { $word } de um círculo de posições é maior que 0.
+    }
 diag-plane-incomplete = Neste PLANE falta { $word }.
 diag-plane-not-reset = O programa termina aqui com o plano de maquinação inclinado.
 diag-position-after-contour = Esta é a primeira posição depois de { $cycle } e não indica ambas as coordenadas do plano em absoluto.
@@ -178,7 +193,7 @@ diag-program-begin-twice = BEGIN PGM está aqui pela segunda vez.
 diag-program-calls-itself = O programa chama-se a si próprio: { $name }.
 diag-program-end-missing = O programa acaba aqui sem END PGM.
 diag-programs-call-in-circle = O programa { $name } volta a chamar este, diretamente ou através de outros.
-diag-repeat-count-wrong = Uma parte do programa repete-se um número inteiro e não negativo de vezes.
+diag-repeat-count-wrong = Uma parte do programa repete-se um número inteiro de vezes, de 0 a 65534.
 diag-repeat-of-later-label = O label { $label } fica depois desta repetição.
 diag-reserved-parameter = Aqui escreve-se em { $parameter }, mas é o próprio comando que escreve em Q100 a Q199.
 diag-row-not-in-table =
@@ -219,8 +234,10 @@ diag-tool-axis-other =
         [pattern] PATTERN DEF trabalha só com o eixo da ferramenta { $axis }, e aqui está ativo outro.
        *[blank] O bloco indica o eixo da ferramenta { $axis }, que nenhuma ferramenta do programa tem.
     }
+diag-tool-feed-missing = Usa-se aqui o avanço da chamada da ferramenta, que não o tem.
 diag-tool-missing = Aqui um ciclo executa movimentos, mas antes nenhuma chamada da ferramenta indicou o eixo da ferramenta.
 diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
+diag-tool-number-wrong = A ferramenta { $tool } não existe.
 diag-tool-unfit =
     { $what ->
         [probe] { $cycle } apalpa aqui com a ferramenta que acabou de maquinar.
@@ -229,6 +246,12 @@ diag-tool-unfit =
 diag-tool-unused = A ferramenta { $tool } é chamada aqui e logo trocada por outra.
 diag-transfer-parameter-overwritten =
     { $parameter } pertence a { $cycle }, que é chamado mais adiante: a chamada usa o valor aqui escrito.
+diag-transformation-forbidden =
+    { $cycle } está aqui embora { $what ->
+        [datum-shift] esteja ativa uma deslocação do ponto zero
+        [rotation] esteja ativa uma rotação
+       *[tilting] o plano de maquinação esteja inclinado
+    }: o manual proíbe-o.
 diag-transformation-left-on =
     O programa termina aqui com { $what ->
         [datum-shift] uma deslocação do ponto zero ativa
@@ -255,6 +278,7 @@ diag-unreachable =
         [label] Nada conduz a este label.
        *[block] A execução nunca chega a esta frase.
     }
+diag-value-without-sense = O valor é aqui { $value }, o que não faz sentido.
 diag-word-missing = Nesta frase falta { $word }.
 diag-word-twice = { $word } está duas vezes nesta frase.
 diag-word-wrong =

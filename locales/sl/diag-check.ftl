@@ -6,6 +6,7 @@ diag-approach-without-compensation =
         [approach] Primik na konturo je tu brez RL ali RR.
        *[departure] Tu je odmik s konture, popravek polmera pa ni aktiven.
     }
+diag-arc-without-tangent = Pred tem tangencialnim lokom ni elementa konture.
 diag-arc-wrong =
     Lok se tu ne more končati: { $what ->
         [radius] polmer je { $first }, razdalja med začetkom in koncem pa { $second }
@@ -62,6 +63,7 @@ diag-corner-wrong =
     Tega vogala ni mogoče obdelati: { $what ->
         [twice] pred njim je že zaokrožitev ali posneti rob
         [arc] posneti rob leži med premicama, tu pa je lok
+        [first] pred njim ni elementa konture
         [alone] za njim ni konturnega elementa
         [size] njegov polmer ali dolžina ni pozitivna
        *[long] potrebuje več, kot ima krajša premica, { $least }
@@ -95,6 +97,7 @@ diag-free-contour-wrong =
        *[open] Prosta kontura ni določena: o njenih elementih je znanega premalo.
     }
 diag-function-misspelled = Nobeno krmiljenje tu ne pozna besede { $word }; morda je mišljeno { $meant }.
+diag-function-not-on-control = Krmiljenje { $control } nima { $function }.
 diag-functions-contradict = { $first } in { $second } sta v istem stavku; mišljena je lahko samo ena od njiju.
 diag-global-def-wrong =
     { $what ->
@@ -134,6 +137,7 @@ diag-machine-coordinates-compensated = Strojne koordinate (M91, M92) so tu progr
 diag-main-runs-into-subprogram = Glavni program se tu nadaljuje v podprogram { $label }: pred njim ni ne M2 ne M30.
 diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ $value }, nižje od dna, ki ga tam pusti { $milling } ({ $floor }).
 diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vrednost v milimetrih.
+diag-mirror-of-tool-axis = Orodne osi { $axis } ni mogoče zrcaliti.
 diag-misordered-parameter = V ciklu { $cycle } krmiljenje prikaže { $parameter } pred { $before }.
 diag-missing-parameter = V ciklu { $cycle } manjka { $parameter }.
 diag-mode-wrong =
@@ -171,6 +175,17 @@ diag-out-of-range-elsewhere =
     }
 diag-parameter-unassigned =
     { $parameter } se tu bere, pred tem pa mu nič ne določi vrednosti.
+diag-pattern-combination =
+    { $what ->
+        [value] { $cycle } ne more priklicati { $called } z { $value }.
+       *[cycle] { $cycle } ne more priklicati { $called }.
+    }
+diag-pattern-wrong =
+    { $what ->
+        [count] { $word } je celo število položajev, najmanj 1.
+        [many] { $word }: PATTERN DEF ima največ devet posameznih položajev.
+       *[diameter] Premer { $word } kroga položajev je večji od 0.
+    }
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
 diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle } in ne navede obeh koordinat ravnine absolutno.
@@ -180,7 +195,7 @@ diag-program-begin-twice = BEGIN PGM je tu drugič.
 diag-program-calls-itself = Program prikliče samega sebe: { $name }.
 diag-program-end-missing = Program se tu konča brez END PGM.
 diag-programs-call-in-circle = Program { $name } kliče nazaj tega, neposredno ali prek drugih.
-diag-repeat-count-wrong = Del programa se ponovi celo število krat, ki ni negativno.
+diag-repeat-count-wrong = Del programa se ponovi celo število krat, od 0 do 65534.
 diag-repeat-of-later-label = Oznaka LBL { $label } stoji za to ponovitvijo.
 diag-reserved-parameter = Tu se zapiše { $parameter }, v parametre od Q100 do Q199 pa zapisuje krmiljenje samo.
 diag-row-not-in-table =
@@ -221,8 +236,10 @@ diag-tool-axis-other =
         [pattern] PATTERN DEF deluje samo z orodno osjo { $axis }, tu pa je aktivna druga.
        *[blank] Surovec navede orodno os { $axis }, ki je nima nobeno orodje programa.
     }
+diag-tool-feed-missing = Tu se uporabi pomik iz priklica orodja, ki pa ga nima.
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
+diag-tool-number-wrong = Orodja { $tool } ni.
 diag-tool-unfit =
     { $what ->
         [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.
@@ -231,6 +248,12 @@ diag-tool-unfit =
 diag-tool-unused = Orodje { $tool } se tu prikliče in takoj zamenja z drugim.
 diag-transfer-parameter-overwritten =
     { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic uporabi tu zapisano vrednost.
+diag-transformation-forbidden =
+    { $cycle } je tu, čeprav je { $what ->
+        [datum-shift] aktiven zamik ničelne točke
+        [rotation] aktivna rotacija
+       *[tilting] obdelovalna ravnina zavrtena
+    }, kar priročnik prepoveduje.
 diag-transformation-left-on =
     Program se tu konča, ko je še { $what ->
         [datum-shift] aktiven zamik ničelne točke
@@ -257,6 +280,7 @@ diag-unreachable =
         [label] Nič ne vodi do te oznake LBL.
        *[block] Izvajanje nikoli ne pride do tega stavka.
     }
+diag-value-without-sense = Vrednost je tu { $value }, kar ni smiselno.
 diag-word-missing = V tem stavku manjka { $word }.
 diag-word-twice = { $word } je v tem stavku navedeno dvakrat.
 diag-word-wrong =

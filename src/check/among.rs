@@ -131,7 +131,7 @@ pub(super) fn calls(facts: &Facts<'_>) -> Vec<ProgramCall> {
 
 /// Whether a definition makes a program a cycle.
 fn makes_cycle(definition: &Defined<'_>) -> bool {
-    definition.cycle().is_some_and(|cycle| cycle.params.iter().any(|param| param.is.as_str() == PROGRAM))
+    definition.kin().is_some_and(|cycle| cycle.params.iter().any(|param| param.is.as_str() == PROGRAM))
 }
 
 fn places(facts: &Facts<'_>) -> Vec<ProgramCall> {
@@ -178,7 +178,8 @@ fn places(facts: &Facts<'_>) -> Vec<ProgramCall> {
         selecting.into_iter().for_each(|index| push(index, span, None, false));
     }
     for (index, definition) in facts.definitions.iter().enumerate().filter(|(_, own)| makes_cycle(own)) {
-        let read = facts.read(definition);
+        let other = definition.as_kin();
+        let read = facts.read(other.as_ref().unwrap_or(definition));
         let named = read.items.iter().find(|item| item.param.is_some_and(|param| param.is.as_str() == PROGRAM));
         if let Some(item) = named {
             push(definition.view.first, item.value_span, Some(index), false);

@@ -19,7 +19,7 @@ pub(super) struct Listed<'f, 'a> {
 
 /// What a cycle wants of the contours that it machines.
 pub(super) fn wanted<'a>(definition: &Defined<'a>) -> Option<&'a ContourWanted> {
-    definition.cycle()?.file.contour.as_ref()
+    definition.kin()?.file.contour.as_ref()
 }
 
 /// The lists of contours of a program that cycles machine.
@@ -69,7 +69,7 @@ fn contours<'a>(facts: &Facts<'a>, list: &Defined<'_>) -> Vec<&'a [Block]> {
 }
 
 /// The blocks between a label and the LBL 0 behind it; nothing if it has none.
-fn body(blocks: &[Block], start: usize) -> Option<&[Block]> {
+pub(super) fn body(blocks: &[Block], start: usize) -> Option<&[Block]> {
     let behind = blocks.get(start + 1..)?;
     let ends = |block: &Block| matches!(&block.kind, BlockKind::Lbl(label) if label.target == Label::Number(0));
     behind.get(..behind.iter().position(ends)?)
@@ -77,7 +77,7 @@ fn body(blocks: &[Block], start: usize) -> Option<&[Block]> {
 
 /// The corners of a contour whose elements are all written with numbers, its first point included; nothing if that cannot
 /// be said.
-pub(super) fn corners(blocks: &[Block]) -> Option<Vec<[f64; 2]>> {
+pub(super) fn corners(blocks: &[Block], axes: [Axis; 2]) -> Option<Vec<[f64; 2]>> {
     let mut points: Vec<[f64; 2]> = Vec::new();
     let (mut at, mut pole, mut polar) = ([None; 2], [None; 2], [None; 2]);
     for block in blocks {
@@ -90,10 +90,10 @@ pub(super) fn corners(blocks: &[Block]) -> Option<Vec<[f64; 2]>> {
         match motion.path {
             Path::Rnd | Path::Chf => continue,
             Path::Cc => {
-                pole = cartesian(&motion, if motion.coords.is_empty() { at } else { pole })?;
+                pole = cartesian(&motion, axes, if motion.coords.is_empty() { at } else { pole })?;
                 continue;
             }
-            Path::L | Path::C | Path::Cr | Path::Ct => at = cartesian(&motion, at)?,
+            Path::L | Path::C | Path::Cr | Path::Ct => at = cartesian(&motion, axes, at)?,
             Path::Lp | Path::Cp | Path::Ctp => {
                 for (axis, known) in [Axis::Pr, Axis::Pa].into_iter().zip(&mut polar) {
                     if let Some((value, incremental)) = number(&motion, axis)? {
@@ -125,9 +125,9 @@ fn number(motion: &Motion, axis: Axis) -> Option<Option<(f64, bool)>> {
     }
 }
 
-fn cartesian(motion: &Motion, from: [Option<f64>; 2]) -> Option<[Option<f64>; 2]> {
+fn cartesian(motion: &Motion, axes: [Axis; 2], from: [Option<f64>; 2]) -> Option<[Option<f64>; 2]> {
     let mut to = from;
-    for (axis, known) in [Axis::X, Axis::Y].into_iter().zip(&mut to) {
+    for (axis, known) in axes.into_iter().zip(&mut to) {
         if let Some((value, incremental)) = number(motion, axis)? {
             *known = Some(if incremental { (*known)? + value } else { value });
         }

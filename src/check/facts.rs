@@ -9,13 +9,13 @@ use std::ops::Deref;
 
 use super::among::{self, Among, Callees, ProgramCall};
 use super::fields;
-use super::flow::{Run, stops};
+use super::flow::{Deed, Run, stops};
 use super::labels::{Kept, Tongues, told_by};
 use super::{Against, CycleLabels, values};
 use crate::diag::Span;
 use crate::expr::QRef;
 use crate::fields::key;
-use crate::spec::{Cycle, CycleKey, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
+use crate::spec::{Cycle, CycleKey, Group, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
 use crate::syntax::{
     Block, BlockKind, Compensates, CycleDef, CycleForm, CycleView, MFunction, Parameter, Path, Program, StatementKind,
     Value, ValueKind,
@@ -41,7 +41,7 @@ pub struct Facts<'a> {
     tongue: Option<u32>,
     /// The blocks that are more than plain movements, definitions and comments: few in long programs.
     marked: Vec<u32>,
-    /// The movements that are more than plain ones for a contour: corners, approaches, free contours, surface normals and
+    /// The movements that are more than plain ones for a contour: corners, tangential arcs, approaches, free contours, surface normals and
     /// those that say RL or RR.
     shaped: Vec<u32>,
     begins: bool,
@@ -69,6 +69,8 @@ pub struct Defined<'a> {
     pub key: CycleKey,
     /// What the control knows of it.
     pub known: Known<'a>,
+    /// The cycle as another control describes it, if this one does not.
+    elsewhere: Option<&'a Cycle>,
     /// Whether a line of it cannot be read.
     pub torn: bool,
     /// What is kept of a described cycle.
@@ -205,9 +207,12 @@ impl<'a> Facts<'a> {
         let mut known = BTreeMap::new();
         program.each_cycle(|view| {
             let key = key(view.keyword, view.number);
-            let (known, kept) = *known.entry(key).or_insert_with(|| (against.on.known(key), against.labels.kept(key)));
+            let (known, kept, elsewhere) = *known.entry(key).or_insert_with(|| {
+                let known = against.on.known(key);
+                (known, against.labels.kept(key), elsewhere(against, key, known))
+            });
             let torn = matches!(view.form, CycleForm::Parameters(written) if !written.errors.is_empty());
-            facts.definitions.push(Defined { view, key, known, torn, kept, usual: Tongues::default() });
+            facts.definitions.push(Defined { view, key, known, elsewhere, torn, kept, usual: Tongues::default() });
         });
         facts.definitions.shrink_to_fit();
         facts.calls = among::calls(&facts);
@@ -247,7 +252,7 @@ impl<'a> Facts<'a> {
         self.marked.iter().filter_map(|index| Some((*index as usize, blocks.get(*index as usize)?)))
     }
 
-    /// Corners, approaches, departures, elements of free contours, surface normals and movements with RL or RR, with their
+    /// Corners, tangential arcs, approaches, departures, elements of free contours, surface normals and movements with RL or RR, with their
     /// places among all blocks.
     pub fn shaped(&self) -> impl Iterator<Item = (usize, &'a Block)> {
         let blocks = self.program.blocks();
@@ -340,6 +345,8 @@ impl<'a> Facts<'a> {
                             | Path::Chf
                             | Path::Appr(_)
                             | Path::Dep(_)
+                            | Path::Ct
+                            | Path::Ctp
                             | Path::Fl
                             | Path::Flt
                             | Path::Fc
@@ -386,6 +393,17 @@ impl<'a> Facts<'a> {
     }
 }
 
+/// The cycle as the control with the highest id describes it, if this one does not.
+fn elsewhere<'a>(against: &Against<'a>, key: CycleKey, known: Known<'_>) -> Option<&'a Cycle> {
+    if matches!(known, Known::Described(_) | Known::Builders) {
+        return None;
+    }
+    against.catalogue.controls.values().rev().find_map(|on| match on.known(key) {
+        Known::Described(cycle) => Some(cycle),
+        _ => None,
+    })
+}
+
 /// Whether a block is a comment or blank.
 pub(super) fn is_silent(block: &Block) -> bool {
     matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_))
@@ -410,19 +428,27 @@ impl<'a> Defined<'a> {
         }
     }
 
+    /// The cycle, or what another control describes under its number: enough to tell what it is for.
+    pub fn kin(&self) -> Option<&'a Cycle> {
+        self.cycle().or(self.elsewhere)
+    }
+
     /// When the cycle acts, if that is known. All touch-probe cycles act when they are defined.
     pub fn takes_effect(&self) -> Option<TakesEffect> {
-        match (self.known, self.key.keyword) {
-            (Known::Described(cycle), _) => Some(cycle.file.takes_effect),
-            (_, Keyword::TchProbe) => Some(TakesEffect::OnDefinition),
+        match (self.kin(), self.key.keyword) {
+            (Some(cycle), _) => Some(cycle.file.takes_effect),
+            (None, Keyword::TchProbe) => Some(TakesEffect::OnDefinition),
             _ => None,
         }
     }
 
     /// Whether its cycle calls the one that was defined last.
     pub(super) fn calls_last(&self) -> bool {
-        let of_cycle = self.cycle().zip(self.kept);
-        of_cycle.is_some_and(|(cycle, kept)| kept.deed(cycle).calls_last())
+        match (self.cycle().zip(self.kept), self.elsewhere) {
+            (Some((cycle, kept)), _) => kept.deed(cycle).calls_last(),
+            (None, Some(cycle)) => cycle.file.group == Group::Patterns && Deed::of_cycle(cycle).calls_last(),
+            (None, None) => false,
+        }
     }
 
     /// The same definition, read as that of a cycle of another control.
@@ -431,15 +457,26 @@ impl<'a> Defined<'a> {
             view: self.view.clone(),
             key: self.key,
             known: Known::Described(cycle),
+            elsewhere: None,
             torn: self.torn,
             kept: None,
             usual: Tongues::default(),
         }
     }
 
+    /// The same definition, read as that of the cycle of another control that it is like; nothing if this one has the
+    /// cycle.
+    pub(super) fn as_kin(&self) -> Option<Self> {
+        self.elsewhere.map(|cycle| self.read_as(cycle))
+    }
+
     /// Whether its cycle has a parameter of that kind.
     pub(super) fn has_kind(&self, kind: ParameterKind) -> bool {
-        self.cycle().is_some() && self.kept.is_some_and(|kept| kept.has_kind(kind))
+        match (self.cycle(), self.elsewhere) {
+            (Some(_), _) => self.kept.is_some_and(|kept| kept.has_kind(kind)),
+            (None, Some(cycle)) => cycle.params.iter().any(|param| param.kind == kind),
+            (None, None) => false,
+        }
     }
 }
 

@@ -257,6 +257,11 @@ pub(super) fn read_as(param: &Param) -> Option<QRef> {
     param.q.or_else(|| param.field.as_ref().and_then(|field| field.stands_for))
 }
 
+/// What is followed through the run under the name of a state.
+pub(super) fn aspect_of(name: &str) -> Option<Aspect> {
+    STATES.iter().find(|(own, _)| *own == name).map(|(_, aspect)| *aspect)
+}
+
 /// Which state a name asks for.
 fn state(path: &[String]) -> Option<usize> {
     let [first, second] = path else { return None };

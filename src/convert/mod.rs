@@ -8,8 +8,6 @@ mod functions;
 mod lines;
 mod parameters;
 
-pub use functions::functions;
-
 use crate::check::{Against, Definition, Facts, LanguageLabels};
 use crate::diag::{Diagnostic, Edit, Place, Severity, Span, edited};
 use crate::locale::Locales;

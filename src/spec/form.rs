@@ -351,6 +351,26 @@ record! {
 }
 
 record! {
+    /// A cycle that a pattern may call.
+    pub struct Combined {
+        /// Its number.
+        cycle: u32,
+        /// A parameter whose value it must not have with the pattern.
+        q: Option<QRef>,
+        /// That value.
+        not: Option<f64>,
+    }
+}
+
+record! {
+    /// A state of the control in which a manual forbids a cycle.
+    pub struct RefusedState {
+        /// Its name, as guards know it behind `active.`.
+        state: Name,
+    }
+}
+
+record! {
     /// A specification of a cycle.
     pub struct CycleFile {
         /// Its number.
@@ -371,6 +391,10 @@ record! {
         takes_effect: TakesEffect,
         /// It works with a spindle that turns clockwise only.
         clockwise_only: bool,
+        /// The cycles that it may call, if it calls the one that was defined last; any if there are none.
+        combines: Vec<Combined>,
+        /// Transformations that must not be active where it is defined, beyond those of its guards.
+        refuses: Vec<RefusedState>,
         /// What it wants of the contours that it machines.
         contour: Option<ContourWanted>,
         /// Its parameters, new form.

@@ -55,6 +55,17 @@ record! {
     }
 }
 
+record! {
+    /// Functions of the language, and cycles, that a control does not have.
+    pub struct FunctionLacking {
+        /// The words that they are printed with, such as `PATTERN DEF` or `CYCL DEF 251`; what stands behind them does not
+        /// matter.
+        function: Vec<String>,
+        /// How that is known.
+        why: String,
+    }
+}
+
 words! {
     /// A transformation that the engine knows to be in effect but does not execute.
     pub enum Transformation {
@@ -112,6 +123,8 @@ record! {
         covers: Vec<Keyword>,
         /// Functions of the language, beyond cycles and what every control has, that its manuals show.
         functions: Vec<FunctionShown>,
+        /// Functions and cycles that it does not have, where no manual needs to say so.
+        lacks: Vec<FunctionLacking>,
         /// Every cycle that its manuals name.
         named: Vec<Named>,
     }

@@ -13,6 +13,7 @@ mod definition;
 mod document;
 mod element;
 pub mod encoding;
+mod functions;
 mod iso;
 mod iso_doubts;
 mod iso_read;
@@ -32,6 +33,7 @@ mod words;
 
 pub use document::{Document, Piece};
 pub use element::{Compensates, Element, Outline, axis_twice, is_misplaced};
+pub use functions::functions;
 pub use iso::{Dialect, IsoBlock, IsoKind, is_of_language, is_older, is_path};
 pub use parameters::Parameters;
 pub use path::{Approach, Path};

@@ -71,7 +71,8 @@ impl<'f, 'a> Effects<'f, 'a> {
         let (mut others, mut named) = (HashMap::new(), HashMap::new());
         for (index, definition) in definitions.iter().enumerate() {
             if definition.kept.is_none() {
-                others.entry(definition.key).or_insert_with(|| Deed::of(definition.known, definition.key.keyword));
+                let known = definition.kin().map_or(definition.known, Of::Described);
+                others.entry(definition.key).or_insert_with(|| Deed::of(known, definition.key.keyword));
             }
             let names = names(facts, definition);
             if !names.is_empty() {
@@ -83,7 +84,7 @@ impl<'f, 'a> Effects<'f, 'a> {
 
     /// Whether a call of the definition of that index machines the workpiece.
     pub(super) fn cuts(&self, index: u32) -> bool {
-        self.definitions.get(index as usize).is_some_and(|own| own.cycle().is_some_and(removes_material))
+        self.definitions.get(index as usize).is_some_and(|own| own.kin().is_some_and(removes_material))
     }
 
     /// Does what the definition does that begins with a block.
@@ -141,6 +142,11 @@ impl Deed {
     /// Whether the cycle calls the one that was defined last.
     pub(in crate::check) const fn calls_last(&self) -> bool {
         self.calls_last
+    }
+
+    /// What definitions of a described cycle do.
+    pub(in crate::check) fn of_cycle(cycle: &Cycle) -> Self {
+        Self::of(Of::Described(cycle), cycle.key.keyword)
     }
 
     /// What definitions of a cycle do.
@@ -305,7 +311,8 @@ fn names(facts: &Facts<'_>, definition: &Defined<'_>) -> Vec<QRef> {
     if !definition.has_kind(ParameterKind::QNumber) {
         return Vec::new();
     }
-    let read = Definition::of(facts.program, definition);
+    let other = definition.as_kin();
+    let read = Definition::of(facts.program, other.as_ref().unwrap_or(definition));
     let named = read.items.iter().filter(|item| item.param.is_some_and(|own| own.kind == ParameterKind::QNumber));
     named
         .filter_map(|item| match item.value.map(|value| value.kind) {

@@ -125,7 +125,8 @@ impl Graph {
     /// The labels that definitions list, by the last block of each definition.
     fn contour_labels(&mut self, facts: &Facts<'_>) {
         for definition in facts.definitions.iter().filter(|own| own.has_kind(ParameterKind::LabelList)) {
-            for item in &Definition::of(facts.program, definition).items {
+            let other = definition.as_kin();
+            for item in &Definition::of(facts.program, other.as_ref().unwrap_or(definition)).items {
                 if item.param.is_none_or(|param| param.kind != ParameterKind::LabelList) {
                     continue;
                 }
@@ -249,6 +250,9 @@ pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef,
             });
         }
         BlockKind::ToolCall(call) => {
+            if let Some(crate::syntax::ToolRef::Number(number)) = &call.tool {
+                operand(number, found);
+            }
             [&call.speed, &call.cutting_speed, &call.dl, &call.dr]
                 .into_iter()
                 .flatten()
@@ -266,6 +270,13 @@ pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef,
         }
         BlockKind::OldCycleLine(line) if line.keyword == crate::syntax::CycleKeyword::CyclDef => {
             for word in &line.words {
+                if let ValueKind::Q { q, .. } = word.value.kind {
+                    found.push((q, word.value.span));
+                }
+            }
+        }
+        BlockKind::PatternDef(pattern) => {
+            for word in pattern.items.iter().flat_map(|item| &item.words) {
                 if let ValueKind::Q { q, .. } = word.value.kind {
                     found.push((q, word.value.span));
                 }

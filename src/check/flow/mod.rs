@@ -56,6 +56,8 @@ pub struct Run {
     pub unset: Vec<(QRef, Span)>,
     /// Formulas that have no result on any way, with their places and why.
     pub failing: Vec<(Span, &'static str)>,
+    /// The places of parameters that are certainly zero or negative, or are read negated.
+    pub(super) odd: Vec<Span>,
     /// Numbers of the parameters that definitions read, by the place of the value.
     numbers: BTreeMap<usize, f64>,
     /// Where the program ends, with the state there.
@@ -299,6 +301,12 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             return;
         };
         if own.way != Way::Call {
+            // A jump whose condition compares numbers leads one way only.
+            match self.steps.decided(own.block) {
+                Some(true) => return self.enter((target, caller), state),
+                Some(false) => return self.enter((run + 1, caller), state),
+                None => {}
+            }
             let (taken, passed) = self.steps.branches(own.block, state);
             self.enter((target, caller), taken.as_ref().unwrap_or(state));
             self.enter((run + 1, caller), passed.as_ref().unwrap_or(state));
@@ -502,6 +510,10 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
                         Some(Known::Unset) => run.unset.push((*q, *span)),
                         Some(Known::Number(number)) => {
                             run.numbers.insert(span.start, number);
+                            let written = matches!(block.kind, BlockKind::Motion(_) | BlockKind::ToolCall(_));
+                            if written && (number <= 0.0 || self.steps.program.slice(*span).starts_with('-')) {
+                                run.odd.push(*span);
+                            }
                         }
                         _ => {}
                     }

@@ -80,6 +80,8 @@ pub enum Aspect {
     Cut,
     /// A program has been selected.
     Selected,
+    /// A tool call has given a feed that is not 0.
+    ToolFeed,
 }
 
 /// The cycle that a call means.

@@ -123,6 +123,17 @@ impl<'f, 'a> Steps<'f, 'a> {
                 if let Some(axis) = call.axis {
                     state.modal.set(Aspect::OtherAxis, Tri::of(Some(axis != Axis::Z)));
                 }
+                match call.feed.as_ref().map(|feed| feed.kind) {
+                    Some(FeedKind::Value(own)) => {
+                        state.modal.set(Aspect::ToolFeed, Tri::of(Some(own.amount != Amount::Number(0.0))));
+                    }
+                    Some(_) => state.modal.set(Aspect::ToolFeed, Tri::Yes),
+                    // Whether a new tool keeps the feed of the one before is not said anywhere.
+                    None if call.tool.is_some() && state.modal.is(Aspect::ToolFeed) != Tri::No => {
+                        state.modal.set(Aspect::ToolFeed, Tri::Unknown);
+                    }
+                    None => {}
+                }
                 // S0 turns nothing.
                 let zero = |own: &Operand| own.amount == Amount::Number(0.0);
                 if let Some(speed) = call.speed.as_ref().or(call.cutting_speed.as_ref()) {
@@ -270,6 +281,18 @@ impl<'f, 'a> Steps<'f, 'a> {
         WORDS.into_iter().find(|word| word.eq_ignore_ascii_case(found)).unwrap_or_default()
     }
 
+    /// Whether a jump is taken, if it compares numbers and may not be skipped.
+    pub(super) fn decided(&self, block: usize) -> Option<bool> {
+        let own = self.program.blocks().get(block).filter(|own| !own.skip)?;
+        match &own.kind {
+            BlockKind::FnJump(jump) => match (jump.a.amount, jump.b.amount) {
+                (Amount::Number(a), Amount::Number(b)) => compared(jump.relation, a, b),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// The states where a jump leads and behind it, if they are others than that before it. A switch at the beginning of a
     /// program may be set otherwise: on the way that its number rules out, the parameters that are compared are unknown.
     pub(super) fn branches(&self, block: usize, state: &State) -> (Option<State>, Option<State>) {
@@ -279,13 +302,7 @@ impl<'f, 'a> Steps<'f, 'a> {
         let (Known::Number(a), Known::Number(b)) = (value(&jump.a, state), value(&jump.b, state)) else {
             return (None, None);
         };
-        let holds = match jump.relation {
-            Relation::Equal => a == b,
-            Relation::NotEqual => a != b,
-            Relation::Greater => a > b,
-            Relation::Less => a < b,
-            Relation::Undefined | Relation::Defined => return (None, None),
-        };
+        let Some(holds) = compared(jump.relation, a, b) else { return (None, None) };
         let mut other = state.clone();
         for operand in [&jump.a, &jump.b] {
             if let Amount::Q { q, .. } = operand.amount {
@@ -329,6 +346,17 @@ impl<'f, 'a> Steps<'f, 'a> {
     fn formula(&self, expr: &Expr, state: &State) -> Known {
         let Ok(code) = compile(expr, &OnlyParameters) else { return Known::Unknown };
         number(&code, state)
+    }
+}
+
+/// Whether a relation holds between numbers; nothing of those that ask whether there is a value.
+fn compared(relation: Relation, a: f64, b: f64) -> Option<bool> {
+    match relation {
+        Relation::Equal => Some(a == b),
+        Relation::NotEqual => Some(a != b),
+        Relation::Greater => Some(a > b),
+        Relation::Less => Some(a < b),
+        Relation::Undefined | Relation::Defined => None,
     }
 }
 

@@ -1,7 +1,6 @@
 //! An approach without radius compensation, or a departure while none is active.
 //!
-//! Without a word, or with R0 at a departure, the tool centre runs on the contour. APPR with R0 may be meant; where the
-//! program has one, its departures are left alone. Only said where compensation is certainly off.
+//! Without RL or RR the tool centre runs on the contour. Where a program approaches with R0, its departures are left alone. Only said where compensation is certainly off.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, Compensation, IsoKind, Path};
@@ -29,7 +28,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 Path::Appr(_) => {
                     let written = motion.compensation;
                     centre |= off && !matches!(written, Some(Compensation::Rl | Compensation::Rr));
-                    ("approach", off && written.is_none())
+                    let without = !matches!(written, Some(Compensation::Rl | Compensation::Rr));
+                    ("approach", written == Some(Compensation::R0) || (off && without))
                 }
                 Path::Dep(_) => ("departure", off && !centre),
                 _ => continue,

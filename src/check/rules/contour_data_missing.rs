@@ -2,6 +2,7 @@
 //!
 //! Roughing, pilot drilling and finishing of contours take depth, allowances and heights from the cycle that keeps them.
 //! Said once a program, and only where no way of the run has defined it.
+use crate::check::flow::Deed;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 
@@ -11,15 +12,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for call in facts.run.calls.iter().filter(|call| call.modal.is(Aspect::ContourData) == Tri::No) {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(definition) = facts.definitions.get(index as usize) else { continue };
-        let Some((cycle, kept)) = definition.cycle().zip(definition.kept) else { continue };
-        if !kept.deed(cycle).recalls() {
+        if !definition.kin().is_some_and(|cycle| cycle.file.contour.is_some() && Deed::of_cycle(cycle).recalls()) {
             continue;
         }
-        let keeper = facts.against.on.cycles.values().find(|own| {
-            let kept = facts.against.labels.kept(own.key);
-            kept.is_some_and(|kept| kept.deed(own).keeps())
-        });
-        let Some(keeper) = keeper else { continue };
+        let keepers = facts.against.catalogue.controls.values().flat_map(|on| on.cycles.values());
+        let Some(keeper) = keepers.into_iter().find(|own| Deed::of_cycle(own).keeps()) else { continue };
         let finding = rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string());
         found.push(finding.arg("data", keeper.key.to_string()));
         return;

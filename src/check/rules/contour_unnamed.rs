@@ -3,7 +3,7 @@
 //! CYCL DEF 14, SEL CONTOUR and CONTOUR DEF name one. Said once a program.
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
-use crate::spec::{Group, Known, TakesEffect};
+use crate::spec::{Group, TakesEffect};
 
 pub(super) const RULE: Rule = Rule { code: "contour-unnamed", severity: Severity::Error, run };
 
@@ -11,8 +11,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for call in facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Contour) == Tri::No) {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(definition) = facts.definitions.get(index as usize) else { continue };
-        let needs = matches!(definition.known, Known::Described(cycle)
-            if cycle.file.group == Group::Contours && cycle.file.takes_effect == TakesEffect::OnCall);
+        let needs = definition
+            .kin()
+            .is_some_and(|cycle| cycle.file.group == Group::Contours && cycle.file.takes_effect == TakesEffect::OnCall);
         if needs {
             found.push(rule.at(facts, call.span).arg("cycle", definition.key.to_string()));
             return;

@@ -4,18 +4,29 @@
 //!
 //! A contour may leave it to the control to close it by going on in the line with which it began. Lengths are only compared
 //! where all coordinates are numbers.
-use crate::check::contours::{Listed, corners, listed, wanted};
-use crate::check::{Defined, Facts, Rule};
+use crate::check::contours::{Listed, body, corners, listed, wanted};
+use crate::check::{Defined, Facts, Rule, Use, Way};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::{ContourWanted, TakesEffect};
-use crate::syntax::{Axis, Block, BlockKind, Compensates, Motion, Path};
+use crate::syntax::{Axis, Block, BlockKind, Compensates, Motion, Path, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "contour-wrong", severity: Severity::Warning, run };
 
 /// How far the end may be from the beginning, mm or inch: coordinates are rounded.
 const TOLERANCE: f64 = 0.01;
 
+/// The axes in which contours are described.
+const PLANE: [Axis; 2] = [Axis::X, Axis::Y];
+/// The same of what is turned.
+const TURNED: [Axis; 2] = [Axis::Z, Axis::X];
+/// The word of a blank that is turned.
+const BLANK: &str = "FUNCTION TURNDATA BLANK";
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for block in blanks(facts) {
+        let finding = rule.at(facts, facts.content(block)).arg("what", "open").arg("word", "");
+        found.push(finding.arg("cycle", BLANK));
+    }
     for list in listed(facts) {
         for reader in &list.readers {
             if let Some(second) = second_label(facts, &list, reader) {
@@ -38,6 +49,22 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         }
     }
+}
+
+/// The last blocks of contours of blanks that do not end where they begin.
+fn blanks<'a>(facts: &Facts<'a>) -> Vec<&'a Block> {
+    let graph = &facts.run.graph;
+    let turned = |own: &&Use| {
+        own.way == Way::Named
+            && facts.program.blocks().get(own.block).is_some_and(|block| {
+                matches!(&block.kind, BlockKind::Statement(own) if own.kind == StatementKind::Function)
+                    && facts.text(facts.content(block)).to_ascii_uppercase().starts_with(BLANK)
+            })
+    };
+    let starts = graph.uses.iter().filter(turned).filter_map(|own| graph.block_of(own.mark.as_ref()?));
+    let contours = starts.filter_map(|start| body(facts.program.blocks(), start));
+    let open = contours.filter(|contour| corners(contour, TURNED).is_some_and(|points| is_open(&points)));
+    open.filter_map(|contour| contour.iter().rev().find(|block| matches!(block.kind, BlockKind::Motion(_)))).collect()
 }
 
 /// The second label of a list of which the cycle reads the first only, if no other cycle reads all.
@@ -95,7 +122,7 @@ fn wrong<'a>(
     if wanted.compensated && !compensated && !unread {
         found.push((first, "uncompensated", String::new()));
     }
-    if wanted.closed && !unread && found.is_empty() && corners(contour).is_some_and(|points| is_open(&points)) {
+    if wanted.closed && !unread && found.is_empty() && corners(contour, PLANE).is_some_and(|points| is_open(&points)) {
         found.push((last, "open", String::new()));
     }
     found

@@ -1,9 +1,9 @@
 //! A rounding or chamfer that is no corner of a contour: two in a row, a chamfer at an arc, none of the two between its
-//! elements, or one that needs more of a straight line than there is.
+//! elements, a movement along the tool axis beside it, or one that needs more of a straight line than there is.
 //!
 //! Lengths are compared where the corners of both lines are written as numbers, one behind the other, in the plane of X
 //! and Y. Silent at free contours and around blocks that may be skipped.
-use crate::check::{Facts, Rule};
+use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Arg, Diagnostic, Severity};
 use crate::syntax::{Amount, Axis, Block, BlockKind, Element, Motion, Path};
 
@@ -23,7 +23,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         let before = blocks[..index].iter().rev().filter(|block| acts(block)).take(BACK).collect::<Vec<_>>();
         let behind = blocks.get(index + 1..).unwrap_or_default().iter().find(|block| acts(block));
-        if let Some((what, least)) = wrong(motion, &before, behind) {
+        let upright = facts.run.before(index).is_some_and(|modal| modal.is(Aspect::OtherAxis) == Tri::No);
+        let aside = if upright { beside_plane(&before, behind) } else { None };
+        if let Some((what, least)) = aside.or_else(|| wrong(motion, &before, behind)) {
             let finding = rule.at(facts, facts.content(block)).arg("what", what);
             found.push(finding.arg("least", Arg::Number(libm::round(least * 1e4) / 1e4)));
         }
@@ -37,6 +39,19 @@ fn acts(block: &Block) -> bool {
 
 fn is_corner(block: &Block) -> bool {
     matches!(&block.kind, BlockKind::Motion(motion) if motion.path().is_corner())
+}
+
+/// A corner between a movement along the tool axis Z alone and one in the plane.
+fn beside_plane(before: &[&Block], behind: Option<&Block>) -> Option<(&'static str, f64)> {
+    let (first, second) = (element(before.first().copied())?, element(behind)?);
+    let names = |own: &Element, axes: &[Axis]| own.words().coords.iter().any(|coord| axes.contains(&coord.axis));
+    let rises = |own: &Element| own.path() == Path::L && names(own, &[Axis::Z]) && own.words().coords.len() == 1;
+    let flat = |own: &Element| names(own, &[Axis::X, Axis::Y]);
+    match (rises(first), rises(second)) {
+        (true, _) if flat(second) => Some(("first", 0.0)),
+        (_, true) if flat(first) => Some(("alone", 0.0)),
+        _ => None,
+    }
 }
 
 fn element(block: Option<&Block>) -> Option<&Element> {

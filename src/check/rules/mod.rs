@@ -1,6 +1,7 @@
 //! The rules, one file each.
 mod approach_twice;
 mod approach_without_compensation;
+mod arc_without_tangent;
 mod arc_wrong;
 mod axis_twice;
 mod behind_end;
@@ -46,6 +47,7 @@ mod field_word_missing;
 mod frame_mismatch;
 mod free_contour_wrong;
 mod function_misspelled;
+mod function_not_on_control;
 mod functions_contradict;
 mod global_def_wrong;
 mod guard;
@@ -60,6 +62,7 @@ mod machine_coordinates_compensated;
 mod main_runs_into_subprogram;
 mod measuring_height_below_floor;
 mod metric_values_in_inch;
+mod mirror_of_tool_axis;
 mod misordered_parameter;
 mod missing_parameter;
 mod mode_wrong;
@@ -70,7 +73,9 @@ mod number_does_not_exist;
 mod out_of_range;
 mod out_of_range_elsewhere;
 mod parameter_unassigned;
+mod pattern_combination;
 mod pattern_missing;
+mod pattern_wrong;
 mod plane_incomplete;
 mod plane_not_reset;
 mod pole_missing;
@@ -99,16 +104,20 @@ mod tcpm_left_on;
 mod text_for_number;
 mod tool_axis_missing;
 mod tool_axis_other;
+mod tool_feed_missing;
 mod tool_missing;
 mod tool_not_listed;
+mod tool_number_wrong;
 mod tool_unfit;
 mod tool_unused;
 mod transfer_parameter_overwritten;
+mod transformation_forbidden;
 mod transformation_left_on;
 mod unknown_cycle;
 mod unknown_parameter;
 mod unlike_elsewhere;
 mod unreachable;
+mod value_without_sense;
 mod word_missing;
 mod word_twice;
 mod word_wrong;
@@ -122,6 +131,7 @@ use crate::diag::Diagnostic;
 pub const RULES: &[&Rule] = &[
     &approach_twice::RULE,
     &approach_without_compensation::RULE,
+    &arc_without_tangent::RULE,
     &arc_wrong::RULE,
     &axis_twice::RULE,
     &behind_end::RULE,
@@ -167,6 +177,7 @@ pub const RULES: &[&Rule] = &[
     &frame_mismatch::RULE,
     &free_contour_wrong::RULE,
     &function_misspelled::RULE,
+    &function_not_on_control::RULE,
     &functions_contradict::RULE,
     &global_def_wrong::RULE,
     &guard::RULE,
@@ -181,6 +192,7 @@ pub const RULES: &[&Rule] = &[
     &main_runs_into_subprogram::RULE,
     &measuring_height_below_floor::RULE,
     &metric_values_in_inch::RULE,
+    &mirror_of_tool_axis::RULE,
     &misordered_parameter::RULE,
     &missing_parameter::RULE,
     &mode_wrong::RULE,
@@ -191,7 +203,9 @@ pub const RULES: &[&Rule] = &[
     &out_of_range::RULE,
     &out_of_range_elsewhere::RULE,
     &parameter_unassigned::RULE,
+    &pattern_combination::RULE,
     &pattern_missing::RULE,
+    &pattern_wrong::RULE,
     &plane_incomplete::RULE,
     &plane_not_reset::RULE,
     &pole_missing::RULE,
@@ -220,16 +234,20 @@ pub const RULES: &[&Rule] = &[
     &text_for_number::RULE,
     &tool_axis_missing::RULE,
     &tool_axis_other::RULE,
+    &tool_feed_missing::RULE,
     &tool_missing::RULE,
     &tool_not_listed::RULE,
+    &tool_number_wrong::RULE,
     &tool_unfit::RULE,
     &tool_unused::RULE,
     &transfer_parameter_overwritten::RULE,
+    &transformation_forbidden::RULE,
     &transformation_left_on::RULE,
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,
     &unlike_elsewhere::RULE,
     &unreachable::RULE,
+    &value_without_sense::RULE,
     &word_missing::RULE,
     &word_twice::RULE,
     &word_wrong::RULE,

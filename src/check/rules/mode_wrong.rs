@@ -12,8 +12,8 @@ use crate::syntax::{BlockKind, StatementKind};
 pub(super) const RULE: Rule = Rule { code: "mode-wrong", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let turns = |own: &Defined<'_>| own.cycle().is_some_and(|cycle| cycle.file.group == Group::Turning);
-    let mills = |own: &Defined<'_>| own.cycle().is_some_and(removes_material);
+    let turns = |own: &Defined<'_>| own.kin().is_some_and(|cycle| cycle.file.group == Group::Turning);
+    let mills = |own: &Defined<'_>| own.kin().is_some_and(removes_material);
     for (turning, what) in [(Tri::Yes, "milling"), (Tri::No, "turning")] {
         let calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Turning) == turning);
         let mut wrong = calls.filter_map(|call| {

@@ -14,7 +14,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let call = calls.find_map(|call| {
         let Pending::Definition(index) = call.modal.pending else { return None };
         let own = facts.definitions.get(index as usize)?;
-        own.cycle().is_some_and(|cycle| cycle.file.clockwise_only).then_some((call.span, own))
+        own.kin().is_some_and(|cycle| cycle.file.clockwise_only).then_some((call.span, own))
     });
     if let Some((span, own)) = call {
         found.push(rule.at(facts, span).arg("cycle", own.key.to_string()));

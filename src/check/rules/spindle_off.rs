@@ -5,7 +5,6 @@
 use crate::check::flow::removes_material;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::spec::Known;
 use crate::syntax::{BlockKind, Compensates};
 
 pub(super) const RULE: Rule = Rule { code: "spindle-off", severity: Severity::Warning, run };
@@ -14,7 +13,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Spindle) == Tri::No).filter(|call| {
         let Pending::Definition(index) = call.modal.pending else { return false };
         let definition = facts.definitions.get(index as usize);
-        definition.is_some_and(|own| matches!(own.known, Known::Described(cycle) if removes_material(cycle)))
+        definition.is_some_and(|own| own.kin().is_some_and(removes_material))
     });
     let first = calls.map(|call| call.span).chain(contour(facts)).min_by_key(|span| span.start);
     if let Some(span) = first {
@@ -22,16 +21,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The first movement that begins a compensation while the spindle stands.
+/// The first movement along a contour, or to one, while the spindle stands.
 fn contour(facts: &Facts<'_>) -> Option<Span> {
     for (from, to, modal) in facts.run.stretches() {
         if modal.is_none_or(|modal| modal.is(Aspect::Spindle) != Tri::No || modal.is(Aspect::Tool) != Tri::Yes) {
             continue;
         }
+        let active = modal.is_some_and(|modal| modal.is(Aspect::Compensation) == Tri::Yes);
         for block in facts.program.blocks().get(from..to).unwrap_or_default() {
             let BlockKind::Motion(motion) = &block.kind else { continue };
             let outline = motion.outline();
-            let compensated = outline.compensates() == Compensates::Beside;
+            let along = outline.compensates() == Compensates::Unsaid && !outline.is_rapid() && active;
+            let compensated = outline.compensates() == Compensates::Beside || along;
             // M functions of the machine builder may turn it on.
             if compensated && outline.has_coords() && !outline.has_functions() {
                 return Some(facts.content(block));

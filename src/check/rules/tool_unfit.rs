@@ -10,7 +10,7 @@ pub(super) const RULE: Rule = Rule { code: "tool-unfit", severity: Severity::War
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let probe = facts.definitions.iter().find(|own| {
-        own.cycle().is_some_and(probes)
+        own.kin().is_some_and(probes)
             && facts.run.before(own.view.first).is_some_and(|modal| modal.is(Aspect::Cut) == Tri::Yes)
     });
     if let Some(own) = probe {
@@ -21,7 +21,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let call = calls.find_map(|call| {
         let Pending::Definition(index) = call.modal.pending else { return None };
         let own = facts.definitions.get(index as usize)?;
-        own.cycle().is_some_and(removes_material).then_some((call.span, own))
+        own.kin().is_some_and(removes_material).then_some((call.span, own))
     });
     if let Some((span, own)) = call {
         found.push(rule.at(facts, span).arg("what", "mill").arg("cycle", own.key.to_string()));

@@ -1,12 +1,12 @@
 //! A datum shift, rotation, mirror image or scaling that is certainly still active where the program ends.
 //!
-//! A machine parameter decides whether the end of a program resets it, so this is a note. A program that ends with END PGM
+//! A machine parameter decides whether the end of a program resets it, so this is no error. A program that ends with END PGM
 //! only may set it for those that call it.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::BlockKind;
 
-pub(super) const RULE: Rule = Rule { code: "transformation-left-on", severity: Severity::Note, run };
+pub(super) const RULE: Rule = Rule { code: "transformation-left-on", severity: Severity::Warning, run };
 
 /// What may be left on, with the word by which the message knows it.
 const LEFT: [(Aspect, &str); 5] = [

@@ -1,0 +1,42 @@
+//! A tangential arc (CT, CTP) without a contour element in the plane before it: there is nothing that it could be tangential to.
+//!
+//! Only said where what stands before it in the text is a tool call, a cycle, or a movement along the tool axis alone, with
+//! the tool axis Z.
+use crate::check::facts::is_silent;
+use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{Axis, Block, BlockKind, Path};
+
+pub(super) const RULE: Rule = Rule { code: "arc-without-tangent", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (index, block) in facts.shaped() {
+        let BlockKind::Motion(motion) = &block.kind else { continue };
+        if !matches!(motion.path(), Path::Ct | Path::Ctp) || block.skip {
+            continue;
+        }
+        let passed = |own: &&Block| is_silent(own) || matches!(own.kind, BlockKind::Functions(_)) || is_centre(own);
+        let before = facts.program.blocks().get(..index).unwrap_or_default();
+        let Some(before) = before.iter().rev().find(|own| !passed(own)) else { continue };
+        let z = facts.run.before(index).is_some_and(|modal| modal.is(Aspect::OtherAxis) == Tri::No);
+        if z && leads_nowhere(before) {
+            found.push(rule.at(facts, facts.content(block)));
+        }
+    }
+}
+
+fn is_centre(block: &Block) -> bool {
+    matches!(&block.kind, BlockKind::Motion(motion) if matches!(motion.path(), Path::Cc))
+}
+
+/// Whether a block does not lead through the plane of X and Y.
+fn leads_nowhere(block: &Block) -> bool {
+    match &block.kind {
+        BlockKind::ToolCall(_) | BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) | BlockKind::CyclCall(_) => true,
+        BlockKind::Motion(motion) if motion.path() == Path::L => {
+            let words = motion.words();
+            !words.coords.is_empty() && words.coords.iter().all(|coord| coord.axis == Axis::Z)
+        }
+        _ => false,
+    }
+}

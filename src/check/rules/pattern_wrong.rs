@@ -1,0 +1,49 @@
+//! A pattern (PATTERN DEF) with no machining position, with a negative diameter, or with more than nine positions.
+//!
+//! TNC 640, 001: 1428 and 1534-1549. Only said of numbers, and of parameters that certainly have one.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{BlockKind, NamedWord, PatternItem, ValueKind};
+
+pub(super) const RULE: Rule = Rule { code: "pattern-wrong", severity: Severity::Warning, run };
+
+/// How many positions a pattern of single ones has at most.
+const MOST: usize = 9;
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (_, block) in facts.marked() {
+        let BlockKind::PatternDef(own) = &block.kind else { continue };
+        let named = |item: &&PatternItem, name: &str| form(facts, item) == name;
+        if let Some(tenth) = own.items.iter().filter(|item| named(item, "POS")).nth(MOST) {
+            found.push(rule.at(facts, tenth.name).arg("what", "many").arg("word", facts.text(tenth.name)));
+        }
+        for item in &own.items {
+            let circle = matches!(form(facts, item).as_str(), "CIRC" | "PITCHCIRC");
+            for word in &item.words {
+                let name = facts.text(word.name).trim().to_ascii_uppercase();
+                let Some(number) = number(facts, word) else { continue };
+                let what = match name.as_str() {
+                    "NUM" | "NUMX" | "NUMY" if number < 1.0 || libm::trunc(number) != number => "count",
+                    "D" if circle && number <= 0.0 => "diameter",
+                    _ => continue,
+                };
+                found.push(rule.at(facts, word.span).arg("what", what).arg("word", name));
+            }
+        }
+    }
+}
+
+/// The form of an item: its name without its number.
+fn form(facts: &Facts<'_>, item: &PatternItem) -> String {
+    facts.text(item.name).trim_end_matches(|c: char| c.is_ascii_digit()).to_ascii_uppercase()
+}
+
+fn number(facts: &Facts<'_>, word: &NamedWord) -> Option<f64> {
+    match word.value.kind {
+        ValueKind::Number(number) => Some(number),
+        ValueKind::Q { negative, .. } => {
+            facts.run.number_at(word.value.span).map(|number| if negative { -number } else { number })
+        }
+        _ => None,
+    }
+}
