@@ -78,7 +78,7 @@ enum Waiting {
 
 /// The end of the last move in the working plane and the direction there.
 #[derive(Clone, Copy, Debug)]
-enum Last {
+pub(super) enum Last {
     Line(DVec2, DVec2),
     Heading(DVec2, DVec2),
 }
@@ -99,7 +99,7 @@ pub(super) struct Contour {
     between: Option<Box<Between>>,
     /// Whether what waited is executed just now.
     releasing: bool,
-    last: Option<Last>,
+    pub(super) last: Option<Last>,
     /// The block of a contour whose execution failed.
     blamed: Option<(usize, usize)>,
 }

@@ -63,6 +63,7 @@ pub use told::Told;
 pub use trace::{Trace, Traced};
 pub use world::Tool;
 
+use super::geometry::WorkingPlane;
 use super::plan::{self, Plan, Sentence};
 use super::scene::Scene;
 use super::solid::Path;
@@ -284,6 +285,15 @@ struct Spindle {
     direction: i8,
 }
 
+/// A pole, or centre of circles.
+#[derive(Clone, Copy, Debug)]
+struct Pole {
+    /// Program coordinates by axis.
+    at: DVec3,
+    /// The plane of its two axes, where that is not the working plane.
+    plane: Option<WorkingPlane>,
+}
+
 /// Modal data of the program.
 #[derive(Clone, Copy, Debug, Default)]
 struct Modal {
@@ -295,8 +305,8 @@ struct Modal {
     coolant: bool,
     /// The angle to which M19 and M20 orient the spindle.
     orientation: f64,
-    /// The pole, program coordinates by axis.
-    pole: Option<DVec3>,
+    /// The pole.
+    pole: Option<Pole>,
     /// Whether every positioning block calls the last cycle (M89).
     call_always: bool,
     /// Whether the last positioning block went at rapid traverse.

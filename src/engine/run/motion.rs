@@ -11,8 +11,8 @@ use super::fault::{Class, Fault};
 use super::probe::Pressed;
 use super::stylus::ProbeData;
 use super::turn::rotary;
-use super::{Done, Run, Touching};
-use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis};
+use super::{Done, Pole, Run, Touching};
+use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis, WorkingPlane};
 use crate::engine::solid::Path as BallPath;
 use crate::expr::{atan2d, cosd, sind};
 use crate::syntax::{Approach, Axis, Coord, Feed, FeedKind, Motion, Path};
@@ -36,6 +36,19 @@ pub(super) enum Speed {
     Rapid,
     /// mm/min along the path.
     Feed(f64),
+}
+
+/// How a circular movement turns.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    /// The plane of the circle.
+    plane: WorkingPlane,
+    /// Its centre, program coordinates.
+    centre: DVec3,
+    /// 1 counter-clockwise, -1 clockwise.
+    direction: f64,
+    /// The signed angle where it is programmed, degrees.
+    sweep: Option<f64>,
 }
 
 impl Speed {
@@ -131,22 +144,23 @@ impl Run<'_, '_> {
     }
 
     /// A circular block: at once, or as an element of a contour.
-    fn arc_block(
-        &mut self,
-        motion: &Motion,
-        centre: DVec3,
-        to: DVec3,
-        direction: f64,
-        sweep: Option<f64>,
-        speed: Result<Speed, Fault>,
-    ) -> Done {
-        let (plane, from) = (self.world.system.plane, self.programmed());
-        let sweep = self.sweep(from, centre, to, direction, sweep)?;
-        if self.is_in_contour(motion) {
-            return self.contour_arc(centre, to, sweep, motion, speed);
+    fn arc_block(&mut self, motion: &Motion, turn: Turn, to: DVec3, speed: Result<Speed, Fault>) -> Done {
+        let (plane, from) = (turn.plane, self.programmed());
+        let sweep = self.sweep(from, to, &turn)?;
+        let beside = self.is_in_contour(motion);
+        if plane != self.world.system.plane {
+            if beside {
+                return Err(Fault::unsupported("unsupported-compensation").arg("word", "CC").into());
+            }
+            // In the working plane it has no direction.
+            self.contour.last = None;
+            return self.arc_by(Turn { sweep: Some(sweep), ..turn }, to, speed);
         }
-        self.passed_arc(plane.flat(from), plane.flat(to), plane.flat(centre), sweep);
-        self.arc_to(centre, to, direction, Some(sweep), speed)
+        if beside {
+            return self.contour_arc(turn.centre, to, sweep, motion, speed);
+        }
+        self.passed_arc(plane.flat(from), plane.flat(to), plane.flat(turn.centre), sweep);
+        self.arc_by(Turn { sweep: Some(sweep), ..turn }, to, speed)
     }
 
     /// An arc that goes on in the direction of the element before it.
@@ -156,7 +170,7 @@ impl Run<'_, '_> {
         let found = tangential(plane.flat(from), heading, plane.flat(to));
         let Some((centre, sweep)) = found else { return Err(Fault::program("tangent-missing").into()) };
         let centre = plane.lift(centre, plane.tool.of(from));
-        self.arc_block(motion, centre, to, sweep.signum(), Some(sweep), speed)
+        self.arc_block(motion, Turn { plane, centre, direction: sweep.signum(), sweep: Some(sweep) }, to, speed)
     }
 
     /// The speed of a block; a feed word stays in force. What is missing shows only if the tool moves.
@@ -234,39 +248,44 @@ impl Run<'_, '_> {
     }
 
     fn set_pole(&mut self, motion: &Motion) -> Done {
+        let here = self.programmed();
         if motion.coords.is_empty() {
-            self.modal.pole = Some(self.programmed());
+            self.modal.pole = Some(Pole { at: here, plane: None });
             return Ok(());
         }
-        let from = self.modal.pole.unwrap_or(self.programmed());
-        let mut pole = from;
+        let mut at = self.modal.pole.map_or(here, |pole| pole.at);
+        let mut axes = Vec::with_capacity(2);
         for coord in &motion.coords {
             let axis = linear(coord.axis)?;
-            pole = axis.with(pole, self.coordinate(coord, axis.of(self.programmed()))?);
+            at = axis.with(at, self.coordinate(coord, axis.of(here))?);
+            axes.push(axis);
         }
-        self.modal.pole = Some(pole);
+        // Two axes, one of them that of the tool, are a plane of their own.
+        let tool = self.world.system.plane.tool;
+        let upright = axes.len() == 2 && axes.contains(&tool);
+        let across = LinearAxis::ALL.into_iter().find(|axis| upright && !axes.contains(axis));
+        self.modal.pole = Some(Pole { at, plane: across.map(WorkingPlane::of_tool_axis) });
         Ok(())
     }
 
-    /// The pole, lifted to the height of the tool.
-    fn pole(&self) -> Result<DVec3, Fault> {
+    /// The plane of circles about the pole, and the pole at the tool's height above that plane.
+    fn pole(&self) -> Result<(WorkingPlane, DVec3), Fault> {
         let pole = self.modal.pole.ok_or_else(|| Fault::program("pole-missing"))?;
-        let tool = self.world.system.plane.tool;
-        Ok(tool.with(pole, tool.of(self.programmed())))
+        let plane = pole.plane.unwrap_or(self.world.system.plane);
+        Ok((plane, plane.tool.with(pole.at, plane.tool.of(self.programmed()))))
     }
 
     /// Angle and radius of the present position about the pole.
-    fn polar_now(&self, pole: DVec3) -> (f64, f64) {
-        let arm = self.world.system.plane.flat(self.programmed() - pole);
+    fn polar_now(&self, (plane, pole): (WorkingPlane, DVec3)) -> (f64, f64) {
+        let arm = plane.flat(self.programmed() - pole);
         (libm::hypot(arm.x, arm.y), atan2d(arm.y, arm.x))
     }
 
     fn polar_target(&self, motion: &Motion) -> Result<DVec3, Fault> {
-        let pole = self.pole()?;
-        let (radius, angle) = self.polar_now(pole);
+        let (plane, pole) = self.pole()?;
+        let (radius, angle) = self.polar_now((plane, pole));
         let radius = motion.coord(Axis::Pr).map_or(Ok(radius), |coord| self.coordinate(coord, radius))?;
         let angle = motion.coord(Axis::Pa).map_or(Ok(angle), |coord| self.coordinate(coord, angle))?;
-        let plane = self.world.system.plane;
         let flat = plane.flat(pole) + DVec2::new(radius * cosd(angle), radius * sind(angle));
         let height = plane.tool.of(self.programmed());
         self.target(&motion.coords, plane.lift(flat, height))
@@ -282,16 +301,15 @@ impl Run<'_, '_> {
 
     fn circle_block(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
         let direction = Self::direction(motion)?;
-        let centre = self.pole()?;
-        self.arc_block(motion, centre, to, direction, None, speed)
+        let (plane, centre) = self.pole()?;
+        self.arc_block(motion, Turn { plane, centre, direction, sweep: None }, to, speed)
     }
 
     fn polar_circle(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
         let direction = Self::direction(motion)?;
-        let pole = self.pole()?;
-        let (radius, now) = self.polar_now(pole);
+        let (plane, pole) = self.pole()?;
+        let (radius, now) = self.polar_now((plane, pole));
         let Some(angle) = motion.coord(Axis::Pa) else { return Err(Fault::program("angle-missing").into()) };
-        let plane = self.world.system.plane;
         let sweep = if angle.incremental { Some(self.operand(&angle.value)?) } else { None };
         let end = self.coordinate(angle, now)?;
         let flat = plane.flat(pole) + DVec2::new(radius * cosd(end), radius * sind(end));
@@ -299,7 +317,7 @@ impl Run<'_, '_> {
         if sweep.is_some_and(|sweep| sweep * direction < 0.0) {
             return Err(Fault::program("direction-contradicts").into());
         }
-        self.arc_block(motion, pole, to, direction, sweep, speed)
+        self.arc_block(motion, Turn { plane, centre: pole, direction, sweep }, to, speed)
     }
 
     fn radius_circle(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
@@ -320,7 +338,7 @@ impl Run<'_, '_> {
         let side = direction * if radius > 0.0 { 1.0 } else { -1.0 };
         let left = DVec2::new(-chord.y, chord.x) / (2.0 * half);
         let centre = plane.lift(plane.flat(here) + chord / 2.0 + left * (height * side), plane.tool.of(here));
-        self.arc_block(motion, centre, to, direction, None, speed)
+        self.arc_block(motion, Turn { plane, centre, direction, sweep: None }, to, speed)
     }
 
     /// Moves straight; `machine` gives the target in machine coordinates where that is what is programmed.
@@ -339,8 +357,8 @@ impl Run<'_, '_> {
         self.go(kind, feed, to, machine, &path)
     }
 
-    /// Moves on an arc about the centre; `sweep` is the signed angle where it is programmed, else it follows from
-    /// the end (a whole circle if that is where the tool stands). Heights may differ: a helix.
+    /// Moves on an arc in the working plane about the centre; `sweep` is the signed angle where it is programmed, else it
+    /// follows from the end (a whole circle if that is where the tool stands). Heights may differ: a helix.
     pub(super) fn arc_to(
         &mut self,
         centre: DVec3,
@@ -349,13 +367,21 @@ impl Run<'_, '_> {
         sweep: Option<f64>,
         speed: Result<Speed, Fault>,
     ) -> Done {
-        let (plane, from) = (self.world.system.plane, self.world.here);
-        let angle = self.sweep(from, centre, to, direction, sweep)?;
+        self.arc_by(Turn { plane: self.world.system.plane, centre, direction, sweep }, to, speed)
+    }
+
+    fn arc_by(&mut self, turn: Turn, to: DVec3, speed: Result<Speed, Fault>) -> Done {
+        let (plane, from) = (turn.plane, self.world.here);
+        let angle = self.sweep(from, to, &turn)?;
         let rise = plane.tool.of(to) - plane.tool.of(from);
         let frame = *self.world.system.frame();
-        let centre = plane.lift(plane.flat(centre), plane.tool.of(from));
+        let centre = plane.lift(plane.flat(turn.centre), plane.tool.of(from));
         let machine = self.world.to_machine(to);
-        if self.world.system.plane_scale().is_none() {
+        let across = plane != self.world.system.plane;
+        let stretched = |axis: LinearAxis| frame.vector(axis.unit()).length();
+        if self.world.system.plane_scale().is_none()
+            || across && (stretched(plane.main) - stretched(plane.secondary)).abs() > SAME
+        {
             return Err(Fault::program("arc-scaled-unequally").into());
         }
         // Seen along the tool axis of a mirrored system a circle goes round the other way.
@@ -377,14 +403,14 @@ impl Run<'_, '_> {
     }
 
     /// The signed angle of an arc: that which is programmed, else what follows from its end.
-    fn sweep(&self, from: DVec3, centre: DVec3, to: DVec3, direction: f64, sweep: Option<f64>) -> Result<f64, Fault> {
-        let plane = self.world.system.plane;
+    fn sweep(&self, from: DVec3, to: DVec3, turn: &Turn) -> Result<f64, Fault> {
+        let (plane, centre, direction) = (turn.plane, turn.centre, turn.direction);
         let (a, b) = (plane.flat(from - centre), plane.flat(to - centre));
         let (start, end) = (libm::hypot(a.x, a.y), libm::hypot(b.x, b.y));
         if (start - end).abs() > OFF_CIRCLE || start == 0.0 {
             return Err(Fault::program("end-off-circle").arg("start_radius", start).arg("end_radius", end));
         }
-        Ok(sweep.unwrap_or_else(|| {
+        Ok(turn.sweep.unwrap_or_else(|| {
             let turn = (atan2d(b.y, b.x) - atan2d(a.y, a.x)) * direction;
             let turn = turn.rem_euclid(360.0);
             direction * if a == b || turn == 0.0 { 360.0 } else { turn }
