@@ -431,8 +431,9 @@ fn opt_axis(cursor: &mut Cursor<'_>) -> Option<Axis> {
     cursor.blanks();
     let word = cursor.peek_word();
     let axis = Axis::by_name(word.as_bytes()).filter(|axis| !matches!(axis, Axis::Pr | Axis::Pa))?;
-    let after = cursor.byte_at(word.span.end);
-    if matches!(after, b'+' | b'-') || cursor.number_at(word.span.end) {
+    let mut behind = Cursor { at: word.span.end, ..*cursor };
+    behind.blanks();
+    if matches!(behind.byte(), b'+' | b'-') || cursor.number_at(word.span.end) {
         return None;
     }
     cursor.at = word.span.end;

@@ -217,7 +217,8 @@ impl<'f, 'a> Steps<'f, 'a> {
                 state.modal.set(Aspect::Contour, Tri::Yes);
             }
             StatementKind::Plane => {
-                state.modal.set(Aspect::Tilting, if word(1) == "RESET" { Tri::No } else { Tri::Yes });
+                let flat = word(1) == "RESET" || self.is_untilted(statement);
+                state.modal.set(Aspect::Tilting, if flat { Tri::No } else { Tri::Yes });
                 state.modal.set(Aspect::Feed, Tri::Unknown);
             }
             StatementKind::Trans => {
@@ -270,6 +271,16 @@ impl<'f, 'a> Steps<'f, 'a> {
             }
             _ => {}
         }
+    }
+
+    /// Whether a PLANE has angles, and all of them are 0.
+    fn is_untilted(&self, plane: &Statement) -> bool {
+        let angle = |word: &&NamedWord| {
+            let name = self.program.slice(word.name).trim();
+            ["SPA", "SPB", "SPC", "A", "B", "C"].iter().any(|angle| angle.eq_ignore_ascii_case(name))
+        };
+        let mut angles = plane.words.iter().filter(angle).peekable();
+        angles.peek().is_some() && angles.all(|word| word.value.kind == ValueKind::Number(0.0))
     }
 
     /// A word of what names a statement, in capitals if it is one that matters.
