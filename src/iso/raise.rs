@@ -162,7 +162,9 @@ impl Raising<'_, '_> {
                 let blank = if content.is_empty() { "" } else { " " };
                 let comment =
                     self.text(comment).split(['\r', '\n']).map(|line| line.trim().trim_end_matches('~').trim_end());
-                let comment: Vec<&str> = comment.filter(|line| !line.is_empty()).collect();
+                let mut comment: Vec<&str> = comment.filter(|line| !line.is_empty()).collect();
+                let wrapped = self.program.wrapped(block).map(|rest| self.flat(rest));
+                comment.extend(wrapped.as_deref());
                 let comment = format!("{blank}{}*", comment.join(" "));
                 self.text.push_str(&comment);
             }
@@ -268,7 +270,8 @@ impl Raising<'_, '_> {
             BlockKind::Statement(statement) => self.statement(statement, whole)?,
             // Both languages write these alike.
             BlockKind::Formula(_) | BlockKind::TextFormula(_) | BlockKind::ContourFormula(_) => {
-                let flat = self.flat(whole);
+                let end = self.program.wrapped(block).map_or(whole.end, |rest| rest.start);
+                let flat = self.flat(Span::new(whole.start, end));
                 match flat.split_once(':') {
                     Some((function, _)) if function.to_ascii_uppercase().starts_with("FN") => {
                         return Err(no_equivalent(whole));
@@ -362,7 +365,7 @@ impl Raising<'_, '_> {
         if empty && !corner && (!line || motion.functions.is_empty()) {
             return Err(refused());
         }
-        if motion.coords.is_empty() && rapid && motion.compensation.is_none() {
+        if motion.coords.is_empty() && rapid && motion.compensation.is_none() && motion.functions.is_empty() {
             return Err(refused());
         }
         if empty && line {

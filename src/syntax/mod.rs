@@ -124,6 +124,24 @@ impl Program {
         self.blocks.iter().map(|block| block.lines).sum()
     }
 
+    /// The lines that continue the comment of a block's first line: those behind what the block says.
+    pub fn wrapped(&self, block: &Block) -> Option<Span> {
+        let comment = block.comment().filter(|_| block.lines > 1)?;
+        let said = match &block.kind {
+            BlockKind::Formula(formula) => formula.text.end,
+            BlockKind::TextFormula(formula) => formula.text.end,
+            BlockKind::Motion(element) => {
+                let motion = element.words();
+                let words = motion.coords.iter().map(|coord| coord.span.end);
+                let words = words.chain(motion.functions.iter().map(|function| function.span.end));
+                words.chain(motion.feed.map(|feed| feed.span.end)).max()?
+            }
+            _ => return None,
+        };
+        let rest = Span::new(comment.end, self.content(block).end);
+        (said <= comment.start && rest.start < rest.end).then_some(rest)
+    }
+
     /// Text behind a tab that is no part of the block, as printed listings have it.
     pub fn remark(&self, block: &Block) -> Option<Span> {
         let at = self.warnings.partition_point(|warning| warning.span.start < block.span.start);

@@ -11,8 +11,8 @@ use crate::check::facts::each_function;
 use crate::diag::Span;
 use crate::expr::{Code, Env, EvalError, Expr, OnlyParameters, QKind, QRef, Value, compile};
 use crate::syntax::{
-    Amount, Axis, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, Operand, Path,
-    Program, Relation, Statement, StatementKind, ValueKind,
+    Amount, Axis, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, NamedWord, Operand,
+    Path, Program, Relation, Statement, StatementKind, ValueKind,
 };
 
 /// What stepping needs besides the state.
