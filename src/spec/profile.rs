@@ -123,6 +123,8 @@ record! {
         covers: Vec<Keyword>,
         /// Functions of the language, beyond cycles and what every control has, that its manuals show.
         functions: Vec<FunctionShown>,
+        /// The greatest number of a label, if it is less than labels can have at all.
+        greatest_label: Option<u32>,
         /// Functions and cycles that it does not have, where no manual needs to say so.
         lacks: Vec<FunctionLacking>,
         /// Every cycle that its manuals name.

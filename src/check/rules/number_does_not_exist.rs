@@ -1,9 +1,10 @@
-//! The number of a parameter above 1999, of a local or lasting one above 499, or of an M function above 999: there are none.
+//! The number of a parameter above 1999, of a local or lasting one above 499, of an M function above 999, or of a label above
+//! the greatest one of the control: there are none.
 use crate::check::flow::reads;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::expr::QKind;
-use crate::syntax::BlockKind;
+use crate::syntax::{BlockKind, Label};
 
 pub(super) const RULE: Rule = Rule { code: "number-does-not-exist", severity: Severity::Error, run };
 
@@ -15,7 +16,20 @@ const LOCAL: u16 = 499;
 const FUNCTION: u16 = 999;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let label = facts.against.on.control.greatest_label.unwrap_or(u32::MAX);
     for (_, block) in facts.marked() {
+        let named = match &block.kind {
+            BlockKind::Lbl(own) => Some(own.as_ref()),
+            BlockKind::CallLbl(call) => Some(&call.label),
+            BlockKind::FnJump(jump) => Some(&jump.label),
+            _ => None,
+        };
+        if let Some((Label::Number(number), span)) = named.map(|own| (own.target, own.span))
+            && u32::from(number) > label
+        {
+            let finding = rule.at(facts, span).arg("name", format!("LBL {number}"));
+            found.push(finding.arg("greatest", format!("LBL {label}")));
+        }
         for function in facts.functions(block).iter().filter(|own| own.number > FUNCTION) {
             let finding = rule.at(facts, function.span).arg("name", format!("M{}", function.number));
             found.push(finding.arg("greatest", format!("M{FUNCTION}")));

@@ -1,14 +1,19 @@
 //! A parameter of a cycle that is written between the cycle's definition and a call of it.
 //!
-//! The call takes the new value, which may be meant; so it is a note, and only said where it is certain which cycle
-//! the next call means.
+//! The call takes the new value, which may be meant; so it is no error, and only said where it is certain which cycle
+//! the next call means. The parameters Q1 to Q20 belong to the cycles that work with the contour data from the definition
+//! of those data to the last call of such a cycle (TNC 640, 001: 4600).
 use std::collections::HashMap;
 
-use crate::check::{Facts, Pending, Rule};
+use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
+use crate::expr::{QKind, QRef};
 use crate::syntax::BlockKind;
 
-pub(super) const RULE: Rule = Rule { code: "transfer-parameter-overwritten", severity: Severity::Note, run };
+pub(super) const RULE: Rule = Rule { code: "transfer-parameter-overwritten", severity: Severity::Warning, run };
+
+/// The last of the parameters that cycles of contours share.
+const RESERVED: u16 = 20;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::FnAssign(_) | BlockKind::Formula(_))) {
@@ -22,6 +27,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             *last = call.block.max(*last);
         }
     }
+    shared(rule, facts, found);
     for (from, to, modal) in facts.run.stretches() {
         let Some(Pending::Definition(index)) = modal.map(|modal| modal.pending) else { continue };
         let Some(definition) = facts.definitions.get(index as usize) else { continue };
@@ -35,11 +41,50 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             if calls.get(&index).is_none_or(|last| *last <= at) {
                 continue;
             }
-            let definition = read.get_or_insert_with(|| facts.read(definition));
-            if definition.items.iter().any(|item| item.param.is_some_and(|param| param.q == Some(target))) {
+            let written = read.get_or_insert_with(|| written(facts, definition));
+            let told =
+                |own: &Diagnostic| own.code == RULE.code && own.place.as_ref().is_some_and(|place| place.span == span);
+            if written.contains(&target) && !found.iter().any(told) {
                 let finding = rule.at(facts, span).arg("parameter", target.to_string());
                 found.push(finding.arg("cycle", definition.key.to_string()));
             }
+        }
+    }
+}
+
+/// The parameters that a definition writes.
+fn written(facts: &Facts<'_>, definition: &Defined<'_>) -> Vec<QRef> {
+    let other = definition.as_kin();
+    let read = facts.read(other.as_ref().unwrap_or(definition));
+    read.items.iter().filter_map(|item| item.param?.q).collect()
+}
+
+/// The parameters that the cycles of contours share, written while they are still to be called.
+fn shared(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let of_contours = |own: &&Defined<'_>| {
+        own.kin().is_some_and(|cycle| cycle.file.contour.as_ref().is_some_and(|wanted| wanted.closed))
+    };
+    let mut last: Option<(usize, &Defined<'_>)> = None;
+    for call in &facts.run.calls {
+        if let Pending::Definition(index) = call.modal.pending
+            && let Some(own) = facts.definitions.get(index as usize).filter(of_contours)
+            && last.is_none_or(|(block, _)| block < call.block)
+        {
+            last = Some((call.block, own));
+        }
+    }
+    let Some((last, called)) = last else { return };
+    for (index, block) in facts.marked().take_while(|(index, _)| *index < last) {
+        let (target, span) = match &block.kind {
+            BlockKind::FnAssign(assign) => (assign.target, assign.target_span),
+            BlockKind::Formula(formula) => (formula.target, formula.target_span),
+            _ => continue,
+        };
+        let reserved = target.kind == QKind::Q && (1..=RESERVED).contains(&target.number);
+        let data = || facts.run.before(index).is_some_and(|modal| modal.is(Aspect::ContourData) == Tri::Yes);
+        if reserved && data() {
+            let finding = rule.at(facts, span).arg("parameter", target.to_string());
+            found.push(finding.arg("cycle", called.key.to_string()));
         }
     }
 }
