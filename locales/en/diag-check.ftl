@@ -238,7 +238,6 @@ diag-tool-axis-other =
 diag-tool-feed-missing = The feed of the tool call is taken here, but it has none.
 diag-tool-missing = A cycle moves here, but no tool call has named the tool axis before.
 diag-tool-not-listed = The tool table has no tool { $tool }.
-diag-tool-number-wrong = There is no tool { $tool }.
 diag-tool-unfit =
     { $what ->
         [probe] { $cycle } probes here with the tool that has just machined.

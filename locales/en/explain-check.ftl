@@ -111,7 +111,6 @@ explain-tool-axis-other = BLK FORM and TOOL CALL name the tool axis, which decid
 explain-tool-feed-missing = FAUTO, and AUTO as a value of a cycle, take the feed that TOOL CALL has given. Where no way of the run has given one, or it is 0, there is none to take. Example: L X+10 FAUTO behind TOOL CALL 1 Z S2000.
 explain-tool-missing = Cycles need the tool axis, which TOOL CALL names: TOOL CALL 5 Z S2000. Said once a program.
 explain-tool-not-listed = Only where a tool table is named with --table or in ciklo.toml. Tool 0, tools that parameters choose and those that TOOL DEF defines in the program are left alone. Each tool is said once.
-explain-tool-number-wrong = Tools have numbers from 0 to 32767.9. A parameter is looked at where its value is certain. Example: TOOL CALL 40000 Z.
 explain-tool-unfit = A touch probe is a tool of its own: a tool call stands between machining and probing. Behind STOP, M0, M6 and M functions of the machine builder, where it may be put in by hand, nothing is said. Each is said once a program.
 explain-tool-unused = Two tool calls with different tools stand one behind the other, so nothing is machined with the first one. What it was called for may have been lost. Tool 0 is left alone.
 explain-transfer-parameter-overwritten = Parameters of a cycle act globally. What is written into one between the definition and a call changes the cycle. That may be meant; if not, use another parameter. Q1 to Q20 belong to the cycles of contours from CYCL DEF 20 to their last call.

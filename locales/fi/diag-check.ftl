@@ -237,7 +237,6 @@ diag-tool-axis-other =
 diag-tool-feed-missing = Tässä käytetään työkalukutsun syöttöarvoa, mutta sitä ei ole.
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään aiempi työkalukutsu ei ole määritellyt työkaluakselia.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
-diag-tool-number-wrong = Työkalua { $tool } ei ole.
 diag-tool-unfit =
     { $what ->
         [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.

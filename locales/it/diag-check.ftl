@@ -237,7 +237,6 @@ diag-tool-axis-other =
 diag-tool-feed-missing = Qui si prende l’avanzamento della chiamata utensile, che non ne ha.
 diag-tool-missing = Qui un ciclo esegue movimenti, ma prima nessuna chiamata utensile ha indicato l’asse utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
-diag-tool-number-wrong = L’utensile { $tool } non esiste.
 diag-tool-unfit =
     { $what ->
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.

@@ -237,7 +237,6 @@ diag-tool-axis-other =
 diag-tool-feed-missing = Usa-se aqui o avanço da chamada da ferramenta, que não o tem.
 diag-tool-missing = Aqui um ciclo executa movimentos, mas antes nenhuma chamada da ferramenta indicou o eixo da ferramenta.
 diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
-diag-tool-number-wrong = A ferramenta { $tool } não existe.
 diag-tool-unfit =
     { $what ->
         [probe] { $cycle } apalpa aqui com a ferramenta que acabou de maquinar.

@@ -239,7 +239,6 @@ diag-tool-axis-other =
 diag-tool-feed-missing = Tu se uporabi pomik iz priklica orodja, ki pa ga nima.
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
-diag-tool-number-wrong = Orodja { $tool } ni.
 diag-tool-unfit =
     { $what ->
         [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.

@@ -111,7 +111,6 @@ explain-tool-axis-other = BLK FORM in TOOL CALL navedeta orodno os, ki določa o
 explain-tool-feed-missing = FAUTO in AUTO kot vrednost cikla vzameta pomik, ki ga je podal TOOL CALL. Kjer ga ni podala nobena pot izvajanja ali je 0, ga ni od kod vzeti. Primer: L X+10 FAUTO za TOOL CALL 1 Z S2000.
 explain-tool-missing = Cikli potrebujejo orodno os, ki jo določi TOOL CALL: TOOL CALL 5 Z S2000. Javi se enkrat za vsak program.
 explain-tool-not-listed = Samo kadar je preglednica orodij navedena s stikalom --table ali v ciklo.toml. Orodje 0, orodja, ki jih izbere parameter, in tista, ki jih v programu določi TOOL DEF, niso obravnavana. Vsako orodje se javi enkrat.
-explain-tool-number-wrong = Orodja imajo številke od 0 do 32767,9. Parameter se upošteva, kjer je njegova vrednost zanesljivo znana. Primer: TOOL CALL 40000 Z.
 explain-tool-unfit = Tipalni sistem je svoje orodje: med obdelavo in tipanjem stoji priklic orodja. Za STOP, M0, M6 in M-funkcijami proizvajalca stroja, kjer se lahko vstavi ročno, se nič ne javi. Vsako se javi enkrat za vsak program.
 explain-tool-unused = Dva priklica z različnima orodjema stojita drug za drugim, zato se s prvim nič ne obdela. To, za kar je bilo priklicano, se je morda izgubilo. Orodje 0 ni obravnavano.
 explain-transfer-parameter-overwritten = Parametri cikla delujejo globalno. Kar se vanje zapiše med definicijo in priklicem, spremeni cikel. To je lahko namerno; če ni, uporabite drug parameter. Q1 do Q20 pripadajo konturnim ciklom od CYCL DEF 20 do njihovega zadnjega priklica.

@@ -107,7 +107,6 @@ mod tool_axis_other;
 mod tool_feed_missing;
 mod tool_missing;
 mod tool_not_listed;
-mod tool_number_wrong;
 mod tool_unfit;
 mod tool_unused;
 mod transfer_parameter_overwritten;
@@ -237,7 +236,6 @@ pub const RULES: &[&Rule] = &[
     &tool_feed_missing::RULE,
     &tool_missing::RULE,
     &tool_not_listed::RULE,
-    &tool_number_wrong::RULE,
     &tool_unfit::RULE,
     &tool_unused::RULE,
     &transfer_parameter_overwritten::RULE,
