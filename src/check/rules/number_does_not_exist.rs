@@ -1,5 +1,8 @@
 //! The number of a parameter above 1999, of a local or lasting one above 499, of an M function above 999, or of a label above
 //! the greatest one of the control: there are none.
+use std::borrow::Cow;
+
+use crate::check::facts::each_function;
 use crate::check::flow::reads;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
@@ -30,7 +33,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let finding = rule.at(facts, span).arg("name", format!("LBL {number}"));
             found.push(finding.arg("greatest", format!("LBL {label}")));
         }
-        for function in facts.functions(block).iter().filter(|own| own.number > FUNCTION) {
+        // Most blocks with M functions are told apart by their numbers alone.
+        let mut beyond = false;
+        each_function(block, |number| beyond |= number > FUNCTION);
+        let functions = if beyond { facts.functions(block) } else { Cow::default() };
+        for function in functions.iter().filter(|own| own.number > FUNCTION) {
             let finding = rule.at(facts, function.span).arg("name", format!("M{}", function.number));
             found.push(finding.arg("greatest", format!("M{FUNCTION}")));
         }
