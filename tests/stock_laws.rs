@@ -7,11 +7,11 @@
 use std::fmt::Write as _;
 
 use ciklo::diag::Source;
-use ciklo::engine::geometry::{Axis, WorkingPlane};
+use ciklo::engine::geometry::{Axis, Frame, WorkingPlane};
 use ciklo::engine::run::{Engine, NoTexts, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::engine::solid::Shape;
-use ciklo::engine::stock::{Machining, Report, Stock};
+use ciklo::engine::solid::{Path, Shape};
+use ciklo::engine::stock::{Batch, Cut, Cutter, Machining, Report, Stock, Tip};
 use ciklo::syntax;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
@@ -172,6 +172,44 @@ fn drilling(setup: &Setup, depth: f64, infeed: f64) -> String {
     )
 }
 
+/// Steps of a flat tool in a block of 16 mm: each goes on from the last one, now and then with another tool.
+fn steps() -> impl Strategy<Value = Vec<(Path, Cutter)>> {
+    let step = (0.0..360.0_f64, 0.02..0.6_f64, -0.3..0.1_f64, any::<bool>(), 0..12_u8);
+    let tools = (2.0..5.0_f64, prop_oneof![Just(Tip::Round(2.0)), Just(Tip::Point(0.6)), Just(Tip::Flat)]);
+    (tools, prop::collection::vec(step, 1..60)).prop_map(|((radius, tip), steps)| {
+        let flat = Cutter { radius, tip: Tip::Flat, neck: None, edges: 0.0 };
+        let other = Cutter { radius: 2.0, tip, neck: None, edges: 0.0 };
+        let mut at = DVec3::new(8.0, 8.0, -1.0);
+        let way = |(towards, length, rise, arc, kind): (f64, f64, f64, bool, u8)| {
+            let angle = towards.to_radians();
+            let there = DVec3::new(angle.cos(), angle.sin(), 0.0);
+            let from = at;
+            let path = if arc {
+                let (centre, sweep) = (from - there * 4.0, (length / 4.0).to_degrees());
+                Path::Arc { centre, axis: DVec3::Z, from, sweep, rise }
+            } else {
+                Path::line(from, from + there * length + DVec3::Z * rise)
+            };
+            at = path.at(1.0);
+            (path, if kind == 0 { other } else { flat })
+        };
+        steps.into_iter().map(way).collect()
+    })
+}
+
+/// What is left of the block, and what each step did; the steps are carried out so many at a time.
+fn stepped(steps: &[(Path, Cutter)], together: usize) -> (Stock, Vec<Cut>) {
+    let [min, max] = [DVec3::new(0.0, 0.0, -30.0), DVec3::new(16.0, 16.0, 0.0)];
+    let blank = Shape::Box { min, max };
+    let mut stock = Stock::new(&blank, [min, max], Frame::IDENTITY, Axis::Z, 0.1).expect("a stock");
+    let (mut batch, mut cuts) = (Batch::default(), Vec::new());
+    for steps in steps.chunks(together) {
+        steps.iter().for_each(|(path, cutter)| stock.add(&mut batch, path, DVec3::Z, cutter, false));
+        cuts.extend(stock.carry_out(&mut batch));
+    }
+    (stock, cuts)
+}
+
 /// `PROPTEST_CASES=1000 cargo test --test stock_laws` tries more of them.
 fn config() -> ProptestConfig {
     let mut config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
@@ -183,6 +221,23 @@ fn config() -> ProptestConfig {
 
 proptest! {
     #![proptest_config(config())]
+
+    /// What a flat tool has below it is remembered from step to step only while they are carried out together.
+    #[test]
+    fn steps_together_do_what_they_do_alone(steps in steps()) {
+        let ((together, both), (alone, each)) = (stepped(&steps, steps.len()), stepped(&steps, 1));
+        let (columns, rows) = together.size();
+        for (column, row) in (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row))) {
+            let [a, b] = [&together, &alone].map(|stock| stock.top(column, row).expect("material"));
+            prop_assert!((a - b).abs() < 1e-9, "column {column} of row {row}: {a} and {b}");
+        }
+        for (n, (a, b)) in both.iter().zip(&each).enumerate() {
+            let volume = (a.volume - b.volume).abs() < 1e-9;
+            let width = (a.width - b.width).abs() < 1e-9;
+            prop_assert!(volume && width && (a.depth - b.depth).abs() < 1e-9, "step {n}: {a:?} and {b:?}");
+            prop_assert!(a.volume == 0.0 || (a.reach - b.reach).abs() < 1e-9, "step {n}: {a:?} and {b:?}");
+        }
+    }
 
     #[test]
     fn drilling_leaves_holes(setup in setup(), places in places(), depth in 0.5..40.0_f64, infeed in 0.5..20.0) {

@@ -26,6 +26,17 @@ fn arc_sine(sin: f64) -> f64 {
     sin * (1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0 + q * tail)))))
 }
 
+/// The same up to four tenths.
+#[inline(always)]
+fn wide_arc_sine(sin: f64) -> f64 {
+    let q = sin * sin;
+    let tail = 13_749_310_575.0 / 1_880_240_947_200.0 + q * (316_234_143_225.0 / 49_049_763_840_000.0);
+    let tail = 34_459_425.0 / 3_530_096_640.0 + q * (654_729_075.0 / 78_033_715_200.0 + q * tail);
+    let tail = 135_135.0 / 9_676_800.0 + q * (2_027_025.0 / 175_472_640.0 + q * tail);
+    let tail = 945.0 / 42_240.0 + q * (10_395.0 / 599_040.0 + q * tail);
+    sin * (1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0 + q * tail)))))
+}
+
 /// The columns of a block as seen from the centre of an arc: the first coordinate leads to the start, the second to where the
 /// tool goes from there.
 struct Seen {
@@ -37,6 +48,29 @@ struct Seen {
     /// Rise in a radian.
     slope: f64,
     wide: bool,
+}
+
+/// A short piece of a helix as seen from its centre and start.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turned {
+    centre: DVec2,
+    start: DVec2,
+    turn: f64,
+    end: DVec2,
+    radius: f64,
+    slope: f64,
+    z: f64,
+    /// Angle and rise.
+    ways: [f64; 2],
+}
+
+impl Turned {
+    pub(super) fn new(of: &Sweep) -> Option<Self> {
+        let Way::Arc { centre, radius, start, end, turn, sweep, z, rise } = of.way else { return None };
+        let end = DVec2::new(start.dot(end), turn * start.perp_dot(end));
+        let narrow = sweep > 0.0 && sweep <= NARROW;
+        narrow.then(|| Self { centre, start, turn, end, radius, slope: rise / sweep, z, ways: [sweep, rise] })
+    }
 }
 
 impl Seen {
@@ -64,11 +98,54 @@ impl Seen {
         if !self.wide {
             return arc_sine(there.y);
         }
-        // An eighth of the angle, by halving it three times.
+        // A quarter of the angle, by halving it twice.
         let a = (0.5 + 0.5 * there.x).sqrt();
         let b = (0.5 + 0.5 * a).sqrt();
-        let c = (0.5 + 0.5 * b).sqrt();
-        8.0 * arc_sine(there.y / (8.0 * a * b * c))
+        4.0 * wide_arc_sine(there.y / (4.0 * a * b))
+    }
+}
+
+/// A column under a flat tool on a helix keeps the height at which the tool comes to it or leaves it, and that of the lower end
+/// where the tool stands over it there.
+struct Leave {
+    /// The square of the tool's radius, and of that of the helix, and how much greater this is.
+    square: f64,
+    wide: f64,
+    most: f64,
+    each: f64,
+    side: f64,
+    falls: bool,
+    sweep: f64,
+    /// Height at the start, and the lowest.
+    z: f64,
+    low: f64,
+}
+
+impl Leave {
+    #[inline(always)]
+    fn new(tool: f64, radius: f64, z: f64, [sweep, rise]: [f64; 2]) -> Self {
+        let (square, wide) = (tool * tool, radius * radius);
+        let (most, each, side) = (wide - square, 1.0 / radius, -rise.signum());
+        Self { square, wide, most, each, side, falls: rise < 0.0, sweep, z, low: z + rise.min(0.0) }
+    }
+
+    /// The height in a column; infinity where the tool does not come.
+    #[inline(always)]
+    fn height(&self, seen: &Seen, n: f64) -> f64 {
+        let p = seen.at(n);
+        let below = if self.falls { seen.beside_end(p) } else { seen.beside_start(p) };
+        // Where the rim runs through the column the tool is so many times the column's arm along it, and so many across.
+        let distance = p.length_squared();
+        let nearer = 1.0 / distance;
+        let along = (distance + self.most) * 0.5 * nearer;
+        let rest = self.wide * nearer - along * along;
+        let beside = self.side * if rest > 0.0 { rest } else { 0.0 }.sqrt();
+        let there = DVec2::new(p.x * along - p.y * beside, p.x * beside + p.y * along) * self.each;
+        let within = (rest >= 0.0) & (there.y >= -EDGE) & (there.perp_dot(seen.end) >= -EDGE);
+        let angle = larger(0.0, seen.angle(there));
+        let height = self.z + seen.slope * smaller(self.sweep, angle);
+        let height = if within { height } else { f64::INFINITY };
+        if below <= self.square { self.low } else { height }
     }
 }
 
@@ -219,8 +296,25 @@ impl Sweep {
         }
     }
 
-    /// A flat tool on a helix of a quarter turn at most: a column keeps the height at which the tool comes to it or leaves it,
-    /// and that of the lower end where the tool stands over it there.
+    /// What a flat tool on a short piece of a helix leaves at the points `(x + n step, y)`.
+    #[inline(always)]
+    pub(super) fn leave_helix(
+        &self,
+        turned: &Turned,
+        [x, step, y]: [f64; 3],
+        columns: Range<usize>,
+        out: &mut [f64; BLOCK],
+    ) {
+        let Turned { centre, start, turn, end, radius, slope, z, ways } = *turned;
+        let arm = DVec2::new(x, y) - centre;
+        let from = [start.dot(arm), turn * start.perp_dot(arm)];
+        let step = [step * start.x, -turn * step * start.y];
+        let seen = Seen { from, step, end, radius, slope, wide: false };
+        let leave = Leave::new(self.cutter.radius, radius, z, ways);
+        fill(out, columns, |n| leave.height(&seen, n));
+    }
+
+    /// A flat tool on a helix of a quarter turn at most.
     fn flat_on_helix(
         &self,
         seen: &Seen,
@@ -229,25 +323,13 @@ impl Sweep {
         columns: Range<usize>,
         out: &mut [f64; BLOCK],
     ) {
-        let (square, side) = (self.cutter.radius * self.cutter.radius, -rise.signum());
-        let (most, half) = (seen.radius * seen.radius - square, 0.5 / seen.radius);
-        let height = |n: f64| {
-            let p = seen.at(n);
-            let below = if rise < 0.0 { seen.beside_end(p) } else { seen.beside_start(p) };
-            let distance = p.length_squared();
-            let nearer = 1.0 / distance.sqrt();
-            let cos = (distance + most) * half * nearer;
-            let rest = 1.0 - cos * cos;
-            let sin = side * if rest > 0.0 { rest } else { 0.0 }.sqrt();
-            let there = DVec2::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos) * nearer;
-            let within = cos.abs() <= 1.0 && there.y >= -EDGE && there.perp_dot(seen.end) >= -EDGE;
-            let angle = seen.angle(there);
-            let angle = if angle > 0.0 { angle } else { 0.0 };
-            let height = z + seen.slope * if angle < sweep { angle } else { sweep };
-            let height = if within { height } else { f64::INFINITY };
-            if below <= square { z + rise.min(0.0) } else { height }
-        };
-        fill_few(out, columns, height);
+        let leave = Leave::new(self.cutter.radius, seen.radius, z, [sweep, rise]);
+        // Two closures, so that each is put in its place.
+        if columns.len() > WIDE {
+            fill(out, columns, |n| leave.height(seen, n));
+        } else {
+            fill_few(out, columns, |n| leave.height(seen, n));
+        }
     }
 
     /// A ball on a helix of a quarter turn at most. Where the slopes of way and end balance, the sine of the angle by which the

@@ -81,6 +81,7 @@ pub(super) fn ramp(
 ) {
     // Columns with a gap in them are looked at one by one.
     if !own.is_above_floor(sweep.low) {
+        own.spread();
         return above(grid, own, row, sweep, tally, across);
     }
     let part = Part { grid, sweep, y: grid.y(row) };
@@ -88,12 +89,14 @@ pub(super) fn ramp(
 }
 
 impl Part<'_> {
+    #[inline(always)]
     fn note(&self, column: usize, across: &mut [f64; 2]) {
         let at = self.sweep.across(DVec2::new(self.grid.x(column), self.y));
         *across = [across[0].min(at), across[1].max(at)];
     }
 
     /// What lies between two columns.
+    #[inline(always)]
     fn note_all(&self, (first, last): (usize, usize), across: &mut [f64; 2]) {
         self.note(first, across);
         self.note(last, across);

@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use super::bed::Bed;
 use super::tops::{Sum, Tops, greatest_of};
 
 /// Columns that are cut together; the highest top of each such block is known.
@@ -14,7 +15,7 @@ pub(super) const BLOCK: usize = 16;
 /// Numbers that are worked on side by side.
 pub(super) const WIDE: usize = 4;
 /// Columns of a block over which a standing ball is looked at together.
-pub(super) const HALF: usize = BLOCK / 2;
+pub(super) const PART: usize = BLOCK / 4;
 /// Material thinner than this, mm, does not exist.
 pub(super) const SLIVER: f64 = 1e-6;
 
@@ -96,7 +97,9 @@ impl Tally {
 /// A row of columns.
 #[derive(Clone, Debug)]
 pub(super) struct Row {
-    tops: Vec<Tops>,
+    pub tops: Vec<Tops>,
+    /// What a flat tool has below it on its way down.
+    pub bed: Option<Bed>,
     bottom: Vec<f64>,
     /// Stretches below the topmost one, by column.
     below: BTreeMap<usize, Vec<[f64; 2]>>,
@@ -111,6 +114,7 @@ impl Row {
         let empty = Tops { highest: f64::NEG_INFINITY, level: false, each: [f64::NEG_INFINITY; BLOCK] };
         let mut row = Self {
             tops: vec![empty; length / BLOCK],
+            bed: None,
             bottom: vec![f64::INFINITY; length],
             below: BTreeMap::new(),
             floor: f64::NEG_INFINITY,
@@ -331,34 +335,42 @@ impl Row {
         tally: &mut Tally,
     ) -> Option<(usize, usize)> {
         let mut ends: Option<(usize, usize)> = None;
-        let mut latest = [0.0; HALF];
+        let mut latest = [0.0; PART];
         let (mut sum, mut likely) = (Sum::NONE, false);
-        let mut next = first / HALF;
-        while next <= last / HALF {
-            let half = next;
-            next += 1;
-            let Some(tops) = self.tops.get_mut(half / (BLOCK / HALF)) else { break };
-            if tops.highest <= low {
-                likely = false;
-                continue;
-            }
-            let begin = half * HALF;
-            let at = begin as f64;
+        let start = first / BLOCK;
+        let blocks = self.tops.get_mut(start..last / BLOCK + 1).unwrap_or_default();
+        for (n, tops) in blocks.iter_mut().enumerate() {
             let up = larger(middle - tops.highest, 0.0);
-            if up * up > most(at, at + (HALF - 1) as f64) {
+            let block = (start + n) * BLOCK;
+            let (from, to) = (first.max(block) / PART, last.min(block + BLOCK - 1) / PART);
+            let reached = |from: usize, to: usize| up * up <= most((from * PART) as f64, (to * PART + PART - 1) as f64);
+            if tops.highest <= low || !reached(from, to) {
                 likely = false;
                 continue;
             }
-            // Where a column has lost something, the next one does as well.
-            let lost = tops.under(half % (BLOCK / HALF), |n| balls(at + n), likely, &mut sum);
-            likely = lost.is_some();
-            let Some(lost) = lost else { continue };
-            if let Some((_, last)) = &mut ends {
-                if greatest_of(&lost) > SLIVER {
-                    (*last, latest) = (begin, lost);
+            let mut changed = false;
+            for part in from..=to {
+                if from < to && !reached(part, part) {
+                    likely = false;
+                    continue;
                 }
-            } else if let Some(first) = lost.iter().position(|lost| *lost > SLIVER) {
-                (ends, latest) = (Some((begin + first, begin)), lost);
+                let begin = part * PART;
+                let at = begin as f64;
+                // Where a column has lost something, the next one does as well.
+                let lost = tops.under(part % (BLOCK / PART), |n| balls(at + n), likely, &mut sum);
+                likely = lost.is_some();
+                let Some(lost) = lost else { continue };
+                changed = true;
+                if let Some((_, last)) = &mut ends {
+                    if greatest_of(&lost) > SLIVER {
+                        (*last, latest) = (begin, lost);
+                    }
+                } else if let Some(first) = lost.iter().position(|lost| *lost > SLIVER) {
+                    (ends, latest) = (Some((begin + first, begin)), lost);
+                }
+            }
+            if changed {
+                tops.renew();
             }
         }
         sum.into(tally);

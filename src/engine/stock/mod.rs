@@ -13,6 +13,7 @@
 //! depend on their number to the last bit. Memory depends on the grid and not on the number of moves.
 //!
 //! Invariant: nothing here knows a control or a program; `follow` alone reads events.
+mod bed;
 mod bend;
 mod compare;
 mod cut;
@@ -462,6 +463,9 @@ fn work_lane(grid: &Grid, lane: usize, rows: &mut [Row], jobs: &[Job], moves: us
         for band in (begin..=last / BAND).step_by(LANES) {
             for row in (band * BAND).max(first)..=(band * BAND + BAND - 1).min(last) {
                 let Some(own) = rows.get_mut(place(row).1) else { continue };
+                if !matches!(plan, Plan::Ramp(_)) {
+                    own.spread();
+                }
                 match (&job.sweep, &plan) {
                     (Swept::Above(sweep), Plan::Onward(ball)) => {
                         cut::onward(grid, own, row, (sweep, ball), tally, &mut across);
@@ -480,6 +484,7 @@ fn work_lane(grid: &Grid, lane: usize, rows: &mut [Row], jobs: &[Job], moves: us
             tally.left = [tally.left[0].min(least), tally.left[1].max(most)];
         }
     }
+    rows.iter_mut().for_each(Row::spread);
     tallies
 }
 

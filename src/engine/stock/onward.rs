@@ -6,7 +6,7 @@
 use glam::{DVec2, DVec3};
 
 use super::Grid;
-use super::lane::{HALF, Row, Tally, larger, smaller};
+use super::lane::{PART, Row, Tally, larger, smaller};
 use super::sweep::{HAIR, Hull, Sweep, Way};
 
 /// What is not less than this along the row counts as standing across it.
@@ -139,11 +139,11 @@ impl Onward {
                 left = strip;
             } else if let Some(strip) = strip {
                 cut = self.along(grid, own, strip, y, tally);
-                // What lies in the same half of a block is done.
+                // What lies in the same part of a block is done.
                 if self.ends.sign > 0.0 {
-                    from = larger(from, ((strip.1 / HALF + 1) * HALF) as f64);
+                    from = larger(from, ((strip.1 / PART + 1) * PART) as f64);
                 } else {
-                    to = smaller(to, (strip.0 / HALF * HALF) as f64 - 1.0);
+                    to = smaller(to, (strip.0 / PART * PART) as f64 - 1.0);
                 }
             }
         }
@@ -185,11 +185,21 @@ impl Onward {
             let best = smaller(larger(u - lag * larger(room, 0.0).sqrt(), 0.0), length);
             [room - (u - best) * (u - best), from.z + slope * best]
         };
-        // In these halves of blocks no ball on the way reaches lower than half the height of one that passes as near.
+        // Along the rows all columns are as far from the way.
+        let beside = larger(square - v * v, 0.0).sqrt();
+        let ball_along = |n: f64| {
+            let u = u + n * du;
+            let best = smaller(larger(u - lag * beside, 0.0), length);
+            [square - v * v - (u - best) * (u - best), from.z + slope * best]
+        };
+        // In these parts of blocks no ball on the way reaches lower than half the height of one that passes as near.
         let across = |column: usize| v + column as f64 * dv;
-        let (first, last) = (across(columns.0 / HALF * HALF), across((columns.1 / HALF + 1) * HALF - 1));
+        let (first, last) = (across(columns.0 / PART * PART), across((columns.1 / PART + 1) * PART - 1));
         let near = if first * last > 0.0 { smaller(first.abs(), last.abs()) } else { 0.0 };
         let low = self.low + radius - larger(square - near * near, 0.0).sqrt() - HAIR;
+        if dv == 0.0 {
+            return own.balls(columns, [low, low], ball_along, |_, _| f64::INFINITY, tally);
+        }
         own.balls(columns, [low, low], ball, |_, _| f64::INFINITY, tally)
     }
 }

@@ -8,8 +8,10 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::Grid;
+use super::bed::Reach;
+use super::bend::Turned;
 use super::cutter::Tip;
-use super::lane::{Row, Tally, larger, smaller};
+use super::lane::{BLOCK, Row, Tally, larger, smaller};
 use super::sweep::{HAIR, NARROW, NONE, Sweep, Way};
 
 /// The first and the last of some columns.
@@ -28,6 +30,7 @@ pub(super) struct Ramp<'s> {
     rims: [[f64; 2]; 2],
     /// Whether all under the lower end is gone.
     gone: bool,
+    arc: Option<Turned>,
 }
 
 impl<'s> Ramp<'s> {
@@ -57,7 +60,7 @@ impl<'s> Ramp<'s> {
         };
         let (low, high) = if rise < 0.0 { (end, start) } else { (start, end) };
         let gone = sweep.joined && rise > 0.0;
-        Some(Self { sweep, low, high, square: radius * radius, height: sweep.low, rims, gone })
+        Some(Self { sweep, low, high, square: radius * radius, height: sweep.low, rims, gone, arc: Turned::new(sweep) })
     }
 
     /// Takes away what it covers in a row, whose columns must all have material down to its lowest place. Calls
@@ -85,11 +88,29 @@ impl<'s> Ramp<'s> {
         // Under the lower end; where there is no such column, an empty stretch.
         let settled = if half > HAIR { columns(self.low.x - half + HAIR, self.low.x + half - HAIR) } else { None };
         let (from, to) = settled.unwrap_or((usize::MAX, 0));
+        let down = !self.gone && from <= to;
+        if down {
+            let reach = Reach { first, last, from, to, height: self.height };
+            let heights =
+                |begin: usize, count: usize, out: &mut _| self.beside([grid.x(begin), grid.cell.x, y], count, out);
+            if own.take_on(reach, heights, tally, &mut cut) {
+                return;
+            }
+        }
+        own.spread();
+        let before = tally.height;
         let mut sink = |columns: Columns| {
             let at = |begin: usize| [grid.x(begin), grid.cell.x, y];
             let heights = |begin: usize, part: Range<usize>, out: &mut _| self.sweep.heights(at(begin), part, out);
             own.sink(columns, (from, to), self.height, heights, tally, &mut cut);
         };
+        if down {
+            sink((first, last));
+            if tally.height > before {
+                own.lay(Reach { first, last, from, to, height: self.height });
+            }
+            return;
+        }
         if !self.gone || from > to {
             return sink((first, last));
         }
@@ -98,6 +119,15 @@ impl<'s> Ramp<'s> {
         }
         if to < last {
             sink((to + 1, last));
+        }
+    }
+
+    /// The heights that it leaves in so many columns at the points `(x + n step, y)`.
+    #[inline(always)]
+    fn beside(&self, at: [f64; 3], count: usize, out: &mut [f64; BLOCK]) {
+        match &self.arc {
+            Some(arc) => self.sweep.leave_helix(arc, at, 0..count, out),
+            None => self.sweep.heights(at, 0..count, out),
         }
     }
 }

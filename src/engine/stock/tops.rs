@@ -4,7 +4,7 @@
 //! subtraction. Loops run over all columns of a block, several side by side.
 use std::ops::Range;
 
-use super::lane::{BLOCK, HALF, OFFSETS, SLIVER, Tally, WIDE, larger};
+use super::lane::{BLOCK, OFFSETS, PART, SLIVER, Tally, WIDE, larger};
 use super::sweep::HAIR;
 
 /// The greatest of numbers that were found side by side.
@@ -13,11 +13,10 @@ fn greatest([a, b, c, d]: [f64; WIDE]) -> f64 {
     larger(larger(a, b), larger(c, d))
 }
 
-/// The greatest of the numbers of half a block.
+/// The greatest of the numbers of a part of a block.
 #[inline(always)]
-pub(super) fn greatest_of(numbers: &[f64; HALF]) -> f64 {
-    let [a, b, c, d, e, f, g, h] = *numbers;
-    greatest([larger(a, e), larger(b, f), larger(c, g), larger(d, h)])
+pub(super) fn greatest_of(numbers: &[f64; PART]) -> f64 {
+    greatest(*numbers)
 }
 
 /// What columns of a row lose, without where.
@@ -185,20 +184,20 @@ impl Tops {
         self.level || above.contains(&true)
     }
 
-    /// Takes away what lies above the lower sides of balls over a half of the block: `balls` gives the square of half the
+    /// Takes away what lies above the lower sides of balls over a part of the block: `balls` gives the square of half the
     /// height of the ball over a column, and the height of its middle. What the columns lose, if any of them does; that is
-    /// looked at first unless it is `likely`.
+    /// looked at first unless it is `likely`. The block has to be [renewed](Self::renew) then.
     #[inline(always)]
     pub(super) fn under(
         &mut self,
-        half: usize,
+        part: usize,
         balls: impl Fn(f64) -> [f64; 2],
         likely: bool,
         sum: &mut Sum,
-    ) -> Option<[f64; HALF]> {
+    ) -> Option<[f64; PART]> {
         if !likely {
-            let level = [self.highest; HALF];
-            let tops = if self.level { &level } else { self.each.as_chunks::<HALF>().0.get(half)? };
+            let level = [self.highest; PART];
+            let tops = if self.level { &level } else { self.each.as_chunks::<PART>().0.get(part)? };
             // Whether a column ends above the lower side of its ball is known from squares, without a root.
             let mut over = [f64::NEG_INFINITY; WIDE];
             for (tops, offsets) in tops.as_chunks::<WIDE>().0.iter().zip(OFFSETS.as_chunks::<WIDE>().0) {
@@ -215,8 +214,8 @@ impl Tops {
             }
         }
         let highest = self.highest;
-        let tops = self.apart().as_chunks_mut::<HALF>().0.get_mut(half)?;
-        let (mut lost, mut deepest, mut all) = ([0.0; HALF], [0.0; WIDE], [0.0; WIDE]);
+        let tops = self.apart().as_chunks_mut::<PART>().0.get_mut(part)?;
+        let (mut lost, mut deepest, mut all) = ([0.0; PART], [0.0; WIDE], [0.0; WIDE]);
         {
             let ((tops, _), (lost, _), (offsets, _)) =
                 (tops.as_chunks_mut(), lost.as_chunks_mut(), OFFSETS.as_chunks());
@@ -253,7 +252,6 @@ impl Tops {
             }
             sum.highest = larger(sum.highest, greatest(high));
         }
-        self.renew();
         Some(lost)
     }
 
