@@ -485,7 +485,9 @@ proptest! {
         let program = read("part.i", &text);
         prop_assert_eq!(program.errors().count(), 0, "{}", text);
         let lowered = to_klartext(&program, &codes, None);
-        prop_assert!(lowered.diagnostics.is_empty(), "{}\n{:?}", text, lowered.diagnostics);
+        // G90 and G91 may be drawn side by side.
+        let refused = lowered.diagnostics.iter().find(|finding| finding.code != "syntax-excluding-codes");
+        prop_assert!(refused.is_none(), "{}\n{:?}", text, lowered.diagnostics);
         prop_assert_eq!(lowered.program.errors().count(), 0, "{}\n{}", text, lowered.program.source().text());
         let (iso, back) = by_way_of_iso(&codes, &lowered.program).expect("nothing is refused");
         let differences = data.differences("tnc640", &lowered.program, &back);

@@ -8,9 +8,11 @@ diag-approach-without-compensation =
     }
 diag-arc-without-tangent = No contour element stands before this tangential arc.
 diag-arc-wrong =
-    The arc cannot end here: its { $what ->
-        [radius] radius is { $first }, and start and end are { $second } apart
-       *[centre] start is { $first } from the centre, its end { $second }
+    The arc cannot end here: { $what ->
+        [radius] its radius is { $first }, and start and end are { $second } apart
+        [full] it ends where it begins; the centre of a full circle does not follow from its radius
+        [sense] its angle is { $first }, and DR turns the other way
+       *[centre] its start is { $first } from the centre, its end { $second }
     }.
 diag-axis-twice = The axis { $axis } stands twice in this block.
 diag-behind-end = Blocks stand here behind END PGM.

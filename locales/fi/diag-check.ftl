@@ -10,6 +10,8 @@ diag-arc-without-tangent = Tämän tangentiaalisen kaaren edessä ei ole muotoel
 diag-arc-wrong =
     Kaari ei voi päättyä tähän: { $what ->
         [radius] säde on { $first }, ja alku- ja loppupisteen väli on { $second }
+        [full] se päättyy alkupisteeseensä; täyden ympyrän keskipiste ei selviä säteestä
+        [sense] kulma on { $first }, ja DR kiertää toiseen suuntaan
        *[centre] alkupiste on etäisyydellä { $first } keskipisteestä, loppupiste etäisyydellä { $second }
     }.
 diag-axis-twice = Akseli { $axis } on tässä lauseessa kahdesti.

@@ -10,6 +10,8 @@ diag-arc-without-tangent = Prima di questo arco tangente non c’è alcun elemen
 diag-arc-wrong =
     L’arco non può terminare qui: { $what ->
         [radius] il raggio è { $first } e la distanza tra inizio e fine è { $second }
+        [full] finisce dove comincia; il centro di un cerchio completo non risulta dal raggio
+        [sense] l’angolo è { $first }, mentre DR gira nell’altro senso
        *[centre] l’inizio dista { $first } dal centro, la fine { $second }
     }.
 diag-axis-twice = L’asse { $axis } compare due volte in questo blocco.

@@ -10,6 +10,8 @@ diag-arc-without-tangent = Antes deste arco tangente não há nenhum elemento de
 diag-arc-wrong =
     O arco não pode terminar aqui: { $what ->
         [radius] o raio é { $first } e a distância entre o início e o fim é { $second }
+        [full] acaba onde começa; o centro de um círculo completo não resulta do raio
+        [sense] o ângulo é { $first }, mas DR roda no outro sentido
        *[centre] o início fica a { $first } do centro e o fim a { $second }
     }.
 diag-axis-twice = O eixo { $axis } aparece duas vezes nesta frase.

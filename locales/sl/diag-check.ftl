@@ -10,6 +10,8 @@ diag-arc-without-tangent = Pred tem tangencialnim lokom ni elementa konture.
 diag-arc-wrong =
     Lok se tu ne more končati: { $what ->
         [radius] polmer je { $first }, razdalja med začetkom in koncem pa { $second }
+        [full] konča se na začetku; središče polnega kroga iz polmera ne izhaja
+        [sense] kot je { $first }, DR pa obrača v drugo smer
        *[centre] začetek je od središča oddaljen { $first }, konec pa { $second }
     }.
 diag-axis-twice = Os { $axis } je v tem stavku navedena dvakrat.

@@ -49,8 +49,6 @@ pub struct Facts<'a> {
     pub(super) end: Option<usize>,
     /// The first block whose number is not greater than the one before, and that number.
     pub(super) falling: Option<(usize, u32)>,
-    /// Whether it has arcs about a centre or with a radius.
-    pub(super) arcs: bool,
     /// Whether it has arcs that must say which way round they go.
     pub(super) turns: bool,
     /// The programs that it calls.
@@ -198,7 +196,6 @@ impl<'a> Facts<'a> {
             begins: false,
             end: None,
             falling: None,
-            arcs: false,
             turns: false,
             calls: Vec::new(),
             callees: Callees::default(),
@@ -336,7 +333,6 @@ impl<'a> Facts<'a> {
                 | BlockKind::CycleDef(_)
                 | BlockKind::OldCycleLine(_) => continue,
                 BlockKind::Motion(motion) => {
-                    self.arcs |= matches!(motion.path(), Path::C | Path::Cr);
                     self.turns |= matches!(motion.path(), Path::C | Path::Cr | Path::Cp);
                     let outline = motion.outline();
                     let formed = matches!(

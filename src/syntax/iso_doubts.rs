@@ -20,6 +20,17 @@ fn group(code: u16) -> Option<u8> {
 /// The second of two codes of a block that exclude each other.
 pub(super) fn excluded(text: &str, block: &IsoBlock) -> Option<SyntaxError> {
     let codes = || block.words.iter().filter_map(|word| Some((word, code(text, word)?)));
+    // Between G90 and G91 stands what the first of them is for.
+    let pair = block.words.windows(2).find_map(|pair| match pair {
+        [one, other] => {
+            let (first, second) = (code(text, one)?, code(text, other)?);
+            (first != second && [first, second].iter().all(|code| matches!(code, 90 | 91))).then_some(other)
+        }
+        _ => None,
+    });
+    if let Some(word) = pair {
+        return Some(SyntaxError { code: "syntax-excluding-codes", span: word.span, expected: "word" });
+    }
     codes().enumerate().find_map(|(at, (word, own))| {
         let group = group(own)?;
         let other = codes().take(at).any(|(_, other)| other != own && self::group(other) == Some(group));

@@ -27,6 +27,8 @@ pub(in crate::check) struct Deed {
     keeps: bool,
     /// Whether it works with them.
     recalls: bool,
+    /// Whether its call machines the contour that was named last.
+    reads_contour: bool,
     /// Whether it calls the cycle that was defined last.
     calls_last: bool,
 }
@@ -125,6 +127,9 @@ impl<'f, 'a> Effects<'f, 'a> {
 /// The strategy that reads what another cycle keeps.
 const RECALL: &str = "recall-contour-data";
 
+/// The strategies that read a contour, besides those of the contour cycles.
+const OF_CONTOURS: [&str; 3] = ["area-of-turning-contour", "groove-of-contour", "thread-of-contour"];
+
 /// The name of the cycle that was defined last.
 const LAST_CYCLE: &str = "last-cycle";
 
@@ -137,6 +142,11 @@ impl Deed {
     /// Whether the cycle works with such data.
     pub(in crate::check) const fn recalls(&self) -> bool {
         self.recalls
+    }
+
+    /// Whether a call of the cycle machines the contour that was named last.
+    pub(in crate::check) const fn reads_contour(&self) -> bool {
+        self.reads_contour
     }
 
     /// Whether the cycle calls the one that was defined last.
@@ -184,6 +194,7 @@ impl Deed {
             TakesEffect::OnCall => self.pends = Some(true),
             TakesEffect::OnDefinition => self.aspects.push((Aspect::Feed, Tri::Unknown.into())),
         }
+        self.reads_contour = cycle.file.group == Group::Contours && cycle.file.takes_effect == TakesEffect::OnCall;
         self.results.extend(cycle.file.results.iter().filter_map(|results| results.q));
         let mut verbs = Vec::new();
         cycle.file.run.iter().for_each(|item| actions(item, &mut verbs));
@@ -203,7 +214,10 @@ impl Deed {
                     }
                 }
                 (Verb::Call, Argument::One(name)) => self.calls_last |= name.as_str() == LAST_CYCLE,
-                (Verb::Strategy, Argument::One(name)) => self.recalls |= name.as_str() == RECALL,
+                (Verb::Strategy, Argument::One(name)) => {
+                    self.recalls |= name.as_str() == RECALL;
+                    self.reads_contour |= OF_CONTOURS.contains(&name.as_str());
+                }
                 (Verb::Spindle | Verb::Orient, _) if cycle.file.takes_effect == TakesEffect::OnDefinition => {
                     self.aspects.push((Aspect::Spindle, Tri::Unknown.into()));
                 }

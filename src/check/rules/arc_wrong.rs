@@ -1,7 +1,7 @@
 //! An arc whose end does not lie on it: farther from the centre than its start, or farther from its start than its
-//! radius allows.
+//! radius allows; a full circle that is given by its radius; an angle whose sign contradicts DR.
 //!
-//! Only said where start, end and centre are written as numbers, one behind the other, in the plane of X and Y.
+//! Of ends it is only said where start, end and centre are written as numbers, one behind the other, in the plane of X and Y.
 //! Controls allow for rounding, each as its machine is set; what is told here is more than any of that.
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
@@ -26,7 +26,7 @@ struct Way {
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let tolerance = if facts.inch { TOLERANCE / MM_PER_INCH } else { TOLERANCE };
-    if !facts.arcs {
+    if !facts.turns {
         return;
     }
     let mut way = Way::default();
@@ -35,7 +35,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let wrong = way.follow(block, &mut words, tolerance);
         if let Some((what, first, second)) = wrong {
             let finding = rule.at(facts, facts.content(block)).arg("what", what);
-            found.push(finding.arg("first", rounded(first)).arg("second", rounded(second)));
+            let finding = finding.arg("first", rounded(first)).arg("second", rounded(second));
+            // Posts write such angles for years: some control takes them.
+            let severity = if what == "sense" { Severity::Warning } else { finding.severity };
+            found.push(Diagnostic { severity, ..finding });
         }
     }
 }
@@ -119,6 +122,20 @@ impl Way {
                 let apart = distance(start, end)?;
                 if flat && apart > 2.0 * radius + tolerance {
                     return Some(("radius", radius, apart));
+                }
+                // Any circle through the point has that radius.
+                if flat && apart == 0.0 {
+                    return Some(("full", radius, apart));
+                }
+            }
+            Path::Cp => {
+                self.forget();
+                let angle = motion.coord(Axis::Pa).filter(|angle| angle.incremental)?;
+                let (Amount::Number(angle), Some(counter)) = (angle.value.amount, motion.counter_clockwise) else {
+                    return None;
+                };
+                if angle != 0.0 && (angle > 0.0) != counter {
+                    return Some(("sense", angle, 0.0));
                 }
             }
             _ => self.forget(),
