@@ -88,6 +88,7 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } stands twice in { $cycle }.
 diag-empty-word = This { $word } has no value and does nothing.
+diag-feed-auto-missing = FAUTO takes the feed of the tool call, and that has none.
 diag-feed-negative = The feed is negative here.
 diag-feed-zero = The feed is zero here.
 diag-field-word-missing = A value stands here without a word; the control shows it with one: { $shown }.
@@ -125,6 +126,7 @@ diag-label-missing = The language “{ $language }” has no label for { $parame
 diag-label-not-encodable = “{ $label }” has the character “{ $character }”, which the file's encoding cannot write.
 diag-label-of-another-language = “{ $label }” is a label in another language ({ $language }); most of the program calls { $parameter } “{ $right }”.
 diag-label-of-another-parameter = “{ $label }” is the label of { $other }, not of { $parameter }.
+diag-label-twice = “{ $label }” stands at { $parameter } and at { $other }: one of them has another label.
 diag-label-undefined = No block sets the label { $label }.
 diag-labels-of-unknown-language =
     { $count ->
@@ -230,6 +232,12 @@ diag-text-for-number =
         [text] { $parameter } takes a number, and this is a text.
         [number] { $parameter } takes a text, and this is a number.
        *[calculation] This is a text; it cannot be calculated with.
+    }
+diag-text-wrong =
+    { $what ->
+        [empty] The text of { $parameter } is empty.
+        [alone] “{ $found }” stands in the text of { $parameter } neither doubled nor before a letter.
+       *[character] { $parameter } takes no “{ $found }”.
     }
 diag-tool-axis-missing = This tool call names no tool axis, and none was named before.
 diag-tool-axis-other =

@@ -40,6 +40,7 @@ diag-outside-domain = { $function } has no value for { NUMBER($value) }.
 diag-parameter-missing = { $cycle } needs { $q }.
 diag-parameter-out-of-range = { $q } does not take the value { NUMBER($value) }.
 diag-parameter-undefined = { $q } has no value.
+diag-parameter-in-addition = { $q } in { $cycle } belongs to later software than the manuals here describe; what it does is not known.
 diag-parameter-unknown = { $cycle } has no parameter { $q }.
 diag-plan-mistake = The specification of { $cycle } has a mistake: { $reason }
 diag-plane-through-line = The three points lie on a line: they do not determine a plane.

@@ -14,6 +14,7 @@ guard-nominal-far-from-limits = The nominal dimension is more than a tenth away 
 guard-one-measuring-point = A rotary axis is measured at one point: no axis follows from that. 0 leaves it out.
 guard-pattern-goes-round-again = Number and stepping angle make more than a full circle: positions come to lie on one another.
 guard-pattern-points-identical = Several points are to be machined with a distance of 0: they all lie in the same place.
+guard-plane-still-tilted = The working plane is tilted. Reset it before the kinematics are measured.
 guard-points-identical = Two of the points are the same: no direction or intersection follows from them.
 guard-pre-drilled-too-wide = The pre-drilled diameter is not less than the nominal diameter: nothing is left to be milled.
 guard-second-clearance-below-first = The second set-up clearance is less than the first one.

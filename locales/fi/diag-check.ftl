@@ -88,6 +88,7 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
 diag-empty-word = Tässä sanassa { $word } ei ole arvoa, eikä se tee mitään.
+diag-feed-auto-missing = FAUTO ottaa työkalukutsun syöttöarvon, eikä siinä ole sellaista.
 diag-feed-negative = Syöttöarvo on tässä negatiivinen.
 diag-feed-zero = Syöttöarvo on tässä nolla.
 diag-field-word-missing = Arvon edessä ei ole sanaa; ohjaus näyttää sen näin: { $shown }.
@@ -125,6 +126,7 @@ diag-label-missing = Kielellä ”{ $language }” ei ole NC-tekstiä työkierro
 diag-label-not-encodable = NC-tekstissä ”{ $label }” on merkki ”{ $character }”, jota tiedoston merkistössä ei ole.
 diag-label-of-another-language = ”{ $label }” on toisen kielen NC-teksti ({ $language }); ohjelman kielellä parametrin { $parameter } teksti on ”{ $right }”.
 diag-label-of-another-parameter = ”{ $label }” on parametrin { $other } NC-teksti, ei parametrin { $parameter }.
+diag-label-twice = ”{ $label }” on parametrilla { $parameter } ja parametrilla { $other }: toisella on eri teksti.
 diag-label-undefined = Mikään lause ei aseta labelia { $label }.
 diag-labels-of-unknown-language =
     { $count ->
@@ -229,6 +231,12 @@ diag-text-for-number =
         [text] Parametrin { $parameter } arvo on luku, mutta tämä on teksti.
         [number] Parametrin { $parameter } arvo on teksti, mutta tämä on luku.
        *[calculation] Tämä on teksti; sillä ei voi laskea.
+    }
+diag-text-wrong =
+    { $what ->
+        [empty] Parametrin { $parameter } teksti on tyhjä.
+        [alone] Parametrin { $parameter } tekstissä ”{ $found }” ei ole kahdennettuna eikä kirjaimen edellä.
+       *[character] { $parameter } ei hyväksy merkkiä ”{ $found }”.
     }
 diag-tool-axis-missing = Tässä työkalukutsussa ei ole työkaluakselia, eikä sitä ole annettu aiemminkaan.
 diag-tool-axis-other =

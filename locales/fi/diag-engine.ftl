@@ -40,6 +40,7 @@ diag-outside-domain = Funktiolla { $function } ei ole arvoa kohdassa { NUMBER($v
 diag-parameter-missing = Työkierrosta { $cycle } puuttuu { $q }.
 diag-parameter-out-of-range = Parametri { $q } ei salli arvoa { NUMBER($value) }.
 diag-parameter-undefined = Parametrilla { $q } ei ole arvoa.
+diag-parameter-in-addition = { $q } työkierrossa { $cycle } kuuluu uudempaan ohjelmistoon kuin nämä käsikirjat kuvaavat; sen vaikutusta ei tunneta.
 diag-parameter-unknown = Työkierrossa { $cycle } ei ole parametria { $q }.
 diag-plan-mistake = Työkierron { $cycle } kuvauksessa on virhe: { $reason }
 diag-plane-through-line = Kaikki kolme pistettä ovat samalla suoralla: ne eivät määritä tasoa.

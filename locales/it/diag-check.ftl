@@ -88,6 +88,7 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
 diag-empty-word = Questa { $word } è senza valore e non fa nulla.
+diag-feed-auto-missing = FAUTO prende l’avanzamento della chiamata utensile, che non ne ha.
 diag-feed-negative = Qui l’avanzamento è negativo.
 diag-feed-zero = Qui l’avanzamento è zero.
 diag-field-word-missing = Qui c’è un valore senza parola; il controllo lo mostra con una parola: { $shown }.
@@ -125,6 +126,7 @@ diag-label-missing = La lingua «{ $language }» non ha un’etichetta per { $pa
 diag-label-not-encodable = «{ $label }» contiene il carattere «{ $character }», che la codifica del file non può scrivere.
 diag-label-of-another-language = «{ $label }» è un’etichetta in un’altra lingua ({ $language }); nel resto del programma { $parameter } si chiama «{ $right }».
 diag-label-of-another-parameter = «{ $label }» è l’etichetta di { $other }, non di { $parameter }.
+diag-label-twice = «{ $label }» si trova a { $parameter } e a { $other }: uno dei due ha un’altra etichetta.
 diag-label-undefined = Nessun blocco imposta il label { $label }.
 diag-labels-of-unknown-language =
     { $count ->
@@ -229,6 +231,12 @@ diag-text-for-number =
         [text] { $parameter } accetta un numero, e questo è un testo.
         [number] { $parameter } accetta un testo, e questo è un numero.
        *[calculation] Questo è un testo; non ci si può calcolare.
+    }
+diag-text-wrong =
+    { $what ->
+        [empty] Il testo di { $parameter } è vuoto.
+        [alone] «{ $found }» nel testo di { $parameter } non è doppio né precede una lettera.
+       *[character] { $parameter } non ammette «{ $found }».
     }
 diag-tool-axis-missing = Questa chiamata utensile non indica l’asse utensile, e nessuno è stato indicato prima.
 diag-tool-axis-other =

@@ -40,6 +40,7 @@ diag-outside-domain = { $function } non ha un valore per { NUMBER($value) }.
 diag-parameter-missing = In { $cycle } manca { $q }.
 diag-parameter-out-of-range = { $q } non ammette il valore { NUMBER($value) }.
 diag-parameter-undefined = { $q } non ha un valore.
+diag-parameter-in-addition = { $q } in { $cycle } appartiene a un software più recente di quello descritto da questi manuali; il suo effetto non è noto.
 diag-parameter-unknown = { $cycle } non ha il parametro { $q }.
 diag-plan-mistake = La specifica di { $cycle } contiene un errore: { $reason }
 diag-plane-through-line = I tre punti sono allineati: non determinano alcun piano.

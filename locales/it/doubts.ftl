@@ -14,6 +14,7 @@ guard-nominal-far-from-limits = La quota nominale dista più di un decimo dai li
 guard-one-measuring-point = Un asse rotativo viene misurato in un solo punto: non ne deriva alcun asse. Con 0 non viene misurato.
 guard-pattern-goes-round-again = Numero e passo angolare superano il giro completo: alcune posizioni coincidono.
 guard-pattern-points-identical = Più punti sono da lavorare a distanza 0: coincidono tutti.
+guard-plane-still-tilted = Il piano di lavoro è ruotato. Va resettato prima di misurare la cinematica.
 guard-points-identical = Due dei punti coincidono: non ne risulta né una direzione né un’intersezione.
 guard-pre-drilled-too-wide = Il diametro preforato non è inferiore al diametro nominale: non rimane nulla da fresare.
 guard-second-clearance-below-first = La seconda distanza di sicurezza è inferiore alla prima.

@@ -88,6 +88,7 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
 diag-empty-word = Este { $word } não tem valor e não faz nada.
+diag-feed-auto-missing = FAUTO usa o avanço da chamada da ferramenta, e esta não tem nenhum.
 diag-feed-negative = O avanço é aqui negativo.
 diag-feed-zero = O avanço é aqui zero.
 diag-field-word-missing = Aqui há um valor sem palavra; o comando mostra-o com uma: { $shown }.
@@ -125,6 +126,7 @@ diag-label-missing = O idioma «{ $language }» não tem designação para { $pa
 diag-label-not-encodable = «{ $label }» tem o carácter «{ $character }», que a codificação do ficheiro não pode escrever.
 diag-label-of-another-language = «{ $label }» é uma designação noutro idioma ({ $language }); a maior parte do programa designa { $parameter } por «{ $right }».
 diag-label-of-another-parameter = «{ $label }» é a designação de { $other }, não de { $parameter }.
+diag-label-twice = «{ $label }» está em { $parameter } e em { $other }: um deles tem outro texto.
 diag-label-undefined = Nenhuma frase define o label { $label }.
 diag-labels-of-unknown-language =
     { $count ->
@@ -229,6 +231,12 @@ diag-text-for-number =
         [text] { $parameter } aceita um número, e isto é um texto.
         [number] { $parameter } aceita um texto, e isto é um número.
        *[calculation] Isto é um texto; não se pode calcular com ele.
+    }
+diag-text-wrong =
+    { $what ->
+        [empty] O texto de { $parameter } está vazio.
+        [alone] «{ $found }» no texto de { $parameter } não está duplicado nem antes de uma letra.
+       *[character] { $parameter } não aceita «{ $found }».
     }
 diag-tool-axis-missing = Esta chamada de ferramenta não indica o eixo da ferramenta, e nenhum foi indicado antes.
 diag-tool-axis-other =

@@ -40,6 +40,7 @@ diag-outside-domain = { $function } não tem valor para { NUMBER($value) }.
 diag-parameter-missing = Falta { $q } em { $cycle }.
 diag-parameter-out-of-range = { $q } não admite o valor { NUMBER($value) }.
 diag-parameter-undefined = { $q } não tem valor.
+diag-parameter-in-addition = { $q } em { $cycle } pertence a um software mais recente do que o descrito nestes manuais; o seu efeito não é conhecido.
 diag-parameter-unknown = { $cycle } não tem o parâmetro { $q }.
 diag-plan-mistake = A especificação de { $cycle } tem um erro: { $reason }
 diag-plane-through-line = Os três pontos estão em linha reta: não determinam nenhum plano.

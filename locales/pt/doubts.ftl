@@ -14,6 +14,7 @@ guard-nominal-far-from-limits = A medida nominal está a mais de um décimo dos 
 guard-one-measuring-point = Um eixo rotativo é medido num só ponto: daí não resulta nenhum eixo. Com 0 não é medido.
 guard-pattern-goes-round-again = A quantidade e o passo angular dão mais do que uma volta completa: há posições sobrepostas.
 guard-pattern-points-identical = Há vários pontos a maquinar à distância 0: ficam todos no mesmo lugar.
+guard-plane-still-tilted = O plano de maquinação está inclinado. Deve ser anulado antes de medir a cinemática.
 guard-points-identical = Dois dos pontos são iguais: deles não resulta nem uma direção nem uma interseção.
 guard-pre-drilled-too-wide = O diâmetro do furo prévio não é inferior ao diâmetro nominal: nada resta para fresar.
 guard-second-clearance-below-first = A segunda distância de segurança é menor do que a primeira.

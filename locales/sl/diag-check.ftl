@@ -88,6 +88,7 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
 diag-empty-word = Beseda { $word } tu nima vrednosti in ne naredi ničesar.
+diag-feed-auto-missing = FAUTO vzame pomik priklica orodja, ta pa ga nima.
 diag-feed-negative = Pomik je tu negativen.
 diag-feed-zero = Pomik je tu nič.
 diag-field-word-missing = Vrednost je tu brez besede; krmiljenje jo prikaže z njo: { $shown }.
@@ -125,6 +126,7 @@ diag-label-missing = Jezik »{ $language }« nima oznake za { $parameter } cikla
 diag-label-not-encodable = V oznaki »{ $label }« je znak »{ $character }«, ki ga kodiranje datoteke ne pozna.
 diag-label-of-another-language = »{ $label }« je oznaka v drugem jeziku ({ $language }); v jeziku programa je oznaka parametra { $parameter } »{ $right }«.
 diag-label-of-another-parameter = »{ $label }« je oznaka parametra { $other }, ne parametra { $parameter }.
+diag-label-twice = »{ $label }« stoji pri { $parameter } in pri { $other }: eden od njiju ima drugo oznako.
 diag-label-undefined = Noben stavek ne postavi oznake LBL { $label }.
 diag-labels-of-unknown-language =
     { $count ->
@@ -231,6 +233,12 @@ diag-text-for-number =
         [text] { $parameter } sprejme število, to pa je besedilo.
         [number] { $parameter } sprejme besedilo, to pa je število.
        *[calculation] To je besedilo; z njim ni mogoče računati.
+    }
+diag-text-wrong =
+    { $what ->
+        [empty] Besedilo parametra { $parameter } je prazno.
+        [alone] »{ $found }« v besedilu parametra { $parameter } ni podvojen in ne stoji pred črko.
+       *[character] { $parameter } ne sprejme znaka »{ $found }«.
     }
 diag-tool-axis-missing = Ta priklic orodja ne navaja orodne osi, pa tudi prej ni bila navedena.
 diag-tool-axis-other =

@@ -40,6 +40,7 @@ diag-outside-domain = Funkcija { $function } nima vrednosti za { NUMBER($value) 
 diag-parameter-missing = V ciklu { $cycle } manjka { $q }.
 diag-parameter-out-of-range = Parameter { $q } ne dovoljuje vrednosti { NUMBER($value) }.
 diag-parameter-undefined = Parameter { $q } nima vrednosti.
+diag-parameter-in-addition = { $q } v { $cycle } pripada novejši programski opremi, kot jo opisujejo ti priročniki; njegov učinek ni znan.
 diag-parameter-unknown = Cikel { $cycle } nima parametra { $q }.
 diag-plan-mistake = Specifikacija cikla { $cycle } vsebuje napako: { $reason }
 diag-plane-through-line = Tri točke ležijo na premici: ravnine ne določajo.

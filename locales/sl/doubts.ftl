@@ -14,6 +14,7 @@ guard-nominal-far-from-limits = Imenska mera je več kot desetino oddaljena od m
 guard-one-measuring-point = Rotacijska os se meri v eni točki: iz tega os ne sledi. Pri 0 se ne izmeri.
 guard-pattern-goes-round-again = Število in kotni korak dasta več kot poln krog: položaji ležijo drug na drugem.
 guard-pattern-points-identical = Več točk naj bi se obdelalo v razmaku 0: vse ležijo na istem mestu.
+guard-plane-still-tilted = Obdelovalna ravnina je zavrtena. Ponastavite jo pred merjenjem kinematike.
 guard-points-identical = Dve od točk sta enaki: iz njiju ne izhaja ne smer ne presečišče.
 guard-pre-drilled-too-wide = Premer predhodno izvrtane vrtine ni manjši od želenega premera: za rezkanje ne ostane nič.
 guard-second-clearance-below-first = Druga varnostna razdalja je manjša od prve.

@@ -92,6 +92,8 @@ pub struct Param {
     pub choices: Vec<Choice>,
     /// The values that are hardly meant.
     pub doubtful: Vec<Doubtful>,
+    /// The characters that a text may have beside letters, digits and blanks; nothing if it may have any.
+    pub characters: Option<String>,
     /// The condition under which it acts.
     pub effective: Option<Name>,
     /// Its value on controls that lack it.
@@ -544,6 +546,7 @@ fn resolve(
         words: words.iter().map(|word| word.word.clone()).collect(),
         choices: parameter.choices.as_ref().unwrap_or(&meaning.choices).clone(),
         doubtful: parameter.doubtful.as_ref().unwrap_or(&meaning.doubtful).clone(),
+        characters: meaning.characters.clone(),
         effective: parameter.effective.clone(),
         neutral: parameter.neutral,
         imported: parameter.imported,

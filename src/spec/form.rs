@@ -101,6 +101,8 @@ record! {
         choices: Vec<Choice>,
         /// Values that are hardly meant, on any control.
         doubtful: Vec<Doubtful>,
+        /// The characters that a text may have beside letters, digits and blanks.
+        characters: Option<String>,
     }
 }
 

@@ -40,6 +40,7 @@ mod division_by_zero;
 mod doubtful_value;
 mod duplicate_parameter;
 mod empty_word;
+mod feed_auto_missing;
 mod feed_missing;
 mod feed_negative;
 mod feed_zero;
@@ -55,6 +56,7 @@ mod iso_incomplete;
 mod label_duplicate;
 mod label_of_another_language;
 mod label_of_another_parameter;
+mod label_twice;
 mod label_undefined;
 mod languages_mixed;
 mod loop_endless;
@@ -102,6 +104,7 @@ mod subprogram_runs_on;
 mod subprogram_without_end;
 mod tcpm_left_on;
 mod text_for_number;
+mod text_wrong;
 mod tool_axis_missing;
 mod tool_axis_other;
 mod tool_feed_missing;
@@ -169,6 +172,7 @@ pub const RULES: &[&Rule] = &[
     &doubtful_value::RULE,
     &duplicate_parameter::RULE,
     &empty_word::RULE,
+    &feed_auto_missing::RULE,
     &feed_missing::RULE,
     &feed_negative::RULE,
     &feed_zero::RULE,
@@ -184,6 +188,7 @@ pub const RULES: &[&Rule] = &[
     &label_duplicate::RULE,
     &label_of_another_language::RULE,
     &label_of_another_parameter::RULE,
+    &label_twice::RULE,
     &label_undefined::RULE,
     &languages_mixed::RULE,
     &loop_endless::RULE,
@@ -231,6 +236,7 @@ pub const RULES: &[&Rule] = &[
     &subprogram_without_end::RULE,
     &tcpm_left_on::RULE,
     &text_for_number::RULE,
+    &text_wrong::RULE,
     &tool_axis_missing::RULE,
     &tool_axis_other::RULE,
     &tool_feed_missing::RULE,
@@ -269,6 +275,8 @@ pub(super) const OF_DEFINITIONS: &[(&Rule, Each)] = &[
     (&missing_parameter::RULE, missing_parameter::each),
     (&out_of_range::RULE, out_of_range::each),
     (&out_of_range_elsewhere::RULE, out_of_range_elsewhere::each),
+    (&text_wrong::RULE, text_wrong::each),
+    (&label_twice::RULE, label_twice::each),
     (&unknown_parameter::RULE, unknown_parameter::each),
     (&wrong_value_kind::RULE, wrong_value_kind::each),
     // What is worse at the same place is told before.

@@ -190,9 +190,17 @@ impl<'e> Run<'_, 'e> {
             let fault = if named { fault } else { fault.arg("q", q.to_string()) };
             fault.arg("cycle", cycle.key.to_string())
         };
+        // One in addition to all that the cycle has may be a later version's: the program need not be wrong.
+        let has = |q: QRef| written.parameters.iter().any(|own| own.q == q);
+        let mut needed = cycle.params.iter().filter_map(|param| Some((param.q?, param.q_of_name())));
+        let whole = needed.all(|(q, name)| has(q) || name.is_some_and(has));
         for parameter in &written.parameters {
             if cycle.written(parameter.q).is_none() {
-                return Err(of_cycle(Fault::program("parameter-unknown"), parameter.q).into());
+                let fault = match whole {
+                    true => Fault::unsupported("parameter-in-addition"),
+                    false => Fault::program("parameter-unknown"),
+                };
+                return Err(of_cycle(fault, parameter.q).into());
             }
         }
         for param in &cycle.params {

@@ -78,6 +78,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("no-such-parameter", Class::Program),
     ("number-too-large", Class::Program),
     ("outside-domain", Class::Program),
+    ("parameter-in-addition", Class::Unsupported),
     ("parameter-missing", Class::Program),
     ("parameter-out-of-range", Class::Program),
     ("parameter-undefined", Class::Program),

@@ -1,0 +1,75 @@
+//! Two parameters of a definition with the same label: one of them is another one's.
+//!
+//! Looked at where the label is in no language that is loaded, or no manual of the control describes the cycle. Silent where
+//! a language calls both parameters the same.
+use super::together;
+use crate::check::labels::fold;
+use crate::check::{CycleLabels, Definition, Facts, Item, Rule, is_label};
+use crate::diag::{Diagnostic, Place, Severity};
+use crate::spec::Known;
+use crate::syntax::CycleForm;
+use std::sync::Arc;
+
+pub(super) const RULE: Rule = Rule { code: "label-twice", severity: Severity::Warning, run: together };
+
+pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
+    if matches!(definition.view.form, CycleForm::Lines(_)) || facts.has_usual_labels(definition) {
+        return;
+    }
+    if matches!(definition.known, Known::Builders) {
+        return;
+    }
+    let most = facts.against.on.control.label.max_length;
+    let label = |item: &Item<'_>| item.label.map(|label| facts.text(label).trim().len());
+    for (at, item) in definition.items.iter().enumerate() {
+        let Some(length) = label(item) else { continue };
+        let alike = |first: &&Item<'_>| {
+            let text = |item: &Item<'_>| item.label.map(|label| fold(facts.text(label)).into_owned());
+            label(first) == Some(length) && first.name != item.name && text(first) == text(item)
+        };
+        let Some(first) = definition.items.iter().take(at).find(alike) else { continue };
+        let printed = item.label.map_or("", |label| facts.text(label)).trim();
+        if !is_label(printed, most)
+            || is_known(facts, definition, item, printed)
+            || is_called_so(facts, definition, first, item)
+        {
+            continue;
+        }
+        for (own, other) in [(first, item), (item, first)] {
+            let place = Place::new(facts.program.source(), other.span);
+            let finding = rule.at(facts, own.label.unwrap_or(own.span)).arg("label", printed);
+            let finding = finding.arg("parameter", own.name.as_ref()).arg("other", other.name.as_ref());
+            found.push(finding.related("other-place", place));
+        }
+    }
+}
+
+/// Whether the label is told by itself: a language has it for one of the cycle's parameters.
+fn is_known(facts: &Facts<'_>, definition: &Definition<'_>, item: &Item<'_>, printed: &str) -> bool {
+    let folded = fold(printed);
+    let has = |labels: &CycleLabels| {
+        labels.languages.iter().any(|language| language.params.iter().any(|own| own.matches_folded(&folded)))
+    };
+    item.index.is_some() && facts.labels(definition).is_some_and(has)
+}
+
+/// Whether the labels of both parameters are the same in a language.
+fn is_called_so(facts: &Facts<'_>, definition: &Definition<'_>, first: &Item<'_>, second: &Item<'_>) -> bool {
+    let same = |labels: &CycleLabels, one: usize, other: usize| {
+        labels.languages.iter().any(|language| {
+            let label = |at: usize| language.params.get(at).and_then(|own| own.label.as_deref()).map(fold);
+            label(one).is_some() && label(one) == label(other)
+        })
+    };
+    if let (Some(labels), Some(one), Some(other)) = (facts.labels(definition), first.index, second.index) {
+        return same(labels, one, other);
+    }
+    let elsewhere = facts.against.catalogue.controls.values().rev().find_map(|on| match on.known(definition.key) {
+        Known::Described(cycle) => Some((on, cycle)),
+        _ => None,
+    });
+    let Some((on, cycle)) = elsewhere else { return false };
+    let place = |item: &Item<'_>| cycle.place_of(crate::expr::QRef::parse(&item.name)?);
+    let labels: Arc<CycleLabels> = facts.against.labels.labels_elsewhere(on, cycle);
+    place(first).zip(place(second)).is_none_or(|(one, other)| same(&labels, one, other))
+}
