@@ -88,7 +88,6 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } stands twice in { $cycle }.
 diag-empty-word = This { $word } has no value and does nothing.
-diag-feed-auto-missing = FAUTO takes the feed of the tool call, and that has none.
 diag-feed-negative = The feed is negative here.
 diag-feed-zero = The feed is zero here.
 diag-field-word-missing = A value stands here without a word; the control shows it with one: { $shown }.

@@ -41,7 +41,6 @@ explain-division-by-zero = FN 4 divides, and the control refuses to divide by ze
 explain-doubtful-value = The manual permits the value, but nothing sensible comes of it: a feed or diameter of 0, a plunging depth of 0, a milling depth above the surface. Parameters that do not act are left alone. Example: Q202=+0 in CYCL DEF 200.
 explain-duplicate-parameter = The definition gives the same parameter or field two values; it cannot be said which one is meant.
 explain-empty-word = Older controls and some post-processors print the words of the radius compensation and of M functions even in blocks that have none. They do nothing; newer controls may refuse the block, and the value may have been forgotten. Each is said once a program. Example: L X+10 R FMAX.
-explain-feed-auto-missing = FAUTO stands for the feed of TOOL CALL. Without one there, or with F0, nothing moves. Told once, in programs that run in the order of their blocks.
 explain-feed-missing = A movement without FMAX needs a feed: in its block, in one before it, or in the tool call. Said once a program, and only where no way of the run has programmed one.
 explain-feed-negative = A feed says how fast the tool moves, not in which direction. Example: L X+10 F-200.
 explain-feed-zero = With F0 the tool does not move. F0 in a tool call is left alone. Example: L X+10 F0.

@@ -88,7 +88,6 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } on työkierrossa { $cycle } kahdesti.
 diag-empty-word = Tässä sanassa { $word } ei ole arvoa, eikä se tee mitään.
-diag-feed-auto-missing = FAUTO ottaa työkalukutsun syöttöarvon, eikä siinä ole sellaista.
 diag-feed-negative = Syöttöarvo on tässä negatiivinen.
 diag-feed-zero = Syöttöarvo on tässä nolla.
 diag-field-word-missing = Arvon edessä ei ole sanaa; ohjaus näyttää sen näin: { $shown }.

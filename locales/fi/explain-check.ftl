@@ -41,7 +41,6 @@ explain-division-by-zero = FN 4 jakaa, ja ohjaus hylkää jaon nollalla. Paramet
 explain-doubtful-value = Käsikirja sallii arvon, mutta siitä ei seuraa mitään järkevää: syöttöarvo tai halkaisija 0, asetussyvyys 0, jyrsintäsyvyys yläpinnan yläpuolella. Parametrit, jotka eivät vaikuta, ohitetaan. Esimerkki: Q202=+0 työkierrossa CYCL DEF 200.
 explain-duplicate-parameter = Määrittely antaa samalle parametrille tai kentälle kaksi arvoa; ei voi sanoa, kumpaa tarkoitetaan.
 explain-empty-word = Vanhat ohjaukset ja jotkin jälkikäsittelijät kirjoittavat sädekorjauksen ja M-toiminnon sanan myös lauseisiin, joissa niitä ei ole. Sanat eivät tee mitään; uudemmat ohjaukset voivat hylätä lauseen, ja arvo on voinut unohtua. Kumpikin ilmoitetaan kerran ohjelmaa kohti. Esimerkki: L X+10 R FMAX.
-explain-feed-auto-missing = FAUTO tarkoittaa lauseen TOOL CALL syöttöarvoa. Jos sitä ei ole tai se on F0, mikään ei liiku. Ilmoitetaan kerran, ohjelmissa, jotka suoritetaan lauseidensa järjestyksessä.
 explain-feed-missing = Liike ilman sanaa FMAX tarvitsee syöttöarvon: omassa lauseessaan, aiemmassa lauseessa tai työkalukutsussa. Ilmoitetaan kerran ohjelmaa kohti ja vain, kun syöttöarvoa ei ole ohjelmoitu millään suorituspolulla.
 explain-feed-negative = Syöttöarvo kertoo, miten nopeasti työkalu liikkuu, ei mihin suuntaan. Esimerkki: L X+10 F-200.
 explain-feed-zero = Sanalla F0 työkalu ei liiku. Sanaan F0 työkalukutsussa ei puututa. Esimerkki: L X+10 F0.

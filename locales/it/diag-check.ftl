@@ -88,7 +88,6 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } compare due volte in { $cycle }.
 diag-empty-word = Questa { $word } è senza valore e non fa nulla.
-diag-feed-auto-missing = FAUTO prende l’avanzamento della chiamata utensile, che non ne ha.
 diag-feed-negative = Qui l’avanzamento è negativo.
 diag-feed-zero = Qui l’avanzamento è zero.
 diag-field-word-missing = Qui c’è un valore senza parola; il controllo lo mostra con una parola: { $shown }.

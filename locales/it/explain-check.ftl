@@ -41,7 +41,6 @@ explain-division-by-zero = FN 4 divide, e il controllo rifiuta la divisione per 
 explain-doubtful-value = Il manuale ammette il valore, ma non ne risulta nulla di sensato: un avanzamento o un diametro 0, una profondità incremento 0, una profondità di fresatura sopra la superficie. I parametri che non agiscono non vengono considerati. Esempio: Q202=+0 in CYCL DEF 200.
 explain-duplicate-parameter = La definizione assegna due valori allo stesso parametro o campo; non si può dire quale sia inteso.
 explain-empty-word = I controlli meno recenti e alcuni postprocessor scrivono le parole della compensazione del raggio e della funzione M anche nei blocchi che non ne hanno. Non hanno alcun effetto; i controlli più recenti possono rifiutare il blocco, e il valore potrebbe essere stato dimenticato. Ciascuna è segnalata una volta per programma. Esempio: L X+10 R FMAX.
-explain-feed-auto-missing = FAUTO indica l’avanzamento di TOOL CALL. Se lì manca o è F0, nulla si muove. Segnalato una volta, nei programmi che si svolgono nell’ordine dei loro blocchi.
 explain-feed-missing = Un movimento senza FMAX ha bisogno di un avanzamento: nel suo blocco, in uno precedente o nella chiamata utensile. Segnalato una volta per programma e solo se nessun percorso di esecuzione ne ha programmato uno.
 explain-feed-negative = L’avanzamento indica a quale velocità si muove l’utensile, non in quale direzione. Esempio: L X+10 F-200.
 explain-feed-zero = Con F0 l’utensile non si muove. F0 in una chiamata utensile non viene considerato. Esempio: L X+10 F0.

@@ -88,7 +88,6 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = { $parameter } aparece duas vezes em { $cycle }.
 diag-empty-word = Este { $word } não tem valor e não faz nada.
-diag-feed-auto-missing = FAUTO usa o avanço da chamada da ferramenta, e esta não tem nenhum.
 diag-feed-negative = O avanço é aqui negativo.
 diag-feed-zero = O avanço é aqui zero.
 diag-field-word-missing = Aqui há um valor sem palavra; o comando mostra-o com uma: { $shown }.

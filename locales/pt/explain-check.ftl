@@ -41,7 +41,6 @@ explain-division-by-zero = FN 4 divide, e o comando recusa a divisão por zero. 
 explain-doubtful-value = O manual permite o valor, mas dele não resulta nada que faça sentido: um avanço ou um diâmetro 0, uma profundidade de passo 0, uma profundidade de fresagem acima da superfície. Os parâmetros que não atuam não são considerados. Exemplo: Q202=+0 em CYCL DEF 200.
 explain-duplicate-parameter = A definição dá dois valores ao mesmo parâmetro ou campo; não se pode dizer qual é o pretendido.
 explain-empty-word = Os comandos mais antigos e alguns pós-processadores escrevem as palavras da compensação do raio e da função M mesmo nas frases que não as têm. Não fazem nada; os comandos mais recentes podem recusar a frase, e o valor pode ter sido esquecido. Cada uma é indicada uma vez por programa. Exemplo: L X+10 R FMAX.
-explain-feed-auto-missing = FAUTO significa o avanço de TOOL CALL. Se lá faltar ou for F0, nada se move. Indicado uma vez, em programas que correm pela ordem dos seus blocos.
 explain-feed-missing = Um movimento sem FMAX precisa de um avanço: na sua frase, numa frase anterior ou na chamada da ferramenta. Indicado uma vez por programa e só se nenhum percurso de execução programou um.
 explain-feed-negative = O avanço indica a que velocidade a ferramenta se move, e não em que direção. Exemplo: L X+10 F-200.
 explain-feed-zero = Com F0 a ferramenta não se move. F0 numa chamada de ferramenta não é considerado. Exemplo: L X+10 F0.

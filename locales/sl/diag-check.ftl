@@ -88,7 +88,6 @@ diag-doubtful-value =
     }.
 diag-duplicate-parameter = Parameter { $parameter } je v ciklu { $cycle } naveden dvakrat.
 diag-empty-word = Beseda { $word } tu nima vrednosti in ne naredi ničesar.
-diag-feed-auto-missing = FAUTO vzame pomik priklica orodja, ta pa ga nima.
 diag-feed-negative = Pomik je tu negativen.
 diag-feed-zero = Pomik je tu nič.
 diag-field-word-missing = Vrednost je tu brez besede; krmiljenje jo prikaže z njo: { $shown }.

@@ -41,7 +41,6 @@ explain-division-by-zero = FN 4 deli, deljenje z ničlo pa krmiljenje zavrne. Pa
 explain-doubtful-value = Priročnik vrednost dovoljuje, vendar iz nje ne nastane nič smiselnega: pomik ali premer 0, globina primika 0, globina rezkanja nad površino. Parametri, ki ne delujejo, se ne obravnavajo. Primer: Q202=+0 v CYCL DEF 200.
 explain-duplicate-parameter = Definicija daje istemu parametru ali polju dve vrednosti; ni mogoče reči, katera je mišljena.
 explain-empty-word = Starejša krmiljenja in nekateri postprocesorji izpišejo besedi popravka polmera in M-funkcije tudi v stavkih, ki ju nimajo. Besedi ne naredita ničesar; novejša krmiljenja lahko stavek zavrnejo, vrednost pa je morda pozabljena. Vsaka se javi enkrat za vsak program. Primer: L X+10 R FMAX.
-explain-feed-auto-missing = FAUTO pomeni pomik iz TOOL CALL. Če ga tam ni ali je F0, se nič ne premakne. Javi se enkrat, v programih, ki tečejo v vrstnem redu svojih nizov.
 explain-feed-missing = Premik brez FMAX potrebuje pomik: v svojem stavku, v prejšnjem stavku ali v priklicu orodja. Javi se enkrat za vsak program in samo, če ni programiran na nobeni poti izvajanja.
 explain-feed-negative = Pomik pove, kako hitro se orodje premika, in ne v katero smer. Primer: L X+10 F-200.
 explain-feed-zero = Z F0 se orodje ne premika. F0 v priklicu orodja ni obravnavan. Primer: L X+10 F0.

@@ -129,11 +129,6 @@ impl Run {
         marks.filter(|(_, block)| endless(block)).collect()
     }
 
-    /// The places where a parameter with a certain number is read, with that number.
-    pub fn numbers(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
-        self.numbers.iter().map(|(at, number)| (*at, *number))
-    }
-
     /// The number of a parameter that a definition reads there.
     pub fn number_at(&self, place: Span) -> Option<f64> {
         self.numbers.get(&place.start).copied()

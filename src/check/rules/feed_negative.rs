@@ -29,25 +29,4 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.at(facts, span));
         }
     }
-    // Parameters with a number that is certain.
-    for (at, number) in facts.run.numbers() {
-        if number == 0.0 {
-            continue;
-        }
-        let block = blocks.partition_point(|block| block.span.end <= at);
-        let feed = match blocks.get(block).map(|own| &own.kind) {
-            Some(BlockKind::Motion(motion)) => motion.words().feed,
-            Some(BlockKind::ToolCall(call)) => call.feed,
-            _ => continue,
-        };
-        if let Some(Feed {
-            span,
-            kind: FeedKind::Value(value) | FeedKind::PerRevolution(value) | FeedKind::PerTooth(value),
-        }) = feed
-            && value.span.start == at
-            && matches!(value.amount, Amount::Q { negative, .. } if negative == (number > 0.0))
-        {
-            found.push(rule.at(facts, span));
-        }
-    }
 }

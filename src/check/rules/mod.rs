@@ -40,7 +40,6 @@ mod division_by_zero;
 mod doubtful_value;
 mod duplicate_parameter;
 mod empty_word;
-mod feed_auto_missing;
 mod feed_missing;
 mod feed_negative;
 mod feed_zero;
@@ -172,7 +171,6 @@ pub const RULES: &[&Rule] = &[
     &doubtful_value::RULE,
     &duplicate_parameter::RULE,
     &empty_word::RULE,
-    &feed_auto_missing::RULE,
     &feed_missing::RULE,
     &feed_negative::RULE,
     &feed_zero::RULE,

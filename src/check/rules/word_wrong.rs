@@ -65,15 +65,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             told.words(&words);
         }
     }
-    let blocks = facts.program.blocks();
-    for (at, _) in facts.run.numbers().filter(|(_, number)| *number == 0.0) {
-        let block = blocks.get(blocks.partition_point(|block| block.span.end <= at));
-        let Some(BlockKind::Motion(motion)) = block.map(|own| &own.kind) else { continue };
-        let radius = motion.words().radius.filter(|own| own.span.start == at);
-        if let Some(radius) = radius.filter(|_| matches!(motion.path(), Path::Cr | Path::Rnd)) {
-            told.tell("below", radius.span, "R", Arg::Number(0.0));
-        }
-    }
     for (_, block) in facts.shaped() {
         let BlockKind::Motion(motion) = &block.kind else { continue };
         if !matches!(motion.path(), Path::Appr(_) | Path::Dep(_)) {
