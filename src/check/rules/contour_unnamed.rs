@@ -4,6 +4,7 @@
 use crate::check::flow::Deed;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
+use crate::spec::{Cycle, Group};
 
 pub(super) const RULE: Rule = Rule { code: "contour-unnamed", severity: Severity::Error, run };
 
@@ -11,7 +12,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for call in facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Contour) == Tri::No) {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(definition) = facts.definitions.get(index as usize) else { continue };
-        let needs = definition.kin().is_some_and(|cycle| Deed::of_cycle(cycle).reads_contour());
+        let may = |cycle: &&Cycle| matches!(cycle.file.group, Group::Contours | Group::Turning);
+        let needs = definition.kin().filter(may).is_some_and(|cycle| Deed::of_cycle(cycle).reads_contour());
         if needs {
             found.push(rule.at(facts, call.span).arg("cycle", definition.key.to_string()));
             return;

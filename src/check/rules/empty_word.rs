@@ -11,7 +11,7 @@ use crate::syntax::BlockKind;
 pub(super) const RULE: Rule = Rule { code: "empty-word", severity: Severity::Note, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    for (letter, place) in [("R", alone(facts, &ALONE_R)), ("M", function(facts)), ("F", alone(facts, &ALONE_F))] {
+    for (letter, place) in [("R", alone(facts, b" R")), ("M", function(facts)), ("F", alone(facts, b" F"))] {
         found.extend(place.map(|span| rule.at(facts, span).arg("word", letter)));
     }
 }
@@ -33,22 +33,16 @@ fn function(facts: &Facts<'_>) -> Option<Span> {
     None
 }
 
-/// An `R` by itself.
-const ALONE_R: [&[u8]; 4] = [b" R ", b" R\r", b" R\n", b" R\t"];
-/// An `F` by itself.
-const ALONE_F: [&[u8]; 4] = [b" F ", b" F\r", b" F\n", b" F\t"];
 /// So many of each are looked at: others are words of comments.
 const FEW: usize = 1000;
 
 /// The first letter by itself in a movement; a feed may stand behind its `F` and a blank.
-fn alone(facts: &Facts<'_>, words: &[&[u8]]) -> Option<Span> {
+fn alone(facts: &Facts<'_>, word: &[u8; 2]) -> Option<Span> {
     let blocks = facts.program.blocks();
     let text = facts.program.source().text().as_bytes();
-    // Long programs have few of them, if any: what stands behind the letter is looked for with it.
-    let places = words.iter().flat_map(|word| memmem::find_iter(text, word).take(FEW));
-    let mut places: Vec<usize> = places.collect();
-    places.sort_unstable();
-    for at in places {
+    // Long programs have few of them, if any.
+    let by_itself = |at: &usize| matches!(text.get(at + word.len()), Some(b' ' | b'\t' | b'\r' | b'\n'));
+    for at in memmem::find_iter(text, word).filter(by_itself).take(FEW) {
         let block = blocks.partition_point(|block| block.span.end <= at);
         let moves = |block: &&crate::syntax::Block| {
             let before_comment = block.comment().is_none_or(|comment| at < comment.start);

@@ -4,6 +4,8 @@
 //! What each gives is in the file of the language. PREDEF is left alone in parts of programs, which others may precede.
 use std::collections::BTreeMap;
 
+use memchr::memmem;
+
 use crate::check::values::refused_by_all;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
@@ -30,13 +32,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         }
     }
-    if !facts.begins() || !facts.calls.is_empty() || facts.flow.programs {
+    if !facts.begins() || !facts.calls.is_empty() || facts.flow.programs || !mentions_it(facts) {
         return;
     }
     for definition in &facts.definitions {
         let CycleForm::Parameters(written) = &definition.view.form else { continue };
         for parameter in written.parameters.iter().filter(|own| own.value.kind == ValueKind::Word) {
-            if !facts.text(parameter.value.span).eq_ignore_ascii_case("PREDEF") {
+            if !matches!(facts.text(parameter.value.span), "PREDEF" | "predef") {
                 continue;
             }
             let mut places = given.iter().filter(|(_, q)| *q == parameter.q).map(|(index, _)| *index).peekable();
@@ -51,6 +53,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.arg("parameter", parameter.q.to_string()).arg("value", key.to_string()));
         }
     }
+}
+
+/// Whether the program has the word at all.
+fn mentions_it(facts: &Facts<'_>) -> bool {
+    let text = facts.program.source().text().as_bytes();
+    ["PREDEF", "predef"].iter().any(|word| memmem::find(text, word.as_bytes()).is_some())
 }
 
 fn tell(

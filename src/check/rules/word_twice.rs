@@ -26,7 +26,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if definition.key.keyword == Keyword::CyclDef
             && let CycleForm::Lines(lines) = &definition.view.form
         {
-            lines.iter().filter(|line| line.line > 0).for_each(|line| axes(rule, facts, &line.words, found));
+            let several = lines.iter().filter(|line| line.line > 0 && line.words.len() > 1);
+            several.for_each(|line| axes(rule, facts, &line.words, found));
         }
     }
 }
