@@ -105,7 +105,9 @@ impl<'d, 'e> Exec<'d, 'e> {
         Spare { mut cells, mut sentences }: Spare,
     ) -> Self {
         let plan = &definition.plan;
-        cells.clear();
+        // Emptied in place: a call has many cells, and most of them have nothing to give back.
+        cells.truncate(plan.slots);
+        cells.iter_mut().filter(|cell| !matches!(cell, Cell::Empty)).for_each(|cell| *cell = Cell::Empty);
         cells.resize(plan.slots, Cell::Empty);
         sentences.clear();
         sentences.resize(plan.sentences.len(), false);
