@@ -75,8 +75,16 @@ diag-cycle-line-alone = The line { $line } has no line { $head } before it.
 diag-cycle-line-empty = Nothing stands on the line { $line } of { $cycle }.
 diag-cycle-line-missing = The line { $missing } is missing before { $line }.
 diag-cycle-line-twice = The line { $line } stands twice in this definition.
-diag-cycle-not-covered = { $cycle } is not checked: the manuals of the { $control } that are known here do not treat such cycles.
-diag-cycle-not-described = { $cycle } ({ $name }) is named by the manuals and not described: its parameters are not checked.
+diag-cycle-not-covered =
+    { $other ->
+        [none] { $cycle } is not checked: the manuals of the { $control } that are known here do not treat such cycles.
+       *[other] The manuals of the { $control } that are known here do not treat cycles such as { $cycle }: it is measured by the manual of the { $other }.
+    }
+diag-cycle-not-described =
+    { $other ->
+        [none] { $cycle } ({ $name }) is named by the manuals and not described: its parameters are not checked.
+       *[other] { $cycle } ({ $name }) is named by the manuals and not described: it is measured by the manual of the { $other }.
+    }
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
 diag-defined-but-never-called = { $cycle } is defined here and never called.
 diag-direction-unsaid = This arc does not say which way round it goes: DR+ or DR− is missing.

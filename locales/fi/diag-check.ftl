@@ -75,8 +75,16 @@ diag-cycle-line-alone = Rivin { $line } edellä ei ole riviä { $head }.
 diag-cycle-line-empty = Työkierron { $cycle } rivillä { $line } ei ole mitään.
 diag-cycle-line-missing = Rivin { $line } edeltä puuttuu rivi { $missing }.
 diag-cycle-line-twice = Rivi { $line } on tässä määrittelyssä kahdesti.
-diag-cycle-not-covered = Työkiertoa { $cycle } ei tarkasteta: ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele tällaisia työkiertoja.
-diag-cycle-not-described = Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sen parametreja ei tarkasteta.
+diag-cycle-not-covered =
+    { $other ->
+        [none] Työkiertoa { $cycle } ei tarkasteta: ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele tällaisia työkiertoja.
+       *[other] Ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele sellaisia työkiertoja kuin { $cycle }: sitä verrataan ohjauksen { $other } käsikirjaan.
+    }
+diag-cycle-not-described =
+    { $other ->
+        [none] Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sen parametreja ei tarkasteta.
+       *[other] Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sitä verrataan ohjauksen { $other } käsikirjaan.
+    }
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.
 diag-direction-unsaid = Kaaren kiertosuuntaa ei ole annettu: DR+ tai DR− puuttuu.

@@ -75,8 +75,16 @@ diag-cycle-line-alone = Prima della riga { $line } non c’è la riga { $head }.
 diag-cycle-line-empty = Nella riga { $line } di { $cycle } non c’è nulla.
 diag-cycle-line-missing = Prima di { $line } manca la riga { $missing }.
 diag-cycle-line-twice = La riga { $line } compare due volte in questa definizione.
-diag-cycle-not-covered = { $cycle } non viene verificato: i manuali del controllo { $control } qui noti non trattano cicli di questo tipo.
-diag-cycle-not-described = { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
+diag-cycle-not-covered =
+    { $other ->
+        [none] { $cycle } non viene verificato: i manuali del controllo { $control } qui noti non trattano cicli di questo tipo.
+       *[other] I manuali del controllo { $control } qui noti non trattano cicli come { $cycle }: viene confrontato con il manuale di { $other }.
+    }
+diag-cycle-not-described =
+    { $other ->
+        [none] { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
+       *[other] { $cycle } ({ $name }) è citato nei manuali ma non descritto: viene confrontato con il manuale di { $other }.
+    }
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.
 diag-direction-unsaid = L’arco non indica il senso di rotazione: manca DR+ o DR−.

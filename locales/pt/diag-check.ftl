@@ -75,8 +75,16 @@ diag-cycle-line-alone = Antes da linha { $line } não há a linha { $head }.
 diag-cycle-line-empty = Na linha { $line } de { $cycle } não há nada.
 diag-cycle-line-missing = Antes de { $line } falta a linha { $missing }.
 diag-cycle-line-twice = A linha { $line } está duas vezes nesta definição.
-diag-cycle-not-covered = { $cycle } não é verificado: os manuais do comando { $control } aqui conhecidos não tratam de ciclos deste tipo.
-diag-cycle-not-described = { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
+diag-cycle-not-covered =
+    { $other ->
+        [none] { $cycle } não é verificado: os manuais do comando { $control } aqui conhecidos não tratam de ciclos deste tipo.
+       *[other] Os manuais do comando { $control } aqui conhecidos não tratam de ciclos como { $cycle }: é comparado com o manual de { $other }.
+    }
+diag-cycle-not-described =
+    { $other ->
+        [none] { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: os seus parâmetros não são verificados.
+       *[other] { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: é comparado com o manual de { $other }.
+    }
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.
 diag-direction-unsaid = O arco não indica o sentido de rotação: falta DR+ ou DR−.

@@ -75,8 +75,16 @@ diag-cycle-line-alone = Pred vrstico { $line } ni vrstice { $head }.
 diag-cycle-line-empty = V vrstici { $line } cikla { $cycle } ni ničesar.
 diag-cycle-line-missing = Pred vrstico { $line } manjka vrstica { $missing }.
 diag-cycle-line-twice = Vrstica { $line } je v tej definiciji dvakrat.
-diag-cycle-not-covered = Cikel { $cycle } se ne preveri: priročniki krmiljenja { $control }, ki so tu znani, takšnih ciklov ne obravnavajo.
-diag-cycle-not-described = Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
+diag-cycle-not-covered =
+    { $other ->
+        [none] Cikel { $cycle } se ne preveri: priročniki krmiljenja { $control }, ki so tu znani, takšnih ciklov ne obravnavajo.
+       *[other] Priročniki krmiljenja { $control }, ki so tu znani, ciklov, kakršen je { $cycle }, ne obravnavajo: primerja se s priročnikom krmiljenja { $other }.
+    }
+diag-cycle-not-described =
+    { $other ->
+        [none] Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: njegovi parametri se ne preverijo.
+       *[other] Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: primerja se s priročnikom krmiljenja { $other }.
+    }
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.
 diag-direction-unsaid = Lok ne pove, v katero smer poteka: manjka DR+ ali DR−.

@@ -178,8 +178,8 @@ fn places(facts: &Facts<'_>) -> Vec<ProgramCall> {
         selecting.into_iter().for_each(|index| push(index, span, None, false));
     }
     for (index, definition) in facts.definitions.iter().enumerate().filter(|(_, own)| makes_cycle(own)) {
-        let other = definition.as_kin();
-        let read = facts.read(other.as_ref().unwrap_or(definition));
+        let kin = definition.as_kin();
+        let read = facts.read(&kin);
         let named = read.items.iter().find(|item| item.param.is_some_and(|param| param.is.as_str() == PROGRAM));
         if let Some(item) = named {
             push(definition.view.first, item.value_span, Some(index), false);

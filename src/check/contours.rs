@@ -5,7 +5,7 @@
 use super::flow::{Pending, Way};
 use super::{Defined, Facts};
 use crate::spec::{ContourWanted, ParameterKind};
-use crate::syntax::{Amount, Axis, Block, BlockKind, Label, Motion, Path, StatementKind};
+use crate::syntax::{Amount, Axis, Block, BlockKind, Motion, Path, StatementKind};
 
 /// A list of contours, the definition that holds it, and the cycles that machine them.
 pub(super) struct Listed<'f, 'a> {
@@ -71,8 +71,7 @@ fn contours<'a>(facts: &Facts<'a>, list: &Defined<'_>) -> Vec<&'a [Block]> {
 /// The blocks between a label and the LBL 0 behind it; nothing if it has none.
 pub(super) fn body(blocks: &[Block], start: usize) -> Option<&[Block]> {
     let behind = blocks.get(start + 1..)?;
-    let ends = |block: &Block| matches!(&block.kind, BlockKind::Lbl(label) if label.target == Label::Number(0));
-    behind.get(..behind.iter().position(ends)?)
+    behind.get(..behind.iter().position(Block::ends_subprogram)?)
 }
 
 /// The corners of a contour whose elements are all written with numbers, its first point included; nothing if that cannot

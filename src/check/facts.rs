@@ -17,8 +17,8 @@ use crate::expr::QRef;
 use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Group, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
 use crate::syntax::{
-    Block, BlockKind, Compensates, CycleDef, CycleForm, CycleView, MFunction, Parameter, Path, Program, StatementKind,
-    Value, ValueKind,
+    Amount, Block, BlockKind, Compensates, CycleDef, CycleForm, CycleView, MFunction, Operand, Parameter, Path,
+    Program, StatementKind, Value, ValueKind,
 };
 
 /// A program with its cycle definitions resolved for a control.
@@ -41,8 +41,8 @@ pub struct Facts<'a> {
     tongue: Option<u32>,
     /// The blocks that are more than plain movements, definitions and comments: few in long programs.
     marked: Vec<u32>,
-    /// The movements that are more than plain ones for a contour: corners, tangential arcs, approaches, free contours, surface normals and
-    /// those that say RL or RR.
+    /// The movements that are more than plain ones for a contour: corners, tangential arcs, approaches, free contours,
+    /// surface normals and those that say RL or RR.
     shaped: Vec<u32>,
     begins: bool,
     /// The first END PGM.
@@ -60,6 +60,7 @@ pub struct Facts<'a> {
 }
 
 /// A cycle definition and what the control knows of its cycle.
+#[derive(Clone)]
 pub struct Defined<'a> {
     /// As written.
     pub view: CycleView<'a>,
@@ -249,8 +250,8 @@ impl<'a> Facts<'a> {
         self.marked.iter().filter_map(|index| Some((*index as usize, blocks.get(*index as usize)?)))
     }
 
-    /// Corners, tangential arcs, approaches, departures, elements of free contours, surface normals and movements with RL or RR, with their
-    /// places among all blocks.
+    /// Corners, tangential arcs, approaches, departures, elements of free contours, surface normals and movements with RL
+    /// or RR, with their places among all blocks.
     pub fn shaped(&self) -> impl Iterator<Item = (usize, &'a Block)> {
         let blocks = self.program.blocks();
         self.shaped.iter().filter_map(|index| Some((*index as usize, blocks.get(*index as usize)?)))
@@ -306,14 +307,33 @@ impl<'a> Facts<'a> {
     pub fn read<'d>(&'d self, definition: &'d Defined<'a>) -> Definition<'d> {
         let mut read = Definition::of(self.program, definition);
         for item in &mut read.items {
-            if let Some(ValueKind::Q { negative, .. }) = item.value.map(|value| value.kind)
-                && let Some(number) = self.run.number_at(item.value_span)
-            {
-                item.number = Some(if negative { -number } else { number });
+            if let Some(ValueKind::Q { negative, .. }) = item.value.map(|value| value.kind) {
+                item.number = self.known_at(item.value_span, negative);
             }
             item.refusal = values::refused(item, self.inch);
         }
         read
+    }
+
+    /// The number that a parameter certainly has at its place, with the sign before it.
+    pub(super) fn known_at(&self, place: Span, negative: bool) -> Option<f64> {
+        self.run.number_at(place).map(|number| if negative { -number } else { number })
+    }
+
+    /// The number of an operand that is a parameter, if it is certain.
+    pub(super) fn known(&self, operand: &Operand) -> Option<f64> {
+        match operand.amount {
+            Amount::Q { negative, .. } => self.known_at(operand.span, negative),
+            Amount::Number(_) | Amount::Text(_) => None,
+        }
+    }
+
+    /// The number of an operand, written or certain.
+    pub(super) fn number(&self, operand: &Operand) -> Option<f64> {
+        match operand.amount {
+            Amount::Number(number) => Some(number),
+            Amount::Q { .. } | Amount::Text(_) => self.known(operand),
+        }
     }
 
     /// Walks through the blocks and notes what they are.
@@ -394,10 +414,7 @@ fn elsewhere<'a>(against: &Against<'a>, key: CycleKey, known: Known<'_>) -> Opti
     if matches!(known, Known::Described(_) | Known::Builders) {
         return None;
     }
-    against.catalogue.controls.values().rev().find_map(|on| match on.known(key) {
-        Known::Described(cycle) => Some(cycle),
-        _ => None,
-    })
+    against.catalogue.describing(key).map(|(_, cycle)| cycle)
 }
 
 /// Whether a block is a comment or blank.
@@ -460,10 +477,13 @@ impl<'a> Defined<'a> {
         }
     }
 
-    /// The same definition, read as that of the cycle of another control that it is like; nothing if this one has the
+    /// The same definition, read as that of the cycle of another control that it is like, if this one does not have the
     /// cycle.
-    pub(super) fn as_kin(&self) -> Option<Self> {
-        self.elsewhere.map(|cycle| self.read_as(cycle))
+    pub(super) fn as_kin(&self) -> Cow<'_, Self> {
+        match self.elsewhere {
+            Some(cycle) => Cow::Owned(self.read_as(cycle)),
+            None => Cow::Borrowed(self),
+        }
     }
 
     /// Whether its cycle has a parameter of that kind.

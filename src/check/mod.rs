@@ -25,8 +25,6 @@ pub(crate) use labels::is_label;
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels, Speech, speech};
 pub use rules::RULES;
 
-use among::name as named_in;
-
 use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::locale::Language;
 use crate::spec::{Catalogue, OnControl};

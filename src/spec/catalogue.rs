@@ -260,6 +260,17 @@ pub struct Catalogue {
     pub globals: Vec<Global>,
 }
 
+impl Catalogue {
+    /// A cycle as the control with the highest id describes it: what is said of it where the own control's manuals are
+    /// silent.
+    pub fn describing(&self, key: CycleKey) -> Option<(&OnControl, &Cycle)> {
+        self.controls.values().rev().find_map(|on| match on.known(key) {
+            Known::Described(cycle) => Some((on, cycle)),
+            _ => None,
+        })
+    }
+}
+
 struct File {
     source: Arc<Source>,
     node: Node,

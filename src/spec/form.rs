@@ -347,6 +347,8 @@ record! {
         first_only: bool,
         /// It ends elsewhere than it began: the first position behind it names both coordinates of the plane.
         displaces: bool,
+        /// It turns them: they are described in Z and X.
+        turned: bool,
         /// The path functions that it reads; all if there are none.
         paths: Vec<String>,
     }

@@ -66,6 +66,11 @@ impl Block {
         matches!(&self.kind, BlockKind::Iso(own) if matches!(own.kind, IsoKind::Blend(_)))
     }
 
+    /// Whether it ends a subprogram: `LBL 0`.
+    pub fn ends_subprogram(&self) -> bool {
+        matches!(&self.kind, BlockKind::Lbl(label) if label.target == Label::END)
+    }
+
     /// The same block, told to have no comment.
     pub fn without_comment(self) -> Self {
         Self { comment: Comment::default(), ..self }
@@ -465,6 +470,11 @@ pub enum Label {
     Q(QRef),
 }
 
+impl Label {
+    /// `LBL 0`: the end of a subprogram.
+    pub const END: Self = Self::Number(0);
+}
+
 /// `CALL LBL`.
 #[derive(Clone, Debug)]
 pub struct CallLbl {
@@ -540,6 +550,19 @@ pub enum Relation {
     Defined,
 }
 
+impl Relation {
+    /// Whether it holds between two numbers; nothing of those that ask whether there is a value.
+    pub fn holds(self, a: f64, b: f64) -> Option<bool> {
+        match self {
+            Self::Equal => Some(a == b),
+            Self::NotEqual => Some(a != b),
+            Self::Greater => Some(a > b),
+            Self::Less => Some(a < b),
+            Self::Undefined | Self::Defined => None,
+        }
+    }
+}
+
 /// A conditional jump.
 #[derive(Clone, Debug)]
 pub struct FnJump {
@@ -551,6 +574,16 @@ pub struct FnJump {
     pub b: Operand,
     /// Where to.
     pub label: LabelRef,
+}
+
+impl FnJump {
+    /// Whether it always or never jumps, because it compares two written numbers; nothing if that depends on the run.
+    pub fn decided(&self) -> Option<bool> {
+        match (self.a.amount, self.b.amount) {
+            (Amount::Number(a), Amount::Number(b)) => self.relation.holds(a, b),
+            _ => None,
+        }
+    }
 }
 
 /// An assignment by formula.

@@ -27,8 +27,6 @@ pub(in crate::check) struct Deed {
     keeps: bool,
     /// Whether it works with them.
     recalls: bool,
-    /// Whether its call machines the contour that was named last.
-    reads_contour: bool,
     /// Whether it calls the cycle that was defined last.
     calls_last: bool,
 }
@@ -127,9 +125,6 @@ impl<'f, 'a> Effects<'f, 'a> {
 /// The strategy that reads what another cycle keeps.
 const RECALL: &str = "recall-contour-data";
 
-/// The strategies that read a contour, besides those of the contour cycles.
-const OF_CONTOURS: [&str; 3] = ["area-of-turning-contour", "groove-of-contour", "thread-of-contour"];
-
 /// The name of the cycle that was defined last.
 const LAST_CYCLE: &str = "last-cycle";
 
@@ -142,11 +137,6 @@ impl Deed {
     /// Whether the cycle works with such data.
     pub(in crate::check) const fn recalls(&self) -> bool {
         self.recalls
-    }
-
-    /// Whether a call of the cycle machines the contour that was named last.
-    pub(in crate::check) const fn reads_contour(&self) -> bool {
-        self.reads_contour
     }
 
     /// Whether the cycle calls the one that was defined last.
@@ -194,7 +184,6 @@ impl Deed {
             TakesEffect::OnCall => self.pends = Some(true),
             TakesEffect::OnDefinition => self.aspects.push((Aspect::Feed, Tri::Unknown.into())),
         }
-        self.reads_contour = cycle.file.group == Group::Contours && cycle.file.takes_effect == TakesEffect::OnCall;
         self.results.extend(cycle.file.results.iter().filter_map(|results| results.q));
         let mut verbs = Vec::new();
         cycle.file.run.iter().for_each(|item| actions(item, &mut verbs));
@@ -216,7 +205,6 @@ impl Deed {
                 (Verb::Call, Argument::One(name)) => self.calls_last |= name.as_str() == LAST_CYCLE,
                 (Verb::Strategy, Argument::One(name)) => {
                     self.recalls |= name.as_str() == RECALL;
-                    self.reads_contour |= OF_CONTOURS.contains(&name.as_str());
                 }
                 (Verb::Spindle | Verb::Orient, _) if cycle.file.takes_effect == TakesEffect::OnDefinition => {
                     self.aspects.push((Aspect::Spindle, Tri::Unknown.into()));
@@ -325,8 +313,8 @@ fn names(facts: &Facts<'_>, definition: &Defined<'_>) -> Vec<QRef> {
     if !definition.has_kind(ParameterKind::QNumber) {
         return Vec::new();
     }
-    let other = definition.as_kin();
-    let read = Definition::of(facts.program, other.as_ref().unwrap_or(definition));
+    let kin = definition.as_kin();
+    let read = Definition::of(facts.program, &kin);
     let named = read.items.iter().filter(|item| item.param.is_some_and(|own| own.kind == ParameterKind::QNumber));
     named
         .filter_map(|item| match item.value.map(|value| value.kind) {

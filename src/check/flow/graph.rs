@@ -125,8 +125,7 @@ impl Graph {
     /// The labels that definitions list, by the last block of each definition.
     fn contour_labels(&mut self, facts: &Facts<'_>) {
         for definition in facts.definitions.iter().filter(|own| own.has_kind(ParameterKind::LabelList)) {
-            let other = definition.as_kin();
-            for item in &Definition::of(facts.program, other.as_ref().unwrap_or(definition)).items {
+            for item in &Definition::of(facts.program, &definition.as_kin()).items {
                 if item.param.is_none_or(|param| param.kind != ParameterKind::LabelList) {
                     continue;
                 }
@@ -161,7 +160,7 @@ impl Graph {
     /// What the block does to the way.
     pub(super) fn end(&self, index: usize, block: &Block) -> End {
         match &block.kind {
-            BlockKind::Lbl(label) if label.target == Label::Number(0) => End::Return,
+            BlockKind::Lbl(label) if label.target == Label::END => End::Return,
             BlockKind::CallLbl(_) | BlockKind::FnJump(_) => {
                 let at = self.uses.partition_point(|own| own.block < index);
                 match self.uses.get(at) {

@@ -12,7 +12,7 @@ use crate::diag::Span;
 use crate::expr::{Code, Env, EvalError, Expr, OnlyParameters, QKind, QRef, Value, compile};
 use crate::syntax::{
     Amount, Axis, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, NamedWord, Operand,
-    Path, Program, Relation, Statement, StatementKind, ValueKind,
+    Path, Program, Statement, StatementKind, ValueKind,
 };
 
 /// What stepping needs besides the state.
@@ -296,10 +296,7 @@ impl<'f, 'a> Steps<'f, 'a> {
     pub(super) fn decided(&self, block: usize) -> Option<bool> {
         let own = self.program.blocks().get(block).filter(|own| !own.skip)?;
         match &own.kind {
-            BlockKind::FnJump(jump) => match (jump.a.amount, jump.b.amount) {
-                (Amount::Number(a), Amount::Number(b)) => compared(jump.relation, a, b),
-                _ => None,
-            },
+            BlockKind::FnJump(jump) => jump.decided(),
             _ => None,
         }
     }
@@ -313,7 +310,7 @@ impl<'f, 'a> Steps<'f, 'a> {
         let (Known::Number(a), Known::Number(b)) = (value(&jump.a, state), value(&jump.b, state)) else {
             return (None, None);
         };
-        let Some(holds) = compared(jump.relation, a, b) else { return (None, None) };
+        let Some(holds) = jump.relation.holds(a, b) else { return (None, None) };
         let mut other = state.clone();
         for operand in [&jump.a, &jump.b] {
             if let Amount::Q { q, .. } = operand.amount {
@@ -357,17 +354,6 @@ impl<'f, 'a> Steps<'f, 'a> {
     fn formula(&self, expr: &Expr, state: &State) -> Known {
         let Ok(code) = compile(expr, &OnlyParameters) else { return Known::Unknown };
         number(&code, state)
-    }
-}
-
-/// Whether a relation holds between numbers; nothing of those that ask whether there is a value.
-fn compared(relation: Relation, a: f64, b: f64) -> Option<bool> {
-    match relation {
-        Relation::Equal => Some(a == b),
-        Relation::NotEqual => Some(a != b),
-        Relation::Greater => Some(a > b),
-        Relation::Less => Some(a < b),
-        Relation::Undefined | Relation::Defined => None,
     }
 }
 

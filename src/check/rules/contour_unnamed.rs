@@ -1,10 +1,9 @@
 //! A cycle that machines a contour, in milling or turning, and is called before anything has named a contour.
 //!
 //! CYCL DEF 14, SEL CONTOUR and CONTOUR DEF name one. Said once a program.
-use crate::check::flow::Deed;
+use crate::check::contours::wanted;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
-use crate::spec::{Cycle, Group};
 
 pub(super) const RULE: Rule = Rule { code: "contour-unnamed", severity: Severity::Error, run };
 
@@ -12,9 +11,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for call in facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Contour) == Tri::No) {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(definition) = facts.definitions.get(index as usize) else { continue };
-        let may = |cycle: &&Cycle| matches!(cycle.file.group, Group::Contours | Group::Turning);
-        let needs = definition.kin().filter(may).is_some_and(|cycle| Deed::of_cycle(cycle).reads_contour());
-        if needs {
+        if wanted(definition).is_some() {
             found.push(rule.at(facts, call.span).arg("cycle", definition.key.to_string()));
             return;
         }

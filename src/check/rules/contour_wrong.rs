@@ -91,18 +91,19 @@ fn wrong<'a>(
         BlockKind::Motion(motion) => motion.words().coords.iter().any(|coord| rotary(&coord.axis)),
         _ => false,
     });
+    let in_plane = !developed && !wanted.turned;
     for block in contour {
         match &block.kind {
             BlockKind::Motion(motion) => {
                 let path = motion.path();
                 compensated |= motion.outline().compensates() == Compensates::Beside;
                 let words = motion.words();
-                if let Some(what) = foreign(&words, wanted).filter(|what| *what != "axis" || !developed) {
+                if let Some(what) = foreign(&words, wanted).filter(|what| *what != "axis" || in_plane) {
                     let word = if what == "axis" { Axis::Z.name() } else { path.name() };
                     found.push((block, what, word.to_uppercase()));
                 }
                 if !matches!(path, Path::Cc | Path::Fpol) {
-                    if first.is_none() && !developed && lacks_axis(&words) {
+                    if first.is_none() && in_plane && lacks_axis(&words) {
                         found.push((block, "first", String::new()));
                     }
                     first = first.or(Some(block));

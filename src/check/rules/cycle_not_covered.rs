@@ -1,5 +1,6 @@
 //! A cycle of a kind that the manuals of the control do not treat, such as a drilling cycle on a control of which only
-//! the touch-probe manual is known: nothing can be said of it, and it may well exist.
+//! the touch-probe manual is known: it may well exist. It is measured by the manual of another control, or by none.
+use super::cycle_not_described::other;
 use super::unknown_cycle::has_other_keyword;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
@@ -15,6 +16,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         let finding = rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string());
+        let finding = finding.arg("other", other(facts, definition));
         found.push(finding.arg("control", own.title.as_str()));
     }
 }

@@ -6,9 +6,9 @@ use super::together;
 use crate::check::labels::fold;
 use crate::check::{CycleLabels, Definition, Facts, Item, Rule, is_label};
 use crate::diag::{Diagnostic, Place, Severity};
+use crate::expr::QRef;
 use crate::spec::Known;
 use crate::syntax::CycleForm;
-use std::sync::Arc;
 
 pub(super) const RULE: Rule = Rule { code: "label-twice", severity: Severity::Warning, run: together };
 
@@ -64,12 +64,8 @@ fn is_called_so(facts: &Facts<'_>, definition: &Definition<'_>, first: &Item<'_>
     if let (Some(labels), Some(one), Some(other)) = (facts.labels(definition), first.index, second.index) {
         return same(labels, one, other);
     }
-    let elsewhere = facts.against.catalogue.controls.values().rev().find_map(|on| match on.known(definition.key) {
-        Known::Described(cycle) => Some((on, cycle)),
-        _ => None,
-    });
-    let Some((on, cycle)) = elsewhere else { return false };
-    let place = |item: &Item<'_>| cycle.place_of(crate::expr::QRef::parse(&item.name)?);
-    let labels: Arc<CycleLabels> = facts.against.labels.labels_elsewhere(on, cycle);
+    let Some((on, cycle)) = facts.against.catalogue.describing(definition.key) else { return false };
+    let place = |item: &Item<'_>| cycle.place_of(QRef::parse(&item.name)?);
+    let labels = facts.against.labels.labels_elsewhere(on, cycle);
     place(first).zip(place(second)).is_none_or(|(one, other)| same(&labels, one, other))
 }

@@ -7,9 +7,7 @@ use crate::check::facts::each_function;
 use crate::check::{Facts, Rule, Use, Way};
 use crate::diag::{Diagnostic, Severity};
 use crate::expr::{QKind, QRef};
-use crate::syntax::{
-    Amount, Block, BlockKind, FnAssign, FnJump, FnOp, Label, Operand, Relation, StatementKind, ValueKind,
-};
+use crate::syntax::{Amount, Block, BlockKind, FnAssign, FnJump, FnOp, Operand, Relation, StatementKind, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "loop-endless", severity: Severity::Warning, run };
 
@@ -43,8 +41,8 @@ fn never_ends(facts: &Facts<'_>, own: &Use, jump: &FnJump) -> bool {
     if body.open {
         return false;
     }
-    if let (Amount::Number(a), Amount::Number(b)) = (jump.a.amount, jump.b.amount) {
-        return holds(jump.relation, a, b);
+    if let Some(always) = jump.decided() {
+        return always;
     }
     let free = |operand: &Operand| match operand.amount {
         Amount::Q { q, .. } => q.kind == QKind::Ql || (q.kind == QKind::Q && q.number < 100),
@@ -63,16 +61,6 @@ fn never_ends(facts: &Facts<'_>, own: &Use, jump: &FnJump) -> bool {
         (true, false) => goes_away(&body, &jump.a, jump.relation, true),
         (false, true) => goes_away(&body, &jump.b, jump.relation, false),
         (true, true) => false,
-    }
-}
-
-fn holds(relation: Relation, a: f64, b: f64) -> bool {
-    match relation {
-        Relation::Equal => a == b,
-        Relation::NotEqual => a != b,
-        Relation::Greater => a > b,
-        Relation::Less => a < b,
-        Relation::Undefined | Relation::Defined => false,
     }
 }
 
@@ -114,7 +102,7 @@ impl<'p> Loop<'p> {
             match (own.way, target) {
                 (Way::Call, Some(part)) => {
                     let behind = facts.program.blocks().get(part..).unwrap_or_default();
-                    let Some(end) = behind.iter().position(returns) else {
+                    let Some(end) = behind.iter().position(Block::ends_subprogram) else {
                         self.open = true;
                         return;
                     };
@@ -172,8 +160,4 @@ impl<'p> Loop<'p> {
         // Where the operator starts again, the loop is a series.
         each_function(block, |number| self.open |= matches!(number, 0 | 1 | 2 | 30));
     }
-}
-
-fn returns(block: &Block) -> bool {
-    matches!(&block.kind, BlockKind::Lbl(label) if label.target == Label::Number(0))
 }

@@ -8,14 +8,15 @@ use std::collections::BTreeMap;
 use crate::check::facts::{each_function, is_silent};
 use crate::check::{Facts, Mark, Rule, Way};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Block, BlockKind, Label};
+use crate::syntax::{Block, BlockKind};
 
 pub(super) const RULE: Rule = Rule { code: "main-runs-into-subprogram", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let graph = &facts.run.graph;
     let blocks = facts.program.blocks();
-    let returns: Vec<usize> = facts.marked().filter(|(_, block)| is_return(block)).map(|(index, _)| index).collect();
+    let returns: Vec<usize> =
+        facts.marked().filter(|(_, block)| block.ends_subprogram()).map(|(index, _)| index).collect();
     // Whether all that leads to a label are calls that stand before it.
     let mut called: BTreeMap<&Mark, bool> = BTreeMap::new();
     for own in &graph.uses {
@@ -41,7 +42,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// Whether the block before, comments left out, ends another subprogram, or ends the program unless it is skipped.
 fn follows_end(blocks: &[Block], at: usize) -> bool {
     let before = blocks.get(..at).unwrap_or_default().iter().rev().find(|block| !is_silent(block));
-    before.is_some_and(|block| is_return(block) || (block.skip && ends(block)))
+    before.is_some_and(|block| block.ends_subprogram() || (block.skip && ends(block)))
 }
 
 fn ends(block: &Block) -> bool {
@@ -57,8 +58,4 @@ fn last_part(blocks: &[Block], returns: &[usize], at: usize) -> bool {
     let Some(end) = returns.get(returns.partition_point(|end| *end < at)) else { return false };
     let next = blocks.get(end + 1..).unwrap_or_default().iter().find(|block| !is_silent(block));
     next.is_none_or(|next| matches!(next.kind, BlockKind::Lbl(_) | BlockKind::EndPgm(_)))
-}
-
-fn is_return(block: &Block) -> bool {
-    matches!(&block.kind, BlockKind::Lbl(label) if label.target == Label::Number(0))
 }

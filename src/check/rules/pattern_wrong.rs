@@ -41,9 +41,7 @@ fn form(facts: &Facts<'_>, item: &PatternItem) -> String {
 fn number(facts: &Facts<'_>, word: &NamedWord) -> Option<f64> {
     match word.value.kind {
         ValueKind::Number(number) => Some(number),
-        ValueKind::Q { negative, .. } => {
-            facts.run.number_at(word.value.span).map(|number| if negative { -number } else { number })
-        }
+        ValueKind::Q { negative, .. } => facts.known_at(word.value.span, negative),
         _ => None,
     }
 }

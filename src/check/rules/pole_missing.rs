@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use crate::check::{Aspect, Facts, Mark, Rule, Tri, Way};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Approach, Block, BlockKind, Label, Path};
+use crate::syntax::{Approach, Block, BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "pole-missing", severity: Severity::Error, run };
 
@@ -67,9 +67,8 @@ fn contours(facts: &Facts<'_>) -> Vec<usize> {
 fn unset<'f>(facts: &'f Facts<'_>, label: usize) -> Option<&'f Block> {
     for block in facts.program.blocks().iter().skip(label + 1) {
         match &block.kind {
-            BlockKind::Lbl(label) if label.target == Label::Number(0) => return None,
             BlockKind::CallLbl(_) | BlockKind::FnJump(_) => return None,
-            _ if is_pole(block) || facts.ends(block) => return None,
+            _ if is_pole(block) || block.ends_subprogram() || facts.ends(block) => return None,
             _ if turns(block) => return Some(block),
             _ => {}
         }

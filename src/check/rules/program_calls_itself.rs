@@ -1,7 +1,8 @@
 //! A program that calls a program of its own name, with CALL PGM, a selected program or a program that is made a cycle.
 //!
 //! Only said where the call names no folder.
-use crate::check::{Facts, Rule, named_in};
+use crate::check::among::name;
+use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::BlockKind;
 
@@ -17,7 +18,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     });
     let Some(own) = frames.next() else { return };
     for call in facts.calls.iter().filter(|call| !call.read) {
-        let called = named_in(facts.program, call.span);
+        let called = name(facts.program, call.span);
         let stem = called.len().checked_sub(2).and_then(|at| called.split_at_checked(at));
         let called = match stem {
             Some((stem, end)) if end.eq_ignore_ascii_case(".H") => stem,

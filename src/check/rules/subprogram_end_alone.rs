@@ -12,7 +12,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut begun = false;
     for (_, block) in facts.marked() {
         let BlockKind::Lbl(label) = &block.kind else { continue };
-        let ends = label.target == Label::Number(0);
+        let ends = label.target == Label::END;
         if ends && !begun {
             found.push(rule.at(facts, facts.content(block)));
         }

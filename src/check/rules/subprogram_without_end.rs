@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::check::{Facts, Rule, Way};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Label};
+use crate::syntax::{Block, BlockKind};
 
 pub(super) const RULE: Rule = Rule { code: "subprogram-without-end", severity: Severity::Warning, run };
 
@@ -21,9 +21,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// Contours that cycles read, without LBL 0 anywhere behind them.
 fn contours(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let blocks = facts.program.blocks();
-    let ends =
-        |block: &crate::syntax::Block| matches!(&block.kind, BlockKind::Lbl(own) if own.target == Label::Number(0));
-    let last = blocks.iter().rposition(ends);
+    let last = blocks.iter().rposition(Block::ends_subprogram);
     let mut told = BTreeSet::new();
     for own in facts.run.graph.uses.iter().filter(|own| own.way == Way::Named) {
         let Some(mark) = &own.mark else { continue };

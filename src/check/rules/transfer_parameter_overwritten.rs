@@ -54,8 +54,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// The parameters that a definition writes.
 fn written(facts: &Facts<'_>, definition: &Defined<'_>) -> Vec<QRef> {
-    let other = definition.as_kin();
-    let read = facts.read(other.as_ref().unwrap_or(definition));
+    let kin = definition.as_kin();
+    let read = facts.read(&kin);
     read.items.iter().filter_map(|item| item.param?.q).collect()
 }
 

@@ -58,10 +58,8 @@ const ENOUGH: usize = 3;
 impl<'a> Other<'a> {
     /// The control with the highest id that describes the cycle.
     fn of(facts: &Facts<'a>, key: CycleKey) -> Option<Self> {
-        facts.against.catalogue.controls.values().rev().find_map(|on| match on.known(key) {
-            Known::Described(cycle) => Some(Self { on, cycle, guards: guards::of(on, cycle) }),
-            _ => None,
-        })
+        let (on, cycle) = facts.against.catalogue.describing(key)?;
+        Some(Self { on, cycle, guards: guards::of(on, cycle) })
     }
 
     fn compare(&self, rule: &Rule, facts: &Facts<'a>, own: &Defined<'a>, found: &mut Vec<Diagnostic>) {

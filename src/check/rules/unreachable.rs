@@ -30,7 +30,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
             let label = match &block.kind {
                 BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) => continue,
-                BlockKind::Lbl(label) if label.target == Label::Number(0) => {
+                BlockKind::Lbl(label) if label.target == Label::END => {
                     told = false;
                     continue;
                 }

@@ -2,7 +2,7 @@
 //! a radius.
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity, Span};
-use crate::syntax::{Amount, BlockKind, Feed, FeedKind, Operand, Path};
+use crate::syntax::{BlockKind, Feed, FeedKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "value-without-sense", severity: Severity::Warning, run };
 
@@ -15,7 +15,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let words = motion.words();
                 let fed = words.feed.as_ref().and_then(|feed| fed(facts, feed));
                 let round = matches!(words.path, Path::Cr | Path::Rnd | Path::Chf);
-                let radius = words.radius.filter(|_| round).and_then(|own| Some((own.span, known(facts, &own)?)));
+                let radius = words.radius.filter(|_| round).and_then(|own| Some((own.span, facts.known(&own)?)));
                 let flat = |(_, value): &(Span, f64)| *value == 0.0 || (*value < 0.0 && words.path != Path::Cr);
                 fed.or(radius.filter(flat))
             }
@@ -32,17 +32,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 fn fed(facts: &Facts<'_>, feed: &Feed) -> Option<(Span, f64)> {
     match &feed.kind {
         FeedKind::Value(own) | FeedKind::PerRevolution(own) | FeedKind::PerTooth(own) => {
-            known(facts, own).filter(|value| *value <= 0.0).map(|value| (feed.span, value))
+            facts.known(own).filter(|value| *value <= 0.0).map(|value| (feed.span, value))
         }
         FeedKind::Max | FeedKind::Auto => None,
-    }
-}
-
-fn known(facts: &Facts<'_>, operand: &Operand) -> Option<f64> {
-    match operand.amount {
-        Amount::Q { negative, .. } => {
-            facts.run.number_at(operand.span).map(|number| if negative { -number } else { number })
-        }
-        _ => None,
     }
 }

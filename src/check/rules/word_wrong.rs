@@ -10,7 +10,7 @@ use crate::syntax::{Amount, BlockKind, FnOp, Operand, Path, ToolRef};
 
 pub(super) const RULE: Rule = Rule { code: "word-wrong", severity: Severity::Warning, run };
 
-/// The greatest number of a tool, and of decimals in it.
+/// The greatest number of a tool; its decimal is the step of an indexed tool (TNC 640 manual line 13327).
 const TOOL: f64 = 32767.9;
 /// The greatest oversize of a tool in mm.
 const OVERSIZE: f64 = 99.9999;
@@ -116,15 +116,7 @@ impl Telling<'_, '_, '_> {
 
     /// A number that is written, or that a parameter certainly has.
     fn number(&mut self, word: &str, value: &Operand, least: f64, greatest: f64) {
-        let number = match value.amount {
-            Amount::Number(number) => Some(number),
-            Amount::Q { negative, .. } => {
-                let known = self.facts.run.number_at(value.span);
-                known.map(|number| if negative { -number } else { number })
-            }
-            Amount::Text(_) => None,
-        };
-        if let Some(number) = number {
+        if let Some(number) = self.facts.number(value) {
             self.limit(word, number, value.span, least, greatest);
         }
     }

@@ -7,7 +7,7 @@ use super::fault::Fault;
 use super::flow::{Call, program_key};
 use super::{Done, Run};
 use crate::expr::QKind;
-use crate::syntax::{Amount, Block, CallLbl, FnJump, Label, LabelRef, Operand, Relation};
+use crate::syntax::{Amount, Block, CallLbl, FnJump, Label, LabelRef, Operand};
 
 /// How it goes on after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,7 +81,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     pub(super) fn label(&mut self, label: &LabelRef) -> Done {
-        if label.target == Label::Number(0) {
+        if label.target == Label::END {
             self.flow.return_from_subprogram();
         }
         Ok(())
@@ -139,14 +139,8 @@ impl<'e> Run<'_, 'e> {
             return Err(Fault::unsupported("unsupported-block").arg("word", word).into());
         }
         let (a, b) = (self.operand(&jump.a)?, self.operand(&jump.b)?);
-        let holds = match jump.relation {
-            Relation::Equal => a == b,
-            Relation::NotEqual => a != b,
-            Relation::Greater => a > b,
-            Relation::Less => a < b,
-            Relation::Undefined | Relation::Defined => {
-                return Err(Fault::unsupported("unsupported-block").arg("word", "IF … IS UNDEFINED").into());
-            }
+        let Some(holds) = jump.relation.holds(a, b) else {
+            return Err(Fault::unsupported("unsupported-block").arg("word", "IF … IS UNDEFINED").into());
         };
         if holds {
             let target = self.label_block(&jump.label)?;
