@@ -97,11 +97,11 @@ fn a_number_behind_other_bytes_stays() {
     assert_eq!(edited(text, &layout(&program)), text);
 }
 
-/// A line of a definition that cannot be read keeps what looks like its number, for it may be anything.
+/// The lines of a definition that cannot be read whole keep what looks like their numbers, for it may be anything.
 #[test]
-fn the_number_of_a_torn_line_stays() {
+fn the_numbers_in_a_torn_definition_stay() {
     let text = "0 BEGIN PGM A MM\n1 CYCL DEF 200 DRILLING ~\n2 Q200=2 ;SET-UP CLEARANCE ~\n7Q1K010 ;DEPTH ~\n9 Q203=0 ;SURFACE\n12 END PGM A MM\n";
-    let after = "0 BEGIN PGM A MM\n1 CYCL DEF 200 DRILLING ~\n2 Q200=2 ;SET-UP CLEARANCE ~\n7Q1K010 ;DEPTH ~\n3 Q203=0 ;SURFACE\n4 END PGM A MM\n";
+    let after = "0 BEGIN PGM A MM\n1 CYCL DEF 200 DRILLING ~\n2 Q200=2 ;SET-UP CLEARANCE ~\n7Q1K010 ;DEPTH ~\n9 Q203=0 ;SURFACE\n2 END PGM A MM\n";
     let squeezed = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(squeezed(&laid_out(text)), squeezed(after));
 }

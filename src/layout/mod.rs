@@ -5,7 +5,7 @@
 use std::ops::ControlFlow;
 
 use crate::diag::{Edit, Span};
-use crate::syntax::{Block, BlockKind, CallForm, Coord, Dialect, Motion, Parameter, Path, Program, SyntaxError};
+use crate::syntax::{Block, BlockKind, CallForm, Coord, Dialect, Motion, Parameter, Path, Program};
 
 /// Blanks before a parameter.
 const INDENT: &str = "    ";
@@ -132,17 +132,13 @@ fn number_of(program: &Program, block: &Block) -> Option<(u32, Span)> {
 }
 
 /// Hands over the places of the numbers of a block; of a definition whose lines are all numbered, several. What begins a
-/// line that cannot be read may be anything.
+/// line of a definition that cannot be read whole may be anything.
 fn each_number(program: &Program, block: &Block, mut take: impl FnMut(Span)) {
-    let (of_lines, torn) = match &block.kind {
-        BlockKind::CycleDef(cycle) => (true, cycle.errors.as_slice()),
-        _ => (false, &[] as &[SyntaxError]),
-    };
+    let of_lines = matches!(&block.kind, BlockKind::CycleDef(cycle) if cycle.errors.is_empty());
     let mut at = block.span.start;
     for line in program.slice(block.span).split_inclusive(['\n', '\r']) {
         let first = at == block.span.start;
-        let is_torn = || torn.iter().any(|error| (at..at + line.len()).contains(&error.span.start));
-        let counted = if first { block.number.is_some() } else { of_lines && !is_torn() };
+        let counted = if first { block.number.is_some() } else { of_lines };
         if counted {
             let digits = line.trim_start_matches([' ', '\t', '/']);
             let start = at + (line.len() - digits.len());
