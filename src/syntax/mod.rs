@@ -13,6 +13,7 @@ mod definition;
 mod document;
 mod element;
 pub mod encoding;
+mod flow;
 mod functions;
 mod iso;
 mod iso_doubts;
