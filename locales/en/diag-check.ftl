@@ -18,11 +18,12 @@ diag-axis-twice = The axis { $axis } stands twice in this block.
 diag-behind-end = Blocks stand here behind END PGM.
 diag-blank-wrong =
     { $what ->
+        [again] The blank has a BLK FORM 0.1 before it already.
         [axis] { $axis } is missing here: a corner of the blank has three coordinates.
         [first] BLK FORM 0.2 has no BLK FORM 0.1 before it.
         [cylinder] The cylinder has no radius or diameter, or no length.
         [second] BLK FORM 0.1 has no BLK FORM 0.2 behind it.
-        [tool] BLK FORM 0.1 names no tool axis.
+        [tool] The blank names no tool axis.
        *[order] In the axis { $axis } the coordinate of the second corner of the blank is not greater than that of the first one.
     }
 diag-block-numbers = The block number { $number } follows { $before }.
@@ -41,11 +42,16 @@ diag-compensation-switched = Radius compensation changes its side here without R
 diag-contour-data-missing = { $cycle } is called, but { $data } has not been defined before.
 diag-contour-def-wrong =
     { $what ->
+        [number] { $found }: another contour has this number already.
         [many] { $found }: CONTOUR DEF has nine contours at most.
        *[island] { $found }: the first contour of CONTOUR DEF is a pocket, the deepest one.
     }
 diag-contour-depth-missing = { $contour } has no DEPTH, other contours have one.
-diag-contour-undeclared = The formula reads { $contour }, which nothing names before it.
+diag-contour-undeclared =
+    { $what ->
+        [twice] { $contour } is declared before already.
+       *[nothing] The formula reads { $contour }, which nothing names before it.
+    }
 diag-contour-unnamed =
     { $cycle } is called here, but no contour has been named before.
 diag-contour-wrong =
@@ -67,6 +73,7 @@ diag-corner-wrong =
         [arc] a chamfer lies between straight lines, and there is an arc
         [first] no contour element stands before it
         [alone] no contour element follows it
+        [back] the line behind it leads back over the one before it
         [size] its radius or length is not positive
        *[long] it takes more than the shorter line has, { $least }
     }.
@@ -103,6 +110,15 @@ diag-frame-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
 diag-free-contour-wrong =
     { $what ->
         [label] A free contour cannot begin directly behind a label.
+        [again] CLSD+ stands here again before CLSD- has closed the contour.
+        [unbegun] CLSD- closes a contour here that no CLSD+ has begun.
+        [unclosed] The contour that CLSD+ has begun ends here without CLSD-.
+        [length] The length LEN is not positive.
+        [auxiliary] The distance D stands here without its auxiliary point (PDX, PDY).
+        [distance] The auxiliary point stands here without its distance D.
+        [selected] FSELECT stands behind no element of a free contour.
+        [solution] FSELECT takes the number of a solution, counted from 1.
+        [fpol] The pole of a free contour has two coordinates.
         [pole] Polar data stand here without a pole (FPOL).
        *[open] The free contour is not determined: too little is known of its elements.
     }
@@ -309,6 +325,10 @@ diag-word-wrong =
         [not-below] { $word } must be less than { $value }.
         [operator] “{ $word }” stands here for { $value }.
         [empty] The name is empty.
+        [value] Nothing stands behind { $word }.
+        [place] { $word } has no place in this block.
+        [line] The three points lie on one line and give no plane.
+        [parallel] The two vectors are parallel and give no plane.
         [file] { $value } is no { $word } file.
        *[tool] { $value } is no tool number: behind the point stands one digit.
     }

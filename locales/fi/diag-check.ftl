@@ -18,11 +18,12 @@ diag-axis-twice = Akseli { $axis } on tässä lauseessa kahdesti.
 diag-behind-end = Tässä on lauseita vielä END PGM -lauseen jälkeen.
 diag-blank-wrong =
     { $what ->
+        [again] Aihiolla on jo edellä lause BLK FORM 0.1.
         [axis] Tästä puuttuu { $axis }: aihion kulmalla on kolme koordinaattia.
         [first] Lauseen BLK FORM 0.2 edellä ei ole lausetta BLK FORM 0.1.
         [cylinder] Sylinteriltä puuttuu säde tai halkaisija taikka pituus.
         [second] Lauseen BLK FORM 0.1 jäljessä ei ole lausetta BLK FORM 0.2.
-        [tool] BLK FORM 0.1 -lauseesta puuttuu työkaluakseli.
+        [tool] Aihion määrittelystä puuttuu työkaluakseli.
        *[order] Akselilla { $axis } aihion toisen kulman koordinaatti ei ole suurempi kuin ensimmäisen.
     }
 diag-block-numbers = Lausenumero { $number } seuraa numeroa { $before }.
@@ -41,11 +42,16 @@ diag-compensation-switched = Sädekorjaus vaihtaa tässä puolta ilman välissä
 diag-contour-data-missing = { $cycle } kutsutaan, mutta sitä ennen ei ole määritelty työkiertoa { $data }.
 diag-contour-def-wrong =
     { $what ->
+        [number] { $found }: toisella muodolla on jo tämä numero.
         [many] { $found }: CONTOUR DEF -lauseessa on enintään yhdeksän muotoa.
        *[island] { $found }: CONTOUR DEF -lauseen ensimmäinen muoto on tasku, niistä syvin.
     }
 diag-contour-depth-missing = Muodolla { $contour } ei ole DEPTH-arvoa, muilla muodoilla on.
-diag-contour-undeclared = Kaava lukee muodon { $contour }, jota mikään ei nimeä ennen sitä.
+diag-contour-undeclared =
+    { $what ->
+        [twice] { $contour } on jo määritelty edellä.
+       *[nothing] Kaava lukee muodon { $contour }, jota mikään ei nimeä ennen sitä.
+    }
 diag-contour-unnamed =
     { $cycle } kutsutaan tässä, mutta sitä ennen ei ole nimetty muotoa.
 diag-contour-wrong =
@@ -67,6 +73,7 @@ diag-corner-wrong =
         [arc] viiste on suorien välissä, mutta tässä on kaari
         [first] sitä ei edellä muotoelementti
         [alone] sen jäljessä ei ole muotoelementtiä
+        [back] sen jälkeinen suora palaa edeltävän päälle
         [size] sen säde tai pituus ei ole positiivinen
        *[long] se vie enemmän kuin lyhyemmässä suorassa on, { $least }
     }.
@@ -103,6 +110,15 @@ diag-frame-mismatch = END PGM -lauseessa on { $end }, BEGIN PGM -lauseessa { $be
 diag-free-contour-wrong =
     { $what ->
         [label] Vapaa muoto ei voi alkaa heti labelin jäljestä.
+        [again] CLSD+ on tässä uudelleen, vaikka CLSD- ei ole vielä sulkenut muotoa.
+        [unbegun] CLSD- sulkee tässä muodon, jota mikään CLSD+ ei ole aloittanut.
+        [unclosed] Sanalla CLSD+ aloitettu muoto päättyy tähän ilman sanaa CLSD-.
+        [length] Pituus LEN ei ole positiivinen.
+        [auxiliary] Etäisyydeltä D puuttuu apupiste (PDX, PDY).
+        [distance] Apupisteeltä puuttuu etäisyys D.
+        [selected] FSELECT ei ole minkään vapaan muodon elementin jäljessä.
+        [solution] FSELECT ottaa ratkaisun numeron, joka lasketaan luvusta 1.
+        [fpol] Vapaan muodon navalla on kaksi koordinaattia.
         [pole] Napakoordinaatteja on tässä ilman napaa (FPOL).
        *[open] Vapaa muoto jää määräämättä: sen elementeistä tiedetään liian vähän.
     }
@@ -308,6 +324,10 @@ diag-word-wrong =
         [not-below] { $word } on oltava pienempi kuin { $value }.
         [operator] Tässä on ”{ $word }”, vaikka siinä pitää olla { $value }.
         [empty] Nimi on tyhjä.
+        [value] Sanan { $word } jäljestä puuttuu arvo.
+        [place] { $word } ei kuulu tähän lauseeseen.
+        [line] Kolme pistettä ovat samalla suoralla, joten ne eivät määritä tasoa.
+        [parallel] Vektorit ovat yhdensuuntaiset, joten ne eivät määritä tasoa.
         [file] { $value } ei ole { $word }-tiedosto.
        *[tool] { $value } ei ole työkalun numero: pisteen jäljessä on yksi numero.
     }

@@ -18,11 +18,12 @@ diag-axis-twice = L’asse { $axis } compare due volte in questo blocco.
 diag-behind-end = Qui ci sono blocchi dopo END PGM.
 diag-blank-wrong =
     { $what ->
+        [again] Il pezzo grezzo ha già un BLK FORM 0.1 prima di questo.
         [axis] Qui manca { $axis }: un vertice del pezzo grezzo ha tre coordinate.
         [first] Prima di BLK FORM 0.2 non c’è BLK FORM 0.1.
         [cylinder] Al cilindro manca il raggio o il diametro, oppure la lunghezza.
         [second] Dopo BLK FORM 0.1 non c’è BLK FORM 0.2.
-        [tool] BLK FORM 0.1 non indica l’asse utensile.
+        [tool] Il pezzo grezzo non indica l’asse utensile.
        *[order] Nell’asse { $axis } la coordinata del secondo vertice del pezzo grezzo non è maggiore di quella del primo.
     }
 diag-block-numbers = Il numero di blocco { $number } segue { $before }.
@@ -41,11 +42,16 @@ diag-compensation-switched = La compensazione del raggio cambia lato qui senza R
 diag-contour-data-missing = { $cycle } viene chiamato, ma { $data } non è stato definito prima.
 diag-contour-def-wrong =
     { $what ->
+        [number] { $found }: un altro profilo ha già questo numero.
         [many] { $found }: CONTOUR DEF ha al massimo nove profili.
        *[island] { $found }: il primo profilo di CONTOUR DEF è una tasca, la più profonda.
     }
 diag-contour-depth-missing = { $contour } non ha DEPTH, altri profili sì.
-diag-contour-undeclared = La formula legge { $contour }, che nulla indica prima.
+diag-contour-undeclared =
+    { $what ->
+        [twice] { $contour } è già dichiarato prima.
+       *[nothing] La formula legge { $contour }, che nulla indica prima.
+    }
 diag-contour-unnamed =
     { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
 diag-contour-wrong =
@@ -67,6 +73,7 @@ diag-corner-wrong =
         [arc] uno smusso sta tra due rette, e qui c’è un arco
         [first] non lo precede alcun elemento di profilo
         [alone] non è seguito da un elemento del profilo
+        [back] la retta che lo segue torna su quella che lo precede
         [size] il suo raggio o la sua lunghezza non è positiva
        *[long] richiede più di quanto misura la retta più corta, { $least }
     }.
@@ -103,6 +110,15 @@ diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-free-contour-wrong =
     { $what ->
         [label] Un profilo libero non può cominciare subito dopo un label.
+        [again] CLSD+ compare di nuovo prima che CLSD- abbia chiuso il profilo.
+        [unbegun] CLSD- chiude qui un profilo che nessun CLSD+ ha aperto.
+        [unclosed] Il profilo aperto con CLSD+ termina qui senza CLSD-.
+        [length] La lunghezza LEN non è positiva.
+        [auxiliary] Alla distanza D manca il punto ausiliario (PDX, PDY).
+        [distance] Al punto ausiliario manca la distanza D.
+        [selected] FSELECT non segue alcun elemento di un profilo libero.
+        [solution] FSELECT richiede il numero di una soluzione, contato da 1.
+        [fpol] Il polo di un profilo libero ha due coordinate.
         [pole] Qui vi sono dati polari senza polo (FPOL).
        *[open] Il profilo libero non è determinato: dei suoi elementi si sa troppo poco.
     }
@@ -308,6 +324,10 @@ diag-word-wrong =
         [not-below] { $word } deve essere inferiore a { $value }.
         [operator] Qui si trova «{ $word }» al posto di { $value }.
         [empty] Il nome è vuoto.
+        [value] Dopo { $word } manca il valore.
+        [place] { $word } non è ammesso in questo blocco.
+        [line] I tre punti giacciono su una retta e non definiscono alcun piano.
+        [parallel] I due vettori sono paralleli e non definiscono alcun piano.
         [file] { $value } non è un file { $word }.
        *[tool] { $value } non è un numero di utensile: dopo il punto c’è una cifra sola.
     }

@@ -18,11 +18,12 @@ diag-axis-twice = O eixo { $axis } aparece duas vezes nesta frase.
 diag-behind-end = Há aqui frases depois de END PGM.
 diag-blank-wrong =
     { $what ->
+        [again] O bloco já tem antes um BLK FORM 0.1.
         [axis] Falta aqui { $axis }: um vértice do bloco tem três coordenadas.
         [first] Antes de BLK FORM 0.2 não há BLK FORM 0.1.
         [cylinder] Falta ao cilindro o raio ou o diâmetro, ou a longitude.
         [second] Depois de BLK FORM 0.1 não há BLK FORM 0.2.
-        [tool] BLK FORM 0.1 não indica o eixo da ferramenta.
+        [tool] O bloco não indica o eixo da ferramenta.
        *[order] No eixo { $axis }, a coordenada do segundo vértice do bloco não é maior do que a do primeiro.
     }
 diag-block-numbers = O número de frase { $number } vem depois de { $before }.
@@ -41,11 +42,16 @@ diag-compensation-switched = A compensação do raio muda aqui de lado sem R0 de
 diag-contour-data-missing = { $cycle } é chamado, mas { $data } não foi definido antes.
 diag-contour-def-wrong =
     { $what ->
+        [number] { $found }: outro contorno já tem este número.
         [many] { $found }: CONTOUR DEF tem no máximo nove contornos.
        *[island] { $found }: o primeiro contorno de CONTOUR DEF é uma caixa, a mais profunda.
     }
 diag-contour-depth-missing = { $contour } não tem DEPTH, outros contornos têm.
-diag-contour-undeclared = A fórmula lê { $contour }, que nada indica antes.
+diag-contour-undeclared =
+    { $what ->
+        [twice] { $contour } já está declarado antes.
+       *[nothing] A fórmula lê { $contour }, que nada indica antes.
+    }
 diag-contour-unnamed =
     { $cycle } é chamado aqui, mas antes não foi indicado nenhum contorno.
 diag-contour-wrong =
@@ -67,6 +73,7 @@ diag-corner-wrong =
         [arc] um chanfro fica entre retas, e aqui há um arco
         [first] não o precede nenhum elemento de contorno
         [alone] não lhe segue nenhum elemento do contorno
+        [back] a reta que lhe segue volta sobre a que a precede
         [size] o seu raio ou comprimento não é positivo
        *[long] exige mais do que mede a reta mais curta, { $least }
     }.
@@ -103,6 +110,15 @@ diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-free-contour-wrong =
     { $what ->
         [label] Um contorno livre não pode começar logo depois de um label.
+        [again] CLSD+ aparece de novo antes de CLSD- ter fechado o contorno.
+        [unbegun] CLSD- fecha aqui um contorno que nenhum CLSD+ abriu.
+        [unclosed] O contorno aberto com CLSD+ acaba aqui sem CLSD-.
+        [length] O comprimento LEN não é positivo.
+        [auxiliary] Falta à distância D o ponto auxiliar (PDX, PDY).
+        [distance] Falta ao ponto auxiliar a distância D.
+        [selected] FSELECT não segue nenhum elemento de um contorno livre.
+        [solution] FSELECT recebe o número de uma solução, contado a partir de 1.
+        [fpol] O polo de um contorno livre tem duas coordenadas.
         [pole] Há aqui dados polares sem polo (FPOL).
        *[open] O contorno livre não está determinado: sabe-se demasiado pouco dos seus elementos.
     }
@@ -308,6 +324,10 @@ diag-word-wrong =
         [not-below] { $word } tem de ser menor do que { $value }.
         [operator] Aqui está «{ $word }» em vez de { $value }.
         [empty] O nome está vazio.
+        [value] Falta o valor a seguir a { $word }.
+        [place] { $word } não tem lugar nesta frase.
+        [line] Os três pontos estão numa mesma reta e não definem nenhum plano.
+        [parallel] Os dois vetores são paralelos e não definem nenhum plano.
         [file] { $value } não é um ficheiro { $word }.
        *[tool] { $value } não é um número de ferramenta: depois do ponto há um só algarismo.
     }

@@ -18,11 +18,12 @@ diag-axis-twice = Os { $axis } je v tem stavku navedena dvakrat.
 diag-behind-end = Tu so še stavki za END PGM.
 diag-blank-wrong =
     { $what ->
+        [again] Surovec že ima BLK FORM 0.1 pred tem.
         [axis] Tu manjka { $axis }: vogal surovca ima tri koordinate.
         [first] Pred BLK FORM 0.2 ni BLK FORM 0.1.
         [cylinder] Valju manjka polmer ali premer oziroma dolžina.
         [second] Za BLK FORM 0.1 ni BLK FORM 0.2.
-        [tool] V BLK FORM 0.1 ni orodne osi.
+        [tool] Pri surovcu ni navedena orodna os.
        *[order] Na osi { $axis } koordinata drugega oglišča surovca ni večja od koordinate prvega.
     }
 diag-block-numbers = Številka stavka { $number } sledi številki { $before }.
@@ -41,11 +42,16 @@ diag-compensation-switched = Popravek polmera tu zamenja stran brez vmesnega R0.
 diag-contour-data-missing = { $cycle } se prikliče, { $data } pa pred tem ni definiran.
 diag-contour-def-wrong =
     { $what ->
+        [number] { $found }: to številko že ima druga kontura.
         [many] { $found }: CONTOUR DEF ima največ devet kontur.
        *[island] { $found }: prva kontura v CONTOUR DEF je žep, in sicer najgloblji.
     }
 diag-contour-depth-missing = { $contour } nima DEPTH, druge konture ga imajo.
-diag-contour-undeclared = Formula bere { $contour }, ki je prej nič ne navede.
+diag-contour-undeclared =
+    { $what ->
+        [twice] { $contour } je že določena prej.
+       *[nothing] Formula bere { $contour }, ki je prej nič ne navede.
+    }
 diag-contour-unnamed =
     { $cycle } se tu prikliče, pred tem pa ni navedena nobena kontura.
 diag-contour-wrong =
@@ -67,6 +73,7 @@ diag-corner-wrong =
         [arc] posneti rob leži med premicama, tu pa je lok
         [first] pred njim ni elementa konture
         [alone] za njim ni konturnega elementa
+        [back] premica za njim vodi nazaj po premici pred njim
         [size] njegov polmer ali dolžina ni pozitivna
        *[long] potrebuje več, kot ima krajša premica, { $least }
     }.
@@ -103,6 +110,15 @@ diag-frame-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
 diag-free-contour-wrong =
     { $what ->
         [label] Prosta kontura se ne more začeti takoj za oznako LBL.
+        [again] Tu znova stoji CLSD+, čeprav CLSD- konture še ni sklenil.
+        [unbegun] CLSD- tu sklene konturo, ki je ni začel noben CLSD+.
+        [unclosed] Kontura, ki se je začela s CLSD+, se tu konča brez CLSD-.
+        [length] Dolžina LEN ni pozitivna.
+        [auxiliary] Razdalji D manjka pomožna točka (PDX, PDY).
+        [distance] Pomožni točki manjka razdalja D.
+        [selected] FSELECT ne stoji za nobenim elementom proste konture.
+        [solution] FSELECT sprejme številko rešitve, ki se šteje od 1.
+        [fpol] Pol proste konture ima dve koordinati.
         [pole] Tu so polarni podatki brez pola (FPOL).
        *[open] Prosta kontura ni določena: o njenih elementih je znanega premalo.
     }
@@ -310,6 +326,10 @@ diag-word-wrong =
         [not-below] { $word } mora biti manjši od { $value }.
         [operator] Tu stoji »{ $word }« namesto { $value }.
         [empty] Ime je prazno.
+        [value] Za { $word } manjka vrednost.
+        [place] { $word } ne sodi v ta stavek.
+        [line] Tri točke ležijo na isti premici in ne določajo ravnine.
+        [parallel] Vektorja sta vzporedna in ne določata ravnine.
         [file] { $value } ni datoteka { $word }.
        *[tool] { $value } ni številka orodja: za piko stoji ena števka.
     }

@@ -367,6 +367,7 @@ impl<'a> Facts<'a> {
                             | Path::Flt
                             | Path::Fc
                             | Path::Fct
+                            | Path::Fpol
                             | Path::Ln
                     );
                     if formed || outline.compensates() == Compensates::Beside {

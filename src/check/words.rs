@@ -51,7 +51,7 @@ pub(super) fn of<'f>(facts: &'f Facts<'_>, block: &'f Block) -> Vec<Words<'f>> {
     let mut found = Vec::new();
     match &block.kind {
         BlockKind::Statement(own) => found.extend(statement(facts, block, own)),
-        BlockKind::Sel(_) => {
+        BlockKind::Sel(_) | BlockKind::CallPgm(_) => {
             let span = facts.content(block);
             let text = facts.program.slice(span);
             found.extend(known(facts, move |name| is_begun(text, name), span));
@@ -152,14 +152,79 @@ impl<'f> Words<'f> {
             let needed = needed.or_else(|| known.asks.iter().find_map(asked));
             let mut lists = known.one_of.iter().chain(&known.any_of);
             let none = |list: &&String| !list.split(' ').any(|word| self.has(word));
-            needed.or_else(|| lists.find(none).map(|list| list.replace(' ', ", ")))
+            let needed = needed.or_else(|| lists.find(none).map(|list| list.replace(' ', ", ")));
+            let contained =
+                |list: &&String| !list.split(' ').any(|own| self.tokens.iter().any(|(token, _)| token.contains(own)));
+            needed.or_else(|| known.contains.iter().find(contained).map(|list| list.replace(' ', ", ")))
         })
+    }
+
+    /// A word behind which nothing stands where something must, with its place.
+    pub(super) fn without_value(&self) -> Option<(&'f str, Span)> {
+        let stands = |at: usize| {
+            let next = self.tokens.iter().skip(at + 1).find(|(token, _)| !matches!(*token, "=" | ":"));
+            next.map(|(token, _)| token.trim_start_matches([':', '=']))
+        };
+        let value = |text: &str| {
+            let digit = |byte: &u8| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'"');
+            text.bytes().next().is_some_and(|first| digit(&first))
+                || matches!(text.as_bytes(), [b'Q' | b'q', rest @ ..] if rest.iter().any(u8::is_ascii_digit))
+        };
+        self.tokens.iter().enumerate().find_map(|(at, (token, span))| {
+            let rest = |word: &String| behind(token, word).map(|rest| rest.trim_start_matches([':', '=']));
+            let alone = |word: &String| rest(word) == Some("");
+            let known = || self.known.iter();
+            let valueless = known().any(|known| known.valued.iter().any(alone)) && !stands(at).is_some_and(value);
+            let last = known().any(|known| known.goes_on.iter().any(alone)) && stands(at).is_none();
+            (valueless || last).then_some((token.trim_end_matches([':', '=']), *span))
+        })
+    }
+
+    /// The words behind the first one.
+    pub(super) fn others(&self) -> impl Iterator<Item = (&'f str, Span)> {
+        self.tokens.iter().skip(1).copied()
+    }
+
+    /// The numbers of words; nothing if one of them has none.
+    pub(super) fn numbers<const N: usize>(&self, words: &str) -> Option<[f64; N]> {
+        let mut found = [0.0; N];
+        let mut names = words.split(' ');
+        for place in &mut found {
+            *place = self.each(names.next()?).next()?.number()?;
+        }
+        Some(found)
+    }
+
+    /// Whether it is a function that some word begins and that ends without any.
+    pub(super) fn is_begun_by_some(&self) -> bool {
+        self.known.iter().any(|known| !known.begun_by.is_empty())
+    }
+
+    /// Whether one of these words stands there.
+    pub(super) fn begins(&self) -> bool {
+        self.known.iter().any(|known| known.begun_by.iter().any(|word| self.has(word)))
+    }
+
+    /// The words of which one begins it.
+    pub(super) fn beginning(&self) -> Option<String> {
+        self.known.iter().find(|known| !known.begun_by.is_empty()).map(|known| known.begun_by.join(", "))
+    }
+
+    /// Whether the same is known of both.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        let name = |own: &Self| own.known.first().map(|known| known.block.as_str());
+        name(self) == name(other)
     }
 
     /// The text in quotation marks and its place.
     pub(super) fn quoted(&self) -> Option<(&'f str, Span)> {
         let is = |(token, _): &&(&str, Span)| token.starts_with('"');
         self.tokens.iter().find(is).map(|(token, span)| (token.trim_matches('"'), *span))
+    }
+
+    /// The last of its words, without quotation marks: the name of a file.
+    pub(super) fn last_name(&self) -> Option<(&'f str, Span)> {
+        self.tokens.last().map(|(token, span)| (token.trim_matches('"'), *span))
     }
 
     /// The first of all, to the end of the last one.

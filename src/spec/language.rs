@@ -47,12 +47,30 @@ record! {
         excludes: Vec<String>,
         /// Pairs of words: where the first one stands, the second one is needed.
         asks: Vec<String>,
-        /// The extension of the file that it names.
+        /// The extension of the file that it names, or several, separated by blanks.
         file: Option<String>,
         /// Lists of words whose numbers are not all 0.
         nonzero: Vec<String>,
         /// Pairs of words: the number of the first one is less than that of the second one.
         below: Vec<String>,
+        /// Words behind which a number, a parameter or a text stands.
+        valued: Vec<String>,
+        /// Words that are not the last ones.
+        goes_on: Vec<String>,
+        /// What its text contains, or one of several, separated by blanks.
+        contains: Vec<String>,
+        /// Words that mean nothing in it.
+        never: Vec<String>,
+        /// The words that may stand behind an M function, and no others.
+        none_but: Vec<String>,
+        /// Words one of which begins what the function does; without any of them it ends that.
+        begun_by: Vec<String>,
+        /// Six words, the components of two vectors that are not parallel.
+        askew: Option<String>,
+        /// Nine words, the coordinates of three points that do not lie on one line.
+        spread: Option<String>,
+        /// Extensions of files, separated by blanks, of which it names none.
+        no_file: Option<String>,
         /// What its words take.
         limits: Vec<WordLimit>,
         /// What the function gives.

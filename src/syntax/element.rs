@@ -92,7 +92,10 @@ impl Outline {
             functions: !motion.functions.is_empty(),
             parameters,
             coords: !motion.coords.is_empty(),
-            odd: axis_twice(&motion.coords).is_some() || is_odd(motion.path, axes_of(&motion.coords)),
+            odd: axis_twice(&motion.coords).is_some()
+                || is_odd(motion.path, axes_of(&motion.coords))
+                || lacks_end(motion.path, motion.coords.is_empty())
+                || misfit(motion.path, motion.counter_clockwise.is_some(), feed.is_some(), compensates).is_some(),
             feed: feed.map(|feed| feed == FeedKind::Max),
             compensates,
         })
@@ -195,6 +198,30 @@ const fn misplaced(path: Path, axes: u16) -> bool {
 /// The same, or a centre that lies in another plane than that of X and Y.
 pub(super) const fn is_odd(path: Path, axes: u16) -> bool {
     misplaced(path, axes) || (matches!(path, Path::Cc) && axes & axis_bit(Axis::Z) != 0)
+}
+
+/// A word that the path of an element does not have: only arcs go round, and nothing moves where a centre is set.
+pub(super) const fn misfit(path: Path, turns: bool, feed: bool, compensates: Compensates) -> Option<&'static str> {
+    let straight = matches!(path, Path::L | Path::Ln | Path::Lp | Path::Rnd | Path::Chf | Path::Cc);
+    let tangential = matches!(path, Path::Ct | Path::Ctp);
+    match compensates {
+        _ if turns && (straight || tangential) => Some("DR"),
+        _ if feed && matches!(path, Path::Cc) => Some("F"),
+        Compensates::Unsaid => None,
+        _ if matches!(path, Path::Cc) => Some("R0, RL, RR"),
+        _ => None,
+    }
+}
+
+/// Whether it says no end, and cannot end where it begins.
+pub(super) const fn lacks_end(path: Path, endless: bool) -> bool {
+    endless && matches!(path, Path::Cr | Path::Ct)
+}
+
+/// A word that the path of an element does not have.
+pub fn misfitting(motion: &Motion) -> Option<&'static str> {
+    let turns = motion.counter_clockwise.is_some();
+    misfit(motion.path, turns, motion.feed.is_some(), Outline::of(motion).compensates())
 }
 
 /// Whether the coordinates of an element are not those that its path has.

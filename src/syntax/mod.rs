@@ -33,7 +33,7 @@ mod view;
 mod words;
 
 pub use document::{Document, Piece};
-pub use element::{Compensates, Element, Outline, axis_twice, is_misplaced};
+pub use element::{Compensates, Element, Outline, axis_twice, is_misplaced, misfitting};
 pub use functions::functions;
 pub use iso::{Dialect, IsoBlock, IsoKind, is_of_language, is_older, is_path};
 pub use parameters::Parameters;

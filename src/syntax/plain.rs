@@ -6,7 +6,7 @@ use memchr::memchr3;
 
 use super::cursor::Cursor;
 use super::cycle::Assignment;
-use super::element::{Compensates, Outline, SEVERAL, Sketch, axis_bit, is_odd};
+use super::element::{Compensates, Outline, SEVERAL, Sketch, axis_bit, is_odd, lacks_end, misfit};
 use super::lines::Line;
 use super::path::PathCode;
 use super::tree::{Axis, Value, ValueKind};
@@ -278,8 +278,11 @@ pub(super) fn element(bytes: &[u8], start: usize) -> Option<PlainElement> {
         words.take(&mut scan, path)?;
         span.end = scan.at;
     }
-    words.sketch.odd |= is_odd(path.path(), words.axes);
-    let Words { sketch, function, .. } = words;
+    let own = path.path();
+    let Words { mut sketch, function, axes, turns, .. } = words;
+    sketch.odd |= is_odd(own, axes)
+        || lacks_end(own, !sketch.coords)
+        || misfit(own, turns, sketch.feed.is_some(), sketch.compensates).is_some();
     Some(PlainElement { next: scan.next_line(), number, words: span, path, outline: Outline::new(sketch), function })
 }
 

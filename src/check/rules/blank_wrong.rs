@@ -13,6 +13,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             BlockKind::BlkForm(form) if form.part == 1 => {
                 if let Some((alone, _)) = first.replace((block, form)) {
                     found.push(rule.at(facts, facts.content(alone)).arg("what", "second"));
+                    found.push(rule.at(facts, facts.content(block)).arg("what", "again"));
                 }
             }
             BlockKind::BlkForm(form) => match first.take() {
@@ -32,8 +33,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let has = |names: &[&str]| {
                     own.words.iter().any(|word| names.iter().any(|own| facts.text(word.name).eq_ignore_ascii_case(own)))
                 };
-                if words.next() == Some("CYLINDER") && !(has(&["R", "D"]) && has(&["L"])) {
+                let form = words.next();
+                if form == Some("CYLINDER") && !(has(&["R", "D"]) && has(&["L"])) {
                     found.push(rule.at(facts, facts.content(block)).arg("what", "cylinder"));
+                }
+                let axis = words.next().is_some_and(|word| word.starts_with(['X', 'Y', 'Z', 'U', 'V', 'W']));
+                if matches!(form, Some("CYLINDER" | "ROTATION")) && !axis {
+                    found.push(rule.at(facts, facts.content(block)).arg("what", "tool"));
                 }
             }
             // A line that cannot be read may be the missing one.

@@ -1,9 +1,10 @@
-//! A cycle that is called, or a touch-probe cycle, while radius compensation is certainly active.
+//! A cycle that is called, a touch-probe cycle, or PLANE, while radius compensation is certainly active.
 //!
 //! Cycles compensate for the tool themselves and want R0 where they begin. Said once a program.
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::Keyword;
+use crate::syntax::{BlockKind, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "compensation-at-cycle", severity: Severity::Warning, run };
 
@@ -23,6 +24,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     });
     if let Some((span, definition)) = calls.chain(probes).min_by_key(|(span, _)| span.start) {
         found.push(rule.at(facts, span).arg("cycle", definition.key.to_string()));
+    }
+    for (index, block) in facts.marked() {
+        let BlockKind::Statement(own) = &block.kind else { continue };
+        let tilts = own.kind == StatementKind::Plane;
+        if tilts && facts.run.before(index).is_some_and(|modal| modal.is(Aspect::Compensation) == Tri::Yes) {
+            let name = facts.text(own.head).split_ascii_whitespace().collect::<Vec<_>>().join(" ");
+            found.push(rule.at(facts, facts.content(block)).arg("cycle", name));
+            break;
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! A CONTOUR DEF that does not begin with a pocket, or that has more than nine contours (TNC 640, 001: 5861, 5922, 5929).
+//! A CONTOUR DEF that does not begin with a pocket, that has more than nine contours, or two with the same number (TNC 640, 001: 5861, 5922, 5929).
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, StatementKind};
@@ -19,6 +19,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let contours: Vec<_> = statement.words.iter().filter(is_contour).collect();
         if let Some(first) = contours.first().filter(|first| !name(first).starts_with('P')) {
             found.push(rule.at(facts, first.name).arg("what", "island").arg("found", name(first)));
+        }
+        let number = |own: &&crate::syntax::NamedWord| name(own).trim_start_matches(char::is_alphabetic).to_owned();
+        for (at, own) in contours.iter().enumerate() {
+            if contours.iter().take(at).any(|before| number(before) == number(own)) {
+                found.push(rule.at(facts, own.name).arg("what", "number").arg("found", name(own)));
+            }
         }
         if let Some(tenth) = contours.get(MOST) {
             found.push(rule.at(facts, tenth.name).arg("what", "many").arg("found", name(tenth)));

@@ -1,4 +1,4 @@
-//! A contour formula that reads a contour which nothing names before it.
+//! A contour formula that reads a contour which nothing names before it, or a contour that is declared twice.
 //!
 //! `DECLARE CONTOUR` and formulas name contours. Programs with labels may come to a formula another way than the text goes:
 //! there only what is named nowhere is told.
@@ -13,7 +13,7 @@ pub(super) const RULE: Rule = Rule { code: "contour-undeclared", severity: Sever
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let program = facts.program;
     let blocks: Vec<&Block> = facts.marked().map(|(_, block)| block).collect();
-    if !blocks.iter().any(|block| matches!(block.kind, BlockKind::ContourFormula(_))) {
+    if !blocks.iter().any(|block| names(program, block).is_some()) {
         return;
     }
     // What another program names is not known.
@@ -33,10 +33,19 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for block in &blocks {
         if let BlockKind::ContourFormula(formula) = &block.kind {
             for (number, span) in formula.reads.iter().filter(|(number, _)| !named.contains(number)) {
-                found.push(rule.at(facts, *span).arg("contour", format!("QC{number}")));
+                found.push(rule.at(facts, *span).arg("what", "nothing").arg("contour", format!("QC{number}")));
             }
         }
-        named.extend(names(program, block));
+        let own = names(program, block);
+        if let Some(number) = own.filter(|_| matches!(block.kind, BlockKind::Statement(_)))
+            && straight
+            && named.contains(&number)
+        {
+            let finding = rule.at(facts, facts.content(block)).arg("what", "twice");
+            let finding = finding.arg("contour", format!("QC{number}"));
+            found.push(Diagnostic { severity: Severity::Warning, ..finding });
+        }
+        named.extend(own);
     }
 }
 

@@ -99,8 +99,9 @@ fn wrong(own: &Element, before: &[&Block], behind: Option<&Block>) -> Option<(&'
     let cosine = (one[0] * other[0] + one[1] * other[1]) / (long * wide);
     // What the corner takes off both lines: its length, or the radius over the tangent of half the angle.
     let needed = match own.path() {
+        _ if cosine > 1.0 - 1e-9 => return Some(("back", 0.0)),
         Path::Chf => size,
-        _ if cosine < 1.0 - 1e-9 => size * libm::sqrt((1.0 + cosine) / (1.0 - cosine)),
+        Path::Rnd => size * libm::sqrt((1.0 + cosine) / (1.0 - cosine)),
         _ => return None,
     };
     let short = long.min(wide);

@@ -1,5 +1,6 @@
 //! A free contour that cannot be calculated: with less known of its elements than they leave open, polar data without a
-//! pole, or an element directly behind a label.
+//! pole, an element directly behind a label, CLSD that does not begin and end a contour, an auxiliary point without its distance,
+//! FSELECT without an element.
 //!
 //! A line leaves two things open, a tangential one one, an arc three, a tangential one two. Every word counts as one thing
 //! that is known, so what is told is certain; counted is to the end of the contour from its beginning and from each
@@ -11,6 +12,87 @@ use crate::syntax::{Axis, Block, BlockKind, Motion, Path, StatementKind};
 pub(super) const RULE: Rule = Rule { code: "free-contour-wrong", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let tell = |block: &Block, what: &str| rule.at(facts, facts.content(block)).arg("what", what.to_owned());
+    let mut free = facts.shaped().filter(|(_, block)| open(block).is_some()).peekable();
+    if free.peek().is_some() {
+        found.extend(closing(facts, free.map(|(_, block)| block)).map(|(block, what)| tell(block, what)));
+    }
+    found.extend(selections(facts).into_iter().map(|(block, what)| tell(block, what)));
+    for (_, block) in facts.shaped() {
+        if let BlockKind::Motion(motion) = &block.kind
+            && motion.path() == Path::Fpol
+            && motion.words().coords.len() < 2
+        {
+            found.push(tell(block, "fpol"));
+        }
+    }
+    determined(rule, facts, found);
+}
+
+/// What is wrong with the single elements, and with CLSD+ and CLSD-, which begin and end a closed contour.
+fn closing<'f>(
+    facts: &Facts<'f>,
+    elements: impl Iterator<Item = &'f Block>,
+) -> impl Iterator<Item = (&'f Block, &'static str)> {
+    let (mut found, mut begun, mut last) = (Vec::new(), false, None);
+    for block in elements {
+        let BlockKind::Motion(motion) = &block.kind else { continue };
+        let words = motion.words();
+        let (mut distance, mut auxiliary) = (false, false);
+        for word in &words.words {
+            let number = |least: f64| matches!(word.value.kind, crate::syntax::ValueKind::Number(own) if own <= least);
+            match name(facts, word).to_ascii_uppercase().as_str() {
+                "CLSD" => {
+                    let text = facts.text(word.span).trim_end();
+                    let opens = text.ends_with('+');
+                    if opens == begun && text.ends_with(['+', '-']) {
+                        found.push((block, if opens { "again" } else { "unbegun" }));
+                    }
+                    begun = opens;
+                }
+                "LEN" if number(0.0) => found.push((block, "length")),
+                "D" => distance = true,
+                "PDX" | "PDY" | "PDZ" | "PDPR" | "PDPA" => auxiliary = true,
+                _ => {}
+            }
+        }
+        if distance != auxiliary {
+            found.push((block, if distance { "auxiliary" } else { "distance" }));
+        }
+        last = Some(block);
+    }
+    found.extend(last.filter(|_| begun).map(|last| (last, "unclosed")));
+    found.into_iter()
+}
+
+/// FSELECT that selects nothing: behind no free element, or with a number that is none of a solution.
+fn selections<'f>(facts: &Facts<'f>) -> Vec<(&'f Block, &'static str)> {
+    let mut found = Vec::new();
+    for (index, block) in facts.marked() {
+        let BlockKind::Statement(own) = &block.kind else { continue };
+        if own.kind != StatementKind::Fselect {
+            continue;
+        }
+        let before = facts.program.blocks().get(..index).unwrap_or_default();
+        let before = before.iter().rev().find(|block| acts(block));
+        let free = |block: &Block| match &block.kind {
+            BlockKind::Statement(own) => own.kind == StatementKind::Fselect,
+            BlockKind::Motion(motion) => open(block).is_some() || motion.path().is_corner(),
+            BlockKind::Unknown(_) => true,
+            _ => false,
+        };
+        let number = own.words.first().map(|word| word.value.kind);
+        if !before.is_some_and(free) {
+            found.push((block, "selected"));
+        } else if matches!(number, Some(crate::syntax::ValueKind::Number(own)) if own < 1.0 || own.fract() != 0.0) {
+            found.push((block, "solution"));
+        }
+    }
+    found
+}
+
+/// Whether contours are determined, have a pole if they need one, and begin where they can.
+fn determined(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let blocks = facts.program.blocks();
     let mut done = 0;
     for (first, block) in facts.shaped() {

@@ -1,4 +1,5 @@
-//! M functions in one block of which only one can be meant: two that turn the spindle in opposite directions.
+//! M functions in one block of which only one can be meant: two that turn the spindle in opposite directions, or one
+//! that switches something on and one that switches it off.
 //!
 //! Functions that act at the end of the block, such as M5 and M9, may well stand beside those that act at its start.
 use crate::check::facts::each_function;
@@ -8,7 +9,21 @@ use crate::diag::{Diagnostic, Severity};
 pub(super) const RULE: Rule = Rule { code: "functions-contradict", severity: Severity::Warning, run };
 
 /// Of each of these at most one stands in a block.
-const ONE_OF: [&[u16]; 4] = [&[3, 4], &[13, 14], &[3, 14], &[4, 13]];
+const ONE_OF: [&[u16]; 13] = [
+    &[3, 4],
+    &[13, 14],
+    &[3, 14],
+    &[4, 13],
+    &[8, 9],
+    &[91, 92],
+    &[97, 98],
+    &[109, 110, 111],
+    &[116, 117],
+    &[126, 127],
+    &[128, 129],
+    &[136, 137],
+    &[148, 149],
+];
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (_, block) in facts.marked() {

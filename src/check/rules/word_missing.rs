@@ -2,7 +2,8 @@
 //! DR, a pattern without a coordinate or number, FN 16 without its target, a text function without what it reads.
 //!
 //! A block of DIN/ISO that has no equivalent because something is missing in it is told with `iso-incomplete`.
-use crate::check::{Facts, Rule, words};
+use crate::check::words::{self, Words};
+use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::syntax::{
     Approach, Axis, Block, BlockKind, CallForm, Element, NamedWord, Path, PatternDef, Statement, StatementKind,
@@ -28,7 +29,17 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             tell(facts.content(block), word);
         }
     }
+    for (_, block) in facts.marked() {
+        if let BlockKind::Motion(motion) = &block.kind
+            && motion.outline().has_odd_coords()
+            && matches!(motion.path(), Path::Cr | Path::Ct)
+            && !motion.outline().has_coords()
+        {
+            tell(facts.content(block), "X, Y");
+        }
+    }
     let functions = words::functions(facts);
+    let mut endings: Vec<Words<'_>> = Vec::new();
     for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::PatternDef(own) => {
@@ -52,8 +63,21 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 }
             }
             BlockKind::TextFormula(_) => lacking(facts, block, &mut tell),
-            _ if words::has_function(block, &functions) => lacking(facts, block, &mut tell),
+            _ if words::has_function(block, &functions) => {
+                lacking(facts, block, &mut tell);
+                endings.extend(words::of(facts, block).into_iter().filter(Words::is_begun_by_some));
+            }
             _ => {}
+        }
+    }
+    // What other programs began may be ended here.
+    if !facts.begins() || facts.flow.programs || facts.flow.unread {
+        return;
+    }
+    for ending in &endings {
+        let begun = endings.iter().any(|own| own.is_same(ending) && own.begins());
+        if let Some(word) = ending.beginning().filter(|_| !begun) {
+            tell(ending.span(), &word);
         }
     }
 }
@@ -88,6 +112,13 @@ fn element(facts: &Facts<'_>, block: &Block, motion: &Element) -> Option<&'stati
         _ => return None,
     };
     let words = motion.words();
+    let polar = words.coords.is_empty() && !motion.outline().has_coords();
+    match approach {
+        Approach::Plt | Approach::Pln | Approach::Pct | Approach::Plct if polar => return Some("PR, PA"),
+        Approach::Lct => return polar.then_some("X, Y").or_else(|| words.radius.is_none().then_some("R")),
+        _ if polar && matches!(motion.path(), Path::Appr(_)) => return Some("X, Y"),
+        _ => {}
+    }
     let lacks = |name: &str| !has(facts, &words.words, name);
     match approach {
         Approach::Lt | Approach::Ln | Approach::Plt | Approach::Pln if lacks("LEN") => Some("LEN"),

@@ -6,7 +6,7 @@ use crate::check::words::{self, Words};
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity, Span};
 use crate::spec::WordLimit;
-use crate::syntax::{Amount, BlockKind, FnOp, Operand, Path, ToolRef};
+use crate::syntax::{Amount, BlockKind, FnOp, Operand, Path, ToolRef, misfitting};
 
 pub(super) const RULE: Rule = Rule { code: "word-wrong", severity: Severity::Warning, run };
 
@@ -33,7 +33,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 told.tell("empty", facts.content(block), "", "");
                 continue;
             }
-            BlockKind::Statement(_) | BlockKind::TextFormula(_) | BlockKind::Sel(_) => {}
+            BlockKind::Statement(_) | BlockKind::TextFormula(_) | BlockKind::Sel(_) | BlockKind::CallPgm(_) => {}
             BlockKind::ToolCall(call) => {
                 told.tool(call.tool.as_ref());
                 let oversizes = [("DL", &call.dl), ("DR", &call.dr), ("DR2", &call.dr2)];
@@ -57,6 +57,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                     told.tell("operator", content, "/", "DIV");
                 }
                 continue;
+            }
+            BlockKind::Motion(motion) if motion.outline().has_odd_coords() => {
+                if let Some(word) = misfitting(&motion.words()) {
+                    told.tell("place", facts.content(block), word, "");
+                }
+                if !words::has_function(block, &functions) {
+                    continue;
+                }
             }
             _ if words::has_function(block, &functions) => {}
             _ => continue,
@@ -82,6 +90,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             told.limit(name, number, word.span, least, greatest);
         }
     }
+}
+
+fn cross(one: [f64; 3], other: [f64; 3]) -> [f64; 3] {
+    let ([a, b, c], [d, e, f]) = (one, other);
+    [b * f - c * e, c * d - a * f, a * e - b * d]
+}
+
+fn is_zero(vector: [f64; 3]) -> bool {
+    vector.iter().all(|own| own.abs() < 1e-6)
 }
 
 /// Whether a name in quotation marks is empty.
@@ -130,6 +147,9 @@ impl Telling<'_, '_, '_> {
     }
 
     fn words(&mut self, words: &Words<'_>) {
+        if let Some((word, span)) = words.without_value() {
+            self.tell("value", span, word, "");
+        }
         for known in words.known.iter().copied() {
             for limit in &known.limits {
                 self.limits(words, limit);
@@ -147,6 +167,35 @@ impl Telling<'_, '_, '_> {
                     continue;
                 };
                 self.tell("contradict", words.span(), first, second);
+            }
+            for word in known.never.iter().filter(|word| words.has(word)) {
+                self.tell("place", words.span(), word, "");
+            }
+            if !known.none_but.is_empty() {
+                let other = |(word, _): &(&str, Span)| !known.none_but.iter().any(|own| own.eq_ignore_ascii_case(word));
+                if let Some((word, span)) = words.others().find(other) {
+                    self.tell("place", span, word, "");
+                }
+            }
+            if let Some(list) = known.askew.as_deref()
+                && let Some([a, b, c, d, e, f]) = words.numbers(list)
+                && is_zero(cross([a, b, c], [d, e, f]))
+                && !is_zero([a, b, c])
+                && !is_zero([d, e, f])
+            {
+                self.tell("parallel", words.span(), list, "");
+            }
+            if let Some(list) = known.spread.as_deref()
+                && let Some([a, b, c, d, e, f, g, h, i]) = words.numbers(list)
+                && is_zero(cross([d - a, e - b, f - c], [g - a, h - b, i - c]))
+            {
+                self.tell("line", words.span(), list, "");
+            }
+            if let Some((list, name)) = known.no_file.as_deref().zip(words.last_name())
+                && let Some((_, own)) = name.0.rsplit_once('.')
+                && list.split(' ').any(|no| no.trim_start_matches('.').eq_ignore_ascii_case(own))
+            {
+                self.tell("file", name.1, ".H", name.0);
             }
             if let Some((extension, (name, span))) = known.file.as_deref().zip(words.quoted())
                 && let Some((_, own)) = name.rsplit_once('.')
