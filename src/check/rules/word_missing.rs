@@ -40,8 +40,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     let functions = words::functions(facts);
     let mut endings: Vec<Words<'_>> = Vec::new();
-    for (_, block) in facts.marked() {
+    for (index, block) in facts.marked() {
         match &block.kind {
+            // In columns the name stands on the next line, which is no block.
+            BlockKind::Statement(own)
+                if own.kind == StatementKind::DeclareContour
+                    && own.words.is_empty()
+                    && facts.program.blocks().get(index + 1).is_some_and(is_unread) => {}
             BlockKind::PatternDef(own) => {
                 for (span, word) in patterns(facts, own) {
                     tell(span, word);
@@ -80,6 +85,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             tell(ending.span(), &word);
         }
     }
+}
+
+fn is_unread(block: &Block) -> bool {
+    matches!(block.kind, BlockKind::Unknown(_))
 }
 
 /// The words that the file of the language asks for.
