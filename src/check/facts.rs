@@ -305,7 +305,12 @@ impl<'a> Facts<'a> {
 
     /// A definition with its values.
     pub fn read<'d>(&'d self, definition: &'d Defined<'a>) -> Definition<'d> {
-        let mut read = Definition::of(self.program, definition);
+        self.read_into(Vec::new(), definition)
+    }
+
+    /// The same with room that was used before; what it holds is let go.
+    pub(super) fn read_into<'d>(&'d self, room: Vec<Item<'d>>, definition: &'d Defined<'a>) -> Definition<'d> {
+        let mut read = Definition::begun(room, self.program, definition);
         for item in &mut read.items {
             if let Some(ValueKind::Q { negative, .. }) = item.value.map(|value| value.kind) {
                 item.number = self.known_at(item.value_span, negative);
@@ -500,13 +505,16 @@ impl<'a> Defined<'a> {
 impl<'a> Definition<'a> {
     /// Reads a definition, without what depends on the run.
     pub(super) fn of(program: &'a Program, own: &'a Defined<'a>) -> Self {
-        let mut definition = Self { own, items: Vec::new(), missing: Vec::new(), in_order: false };
+        Self::begun(Vec::new(), program, own)
+    }
+
+    fn begun(mut room: Vec<Item<'a>>, program: &'a Program, own: &'a Defined<'a>) -> Self {
+        room.clear();
+        let mut definition = Self { own, items: room, missing: Vec::new(), in_order: false };
         match (&own.view.form, own.cycle()) {
             (CycleForm::Parameters(written), cycle) => definition.parameters(program, written, cycle),
             (CycleForm::Lines(lines), Some(cycle)) => {
-                let matched = fields::matching(program, cycle, lines);
-                definition.items = matched.items;
-                definition.missing = matched.missing;
+                definition.missing = fields::matching(program, cycle, lines, &mut definition.items);
             }
             (CycleForm::Lines(_), None) => {}
         }
@@ -514,7 +522,7 @@ impl<'a> Definition<'a> {
     }
 
     fn parameters(&mut self, program: &'a Program, written: &'a CycleDef, cycle: Option<&'a Cycle>) {
-        self.items.reserve_exact(written.parameters.len());
+        self.items.reserve(written.parameters.len());
         let (mut place, mut last) = (Place::default(), None);
         self.in_order = cycle.is_some();
         for parameter in &written.parameters {

@@ -10,14 +10,6 @@ use crate::fields::{first, stands_on};
 use crate::spec::{Cycle, Field, Param, Shape};
 use crate::syntax::{NamedWord, OldCycleLine, Program, ValueKind};
 
-/// A definition of the old form with its fields found.
-pub(super) struct Matched<'a> {
-    /// The words, in the order written.
-    pub(super) items: Vec<Item<'a>>,
-    /// Fields that must be there and are not.
-    pub(super) missing: Vec<&'a Param>,
-}
-
 /// A field with the parameter that it writes.
 type Written<'a> = (&'a Param, &'a Field);
 
@@ -31,7 +23,14 @@ struct Fit<'a> {
 }
 
 /// Reads the lines by the form that fits them best.
-pub(super) fn matching<'a>(program: &'a Program, cycle: &'a Cycle, lines: &[&'a OldCycleLine]) -> Matched<'a> {
+///
+/// Hands over the words, in the order written, and returns the fields that must be there and are not.
+pub(super) fn matching<'a>(
+    program: &'a Program,
+    cycle: &'a Cycle,
+    lines: &[&'a OldCycleLine],
+    items: &mut Vec<Item<'a>>,
+) -> Vec<&'a Param> {
     let mut best: Option<Fit<'_>> = None;
     for form in 0..cycle.file.forms.len() {
         let fit = by_form(program, cycle, form, lines);
@@ -49,8 +48,8 @@ pub(super) fn matching<'a>(program: &'a Program, cycle: &'a Cycle, lines: &[&'a 
         let unread = by_form(program, cycle, usize::MAX, lines);
         Fit { missing: cycle.params.iter().collect(), ..unread }
     });
-    let items = best.words.into_iter().filter_map(|(line, words, param)| item(program, cycle, line, words, param));
-    Matched { items: items.collect(), missing: best.missing }
+    items.extend(best.words.into_iter().filter_map(|(line, words, param)| item(program, cycle, line, words, param)));
+    best.missing
 }
 
 fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a OldCycleLine]) -> Fit<'a> {

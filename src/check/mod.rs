@@ -85,10 +85,14 @@ fn found_in(facts: &Facts<'_>) -> Vec<Diagnostic> {
     for rule in RULES {
         (rule.run)(rule, facts, &mut found);
     }
-    for definition in facts.readings() {
+    // The room of one definition's values serves the next.
+    let mut room = Vec::new();
+    for definition in &facts.definitions {
+        let definition = facts.read_into(room, definition);
         for (rule, each) in rules::OF_DEFINITIONS {
             each(rule, facts, &definition, &mut found);
         }
+        room = definition.items;
     }
     allow::apply(program, against, &mut found);
     // Of findings at one place those of the parser come first, then those of rules in the order of their codes.
