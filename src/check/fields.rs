@@ -131,6 +131,11 @@ fn item<'a>(
     let value = program.slice(first.value.span);
     let printed = match shape {
         Some(Shape::Row) => Cow::Owned(format!("#{value}").to_uppercase()),
+        Some(Shape::Position | Shape::AxisDirection | Shape::AxisCoordinate)
+            if words.len() == 1 && first.name.end == first.value.span.start && !value.contains(char::is_whitespace) =>
+        {
+            capitals(program.slice(Span::new(first.name.start, first.value.span.end)))
+        }
         Some(Shape::Position | Shape::AxisDirection | Shape::AxisCoordinate | Shape::Axes | Shape::Centre) => {
             let mut closed = String::with_capacity(span.end - span.start + words.len());
             for word in words {

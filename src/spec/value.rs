@@ -75,8 +75,11 @@ pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
     match (param.field.as_ref().map(|field| field.shape), param.kind) {
         (Some(Shape::AxisDirection), _) | (_, ParameterKind::AxisDirection) => kind(is_axis_direction(text)),
         (Some(Shape::Position), _) | (_, ParameterKind::Position) => {
-            let none = text.split_whitespace().next().is_none();
-            coordinates(text).iter().find_map(|one| coordinate(param, one)).or(kind(!none))
+            // Most are one coordinate without a blank.
+            if !text.is_empty() && !text.contains(char::is_whitespace) {
+                return coordinate(param, text);
+            }
+            coordinates(text).iter().find_map(|one| coordinate(param, one)).or(kind(!text.is_empty()))
         }
         (_, ParameterKind::Axis) => kind(text.len() == 1 && text.starts_with(is_axis)),
         (Some(Shape::Axes), _) => {
@@ -157,13 +160,13 @@ fn offers(choice: &str, value: f64) -> Offer {
 
 /// Reads a number as programs have it: signed, with a decimal point or comma.
 fn parse(text: &str) -> Option<f64> {
-    let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
-    let plain = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
-    let marks = digits.chars().filter(|c| !c.is_ascii_digit()).count();
-    if marks > 1 || !digits.chars().all(plain) || !digits.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
+    let digits = text.strip_prefix(['+', '-']).unwrap_or(text).as_bytes();
+    let mut marks = digits.iter().filter(|byte| !byte.is_ascii_digit());
+    let mark = marks.next();
+    if marks.next().is_some() || !matches!(mark, None | Some(b'.' | b',')) || matches!(digits, [] | [b',', ..]) {
         return None;
     }
-    if text.contains(',') { text.replace(',', ".").parse().ok() } else { text.parse().ok() }
+    if mark == Some(&b',') { text.replace(',', ".").parse().ok() } else { text.parse().ok() }
 }
 
 fn is_q(text: &str) -> bool {

@@ -70,6 +70,9 @@ pub(super) fn each_cycle<'p>(blocks: &'p [Block], mut each: impl FnMut(CycleView
 }
 
 fn start(line: &OldCycleLine, index: usize, at: usize) -> CycleView<'_> {
+    // Others follow line 0.
+    let mut lines = Vec::with_capacity(4);
+    lines.push(line);
     CycleView {
         keyword: line.keyword,
         number: line.number,
@@ -78,7 +81,7 @@ fn start(line: &OldCycleLine, index: usize, at: usize) -> CycleView<'_> {
         first: index,
         last: index,
         line: at,
-        form: CycleForm::Lines(vec![line]),
+        form: CycleForm::Lines(lines),
     }
 }
 

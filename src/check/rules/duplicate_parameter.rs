@@ -9,7 +9,7 @@ use crate::expr::QRef;
 pub(super) const RULE: Rule = Rule { code: "duplicate-parameter", severity: Severity::Error, run: together };
 
 pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
-    if definition.in_order {
+    if definition.in_order || definition.items.len() < 2 {
         return;
     }
     let mut seen = Seen::default();
