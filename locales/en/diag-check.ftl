@@ -64,6 +64,8 @@ diag-contour-wrong =
         [first] its first point does not name both coordinates of the plane
         [uncompensated] it has neither RL nor RR
         [many] the cycle machines only the first contour, not { $word }
+        [corner] no element follows { $word }
+        [local] { $word } is read and not assigned in it
        *[open] it does not end where it begins
     }.
 diag-coordinate-out-of-place = The coordinates do not fit { $path }.

@@ -10,6 +10,7 @@ guard-hole-angles-equal = Two of the holes have the same angle: they do not dete
 guard-least-plunging-depth-too-great = The least plunging depth is greater than the plunging depth.
 guard-measuring-angles-equal = Starting angle and end angle of the measurement are equal.
 guard-measuring-angles-reversed = The end angle of the measurement is below its starting angle.
+guard-measuring-point-at-zero = A measuring point lies at 0° or 360°, where nothing can be determined: depending on the control it is left out or stops the program.
 guard-nominal-far-from-limits = The nominal dimension is more than a tenth away from the limits of the dimension.
 guard-one-measuring-point = A rotary axis is measured at one point: no axis follows from that. 0 leaves it out.
 guard-pattern-goes-round-again = Number and stepping angle make more than a full circle: positions come to lie on one another.

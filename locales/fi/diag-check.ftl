@@ -64,6 +64,8 @@ diag-contour-wrong =
         [first] sen ensimmäinen piste ei nimeä tason molempia koordinaatteja
         [uncompensated] siinä ei ole sanaa RL eikä RR
         [many] työkierto koneistaa vain ensimmäisen muodon, ei muotoa { $word }
+        [corner] elementin { $word } jäljessä ei ole muotoelementtiä
+        [local] siinä luetaan { $word }, jolle ei anneta siinä arvoa
        *[open] se ei pääty siihen, mistä se alkaa
     }.
 diag-coordinate-out-of-place = Koordinaatit eivät sovi lauseeseen { $path }.

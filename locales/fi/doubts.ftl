@@ -10,6 +10,7 @@ guard-hole-angles-equal = Kahdella reiällä on sama kulma: ne eivät määrää
 guard-least-plunging-depth-too-great = Pienin asetussyvyys on suurempi kuin asetussyvyys.
 guard-measuring-angles-equal = Mittauksen aloituskulma ja lopetuskulma ovat yhtä suuret.
 guard-measuring-angles-reversed = Mittauksen loppukulma on alkukulmaa pienempi.
+guard-measuring-point-at-zero = Mittauspiste on kohdassa 0° tai 360°, jossa mitään ei voida määrittää: ohjauksesta riippuen se jää pois tai pysäyttää ohjelman.
 guard-nominal-far-from-limits = Nimellismitta on yli kymmenesosan päässä mitan rajoista.
 guard-one-measuring-point = Kiertoakseli mitataan yhdestä pisteestä: siitä ei saada akselia. Arvolla 0 se jätetään mittaamatta.
 guard-pattern-goes-round-again = Lukumäärä ja kulma-askel tekevät yli täyden ympyrän: asemat osuvat päällekkäin.

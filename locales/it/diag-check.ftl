@@ -64,6 +64,8 @@ diag-contour-wrong =
         [first] il primo punto non indica entrambe le coordinate del piano
         [uncompensated] non ha né RL né RR
         [many] il ciclo lavora solo il primo profilo, non { $word }
+        [corner] nessun elemento segue { $word }
+        [local] vi si legge { $word }, che non vi viene assegnato
        *[open] non finisce dove comincia
     }.
 diag-coordinate-out-of-place = Le coordinate non sono adatte a { $path }.

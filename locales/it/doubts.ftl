@@ -10,6 +10,7 @@ guard-hole-angles-equal = Due dei fori hanno lo stesso angolo: non determinano u
 guard-least-plunging-depth-too-great = La profondità incremento minima è maggiore della profondità incremento.
 guard-measuring-angles-equal = L’angolo di partenza e l’angolo finale della misurazione sono uguali.
 guard-measuring-angles-reversed = L’angolo finale della misurazione è inferiore a quello di partenza.
+guard-measuring-point-at-zero = Un punto di misura è a 0° o 360°, dove non si può determinare nulla: secondo il controllo viene tralasciato o arresta il programma.
 guard-nominal-far-from-limits = La quota nominale dista più di un decimo dai limiti della quota.
 guard-one-measuring-point = Un asse rotativo viene misurato in un solo punto: non ne deriva alcun asse. Con 0 non viene misurato.
 guard-pattern-goes-round-again = Numero e passo angolare superano il giro completo: alcune posizioni coincidono.

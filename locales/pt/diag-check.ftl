@@ -64,6 +64,8 @@ diag-contour-wrong =
         [first] o primeiro ponto não indica ambas as coordenadas do plano
         [uncompensated] não tem RL nem RR
         [many] o ciclo maquina só o primeiro contorno, não { $word }
+        [corner] nenhum elemento se segue a { $word }
+        [local] nele lê-se { $word }, que nele não é atribuído
        *[open] não acaba onde começa
     }.
 diag-coordinate-out-of-place = As coordenadas não são adequadas a { $path }.

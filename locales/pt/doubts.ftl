@@ -10,6 +10,7 @@ guard-hole-angles-equal = Dois dos furos têm o mesmo ângulo: não determinam u
 guard-least-plunging-depth-too-great = A profundidade de passo mínima é maior do que a profundidade de passo.
 guard-measuring-angles-equal = O ângulo inicial e o ângulo final da medição são iguais.
 guard-measuring-angles-reversed = O ângulo final da medição é menor do que o inicial.
+guard-measuring-point-at-zero = Um ponto de medição fica em 0° ou 360°, onde nada se pode determinar: conforme o comando, é omitido ou para o programa.
 guard-nominal-far-from-limits = A medida nominal está a mais de um décimo dos limites da medida.
 guard-one-measuring-point = Um eixo rotativo é medido num só ponto: daí não resulta nenhum eixo. Com 0 não é medido.
 guard-pattern-goes-round-again = A quantidade e o passo angular dão mais do que uma volta completa: há posições sobrepostas.

@@ -64,6 +64,8 @@ diag-contour-wrong =
         [first] prva točka ne navede obeh koordinat ravnine
         [uncompensated] v njej ni niti RL niti RR
         [many] cikel obdela samo prvo konturo, ne { $word }
+        [corner] za { $word } ni elementa konture
+        [local] v njej se bere { $word }, ki v njej ne dobi vrednosti
        *[open] ne konča se tam, kjer se začne
     }.
 diag-coordinate-out-of-place = Koordinate ne ustrezajo stavku { $path }.

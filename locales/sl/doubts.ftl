@@ -10,6 +10,7 @@ guard-hole-angles-equal = Dve od vrtin imata enak kot: kroga ne določita.
 guard-least-plunging-depth-too-great = Najmanjša globina primika je večja od globine primika.
 guard-measuring-angles-equal = Začetni in končni kot merjenja sta enaka.
 guard-measuring-angles-reversed = Končni kot meritve je manjši od začetnega.
+guard-measuring-point-at-zero = Merilna točka je pri 0° ali 360°, kjer ni mogoče ničesar določiti: odvisno od krmiljenja se izpusti ali ustavi program.
 guard-nominal-far-from-limits = Imenska mera je več kot desetino oddaljena od mejnih mer.
 guard-one-measuring-point = Rotacijska os se meri v eni točki: iz tega os ne sledi. Pri 0 se ne izmeri.
 guard-pattern-goes-round-again = Število in kotni korak dasta več kot poln krog: položaji ležijo drug na drugem.

@@ -10,6 +10,10 @@ use std::sync::Arc;
 /// numbers out of their range, words that a column does not take, what is hardly meant.
 pub fn check(kind: TableKind, source: &Arc<Source>) -> Vec<Diagnostic> {
     let (table, mut found) = text::read(kind, source);
+    // Manuals print tables without BEGIN; the control writes it.
+    if let Some(finding) = found.iter_mut().find(|finding| finding.code == "table-no-header" && is_titled(source)) {
+        finding.severity = Severity::Warning;
+    }
     if let Some(table) = table {
         found.extend(columns(&table, source));
         found.extend(cells(&table, source));
@@ -17,6 +21,15 @@ pub fn check(kind: TableKind, source: &Arc<Source>) -> Vec<Diagnostic> {
     }
     found.sort_by_key(|finding| finding.place.as_ref().map(|place| place.span));
     found
+}
+
+/// Whether a table begins with its name and the unit.
+fn is_titled(source: &Source) -> bool {
+    let first = source.text().lines().next().unwrap_or_default().trim_start_matches('\u{feff}');
+    match first.split_whitespace().collect::<Vec<_>>().as_slice() {
+        [name, unit] => name.contains('.') && ["MM", "INCH"].iter().any(|own| unit.eq_ignore_ascii_case(own)),
+        _ => false,
+    }
 }
 
 /// What can be said of a table that no manual describes: that only its frame was looked at, and whether it is whole.

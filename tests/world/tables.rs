@@ -138,6 +138,15 @@ fn mistakes_are_told_together_with_their_places() {
     assert_eq!(codes("BEGIN X.D MM\nA B C\n[END]"), ["table-no-heading"]);
 }
 
+/// Manuals print point tables without the word BEGIN: they are doubted, not refused.
+#[test]
+fn a_table_without_begin_is_doubted() {
+    let text = "TAB1.PNT MM\nNR      X           Y           Z\n0       +10         +10         +0\n[END]\n";
+    let found = ciklo::table::check(TableKind::Points, &Source::new("TAB1.PNT", text));
+    let told: Vec<_> = found.iter().map(|own| (own.code, own.severity)).collect();
+    assert_eq!(told, [("table-no-header", ciklo::diag::Severity::Warning)]);
+}
+
 /// Of the mistakes that people make in tables, each is told at its line; of good tables nothing is said.
 #[test]
 fn broken_tables_are_told_at_their_lines() {
@@ -153,9 +162,8 @@ fn broken_tables_are_told_at_their_lines() {
         let kind = TableKind::of_file(&name).expect("a kind");
         let mut found = ciklo::table::check(kind, &Source::new(name, text));
         found.retain(|own| own.severity != ciklo::diag::Severity::Note);
-        let told = |own: &ciklo::diag::Diagnostic| {
-            own.place.as_ref().is_some_and(|place| lines.contains(&place.start().line))
-        };
+        let told =
+            |own: &ciklo::diag::Diagnostic| own.place.as_ref().is_some_and(|place| lines.contains(&place.start().line));
         let right = if lines == [0] { found.is_empty() } else { found.iter().any(told) };
         if !right {
             wrong.push(head);

@@ -1,12 +1,15 @@
 //! A contour that a cycle reads from a subprogram and cannot machine: movements of the tool axis, approaches, tool calls or
 //! cycles in it, a first point without both coordinates, no RL or RR, an end elsewhere than the beginning, elements that the
-//! cycle does not read, more contours than it machines.
+//! cycle does not read, a corner as its last element, local parameters that are not assigned in it, more contours than it
+//! machines.
 //!
 //! A contour may leave it to the control to close it by going on in the line with which it began. Lengths are only compared
 //! where all coordinates are numbers.
 use crate::check::contours::{Listed, body, corners, listed, wanted};
+use crate::check::flow::reads;
 use crate::check::{Defined, Facts, Rule, Use, Way};
 use crate::diag::{Diagnostic, Severity};
+use crate::expr::{QKind, QRef};
 use crate::spec::{ContourWanted, TakesEffect};
 use crate::syntax::{Axis, Block, BlockKind, Compensates, Motion, Path, StatementKind};
 
@@ -119,7 +122,16 @@ fn wrong<'a>(
             _ => {}
         }
     }
+    if let Some((block, name)) = unassigned(contour).filter(|_| !unread) {
+        found.push((block, "local", name));
+    }
     let (Some(first), Some(last)) = (first, last) else { return found };
+    if let BlockKind::Motion(motion) = &last.kind
+        && motion.path().is_corner()
+        && !unread
+    {
+        found.push((last, "corner", motion.path().name().to_uppercase()));
+    }
     if wanted.compensated && !compensated && !unread {
         found.push((first, "uncompensated", String::new()));
     }
@@ -127,6 +139,26 @@ fn wrong<'a>(
         found.push((last, "open", String::new()));
     }
     found
+}
+
+/// The first local parameter that a contour reads and has not assigned: those of the program are not known in it (TNC 640
+/// manual line 4367).
+fn unassigned(contour: &[Block]) -> Option<(&Block, String)> {
+    let mut assigned: Vec<QRef> = Vec::new();
+    for block in contour {
+        let mut read = Vec::new();
+        reads(block, &mut read);
+        if let Some((q, _)) = read.iter().find(|(q, _)| q.kind == QKind::Ql && !assigned.contains(q)) {
+            return Some((block, q.to_string()));
+        }
+        match &block.kind {
+            BlockKind::FnAssign(own) => assigned.push(own.target),
+            BlockKind::Formula(own) => assigned.push(own.target),
+            BlockKind::TextFormula(own) => assigned.push(own.target),
+            _ => {}
+        }
+    }
+    None
 }
 
 /// What a cycle that moves the tool itself does not find in a contour.

@@ -156,7 +156,8 @@ fn statement(facts: &Facts<'_>, own: &Statement, content: Span) -> Option<&'stat
     match own.kind {
         StatementKind::Fn(16) => {
             let text = first();
-            (own.words.len() == 1 && !text.contains('/') && !text.is_empty()).then_some("/")
+            let aimed = text.rsplit_once('/').is_some_and(|(_, target)| !target.trim().is_empty());
+            (own.words.len() == 1 && !aimed && !text.is_empty()).then_some("/ …")
         }
         StatementKind::Fn(18) if !facts.text(content).contains('=') => Some("="),
         StatementKind::Trans => {
