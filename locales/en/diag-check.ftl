@@ -6,6 +6,8 @@ diag-approach-without-compensation =
         [approach] The contour is approached here without RL or RR.
        *[departure] The contour is left here, but no radius compensation is active.
     }
+diag-arc-in-unequal-scaling = { $cycle } scales the axes of this arc by different factors.
+diag-arc-too-narrow = The radius { $radius } on the inside of the contour is less than that of the tool, { $tool }.
 diag-arc-without-tangent = No contour element stands before this tangential arc.
 diag-arc-wrong =
     The arc cannot end here: { $what ->
@@ -173,6 +175,7 @@ diag-mode-wrong =
         [turning] { $cycle } turns, but FUNCTION MODE TURN is not active here.
        *[data] { $cycle } stands here outside of turning mode.
     }
+diag-name-of-another-cycle = “{ $name }” is the name of { $other }, but { $cycle } stands here.
 diag-no-result =
     This formula has no result: { $why ->
         [division] it divides by zero
@@ -211,6 +214,7 @@ diag-pattern-wrong =
     { $what ->
         [count] { $word } is a whole number of positions, at least 1.
         [many] { $word }: PATTERN DEF has nine single positions at most.
+        [rapid] { $word } is not taken here: between the points of a table the tool moves at a feed.
        *[diameter] The diameter { $word } of a circle of positions is greater than 0.
     }
 diag-plane-incomplete = This PLANE lacks { $word }.
@@ -280,11 +284,16 @@ diag-tool-unfit =
     }
 diag-tool-unused = The tool { $tool } is called here and changed for another one at once.
 diag-transfer-parameter-overwritten =
-    { $parameter } belongs to { $cycle }, which is called later: the call takes the value that is written here.
+    { $what ->
+        [passed] { $cycle } has read { $parameter } when it was defined: what is written here does not change its call.
+        [lost] { $cycle } writes over { $parameter } here, which the program has written before and reads later.
+       *[call] { $parameter } belongs to { $cycle }, which is called later: the call takes the value that is written here.
+    }
 diag-transformation-forbidden =
     { $cycle } stands here although { $what ->
         [datum-shift] a datum shift is active
         [rotation] a rotation is active
+        [tcpm] M128 or FUNCTION TCPM is active
        *[tilting] the working plane is tilted
     }, which its manual forbids.
 diag-transformation-left-on =

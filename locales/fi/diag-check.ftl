@@ -6,6 +6,8 @@ diag-approach-without-compensation =
         [approach] Muotoon ajetaan tässä ilman sanaa RL tai RR.
        *[departure] Muodosta poistutaan tässä, mutta sädekorjaus ei ole voimassa.
     }
+diag-arc-in-unequal-scaling = { $cycle } skaalaa tämän kaaren akseleita eri kertoimilla.
+diag-arc-too-narrow = Säde { $radius } muodon sisäpuolella on pienempi kuin työkalun säde { $tool }.
 diag-arc-without-tangent = Tämän tangentiaalisen kaaren edessä ei ole muotoelementtiä.
 diag-arc-wrong =
     Kaari ei voi päättyä tähän: { $what ->
@@ -173,6 +175,7 @@ diag-mode-wrong =
         [turning] { $cycle } sorvaa, mutta FUNCTION MODE TURN ei ole tässä voimassa.
        *[data] { $cycle } on tässä sorvauskäytön ulkopuolella.
     }
+diag-name-of-another-cycle = ”{ $name }” on työkierron { $other } nimi, mutta tässä on { $cycle }.
 diag-no-result =
     Tällä kaavalla ei ole tulosta: { $why ->
         [division] siinä jaetaan nollalla
@@ -211,6 +214,7 @@ diag-pattern-wrong =
     { $what ->
         [count] { $word } on paikkojen lukumäärä: kokonaisluku, vähintään 1.
         [many] { $word }: PATTERN DEF -lauseessa on enintään yhdeksän yksittäistä paikkaa.
+        [rapid] { $word } ei kelpaa tähän: taulukon pisteiden välillä työkalu liikkuu syöttöarvolla.
        *[diameter] Paikkojen ympyrän halkaisija { $word } on suurempi kuin 0.
     }
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
@@ -279,11 +283,16 @@ diag-tool-unfit =
     }
 diag-tool-unused = Työkalu { $tool } kutsutaan tässä ja vaihdetaan heti toiseen.
 diag-transfer-parameter-overwritten =
-    { $parameter } kuuluu työkiertoon { $cycle }, jota kutsutaan myöhemmin: kutsu käyttää tässä kirjoitettavaa arvoa.
+    { $what ->
+        [passed] { $cycle } on lukenut parametrin { $parameter } määriteltäessä: tässä kirjoitettava arvo ei muuta sen kutsua.
+        [lost] { $cycle } kirjoittaa tässä parametrin { $parameter } päälle, johon ohjelma on kirjoittanut aiemmin ja jonka se lukee myöhemmin.
+       *[call] { $parameter } kuuluu työkiertoon { $cycle }, jota kutsutaan myöhemmin: kutsu käyttää tässä kirjoitettavaa arvoa.
+    }
 diag-transformation-forbidden =
     { $cycle } on tässä, vaikka { $what ->
         [datum-shift] nollapisteen siirto on voimassa
         [rotation] kierto on voimassa
+        [tcpm] M128 tai FUNCTION TCPM on voimassa
        *[tilting] koneistustaso on käännetty
     }; käsikirja kieltää sen.
 diag-transformation-left-on =

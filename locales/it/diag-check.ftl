@@ -6,6 +6,8 @@ diag-approach-without-compensation =
         [approach] Qui ci si avvicina al profilo senza RL o RR.
        *[departure] Qui ci si allontana dal profilo, ma nessuna compensazione del raggio è attiva.
     }
+diag-arc-in-unequal-scaling = { $cycle } scala gli assi di questo arco con fattori diversi.
+diag-arc-too-narrow = Il raggio { $radius } all’interno del profilo è inferiore a quello dell’utensile, { $tool }.
 diag-arc-without-tangent = Prima di questo arco tangente non c’è alcun elemento di profilo.
 diag-arc-wrong =
     L’arco non può terminare qui: { $what ->
@@ -173,6 +175,7 @@ diag-mode-wrong =
         [turning] { $cycle } tornisce, ma qui FUNCTION MODE TURN non è attivo.
        *[data] { $cycle } sta qui fuori dal modo tornitura.
     }
+diag-name-of-another-cycle = «{ $name }» è il nome di { $other }, ma qui c’è { $cycle }.
 diag-no-result =
     Questa formula non ha risultato: { $why ->
         [division] divide per zero
@@ -211,6 +214,7 @@ diag-pattern-wrong =
     { $what ->
         [count] { $word } è un numero intero di posizioni, almeno 1.
         [many] { $word }: PATTERN DEF ha al massimo nove posizioni singole.
+        [rapid] { $word } qui non è ammesso: tra i punti di una tabella l’utensile si sposta in avanzamento.
        *[diameter] Il diametro { $word } di un cerchio di posizioni è maggiore di 0.
     }
 diag-plane-incomplete = In questo PLANE manca { $word }.
@@ -279,11 +283,16 @@ diag-tool-unfit =
     }
 diag-tool-unused = L’utensile { $tool } viene chiamato qui e subito cambiato con un altro.
 diag-transfer-parameter-overwritten =
-    { $parameter } appartiene a { $cycle }, che viene chiamato più avanti: la chiamata usa il valore scritto qui.
+    { $what ->
+        [passed] { $cycle } ha letto { $parameter } alla definizione: ciò che si scrive qui non modifica la sua chiamata.
+        [lost] { $cycle } sovrascrive qui { $parameter }, che il programma ha scritto prima e legge più avanti.
+       *[call] { $parameter } appartiene a { $cycle }, che viene chiamato più avanti: la chiamata usa il valore scritto qui.
+    }
 diag-transformation-forbidden =
     { $cycle } sta qui benché { $what ->
         [datum-shift] sia attivo uno spostamento origine
         [rotation] sia attiva una rotazione
+        [tcpm] sia attiva M128 o FUNCTION TCPM
        *[tilting] il piano di lavoro sia ruotato
     }: il manuale lo vieta.
 diag-transformation-left-on =

@@ -6,6 +6,8 @@ diag-approach-without-compensation =
         [approach] A aproximação ao contorno faz-se aqui sem RL nem RR.
        *[departure] Sai-se aqui do contorno, mas nenhuma compensação do raio está ativa.
     }
+diag-arc-in-unequal-scaling = { $cycle } escala os eixos deste arco com fatores diferentes.
+diag-arc-too-narrow = O raio { $radius } no interior do contorno é menor do que o da ferramenta, { $tool }.
 diag-arc-without-tangent = Antes deste arco tangente não há nenhum elemento de contorno.
 diag-arc-wrong =
     O arco não pode terminar aqui: { $what ->
@@ -173,6 +175,7 @@ diag-mode-wrong =
         [turning] { $cycle } torneia, mas FUNCTION MODE TURN não está aqui ativo.
        *[data] { $cycle } está aqui fora do modo de tornear.
     }
+diag-name-of-another-cycle = “{ $name }” é o nome de { $other }, mas aqui está { $cycle }.
 diag-no-result =
     Esta fórmula não tem resultado: { $why ->
         [division] divide por zero
@@ -211,6 +214,7 @@ diag-pattern-wrong =
     { $what ->
         [count] { $word } é um número inteiro de posições, pelo menos 1.
         [many] { $word }: PATTERN DEF tem no máximo nove posições individuais.
+        [rapid] { $word } não é válido aqui: entre os pontos de uma tabela a ferramenta desloca-se em avanço.
        *[diameter] O diâmetro { $word } de um círculo de posições é maior que 0.
     }
 diag-plane-incomplete = Neste PLANE falta { $word }.
@@ -279,11 +283,16 @@ diag-tool-unfit =
     }
 diag-tool-unused = A ferramenta { $tool } é chamada aqui e logo trocada por outra.
 diag-transfer-parameter-overwritten =
-    { $parameter } pertence a { $cycle }, que é chamado mais adiante: a chamada usa o valor aqui escrito.
+    { $what ->
+        [passed] { $cycle } leu { $parameter } na definição: o que aqui se escreve não altera a sua chamada.
+        [lost] { $cycle } escreve aqui por cima de { $parameter }, que o programa escreveu antes e lê mais adiante.
+       *[call] { $parameter } pertence a { $cycle }, que é chamado mais adiante: a chamada usa o valor aqui escrito.
+    }
 diag-transformation-forbidden =
     { $cycle } está aqui embora { $what ->
         [datum-shift] esteja ativa uma deslocação do ponto zero
         [rotation] esteja ativa uma rotação
+        [tcpm] esteja ativa M128 ou FUNCTION TCPM
        *[tilting] o plano de maquinação esteja inclinado
     }: o manual proíbe-o.
 diag-transformation-left-on =

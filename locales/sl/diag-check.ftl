@@ -6,6 +6,8 @@ diag-approach-without-compensation =
         [approach] Primik na konturo je tu brez RL ali RR.
        *[departure] Tu je odmik s konture, popravek polmera pa ni aktiven.
     }
+diag-arc-in-unequal-scaling = { $cycle } spreminja merilo osi tega loka z različnimi faktorji.
+diag-arc-too-narrow = Polmer { $radius } na notranji strani konture je manjši od polmera orodja { $tool }.
 diag-arc-without-tangent = Pred tem tangencialnim lokom ni elementa konture.
 diag-arc-wrong =
     Lok se tu ne more končati: { $what ->
@@ -175,6 +177,7 @@ diag-mode-wrong =
         [turning] { $cycle } struži, FUNCTION MODE TURN pa tu ni aktiven.
        *[data] { $cycle } je tu zunaj načina struženja.
     }
+diag-name-of-another-cycle = »{ $name }« je ime cikla { $other }, tu pa je { $cycle }.
 diag-no-result =
     Ta formula nima rezultata: { $why ->
         [division] v njej se deli z ničlo
@@ -213,6 +216,7 @@ diag-pattern-wrong =
     { $what ->
         [count] { $word } je celo število položajev, najmanj 1.
         [many] { $word }: PATTERN DEF ima največ devet posameznih položajev.
+        [rapid] { $word } tu ni veljaven: med točkami preglednice se orodje premika s pomikom.
        *[diameter] Premer { $word } kroga položajev je večji od 0.
     }
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
@@ -281,11 +285,16 @@ diag-tool-unfit =
     }
 diag-tool-unused = Orodje { $tool } se tu prikliče in takoj zamenja z drugim.
 diag-transfer-parameter-overwritten =
-    { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic uporabi tu zapisano vrednost.
+    { $what ->
+        [passed] { $cycle } je parameter { $parameter } prebral ob definiciji: kar je zapisano tu, njegovega priklica ne spremeni.
+        [lost] { $cycle } tu prepiše parameter { $parameter }, v katerega je program že pisal in ga pozneje bere.
+       *[call] { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic uporabi tu zapisano vrednost.
+    }
 diag-transformation-forbidden =
     { $cycle } je tu, čeprav je { $what ->
         [datum-shift] aktiven zamik ničelne točke
         [rotation] aktivna rotacija
+        [tcpm] aktivna funkcija M128 ali FUNCTION TCPM
        *[tilting] obdelovalna ravnina zavrtena
     }, kar priročnik prepoveduje.
 diag-transformation-left-on =

@@ -20,6 +20,14 @@ pub trait Among: Sync {
     fn called(&self, name: &str) -> Called;
     /// Whether the tool table has a tool; nothing if it is not known which table that is.
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool>;
+    /// Whether there is a tool table.
+    fn knows_tools(&self) -> bool {
+        false
+    }
+    /// The number in a column of the tool table, in mm or degrees; nothing if none is known.
+    fn tool_value(&self, _tool: ToolName<'_>, _column: &str) -> Option<f64> {
+        None
+    }
     /// Whether it is known of any table which rows it has.
     fn knows_rows(&self) -> bool {
         true

@@ -5,7 +5,9 @@
 //! says nothing; of the state of the control it hears what is certain.
 use std::sync::Arc;
 
-use super::{Aspect, Definition, Facts, Modal};
+use super::tools::Tool;
+use super::values::number;
+use super::{Aspect, Defined, Definition, Facts, Modal};
 use crate::expr::{Code, Env, EvalError, Expr, Func, Node, OnlyParameters, Op, QRef, Resolve, Type, Value, compile};
 use crate::spec::{Cycle, Doubt, Entries, Formula, Guard, OnControl, Outcome, Param};
 use crate::syntax::ValueKind;
@@ -28,6 +30,8 @@ pub(super) struct Ready {
     compiled: Option<Code>,
     /// Whether it asks for the state of the control.
     asks_state: bool,
+    /// Whether it asks for the tool.
+    pub(super) asks_tool: bool,
 }
 
 /// One of several ways in which a condition holds.
@@ -39,6 +43,16 @@ pub(super) struct Way {
 }
 
 impl Way {
+    /// One that is told at a parameter.
+    fn about(about: QRef, condition: &Expr) -> Self {
+        Self { compiled: None, sides: vec![Expr { node: Node::Q(about), span: condition.span }] }
+    }
+
+    /// Whether a side is a product, of which the sign is asked: depths have the same one, and it is negative.
+    pub(super) fn is_product(&self, side: usize) -> bool {
+        self.sides.get(side).is_some_and(|side| matches!(side.node, Node::Binary(Op::Mul, _, _)))
+    }
+
     /// The parameters that it reads, in the order of its sides: of a choice only the side that is taken.
     pub(super) fn reads(&self, written: &Written) -> Vec<Vec<QRef>> {
         self.sides.iter().map(|side| taken(side, written).q_refs()).collect()
@@ -104,20 +118,28 @@ impl Ready {
         Self {
             code: Some(doubt.code.as_str().to_owned()),
             then: Some(Outcome::Warn),
-            ways: vec![Way { compiled: None, sides: vec![Expr { node: Node::Q(doubt.about), span: condition.span }] }],
+            ways: vec![Way::about(doubt.about, &condition)],
             compiled: compile(&condition, &OnlyParameters).ok(),
+            asks_state: asks(&condition, state),
+            asks_tool: asks(&condition, tool),
             condition,
-            asks_state: false,
         }
     }
 
     fn new(guard: &Guard, condition: Expr) -> Self {
         let compiled = compile(&condition, &OnlyParameters).ok();
-        let mut asks_state = false;
-        condition.walk(&mut |expr| asks_state |= matches!(&expr.node, Node::Name(path) if state(path).is_some()));
+        let (asks_state, asks_tool) = (asks(&condition, state), asks(&condition, tool));
         let code = guard.code.as_ref().map(|code| code.as_str().to_owned());
-        Self { code, then: guard.then, ways: ways(&condition), condition, compiled, asks_state }
+        let ways = guard.about.map_or_else(|| ways(&condition), |about| vec![Way::about(about, &condition)]);
+        Self { code, then: guard.then, ways, condition, compiled, asks_state, asks_tool }
     }
+}
+
+/// Whether an expression has a name that something knows.
+fn asks(condition: &Expr, knows: fn(&[String]) -> Option<usize>) -> bool {
+    let mut found = false;
+    condition.walk(&mut |expr| found |= matches!(&expr.node, Node::Name(path) if knows(path).is_some()));
+    found
 }
 
 /// The guards of a cycle, those of fragments included, and what is hardly meant.
@@ -186,26 +208,40 @@ pub(super) struct Written {
     pub(super) texts: Vec<(QRef, Arc<str>)>,
     /// The state before the definition, of which guards ask what [`STATES`] names.
     modal: Option<Modal>,
+    /// What [`TOOL`] names, as far as it is known.
+    tool: [Option<Value>; 2],
 }
 
 /// What guards may ask about the state of the control, besides the parameters. The machine builder may have other ways
 /// into turning mode, and that a tool is missing is told by itself.
-const STATES: [(&str, Aspect); 6] = [
+const STATES: [(&str, Aspect); 9] = [
     ("mirror", Aspect::Mirroring),
     ("scaling", Aspect::Scaling),
     ("axis_scaling", Aspect::AxisScaling),
     ("rotation", Aspect::Rotation),
     ("datum_shift", Aspect::DatumShift),
     ("tilting", Aspect::Tilting),
+    ("basic_rotation", Aspect::BasicRotation),
+    ("tcpm", Aspect::Tcpm),
+    ("other_axis", Aspect::OtherAxis),
 ];
 
+/// What guards may ask about the tool.
+const TOOL: [&str; 2] = ["radius", "angle"];
+
 impl Written {
+    /// The same with the tool that a call finds.
+    pub(super) fn with(mut self, tool: Tool) -> Self {
+        self.tool = [Some(tool.radius), tool.angle].map(|own| own.map(Value::Number));
+        self
+    }
+
     /// The values that are known: those written as numbers or texts, and those that this control lacks.
     pub(super) fn of(facts: &Facts<'_>, definition: &Definition<'_>, cycle: &Cycle) -> Self {
         let modal = facts.run.before(definition.view.first);
         let mut numbers = Vec::with_capacity(cycle.lacking.len() + definition.items.len());
         numbers.extend_from_slice(&cycle.lacking);
-        let mut known = Self { numbers, texts: Vec::new(), modal };
+        let mut known = Self { numbers, texts: Vec::new(), modal, tool: [None, None] };
         for item in &definition.items {
             let (Some(q), Some(value)) = (item.param.and_then(read_as), item.value) else { continue };
             match value.kind {
@@ -214,6 +250,9 @@ impl Written {
                 ValueKind::Text(inside) => known.texts.push((q, facts.text(inside).into())),
                 _ => {}
             }
+        }
+        if definition.kept.is_some_and(|kept| kept.deed(cycle).recalls()) {
+            known.numbers.extend(shared(facts, definition));
         }
         known
     }
@@ -240,16 +279,30 @@ impl Written {
         self.modal?.is(*aspect).known()
     }
 
+    /// What is known of the tool, by the place of its name.
+    fn of_tool(&self, at: usize) -> Option<&Value> {
+        self.tool.get(at.checked_sub(STATES.len())?)?.as_ref()
+    }
+
     /// Whether a guard's condition holds; nothing if that cannot be said.
     pub(super) fn holds(&self, ready: &Ready) -> Option<bool> {
         if let Some(code) = &ready.compiled {
             return code.truth(self).ok();
         }
-        if !ready.asks_state {
+        if !ready.asks_state && !ready.asks_tool {
             return None;
         }
         compile(&ready.condition, &WithState(self)).ok()?.truth(self).ok()
     }
+}
+
+/// The numbers of the data that a cycle works with, from the definition before it that keeps such.
+fn shared(facts: &Facts<'_>, definition: &Definition<'_>) -> Vec<(QRef, f64)> {
+    let keeps = |own: &&Defined<'_>| own.cycle().zip(own.kept).is_some_and(|(cycle, kept)| kept.deed(cycle).keeps());
+    let before = facts.definitions.iter().take_while(|own| own.view.first < definition.view.first);
+    let Some(data) = before.filter(keeps).last() else { return Vec::new() };
+    let read = facts.read(data);
+    read.items.iter().filter_map(|item| Some((item.param?.q?, number(item)?))).collect()
 }
 
 /// The Q parameter under which the guards read a parameter or field.
@@ -268,11 +321,31 @@ fn state(path: &[String]) -> Option<usize> {
     STATES.iter().position(|(word, _)| first == "active" && word == second)
 }
 
+/// What of the tool a name asks for, by its place behind that of the states.
+fn tool(path: &[String]) -> Option<usize> {
+    let [first, second] = path else { return None };
+    let at = TOOL.iter().position(|word| first == "tool" && word == second)?;
+    Some(STATES.len() + at)
+}
+
+/// The slot of machine data that switch guards off.
+const OFF: usize = STATES.len() + TOOL.len();
+
 /// Names of what is certain about the state.
 struct WithState<'w>(&'w Written);
 
 impl Resolve for WithState<'_> {
     fn name(&self, path: &[String]) -> Option<(usize, Type)> {
+        // What switches a guard off is off, as machines come.
+        if let [first, datum] = path
+            && first == "machine"
+            && datum.starts_with("suppress_")
+        {
+            return Some((OFF, Type::Number));
+        }
+        if let Some(at) = tool(path) {
+            return self.0.of_tool(at).map(|_| (at, Type::Number));
+        }
         let at = state(path)?;
         self.0.state(at).map(|_| (at, Type::Bool))
     }
@@ -282,6 +355,12 @@ impl Env for Written {
     fn slot(&self, slot: usize) -> &Value {
         // Only names of what is known have a slot.
         const NONE: &Value = &Value::Number(f64::NAN);
+        if slot == OFF {
+            return &Value::Number(0.0);
+        }
+        if let Some(value) = self.of_tool(slot) {
+            return value;
+        }
         match self.state(slot) {
             Some(true) => &Value::Bool(true),
             Some(false) => &Value::Bool(false),

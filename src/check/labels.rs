@@ -21,6 +21,8 @@ pub struct LabelBook<'a> {
     locales: &'a Locales,
     cycles: BTreeMap<CycleKey, Kept>,
     limits: OnceLock<Limits>,
+    /// The cycles by their names.
+    names: OnceLock<BTreeMap<String, Vec<CycleKey>>>,
     /// Labels of cycles that only other controls describe.
     elsewhere: Mutex<BTreeMap<CycleKey, Arc<CycleLabels>>>,
 }
@@ -146,7 +148,7 @@ impl<'a> LabelBook<'a> {
     pub fn new(on: &'a OnControl, locales: &'a Locales) -> Self {
         let kept = |(place, (key, cycle)): (usize, (&CycleKey, &Cycle))| (*key, Kept::of(place, cycle));
         let cycles = on.cycles.iter().enumerate().map(kept).collect();
-        Self { on, locales, cycles, limits: OnceLock::new(), elsewhere: Mutex::default() }
+        Self { on, locales, cycles, limits: OnceLock::new(), names: OnceLock::new(), elsewhere: Mutex::default() }
     }
 
     /// The tags of its languages, in the order in which cycles have them.
@@ -177,6 +179,21 @@ impl<'a> LabelBook<'a> {
         let mut known = self.elsewhere.lock().unwrap_or_else(PoisonError::into_inner);
         let all = || self.locales.iter().map(|language| labels(on, cycle, language)).collect();
         Arc::clone(known.entry(cycle.key).or_insert_with(|| Arc::new(CycleLabels { languages: all() })))
+    }
+
+    /// The cycles of the control that have a name made ready by [`fold`], in whatever language.
+    pub(super) fn named(&self, name: &str) -> &[CycleKey] {
+        let names = self.names.get_or_init(|| {
+            let mut names: BTreeMap<String, Vec<CycleKey>> = BTreeMap::new();
+            for (key, cycle) in &self.on.cycles {
+                let Some(kept) = self.cycles.get(key) else { continue };
+                for own in self.labels_of(cycle, kept).languages.iter().flat_map(|language| &language.name.folded) {
+                    names.entry(own.clone()).or_default().push(*key);
+                }
+            }
+            names
+        });
+        names.get(name).map_or(&[], Vec::as_slice)
     }
 
     /// Its guards.

@@ -13,6 +13,7 @@ mod flow;
 mod guards;
 mod labels;
 mod rules;
+mod tools;
 mod values;
 mod words;
 
@@ -20,7 +21,7 @@ pub use allow::CODES as ALLOW_CODES;
 pub use among::{Among, Called, Callee, ProgramCall, Rows, ToolName, named};
 pub use config::{Config, Known, Settings};
 pub use facts::{Defined, Definition, Facts, Flow, Item};
-pub use flow::{Aspect, CycleCall, Graph, Mark, Modal, Pending, Run, Tri, Use, Way};
+pub use flow::{Aspect, CycleCall, Graph, Loaded, Mark, Modal, Pending, Run, Tri, Use, Way};
 pub(crate) use labels::is_label;
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels, Speech, speech};
 pub use rules::RULES;

@@ -120,7 +120,10 @@ pub(super) fn refused_by_all(facts: &Facts<'_>, q: QRef, written: &Parameter, le
             value_span: written.value.span,
             printed: capitals(printed),
             value: Some(written.value),
-            number: None,
+            number: match written.value.kind {
+                ValueKind::Q { negative, .. } => facts.known_at(written.value.span, negative),
+                _ => None,
+            },
             label: None,
             index: None,
             refusal: None,

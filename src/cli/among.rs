@@ -263,6 +263,20 @@ impl Among for Standing<'_> {
         }))
     }
 
+    fn knows_tools(&self) -> bool {
+        self.tables(TableKind::Tool).next().is_some()
+    }
+
+    fn tool_value(&self, tool: ToolName<'_>, column: &str) -> Option<f64> {
+        let mut tables = self.tables(TableKind::Tool);
+        let (table, None) = (tables.next()?, tables.next()) else { return None };
+        let row = match tool {
+            ToolName::Number(number) => number,
+            ToolName::Name(name) => table.find("NAME", name).ok()??,
+        };
+        table.number(row, column).ok()?
+    }
+
     fn knows_rows(&self) -> bool {
         self.has_tables()
     }

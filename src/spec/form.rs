@@ -261,6 +261,8 @@ record! {
         switched_off_by: Option<Name>,
         /// When it is looked at.
         at: Option<Moment>,
+        /// The parameter where the checker tells it, if it is not the first one that the condition measures.
+        about: Option<QRef>,
         /// Guards of a fragment instead.
         r#use as "use": Option<Name>,
         /// Arguments of the fragment.

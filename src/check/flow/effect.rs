@@ -4,9 +4,9 @@
 use std::collections::HashMap;
 
 use super::state::{Aspect, Known, Pending, State, Tri};
-use super::step::pend;
+use super::step::{Values, pend};
 use crate::check::{Defined, Definition, Facts};
-use crate::expr::{QKind, QRef};
+use crate::expr::{Code, OnlyParameters, QKind, QRef, compile};
 use crate::spec::{
     Action, Argument, Body, Cycle, CycleKey, Group, Item, Keyword, Known as Of, ParameterKind, TakesEffect,
     Transformation, Verb,
@@ -29,6 +29,56 @@ pub(in crate::check) struct Deed {
     recalls: bool,
     /// Whether it calls the cycle that was defined last.
     calls_last: bool,
+    /// Whether the spindle stands behind its call.
+    stops_spindle: bool,
+    /// What it does to the basic rotation, in order.
+    rotations: Vec<Rotates>,
+    /// The values of parameters that the control lacks.
+    lacking: Vec<(QRef, f64)>,
+}
+
+/// A change of the basic rotation.
+#[derive(Debug)]
+struct Rotates {
+    /// Only if this holds; always where that needs more than parameters.
+    when: Option<Code>,
+    /// The row of the preset table that it goes to in the place of taking effect, if it is not 0.
+    row: Option<Code>,
+    /// The angle, if it is not measured.
+    angle: Option<Code>,
+    /// Whether it ends.
+    ends: bool,
+}
+
+impl Rotates {
+    fn of(strategy: &str, action: &Action) -> Option<Self> {
+        let ends = strategy == "reset-basic-rotation";
+        if !ends && !matches!(strategy, "write-basic-rotation" | "turn-basic-rotation") {
+            return None;
+        }
+        let of = |name: &str| {
+            let formula = action.with.0.iter().find(|(own, _)| own.as_str() == name);
+            formula.and_then(|(_, formula)| compile(&formula.expr, &OnlyParameters).ok())
+        };
+        let when = action.when.as_ref().and_then(|formula| compile(&formula.expr, &OnlyParameters).ok());
+        Some(Self { when, row: of("row"), angle: of("angle"), ends })
+    }
+
+    /// Whether a basic rotation is active then, from whether one was.
+    fn then(&self, before: Tri, values: &Values<'_>) -> Tri {
+        let happens = self.when.as_ref().map_or(Some(true), |code| code.truth(values).ok());
+        let stored = self.row.as_ref().map_or(Some(false), |code| code.number(values).ok().map(|row| row != 0.0));
+        let turned = match &self.angle {
+            _ if self.ends => Tri::No,
+            Some(code) => Tri::of(code.number(values).ok().map(|angle| angle != 0.0)),
+            None => Tri::Yes,
+        };
+        match (happens, stored) {
+            (Some(false), _) | (_, Some(true)) => before,
+            (Some(true), Some(false)) => turned,
+            _ => Tri::Unknown,
+        }
+    }
 }
 
 /// What becomes of an aspect.
@@ -87,17 +137,26 @@ impl<'f, 'a> Effects<'f, 'a> {
         self.definitions.get(index as usize).is_some_and(|own| own.kin().is_some_and(removes_material))
     }
 
+    /// Whether the spindle stands behind a call of the definition of that index.
+    pub(super) fn stops_spindle(&self, index: u32) -> bool {
+        self.definitions.get(index as usize).and_then(|own| self.deed(own)).is_some_and(|deed| deed.stops_spindle)
+    }
+
+    /// What the cycle of a definition does.
+    fn deed(&self, definition: &Defined<'a>) -> Option<&Deed> {
+        match (definition.kept, definition.cycle()) {
+            (Some(kept), Some(cycle)) => Some(kept.deed(cycle)),
+            _ => self.others.get(&definition.key),
+        }
+    }
+
     /// Does what the definition does that begins with a block.
     pub(super) fn apply(&self, block: usize, state: &mut State) {
         let found = u32::try_from(block).ok().and_then(|block| self.firsts.binary_search(&block).ok());
         let Some((index, definition)) = found.and_then(|index| Some((index, self.definitions.get(index)?))) else {
             return;
         };
-        let deed = match (definition.kept, definition.cycle()) {
-            (Some(kept), Some(cycle)) => Some(kept.deed(cycle)),
-            _ => self.others.get(&definition.key),
-        };
-        let Some(deed) = deed else { return };
+        let Some(deed) = self.deed(definition) else { return };
         let named = self.named.get(&index).map_or(&[] as &[QRef], Vec::as_slice);
         let writes = !named.is_empty() || !deed.results.is_empty() || writes(&definition.view);
         if deed.anything || (definition.torn && !writes) {
@@ -113,6 +172,11 @@ impl<'f, 'a> Effects<'f, 'a> {
                 Then::Told => changed(*aspect, &definition.view),
             };
             state.modal.set(*aspect, value);
+        }
+        for rotates in &deed.rotations {
+            let before = state.modal.is(Aspect::BasicRotation);
+            let after = rotates.then(before, &Values(state, &deed.lacking));
+            state.modal.set(Aspect::BasicRotation, after);
         }
         match deed.pends {
             Some(true) => pend(index, state),
@@ -185,6 +249,7 @@ impl Deed {
             TakesEffect::OnDefinition => self.aspects.push((Aspect::Feed, Tri::Unknown.into())),
         }
         self.results.extend(cycle.file.results.iter().filter_map(|results| results.q));
+        self.lacking.clone_from(&cycle.lacking);
         let mut verbs = Vec::new();
         cycle.file.run.iter().for_each(|item| actions(item, &mut verbs));
         for action in verbs {
@@ -205,6 +270,10 @@ impl Deed {
                 (Verb::Call, Argument::One(name)) => self.calls_last |= name.as_str() == LAST_CYCLE,
                 (Verb::Strategy, Argument::One(name)) => {
                     self.recalls |= name.as_str() == RECALL;
+                    self.rotations.extend(Rotates::of(name.as_str(), action));
+                }
+                (Verb::Spindle, Argument::One(name)) if cycle.file.takes_effect == TakesEffect::OnCall => {
+                    self.stops_spindle |= name.as_str() == "stop";
                 }
                 (Verb::Spindle | Verb::Orient, _) if cycle.file.takes_effect == TakesEffect::OnDefinition => {
                     self.aspects.push((Aspect::Spindle, Tri::Unknown.into()));
@@ -235,7 +304,8 @@ impl Deed {
                 return;
             }
             _ => {
-                for aspect in [Aspect::DatumShift, Aspect::Rotation] {
+                // A preset has a basic rotation of its own.
+                for aspect in [Aspect::DatumShift, Aspect::Rotation, Aspect::BasicRotation] {
                     self.aspects.push((aspect, Tri::Unknown.into()));
                 }
                 return;
@@ -243,6 +313,11 @@ impl Deed {
         };
         self.aspects.push((aspect, Then::Told));
     }
+}
+
+/// Whether the spindle stands behind a call of a cycle.
+pub(in crate::check) fn stops_spindle(cycle: &Cycle) -> bool {
+    Deed::of_cycle(cycle).stops_spindle
 }
 
 /// Whether a cycle mills, drills or cuts threads.

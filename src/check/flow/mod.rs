@@ -9,13 +9,14 @@ mod effect;
 mod graph;
 mod state;
 mod step;
+mod trace;
 mod walk;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(super) use graph::stops;
 pub use graph::{Graph, Mark, Use, Way};
-pub use state::{Aspect, Modal, Pending, Tri};
+pub use state::{Aspect, Loaded, Modal, Pending, Tri};
 
 use super::Facts;
 use super::facts::each_function;
@@ -23,7 +24,7 @@ use crate::diag::Span;
 use crate::expr::QRef;
 use crate::syntax::{Block, BlockKind, MFunction, Motion};
 use circles::circles;
-pub(super) use effect::{Deed, probes, removes_material};
+pub(super) use effect::{Deed, probes, removes_material, stops_spindle};
 pub(super) use graph::reads;
 use state::{State, Touched};
 use step::Steps;
@@ -172,6 +173,9 @@ pub(super) fn through(facts: &Facts<'_>) -> Through {
     // Definitions count for their own program only; local parameters, too.
     touched.only_global();
     exit.modal.pending = Pending::Unknown;
+    if exit.modal.loaded != Loaded::None {
+        exit.modal.loaded = Loaded::Unknown;
+    }
     let run = walk.result(true);
     let calls_cycle = run.calls.iter().any(|call| !matches!(call.modal.pending, Pending::Definition(_)));
     Through { touched, exit, calls_cycle }

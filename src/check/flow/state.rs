@@ -82,6 +82,10 @@ pub enum Aspect {
     Selected,
     /// A tool call has given a feed that is not 0.
     ToolFeed,
+    /// A basic rotation is active.
+    BasicRotation,
+    /// A cycle has stopped the spindle, and nothing has started it since.
+    Stopped,
 }
 
 /// The cycle that a call means.
@@ -95,6 +99,17 @@ pub enum Pending {
     Unknown,
 }
 
+/// The tool in the spindle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loaded {
+    /// None was called yet.
+    None,
+    /// That of the tool call in that block.
+    By(u32),
+    /// Nobody can tell.
+    Unknown,
+}
+
 /// The modal state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Modal {
@@ -102,6 +117,8 @@ pub struct Modal {
     aspects: u64,
     /// The cycle that a call means.
     pub pending: Pending,
+    /// The tool.
+    pub loaded: Loaded,
 }
 
 /// The same for all aspects.
@@ -115,9 +132,10 @@ const fn shift(aspect: Aspect) -> u32 {
 
 impl Modal {
     /// The state at the beginning of a program.
-    pub(super) const BEGIN: Self = Self { aspects: all(Tri::No), pending: Pending::None };
+    pub(super) const BEGIN: Self = Self { aspects: all(Tri::No), pending: Pending::None, loaded: Loaded::None };
     /// Nothing is known.
-    pub(super) const UNKNOWN: Self = Self { aspects: all(Tri::Unknown), pending: Pending::Unknown };
+    pub(super) const UNKNOWN: Self =
+        Self { aspects: all(Tri::Unknown), pending: Pending::Unknown, loaded: Loaded::Unknown };
 
     /// What is known of an aspect.
     pub const fn is(&self, aspect: Aspect) -> Tri {
@@ -134,7 +152,8 @@ impl Modal {
 
     pub(super) fn join(&self, other: &Self) -> Self {
         let pending = if self.pending == other.pending { self.pending } else { Pending::Unknown };
-        Self { aspects: self.aspects | other.aspects, pending }
+        let loaded = if self.loaded == other.loaded { self.loaded } else { Loaded::Unknown };
+        Self { aspects: self.aspects | other.aspects, pending, loaded }
     }
 }
 
@@ -256,6 +275,9 @@ impl State {
         if touched.pending {
             state.modal.pending = exit.modal.pending;
         }
+        if touched.loaded {
+            state.modal.loaded = exit.modal.loaded;
+        }
         for q in &touched.parameters {
             state.numbers.insert(*q, exit.get(*q));
         }
@@ -269,6 +291,7 @@ pub(super) struct Touched {
     /// Both bits of each aspect.
     aspects: u64,
     pending: bool,
+    loaded: bool,
     parameters: BTreeSet<QRef>,
     /// Anything at all.
     everything: bool,
@@ -282,6 +305,7 @@ impl Touched {
             let (low, high) = (changed & all(Tri::No), changed & all(Tri::Yes));
             self.aspects |= low | high | (low << 1) | (high >> 1);
             self.pending |= before.modal.pending != after.modal.pending;
+            self.loaded |= before.modal.loaded != after.modal.loaded;
             self.everything |= before.others != after.others;
             self.parameters.extend(after.numbers.keys());
         }
@@ -295,6 +319,7 @@ impl Touched {
     pub(super) fn add(&mut self, other: &Self) {
         self.aspects |= other.aspects;
         self.pending |= other.pending;
+        self.loaded |= other.loaded;
         self.everything |= other.everything;
         self.parameters.extend(&other.parameters);
     }

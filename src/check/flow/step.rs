@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use super::effect::Effects;
-use super::state::{Aspect, Known, Modal, Pending, State, Tri};
+use super::state::{Aspect, Known, Loaded, Modal, Pending, State, Tri};
 use crate::check::Facts;
 use crate::check::among::Callees;
 use crate::check::facts::each_function;
@@ -32,6 +32,12 @@ impl<'f, 'a> Steps<'f, 'a> {
     /// What a call of the pending cycle leaves behind: its feed may stay, and a program may do what it does.
     fn called(&self, state: &mut State) {
         state.modal.set(Aspect::Feed, Tri::Unknown);
+        if let Pending::Definition(index) = state.modal.pending
+            && self.effects.stops_spindle(index)
+        {
+            state.modal.set(Aspect::Spindle, Tri::No);
+            state.modal.set(Aspect::Stopped, Tri::Yes);
+        }
         match state.modal.pending {
             Pending::Definition(index) if self.effects.cuts(index) => state.modal.set(Aspect::Cut, Tri::Yes),
             Pending::Definition(_) | Pending::None => {}
@@ -113,12 +119,17 @@ impl<'f, 'a> Steps<'f, 'a> {
                     state.modal.set(Aspect::Tool, named);
                     state.modal.set(Aspect::Probed, Tri::No);
                     state.modal.set(Aspect::Cut, Tri::No);
+                    state.modal.loaded = u32::try_from(index).map_or(Loaded::Unknown, Loaded::By);
                     // Whether the change stops the spindle is the machine builder's affair.
                     if state.modal.is(Aspect::Spindle) != Tri::No {
                         state.modal.set(Aspect::Spindle, Tri::Unknown);
                     }
                 } else if call.axis.is_some() {
                     state.modal.set(Aspect::Tool, Tri::Yes);
+                }
+                // Without a tool, other oversizes are those of the same one.
+                if call.tool.is_none() && (call.dl.is_some() || call.dr.is_some() || call.dr2.is_some()) {
+                    state.modal.loaded = Loaded::Unknown;
                 }
                 if let Some(axis) = call.axis {
                     state.modal.set(Aspect::OtherAxis, Tri::of(Some(axis != Axis::Z)));
@@ -343,7 +354,7 @@ impl<'f, 'a> Steps<'f, 'a> {
     /// Why a formula certainly has no result.
     pub(super) fn failure(expr: &Expr, state: &State) -> Option<&'static str> {
         let code = compile(expr, &OnlyParameters).ok()?;
-        match code.number(&Values(state)) {
+        match code.number(&Values(state, &[])) {
             Err(EvalError::DivisionByZero) => Some("division"),
             Err(EvalError::Domain(..)) => Some("domain"),
             Err(EvalError::Overflow) => Some("large"),
@@ -358,7 +369,7 @@ impl<'f, 'a> Steps<'f, 'a> {
 }
 
 fn number(code: &Code, state: &State) -> Known {
-    match code.number(&Values(state)) {
+    match code.number(&Values(state, &[])) {
         Ok(number) if number.is_finite() => Known::Number(number),
         _ => Known::Unknown,
     }
@@ -376,6 +387,7 @@ fn start(block: &Block, modal: &mut Modal) {
     each_function(block, |number| {
         if matches!(number, 3 | 4 | 13 | 14) {
             modal.set(Aspect::Spindle, Tri::Yes);
+            modal.set(Aspect::Stopped, Tri::No);
             modal.set(Aspect::Counterclockwise, Tri::of(Some(matches!(number, 4 | 14))));
         }
     });
@@ -420,7 +432,8 @@ fn assigned(assign: &FnAssign, state: &State) -> Known {
     if result.is_finite() { Known::Number(result) } else { Known::Unknown }
 }
 
-struct Values<'s>(&'s State);
+/// The numbers of a state, and of parameters that are as good as written.
+pub(super) struct Values<'s>(pub(super) &'s State, pub(super) &'s [(QRef, f64)]);
 
 impl Env for Values<'_> {
     fn slot(&self, _: usize) -> &Value {
@@ -430,6 +443,9 @@ impl Env for Values<'_> {
     }
 
     fn number(&self, q: QRef) -> Result<f64, EvalError> {
+        if let Some((_, number)) = self.1.iter().find(|(own, _)| *own == q) {
+            return Ok(*number);
+        }
         match self.0.get(q) {
             Known::Number(number) => Ok(number),
             _ => Err(EvalError::Undefined(q)),

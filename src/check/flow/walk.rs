@@ -1,13 +1,14 @@
 //! The walk along every way that the run can take, with what is certain on it.
 //!
 //! Invariant: what is entered into a run of blocks only ever becomes less certain, so the walk ends.
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use super::circles::circles;
 use super::graph::{End, Graph, Use, Way, reads, stops};
 use super::state::{Known, Modal, State, Touched};
 use super::step::Steps;
-use super::{CycleCall, Outline, Run, calls_in};
+use super::{CycleCall, Outline, Run, calls_in, trace};
 use crate::diag::Span;
 use crate::expr::QRef;
 use crate::syntax::{BlockKind, Motion, Path};
@@ -419,6 +420,13 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
                     && let Some(modal) = states.iter().map(|state| state.modal).reduce(|one, other| one.join(&other))
                 {
                     run.ends.push((index, modal));
+                }
+            }
+        }
+        if let Some(state) = self.entries.get(&(0, Caller::Nobody)) {
+            for (place, number) in trace::numbers(self.steps, &self.graph, state.clone()) {
+                if let (Some(number), Entry::Vacant(entry)) = (number, run.numbers.entry(place)) {
+                    entry.insert(number);
                 }
             }
         }

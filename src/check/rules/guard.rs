@@ -2,17 +2,57 @@
 //!
 //! Each finding has the code of the guard. Only numbers and texts that the definition writes are
 //! known; guards that a machine datum switches off count as active.
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::together;
+use super::unlike_elsewhere::Other;
 use crate::check::guards::{Ready, Written, read_as};
-use crate::check::{Definition, Facts, Item, Rule};
+use crate::check::tools::Tools;
+use crate::check::values::number;
+use crate::check::{Definition, Facts, Item, Pending, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::spec::{Cycle, Outcome};
+use crate::spec::{Cycle, CycleKey, Outcome};
 use crate::text;
 
-pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run: together };
+pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run };
+
+/// What guards ask of the tool that a call finds in the spindle. The tool table of the machine may have another one, so
+/// it is a warning.
+fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let Some(tools) = Tools::of(facts) else { return };
+    let mut others: HashMap<CycleKey, Option<Other<'_>>> = HashMap::new();
+    let mut seen = BTreeSet::new();
+    for call in &facts.run.calls {
+        let (Pending::Definition(index), Some(tool)) = (call.modal.pending, tools.get(call.modal.loaded)) else {
+            continue;
+        };
+        let Some(own) = facts.definitions.get(index as usize).filter(|own| !own.torn) else { continue };
+        let kept = own.cycle().zip(own.kept);
+        let (cycle, on, guards) = match kept {
+            Some((cycle, kept)) => (cycle, facts.against.on, facts.against.labels.guards_of(cycle, kept)),
+            None => match others.entry(own.key).or_insert_with(|| Other::of(facts, own.key)) {
+                Some(other) => (other.cycle, other.on, other.guards.as_slice()),
+                None => continue,
+            },
+        };
+        if !guards.iter().any(|own| own.asks_tool) {
+            continue;
+        }
+        let other = kept.is_none().then(|| own.read_as(cycle));
+        let read = facts.read(other.as_ref().unwrap_or(own));
+        let written = Written::of(facts, &read, cycle).with(tool);
+        for ready in guards.iter().filter(|own| own.asks_tool) {
+            let (Some(code), Some(true)) = (ready.code.as_deref(), written.holds(ready)) else { continue };
+            let place = place(&read, ready, &written).unwrap_or(own.view.head);
+            if seen.insert((place.start, lasting(code))) {
+                let rule = Rule { code: lasting(code), severity: Severity::Warning, run: together };
+                let sentence = text::guard_sentence(on, cycle, code, facts.against.readers);
+                found.push(rule.at(facts, place).arg("message", sentence.unwrap_or_else(|| code.to_owned())));
+            }
+        }
+    }
+}
 
 pub(super) fn each(_: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
     let Some((cycle, kept)) = definition.cycle().zip(definition.kept) else { return };
@@ -47,13 +87,16 @@ fn finding(
 }
 
 /// The first parameter written that the guard reads, rather one that measures something than one that chooses, and one
-/// that its last condition reads.
+/// that its last condition reads; of two with different signs the positive one.
 pub(super) fn place(definition: &Definition<'_>, ready: &Ready, written: &Written) -> Option<Span> {
-    let reads = ready.way(written)?.reads(written);
+    let way = ready.way(written)?;
+    let reads = way.reads(written);
     let rank = |item: &Item<'_>| {
         let param = item.param?;
         let q = read_as(param)?;
-        Some((!param.choices.is_empty(), reads.iter().position(|own| own.contains(&q))?))
+        let side = reads.iter().position(|own| own.contains(&q))?;
+        let negative = way.is_product(side) && number(item).is_none_or(|number| number <= 0.0);
+        Some((!param.choices.is_empty(), side, negative))
     };
     let ranked = definition.items.iter().filter_map(|item| Some((rank(item)?, item)));
     ranked.min_by_key(|(rank, _)| *rank).map(|(_, item)| item.span)

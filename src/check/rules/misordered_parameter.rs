@@ -4,7 +4,7 @@
 //! Lines of the old form are counted by their numbers; within a line their fields may stand in any order, as may lines
 //! that are repeated, such as those of a datum shift.
 use super::together;
-use crate::check::{Definition, Facts, Rule};
+use crate::check::{Definition, Facts, Item, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::Cycle;
 use crate::syntax::{CycleForm, OldCycleLine};
@@ -29,16 +29,37 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     if definition.in_order || definition.cycle().is_none_or(Cycle::is_old_style) {
         return;
     }
-    let mut last: Option<(usize, &str)> = None;
-    for item in &definition.items {
-        let Some(own) = item.index else { continue };
-        match last {
-            Some((before, name)) if own < before => {
-                let finding = rule.at(facts, item.span).arg("parameter", item.name.as_ref());
-                found.push(finding.arg("before", name).arg("cycle", definition.key.to_string()));
-                break;
-            }
-            _ => last = Some((own, item.name.as_ref())),
-        }
+    let items: Vec<(usize, &Item<'_>)> = definition.items.iter().filter_map(|item| Some((item.index?, item))).collect();
+    let places: Vec<usize> = items.iter().map(|(place, _)| *place).collect();
+    let right = rising(&places);
+    let Some((at, (own, item))) = items.iter().enumerate().find(|(at, _)| !right.contains(at)) else { return };
+    // Those that stand on the wrong side of it.
+    let behind = items.iter().take(at).rev().find(|(place, _)| place > own);
+    let before = || items.iter().skip(at + 1).find(|(place, _)| place < own);
+    let (first, second) = match behind {
+        Some((_, other)) => (*item, *other),
+        None => match before() {
+            Some((_, other)) => (*other, *item),
+            None => return,
+        },
+    };
+    let finding = rule.at(facts, item.span).arg("parameter", first.name.as_ref());
+    found.push(finding.arg("before", second.name.as_ref()).arg("cycle", definition.key.to_string()));
+}
+
+/// The places in a list of as many numbers as possible that rise, or stay, from one to the next: the others are out of order.
+/// Of equal ones those that come first.
+fn rising(numbers: &[usize]) -> Vec<usize> {
+    let mut best: Vec<(usize, Option<usize>)> = Vec::with_capacity(numbers.len());
+    for (at, own) in numbers.iter().enumerate() {
+        let before = (0..at).rev().filter(|other| numbers[*other] <= *own).max_by_key(|other| best[*other].0);
+        best.push((before.map_or(1, |other| best[other].0 + 1), before));
     }
+    let mut at = (0..best.len()).rev().max_by_key(|at| best[*at].0);
+    let mut found = Vec::new();
+    while let Some(place) = at {
+        found.push(place);
+        at = best[place].1;
+    }
+    found
 }

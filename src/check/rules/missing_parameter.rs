@@ -1,15 +1,28 @@
 //! A parameter or field that the cycle needs and the definition lacks.
 //!
+//! Of the old form it is told where the field would stand.
+//!
 //! Silent where a line of the definition cannot be read: it may be the one that is missed.
 use super::together;
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, Severity, Span};
+use crate::spec::Param;
+use crate::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "missing-parameter", severity: Severity::Error, run: together };
 
 pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
     for param in definition.missing.iter().filter(|_| !definition.torn) {
-        let finding = rule.at(facts, definition.view.head).arg("parameter", param.label_in(definition.key.number));
+        let finding = rule.at(facts, gap(definition, param)).arg("parameter", param.label_in(definition.key.number));
         found.push(finding.arg("cycle", definition.key.to_string()));
     }
+}
+
+/// Where a parameter is missed: of the old form on the line on which, or behind which, its field would stand.
+pub(super) fn gap(definition: &Definition<'_>, param: &Param) -> Span {
+    let (CycleForm::Lines(lines), Some(field)) = (&definition.view.form, &param.field) else {
+        return definition.view.head;
+    };
+    let before = lines.iter().filter(|line| line.line <= field.line).max_by_key(|line| line.line);
+    before.map_or(definition.view.head, |line| line.head)
 }

@@ -1,6 +1,8 @@
 //! The rules, one file each.
 mod approach_twice;
 mod approach_without_compensation;
+mod arc_in_unequal_scaling;
+mod arc_too_narrow;
 mod arc_without_tangent;
 mod arc_wrong;
 mod axis_twice;
@@ -67,6 +69,7 @@ mod mirror_of_tool_axis;
 mod misordered_parameter;
 mod missing_parameter;
 mod mode_wrong;
+mod name_of_another_cycle;
 mod no_result;
 mod no_table_open;
 mod not_a_program;
@@ -132,6 +135,8 @@ use crate::diag::Diagnostic;
 pub const RULES: &[&Rule] = &[
     &approach_twice::RULE,
     &approach_without_compensation::RULE,
+    &arc_in_unequal_scaling::RULE,
+    &arc_too_narrow::RULE,
     &arc_without_tangent::RULE,
     &arc_wrong::RULE,
     &axis_twice::RULE,
@@ -198,6 +203,7 @@ pub const RULES: &[&Rule] = &[
     &misordered_parameter::RULE,
     &missing_parameter::RULE,
     &mode_wrong::RULE,
+    &name_of_another_cycle::RULE,
     &no_result::RULE,
     &no_table_open::RULE,
     &not_a_program::RULE,
@@ -275,6 +281,7 @@ pub(super) const OF_DEFINITIONS: &[(&Rule, Each)] = &[
     (&out_of_range_elsewhere::RULE, out_of_range_elsewhere::each),
     (&text_wrong::RULE, text_wrong::each),
     (&label_twice::RULE, label_twice::each),
+    (&name_of_another_cycle::RULE, name_of_another_cycle::each),
     (&unknown_parameter::RULE, unknown_parameter::each),
     (&wrong_value_kind::RULE, wrong_value_kind::each),
     // What is worse at the same place is told before.

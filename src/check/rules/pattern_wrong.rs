@@ -1,9 +1,9 @@
 //! A pattern (PATTERN DEF) with no machining position, with a negative diameter, or with more than nine positions.
 //!
-//! TNC 640, 001: 1428 and 1534-1549. Only said of numbers, and of parameters that certainly have one.
+//! Also a call at the points of a table at rapid traverse, which the control does not take (001: 1663). TNC 640, 001: 1428 and 1534-1549. Only said of numbers, and of parameters that certainly have one.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, NamedWord, PatternItem, ValueKind};
+use crate::syntax::{Block, BlockKind, CallForm, FeedKind, NamedWord, PatternItem, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "pattern-wrong", severity: Severity::Warning, run };
 
@@ -11,7 +11,19 @@ pub(super) const RULE: Rule = Rule { code: "pattern-wrong", severity: Severity::
 const MOST: usize = 9;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let selected = |(_, block): (usize, &Block)| match &block.kind {
+        BlockKind::Sel(own) => facts.text(own.what).eq_ignore_ascii_case("PATTERN"),
+        _ => false,
+    };
+    let table = facts.marked().any(selected);
     for (_, block) in facts.marked() {
+        if let BlockKind::CyclCall(own) = &block.kind
+            && table
+            && let (CallForm::Pattern, Some(feed)) = (&own.form, &own.feed)
+            && matches!(feed.kind, FeedKind::Max)
+        {
+            found.push(rule.at(facts, feed.span).arg("what", "rapid").arg("word", facts.text(feed.span)));
+        }
         let BlockKind::PatternDef(own) = &block.kind else { continue };
         let named = |item: &&PatternItem, name: &str| form(facts, item) == name;
         if let Some(tenth) = own.items.iter().filter(|item| named(item, "POS")).nth(MOST) {

@@ -1,9 +1,9 @@
 //! A machining cycle called, or a movement with radius compensation, while the spindle certainly stands.
 //!
-//! Said once a program. The spindle stands at the beginning and behind M0, M2, M5, M6 and M30; behind a tool
-//! call and M functions of the machine builder nobody knows.
-use crate::check::flow::removes_material;
-use crate::check::{Aspect, Facts, Pending, Rule, Tri};
+//! Said once a program. The spindle stands at the beginning, behind M0, M2, M5, M6 and M30, and behind a cycle that stops
+//! it (TNC 640, 001: 2581 and 2656); behind a tool call and M functions of the machine builder nobody knows.
+use crate::check::flow::{removes_material, stops_spindle};
+use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::syntax::{BlockKind, Compensates};
 
@@ -12,8 +12,10 @@ pub(super) const RULE: Rule = Rule { code: "spindle-off", severity: Severity::Wa
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Spindle) == Tri::No).filter(|call| {
         let Pending::Definition(index) = call.modal.pending else { return false };
-        let definition = facts.definitions.get(index as usize);
-        definition.is_some_and(|own| own.kin().is_some_and(removes_material))
+        let Some(cycle) = facts.definitions.get(index as usize).and_then(Defined::kin) else { return false };
+        // What has stopped the spindle itself also starts it.
+        let again = call.modal.is(Aspect::Stopped) == Tri::Yes && stops_spindle(cycle);
+        removes_material(cycle) && !again
     });
     let first = calls.map(|call| call.span).chain(contour(facts)).min_by_key(|span| span.start);
     if let Some(span) = first {

@@ -3,12 +3,17 @@
 //! The call takes the new value, which may be meant; so it is no error, and only said where it is certain which cycle
 //! the next call means. The parameters Q1 to Q20 belong to the cycles that work with the contour data from the definition
 //! of those data to the last call of such a cycle (TNC 640, 001: 4600).
-use std::collections::HashMap;
+//!
+//! A parameter that the definition has passed on (`Q201=Q1`) does nothing any more when it is written between (001: 1065),
+//! and one that the definition writes over is lost for the program that reads it later.
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
+use crate::check::flow::reads;
+use crate::check::{Aspect, Defined, Facts, Item, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::expr::{QKind, QRef};
-use crate::syntax::BlockKind;
+use crate::spec::Group;
+use crate::syntax::{BlockKind, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "transfer-parameter-overwritten", severity: Severity::Warning, run };
 
@@ -28,6 +33,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
     }
     shared(rule, facts, found);
+    overwritten(rule, facts, found);
     for (from, to, modal) in facts.run.stretches() {
         let Some(Pending::Definition(index)) = modal.map(|modal| modal.pending) else { continue };
         let Some(definition) = facts.definitions.get(index as usize) else { continue };
@@ -41,22 +47,74 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             if calls.get(&index).is_none_or(|last| *last <= at) {
                 continue;
             }
-            let written = read.get_or_insert_with(|| written(facts, definition));
+            let (written, passed) = read.get_or_insert_with(|| written(facts, definition));
             let told =
                 |own: &Diagnostic| own.code == RULE.code && own.place.as_ref().is_some_and(|place| place.span == span);
-            if written.contains(&target) && !found.iter().any(told) {
-                let finding = rule.at(facts, span).arg("parameter", target.to_string());
+            let what = match target {
+                own if written.contains(&own) => "call",
+                own if passed.contains(&own) => "passed",
+                _ => continue,
+            };
+            if !found.iter().any(told) {
+                let finding = rule.at(facts, span).arg("parameter", target.to_string()).arg("what", what);
                 found.push(finding.arg("cycle", definition.key.to_string()));
             }
         }
     }
 }
 
-/// The parameters that a definition writes.
-fn written(facts: &Facts<'_>, definition: &Defined<'_>) -> Vec<QRef> {
+/// The parameters that a definition writes, and those that it reads once for all.
+fn written(facts: &Facts<'_>, definition: &Defined<'_>) -> (Vec<QRef>, Vec<QRef>) {
     let kin = definition.as_kin();
     let read = facts.read(&kin);
-    read.items.iter().filter_map(|item| item.param?.q).collect()
+    let written = read.items.iter().filter_map(|item| item.param?.q).collect();
+    let passed = |item: &Item<'_>| match (item.param?.q?, item.value?.kind) {
+        (own, ValueKind::Q { q, .. }) if own.number > RESERVED => Some(q),
+        _ => None,
+    };
+    (written, read.items.iter().filter_map(passed).collect())
+}
+
+/// What the definition of a contour cycle writes over although the program has written it before and reads it later.
+fn overwritten(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let shared = |q: &QRef| q.kind == QKind::Q && (1..=RESERVED).contains(&q.number);
+    let contours = |own: &Defined<'_>| own.kin().is_some_and(|cycle| cycle.file.group == Group::Contours);
+    let mut definitions = facts.definitions.iter().filter(|own| contours(own)).peekable();
+    if definitions.peek().is_none() {
+        return;
+    }
+    let (mut owned, mut lost) = (BTreeSet::new(), BTreeMap::new());
+    let mut read = Vec::new();
+    for (index, block) in facts.program.blocks().iter().enumerate() {
+        if let Some(definition) = definitions.next_if(|own| own.view.first == index) {
+            for item in &facts.read(&definition.as_kin()).items {
+                if let Some(q) = item.param.and_then(|param| param.q).filter(|q| owned.remove(q)) {
+                    let other =
+                        !matches!(item.value.map(|own| own.kind), Some(ValueKind::Q { q: own, .. }) if own == q);
+                    other.then(|| lost.insert(q, (item.span, definition.key)));
+                }
+            }
+            continue;
+        }
+        let target = match &block.kind {
+            BlockKind::FnAssign(assign) => Some(assign.target),
+            BlockKind::Formula(formula) => Some(formula.target),
+            BlockKind::Empty | BlockKind::Comment | BlockKind::CycleDef(_) => continue,
+            _ => None,
+        };
+        if !lost.is_empty() {
+            read.clear();
+            reads(block, &mut read);
+            for (span, key, q) in read.iter().filter_map(|(q, _)| lost.remove(q).map(|(span, key)| (span, key, *q))) {
+                let finding = rule.at(facts, span).arg("parameter", q.to_string()).arg("what", "lost");
+                found.push(finding.arg("cycle", key.to_string()));
+            }
+        }
+        if let Some(q) = target.filter(shared) {
+            lost.remove(&q);
+            owned.insert(q);
+        }
+    }
 }
 
 /// The parameters that the cycles of contours share, written while they are still to be called.
@@ -83,7 +141,7 @@ fn shared(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let reserved = target.kind == QKind::Q && (1..=RESERVED).contains(&target.number);
         let data = || facts.run.before(index).is_some_and(|modal| modal.is(Aspect::ContourData) == Tri::Yes);
         if reserved && data() {
-            let finding = rule.at(facts, span).arg("parameter", target.to_string());
+            let finding = rule.at(facts, span).arg("parameter", target.to_string()).arg("what", "call");
             found.push(finding.arg("cycle", called.key.to_string()));
         }
     }

@@ -7,7 +7,7 @@ pub(super) const RULE: Rule = Rule { code: "transformation-forbidden", severity:
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in &facts.definitions {
-        let Some(cycle) = definition.cycle().filter(|cycle| !cycle.file.refuses.is_empty()) else { continue };
+        let Some(cycle) = definition.kin().filter(|cycle| !cycle.file.refuses.is_empty()) else { continue };
         let Some(modal) = facts.run.before(definition.view.first) else { continue };
         let is_active = |name: &&crate::spec::RefusedState| {
             aspect_of(name.state.as_str()).is_some_and(|aspect| modal.is(aspect) == Tri::Yes)

@@ -2,11 +2,12 @@
 //! missing, doubled, foreign or behind one that it precedes, its label is that of another parameter, or its value is one
 //! that the other control refuses or that is hardly meant.
 //!
-//! Newer software adds parameters at the end, so only those are missed behind which another one of the cycle stands, and of
+//! Newer software adds Q parameters at the end, so only those are missed behind which another one of the cycle stands, and of
 //! those in addition only parameters of other cycles that stand amid the cycle's, or have a lower
 //! number. Names and labels that nobody knows are left alone.
 use std::collections::HashMap;
 
+use super::missing_parameter::gap;
 use crate::check::guards::{self, Ready, Written};
 use crate::check::labels::fold;
 use crate::check::values::{refused, refused_by_all, shown};
@@ -20,10 +21,10 @@ use crate::text;
 pub(super) const RULE: Rule = Rule { code: "unlike-elsewhere", severity: Severity::Warning, run };
 
 /// What another control knows of a cycle.
-struct Other<'a> {
-    on: &'a OnControl,
-    cycle: &'a Cycle,
-    guards: Vec<Ready>,
+pub(super) struct Other<'a> {
+    pub(super) on: &'a OnControl,
+    pub(super) cycle: &'a Cycle,
+    pub(super) guards: Vec<Ready>,
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
@@ -43,8 +44,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 fn alone(rule: &Rule, facts: &Facts<'_>, own: &Defined<'_>, found: &mut Vec<Diagnostic>) {
     let CycleForm::Parameters(written) = &own.view.form else { return };
     for parameter in written.parameters.iter() {
-        let number = matches!(parameter.value.kind, ValueKind::Number(_));
-        if number && refused_by_all(facts, parameter.q, &parameter, ENOUGH) == Some(true) {
+        let number = match parameter.value.kind {
+            ValueKind::Number(number) => Some(number),
+            ValueKind::Q { negative, .. } => facts.known_at(parameter.value.span, negative),
+            _ => None,
+        };
+        if number.is_some() && refused_by_all(facts, parameter.q, &parameter, ENOUGH) == Some(true) {
             let finding = rule.at(facts, parameter.value.span).arg("what", "alone").arg("cycle", own.key.to_string());
             let finding = finding.arg("parameter", parameter.q.to_string()).arg("control", "");
             found.push(finding.arg("value", facts.text(parameter.value.span).trim()));
@@ -57,7 +62,7 @@ const ENOUGH: usize = 3;
 
 impl<'a> Other<'a> {
     /// The control with the highest id that describes the cycle.
-    fn of(facts: &Facts<'a>, key: CycleKey) -> Option<Self> {
+    pub(super) fn of(facts: &Facts<'a>, key: CycleKey) -> Option<Self> {
         let (on, cycle) = facts.against.catalogue.describing(key)?;
         Some(Self { on, cycle, guards: guards::of(on, cycle) })
     }
@@ -80,8 +85,8 @@ impl<'a> Other<'a> {
         let last = read.items.iter().filter_map(|item| item.index).max();
         for param in &read.missing {
             let place = self.cycle.params.iter().position(|own| std::ptr::eq(own, *param));
-            if place < last {
-                found.push(tell(own.view.head, "missing").arg("parameter", param.label_in(own.key.number)));
+            if lines || place < last {
+                found.push(tell(gap(&read, param), "missing").arg("parameter", param.label_in(own.key.number)));
             }
         }
         let mut before: Option<&Item<'_>> = None;

@@ -5,6 +5,7 @@
 use crate::check::words::{self, Words};
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
+use crate::spec::Cycle;
 use crate::syntax::{
     Approach, Axis, Block, BlockKind, CallForm, Element, NamedWord, Path, PatternDef, Statement, StatementKind,
 };
@@ -20,6 +21,13 @@ const PATTERNS: [(&str, &[&str]); 6] = [
     ("CIRC", &["X", "Y", "D", "NUM", "Z"]),
     ("PITCHCIRC", &["X", "Y", "D", "STEP", "NUM", "Z"]),
 ];
+/// The meaning of the field with the angles of a tilted plane, of which the manual wants all three (001: 6727).
+const ANGLES: &str = "tilting-angles";
+
+fn tilts(cycle: &Cycle) -> bool {
+    cycle.params.iter().any(|param| param.is.as_str() == ANGLES)
+}
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut tell = |span: Span, word: &str| found.push(rule.at(facts, span).arg("word", word));
     for (_, block) in facts.shaped() {
@@ -27,6 +35,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             && let Some(word) = element(facts, block, motion)
         {
             tell(facts.content(block), word);
+        }
+    }
+    for definition in facts.definitions.iter().filter(|own| own.kin().is_some_and(tilts)) {
+        let kin = definition.as_kin();
+        for item in facts.read(&kin).items.iter().filter(|item| item.param.is_some_and(|own| own.is.as_str() == ANGLES))
+        {
+            let lacks = |axis: &&&str| !item.printed.contains(**axis);
+            let lacking = ["A", "B", "C"].iter().find(lacks).filter(|_| !item.printed.is_empty());
+            lacking.into_iter().for_each(|axis| tell(item.span, axis));
         }
     }
     for (_, block) in facts.marked() {

@@ -1,5 +1,5 @@
 //! A word that stands twice in a block that may have it once: an angle of PLANE, a dimension of a blank, a part of a
-//! pattern or one of its points, an axis in a line of a cycle.
+//! pattern or one of its points, an axis in the lines of a cycle.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::spec::Keyword;
@@ -26,16 +26,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if definition.key.keyword == Keyword::CyclDef
             && let CycleForm::Lines(lines) = &definition.view.form
         {
-            let several = lines.iter().filter(|line| line.line > 0 && line.words.len() > 1);
-            several.for_each(|line| axes(rule, facts, &line.words, found));
+            let words = || lines.iter().filter(|line| line.line > 0).flat_map(|line| &line.words);
+            if words().nth(1).is_some() {
+                axes(rule, facts, words(), found);
+            }
         }
     }
 }
 
-/// The axes of a line of a cycle.
-fn axes(rule: &Rule, facts: &Facts<'_>, words: &[NamedWord], found: &mut Vec<Diagnostic>) {
+/// The axes in the lines of a cycle.
+fn axes<'w>(rule: &Rule, facts: &Facts<'_>, words: impl Iterator<Item = &'w NamedWord>, found: &mut Vec<Diagnostic>) {
     let is_axis = |name: &str| matches!(name.trim().as_bytes(), [b'A'..=b'C' | b'U'..=b'Z']);
-    let names: Vec<Span> = words.iter().map(|word| word.name).filter(|name| is_axis(facts.text(*name))).collect();
+    let names: Vec<Span> = words.map(|word| word.name).filter(|name| is_axis(facts.text(*name))).collect();
     tell(rule, facts, &names, found);
 }
 

@@ -2,7 +2,7 @@
 use super::super::catalogue::{Catalogue, Cycle, CycleKey, Known, OnControl};
 use super::super::decode::Name;
 use super::super::form::ManualLines;
-use super::super::vocabulary::Keyword;
+use super::super::vocabulary::{Group, Keyword};
 use crate::diag::{Diagnostic, Place};
 use crate::expr::{Expr, Node, QRef};
 
@@ -76,7 +76,9 @@ pub(super) fn cycle(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) 
         let has = |q: QRef| {
             let stands =
                 |param: &super::super::catalogue::Param| param.field.as_ref().and_then(|field| field.stands_for);
-            cycle.params.iter().any(|param| param.q == Some(q) || stands(param) == Some(q))
+            // Contour cycles also read the data that they share.
+            let shared = cycle.file.group == Group::Contours && (1..=20).contains(&q.number);
+            shared || cycle.params.iter().any(|param| param.q == Some(q) || stands(param) == Some(q))
         };
         let unknown = doubt.when.expr.q_refs().into_iter().chain([doubt.about]).find(|q| !has(*q));
         let named = expr_names(&doubt.when.expr);
@@ -95,11 +97,16 @@ pub(super) fn cycle(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) 
     }
 }
 
-/// The first name in a formula that may read parameters only.
+/// What doubts may ask besides parameters: whether the tool axis is another one than Z, and the radius of the tool.
+const ASKED: [[&str; 2]; 2] = [["active", "other_axis"], ["tool", "radius"]];
+
+/// The first name in a formula of a doubt that it cannot read.
 fn expr_names(expr: &Expr) -> Option<String> {
     let mut first = None;
     expr.walk(&mut |expr| {
-        if let (Node::Name(path), None) = (&expr.node, &first) {
+        if let (Node::Name(path), None) = (&expr.node, &first)
+            && !ASKED.iter().any(|own| path == own)
+        {
             first = Some(path.join("."));
         }
     });

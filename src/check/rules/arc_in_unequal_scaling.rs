@@ -1,0 +1,57 @@
+//! An arc or a rounding while the axes of its plane are scaled by different factors, which only a straight line stands (TNC 640,
+//! 001: 6656).
+//!
+//! Said once a program, and only where every definition that scales has different factors for X and Y and the tool axis is
+//! Z: then the factors of the arc are certain.
+use crate::check::{Aspect, Facts, Item, Rule, Tri};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{BlockKind, Path};
+
+pub(super) const RULE: Rule = Rule { code: "arc-in-unequal-scaling", severity: Severity::Warning, run };
+
+/// The meaning of the field with the factors.
+const FACTORS: &str = "axis-scaling-factors";
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut scaling = None;
+    for definition in &facts.definitions {
+        if !definition.kin().is_some_and(|cycle| cycle.params.iter().any(|param| param.is.as_str() == FACTORS)) {
+            continue;
+        }
+        let kin = definition.as_kin();
+        let read = facts.read(&kin);
+        let factors = read.items.iter().find(|item| item.param.is_some_and(|param| param.is.as_str() == FACTORS));
+        match factors.map(plane) {
+            Some(Some([x, y])) if x == 1.0 && y == 1.0 => {}
+            Some(Some([x, y])) if x != y => scaling = scaling.or(Some(definition.key)),
+            _ => return,
+        }
+    }
+    let Some(key) = scaling else { return };
+    let scaled = |modal: &crate::check::Modal| {
+        modal.is(Aspect::AxisScaling) == Tri::Yes && modal.is(Aspect::OtherAxis) == Tri::No
+    };
+    for (from, to, _) in facts.run.stretches().filter(|(_, _, modal)| modal.as_ref().is_some_and(scaled)) {
+        let arc = facts.program.blocks().get(from..to).unwrap_or_default().iter().find(|block| {
+            matches!(&block.kind, BlockKind::Motion(motion)
+                if matches!(motion.path(), Path::C | Path::Cr | Path::Ct | Path::Cp | Path::Ctp | Path::Rnd))
+        });
+        if let Some(arc) = arc {
+            found.push(rule.at(facts, facts.content(arc)).arg("cycle", key.to_string()));
+            return;
+        }
+    }
+}
+
+/// The factors of X and Y; nothing if they are no numbers. An axis that is not written keeps its size.
+fn plane(item: &Item<'_>) -> Option<[f64; 2]> {
+    let mut factors = [1.0; 2];
+    for word in item.printed.split_ascii_whitespace() {
+        for (factor, axis) in factors.iter_mut().zip(['X', 'Y']) {
+            if let Some(number) = word.strip_prefix(axis) {
+                *factor = number.replace(',', ".").parse().ok()?;
+            }
+        }
+    }
+    Some(factors)
+}

@@ -1,0 +1,121 @@
+//! An arc or a rounding on the inside of a contour whose radius is smaller than that of the tool: the tool does not come into
+//! it, and the control refuses the block.
+//!
+//! The radius of the tool is that of TOOL DEF or of the tool table, where it is named. Only corners and arcs are looked at
+//! whose points are written as numbers.
+use crate::check::tools::Tools;
+use crate::check::{Aspect, Facts, Rule, Tri};
+use crate::diag::{Arg, Diagnostic, Severity};
+use crate::syntax::{Amount, Axis, BlockKind, Compensation, Motion, Path};
+
+pub(super) const RULE: Rule = Rule { code: "arc-too-narrow", severity: Severity::Warning, run };
+
+/// By how much the tool must be wider, mm or inch: coordinates are rounded.
+const TOLERANCE: f64 = 1e-3;
+
+/// Where a contour has come to.
+#[derive(Default)]
+struct Course {
+    /// +1 where the tool goes on the left of the contour, -1 on the right.
+    side: f64,
+    /// The last two points.
+    from: Option<[f64; 2]>,
+    at: Option<[f64; 2]>,
+    /// The centre of arcs.
+    centre: Option<[f64; 2]>,
+    /// The last rounding with the point where it stands, of which the line behind it decides.
+    corner: Option<(usize, f64)>,
+}
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let Some(tools) = Tools::of(facts) else { return };
+    let blocks = facts.program.blocks();
+    for (from, to, modal) in facts.run.stretches() {
+        let Some(modal) = modal.filter(|modal| modal.is(Aspect::OtherAxis) == Tri::No) else { continue };
+        let Some(tool) = tools.get(modal.loaded) else { continue };
+        // The stretch may begin within a contour: what led to it is read again.
+        let begin = (0..from).rev().take(BACK).take_while(|at| matches!(blocks[*at].kind, BlockKind::Motion(_))).last();
+        let mut course = Course::default();
+        for at in begin.unwrap_or(from)..to {
+            let Some((place, radius)) = course.go_on(at, &blocks[at].kind) else { continue };
+            if at >= from && radius < tool.radius - TOLERANCE {
+                let finding = rule.at(facts, facts.content(&blocks[place])).arg("radius", Arg::Number(radius));
+                found.push(finding.arg("tool", Arg::Number(tool.radius)));
+            }
+        }
+    }
+}
+
+/// So many movements are read before a stretch.
+const BACK: usize = 16;
+
+impl Course {
+    /// Follows a block; the block and radius of what turns to the side of the tool.
+    fn go_on(&mut self, at: usize, block: &BlockKind) -> Option<(usize, f64)> {
+        let motion = match block {
+            BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) => return None,
+            BlockKind::Motion(motion) => motion.words(),
+            _ => {
+                *self = Self::default();
+                return None;
+            }
+        };
+        match motion.compensation {
+            Some(Compensation::Rl) => self.side = 1.0,
+            Some(Compensation::Rr) => self.side = -1.0,
+            Some(_) => self.side = 0.0,
+            None => {}
+        }
+        let path = motion.path;
+        if path == Path::Cc {
+            self.centre = moved(self.at, &motion);
+            return None;
+        }
+        let size = motion.radius.and_then(|radius| match radius.amount {
+            Amount::Number(number) => Some(number.abs()),
+            Amount::Q { .. } | Amount::Text(_) => None,
+        });
+        if path == Path::Rnd {
+            self.corner = size.map(|size| (at, size));
+            return None;
+        }
+        let (before, start) = (self.from, self.at);
+        let end = match path {
+            Path::L | Path::C | Path::Cr | Path::Ct => moved(start, &motion),
+            _ => None,
+        };
+        let corner = self.corner.take();
+        if start != end || end.is_none() {
+            (self.from, self.at) = (start, end);
+        }
+        let turn = match (path, motion.counter_clockwise) {
+            (Path::C | Path::Cr, Some(left)) => Some(if left { 1.0 } else { -1.0 }),
+            _ => None,
+        };
+        if turn.is_some_and(|turn| turn * self.side > 0.0) {
+            let radius = match path {
+                Path::Cr => size,
+                _ => self.centre.zip(end).map(|(centre, end)| libm::hypot(end[0] - centre[0], end[1] - centre[1])),
+            };
+            return radius.map(|radius| (at, radius));
+        }
+        let (place, radius) = corner.filter(|_| path == Path::L)?;
+        let (first, corner, last) = (before?, start?, end?);
+        let one = [corner[0] - first[0], corner[1] - first[1]];
+        let two = [last[0] - corner[0], last[1] - corner[1]];
+        let turn = one[0] * two[1] - one[1] * two[0];
+        (turn * self.side > TOLERANCE).then_some((place, radius))
+    }
+}
+
+/// Where a movement leads in X and Y; nothing if that is not certain.
+fn moved(from: Option<[f64; 2]>, motion: &Motion) -> Option<[f64; 2]> {
+    let mut to = [from.map(|own| own[0]), from.map(|own| own[1])];
+    for (to, axis) in to.iter_mut().zip([Axis::X, Axis::Y]) {
+        if let Some(coord) = motion.coord(axis) {
+            let Amount::Number(number) = coord.value.amount else { return None };
+            *to = if coord.incremental { Some((*to)? + number) } else { Some(number) };
+        }
+    }
+    Some([to[0]?, to[1]?])
+}

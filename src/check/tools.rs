@@ -1,0 +1,99 @@
+//! What is known of the tool that a call of a cycle finds in the spindle: what the program's own TOOL DEF says of it, or the
+//! tool table where it is named, with the oversize of its tool call.
+//!
+//! Invariant: a tool that a parameter chooses, or that is defined in several ways, is not known.
+use std::collections::HashMap;
+
+use super::{Facts, Loaded, ToolName};
+use crate::spec::MM_PER_INCH;
+use crate::syntax::{Amount, BlockKind, Operand, ToolRef};
+
+/// A tool, in the unit of the program.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Tool {
+    /// Its radius.
+    pub(super) radius: f64,
+    /// The greatest angle at which it plunges, where the table says it.
+    pub(super) angle: Option<f64>,
+}
+
+/// The tools of a program.
+#[derive(Debug, Default)]
+pub(super) struct Tools {
+    /// By the block of their call.
+    calls: HashMap<u32, Option<Tool>>,
+}
+
+impl Tools {
+    /// The tools that are called and known; nothing where none is.
+    pub(super) fn of(facts: &Facts<'_>) -> Option<Self> {
+        let radii = defined(facts);
+        let listed = facts.among.filter(|among| among.knows_tools());
+        if radii.is_empty() && listed.is_none() {
+            return None;
+        }
+        let mut tools = Self::default();
+        for (index, block) in facts.marked() {
+            let BlockKind::ToolCall(call) = &block.kind else { continue };
+            let Some(name) = call.tool.and_then(|tool| named(facts, tool)) else { continue };
+            let value = |column: &str| {
+                let unit = if facts.inch && column != "ANGLE" { MM_PER_INCH } else { 1.0 };
+                listed?.tool_value(name, column).map(|value| value / unit)
+            };
+            let radius = match radii.iter().find(|(own, _)| *own == name) {
+                Some((_, radius)) => *radius,
+                None => value("R").map(|radius| radius + value("DR").unwrap_or(0.0)),
+            };
+            let tool = radius.zip(oversize(call.dr.as_ref()));
+            let tool = tool.map(|(radius, oversize)| Tool { radius: radius + oversize, angle: value("ANGLE") });
+            if let Ok(index) = u32::try_from(index) {
+                tools.calls.insert(index, tool.filter(|tool| tool.radius > 0.0));
+            }
+        }
+        Some(tools)
+    }
+
+    /// The tool that is in the spindle.
+    pub(super) fn get(&self, loaded: Loaded) -> Option<Tool> {
+        match loaded {
+            Loaded::By(block) => *self.calls.get(&block)?,
+            Loaded::None | Loaded::Unknown => None,
+        }
+    }
+}
+
+/// The radii of tools that the program defines; nothing of those that it defines in several ways.
+fn defined<'a>(facts: &Facts<'a>) -> Vec<(ToolName<'a>, Option<f64>)> {
+    let mut radii: Vec<(ToolName<'_>, Option<f64>)> = Vec::new();
+    for (_, block) in facts.marked() {
+        let BlockKind::ToolDef(own) = &block.kind else { continue };
+        let (Some(name), Some(radius)) = (named(facts, own.tool), own.radius) else { continue };
+        let radius = match radius.amount {
+            Amount::Number(number) => Some(number),
+            Amount::Q { .. } | Amount::Text(_) => None,
+        };
+        match radii.iter_mut().find(|(own, _)| *own == name) {
+            Some((_, before)) if *before != radius => *before = None,
+            Some(_) => {}
+            None => radii.push((name, radius)),
+        }
+    }
+    radii
+}
+
+fn named<'a>(facts: &Facts<'a>, tool: ToolRef) -> Option<ToolName<'a>> {
+    match tool {
+        ToolRef::Number(operand) => match operand.amount {
+            Amount::Number(number) => Some(ToolName::Number(number)),
+            Amount::Q { .. } | Amount::Text(_) => None,
+        },
+        ToolRef::Name(name) => Some(ToolName::Name(facts.text(name).trim())),
+    }
+}
+
+fn oversize(written: Option<&Operand>) -> Option<f64> {
+    match written.map_or(Amount::Number(0.0), |own| own.amount) {
+        Amount::Number(number) => Some(number),
+        Amount::Q { .. } | Amount::Text(_) => None,
+    }
+}
