@@ -294,6 +294,8 @@ diag-transformation-forbidden =
         [datum-shift] a datum shift is active
         [rotation] a rotation is active
         [tcpm] M128 or FUNCTION TCPM is active
+        [other-axis] the tool axis is not Z
+        [turning] the control turns (FUNCTION MODE TURN)
        *[tilting] the working plane is tilted
     }, which its manual forbids.
 diag-transformation-left-on =

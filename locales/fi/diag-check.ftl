@@ -293,6 +293,8 @@ diag-transformation-forbidden =
         [datum-shift] nollapisteen siirto on voimassa
         [rotation] kierto on voimassa
         [tcpm] M128 tai FUNCTION TCPM on voimassa
+        [other-axis] työkaluakseli ei ole Z
+        [turning] ohjaus on sorvaustilassa (FUNCTION MODE TURN)
        *[tilting] koneistustaso on käännetty
     }; käsikirja kieltää sen.
 diag-transformation-left-on =

@@ -293,6 +293,8 @@ diag-transformation-forbidden =
         [datum-shift] sia attivo uno spostamento origine
         [rotation] sia attiva una rotazione
         [tcpm] sia attiva M128 o FUNCTION TCPM
+        [other-axis] l’asse utensile non sia Z
+        [turning] sia attivo il modo di tornitura (FUNCTION MODE TURN)
        *[tilting] il piano di lavoro sia ruotato
     }: il manuale lo vieta.
 diag-transformation-left-on =

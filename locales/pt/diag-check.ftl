@@ -293,6 +293,8 @@ diag-transformation-forbidden =
         [datum-shift] esteja ativa uma deslocação do ponto zero
         [rotation] esteja ativa uma rotação
         [tcpm] esteja ativa M128 ou FUNCTION TCPM
+        [other-axis] o eixo da ferramenta não seja Z
+        [turning] esteja ativo o modo de torneamento (FUNCTION MODE TURN)
        *[tilting] o plano de maquinação esteja inclinado
     }: o manual proíbe-o.
 diag-transformation-left-on =

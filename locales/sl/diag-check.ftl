@@ -295,6 +295,8 @@ diag-transformation-forbidden =
         [datum-shift] aktiven zamik ničelne točke
         [rotation] aktivna rotacija
         [tcpm] aktivna funkcija M128 ali FUNCTION TCPM
+        [other-axis] orodna os druga kot Z
+        [turning] aktiven način za struženje (FUNCTION MODE TURN)
        *[tilting] obdelovalna ravnina zavrtena
     }, kar priročnik prepoveduje.
 diag-transformation-left-on =

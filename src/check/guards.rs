@@ -310,9 +310,10 @@ pub(super) fn read_as(param: &Param) -> Option<QRef> {
     param.q.or_else(|| param.field.as_ref().and_then(|field| field.stands_for))
 }
 
-/// What is followed through the run under the name of a state.
+/// What is followed through the run under the name of a state; turning can be certain, and that the control mills cannot.
 pub(super) fn aspect_of(name: &str) -> Option<Aspect> {
-    STATES.iter().find(|(own, _)| *own == name).map(|(_, aspect)| *aspect)
+    let turning = ("turning", Aspect::Turning);
+    STATES.iter().chain([&turning]).find(|(own, _)| *own == name).map(|(_, aspect)| *aspect)
 }
 
 /// Which state a name asks for.

@@ -249,7 +249,6 @@ impl<'f, 'a> Steps<'f, 'a> {
             }
             StatementKind::Function if word(0) == "FUNCTION" && matches!(word(1), "MODE" | "TURNDATA") => {
                 for aspect in [
-                    Aspect::Spindle,
                     Aspect::Counterclockwise,
                     Aspect::Speed,
                     Aspect::Feed,
@@ -261,9 +260,21 @@ impl<'f, 'a> Steps<'f, 'a> {
                     state.modal.set(aspect, Tri::Unknown);
                 }
                 match (word(1), word(2)) {
-                    ("MODE", "TURN") => state.modal.set(Aspect::Turning, Tri::Yes),
-                    ("MODE", "MILL") => state.modal.set(Aspect::Turning, Tri::No),
-                    ("MODE", _) => state.modal.set(Aspect::Turning, Tri::Unknown),
+                    ("MODE", "TURN") => {
+                        state.modal.set(Aspect::Turning, Tri::Yes);
+                        // It is another spindle that turns from here on, and nothing has turned it on.
+                        if state.modal.is(Aspect::Spindle) == Tri::Yes {
+                            state.modal.set(Aspect::Spindle, Tri::No);
+                        }
+                    }
+                    ("MODE", "MILL") => {
+                        state.modal.set(Aspect::Turning, Tri::No);
+                        state.modal.set(Aspect::Spindle, Tri::Unknown);
+                    }
+                    ("MODE", _) => {
+                        state.modal.set(Aspect::Turning, Tri::Unknown);
+                        state.modal.set(Aspect::Spindle, Tri::Unknown);
+                    }
                     _ => {}
                 }
             }

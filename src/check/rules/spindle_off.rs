@@ -1,10 +1,12 @@
 //! A machining cycle called, or a movement with radius compensation, while the spindle certainly stands.
 //!
 //! Said once a program. The spindle stands at the beginning, behind M0, M2, M5, M6 and M30, and behind a cycle that stops
-//! it (TNC 640, 001: 2581 and 2656); behind a tool call and M functions of the machine builder nobody knows.
+//! it (TNC 640, 001: 2581 and 2656); behind a tool call and M functions of the machine builder nobody knows. FUNCTION MODE TURN
+//! goes on with another spindle, which stands until it is turned on (TNC 640, 001: 7314-7321).
 use crate::check::flow::{removes_material, stops_spindle};
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity, Span};
+use crate::spec::Group;
 use crate::syntax::{BlockKind, Compensates};
 
 pub(super) const RULE: Rule = Rule { code: "spindle-off", severity: Severity::Warning, run };
@@ -15,7 +17,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Some(cycle) = facts.definitions.get(index as usize).and_then(Defined::kin) else { return false };
         // What has stopped the spindle itself also starts it.
         let again = call.modal.is(Aspect::Stopped) == Tri::Yes && stops_spindle(cycle);
-        removes_material(cycle) && !again
+        (removes_material(cycle) || cycle.file.group == Group::Turning) && !again
     });
     let first = calls.map(|call| call.span).chain(contour(facts)).min_by_key(|span| span.start);
     if let Some(span) = first {
