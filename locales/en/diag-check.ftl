@@ -274,6 +274,12 @@ diag-tool-axis-other =
         [pattern] PATTERN DEF works with the tool axis { $axis } only, and another one is active here.
        *[blank] The blank names the tool axis { $axis }, and no tool of the program has it.
     }
+diag-tool-definition-wrong =
+    { $what ->
+        [zero] Tool 0 stands for no tool and cannot be defined.
+        [twice] Tool { $tool } is defined with other measures before already.
+       *[behind] Tool { $tool } is defined here, and has been called before.
+    }
 diag-tool-feed-missing = The feed of the tool call is taken here, but it has none.
 diag-tool-missing = A cycle moves here, but no tool call has named the tool axis before.
 diag-tool-not-listed = The tool table has no tool { $tool }.
@@ -342,6 +348,8 @@ diag-word-wrong =
         [place] { $word } has no place in this block.
         [line] The three points lie on one line and give no plane.
         [parallel] The two vectors are parallel and give no plane.
+        [number] The text of { $word } is no number: “{ $value }”.
+        [beyond] { $word } is { $value }, which lies behind the end of the text.
         [file] { $value } is no { $word } file.
        *[tool] { $value } is no tool number: behind the point stands one digit.
     }

@@ -56,4 +56,5 @@ diag-syntax-spelling = “{ $found }” is not how controls spell it: { syntax-e
 diag-syntax-undescribed = “{ $found }” stands in no manual of this control family; whether a control takes it is not known.
 diag-syntax-refused-block = A control could not read this block: { $found }
 diag-syntax-excluding-codes = “{ $found }” and another code of this block exclude each other.
+diag-syntax-iso-remark = Text in brackets is no comment on these controls: comments stand behind a semicolon.
 diag-syntax-doubled-continuation = A second ~ stands here: one joins the next line.

@@ -273,6 +273,12 @@ diag-tool-axis-other =
         [pattern] PATTERN DEF toimii vain työkaluakselilla { $axis }, mutta tässä on voimassa toinen.
        *[blank] Aihio nimeää työkaluakselin { $axis }, mutta sitä ei ole yhdelläkään ohjelman työkalulla.
     }
+diag-tool-definition-wrong =
+    { $what ->
+        [zero] Työkalu 0 tarkoittaa, ettei työkalua ole; sitä ei voi määritellä.
+        [twice] Työkalu { $tool } on jo määritelty edellä toisilla mitoilla.
+       *[behind] Työkalu { $tool } määritellään tässä, vaikka se on jo kutsuttu.
+    }
 diag-tool-feed-missing = Tässä käytetään työkalukutsun syöttöarvoa, mutta sitä ei ole.
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään aiempi työkalukutsu ei ole määritellyt työkaluakselia.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
@@ -341,6 +347,8 @@ diag-word-wrong =
         [place] { $word } ei kuulu tähän lauseeseen.
         [line] Kolme pistettä ovat samalla suoralla, joten ne eivät määritä tasoa.
         [parallel] Vektorit ovat yhdensuuntaiset, joten ne eivät määritä tasoa.
+        [number] Sanan { $word } teksti ei ole luku: ”{ $value }”.
+        [beyond] Sanan { $word } arvo { $value } on tekstin lopun takana.
         [file] { $value } ei ole { $word }-tiedosto.
        *[tool] { $value } ei ole työkalun numero: pisteen jäljessä on yksi numero.
     }

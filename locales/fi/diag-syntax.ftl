@@ -56,4 +56,5 @@ diag-syntax-spelling = ”{ $found }” kirjoitetaan ohjauksissa { syntax-expect
 diag-syntax-undescribed = ”{ $found }” ei esiinny tämän ohjausperheen ohjekirjoissa; ei tiedetä, hyväksyykö ohjaus sen.
 diag-syntax-refused-block = Ohjaus ei osannut lukea tätä lausetta: { $found }
 diag-syntax-excluding-codes = ”{ $found }” ja saman lauseen toinen koodi sulkevat toisensa pois.
+diag-syntax-iso-remark = Suluissa oleva teksti ei ole näissä ohjauksissa kommentti: kommentti alkaa puolipisteellä.
 diag-syntax-doubled-continuation = Tässä on toinen merkki ~: yksi riittää liittämään seuraavan rivin.

@@ -273,6 +273,12 @@ diag-tool-axis-other =
         [pattern] PATTERN DEF lavora solo con l’asse utensile { $axis }, e qui ne è attivo un altro.
        *[blank] Il grezzo indica l’asse utensile { $axis }, che nessun utensile del programma ha.
     }
+diag-tool-definition-wrong =
+    { $what ->
+        [zero] L’utensile 0 significa nessun utensile e non si può definire.
+        [twice] L’utensile { $tool } è già definito prima con altre misure.
+       *[behind] L’utensile { $tool } viene definito qui, ma è già stato chiamato.
+    }
 diag-tool-feed-missing = Qui si prende l’avanzamento della chiamata utensile, che non ne ha.
 diag-tool-missing = Qui un ciclo esegue movimenti, ma prima nessuna chiamata utensile ha indicato l’asse utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
@@ -341,6 +347,8 @@ diag-word-wrong =
         [place] { $word } non è ammesso in questo blocco.
         [line] I tre punti giacciono su una retta e non definiscono alcun piano.
         [parallel] I due vettori sono paralleli e non definiscono alcun piano.
+        [number] Il testo di { $word } non è un numero: «{ $value }».
+        [beyond] { $word } vale { $value }, oltre la fine del testo.
         [file] { $value } non è un file { $word }.
        *[tool] { $value } non è un numero di utensile: dopo il punto c’è una cifra sola.
     }

@@ -56,4 +56,5 @@ diag-syntax-spelling = «{ $found }» sui controlli si scrive { syntax-expected 
 diag-syntax-undescribed = «{ $found }» non compare in nessun manuale di questa famiglia di controlli; non è noto se un controllo lo accetti.
 diag-syntax-refused-block = Un controllo non è riuscito a leggere questo blocco: { $found }
 diag-syntax-excluding-codes = «{ $found }» e un altro codice di questo blocco si escludono a vicenda.
+diag-syntax-iso-remark = Il testo tra parentesi non è un commento su questi controlli: i commenti stanno dopo un punto e virgola.
 diag-syntax-doubled-continuation = Qui c'è un secondo carattere ~: ne basta uno per collegare la riga successiva.

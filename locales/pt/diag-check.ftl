@@ -273,6 +273,12 @@ diag-tool-axis-other =
         [pattern] PATTERN DEF trabalha só com o eixo da ferramenta { $axis }, e aqui está ativo outro.
        *[blank] O bloco indica o eixo da ferramenta { $axis }, que nenhuma ferramenta do programa tem.
     }
+diag-tool-definition-wrong =
+    { $what ->
+        [zero] A ferramenta 0 significa nenhuma ferramenta e não se pode definir.
+        [twice] A ferramenta { $tool } já está definida antes com outras medidas.
+       *[behind] A ferramenta { $tool } é definida aqui, mas já foi chamada.
+    }
 diag-tool-feed-missing = Usa-se aqui o avanço da chamada da ferramenta, que não o tem.
 diag-tool-missing = Aqui um ciclo executa movimentos, mas antes nenhuma chamada da ferramenta indicou o eixo da ferramenta.
 diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
@@ -341,6 +347,8 @@ diag-word-wrong =
         [place] { $word } não tem lugar nesta frase.
         [line] Os três pontos estão numa mesma reta e não definem nenhum plano.
         [parallel] Os dois vetores são paralelos e não definem nenhum plano.
+        [number] O texto de { $word } não é um número: «{ $value }».
+        [beyond] { $word } é { $value }, para lá do fim do texto.
         [file] { $value } não é um ficheiro { $word }.
        *[tool] { $value } não é um número de ferramenta: depois do ponto há um só algarismo.
     }

@@ -56,4 +56,5 @@ diag-syntax-spelling = «{ $found }» escreve-se { syntax-expected } nos comando
 diag-syntax-undescribed = «{ $found }» não consta de nenhum manual desta família de comandos; não se sabe se um comando o aceita.
 diag-syntax-refused-block = Um comando não conseguiu ler esta frase: { $found }
 diag-syntax-excluding-codes = «{ $found }» e outro código desta frase excluem-se mutuamente.
+diag-syntax-iso-remark = Um texto entre parênteses não é um comentário nestes comandos: os comentários estão depois de ponto e vírgula.
 diag-syntax-doubled-continuation = Há aqui um segundo carácter ~: basta um para ligar a linha seguinte.

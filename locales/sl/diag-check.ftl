@@ -275,6 +275,12 @@ diag-tool-axis-other =
         [pattern] PATTERN DEF deluje samo z orodno osjo { $axis }, tu pa je aktivna druga.
        *[blank] Surovec navede orodno os { $axis }, ki je nima nobeno orodje programa.
     }
+diag-tool-definition-wrong =
+    { $what ->
+        [zero] Orodje 0 pomeni, da orodja ni, in ga ni mogoče določiti.
+        [twice] Orodje { $tool } je bilo prej že določeno z drugimi merami.
+       *[behind] Orodje { $tool } je določeno tu, čeprav je bilo že priklicano.
+    }
 diag-tool-feed-missing = Tu se uporabi pomik iz priklica orodja, ki pa ga nima.
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
@@ -343,6 +349,8 @@ diag-word-wrong =
         [place] { $word } ne sodi v ta stavek.
         [line] Tri točke ležijo na isti premici in ne določajo ravnine.
         [parallel] Vektorja sta vzporedna in ne določata ravnine.
+        [number] Besedilo v { $word } ni število: »{ $value }«.
+        [beyond] { $word } je { $value }, kar leži za koncem besedila.
         [file] { $value } ni datoteka { $word }.
        *[tool] { $value } ni številka orodja: za piko stoji ena števka.
     }

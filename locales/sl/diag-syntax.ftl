@@ -56,4 +56,5 @@ diag-syntax-spelling = »{ $found }« se na krmiljenjih piše { syntax-expected 
 diag-syntax-undescribed = »{ $found }« ni v nobenem priročniku te družine krmiljenj; ali ga krmiljenje sprejme, ni znano.
 diag-syntax-refused-block = Krmiljenje tega stavka ni moglo prebrati: { $found }
 diag-syntax-excluding-codes = »{ $found }« in druga koda tega stavka se izključujeta.
+diag-syntax-iso-remark = Besedilo v oklepajih na teh krmiljenjih ni komentar: komentar stoji za podpičjem.
 diag-syntax-doubled-continuation = Tu stoji še en znak ~: za povezavo z naslednjo vrstico zadošča eden.

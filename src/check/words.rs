@@ -1,9 +1,12 @@
 //! The words of blocks that are no cycles, as the file of the language describes them.
 //!
 //! Invariant: only words and numbers as they are written are looked at; a parameter is no number here.
+use std::collections::BTreeMap;
+
 use super::Facts;
 use super::facts::each_function;
 use crate::diag::Span;
+use crate::expr::QRef;
 use crate::spec::BlockWords;
 use crate::syntax::{Block, BlockKind, MFunction, Statement, StatementKind};
 
@@ -69,6 +72,23 @@ pub(super) fn of<'f>(facts: &'f Facts<'_>, block: &'f Block) -> Vec<Words<'f>> {
         found.extend(with_function(facts, function));
     }
     found
+}
+
+/// The texts of text parameters that are given one text in the program, in one place.
+pub(super) fn texts<'f>(facts: &Facts<'f>) -> BTreeMap<QRef, &'f str> {
+    let mut found: BTreeMap<QRef, Option<&str>> = BTreeMap::new();
+    for (_, block) in facts.marked() {
+        let (target, text) = match &block.kind {
+            BlockKind::Formula(own) => (own.target, facts.text(own.text).trim()),
+            BlockKind::TextFormula(own) => (own.target, ""),
+            // Other programs and what cannot be read may give them others.
+            BlockKind::CallPgm(_) | BlockKind::Unknown(_) => return BTreeMap::new(),
+            _ => continue,
+        };
+        let literal = text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).filter(|own| !own.contains('"'));
+        found.entry(target).and_modify(|own| *own = None).or_insert(literal);
+    }
+    found.into_iter().filter_map(|(q, text)| Some((q, text?))).collect()
 }
 
 fn known<'f>(facts: &'f Facts<'_>, is: impl Fn(&str) -> bool + 'f, span: Span) -> Option<Words<'f>> {

@@ -261,7 +261,8 @@ impl Lowering<'_, '_> {
             return words.finish();
         }
         let key = coded.map(|coded| coded.cycle.key).or_else(|| self.codes.numbered(u32::from(code)));
-        let span = words.find("G").map_or(words.span(), |word| word.span);
+        let is_it = |word: &&crate::syntax::NamedWord| words.code(word) == Some(code);
+        let span = words.own.words.iter().find(is_it).map_or(words.span(), |word| word.span);
         let unknown =
             if syntax::is_older(code) { Refusal::NoEquivalent(words.span()) } else { Refusal::UnknownCode(span) };
         let key = key.ok_or(unknown)?;

@@ -30,6 +30,8 @@ pub(super) enum Refusal {
     NoEquivalent(Span),
     /// No manual tells which cycle has the code.
     UnknownCode(Span),
+    /// A word that nothing in the block takes.
+    Leftover(Span),
     /// `G05` without a direction before it.
     NoDirection(Span),
 }
@@ -139,6 +141,7 @@ impl Lowering<'_, '_> {
         }
         let (code, span) = match refusal {
             Refusal::NoEquivalent(span) => ("klartext-no-equivalent", *span),
+            Refusal::Leftover(span) => ("iso-word-not-taken", *span),
             Refusal::UnknownCode(span) => ("iso-unknown-code", *span),
             Refusal::NoDirection(span) => ("iso-no-direction", *span),
         };

@@ -85,6 +85,6 @@ impl<'p> Words<'p> {
     /// Refuses the block if something of it is left.
     pub(super) fn finish(&self) -> Written {
         let left = self.own.words.iter().zip(&self.used).find(|(_, used)| !**used);
-        left.map_or(Ok(()), |(word, _)| Err(Refusal::NoEquivalent(word.span)))
+        left.map_or(Ok(()), |(word, _)| Err(Refusal::Leftover(word.span)))
     }
 }

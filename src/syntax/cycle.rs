@@ -164,8 +164,26 @@ fn words(cursor: &mut Cursor<'_>) -> Read<Vec<NamedWord>> {
         if found.is_empty() {
             found.reserve_exact(1);
         }
-        found.push(word);
+        match axis_in_label(cursor.text, &word) {
+            Some(pair) => found.extend(pair),
+            None => found.push(word),
+        }
     }
+}
+
+/// A label and its value with the letter of an axis between them, `KOT X: +30`, as the axis and the label: elsewhere the axis
+/// stands first (TNC 640, 001: 12706, 12708, 13733).
+fn axis_in_label(text: &str, word: &NamedWord) -> Option<[NamedWord; 2]> {
+    let written = text.get(word.name.start..word.name.end)?.strip_suffix(':')?;
+    let [.., blank, letter @ b'X'..=b'Z'] = written.as_bytes() else { return None };
+    if *blank != b' ' || !(b'X'..=b'Z').contains(letter) {
+        return None;
+    }
+    let end = word.name.start + written.len();
+    let axis = Span::new(end - 1, end);
+    let label = Span::new(word.name.start, word.name.start + written.get(..written.len() - 1)?.trim_end().len());
+    let missing = Value { span: Span::new(end, end), kind: ValueKind::Missing };
+    Some([NamedWord { span: axis, name: axis, value: missing }, NamedWord { name: label, ..*word }])
 }
 
 fn reads_as_field(text: &str, word: &NamedWord) -> bool {

@@ -75,6 +75,17 @@ pub(super) fn stray(text: &str, block: &IsoBlock) -> Option<Span> {
     block.words.get(taken).map(|word| word.span)
 }
 
+/// The first text in brackets: comments of the controls stand behind a semicolon.
+pub(super) fn remark(blocks: &[Block]) -> Option<SyntaxError> {
+    blocks.iter().find_map(|block| match &block.kind {
+        BlockKind::Iso(own) => {
+            let span = *own.remarks.first()?;
+            Some(SyntaxError { code: "syntax-iso-remark", span, expected: "block" })
+        }
+        _ => None,
+    })
+}
+
 /// The blocks without the `*` at their end, in a program in which most have it.
 pub(super) fn without_end(text: &str, blocks: &[Block]) -> Vec<SyntaxError> {
     let acting =

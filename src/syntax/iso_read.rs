@@ -29,6 +29,7 @@ pub(super) fn assemble(source: &Arc<Source>) -> Assembled {
         reader.block(line);
     }
     reader.warnings.extend(iso_doubts::without_end(text, &reader.blocks));
+    reader.warnings.extend(reader.remark.or_else(|| iso_doubts::remark(&reader.blocks)));
     Assembled { blocks: reader.blocks, warnings: reader.warnings }
 }
 
@@ -60,11 +61,23 @@ struct Reader<'t> {
     path: Option<u16>,
     /// Whether the program's first block has been read.
     begun: bool,
+    /// The first block that is only a text in brackets.
+    remark: Option<SyntaxError>,
 }
 
 impl<'t> Reader<'t> {
     const fn new(text: &'t str) -> Self {
-        Self { text, checker: None, at: 0, line: 1, blocks: Vec::new(), warnings: Vec::new(), path: None, begun: false }
+        Self {
+            text,
+            checker: None,
+            at: 0,
+            line: 1,
+            blocks: Vec::new(),
+            warnings: Vec::new(),
+            path: None,
+            begun: false,
+            remark: None,
+        }
     }
 
     fn klartext(&mut self, cursor: &mut Cursor<'_>) -> Read<BlockKind> {
@@ -279,6 +292,8 @@ impl<'t> Reader<'t> {
             return Ok(BlockKind::Functions(block.functions));
         }
         if block.words.is_empty() && block.parameters.is_empty() {
+            let remark = |span: Span| SyntaxError { code: "syntax-iso-remark", span, expected: "block" };
+            self.remark = self.remark.or(block.remarks.first().copied().map(remark));
             return Ok(BlockKind::Comment);
         }
         block.kind = self.kind(&block, content)?;

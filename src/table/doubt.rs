@@ -45,6 +45,7 @@ pub(super) fn told_of(table: &Table, source: &Arc<Source>, found: &mut Vec<Diagn
         }
     }
     rows.iter().for_each(|row| doubts.row(row));
+    doubts.odd_ones(&rows);
     for (line, start) in table.lines.iter().zip(&starts).skip(table.end + 1) {
         let text = line.text.trim();
         if !text.is_empty() && !text.starts_with([';', '#']) {
@@ -93,6 +94,30 @@ impl Doubts<'_> {
         for name in table.kind.needed() {
             if table.heading(name).is_err() {
                 self.tell("column", start..start + length, [("column", (*name).into())]);
+            }
+        }
+    }
+
+    /// The only text in a column of numbers that no manual describes.
+    fn odd_ones(&mut self, rows: &[Row<'_>]) {
+        for heading in self.table.headings.iter().filter(|own| self.table.kind.column(&own.name).is_none()) {
+            let (mut numbers, mut texts) = (0, Vec::new());
+            for row in rows {
+                let cell = heading.cell(row.line);
+                let written = cell.trim();
+                if text::number(written).is_some() {
+                    numbers += 1;
+                } else if written.chars().any(char::is_alphabetic) {
+                    let from = row.start + heading.bytes(row.line).0 + (cell.len() - cell.trim_start().len());
+                    texts.push((row.key, from..from + written.len(), written));
+                }
+            }
+            if let [(key, span, written)] = texts.as_slice()
+                && numbers >= 2
+            {
+                let args =
+                    [("row", (*key).into()), ("column", heading.name.as_str().into()), ("found", (*written).into())];
+                self.tell("value", span.clone(), args);
             }
         }
     }

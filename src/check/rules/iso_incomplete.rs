@@ -27,7 +27,7 @@ fn missing(own: &IsoBlock) -> Option<&'static str> {
     }
     match own.kind {
         IsoKind::Label | IsoKind::CallLabel if count < 2 => Some("label"),
-        IsoKind::Chamfer | IsoKind::Rounding if count < 2 => Some("radius"),
+        IsoKind::Chamfer | IsoKind::Rounding | IsoKind::Blend(_) if count < 2 => Some("radius"),
         IsoKind::Function(0 | 5..=7) if count < 3 => Some("operand"),
         IsoKind::Function(1..=4 | 8 | 13) if count < 4 => Some("operand"),
         IsoKind::Function(9..=12) if count < 4 => Some("operand"),

@@ -1,11 +1,11 @@
-//! Values in a program in inches that look like millimetres: feeds above 10 m/min, feeds of cycles that
-//! plunge more than a millimetre a revolution, a blank of more than 3 m.
+//! Values in a program in inches that look like millimetres: feeds above 10 m/min, feeds of contours with RL or RR, and of cycles that plunge, of
+//! more than a millimetre a revolution, a blank of more than 3 m.
 //!
 //! Each is said once. Feeds that stand for rapid traverse (9998 and more) are left alone.
-use crate::check::{Defined, Facts, Rule};
+use crate::check::{Aspect, Defined, Facts, Rule, Tri};
 use crate::diag::{Arg, Diagnostic, Severity, Span};
 use crate::spec::{Cycle, Group, Quantity};
-use crate::syntax::{Amount, BlockKind, CycleDef, Feed, FeedKind, ValueKind};
+use crate::syntax::{Amount, BlockKind, Compensates, CycleDef, Feed, FeedKind, Operand, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "metric-values-in-inch", severity: Severity::Warning, run };
 
@@ -36,7 +36,19 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (index, block) in facts.program.blocks().iter().enumerate() {
         match &block.kind {
             BlockKind::Motion(motion) if feed.is_none() && motion.outline().has_feed() => {
-                feed = fast(motion.words().feed.as_ref());
+                let own = motion.words().feed;
+                let cuts = || {
+                    let modal = facts.run.before(index);
+                    motion.outline().compensates() == Compensates::Beside
+                        || motion.outline().compensates() == Compensates::Unsaid
+                            && modal.is_some_and(|modal| modal.is(Aspect::Compensation) == Tri::Yes)
+                };
+                feed = fast(own.as_ref()).or_else(|| match own.map(|own| (own.span, own.kind)) {
+                    Some((span, FeedKind::Value(Operand { amount: Amount::Number(number), .. }))) => {
+                        (is_fast(number, speed) && cuts()).then_some((span, number))
+                    }
+                    _ => None,
+                });
             }
             BlockKind::CycleDef(cycle) if feed.is_none() && speed.is_some() => {
                 feed = kin(index).filter(|own| !cuts_threads(own)).and_then(|own| fast_in(own, cycle, speed));

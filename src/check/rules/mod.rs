@@ -109,6 +109,7 @@ mod text_for_number;
 mod text_wrong;
 mod tool_axis_missing;
 mod tool_axis_other;
+mod tool_definition_wrong;
 mod tool_feed_missing;
 mod tool_missing;
 mod tool_not_listed;
@@ -243,6 +244,7 @@ pub const RULES: &[&Rule] = &[
     &text_wrong::RULE,
     &tool_axis_missing::RULE,
     &tool_axis_other::RULE,
+    &tool_definition_wrong::RULE,
     &tool_feed_missing::RULE,
     &tool_missing::RULE,
     &tool_not_listed::RULE,

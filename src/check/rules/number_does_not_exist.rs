@@ -7,7 +7,7 @@ use crate::check::flow::reads;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::expr::QKind;
-use crate::syntax::{BlockKind, Label};
+use crate::syntax::{BlockKind, Label, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "number-does-not-exist", severity: Severity::Error, run };
 
@@ -15,6 +15,8 @@ pub(super) const RULE: Rule = Rule { code: "number-does-not-exist", severity: Se
 const PARAMETER: u16 = 1999;
 /// The greatest number of QL and QR parameters.
 const LOCAL: u16 = 499;
+/// The greatest number of FN functions: D39 of DIN/ISO is no other.
+const CALCULATION: u32 = 39;
 /// The greatest number of M functions.
 const FUNCTION: u16 = 999;
 
@@ -32,6 +34,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         {
             let finding = rule.at(facts, span).arg("name", format!("LBL {number}"));
             found.push(finding.arg("greatest", format!("LBL {label}")));
+        }
+        if let BlockKind::Statement(own) = &block.kind
+            && let StatementKind::Fn(number) = own.kind
+            && number > CALCULATION
+        {
+            let finding = rule.at(facts, own.head).arg("name", format!("FN {number}"));
+            found.push(finding.arg("greatest", format!("FN {CALCULATION}")));
         }
         // Most blocks with M functions are told apart by their numbers alone.
         let mut beyond = false;

@@ -21,7 +21,20 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let written = [(call.speed.as_ref(), limits.speed, 1.0, "speed"), (fed, limits.feed, unit, "feed")];
         for (operand, limit, unit, what) in written {
             let Some((operand, limit)) = operand.zip(limit) else { continue };
-            let Amount::Number(value) = operand.amount else { continue };
+            let value = match operand.amount {
+                Amount::Number(value) => value,
+                Amount::Q { negative, .. } => match facts.run.number_at(operand.span) {
+                    Some(value) => {
+                        if negative {
+                            -value
+                        } else {
+                            value
+                        }
+                    }
+                    None => continue,
+                },
+                Amount::Text(_) => continue,
+            };
             let side = match value * unit {
                 value if value < 0.0 => "below",
                 value if value > limit => "above",

@@ -2,11 +2,16 @@
 //! number of FN 14 that does not exist, a tool number below 0, `FN 4 … / …` for DIV.
 //!
 //! What words take is in the file of the language. Parameters are left alone.
+use std::collections::BTreeMap;
+
+use memchr::memmem;
+
 use crate::check::words::{self, Words};
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity, Span};
+use crate::expr::{QKind, QRef};
 use crate::spec::WordLimit;
-use crate::syntax::{Amount, BlockKind, FnOp, Operand, Path, ToolRef, misfitting};
+use crate::syntax::{Amount, BlockKind, CallForm, FeedKind, FnOp, Operand, Path, ToolRef, misfitting};
 
 pub(super) const RULE: Rule = Rule { code: "word-wrong", severity: Severity::Warning, run };
 
@@ -25,6 +30,7 @@ struct Telling<'t, 'f, 'a> {
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let functions = words::functions(facts);
     let mut told = Telling { rule, facts, found };
+    let mut texts: Option<BTreeMap<QRef, &str>> = None;
     for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::Sel(_) | BlockKind::CallPgm(_) | BlockKind::Lbl(_) | BlockKind::CallLbl(_)
@@ -34,6 +40,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 continue;
             }
             BlockKind::Statement(_) | BlockKind::TextFormula(_) | BlockKind::Sel(_) | BlockKind::CallPgm(_) => {}
+            BlockKind::CyclCall(call) if matches!(call.form, CallForm::Pattern) => {
+                // 001:1663: a feed between the points, and FMAX is none.
+                if let Some(feed) = call.feed.filter(|feed| feed.kind == FeedKind::Max) {
+                    told.tell("place", feed.span, "FMAX", "");
+                }
+                if !words::has_function(block, &functions) {
+                    continue;
+                }
+            }
             BlockKind::ToolCall(call) => {
                 told.tool(call.tool.as_ref());
                 let oversizes = [("DL", &call.dl), ("DR", &call.dr), ("DR2", &call.dr2)];
@@ -69,12 +84,19 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ if words::has_function(block, &functions) => {}
             _ => continue,
         }
+        if let BlockKind::TextFormula(_) = &block.kind {
+            let texts = texts.get_or_insert_with(|| words::texts(facts));
+            words::of(facts, block).iter().for_each(|words| told.texts(words, texts));
+        }
         for words in words::of(facts, block) {
             told.words(&words);
         }
     }
     for (_, block) in facts.shaped() {
         let BlockKind::Motion(motion) = &block.kind else { continue };
+        if motion.path() == Path::Ln && has_no_direction(facts.text(block.span)) {
+            told.tell("zero", facts.content(block), "NX, NY, NZ", "0");
+        }
         if !matches!(motion.path(), Path::Appr(_) | Path::Dep(_)) {
             continue;
         }
@@ -90,6 +112,17 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             told.limit(name, number, word.span, least, greatest);
         }
     }
+}
+
+/// Whether the surface normal of a line that says one is 0 in all axes; most lines are told apart by their first component.
+fn has_no_direction(text: &str) -> bool {
+    let zero = |component: &str| {
+        let value = text.split_ascii_whitespace().find_map(|word| word.strip_prefix(component));
+        value.and_then(|value| value.parse::<f64>().ok()) == Some(0.0)
+    };
+    let first = memmem::find(text.as_bytes(), b"NX").and_then(|at| text.as_bytes().get(at + 2..));
+    let begins = first.is_some_and(|rest| matches!(rest, [b'+' | b'-', b'0', ..] | [b'0', ..]));
+    begins && ["NX", "NY", "NZ"].into_iter().all(zero)
 }
 
 fn cross(one: [f64; 3], other: [f64; 3]) -> [f64; 3] {
@@ -143,6 +176,24 @@ impl Telling<'_, '_, '_> {
             self.tell("below", span, word, Arg::Number(number));
         } else if number > greatest {
             self.tell("above", span, word, Arg::Number(number));
+        }
+    }
+
+    /// What a text that is certain makes of functions on it.
+    fn texts(&mut self, words: &Words<'_>, texts: &BTreeMap<QRef, &str>) {
+        let named = |said: &words::Said<'_>| {
+            let number = said.value.get(2..)?.parse().ok()?;
+            texts.get(&QRef { kind: QKind::Qs, number }).copied()
+        };
+        let Some((name, _)) = words.at(0) else { return };
+        let Some((text, said)) = words.each("SRC_").next().and_then(|said| Some((named(&said)?, said))) else { return };
+        let number = text.trim().replace(',', ".");
+        if name.eq_ignore_ascii_case("TONUMB") && number.parse::<f64>().is_err() {
+            self.tell("number", said.span, said.value, text);
+        }
+        let begins = words.each("BEG").next().and_then(|own| own.number().map(|number| (number, own.span)));
+        if let Some((begin, span)) = begins.filter(|(begin, _)| *begin >= text.chars().count() as f64) {
+            self.tell("beyond", span, "BEG", Arg::Number(begin));
         }
     }
 
