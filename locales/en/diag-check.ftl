@@ -215,6 +215,9 @@ diag-pattern-wrong =
         [count] { $word } is a whole number of positions, at least 1.
         [many] { $word }: PATTERN DEF has nine single positions at most.
         [rapid] { $word } is not taken here: between the points of a table the tool moves at a feed.
+        [distance] { $word } is 0: all positions are the same one.
+        [angle] { $word } is more than a full turn.
+        [same] { $word } is the same position as one before it.
        *[diameter] The diameter { $word } of a circle of positions is greater than 0.
     }
 diag-plane-incomplete = This PLANE lacks { $word }.

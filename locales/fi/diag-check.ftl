@@ -215,6 +215,9 @@ diag-pattern-wrong =
         [count] { $word } on paikkojen lukumäärä: kokonaisluku, vähintään 1.
         [many] { $word }: PATTERN DEF -lauseessa on enintään yhdeksän yksittäistä paikkaa.
         [rapid] { $word } ei kelpaa tähän: taulukon pisteiden välillä työkalu liikkuu syöttöarvolla.
+        [distance] { $word } on 0: kaikki paikat ovat yksi ja sama.
+        [angle] { $word } on enemmän kuin täysi kierros.
+        [same] { $word } on sama paikka kuin jokin sitä ennen.
        *[diameter] Paikkojen ympyrän halkaisija { $word } on suurempi kuin 0.
     }
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.

@@ -215,6 +215,9 @@ diag-pattern-wrong =
         [count] { $word } è un numero intero di posizioni, almeno 1.
         [many] { $word }: PATTERN DEF ha al massimo nove posizioni singole.
         [rapid] { $word } qui non è ammesso: tra i punti di una tabella l’utensile si sposta in avanzamento.
+        [distance] { $word } vale 0: tutte le posizioni coincidono.
+        [angle] { $word } supera un giro completo.
+        [same] { $word } coincide con una posizione precedente.
        *[diameter] Il diametro { $word } di un cerchio di posizioni è maggiore di 0.
     }
 diag-plane-incomplete = In questo PLANE manca { $word }.

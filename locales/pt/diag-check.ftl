@@ -215,6 +215,9 @@ diag-pattern-wrong =
         [count] { $word } é um número inteiro de posições, pelo menos 1.
         [many] { $word }: PATTERN DEF tem no máximo nove posições individuais.
         [rapid] { $word } não é válido aqui: entre os pontos de uma tabela a ferramenta desloca-se em avanço.
+        [distance] { $word } é 0: todas as posições são a mesma.
+        [angle] { $word } é mais do que uma volta completa.
+        [same] { $word } é a mesma posição que uma anterior.
        *[diameter] O diâmetro { $word } de um círculo de posições é maior que 0.
     }
 diag-plane-incomplete = Neste PLANE falta { $word }.

@@ -217,6 +217,9 @@ diag-pattern-wrong =
         [count] { $word } je celo število položajev, najmanj 1.
         [many] { $word }: PATTERN DEF ima največ devet posameznih položajev.
         [rapid] { $word } tu ni veljaven: med točkami preglednice se orodje premika s pomikom.
+        [distance] { $word } je 0: vsi položaji so isti.
+        [angle] { $word } je več kot poln obrat.
+        [same] { $word } je isti položaj kot eden pred njim.
        *[diameter] Premer { $word } kroga položajev je večji od 0.
     }
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.

@@ -248,6 +248,12 @@ pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef,
                 }
             });
         }
+        BlockKind::CallLbl(call) => {
+            if let Label::Q(q) = call.label.target {
+                found.push((q, call.label.span));
+            }
+            call.repeat.iter().for_each(|times| operand(times, found));
+        }
         BlockKind::ToolCall(call) => {
             if let Some(crate::syntax::ToolRef::Number(number)) = &call.tool {
                 operand(number, found);
@@ -281,7 +287,6 @@ pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef,
                 }
             }
         }
-        BlockKind::CallLbl(call) => call.repeat.iter().for_each(|repeat| operand(repeat, found)),
         _ => {}
     }
 }

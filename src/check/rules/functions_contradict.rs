@@ -9,7 +9,11 @@ use crate::diag::{Diagnostic, Severity};
 pub(super) const RULE: Rule = Rule { code: "functions-contradict", severity: Severity::Warning, run };
 
 /// Of each of these at most one stands in a block.
-const ONE_OF: [&[u16]; 13] = [
+const ONE_OF: [&[u16]; 17] = [
+    &[2, 30],
+    &[101, 102],
+    &[107, 108],
+    &[144, 145],
     &[3, 4],
     &[13, 14],
     &[3, 14],

@@ -1,4 +1,5 @@
-//! A pattern (PATTERN DEF) with no machining position, with a negative diameter, or with more than nine positions.
+//! A pattern (PATTERN DEF) with no machining position, with a negative diameter, a distance of 0, an angle of more than a turn, the
+//! same position twice, or with more than nine positions.
 //!
 //! Also a call at the points of a table at rapid traverse, which the control does not take (001: 1663). TNC 640, 001: 1428 and 1534-1549. Only said of numbers, and of parameters that certainly have one.
 use crate::check::{Facts, Rule};
@@ -29,6 +30,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if let Some(tenth) = own.items.iter().filter(|item| named(item, "POS")).nth(MOST) {
             found.push(rule.at(facts, tenth.name).arg("what", "many").arg("word", facts.text(tenth.name)));
         }
+        let places: Vec<_> =
+            own.items.iter().filter(|item| named(item, "POS")).map(|item| place(facts, item)).collect();
+        for (at, item) in own.items.iter().filter(|item| named(item, "POS")).enumerate() {
+            if places[at].is_some() && places[..at].contains(&places[at]) {
+                found.push(rule.at(facts, item.name).arg("what", "same").arg("word", facts.text(item.name)));
+            }
+        }
         for item in &own.items {
             let circle = matches!(form(facts, item).as_str(), "CIRC" | "PITCHCIRC");
             for word in &item.words {
@@ -37,12 +45,30 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let what = match name.as_str() {
                     "NUM" | "NUMX" | "NUMY" if number < 1.0 || libm::trunc(number) != number => "count",
                     "D" if circle && number <= 0.0 => "diameter",
+                    "D" | "DX" | "DY" if number == 0.0 && several(facts, item, &name) => "distance",
+                    "ROT" | "ROTX" | "ROTY" | "START" if !(-360.0..=360.0).contains(&number) => "angle",
                     _ => continue,
                 };
                 found.push(rule.at(facts, word.span).arg("what", what).arg("word", name));
             }
         }
     }
+}
+
+/// Whether there is more than one position in the direction of a distance.
+fn several(facts: &Facts<'_>, item: &PatternItem, distance: &str) -> bool {
+    let count = distance.replace('D', "NUM");
+    let named = |word: &&NamedWord| facts.text(word.name).trim().eq_ignore_ascii_case(&count);
+    item.words.iter().find(named).and_then(|word| number(facts, word)).is_some_and(|count| count > 1.0)
+}
+
+/// The position that an item names with numbers.
+fn place(facts: &Facts<'_>, item: &PatternItem) -> Option<[f64; 3]> {
+    let coordinate = |axis: &str| {
+        let named = |word: &&NamedWord| facts.text(word.name).trim().eq_ignore_ascii_case(axis);
+        item.words.iter().find(named).and_then(|word| number(facts, word))
+    };
+    Some([coordinate("X")?, coordinate("Y")?, coordinate("Z")?])
 }
 
 /// The form of an item: its name without its number.

@@ -1,5 +1,5 @@
-//! A word that stands twice in a block that may have it once: an angle of PLANE, a dimension of a blank, a part of a
-//! pattern or one of its points, an axis in the lines of a cycle.
+//! A word that stands twice in a block that may have it once: an angle of PLANE, a dimension of a blank, an axis of TRANS, a
+//! part of a pattern or one of its points, an axis in the lines of a cycle.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::spec::Keyword;
@@ -11,7 +11,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let words = |words: &[NamedWord]| words.iter().map(|word| word.name).collect::<Vec<_>>();
     for (_, block) in facts.marked() {
         match &block.kind {
-            BlockKind::Statement(own) if matches!(own.kind, StatementKind::Plane | StatementKind::BlkForm) => {
+            BlockKind::Statement(own)
+                if matches!(own.kind, StatementKind::Plane | StatementKind::BlkForm | StatementKind::Trans) =>
+            {
                 tell(rule, facts, &words(&own.words), found);
             }
             BlockKind::PatternDef(own) => {
