@@ -134,7 +134,8 @@ fn a_label_that_the_file_cannot_write_stays() {
 fn a_parameter_of_newer_software_keeps_no_language_from_being_foreign() {
     let data = Data::new();
     let text = "1 CYCL DEF 200 TALADRADO ~\nQ200=+2 ;DISTANCIA SEGURIDAD ~\nQ201=-20 ;PROFUNDIDAD ~\nQ206=+150 ;AVANCE PROFUNDIDAD ~\n\
-                Q202=+5 ;PASO PROFUNDIZACION ~\nQ203=+0 ;COORD. SUPERFICIE ~\nQ395=+0 ;REFERENCIA PROFUND.\n";
+                Q202=+5 ;PASO PROFUNDIZACION ~\nQ210=0 ;TIEMPO ESPERA ARRIBA ~\n\
+                Q204=50 ;2A DIST. SEGURIDAD ~\nQ211=0 ;TIEMPO ESPERA ABAJO ~\nQ203=+0 ;COORD. SUPERFICIE ~\nQ395=+0 ;REFERENCIA PROFUND.\n";
     let translation = data.translate("tnc640", text, "en", UTF_8);
     let changed: Vec<_> = translation.changes.iter().map(|change| change.to.as_str()).collect();
     assert!(changed.contains(&"DRILLING") && changed.contains(&"SURFACE COORDINATE"), "{changed:?}");

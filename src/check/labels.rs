@@ -346,13 +346,13 @@ pub(super) fn is_spoken(facts: &Facts<'_>, definition: &Defined<'_>) -> bool {
 
 /// Whether a definition is one that a control wrote in a language that is not loaded.
 ///
-/// Of its parameters at most one of four is not the cycle's own: newer software has more of them. Two or more and at least half
+/// Of its parameters at most one of eight is not the cycle's own: newer software has more of them. Two or more and at least half
 /// of them have a comment, three of four comments have the form of labels, and at most one of four is a label in a language that is loaded.
 fn is_foreign<'a>(facts: &Facts<'a>, definition: &Definition<'a>, labels: &CycleLabels) -> bool {
     let most = facts.against.on.control.label.max_length;
     let items = &definition.items;
     let added = items.iter().filter(|item| item.index.is_none()).count();
-    if definition.torn || added * 4 > items.len() {
+    if definition.torn || added * 8 > items.len() {
         return false;
     }
     let known_name = |name: &str| labels.languages.iter().any(|language| language.name.matches(name));
