@@ -67,6 +67,9 @@ diag-table-doubtful =
         [astride] Row { $row }: the number in column { $column } reaches into column { $found }.
         [empty] Row { $row }: column { $column } is empty.
         [corner] Row { $row }: R2 is greater than R.
+        [same] Row { $row } is the same point as row { $found }.
+        [zero] Tool 0 stands for no tool; its { $column } is 0.
+        [less] In row { $row }, { $column } is less than { $found }.
        *[value] Row { $row }: “{ $found }” is hardly meant in column { $column }.
     }
 diag-table-value-not-taken = Row { $row }: column { $column } does not take “{ $found }”.

@@ -66,6 +66,9 @@ diag-table-doubtful =
         [astride] Rivi { $row }: sarakkeen { $column } luku ulottuu sarakkeeseen { $found }.
         [empty] Rivi { $row }: sarake { $column } on tyhjä.
         [corner] Rivi { $row }: R2 on suurempi kuin R.
+        [same] Rivi { $row } on sama piste kuin rivi { $found }.
+        [zero] Työkalu 0 tarkoittaa, ettei työkalua ole; sen { $column } on 0.
+        [less] Rivillä { $row } { $column } on pienempi kuin { $found }.
        *[value] Rivi { $row }: ”{ $found }” tuskin on tarkoitettu sarakkeeseen { $column }.
     }
 diag-table-value-not-taken = Rivi { $row }: sarake { $column } ei hyväksy arvoa ”{ $found }”.

@@ -66,6 +66,9 @@ diag-table-doubtful =
         [astride] Riga { $row }: il numero della colonna { $column } prosegue nella colonna { $found }.
         [empty] Riga { $row }: la colonna { $column } è vuota.
         [corner] Riga { $row }: R2 è maggiore di R.
+        [same] La riga { $row } è lo stesso punto della riga { $found }.
+        [zero] L’utensile 0 significa nessun utensile; il suo { $column } è 0.
+        [less] Nella riga { $row }, { $column } è inferiore a { $found }.
        *[value] Riga { $row }: «{ $found }» difficilmente è voluto nella colonna { $column }.
     }
 diag-table-value-not-taken = Riga { $row }: la colonna { $column } non accetta «{ $found }».

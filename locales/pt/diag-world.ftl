@@ -66,6 +66,9 @@ diag-table-doubtful =
         [astride] Linha { $row }: o número da coluna { $column } entra na coluna { $found }.
         [empty] Linha { $row }: a coluna { $column } está vazia.
         [corner] Linha { $row }: R2 é maior do que R.
+        [same] A linha { $row } é o mesmo ponto que a linha { $found }.
+        [zero] A ferramenta 0 significa nenhuma ferramenta; o seu { $column } é 0.
+        [less] Na linha { $row }, { $column } é menor do que { $found }.
        *[value] Linha { $row }: «{ $found }» dificilmente é o pretendido na coluna { $column }.
     }
 diag-table-value-not-taken = Linha { $row }: a coluna { $column } não aceita «{ $found }».

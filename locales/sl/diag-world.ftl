@@ -68,6 +68,9 @@ diag-table-doubtful =
         [astride] Vrstica { $row }: število v stolpcu { $column } sega v stolpec { $found }.
         [empty] Vrstica { $row }: stolpec { $column } je prazen.
         [corner] Vrstica { $row }: R2 je večji od R.
+        [same] Vrstica { $row } je ista točka kot vrstica { $found }.
+        [zero] Orodje 0 pomeni, da orodja ni; njegov { $column } je 0.
+        [less] V vrstici { $row } je { $column } manjši od { $found }.
        *[value] Vrstica { $row }: »{ $found }« v stolpcu { $column } najbrž ni mišljeno.
     }
 diag-table-value-not-taken = Vrstica { $row }: stolpec { $column } ne sprejme vrednosti »{ $found }«.

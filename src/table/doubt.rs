@@ -46,6 +46,7 @@ pub(super) fn told_of(table: &Table, source: &Arc<Source>, found: &mut Vec<Diagn
     }
     rows.iter().for_each(|row| doubts.row(row));
     doubts.odd_ones(&rows);
+    doubts.same_points(&rows);
     for (line, start) in table.lines.iter().zip(&starts).skip(table.end + 1) {
         let text = line.text.trim();
         if !text.is_empty() && !text.starts_with([';', '#']) {
@@ -95,6 +96,31 @@ impl Doubts<'_> {
             if table.heading(name).is_err() {
                 self.tell("column", start..start + length, [("column", (*name).into())]);
             }
+        }
+    }
+
+    /// A point at which a hole is already.
+    fn same_points(&mut self, rows: &[Row<'_>]) {
+        if self.table.kind != super::TableKind::Points {
+            return;
+        }
+        let place = |row: &Row<'_>| {
+            let number = |name: &str| {
+                self.table.heading(name).ok().and_then(|own| text::number(own.cell(row.line).trim())).map(f64::to_bits)
+            };
+            Some([number("X")?, number("Y")?, number("Z").unwrap_or_default()])
+        };
+        let mut first: std::collections::BTreeMap<[u64; 3], f64> = std::collections::BTreeMap::new();
+        let mut twice = Vec::new();
+        for row in rows {
+            let Some(at) = place(row) else { continue };
+            match first.get(&at) {
+                Some(before) => twice.push((row.key, *before, row.span())),
+                None => drop(first.insert(at, row.key)),
+            }
+        }
+        for (key, before, span) in twice {
+            self.tell("same", span, [("row", key.into()), ("found", before.into())]);
         }
     }
 
@@ -163,6 +189,25 @@ impl Doubts<'_> {
             let heading = table.heading(name).ok()?;
             text::number(heading.cell(row.line).trim()).map(|number| (number, heading))
         };
+        if table.kind == super::TableKind::Tool && row.key == 0.0 {
+            let measured = ["L", "R"].into_iter().find(|name| number(name).is_some_and(|(number, _)| number != 0.0));
+            if let Some((name, (_, heading))) = measured.and_then(|name| Some((name, number(name)?))) {
+                let (from, to) = heading.bytes(row.line);
+                self.tell("zero", row.start + from..row.start + to, [("row", row.key.into()), ("column", name.into())]);
+            }
+        }
+        // A probe that is faster than it may be, or that stops before it touches anything.
+        for (less, more) in [("FMAX", "F"), ("DIST", "SET_UP")] {
+            if table.kind == super::TableKind::Probe
+                && let (Some((own, heading)), Some((other, _))) = (number(less), number(more))
+                && own < other
+                && own > 0.0
+            {
+                let (from, to) = heading.bytes(row.line);
+                let args = [("row", row.key.into()), ("column", less.into()), ("found", more.into())];
+                self.tell("less", row.start + from..row.start + to, args);
+            }
+        }
         if let (Some((radius, _)), Some((corner, heading))) = (number("R"), number("R2"))
             && corner > radius
             && radius > 0.0
