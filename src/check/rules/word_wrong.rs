@@ -11,7 +11,7 @@ use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity, Span};
 use crate::expr::{QKind, QRef};
 use crate::spec::WordLimit;
-use crate::syntax::{Amount, BlockKind, CallForm, FeedKind, FnOp, Operand, Path, ToolRef, misfitting};
+use crate::syntax::{Amount, BlockKind, FnOp, Operand, Path, ToolRef, misfitting};
 
 pub(super) const RULE: Rule = Rule { code: "word-wrong", severity: Severity::Warning, run };
 
@@ -40,15 +40,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 continue;
             }
             BlockKind::Statement(_) | BlockKind::TextFormula(_) | BlockKind::Sel(_) | BlockKind::CallPgm(_) => {}
-            BlockKind::CyclCall(call) if matches!(call.form, CallForm::Pattern) => {
-                // 001:1663: a feed between the points, and FMAX is none.
-                if let Some(feed) = call.feed.filter(|feed| feed.kind == FeedKind::Max) {
-                    told.tell("place", feed.span, "FMAX", "");
-                }
-                if !words::has_function(block, &functions) {
-                    continue;
-                }
-            }
             BlockKind::ToolCall(call) => {
                 told.tool(call.tool.as_ref());
                 let oversizes = [("DL", &call.dl), ("DR", &call.dr), ("DR2", &call.dr2)];
