@@ -21,6 +21,7 @@ diag-block-above-maximum = { $name } ({ $parameter }) cannot be { $value }: the 
 diag-block-too-long =
     { $kind ->
         [label-list] { $name } ({ $parameter }) cannot be { $value }: it has at most { $most } labels.
+        [axes] { $name } ({ $parameter }) cannot be { $value }: it names at most { $most } axes.
        *[text] { $name } ({ $parameter }) cannot be { $value }: it has at most { $most } characters.
     }
 diag-block-not-offered = { $name } ({ $parameter }) cannot be { $value }: the choices are { $offered }.

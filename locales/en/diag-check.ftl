@@ -190,6 +190,7 @@ diag-out-of-range =
         [below] { $parameter }={ $value } is too small: the least value is { $limit }.
         [long] The text of { $parameter } is too long: it may have { $limit } characters.
         [many] { $parameter } lists too many labels: it may list { $limit }.
+        [axes] { $parameter } names too many axes: it may name { $limit }.
        *[above] { $parameter }={ $value } is too great: the greatest value is { $limit }.
     }
 diag-out-of-range-elsewhere =

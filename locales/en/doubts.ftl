@@ -19,6 +19,7 @@ guard-measuring-angles-reversed = The end angle of the measurement is below its 
 guard-measuring-point-at-zero = A measuring point lies at 0° or 360°, where nothing can be determined: depending on the control it is left out or stops the program.
 guard-measuring-positions-doubled = Starting and end angle are a full turn or more apart: a position is measured twice.
 guard-nominal-far-from-limits = The nominal dimension is more than a tenth away from the limits of the dimension.
+guard-no-axis-measured = No rotary axis has measuring points: nothing is measured.
 guard-one-measuring-point = A rotary axis is measured at one point: no axis follows from that. 0 leaves it out.
 guard-pattern-goes-round-again = Number and stepping angle make more than a full circle: positions come to lie on one another.
 guard-pattern-points-identical = Several points are to be machined with a distance of 0: they all lie in the same place.

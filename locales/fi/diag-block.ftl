@@ -21,6 +21,7 @@ diag-block-above-maximum = { $name } ({ $parameter }) ei voi olla { $value }: su
 diag-block-too-long =
     { $kind ->
         [label-list] { $name } ({ $parameter }) ei voi olla { $value }: labeleita saa olla enintään { $most }.
+        [axes] { $name } ({ $parameter }) ei voi olla { $value }: akseleita saa olla enintään { $most }.
        *[text] { $name } ({ $parameter }) ei voi olla { $value }: merkkejä saa olla enintään { $most }.
     }
 diag-block-not-offered = { $name } ({ $parameter }) ei voi olla { $value }: vaihtoehdot ovat { $offered }.

@@ -190,6 +190,7 @@ diag-out-of-range =
         [below] { $parameter }={ $value } on liian pieni: pienin arvo on { $limit }.
         [many] Parametri { $parameter } luettelee liian monta labelia: niitä saa olla { $limit }.
         [long] Parametrin { $parameter } teksti on liian pitkä: siinä saa olla enintään { $limit } merkkiä.
+        [axes] { $parameter } nimeää liian monta akselia: niitä saa olla { $limit }.
        *[above] { $parameter }={ $value } on liian suuri: suurin arvo on { $limit }.
     }
 diag-out-of-range-elsewhere =

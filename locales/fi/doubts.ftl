@@ -19,6 +19,7 @@ guard-measuring-angles-reversed = Mittauksen loppukulma on alkukulmaa pienempi.
 guard-measuring-point-at-zero = Mittauspiste on kohdassa 0° tai 360°, jossa mitään ei voida määrittää: ohjauksesta riippuen se jää pois tai pysäyttää ohjelman.
 guard-measuring-positions-doubled = Aloituskulman ja lopetuskulman väli on vähintään täysi kierros: jokin asento mitataan kahdesti.
 guard-nominal-far-from-limits = Nimellismitta on yli kymmenesosan päässä mitan rajoista.
+guard-no-axis-measured = Millään kiertoakselilla ei ole mittauspisteitä: mitään ei mitata.
 guard-one-measuring-point = Kiertoakseli mitataan yhdestä pisteestä: siitä ei saada akselia. Arvolla 0 se jätetään mittaamatta.
 guard-pattern-goes-round-again = Lukumäärä ja kulma-askel tekevät yli täyden ympyrän: asemat osuvat päällekkäin.
 guard-pattern-points-identical = Useita pisteitä koneistetaan etäisyydellä 0: ne kaikki ovat samassa paikassa.

@@ -21,6 +21,7 @@ diag-block-above-maximum = { $name } ({ $parameter }) non può essere { $value }
 diag-block-too-long =
     { $kind ->
         [label-list] { $name } ({ $parameter }) non può essere { $value }: sono ammessi al massimo { $most } label.
+        [axes] { $name } ({ $parameter }) non può essere { $value }: sono ammessi al massimo { $most } assi.
        *[text] { $name } ({ $parameter }) non può essere { $value }: sono ammessi al massimo { $most } caratteri.
     }
 diag-block-not-offered = { $name } ({ $parameter }) non può essere { $value }: i valori selezionabili sono { $offered }.

@@ -190,6 +190,7 @@ diag-out-of-range =
         [below] { $parameter }={ $value } è troppo piccolo: il valore minimo è { $limit }.
         [long] Il testo di { $parameter } è troppo lungo: sono ammessi { $limit } caratteri.
         [many] { $parameter } elenca troppi label: ne sono ammessi { $limit }.
+        [axes] { $parameter } indica troppi assi: può indicarne { $limit }.
        *[above] { $parameter }={ $value } è troppo grande: il valore massimo è { $limit }.
     }
 diag-out-of-range-elsewhere =

@@ -19,6 +19,7 @@ guard-measuring-angles-reversed = L’angolo finale della misurazione è inferio
 guard-measuring-point-at-zero = Un punto di misura è a 0° o 360°, dove non si può determinare nulla: secondo il controllo viene tralasciato o arresta il programma.
 guard-measuring-positions-doubled = L’angolo di partenza e quello finale distano un giro intero o più: una posizione viene misurata due volte.
 guard-nominal-far-from-limits = La quota nominale dista più di un decimo dai limiti della quota.
+guard-no-axis-measured = Nessun asse rotativo ha punti di misura: non si misura nulla.
 guard-one-measuring-point = Un asse rotativo viene misurato in un solo punto: non ne deriva alcun asse. Con 0 non viene misurato.
 guard-pattern-goes-round-again = Numero e passo angolare superano il giro completo: alcune posizioni coincidono.
 guard-pattern-points-identical = Più punti sono da lavorare a distanza 0: coincidono tutti.

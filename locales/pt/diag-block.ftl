@@ -21,6 +21,7 @@ diag-block-above-maximum = { $name } ({ $parameter }) não pode ser { $value }: 
 diag-block-too-long =
     { $kind ->
         [label-list] { $name } ({ $parameter }) não pode ser { $value }: são permitidos no máximo { $most } labels.
+        [axes] { $name } ({ $parameter }) não pode ser { $value }: são permitidos no máximo { $most } eixos.
        *[text] { $name } ({ $parameter }) não pode ser { $value }: são permitidos no máximo { $most } caracteres.
     }
 diag-block-not-offered = { $name } ({ $parameter }) não pode ser { $value }: os valores possíveis são { $offered }.

@@ -190,6 +190,7 @@ diag-out-of-range =
         [below] { $parameter }={ $value } é demasiado pequeno: o valor mínimo é { $limit }.
         [long] O texto de { $parameter } é demasiado longo: são permitidos { $limit } caracteres.
         [many] { $parameter } indica labels a mais: são permitidos { $limit }.
+        [axes] { $parameter } indica eixos a mais: pode indicar { $limit }.
        *[above] { $parameter }={ $value } é demasiado grande: o valor máximo é { $limit }.
     }
 diag-out-of-range-elsewhere =

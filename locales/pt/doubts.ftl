@@ -19,6 +19,7 @@ guard-measuring-angles-reversed = O ângulo final da medição é menor do que o
 guard-measuring-point-at-zero = Um ponto de medição fica em 0° ou 360°, onde nada se pode determinar: conforme o comando, é omitido ou para o programa.
 guard-measuring-positions-doubled = O ângulo inicial e o final distam uma volta completa ou mais: uma posição é medida duas vezes.
 guard-nominal-far-from-limits = A medida nominal está a mais de um décimo dos limites da medida.
+guard-no-axis-measured = Nenhum eixo rotativo tem pontos de medição: nada se mede.
 guard-one-measuring-point = Um eixo rotativo é medido num só ponto: daí não resulta nenhum eixo. Com 0 não é medido.
 guard-pattern-goes-round-again = A quantidade e o passo angular dão mais do que uma volta completa: há posições sobrepostas.
 guard-pattern-points-identical = Há vários pontos a maquinar à distância 0: ficam todos no mesmo lugar.

@@ -21,6 +21,7 @@ diag-block-above-maximum = { $name } ({ $parameter }) ne more biti { $value }: n
 diag-block-too-long =
     { $kind ->
         [label-list] { $name } ({ $parameter }) ne more biti { $value }: največje število oznak je { $most }.
+        [axes] { $name } ({ $parameter }) ne more biti { $value }: največje število osi je { $most }.
        *[text] { $name } ({ $parameter }) ne more biti { $value }: največje število znakov je { $most }.
     }
 diag-block-not-offered = { $name } ({ $parameter }) ne more biti { $value }: na izbiro so { $offered }.

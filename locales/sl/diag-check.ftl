@@ -192,6 +192,7 @@ diag-out-of-range =
         [below] { $parameter }={ $value } je premajhno: najmanjša vrednost je { $limit }.
         [long] Besedilo parametra { $parameter } je predolgo: največje število znakov je { $limit }.
         [many] { $parameter } navaja preveč oznak: največje število oznak je { $limit }.
+        [axes] { $parameter } navaja preveč osi: navede jih lahko { $limit }.
        *[above] { $parameter }={ $value } je preveliko: največja vrednost je { $limit }.
     }
 diag-out-of-range-elsewhere =

@@ -19,6 +19,7 @@ guard-measuring-angles-reversed = Končni kot meritve je manjši od začetnega.
 guard-measuring-point-at-zero = Merilna točka je pri 0° ali 360°, kjer ni mogoče ničesar določiti: odvisno od krmiljenja se izpusti ali ustavi program.
 guard-measuring-positions-doubled = Začetni in končni kot sta oddaljena za poln obrat ali več: kak položaj se izmeri dvakrat.
 guard-nominal-far-from-limits = Imenska mera je več kot desetino oddaljena od mejnih mer.
+guard-no-axis-measured = Nobena rotacijska os nima merilnih točk: nič se ne meri.
 guard-one-measuring-point = Rotacijska os se meri v eni točki: iz tega os ne sledi. Pri 0 se ne izmeri.
 guard-pattern-goes-round-again = Število in kotni korak dasta več kot poln krog: položaji ležijo drug na drugem.
 guard-pattern-points-identical = Več točk naj bi se obdelalo v razmaku 0: vse ležijo na istem mestu.

@@ -173,7 +173,8 @@ fn refused(name: &str, value: &str, param: &Param, refusal: &Refusal, text: &Cyc
         Refusal::Below(min) => Diagnostic::global("block-below-minimum").arg("min", *min),
         Refusal::Above(max) => Diagnostic::global("block-above-maximum").arg("max", *max),
         Refusal::TooLong(most) => {
-            Diagnostic::global("block-too-long").arg("most", f64::from(*most)).arg("kind", param.kind.as_str())
+            let kind = if param.lists_axes() { "axes" } else { param.kind.as_str() };
+            Diagnostic::global("block-too-long").arg("most", f64::from(*most)).arg("kind", kind)
         }
         Refusal::NotOffered => {
             let values: Vec<&str> = param.choices.iter().map(|choice| choice.value.as_str()).collect();

@@ -107,6 +107,11 @@ pub struct Param {
 }
 
 impl Param {
+    /// Whether its value is a list of axes.
+    pub fn lists_axes(&self) -> bool {
+        self.field.as_ref().is_some_and(|field| field.shape == Shape::Axes)
+    }
+
     /// How other programs name it: `Q200`, or `31.2 height` for a field of the cycle of that number.
     pub fn label_in(&self, number: u32) -> String {
         match (&self.q, &self.field) {

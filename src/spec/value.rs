@@ -84,7 +84,8 @@ pub fn refusal(param: &Param, text: &str) -> Option<Refusal> {
         (_, ParameterKind::Axis) => kind(text.len() == 1 && text.starts_with(is_axis)),
         (Some(Shape::Axes), _) => {
             let is_letter = |word: &str| word.len() == 1 && word.starts_with(is_axis);
-            kind(!text.is_empty() && text.split_whitespace().all(is_letter))
+            let most = param.max_length.filter(|most| text.split_whitespace().count() > *most as usize);
+            most.map(Refusal::TooLong).or(kind(!text.is_empty() && text.split_whitespace().all(is_letter)))
         }
         (Some(Shape::Centre), _) => {
             let of_centre = |one: &str| match one.strip_prefix("CC") {

@@ -74,7 +74,7 @@ impl<'a> CycleText<'a> {
     pub fn range(&self, param: &Param) -> Option<String> {
         let plain = |value| self.number(value);
         let with_unit = |value| self.with_unit(value, param.quantity);
-        let most = param.max_length.filter(|_| param.kind != ParameterKind::LabelList);
+        let most = param.max_length.filter(|_| param.kind != ParameterKind::LabelList && !param.lists_axes());
         let text = match (param.min, param.max, most) {
             (Some(min), Some(max), _) => {
                 let (min, max) = (plain(min), with_unit(max));

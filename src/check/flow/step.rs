@@ -309,7 +309,9 @@ impl<'f, 'a> Steps<'f, 'a> {
     fn word(&self, statement: &Statement, at: usize) -> &'static str {
         const WORDS: [&str; 9] = ["FUNCTION", "TCPM", "RESET", "DWELL", "FEED", "MODE", "TURN", "MILL", "TURNDATA"];
         let head = self.program.slice(statement.head).split_ascii_whitespace();
-        let words = head.chain(statement.words.iter().map(|word| self.program.slice(word.span)));
+        // Behind a word may stand a name: `TURN "AC"`.
+        let written = |word: &NamedWord| self.program.slice(word.span).split_ascii_whitespace();
+        let words = head.chain(statement.words.iter().flat_map(written));
         let found = words.into_iter().nth(at).unwrap_or_default();
         WORDS.into_iter().find(|word| word.eq_ignore_ascii_case(found)).unwrap_or_default()
     }

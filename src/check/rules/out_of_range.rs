@@ -16,6 +16,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
             Refusal::Below(limit) => ("below", limit),
             Refusal::Above(limit) => ("above", limit),
             Refusal::TooLong(limit) if param.kind == ParameterKind::LabelList => ("many", f64::from(limit)),
+            Refusal::TooLong(limit) if param.lists_axes() => ("axes", f64::from(limit)),
             Refusal::TooLong(limit) => ("long", f64::from(limit)),
             Refusal::Kind | Refusal::NotOffered => return,
         };
