@@ -1,61 +1,41 @@
 //! The bed of a flat tool that goes down: in each row it covers nearly what it covered before, all at one height.
 //!
 //! A row remembers that as one number while nothing else touches it, so that a step of such a way costs no more than the few
-//! columns that the tool leaves and comes to. Invariant: the tops of the columns of a bed are out of date, and what is said to be highest
-//! in the blocks from where the bed was first to where it is may be too high, until it is [spread](Row::spread).
+//! columns that the tool leaves and comes to, which are written down for all rows of a lane (see `rim`). Invariant: the tops
+//! of the columns of a bed are out of date, and what is said to be highest in the blocks that were touched since it was laid
+//! may be too high, until it is [spread](Row::spread).
 use std::ops::Range;
 
-use super::lane::{BLOCK, Row, SLIVER, Tally, larger};
-use super::tops::Sum;
+use super::lane::{BLOCK, Row, SLIVER};
+use super::rim::{MOST, Place, Rims};
 
 /// Fewer columns are no bed.
-const LEAST: usize = 2 * BLOCK;
+const LEAST: usize = 4;
 
 /// Columns that all end at one height.
 #[derive(Clone, Debug)]
 pub(super) struct Bed {
-    from: usize,
+    from: u32,
     /// Behind the last one.
-    to: usize,
+    to: u32,
     height: f64,
-    /// The blocks that were touched since it was laid.
-    blocks: Range<usize>,
+    /// The columns of the blocks that were touched since it was laid: none of these is level.
+    touched: Range<u32>,
 }
 
-/// What a flat tool covers in a row: its columns, those of them over which it stands where it is lowest, and the height there.
-#[derive(Clone, Copy, Debug)]
+/// The columns of all blocks in which some of these lie.
+fn whole(columns: &Range<u32>) -> Range<u32> {
+    let block = BLOCK as u32;
+    columns.start / block * block..columns.end.div_ceil(block) * block
+}
+
+/// What a flat tool covers in a row: its columns, and those of them over which it stands where it is lowest, from the first
+/// to behind the last; and the height there.
+#[derive(Clone, Debug)]
 pub(super) struct Reach {
-    pub first: usize,
-    pub last: usize,
-    pub from: usize,
-    pub to: usize,
+    pub all: Range<u32>,
+    pub stands: Range<u32>,
     pub height: f64,
-}
-
-/// Runs of columns that lose something, told as they end.
-struct Lost<F> {
-    run: Option<(usize, usize)>,
-    tell: F,
-}
-
-impl<F: FnMut(usize, usize)> Lost<F> {
-    #[inline(always)]
-    fn add(&mut self, first: usize, last: usize) {
-        match &mut self.run {
-            Some((_, end)) if *end + 1 == first => *end = last,
-            _ => {
-                if let Some((first, last)) = self.run.replace((first, last)) {
-                    (self.tell)(first, last);
-                }
-            }
-        }
-    }
-
-    fn end(mut self) {
-        if let Some((first, last)) = self.run {
-            (self.tell)(first, last);
-        }
-    }
 }
 
 impl Row {
@@ -71,10 +51,12 @@ impl Row {
     #[inline(never)]
     fn spread_bed(&mut self) {
         let Some(bed) = self.bed.take() else { return };
-        let start = bed.blocks.start;
-        for (n, tops) in self.tops.get_mut(bed.blocks).unwrap_or_default().iter_mut().enumerate() {
+        let (from, to) = (bed.from as usize, bed.to as usize);
+        let blocks = bed.touched.start as usize / BLOCK..bed.touched.end as usize / BLOCK;
+        let start = blocks.start;
+        for (n, tops) in self.tops.get_mut(blocks).unwrap_or_default().iter_mut().enumerate() {
             let begin = (start + n) * BLOCK;
-            let columns = bed.from.saturating_sub(begin).min(BLOCK)..bed.to.saturating_sub(begin).min(BLOCK);
+            let columns = from.saturating_sub(begin).min(BLOCK)..to.saturating_sub(begin).min(BLOCK);
             if columns.len() == BLOCK {
                 (tops.level, tops.highest) = (true, bed.height);
             } else {
@@ -85,145 +67,167 @@ impl Row {
     }
 
     /// Remembers the columns over which the tool stands lowest, if all of them end there.
-    pub(super) fn lay(&mut self, reach: Reach) {
-        let Reach { from, to, height, .. } = reach;
+    pub(super) fn lay(&mut self, stands: Range<u32>, height: f64) {
+        let (from, to) = (stands.start as usize, stands.end as usize);
         let at = |column: usize| self.top(column) == height;
-        if to < from + LEAST || !at(from) || !at(to) || !at((from + to) / 2) {
+        if to < from + LEAST || !at(from) || !at(to - 1) || !at((from + to) / 2) || !(from..to).all(at) {
             return;
         }
-        if (from..=to).all(at) {
-            self.bed = Some(Bed { from, to: to + 1, height, blocks: from / BLOCK..to / BLOCK + 1 });
+        let touched = whole(&stands);
+        self.part(touched.clone());
+        self.bed = Some(Bed { from: stands.start, to: stands.end, height, touched });
+    }
+
+    /// Writes the tops of all columns of some blocks down one by one.
+    #[cold]
+    #[inline(never)]
+    fn part(&mut self, columns: Range<u32>) {
+        let blocks = columns.start as usize / BLOCK..columns.end as usize / BLOCK;
+        for tops in self.tops.get_mut(blocks).unwrap_or_default() {
+            tops.apart();
         }
     }
 
-    /// Takes one column that is in no bed down to a height. What it loses, and where it ended.
-    #[inline(always)]
-    fn lower_one(&mut self, column: usize, height: f64, sum: &mut Sum) -> f64 {
-        let Some(tops) = self.tops.get_mut(column / BLOCK) else { return 0.0 };
-        let top = if tops.level { tops.highest } else { tops.each[column % BLOCK] };
-        let loss = top - height;
-        // An empty column gives no number here, which is not greater than zero.
-        if loss > 0.0 {
-            tops.apart()[column % BLOCK] = height;
-            sum.height += loss;
-            sum.deepest = larger(sum.deepest, loss);
-            sum.highest = larger(sum.highest, top);
-            return loss;
-        }
-        0.0
-    }
-
-    /// Takes the bed on to where the tool stands now; `heights` gives what the tool leaves of columns beside that, no more than
-    /// of a block. Calls `cut` with the first and the last column of each run that loses something. Whether that was
+    /// Lays a bed where the tool comes into a row without one, all of whose columns below the tool end higher. Whether that was
     /// all: if not, nothing was done.
-    #[inline(always)]
-    pub(super) fn take_on(
+    #[inline(never)]
+    pub(super) fn begin(
         &mut self,
-        reach: Reach,
-        heights: impl Fn(usize, usize, &mut [f64; BLOCK]),
-        tally: &mut Tally,
-        cut: &mut impl FnMut(usize, usize),
+        Reach { all, stands, height }: Reach,
+        place: Place<'_>,
+        left: impl Fn(u32) -> f64,
+        rims: &mut Rims,
     ) -> bool {
-        let Reach { first, last, from, to, height } = reach;
-        let end = to + 1;
-        let Some(bed) = &mut self.bed else { return false };
-        // Where most of it is new, or much beside it, the whole is looked at.
-        let near = bed.from.max(from) + BLOCK <= bed.to.min(end)
-            && bed.from.abs_diff(from) <= BLOCK
-            && bed.to.abs_diff(end) <= BLOCK
-            && from <= first + BLOCK
-            && last < end + BLOCK
-            && first <= from
-            && end <= last + 1;
-        if !near || bed.height <= height {
+        let few = stands.len() <= MOST as usize && all.len() <= 2 * MOST as usize;
+        if stands.len() < LEAST || !few {
             return false;
         }
-        let (was, kept) = (bed.height, bed.from.max(from)..bed.to.min(end));
-        let old = bed.from..bed.to;
-        let low = first.min(old.start) / BLOCK;
-        let high = last.max(old.end - 1) / BLOCK + 1;
-        bed.blocks = bed.blocks.start.min(low)..bed.blocks.end.max(high);
-        bed.height = height;
-        let mut sum = Sum::NONE;
-        let mut lost = Lost { run: None, tell: cut };
-        let mut low = [f64::INFINITY; BLOCK];
-        // What the tool leaves, first on the side of the lower numbers.
-        self.leave(old.start..from, was);
-        if first < from {
-            heights(first, from - first, &mut low);
-            self.beside(first..from, &low, &mut sum, &mut lost);
+        let columns = stands.start as usize..stands.end as usize;
+        if !columns.clone().all(|column| self.top(column) - height > SLIVER) {
+            return false;
         }
-        // What it comes to: all of it that ends at its height belongs to the bed.
-        let mut begin = kept.start;
-        if from < old.start {
-            begin = from;
-            for column in from..old.start {
-                if self.lower_one(column, height, &mut sum) > SLIVER {
-                    lost.add(column, column);
-                }
-                if self.top_of(column) < height {
-                    begin = column + 1;
-                }
-            }
+        let all = all.start.min(stands.start)..all.end.max(stands.end);
+        let touched = whole(&all);
+        self.part(touched.clone());
+        rims.begin();
+        if self.passes(place.foot, &all, (&(0..0), height), (&stands, height), left) {
+            rims.pass(place.foot);
         }
-        let loss = was - height;
-        sum.height += loss * kept.len() as f64;
-        sum.deepest = larger(sum.deepest, loss);
-        sum.highest = larger(sum.highest, was);
-        if loss > SLIVER {
-            lost.add(kept.start, kept.end - 1);
-        }
-        let mut behind = kept.end;
-        for column in old.end..end {
-            if self.lower_one(column, height, &mut sum) > SLIVER {
-                lost.add(column, column);
-            }
-            if behind == column && self.top_of(column) >= height {
-                behind = column + 1;
-            }
-        }
-        self.leave(end..old.end, was);
-        if end <= last {
-            heights(end, last + 1 - end, &mut low);
-            self.beside(end..last + 1, &low, &mut sum, &mut lost);
-        }
-        if let Some(bed) = &mut self.bed {
-            (bed.from, bed.to) = (begin, behind);
-        }
-        sum.into(tally);
-        lost.end();
+        rims.leave(self, all.start..stands.start, place, &(0..0), height);
+        rims.leave(self, stands.end..all.end, place, &(0..0), height);
+        rims.come(self, stands.clone(), place, height);
+        self.bed = Some(Bed { from: stands.start, to: stands.end, height, touched });
         true
     }
 
-    /// Writes down where columns end that leave the bed.
-    #[inline(always)]
-    fn leave(&mut self, columns: Range<usize>, height: f64) {
-        for column in columns {
-            if let Some(tops) = self.tops.get_mut(column / BLOCK) {
-                tops.apart()[column % BLOCK] = height;
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn beside(
+    /// Leaves the bed, over none of whose columns the tool stands where it is lowest. Whether that was all: if not, nothing
+    /// was done.
+    #[inline(never)]
+    pub(super) fn end(
         &mut self,
-        columns: Range<usize>,
-        heights: &[f64; BLOCK],
-        sum: &mut Sum,
-        lost: &mut Lost<impl FnMut(usize, usize)>,
-    ) {
-        for (column, height) in columns.zip(heights) {
-            if self.lower_one(column, *height, sum) > SLIVER {
-                lost.add(column, column);
-            }
+        all: Range<u32>,
+        place: Place<'_>,
+        left: impl Fn(u32) -> f64,
+        rims: &mut Rims,
+    ) -> bool {
+        let Some(bed) = &mut self.bed else { return false };
+        let (old, height) = (bed.from..bed.to, bed.height);
+        let all = all.start.min(old.start)..all.end.max(old.end);
+        if all.len() > 2 * MOST as usize || all.start < bed.touched.start || all.end > bed.touched.end {
+            return false;
         }
+        bed.to = bed.from;
+        rims.begin();
+        if self.passes(place.foot, &all, (&old, height), (&(0..0), height), left) {
+            rims.pass(place.foot);
+        }
+        rims.leave(self, all, place, &old, height);
+        true
     }
 
-    /// The top of a column that is in no bed.
+    /// Takes the bed on to where the tool stands now, and writes down which columns it leaves and comes to. `across` tells
+    /// where a column lies across the way. Whether that was all: if not, nothing was done.
     #[inline(always)]
-    fn top_of(&self, column: usize) -> f64 {
-        let Some(tops) = self.tops.get(column / BLOCK) else { return f64::NEG_INFINITY };
-        if tops.level { tops.highest } else { tops.each[column % BLOCK] }
+    pub(super) fn take_on(
+        &mut self,
+        Reach { all, stands, height }: Reach,
+        place: Place<'_>,
+        across: impl Fn(f64) -> f64,
+        left: impl Fn(u32) -> f64,
+        rims: &mut Rims,
+    ) -> bool {
+        let Some(bed) = &mut self.bed else { return false };
+        let (top, old) = (bed.height, bed.from..bed.to);
+        let (mut from, mut to) = (old.start.max(stands.start), old.end.min(stands.end));
+        let all = all.start.min(stands.start).min(old.start)..all.end.max(stands.end).max(old.end);
+        // Where much is new, the whole is looked at.
+        if to <= from || top - height <= SLIVER || from > all.start + MOST || all.end > to + MOST {
+            return false;
+        }
+        let touched = bed.touched.clone();
+        if all.start < touched.start || all.end > touched.end {
+            let more = whole(&all);
+            bed.touched = more.start.min(touched.start)..more.end.max(touched.end);
+            self.part(more.start.min(touched.start)..touched.start);
+            self.part(touched.end..more.end.max(touched.end));
+        }
+        rims.begin();
+        let (first, last) = (f64::from(from), f64::from(to - 1));
+        rims.count(to - from, [top, height], [first, last].map(&across));
+        let foot = place.foot[0];
+        let passes = foot >= 0.0
+            && (first < foot && foot < last || self.passes(place.foot, &all, (&old, top), (&stands, height), left));
+        if passes {
+            rims.pass(place.foot);
+        }
+        // On the side of the lower numbers; all of what it comes to that ends at its height belongs to the bed.
+        if all.start < stands.start {
+            rims.leave(self, all.start..stands.start, place, &old, top);
+        }
+        if stands.start < old.start {
+            let lower = rims.come(self, stands.start..old.start, place, height);
+            from = lower.map_or(stands.start, |(_, last)| last + 1);
+        }
+        // On the other side.
+        if stands.end < all.end {
+            rims.leave(self, stands.end..all.end, place, &old, top);
+        }
+        if old.end < stands.end {
+            let lower = rims.come(self, old.end..stands.end, place, height);
+            to = lower.map_or(stands.end, |(first, _)| first);
+        }
+        if let Some(bed) = &mut self.bed {
+            (bed.from, bed.to, bed.height) = (from, to, height);
+        }
+        true
+    }
+
+    /// Whether the foot of a row lies between two columns that lose something: of all that are looked at, those of the `old`
+    /// bed end at its height, and those over which the tool stands come down to another; `left` tells what is left of
+    /// the others.
+    #[inline(always)]
+    fn passes(
+        &self,
+        [foot, _]: [f64; 2],
+        all: &Range<u32>,
+        old: (&Range<u32>, f64),
+        stands: (&Range<u32>, f64),
+        left: impl Fn(u32) -> f64,
+    ) -> bool {
+        let is_near = f64::from(all.start) < foot && foot + 1.0 < f64::from(all.end);
+        is_near && self.loses(foot as u32, old, stands, &left) && self.loses(foot as u32 + 1, old, stands, &left)
+    }
+
+    #[cold]
+    fn loses(
+        &self,
+        column: u32,
+        old: (&Range<u32>, f64),
+        stands: (&Range<u32>, f64),
+        left: &impl Fn(u32) -> f64,
+    ) -> bool {
+        let top = if old.0.contains(&column) { old.1 } else { self.top(column as usize) };
+        let after = if stands.0.contains(&column) { stands.1 } else { left(column) };
+        top - after > SLIVER
     }
 }

@@ -50,29 +50,6 @@ struct Seen {
     wide: bool,
 }
 
-/// A short piece of a helix as seen from its centre and start.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Turned {
-    centre: DVec2,
-    start: DVec2,
-    turn: f64,
-    end: DVec2,
-    radius: f64,
-    slope: f64,
-    z: f64,
-    /// Angle and rise.
-    ways: [f64; 2],
-}
-
-impl Turned {
-    pub(super) fn new(of: &Sweep) -> Option<Self> {
-        let Way::Arc { centre, radius, start, end, turn, sweep, z, rise } = of.way else { return None };
-        let end = DVec2::new(start.dot(end), turn * start.perp_dot(end));
-        let narrow = sweep > 0.0 && sweep <= NARROW;
-        narrow.then(|| Self { centre, start, turn, end, radius, slope: rise / sweep, z, ways: [sweep, rise] })
-    }
-}
-
 impl Seen {
     #[inline(always)]
     fn at(&self, n: f64) -> DVec2 {
@@ -294,24 +271,6 @@ impl Sweep {
                 if far <= square { z + self.cutter.rise(far.sqrt()) } else { f64::INFINITY }
             }),
         }
-    }
-
-    /// What a flat tool on a short piece of a helix leaves at the points `(x + n step, y)`.
-    #[inline(always)]
-    pub(super) fn leave_helix(
-        &self,
-        turned: &Turned,
-        [x, step, y]: [f64; 3],
-        columns: Range<usize>,
-        out: &mut [f64; BLOCK],
-    ) {
-        let Turned { centre, start, turn, end, radius, slope, z, ways } = *turned;
-        let arm = DVec2::new(x, y) - centre;
-        let from = [start.dot(arm), turn * start.perp_dot(arm)];
-        let step = [step * start.x, -turn * step * start.y];
-        let seen = Seen { from, step, end, radius, slope, wide: false };
-        let leave = Leave::new(self.cutter.radius, radius, z, ways);
-        fill(out, columns, |n| leave.height(&seen, n));
     }
 
     /// A flat tool on a helix of a quarter turn at most.

@@ -9,6 +9,7 @@ use super::cutter::Tip;
 use super::lane::{BLOCK, Row, Tally, WIDE};
 use super::onward::Onward;
 use super::ramp::Ramp;
+use super::rim::Rims;
 use super::sweep::{HAIR, Sweep};
 
 /// The part of a row on which a sweep is carried out.
@@ -70,8 +71,23 @@ pub(super) fn onward(
     }
 }
 
-/// The same for a flat tool on a ramp.
+/// The same for a flat tool on a ramp, in some bands: their first rows and the places of these among the rows.
 pub(super) fn ramp(
+    grid: &Grid,
+    rows: &mut [Row],
+    bands: impl Iterator<Item = (usize, usize)>,
+    (sweep, ramp, rims): (&Sweep, &Ramp<'_>, &mut Rims),
+    tally: &mut Tally,
+    across: &mut [f64; 2],
+) {
+    ramp.cut_bands(grid, rows, bands, rims, (tally, across), |own, row, tally, across| {
+        ramp_whole(grid, own, row, (sweep, ramp), tally, across);
+    });
+}
+
+/// The same in a row all of which has to be looked at.
+#[inline(never)]
+fn ramp_whole(
     grid: &Grid,
     own: &mut Row,
     row: usize,

@@ -21,6 +21,7 @@ mod cutter;
 mod follow;
 mod kernel;
 mod lane;
+mod leave;
 mod mesh;
 mod oblique;
 mod onward;
@@ -28,6 +29,7 @@ mod outline;
 mod pace;
 mod ramp;
 mod report;
+mod rim;
 mod sweep;
 mod tops;
 mod watch;
@@ -51,6 +53,7 @@ use lane::{Row, SLIVER, Tally, larger, smaller};
 use oblique::Oblique;
 use onward::Onward;
 use ramp::Ramp;
+use rim::Rims;
 use sweep::Sweep;
 
 /// Rows that lie together in one lane.
@@ -376,6 +379,7 @@ impl Stock {
         let about = std::mem::take(&mut batch.about);
         let moves = std::mem::take(&mut batch.moves);
         let grid = self.grid;
+        let plans: Vec<_> = jobs.iter().map(|job| Plan::new(&grid, &job.sweep)).collect();
         let lanes: Vec<_> =
             self.lanes.iter_mut().enumerate().map(|lane| std::sync::Mutex::new((lane, Vec::new()))).collect();
         let next = AtomicUsize::new(0);
@@ -383,7 +387,7 @@ impl Stock {
             while let Some(lane) = lanes.get(next.fetch_add(1, Ordering::Relaxed)) {
                 let Ok(mut lane) = lane.lock() else { continue };
                 let ((number, rows), tallies) = &mut *lane;
-                *tallies = work_lane(&grid, *number, rows, &jobs, moves);
+                *tallies = work_lane(&grid, *number, rows, jobs.iter().zip(&plans), moves);
             }
         };
         let threads = std::thread::available_parallelism().map_or(1, usize::from).min(LANES);
@@ -442,40 +446,50 @@ enum Plan<'s> {
 }
 
 impl<'s> Plan<'s> {
-    fn new(grid: &Grid, sweep: &'s Sweep) -> Self {
+    fn new(grid: &Grid, sweep: &'s Swept) -> Self {
+        let Swept::Above(sweep) = sweep else { return Self::Whole };
         let onward = Onward::new(grid, sweep).map(Self::Onward);
-        onward.or_else(|| Ramp::new(sweep).map(Self::Ramp)).unwrap_or(Self::Whole)
+        onward.or_else(|| Ramp::new(grid, sweep).map(Self::Ramp)).unwrap_or(Self::Whole)
     }
 }
 
-/// Carries out all jobs in the rows of one lane. What each move did there.
-fn work_lane(grid: &Grid, lane: usize, rows: &mut [Row], jobs: &[Job], moves: usize) -> Vec<Tally> {
+/// Carries out all jobs in the rows of one lane, as it is planned. What each move did there.
+fn work_lane<'s>(
+    grid: &Grid,
+    lane: usize,
+    rows: &mut [Row],
+    jobs: impl Iterator<Item = (&'s Job, &'s Plan<'s>)>,
+    moves: usize,
+) -> Vec<Tally> {
     let mut tallies = vec![Tally::NONE; moves];
-    for job in jobs {
+    let mut rims = Rims::new();
+    for (job, plan) in jobs {
         let (min, max) = job.sweep.bounds();
         let Some((first, last)) = Grid::between(min.y, max.y, grid.min.y, grid.each.y, grid.rows) else { continue };
         let Some(tally) = tallies.get_mut(job.owner) else { continue };
         let mut across = [f64::INFINITY, f64::NEG_INFINITY];
-        let plan = if let Swept::Above(sweep) = &job.sweep { Plan::new(grid, sweep) } else { Plan::Whole };
         // The first band of this lane that is not before the first row.
         let own = first / BAND / LANES * LANES + lane;
         let begin = if own < first / BAND { own + LANES } else { own };
-        for band in (begin..=last / BAND).step_by(LANES) {
-            for row in (band * BAND).max(first)..=(band * BAND + BAND - 1).min(last) {
-                let Some(own) = rows.get_mut(place(row).1) else { continue };
-                if !matches!(plan, Plan::Ramp(_)) {
+        let bands = (begin..=last / BAND).step_by(LANES);
+        if let (Swept::Above(sweep), Plan::Ramp(ramp)) = (&job.sweep, plan) {
+            let bands = bands.map(|band| (band * BAND, place(band * BAND).1));
+            cut::ramp(grid, rows, bands, (sweep, ramp, &mut rims), tally, &mut across);
+        } else {
+            for band in bands {
+                for row in (band * BAND).max(first)..=(band * BAND + BAND - 1).min(last) {
+                    let Some(own) = rows.get_mut(place(row).1) else { continue };
                     own.spread();
-                }
-                match (&job.sweep, &plan) {
-                    (Swept::Above(sweep), Plan::Onward(ball)) => {
-                        cut::onward(grid, own, row, (sweep, ball), tally, &mut across);
+                    match (&job.sweep, plan) {
+                        (Swept::Above(sweep), Plan::Onward(ball)) => {
+                            cut::onward(grid, own, row, (sweep, ball), tally, &mut across);
+                        }
+                        (Swept::Above(sweep), _) => cut::above(grid, own, row, sweep, tally, &mut across),
+                        (Swept::Between(sweep, head), _) => {
+                            cut::between(grid, own, row, sweep, *head, tally, &mut across);
+                        }
+                        (Swept::Oblique(oblique), _) => oblique.cut(grid, own, row, tally),
                     }
-                    (Swept::Above(sweep), Plan::Ramp(ramp)) => {
-                        cut::ramp(grid, own, row, (sweep, ramp), tally, &mut across);
-                    }
-                    (Swept::Above(sweep), Plan::Whole) => cut::above(grid, own, row, sweep, tally, &mut across),
-                    (Swept::Between(sweep, head), _) => cut::between(grid, own, row, sweep, *head, tally, &mut across),
-                    (Swept::Oblique(oblique), _) => oblique.cut(grid, own, row, tally),
                 }
             }
         }

@@ -1,21 +1,34 @@
 //! A flat tool on a ramp or on a short piece of a helix: nearly all that it covers lies under it where it stands lowest,
 //! and its floor is level there.
 //!
-//! Of the rest, a rim of few columns, each has a height of its own. Invariant: what is taken from the ends of the way alone
-//! is all that is covered in a row, but for rows near the rims beside the way, which are looked at as a whole.
+//! Of the rest, a rim of few columns, each has a height of its own. Where the tool reaches is calculated for the rows of a
+//! band side by side. Invariant: what is taken from the ends of the way alone is all that is covered in a row, but for
+//! rows near the rims beside the way, which are looked at as a whole.
 use std::ops::Range;
 
 use glam::DVec2;
 
-use super::Grid;
 use super::bed::Reach;
-use super::bend::Turned;
 use super::cutter::Tip;
 use super::lane::{BLOCK, Row, Tally, larger, smaller};
+use super::leave::{Leaving, Seen, Trail};
+use super::rim::{Place, Rims};
 use super::sweep::{HAIR, NARROW, NONE, Sweep, Way};
+use super::{BAND, Grid};
 
 /// The first and the last of some columns.
 type Columns = (usize, usize);
+
+/// A number to which others are added so that their fractions are rounded away: what is left is in the last bits.
+const WHOLE: f64 = 6_755_399_441_055_744.0;
+/// What rounds up or down when it is added before; a column that the rim touches belongs to both sides of it.
+const UP: f64 = 0.5 - 1e-9;
+
+/// The whole number in the last bits of a sum with [`WHOLE`].
+#[inline(always)]
+fn whole(sum: f64) -> i32 {
+    sum.to_bits() as i32
+}
 
 /// A flat tool on its way up or down.
 #[derive(Clone, Copy, Debug)]
@@ -30,25 +43,35 @@ pub(super) struct Ramp<'s> {
     rims: [[f64; 2]; 2],
     /// Whether all under the lower end is gone.
     gone: bool,
-    arc: Option<Turned>,
+    leaving: Leaving,
+    seen: Seen,
+}
+
+/// Where a tool reaches in the rows of a band: columns from the first to behind the last.
+struct Reaches {
+    y: [f64; BAND],
+    /// What it covers at its ends, and what it stands over where it is lowest.
+    all: [[i32; 2]; BAND],
+    stands: [[i32; 2]; BAND],
 }
 
 impl<'s> Ramp<'s> {
     /// Of a way; nothing if more has to be looked at.
-    pub(super) fn new(sweep: &'s Sweep) -> Option<Self> {
+    pub(super) fn new(grid: &Grid, sweep: &'s Sweep) -> Option<Self> {
         if sweep.cutter.tip != Tip::Flat {
             return None;
         }
         let radius = sweep.cutter.radius;
         let rim = |from: f64, to: f64, bulge: f64| [smaller(from, to) - bulge, larger(from, to) + bulge];
+        let (leaving, seen) = Leaving::new(grid, sweep)?;
         let (start, end, rise, rims) = match sweep.way {
-            Way::Line { from, along, length, rise } if rise != 0.0 && length > 0.0 => {
+            Way::Line { from, along, length, rise } => {
                 let start = DVec2::new(from.x, from.y);
                 let end = start + along * length;
                 let side = along.x * radius;
                 (start, end, rise, [side, -side].map(|side| rim(start.y + side, end.y + side, HAIR)))
             }
-            Way::Arc { centre, radius: wide, start, end, sweep: angle, rise, .. } if rise != 0.0 && angle < NARROW => {
+            Way::Arc { centre, radius: wide, start, end, sweep: angle, rise, .. } => {
                 // A rim is no farther from its chord than its radius times the square of the angle over eight.
                 let rims = [wide + radius, (wide - radius).max(0.0)].map(|reach| {
                     let bulge = reach * (angle * angle * 0.125) + HAIR;
@@ -56,16 +79,124 @@ impl<'s> Ramp<'s> {
                 });
                 (centre + start * wide, centre + end * wide, rise, rims)
             }
-            _ => return None,
         };
         let (low, high) = if rise < 0.0 { (end, start) } else { (start, end) };
         let gone = sweep.joined && rise > 0.0;
-        Some(Self { sweep, low, high, square: radius * radius, height: sweep.low, rims, gone, arc: Turned::new(sweep) })
+        Some(Self { sweep, low, high, square: radius * radius, height: sweep.low, rims, gone, leaving, seen })
+    }
+
+    /// Where it reaches in the rows of a band.
+    #[inline(always)]
+    fn reaches(&self, grid: &Grid, row: usize) -> Reaches {
+        let place = |x: f64| (x - grid.min.x) * grid.each.x - 0.5;
+        let (low, high) = (place(self.low.x), place(self.high.x));
+        let (each, hair, count) = (grid.each.x, HAIR * grid.each.x, grid.columns as f64);
+        let begin = grid.y(row);
+        let (mut y, mut all, mut stands) = ([0.0; BAND], [[0; 2]; BAND], [[0; 2]; BAND]);
+        let first = |at: f64| smaller(larger(at, 0.0), count) + UP + WHOLE;
+        let behind = |at: f64| smaller(larger(at, -1.0), count - 1.0) + (1.0 - UP) + WHOLE;
+        for n in 0..BAND {
+            y[n] = begin + n as f64 * grid.cell.y;
+            let (a, b) = (y[n] - self.low.y, y[n] - self.high.y);
+            let (a, b) = (self.square - a * a, self.square - b * b);
+            // Where there is no root, nothing is covered.
+            let (half, other) = (larger(a, 0.0).sqrt() * each, larger(b, 0.0).sqrt() * each);
+            let (half, gap) = if a > 0.0 { (half, 0.0) } else { (0.0, f64::INFINITY) };
+            let (other, none) = if b > 0.0 { (other, 0.0) } else { (0.0, f64::INFINITY) };
+            let (from, to) = (low - half + gap, low + half - gap);
+            stands[n] = [whole(first(from + hair)), whole(behind(to - hair))];
+            let (from, to) = (smaller(from, high - other + none), larger(to, high + other - none));
+            all[n] = [whole(first(from)), whole(behind(to))];
+        }
+        Reaches { y, all, stands }
+    }
+
+    /// Takes away what it covers in some bands, given by their first row and its place among the rows. `slow` takes the
+    /// rows that have no bed to be taken on.
+    #[inline(always)]
+    pub(super) fn cut_bands(
+        &self,
+        grid: &Grid,
+        rows: &mut [Row],
+        bands: impl Iterator<Item = (usize, usize)>,
+        rims: &mut Rims,
+        (tally, across): (&mut Tally, &mut [f64; 2]),
+        slow: impl FnMut(&mut Row, usize, &mut Tally, &mut [f64; 2]),
+    ) {
+        match &self.leaving {
+            Leaving::Slope(slope) => self.cut_rows(grid, rows, bands, slope, rims, (tally, across), slow),
+            Leaving::Helix(helix) => self.cut_rows(grid, rows, bands, helix, rims, (tally, across), slow),
+            Leaving::Usual(helix) => self.cut_rows(grid, rows, bands, helix, rims, (tally, across), slow),
+        }
+    }
+
+    #[inline(always)]
+    #[expect(clippy::too_many_arguments)]
+    fn cut_rows(
+        &self,
+        grid: &Grid,
+        rows: &mut [Row],
+        bands: impl Iterator<Item = (usize, usize)>,
+        trail: &impl Trail,
+        rims: &mut Rims,
+        (tally, across): (&mut Tally, &mut [f64; 2]),
+        mut slow: impl FnMut(&mut Row, usize, &mut Tally, &mut [f64; 2]),
+    ) {
+        let [[a, b], [c, d]] = self.rims;
+        // The tool may stand over the centre of the way if it is as wide as that.
+        let centre = self.sweep.centre().filter(|centre| (*centre - self.low).length_squared() <= self.square + HAIR);
+        let (middle, beside) =
+            centre.map_or((f64::NAN, 0.0), |centre| ((centre.x - grid.min.x) * grid.each.x - 0.5, centre.y));
+        for (begin, place) in bands {
+            if rims.is_full() {
+                rims.carry_out(rows, trail, self.height, tally, across);
+            }
+            let reaches = self.reaches(grid, begin);
+            for (n, own) in rows.get_mut(place..).unwrap_or_default().iter_mut().enumerate().take(BAND) {
+                let (y, [mut first, mut behind], [from, to]) = (reaches.y[n], reaches.all[n], reaches.stands[n]);
+                if (a <= y && y <= b) || (c <= y && y <= d) {
+                    [first, behind] = self.columns(grid, y);
+                }
+                if first >= behind {
+                    continue;
+                }
+                if !self.gone && own.is_above_floor(self.height) {
+                    let at = self.seen.row(y);
+                    let foot = [middle, (y - beside) * (y - beside)];
+                    let place = || Place { row: (place + n) as u32, at, seen: &self.seen, foot };
+                    let (all, stands) = (first as u32..behind as u32, from as u32..to as u32);
+                    let reach = || Reach { all: all.clone(), stands: stands.clone(), height: self.height };
+                    let across = |n: f64| trail.across(self.seen.column(at, n));
+                    let left = |column: u32| trail.height(self.seen.column(at, f64::from(column)));
+                    let done = if from >= to {
+                        own.end(all.clone(), place(), left, rims)
+                    } else if own.bed.is_some() && own.take_on(reach(), place(), across, left, rims) {
+                        true
+                    } else {
+                        own.spread();
+                        own.begin(reach(), place(), left, rims)
+                    };
+                    if done {
+                        continue;
+                    }
+                }
+                slow(own, begin + n, tally, across);
+            }
+        }
+        rims.carry_out(rows, trail, self.height, tally, across);
+    }
+
+    /// All columns that it covers in a row, to behind the last.
+    #[cold]
+    #[inline(never)]
+    fn columns(&self, grid: &Grid, y: f64) -> [i32; 2] {
+        let span = self.sweep.span(y);
+        let columns = span.and_then(|[from, to]| Grid::between(from, to, grid.min.x, grid.each.x, grid.columns));
+        columns.map_or([0, 0], |(first, last)| [first as i32, last as i32 + 1])
     }
 
     /// Takes away what it covers in a row, whose columns must all have material down to its lowest place. Calls
     /// `cut` with the first and the last column of each run that loses something.
-    #[inline(always)]
     pub(super) fn cut(&self, grid: &Grid, own: &mut Row, y: f64, tally: &mut Tally, mut cut: impl FnMut(usize, usize)) {
         let [mut from, mut to] = NONE;
         let (low, high) = (y - self.low.y, y - self.high.y);
@@ -89,14 +220,6 @@ impl<'s> Ramp<'s> {
         let settled = if half > HAIR { columns(self.low.x - half + HAIR, self.low.x + half - HAIR) } else { None };
         let (from, to) = settled.unwrap_or((usize::MAX, 0));
         let down = !self.gone && from <= to;
-        if down {
-            let reach = Reach { first, last, from, to, height: self.height };
-            let heights =
-                |begin: usize, count: usize, out: &mut _| self.beside([grid.x(begin), grid.cell.x, y], count, out);
-            if own.take_on(reach, heights, tally, &mut cut) {
-                return;
-            }
-        }
         own.spread();
         let before = tally.height;
         let mut sink = |columns: Columns| {
@@ -107,7 +230,7 @@ impl<'s> Ramp<'s> {
         if down {
             sink((first, last));
             if tally.height > before {
-                own.lay(Reach { first, last, from, to, height: self.height });
+                own.lay(from as u32..to as u32 + 1, self.height);
             }
             return;
         }
@@ -119,15 +242,6 @@ impl<'s> Ramp<'s> {
         }
         if to < last {
             sink((to + 1, last));
-        }
-    }
-
-    /// The heights that it leaves in so many columns at the points `(x + n step, y)`.
-    #[inline(always)]
-    fn beside(&self, at: [f64; 3], count: usize, out: &mut [f64; BLOCK]) {
-        match &self.arc {
-            Some(arc) => self.sweep.leave_helix(arc, at, 0..count, out),
-            None => self.sweep.heights(at, 0..count, out),
         }
     }
 }
