@@ -66,6 +66,13 @@ impl Row {
         }
     }
 
+    /// Whether there is a bed, or some of these columns may end above a height.
+    #[inline(always)]
+    pub(super) fn ends_above(&self, columns: Range<usize>, height: f64) -> bool {
+        let blocks = columns.start / BLOCK..columns.end.div_ceil(BLOCK);
+        self.bed.is_some() || self.tops.get(blocks).unwrap_or_default().iter().any(|tops| tops.highest > height)
+    }
+
     /// Remembers the columns over which the tool stands lowest, if all of them end there.
     pub(super) fn lay(&mut self, stands: Range<u32>, height: f64) {
         let (from, to) = (stands.start as usize, stands.end as usize);

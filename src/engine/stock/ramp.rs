@@ -10,10 +10,10 @@ use glam::DVec2;
 
 use super::bed::Reach;
 use super::cutter::Tip;
-use super::lane::{BLOCK, Row, Tally, larger, smaller};
+use super::lane::{Row, Tally, larger, smaller};
 use super::leave::{Leaving, Seen, Trail};
 use super::rim::{Place, Rims};
-use super::sweep::{HAIR, NARROW, NONE, Sweep, Way};
+use super::sweep::{HAIR, NONE, Sweep, Way};
 use super::{BAND, Grid};
 
 /// The first and the last of some columns.
@@ -157,7 +157,7 @@ impl<'s> Ramp<'s> {
                 if (a <= y && y <= b) || (c <= y && y <= d) {
                     [first, behind] = self.columns(grid, y);
                 }
-                if first >= behind {
+                if first >= behind || !own.ends_above(first as usize..behind as usize, self.height) {
                     continue;
                 }
                 if !self.gone && own.is_above_floor(self.height) {
