@@ -143,10 +143,8 @@ impl<'s> Ramp<'s> {
         mut slow: impl FnMut(&mut Row, usize, &mut Tally, &mut [f64; 2]),
     ) {
         let [[a, b], [c, d]] = self.rims;
-        // The tool may stand over the centre of the way if it is as wide as that.
-        let centre = self.sweep.centre().filter(|centre| (*centre - self.low).length_squared() <= self.square + HAIR);
-        let (middle, beside) =
-            centre.map_or((f64::NAN, 0.0), |centre| ((centre.x - grid.min.x) * grid.each.x - 0.5, centre.y));
+        let place = |centre: DVec2| ((centre.x - grid.min.x) * grid.each.x - 0.5, centre.y);
+        let (middle, beside) = self.sweep.centre().map_or((f64::NAN, 0.0), place);
         for (begin, place) in bands {
             if rims.is_full() {
                 rims.carry_out(rows, trail, self.height, tally, across);
