@@ -3,11 +3,12 @@
 //!
 //! A block of DIN/ISO that has no equivalent because something is missing in it is told with `iso-incomplete`.
 use crate::check::words::{self, Words};
-use crate::check::{Facts, Rule};
+use crate::check::{Facts, Item, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::spec::Cycle;
 use crate::syntax::{
-    Approach, Axis, Block, BlockKind, CallForm, Element, NamedWord, Path, PatternDef, Statement, StatementKind,
+    Approach, Axis, Block, BlockKind, CallForm, CycleForm, Element, NamedWord, Path, PatternDef, Statement,
+    StatementKind,
 };
 
 pub(super) const RULE: Rule = Rule { code: "word-missing", severity: Severity::Warning, run };
@@ -24,6 +25,20 @@ const PATTERNS: [(&str, &[&str]); 6] = [
 /// The meaning of the field with the angles of a tilted plane, of which the manual wants all three (001: 6727).
 const ANGLES: &str = "tilting-angles";
 
+/// The first plane of a cycle that lacks an angle; said once a program, for a machine whose angles are those of its axes has
+/// as many as it has axes.
+fn angle(facts: &Facts<'_>) -> Option<(Span, &'static str)> {
+    let of_lines = facts.definitions.iter().filter(|own| matches!(own.view.form, CycleForm::Lines(_)));
+    of_lines.filter(|own| own.kin().is_some_and(tilts)).find_map(|definition| {
+        let kin = definition.as_kin();
+        let read = facts.read(&kin);
+        let angles = |item: &&Item<'_>| item.param.is_some_and(|own| own.is.as_str() == ANGLES);
+        read.items.iter().filter(angles).filter(|item| !item.printed.is_empty()).find_map(|item| {
+            ["A", "B", "C"].into_iter().find(|axis| !item.printed.contains(axis)).map(|axis| (item.span, axis))
+        })
+    })
+}
+
 fn tilts(cycle: &Cycle) -> bool {
     cycle.params.iter().any(|param| param.is.as_str() == ANGLES)
 }
@@ -37,14 +52,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             tell(facts.content(block), word);
         }
     }
-    for definition in facts.definitions.iter().filter(|own| own.kin().is_some_and(tilts)) {
-        let kin = definition.as_kin();
-        for item in facts.read(&kin).items.iter().filter(|item| item.param.is_some_and(|own| own.is.as_str() == ANGLES))
-        {
-            let lacks = |axis: &&&str| !item.printed.contains(**axis);
-            let lacking = ["A", "B", "C"].iter().find(lacks).filter(|_| !item.printed.is_empty());
-            lacking.into_iter().for_each(|axis| tell(item.span, axis));
-        }
+    if let Some((span, axis)) = angle(facts) {
+        tell(span, axis);
     }
     for (_, block) in facts.marked() {
         if let BlockKind::Motion(motion) = &block.kind
