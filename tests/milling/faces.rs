@@ -28,9 +28,11 @@ proptest! {
     fn plane_faces(
         job in job(), strategy in 0..3_u8, corner in (mm(-20.0..20.0), mm(-20.0..20.0)), size in (mm(2.0..35.0), mm(2.0..35.0)),
         signs in (any::<bool>(), any::<bool>()), overlap in mm(0.1..1.99), floor in prop_oneof![Just(0.0), mm(0.05..2.0)], beside in mm(0.0..4.0),
-        bull in prop_oneof![Just(0.0), 0.1..0.6_f64], trimmed in any::<bool>(),
+        bull in prop_oneof![Just(0.0), 0.1..0.6_f64], trimmed in any::<bool>(), lap in prop_oneof![4 => Just(None), 1 => mm(0.1..2.0).prop_map(Some)],
     ) {
         let sign = |yes: bool| if yes { 1.0 } else { -1.0 };
+        // Laps that are shorter than the tool, where it steps sideways within the face.
+        let size = lap.map_or(size, |lap| (2.0 * job.tool() + lap, size.1));
         let size = DVec2::new(size.0 * sign(signs.0), size.1 * sign(signs.1));
         let corner = DVec2::from(corner);
         let round = (bull * job.radius * 100.0).floor() / 100.0;

@@ -161,7 +161,7 @@ pub(super) fn follow(
 }
 
 /// How wide a cut may be at a piece of the way, if laps lie `step` beside each other: wider where the path is bent or
-/// has a corner within reach of the tool, as the material beyond is met from the front.
+/// has a corner within reach of the tool, as the material beyond is met from the front, and widest where laps are short.
 pub(super) fn widest(pieces: &[Piece], index: usize, radius: f64, step: f64) -> f64 {
     // A corner of a right angle meets the strip beyond it with its front, and the strip beside it as before.
     let corner = if step < radius { radius + (2.0 * radius * step - step * step).sqrt() } else { 2.0 * radius };
@@ -203,5 +203,37 @@ pub(super) fn widest(pieces: &[Piece], index: usize, radius: f64, step: f64) -> 
     look(&mut (0..=index).rev());
     look(&mut (index + 1..pieces.len()));
     // Where the tool turns sharply, it goes straight towards a wall that is bent.
-    if sharp && narrowest.is_finite() { allowed.max(front(narrowest)) } else { allowed }
+    let allowed = if sharp && narrowest.is_finite() { allowed.max(front(narrowest)) } else { allowed };
+    match short_lap(pieces, index, step) {
+        // The lap before ends in the circle around its start before it has left a straight edge: the step sideways cuts from
+        // its front to where that circle and the tool, `lap` and `step` away from it, cross.
+        Some(lap) if step < radius && lap < (2.0 * radius * step - step * step).sqrt() => {
+            let apart = lap.hypot(step);
+            let half = (radius * radius - apart * apart / 4.0).max(0.0).sqrt();
+            allowed.max(radius + (lap / 2.0 + half * step / apart).min(radius))
+        }
+        _ => allowed,
+    }
+}
+
+/// The length of the lap before the step sideways on which a piece lies, if the step before that lap has been made too: both
+/// between corners.
+fn short_lap(pieces: &[Piece], index: usize, step: f64) -> Option<f64> {
+    let mut legs = [0.0; 2];
+    let mut corners = 0;
+    for piece in pieces[..=index].iter().rev() {
+        if (1..=2).contains(&corners) {
+            legs[corners - 1] += piece.length;
+        }
+        if piece.length == 0.0 || piece.bend.is_finite() {
+            return None;
+        }
+        if piece.turn.to_degrees() > 25.0 {
+            corners += 1;
+        }
+        if corners == 3 {
+            return (legs[1] < step + 1e-6).then_some(legs[0]);
+        }
+    }
+    None
 }
