@@ -11,7 +11,7 @@ use crate::spec::{
     Action, Argument, Body, Cycle, CycleKey, Group, Item, Keyword, Known as Of, ParameterKind, TakesEffect,
     Transformation, Verb,
 };
-use crate::syntax::{CycleForm, CycleKeyword, CycleView, OldCycleLine, ValueKind};
+use crate::syntax::{CycleForm, CycleKeyword, CycleView, OldCycleLine, Program, ValueKind};
 
 /// What the definitions of a cycle do.
 #[derive(Debug, Default)]
@@ -97,6 +97,7 @@ impl From<Tri> for Then {
 
 /// What the definitions of a program do.
 pub(super) struct Effects<'f, 'a> {
+    program: &'a Program,
     definitions: &'f [Defined<'a>],
     /// The first block of each.
     firsts: Vec<u32>,
@@ -129,7 +130,7 @@ impl<'f, 'a> Effects<'f, 'a> {
                 named.insert(index, names);
             }
         }
-        Self { definitions, firsts, others, named }
+        Self { program: facts.program, definitions, firsts, others, named }
     }
 
     /// Whether a call of the definition of that index machines the workpiece.
@@ -169,7 +170,17 @@ impl<'f, 'a> Effects<'f, 'a> {
         for (aspect, then) in &deed.aspects {
             let value = match then {
                 Then::Certain(value) => *value,
-                Then::Told => changed(*aspect, &definition.view),
+                Then::Told => match changed(*aspect, &definition.view) {
+                    // What an incremental shift adds to another one may take it back.
+                    Tri::Yes
+                        if *aspect == Aspect::DatumShift
+                            && state.modal.is(*aspect) != Tri::No
+                            && is_incremental(self.program, &definition.view) =>
+                    {
+                        Tri::Unknown
+                    }
+                    value => value,
+                },
             };
             state.modal.set(*aspect, value);
         }
@@ -436,6 +447,13 @@ fn changed(aspect: Aspect, view: &CycleView<'_>) -> Tri {
         }
     }
     found
+}
+
+/// Whether a shift says how far it goes on from where the datum is.
+fn is_incremental(program: &Program, view: &CycleView<'_>) -> bool {
+    let CycleForm::Lines(lines) = &view.form else { return false };
+    let words = lines.iter().flat_map(|line| &line.words);
+    words.map(|word| program.slice(word.name)).any(|name| name.starts_with(['I', 'i']))
 }
 
 /// All actions of a step.

@@ -1,7 +1,8 @@
 //! A parameter or field that the cycle does not have on this control.
 //!
-//! If it has none of all that are written, that is said once, at the cycle. Where nothing else is missing, it is a warning:
-//! later software versions have parameters of which the manuals here do not speak.
+//! If it has none of all that are written, that is said once, at the cycle. Where nothing else is missing, or what is
+//! missing may stand in a line that cannot be read, it is a warning: later software versions have parameters of which the
+//! manuals here do not speak.
 use super::together;
 use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
@@ -25,7 +26,8 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
         return;
     }
     for item in strange {
-        let addition = definition.missing.is_empty() && crate::expr::QRef::parse(&item.name).is_some();
+        let complete = definition.missing.is_empty() || definition.torn;
+        let addition = complete && crate::expr::QRef::parse(&item.name).is_some();
         let severity = if addition { Severity::Warning } else { rule.severity };
         let finding = rule.at(facts, item.span).arg("parameter", item.name.as_ref());
         found.push(Diagnostic { severity, ..finding }.arg("cycle", definition.key.to_string()));
