@@ -6,7 +6,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::Against;
-use super::facts::{Defined, Facts};
+use super::definition::Defined;
+use super::facts::Facts;
 use super::flow::{self, Through};
 use crate::diag::{Severity, Span};
 use crate::syntax::{BlockKind, Program, StatementKind, ValueKind};

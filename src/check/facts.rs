@@ -5,20 +5,17 @@
 //! run.
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::ops::Deref;
 
 use super::among::{self, Among, Callees, ProgramCall};
-use super::fields;
-use super::flow::{Deed, Run, stops};
-use super::labels::{Kept, Tongues, told_by};
+use super::definition::{Defined, Definition, Item};
+use super::flow::{Run, stops};
+use super::labels::{Tongues, told_by};
 use super::{Against, CycleLabels, values};
 use crate::diag::Span;
-use crate::expr::QRef;
 use crate::fields::key;
-use crate::spec::{Cycle, CycleKey, Group, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
+use crate::spec::{Cycle, CycleKey, Known};
 use crate::syntax::{
-    Amount, Block, BlockKind, Compensates, CycleDef, CycleForm, CycleView, MFunction, Operand, Parameter, Path,
-    Program, StatementKind, Value, ValueKind,
+    Amount, Block, BlockKind, Compensates, CycleForm, MFunction, Operand, Path, Program, StatementKind, ValueKind,
 };
 
 /// A program with its cycle definitions resolved for a control.
@@ -57,68 +54,6 @@ pub struct Facts<'a> {
     pub(super) callees: Callees,
     /// What it stands among.
     pub(super) among: Option<&'a dyn Among>,
-}
-
-/// A cycle definition and what the control knows of its cycle.
-#[derive(Clone)]
-pub struct Defined<'a> {
-    /// As written.
-    pub view: CycleView<'a>,
-    /// Its key.
-    pub key: CycleKey,
-    /// What the control knows of it.
-    pub known: Known<'a>,
-    /// The cycle as another control describes it, if this one does not.
-    elsewhere: Option<&'a Cycle>,
-    /// Whether a line of it cannot be read.
-    pub torn: bool,
-    /// What is kept of a described cycle.
-    pub(super) kept: Option<&'a Kept>,
-    /// The languages whose name and labels it has letter by letter.
-    usual: Tongues,
-}
-
-/// A cycle definition with its values.
-pub struct Definition<'a> {
-    own: &'a Defined<'a>,
-    /// Its parameters or fields as written, those of described cycles with their specification.
-    pub items: Vec<Item<'a>>,
-    /// What a described cycle needs and the definition lacks.
-    pub missing: Vec<&'a Param>,
-    /// Whether every item is a parameter of the cycle and stands behind those that the cycle names before it.
-    pub(super) in_order: bool,
-}
-
-impl<'a> Deref for Definition<'a> {
-    type Target = Defined<'a>;
-
-    fn deref(&self) -> &Defined<'a> {
-        self.own
-    }
-}
-
-/// A parameter or field as written.
-pub struct Item<'a> {
-    /// Its specification, if the cycle is described and has it.
-    pub param: Option<&'a Param>,
-    /// How messages call it: `Q200`, `31.2 HEIGHT:`.
-    pub name: Cow<'a, str>,
-    /// All of it up to the end of the value.
-    pub span: Span,
-    /// The value's place.
-    pub value_span: Span,
-    /// The value in capitals as the specification's examples are written: `+60`, `X+60`, `#5`, `"AB"`.
-    pub printed: Cow<'a, str>,
-    /// The value, if it is a single one.
-    pub value: Option<Value>,
-    /// The number that the parameter written for it certainly has.
-    pub number: Option<f64>,
-    /// The printed label, or the printed word of an old-style field.
-    pub label: Option<Span>,
-    /// The place of its specification among the cycle's parameters.
-    pub index: Option<usize>,
-    /// Why its parameter refuses the value.
-    pub(super) refusal: Option<Refusal>,
 }
 
 /// What is known of the order of the run.
@@ -436,163 +371,4 @@ pub(super) fn each_function(block: &Block, mut each: impl FnMut(u16)) {
         BlockKind::CyclCall(call) => call.functions.iter().for_each(|own| each(own.number)),
         _ => {}
     }
-}
-
-impl<'a> Defined<'a> {
-    /// The cycle, if the control describes it.
-    pub const fn cycle(&self) -> Option<&'a Cycle> {
-        match self.known {
-            Known::Described(cycle) => Some(cycle),
-            _ => None,
-        }
-    }
-
-    /// The cycle, or what another control describes under its number: enough to tell what it is for.
-    pub fn kin(&self) -> Option<&'a Cycle> {
-        self.cycle().or(self.elsewhere)
-    }
-
-    /// When the cycle acts, if that is known. All touch-probe cycles act when they are defined.
-    pub fn takes_effect(&self) -> Option<TakesEffect> {
-        match (self.kin(), self.key.keyword) {
-            (Some(cycle), _) => Some(cycle.file.takes_effect),
-            (None, Keyword::TchProbe) => Some(TakesEffect::OnDefinition),
-            _ => None,
-        }
-    }
-
-    /// Whether its cycle calls the one that was defined last.
-    pub(super) fn calls_last(&self) -> bool {
-        match (self.cycle().zip(self.kept), self.elsewhere) {
-            (Some((cycle, kept)), _) => kept.deed(cycle).calls_last(),
-            (None, Some(cycle)) => cycle.file.group == Group::Patterns && Deed::of_cycle(cycle).calls_last(),
-            (None, None) => false,
-        }
-    }
-
-    /// The same definition, read as that of a cycle of another control.
-    pub(super) fn read_as(&self, cycle: &'a Cycle) -> Self {
-        Self {
-            view: self.view.clone(),
-            key: self.key,
-            known: Known::Described(cycle),
-            elsewhere: None,
-            torn: self.torn,
-            kept: None,
-            usual: Tongues::default(),
-        }
-    }
-
-    /// The same definition, read as that of the cycle of another control that it is like, if this one does not have the
-    /// cycle.
-    pub(super) fn as_kin(&self) -> Cow<'_, Self> {
-        match self.elsewhere {
-            Some(cycle) => Cow::Owned(self.read_as(cycle)),
-            None => Cow::Borrowed(self),
-        }
-    }
-
-    /// Whether its cycle has a parameter of that kind.
-    pub(super) fn has_kind(&self, kind: ParameterKind) -> bool {
-        match (self.cycle(), self.elsewhere) {
-            (Some(_), _) => self.kept.is_some_and(|kept| kept.has_kind(kind)),
-            (None, Some(cycle)) => cycle.params.iter().any(|param| param.kind == kind),
-            (None, None) => false,
-        }
-    }
-}
-
-impl<'a> Definition<'a> {
-    /// Reads a definition, without what depends on the run.
-    pub(super) fn of(program: &'a Program, own: &'a Defined<'a>) -> Self {
-        Self::begun(Vec::new(), program, own)
-    }
-
-    fn begun(mut room: Vec<Item<'a>>, program: &'a Program, own: &'a Defined<'a>) -> Self {
-        room.clear();
-        let mut definition = Self { own, items: room, missing: Vec::new(), in_order: false };
-        match (&own.view.form, own.cycle()) {
-            (CycleForm::Parameters(written), cycle) => definition.parameters(program, written, cycle),
-            (CycleForm::Lines(lines), Some(cycle)) => {
-                definition.missing = fields::matching(program, cycle, lines, &mut definition.items);
-            }
-            (CycleForm::Lines(_), None) => {}
-        }
-        definition
-    }
-
-    fn parameters(&mut self, program: &'a Program, written: &'a CycleDef, cycle: Option<&'a Cycle>) {
-        self.items.reserve(written.parameters.len());
-        let (mut place, mut last) = (Place::default(), None);
-        self.in_order = cycle.is_some();
-        for parameter in &written.parameters {
-            let printed = program.slice(parameter.value.span);
-            let index = cycle.and_then(|cycle| place.of(cycle, parameter.q));
-            let param = cycle.zip(index).and_then(|(cycle, index)| cycle.params.get(index));
-            self.in_order &= index.is_some() && last < index;
-            last = index;
-            self.items.push(Item {
-                index,
-                param,
-                name: name_of(program, &parameter),
-                span: parameter.span,
-                value_span: parameter.value.span,
-                printed: if printed.starts_with('"') { Cow::Borrowed(printed) } else { capitals(printed) },
-                value: Some(parameter.value),
-                number: None,
-                label: parameter.label,
-                refusal: None,
-            });
-        }
-        let Some(cycle) = cycle else { return };
-        if self.in_order && self.items.len() == cycle.params.len() {
-            return;
-        }
-        let mut there = vec![false; cycle.params.len()];
-        for index in self.items.iter().filter_map(|item| item.index) {
-            there[index] = true;
-        }
-        let needed = |param: &Param| param.field.as_ref().is_none_or(|field| field.form == 0 && !field.optional);
-        let missing = cycle.params.iter().zip(there).filter(|(param, there)| !there && needed(param));
-        self.missing = missing.map(|(param, _)| param).collect();
-    }
-}
-
-/// Finds parameters in a cycle; most are written in its order.
-#[derive(Default)]
-pub(super) struct Place {
-    next: usize,
-}
-
-impl Place {
-    /// The place of the parameter among those of the cycle.
-    pub(super) fn of(&mut self, cycle: &Cycle, q: QRef) -> Option<usize> {
-        let is_next = cycle.params.get(self.next).is_some_and(|param| param.q == Some(q));
-        let found = if is_next { Some(self.next) } else { cycle.place_of(q) };
-        self.next = found.map_or(self.next, |at| at + 1);
-        found
-    }
-}
-
-/// A text in capitals.
-pub(super) fn capitals(text: &str) -> Cow<'_, str> {
-    let is_capital = |byte: &u8| byte.is_ascii() && !byte.is_ascii_lowercase();
-    if text.as_bytes().iter().all(is_capital) { Cow::Borrowed(text) } else { Cow::Owned(text.to_uppercase()) }
-}
-
-/// The parameter as messages call it: as it is written, if that is how controls write it.
-fn name_of<'a>(program: &'a Program, parameter: &Parameter) -> Cow<'a, str> {
-    let written = program.slice(parameter.q_span);
-    let usual = matches!(written.as_bytes(), [b'Q', b'1'..=b'9', ..] | [b'Q', b'L' | b'R' | b'S', b'1'..=b'9', ..]);
-    if usual { Cow::Borrowed(written) } else { Cow::Owned(parameter.q.to_string()) }
-}
-
-/// The place of a parameter in its cycle.
-pub(super) fn index_of(cycle: Option<&Cycle>, param: Option<&Param>) -> Option<usize> {
-    cycle?
-        .params
-        .iter()
-        .zip(0..)
-        .find(|(own, _)| param.is_some_and(|param| std::ptr::eq(*own, param)))
-        .map(|(_, at)| at)
 }

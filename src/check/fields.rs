@@ -4,7 +4,7 @@
 //! another one in each language. Invariant: every written word is an item of the result.
 use std::borrow::Cow;
 
-use super::facts::{Item, capitals, index_of};
+use super::definition::{Item, capitals, index_of};
 use crate::diag::Span;
 use crate::fields::{first, stands_on};
 use crate::spec::{Cycle, Field, Param, Shape};

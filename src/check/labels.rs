@@ -7,7 +7,8 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use super::facts::{Defined, Definition, Facts, Place};
+use super::definition::{Defined, Definition, Place};
+use super::facts::Facts;
 use super::flow::Deed;
 use super::guards::{self, Ready};
 use crate::locale::{Language, Locales};

@@ -3,7 +3,7 @@
 //! A value that is another parameter is refused only if its number is certain wherever the run comes from.
 use std::borrow::Cow;
 
-use super::facts::capitals;
+use super::definition::capitals;
 use super::{Definition, Facts, Item};
 use crate::expr::{QKind, QRef};
 use crate::spec::{MM_PER_INCH, Param, ParameterKind, Refusal, number_refusal_in, refusal};
