@@ -9,6 +9,7 @@ use super::Against;
 use super::definition::Defined;
 use super::facts::Facts;
 use super::flow::{self, Through};
+use super::values::bits;
 use crate::diag::{Severity, Span};
 use crate::syntax::{BlockKind, Program, StatementKind, ValueKind};
 
@@ -44,6 +45,23 @@ pub enum ToolName<'n> {
     Number(f64),
     /// Its name.
     Name(&'n str),
+}
+
+/// What tells tools apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum ToolKey<'n> {
+    Number(u64),
+    Name(&'n str),
+}
+
+impl<'n> ToolName<'n> {
+    /// What tells it apart from other tools.
+    pub(super) fn key(self) -> ToolKey<'n> {
+        match self {
+            Self::Number(number) => ToolKey::Number(bits(number)),
+            Self::Name(name) => ToolKey::Name(name),
+        }
+    }
 }
 
 /// Rows that a program reads.

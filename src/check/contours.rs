@@ -2,6 +2,8 @@
 //!
 //! Invariant: a contour names only cycles that certainly machine it; a program that selects contours in another way has
 //! none here.
+use std::collections::{HashMap, HashSet};
+
 use super::flow::{Pending, Way};
 use super::{Defined, Facts};
 use crate::spec::{ContourWanted, ParameterKind};
@@ -29,21 +31,33 @@ pub(super) fn listed<'f, 'a>(facts: &'f Facts<'a>) -> Vec<Listed<'f, 'a>> {
     if lists.is_empty() || facts.marked().any(|(_, block)| selects(facts, block)) {
         return Vec::new();
     }
+    let graph = &facts.run.graph;
+    let ends = ends(facts);
+    let contours = |list: &Defined<'_>| {
+        let named = graph.uses_in(list.view.last).iter().filter(|own| own.way == Way::Named);
+        let starts = named.filter_map(|own| graph.block_of(own.mark.as_ref()?));
+        starts.filter_map(|start| body(facts.program.blocks(), &ends, start)).collect()
+    };
     let mut found: Vec<Listed<'f, 'a>> = Vec::new();
+    // The places of the lists among those found, and the readers that each has.
+    let (mut places, mut read) = (HashMap::new(), HashSet::new());
     for call in &facts.run.calls {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(reader) = facts.definitions.get(index as usize).filter(|own| wanted(own).is_some()) else { continue };
         let list = match lists.as_slice() {
             [only] => Some(*only),
             _ if facts.flow.jumps => None,
-            several => several.iter().copied().rev().find(|own| own.view.first < call.block),
+            several => {
+                let before = several.partition_point(|own| own.view.first < call.block);
+                before.checked_sub(1).and_then(|at| several.get(at)).copied()
+            }
         };
         let Some(list) = list else { continue };
-        let place = found.iter().position(|own| std::ptr::eq(own.list, list)).unwrap_or_else(|| {
-            found.push(Listed { list, readers: Vec::new(), contours: contours(facts, list) });
+        let place = *places.entry(list.view.first).or_insert_with(|| {
+            found.push(Listed { list, readers: Vec::new(), contours: contours(list) });
             found.len() - 1
         });
-        if !found[place].readers.iter().any(|own| std::ptr::eq(*own, reader)) {
+        if read.insert((place, index)) {
             found[place].readers.push(reader);
         }
     }
@@ -61,17 +75,14 @@ fn selects(facts: &Facts<'_>, block: &Block) -> bool {
     }
 }
 
-fn contours<'a>(facts: &Facts<'a>, list: &Defined<'_>) -> Vec<&'a [Block]> {
-    let graph = &facts.run.graph;
-    let named = graph.uses.iter().filter(|own| own.way == Way::Named && own.block == list.view.last);
-    let starts = named.filter_map(|own| graph.block_of(own.mark.as_ref()?));
-    starts.filter_map(|start| body(facts.program.blocks(), start)).collect()
+/// The blocks that end subprograms.
+pub(super) fn ends(facts: &Facts<'_>) -> Vec<usize> {
+    facts.marked().filter(|(_, block)| block.ends_subprogram()).map(|(at, _)| at).collect()
 }
 
-/// The blocks between a label and the LBL 0 behind it; nothing if it has none.
-pub(super) fn body(blocks: &[Block], start: usize) -> Option<&[Block]> {
-    let behind = blocks.get(start + 1..)?;
-    behind.get(..behind.iter().position(Block::ends_subprogram)?)
+/// The blocks between a label and the first of those `ends` behind it; nothing if there is none.
+pub(super) fn body<'a>(blocks: &'a [Block], ends: &[usize], start: usize) -> Option<&'a [Block]> {
+    blocks.get(start + 1..*ends.get(ends.partition_point(|end| *end <= start))?)
 }
 
 /// The corners of a contour whose elements are all written with numbers, its first point included; nothing if that cannot

@@ -9,9 +9,11 @@ use std::collections::BTreeMap;
 use super::among::{self, Among, Callees, ProgramCall};
 use super::definition::{Defined, Definition, Item};
 use super::flow::{Run, stops};
+use super::guards::SharedData;
 use super::labels::{Tongues, told_by};
 use super::{Against, CycleLabels, values};
 use crate::diag::Span;
+use crate::expr::QRef;
 use crate::fields::key;
 use crate::spec::{Cycle, CycleKey, Known};
 use crate::syntax::{
@@ -54,6 +56,10 @@ pub struct Facts<'a> {
     pub(super) callees: Callees,
     /// What it stands among.
     pub(super) among: Option<&'a dyn Among>,
+    /// The data that cycles share.
+    pub(super) shared: SharedData,
+    /// The parameters that a GLOBAL DEF gives, with the first block that does.
+    pub(super) given: BTreeMap<QRef, usize>,
 }
 
 /// What is known of the order of the run.
@@ -136,6 +142,8 @@ impl<'a> Facts<'a> {
             calls: Vec::new(),
             callees: Callees::default(),
             among,
+            shared: SharedData::default(),
+            given: BTreeMap::new(),
         };
         let mut known = BTreeMap::new();
         program.each_cycle(|view| {
@@ -227,6 +235,18 @@ impl<'a> Facts<'a> {
         Some(self.against.labels.labels_of(cycle, kept))
     }
 
+    /// The definition that begins with a block.
+    pub(super) fn definition_at(&self, block: usize) -> Option<&Defined<'a>> {
+        let at = self.definitions.partition_point(|own| own.view.first < block);
+        self.definitions.get(at).filter(|own| own.view.first == block)
+    }
+
+    /// The last definition that begins before a block.
+    pub(super) fn definition_before(&self, block: usize) -> Option<&Defined<'a>> {
+        let at = self.definitions.partition_point(|own| own.view.first < block);
+        self.definitions.get(at.checked_sub(1)?)
+    }
+
     /// The definitions with their values.
     pub fn readings(&self) -> impl Iterator<Item = Definition<'_>> {
         self.definitions.iter().map(|definition| self.read(definition))
@@ -315,6 +335,11 @@ impl<'a> Facts<'a> {
                     }
                     if !outline.has_functions() && !outline.has_odd_coords() && !motion.ends_with_letter() {
                         continue;
+                    }
+                }
+                BlockKind::GlobalDef(own) => {
+                    for parameter in &own.parameters {
+                        self.given.entry(parameter.q).or_insert(index);
                     }
                 }
                 BlockKind::BeginPgm(frame) => (self.inch, self.begins) = (frame.inch, true),

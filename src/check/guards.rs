@@ -3,7 +3,7 @@
 //! Names are replaced by the formulas that they stand for until only numbers and Q parameters are
 //! left. Invariant: a guard that needs anything else (a parameter that is not certain, the tool, the machine)
 //! says nothing; of the state of the control it hears what is certain.
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::tools::Tool;
 use super::values::number;
@@ -244,15 +244,19 @@ impl Written {
         let mut known = Self { numbers, texts: Vec::new(), modal, tool: [None, None] };
         for item in &definition.items {
             let (Some(q), Some(value)) = (item.param.and_then(read_as), item.value) else { continue };
+            // Of what is written several times the first one is read.
             match value.kind {
-                ValueKind::Number(number) => known.numbers.push((q, number)),
-                ValueKind::Q { .. } => known.numbers.extend(item.number.map(|number| (q, number))),
-                ValueKind::Text(inside) => known.texts.push((q, facts.text(inside).into())),
+                ValueKind::Number(_) | ValueKind::Q { .. } if definition.in_order || known.number(q).is_err() => {
+                    known.numbers.extend(number(item).map(|number| (q, number)));
+                }
+                ValueKind::Text(inside) if definition.in_order || known.text(q).is_err() => {
+                    known.texts.push((q, facts.text(inside).into()));
+                }
                 _ => {}
             }
         }
         if definition.kept.is_some_and(|kept| kept.deed(cycle).recalls()) {
-            known.numbers.extend(shared(facts, definition));
+            known.numbers.extend_from_slice(facts.shared.before(facts, definition));
         }
         known
     }
@@ -296,13 +300,33 @@ impl Written {
     }
 }
 
-/// The numbers of the data that a cycle works with, from the definition before it that keeps such.
-fn shared(facts: &Facts<'_>, definition: &Definition<'_>) -> Vec<(QRef, f64)> {
-    let keeps = |own: &&Defined<'_>| own.cycle().zip(own.kept).is_some_and(|(cycle, kept)| kept.deed(cycle).keeps());
-    let before = facts.definitions.iter().take_while(|own| own.view.first < definition.view.first);
-    let Some(data) = before.filter(keeps).last() else { return Vec::new() };
-    let read = facts.read(data);
-    read.items.iter().filter_map(|item| Some((item.param?.q?, number(item)?))).collect()
+/// The data that cycles share, read when a guard first asks for them: the first block of each definition that keeps such,
+/// and its numbers.
+#[derive(Default)]
+pub(super) struct SharedData(OnceLock<Vec<(usize, Vec<(QRef, f64)>)>>);
+
+impl SharedData {
+    /// The numbers of the data that a cycle works with, from the definition before it that keeps such.
+    fn before(&self, facts: &Facts<'_>, definition: &Definition<'_>) -> &[(QRef, f64)] {
+        let all = self.0.get_or_init(|| {
+            let keeps =
+                |own: &&Defined<'_>| own.cycle().zip(own.kept).is_some_and(|(cycle, kept)| kept.deed(cycle).keeps());
+            facts.definitions.iter().filter(keeps).map(|own| (own.view.first, numbers(&facts.read(own)))).collect()
+        });
+        let behind = all.partition_point(|(first, _)| *first < definition.view.first);
+        behind.checked_sub(1).and_then(|at| all.get(at)).map_or(&[], |(_, numbers)| numbers)
+    }
+}
+
+/// The first number of each parameter of a definition.
+fn numbers(definition: &Definition<'_>) -> Vec<(QRef, f64)> {
+    let mut numbers: Vec<(QRef, f64)> = Vec::new();
+    for (q, number) in definition.items.iter().filter_map(|item| Some((item.param?.q?, number(item)?))) {
+        if definition.in_order || !numbers.iter().any(|(own, _)| *own == q) {
+            numbers.push((q, number));
+        }
+    }
+    numbers
 }
 
 /// The Q parameter under which the guards read a parameter or field.

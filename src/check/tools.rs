@@ -4,6 +4,7 @@
 //! Invariant: a tool that a parameter chooses, or that is defined in several ways, is not known.
 use std::collections::HashMap;
 
+use super::among::ToolKey;
 use super::{Facts, Loaded, ToolName};
 use crate::spec::MM_PER_INCH;
 use crate::syntax::{Amount, BlockKind, Operand, ToolRef};
@@ -40,8 +41,8 @@ impl Tools {
                 let unit = if facts.inch && column != "ANGLE" { MM_PER_INCH } else { 1.0 };
                 listed?.tool_value(name, column).map(|value| value / unit)
             };
-            let radius = match radii.iter().find(|(own, _)| *own == name) {
-                Some((_, radius)) => *radius,
+            let radius = match radii.get(&name.key()) {
+                Some(radius) => *radius,
                 None => value("R").map(|radius| radius + value("DR").unwrap_or(0.0)),
             };
             let tool = radius.zip(oversize(call.dr.as_ref()));
@@ -63,8 +64,8 @@ impl Tools {
 }
 
 /// The radii of tools that the program defines; nothing of those that it defines in several ways.
-fn defined<'a>(facts: &Facts<'a>) -> Vec<(ToolName<'a>, Option<f64>)> {
-    let mut radii: Vec<(ToolName<'_>, Option<f64>)> = Vec::new();
+fn defined<'a>(facts: &Facts<'a>) -> HashMap<ToolKey<'a>, Option<f64>> {
+    let mut radii = HashMap::new();
     for (_, block) in facts.marked() {
         let BlockKind::ToolDef(own) = &block.kind else { continue };
         let (Some(name), Some(radius)) = (named(facts, own.tool), own.radius) else { continue };
@@ -72,11 +73,8 @@ fn defined<'a>(facts: &Facts<'a>) -> Vec<(ToolName<'a>, Option<f64>)> {
             Amount::Number(number) => Some(number),
             Amount::Q { .. } | Amount::Text(_) => None,
         };
-        match radii.iter_mut().find(|(own, _)| *own == name) {
-            Some((_, before)) if *before != radius => *before = None,
-            Some(_) => {}
-            None => radii.push((name, radius)),
-        }
+        let before = radii.entry(name.key()).or_insert(radius);
+        *before = before.filter(|before| radius == Some(*before));
     }
     radii
 }

@@ -90,6 +90,12 @@ pub(super) fn shown(item: &Item<'_>) -> String {
     }
 }
 
+/// What tells numbers apart: equal ones have the same.
+pub(super) fn bits(number: f64) -> u64 {
+    // 0 has two signs.
+    (number + 0.0).to_bits()
+}
+
 /// The number that is certainly written for a parameter.
 pub(super) fn number(item: &Item<'_>) -> Option<f64> {
     match item.value?.kind {

@@ -230,10 +230,9 @@ impl<'f> Words<'f> {
         self.known.iter().find(|known| !known.begun_by.is_empty()).map(|known| known.begun_by.join(", "))
     }
 
-    /// Whether the same is known of both.
-    pub(super) fn is_same(&self, other: &Self) -> bool {
-        let name = |own: &Self| own.known.first().map(|known| known.block.as_str());
-        name(self) == name(other)
+    /// What the first of them is called that is known of the block.
+    pub(super) fn name(&self) -> Option<&'f str> {
+        self.known.first().map(|known| known.block.as_str())
     }
 
     /// The text in quotation marks and its place.

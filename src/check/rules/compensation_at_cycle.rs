@@ -41,7 +41,7 @@ fn before<'f, 'a>(facts: &'f Facts<'a>, block: usize) -> Option<&'f Defined<'a>>
     if facts.flow.jumps || facts.flow.programs || facts.flow.unread {
         return None;
     }
-    let own = facts.definitions.iter().rev().find(|own| own.view.first < block)?;
+    let own = facts.definition_before(block)?;
     let machines = own.key.keyword == Keyword::CyclDef && (200..300).contains(&own.key.number);
     machines.then_some(own)
 }

@@ -1,7 +1,10 @@
-//! A CONTOUR DEF that does not begin with a pocket, that has more than nine contours, or two with the same number (TNC 640, 001: 5861, 5922, 5929).
+//! A CONTOUR DEF that does not begin with a pocket, that has more than nine contours, or two with the same number
+//! (TNC 640, 001: 5861, 5922, 5929).
+use std::collections::HashSet;
+
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, StatementKind};
+use crate::syntax::{BlockKind, NamedWord, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "contour-def-wrong", severity: Severity::Error, run };
 
@@ -14,15 +17,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if statement.kind != StatementKind::ContourDef {
             continue;
         }
-        let name = |word: &&crate::syntax::NamedWord| facts.program.slice(word.name).to_ascii_uppercase();
-        let is_contour = |word: &&crate::syntax::NamedWord| name(word).ends_with(|last: char| last.is_ascii_digit());
+        let name = |word: &&NamedWord| facts.program.slice(word.name).to_ascii_uppercase();
+        let is_contour = |word: &&NamedWord| name(word).ends_with(|last: char| last.is_ascii_digit());
         let contours: Vec<_> = statement.words.iter().filter(is_contour).collect();
         if let Some(first) = contours.first().filter(|first| !name(first).starts_with('P')) {
             found.push(rule.at(facts, first.name).arg("what", "island").arg("found", name(first)));
         }
-        let number = |own: &&crate::syntax::NamedWord| name(own).trim_start_matches(char::is_alphabetic).to_owned();
-        for (at, own) in contours.iter().enumerate() {
-            if contours.iter().take(at).any(|before| number(before) == number(own)) {
+        let number = |own: &&NamedWord| name(own).trim_start_matches(char::is_alphabetic).to_owned();
+        let mut numbers = HashSet::new();
+        for own in &contours {
+            if !numbers.insert(number(own)) {
                 found.push(rule.at(facts, own.name).arg("what", "number").arg("found", name(own)));
             }
         }

@@ -1,14 +1,16 @@
-//! A contour that a cycle reads from a subprogram and cannot machine: movements of the tool axis, approaches, tool calls or
-//! cycles in it, a first point without both coordinates, no RL or RR, an end elsewhere than the beginning, elements that the
-//! cycle does not read, a corner as its last element, local parameters that are not assigned in it, more contours than it
-//! machines.
+//! A contour that a cycle reads from a subprogram and cannot machine: movements of the tool axis, approaches, tool calls
+//! or cycles in it, a first point without both coordinates, no RL or RR, an end elsewhere than the beginning, elements
+//! that the cycle does not read, a corner as its last element, local parameters that are not assigned in it, more
+//! contours than it machines.
 //!
 //! A contour may leave it to the control to close it by going on in the line with which it began. Lengths are only compared
 //! where all coordinates are numbers.
-use crate::check::contours::{Listed, body, corners, listed, wanted};
+use std::collections::{BTreeSet, HashMap, HashSet};
+
+use crate::check::contours::{Listed, body, corners, ends, listed, wanted};
 use crate::check::flow::reads;
 use crate::check::{Defined, Facts, Rule, Use, Way};
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, Severity, Span};
 use crate::expr::{QKind, QRef};
 use crate::spec::{ContourWanted, TakesEffect};
 use crate::syntax::{Axis, Block, BlockKind, Compensates, Motion, Path, StatementKind};
@@ -17,6 +19,9 @@ pub(super) const RULE: Rule = Rule { code: "contour-wrong", severity: Severity::
 
 /// How far the end may be from the beginning, mm or inch: coordinates are rounded.
 const TOLERANCE: f64 = 0.01;
+
+/// How often a block of contours is looked at on average: contours that do not end hold all that stand behind them.
+const PATIENCE: usize = 48;
 
 /// The axes in which contours are described.
 const PLANE: [Axis; 2] = [Axis::X, Axis::Y];
@@ -30,22 +35,33 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let finding = rule.at(facts, facts.content(block)).arg("what", "open").arg("word", "");
         found.push(finding.arg("cycle", BLANK));
     }
+    // What was looked at: contours, each with what a cycle wants of it.
+    let mut known = HashSet::new();
+    let mut patience = facts.program.blocks().len().saturating_mul(PATIENCE).saturating_add(100_000);
     for list in listed(facts) {
-        for reader in &list.readers {
-            if let Some(second) = second_label(facts, &list, reader) {
+        if let Some(second) = second_label(facts, &list) {
+            for reader in &list.readers {
                 let finding = rule.at(facts, second).arg("what", "many").arg("cycle", reader.key.to_string());
                 found.push(finding.arg("word", facts.text(second).to_owned()));
             }
         }
+        // Definitions of a cycle want the same.
+        let mut kinds = HashSet::new();
+        let wanting = |own: &&Defined<'_>| wanted(own).is_some_and(|wanted| kinds.insert(std::ptr::from_ref(wanted)));
+        let readers: Vec<_> = list.readers.iter().copied().filter(wanting).collect();
         for contour in &list.contours {
-            let mut told: Vec<usize> = Vec::new();
-            for reader in &list.readers {
+            let mut told = HashSet::new();
+            for reader in &readers {
                 let Some(wanted) = wanted(reader) else { continue };
+                if !known.insert((contour.as_ptr(), std::ptr::from_ref(wanted))) {
+                    continue;
+                }
+                let Some(rest) = patience.checked_sub(contour.len()) else { return };
+                patience = rest;
                 for (block, what, word) in wrong(facts, contour, wanted) {
-                    if told.contains(&block.span.start) {
+                    if !told.insert(block.span.start) {
                         continue;
                     }
-                    told.push(block.span.start);
                     let finding = rule.at(facts, facts.content(block)).arg("what", what).arg("word", word);
                     found.push(finding.arg("cycle", reader.key.to_string()));
                 }
@@ -65,19 +81,22 @@ fn blanks<'a>(facts: &Facts<'a>) -> Vec<&'a Block> {
             })
     };
     let starts = graph.uses.iter().filter(turned).filter_map(|own| graph.block_of(own.mark.as_ref()?));
-    let contours = starts.filter_map(|start| body(facts.program.blocks(), start));
-    let open = contours.filter(|contour| corners(contour, TURNED).is_some_and(|points| is_open(&points)));
-    open.filter_map(|contour| contour.iter().rev().find(|block| matches!(block.kind, BlockKind::Motion(_)))).collect()
+    let ends = ends(facts);
+    let mut last: HashMap<usize, Option<&Block>> = HashMap::new();
+    let open = starts.filter_map(|start| {
+        *last.entry(start).or_insert_with(|| {
+            let contour = body(facts.program.blocks(), &ends, start)?;
+            let open = corners(contour, TURNED).is_some_and(|points| is_open(&points));
+            contour.iter().rev().find(|block| open && matches!(block.kind, BlockKind::Motion(_)))
+        })
+    });
+    open.collect()
 }
 
-/// The second label of a list of which the cycle reads the first only, if no other cycle reads all.
-fn second_label(facts: &Facts<'_>, list: &Listed<'_, '_>, reader: &Defined<'_>) -> Option<crate::diag::Span> {
+/// The second label of a list of which all cycles read the first only.
+fn second_label(facts: &Facts<'_>, list: &Listed<'_, '_>) -> Option<Span> {
     let all = list.readers.iter().all(|own| wanted(own).is_some_and(|own| own.first_only));
-    if !all || !wanted(reader)?.first_only {
-        return None;
-    }
-    let mut labels = facts.run.graph.uses.iter().filter(|own| own.block == list.list.view.last);
-    labels.nth(1).map(|own| own.span)
+    facts.run.graph.uses_in(list.list.view.last).get(1).filter(|_| all).map(|own| own.span)
 }
 
 /// What is wrong with a contour: the block, what it is, and the word that is named.
@@ -141,10 +160,10 @@ fn wrong<'a>(
     found
 }
 
-/// The first local parameter that a contour reads and has not assigned: those of the program are not known in it (TNC 640
-/// manual line 4367).
+/// The first local parameter that a contour reads and has not assigned: those of the program are not known in it (TNC
+/// 640 manual line 4367).
 fn unassigned(contour: &[Block]) -> Option<(&Block, String)> {
-    let mut assigned: Vec<QRef> = Vec::new();
+    let mut assigned: BTreeSet<QRef> = BTreeSet::new();
     for block in contour {
         let mut read = Vec::new();
         reads(block, &mut read);
@@ -152,9 +171,9 @@ fn unassigned(contour: &[Block]) -> Option<(&Block, String)> {
             return Some((block, q.to_string()));
         }
         match &block.kind {
-            BlockKind::FnAssign(own) => assigned.push(own.target),
-            BlockKind::Formula(own) => assigned.push(own.target),
-            BlockKind::TextFormula(own) => assigned.push(own.target),
+            BlockKind::FnAssign(own) => _ = assigned.insert(own.target),
+            BlockKind::Formula(own) => _ = assigned.insert(own.target),
+            BlockKind::TextFormula(own) => _ = assigned.insert(own.target),
             _ => {}
         }
     }
@@ -183,11 +202,8 @@ fn lacks_axis(motion: &Motion) -> bool {
 
 /// Whether a block defines a cycle that is called.
 fn machines(facts: &Facts<'_>, block: &Block) -> bool {
-    let definition = facts
-        .definitions
-        .iter()
-        .find(|own| facts.program.blocks().get(own.view.first).is_some_and(|first| first.span == block.span));
-    definition.is_some_and(|own| own.takes_effect() == Some(TakesEffect::OnCall))
+    let at = facts.program.blocks().partition_point(|own| own.span.start < block.span.start);
+    facts.definition_at(at).is_some_and(|own| own.takes_effect() == Some(TakesEffect::OnCall))
 }
 
 /// Whether the contour does not end where it begins, nor on the line with which it begins.

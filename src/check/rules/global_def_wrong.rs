@@ -1,15 +1,15 @@
-//! A GLOBAL DEF that does not exist, that lacks a parameter, has a foreign or doubled one or a value that no cycle takes, or
-//! that gives other values before a cycle has used the ones given before; PREDEF for a parameter that no GLOBAL DEF gives.
+//! A GLOBAL DEF that does not exist, that lacks a parameter, has a foreign or doubled one or a value that no cycle takes,
+//! or that gives other values before a cycle has used the ones given before; PREDEF for a parameter that no GLOBAL DEF
+//! gives.
 //!
 //! What each gives is in the file of the language. PREDEF is left alone in parts of programs, which others may precede.
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use memchr::memmem;
 
 use crate::check::values::refused_by_all;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::expr::QRef;
 use crate::spec::CycleKey;
 use crate::syntax::{BlockKind, CycleForm, GlobalDef, ValueKind};
 
@@ -19,14 +19,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if facts.against.catalogue.globals.is_empty() {
         return;
     }
-    let mut given: Vec<(usize, QRef)> = Vec::new();
     let mut last: BTreeMap<u32, usize> = BTreeMap::new();
     for (index, block) in facts.marked() {
         let BlockKind::GlobalDef(own) = &block.kind else { continue };
         one(rule, facts, own, found);
-        given.extend(own.parameters.iter().map(|own| (index, own.q)));
         if let Some(before) = last.insert(own.number, index) {
-            let used = facts.definitions.iter().any(|cycle| (before..index).contains(&cycle.view.first));
+            let used = facts.definition_before(index).is_some_and(|cycle| before <= cycle.view.first);
             if !used && !facts.flow.jumps && !facts.flow.programs {
                 tell(rule, facts, own.head, "again", own, "", found);
             }
@@ -41,8 +39,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             if !matches!(facts.text(parameter.value.span), "PREDEF" | "predef") {
                 continue;
             }
-            let mut places = given.iter().filter(|(_, q)| *q == parameter.q).map(|(index, _)| *index).peekable();
-            let what = match places.peek() {
+            let what = match facts.given.get(&parameter.q) {
                 None => "nothing",
                 // A part of the program that is called stands where it may.
                 Some(first) if *first > definition.view.first && !facts.flow.jumps => "behind",
@@ -79,9 +76,10 @@ fn one(rule: &Rule, facts: &Facts<'_>, own: &GlobalDef, found: &mut Vec<Diagnost
     let Some(known) = facts.against.catalogue.globals.iter().find(|known| known.number == own.number) else {
         return tell(rule, facts, own.head, "unknown", own, "", found);
     };
-    for (at, parameter) in own.parameters.iter().enumerate() {
+    let mut written = BTreeSet::new();
+    for parameter in &own.parameters {
         let name = parameter.q.to_string();
-        if own.parameters.iter().take(at).any(|before| before.q == parameter.q) {
+        if !written.insert(parameter.q) {
             tell(rule, facts, parameter.span, "twice", own, &name, found);
         } else if !known.parameters.contains(&parameter.q) {
             tell(rule, facts, parameter.span, "foreign", own, &name, found);
@@ -98,7 +96,7 @@ fn one(rule: &Rule, facts: &Facts<'_>, own: &GlobalDef, found: &mut Vec<Diagnost
         }
     }
     if own.errors.is_empty() && !own.parameters.is_empty() {
-        for q in known.parameters.iter().filter(|q| !own.parameters.iter().any(|own| own.q == **q)) {
+        for q in known.parameters.iter().filter(|q| !written.contains(*q)) {
             tell(rule, facts, own.head, "missing", own, &q.to_string(), found);
         }
     }

@@ -5,6 +5,7 @@
 //! follow it: a subprogram that stands before its calls may be meant to be executed once on the way.
 use std::collections::BTreeMap;
 
+use crate::check::contours::ends;
 use crate::check::facts::{each_function, is_silent};
 use crate::check::{Facts, Mark, Rule, Way};
 use crate::diag::{Diagnostic, Severity};
@@ -15,8 +16,7 @@ pub(super) const RULE: Rule = Rule { code: "main-runs-into-subprogram", severity
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let graph = &facts.run.graph;
     let blocks = facts.program.blocks();
-    let returns: Vec<usize> =
-        facts.marked().filter(|(_, block)| block.ends_subprogram()).map(|(index, _)| index).collect();
+    let returns = ends(facts);
     // Whether all that leads to a label are calls that stand before it.
     let mut called: BTreeMap<&Mark, bool> = BTreeMap::new();
     for own in &graph.uses {
@@ -42,10 +42,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// Whether the block before, comments left out, ends another subprogram, or ends the program unless it is skipped.
 fn follows_end(blocks: &[Block], at: usize) -> bool {
     let before = blocks.get(..at).unwrap_or_default().iter().rev().find(|block| !is_silent(block));
-    before.is_some_and(|block| block.ends_subprogram() || (block.skip && ends(block)))
+    before.is_some_and(|block| block.ends_subprogram() || (block.skip && ends_program(block)))
 }
 
-fn ends(block: &Block) -> bool {
+/// Whether M2 or M30 stands in a block.
+fn ends_program(block: &Block) -> bool {
     let mut ends = false;
     if matches!(block.kind, BlockKind::Functions(_) | BlockKind::Motion(_)) {
         each_function(block, |number| ends |= matches!(number, 2 | 30));

@@ -1,10 +1,13 @@
 //! A measuring height below the floor that the program itself mills where it measures.
 //!
-//! A cycle that mills around or inside a centre leaves a floor at the surface and the depth; a ball whose centre is measured
-//! below that floor stands in the workpiece. Only cycles that name a centre, a surface and a depth are compared, by the
-//! numbers that mean these in every cycle (003:117), so that cycles which the manuals show and do not describe count, too.
-//! Silent where anything else may have cut deeper there or moved the coordinates, and where a value is a parameter.
+//! A cycle that mills around or inside a centre leaves a floor at the surface and the depth; a ball whose centre is
+//! measured below that floor stands in the workpiece. Only cycles that name a centre, a surface and a depth are compared,
+//! by the numbers that mean these in every cycle (003:117), so that cycles which the manuals show and do not describe
+//! count, too. Silent where anything else may have cut deeper there or moved the coordinates, and where a value is a parameter.
+use std::collections::HashMap;
+
 use crate::check::guards::Written;
+use crate::check::values::bits;
 use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
 use crate::spec::{Cycle, Group, Known};
@@ -19,7 +22,6 @@ const MILLED: [&str; 4] = ["Q216", "Q217", "Q203", "Q201"];
 
 /// A floor about a centre.
 struct Floor {
-    centre: [f64; 2],
     height: f64,
     cycle: String,
 }
@@ -28,15 +30,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if facts.flow.programs || facts.flow.opaque {
         return;
     }
-    let mut floors: Vec<Floor> = Vec::new();
+    // The lowest floor about each centre.
+    let mut floors: HashMap<[u64; 2], Floor> = HashMap::new();
     for definition in &facts.definitions {
         match definition.known {
             Known::Described(cycle) if is_harmless(cycle) => {}
             Known::Described(_) => return,
-            _ => match floor(&facts.read(definition)) {
-                Some(floor) => floors.push(floor),
-                None => return,
-            },
+            _ => {
+                let Some((centre, floor)) = floor(&facts.read(definition)) else { return };
+                if floors.get(&centre).is_none_or(|lowest| floor.height < lowest.height) {
+                    floors.insert(centre, floor);
+                }
+            }
         }
     }
     for (definition, cycle) in facts.described() {
@@ -45,8 +50,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let [Some(main), Some(minor), Some(height)] = MEASURED.each_ref().map(is) else { continue };
         let value = |param| written.number_of(param);
         let (Some(main), Some(minor), Some(measured)) = (value(main), value(minor), value(height)) else { continue };
-        let here = floors.iter().filter(|floor| floor.centre == [main, minor]);
-        let Some(floor) = here.min_by(|one, other| one.height.total_cmp(&other.height)) else { continue };
+        let Some(floor) = floors.get(&[main, minor].map(bits)) else { continue };
         let item = definition.items.iter().find(|item| item.param.is_some_and(|own| std::ptr::eq(own, height)));
         if let (Some(item), true) = (item, measured < floor.height) {
             let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref());
@@ -61,8 +65,8 @@ fn is_harmless(cycle: &Cycle) -> bool {
     matches!(cycle.file.group, Group::Measuring | Group::Calibration | Group::ToolMeasurement)
 }
 
-/// The floor of a cycle that says where it mills.
-fn floor(definition: &Definition<'_>) -> Option<Floor> {
+/// The floor of a cycle that says where it mills, and what tells its centre apart.
+fn floor(definition: &Definition<'_>) -> Option<([u64; 2], Floor)> {
     let number = |name: &&str| {
         let item = definition.items.iter().find(|item| item.name.as_ref() == *name)?;
         match item.value?.kind {
@@ -71,5 +75,5 @@ fn floor(definition: &Definition<'_>) -> Option<Floor> {
         }
     };
     let [main, minor, surface, depth] = MILLED.each_ref().map(number);
-    Some(Floor { centre: [main?, minor?], height: surface? + depth?, cycle: definition.key.to_string() })
+    Some(([main?, minor?].map(bits), Floor { height: surface? + depth?, cycle: definition.key.to_string() }))
 }

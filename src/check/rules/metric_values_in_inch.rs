@@ -28,10 +28,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut corner: Option<(Span, f64)> = None;
     // Thread cutters may well advance more than a millimetre a revolution.
     let cuts_threads = |own: &Cycle| own.file.group == Group::Threads;
-    let kin = |index: usize| {
-        let at = facts.definitions.partition_point(|own| own.view.first < index);
-        facts.definitions.get(at).filter(|own| own.view.first == index).and_then(Defined::kin)
-    };
+    let kin = |index: usize| facts.definition_at(index).and_then(Defined::kin);
     let mut speed: Option<f64> = None;
     for (index, block) in facts.program.blocks().iter().enumerate() {
         match &block.kind {

@@ -31,8 +31,8 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     }
     let items: Vec<(usize, &Item<'_>)> = definition.items.iter().filter_map(|item| Some((item.index?, item))).collect();
     let places: Vec<usize> = items.iter().map(|(place, _)| *place).collect();
-    let right = rising(&places);
-    let Some((at, (own, item))) = items.iter().enumerate().find(|(at, _)| !right.contains(at)) else { return };
+    let at = rising(&places).iter().zip(0..).take_while(|(right, at)| *right == at).count();
+    let Some((own, item)) = items.get(at) else { return };
     // Those that stand on the wrong side of it.
     let behind = items.iter().take(at).rev().find(|(place, _)| place > own);
     let before = || items.iter().skip(at + 1).find(|(place, _)| place < own);
@@ -47,19 +47,58 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     found.push(finding.arg("before", second.name.as_ref()).arg("cycle", definition.key.to_string()));
 }
 
-/// The places in a list of as many numbers as possible that rise, or stay, from one to the next: the others are out of order.
-/// Of equal ones those that come first.
+/// The places in a list of as many numbers as possible that rise, or stay, from one to the next: the others are out of
+/// order. Of equal ones those that come first.
 fn rising(numbers: &[usize]) -> Vec<usize> {
-    let mut best: Vec<(usize, Option<usize>)> = Vec::with_capacity(numbers.len());
+    // The places of the numbers that end rows of the same length: of two the later one has the smaller number.
+    let mut ends: Vec<Vec<usize>> = Vec::new();
+    let mut before: Vec<Option<usize>> = Vec::with_capacity(numbers.len());
     for (at, own) in numbers.iter().enumerate() {
-        let before = (0..at).rev().filter(|other| numbers[*other] <= *own).max_by_key(|other| best[*other].0);
-        best.push((before.map_or(1, |other| best[other].0 + 1), before));
+        let length = ends.partition_point(|ends| ends.last().is_some_and(|last| numbers[*last] <= *own));
+        let shorter = length.checked_sub(1).map_or(&[] as &[usize], |shorter| ends[shorter].as_slice());
+        before.push(shorter.get(shorter.partition_point(|end| numbers[*end] > *own)).copied());
+        match ends.get_mut(length) {
+            Some(ends) => ends.push(at),
+            None => ends.push(vec![at]),
+        }
     }
-    let mut at = (0..best.len()).rev().max_by_key(|at| best[*at].0);
+    let mut at = ends.last().and_then(|ends| ends.first().copied());
     let mut found = Vec::new();
     while let Some(place) = at {
         found.push(place);
-        at = best[place].1;
+        at = before[place];
     }
+    found.reverse();
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rising;
+
+    /// The same by looking at all numbers before each.
+    fn rising_by_all(numbers: &[usize]) -> Vec<usize> {
+        let mut best: Vec<(usize, Option<usize>)> = Vec::new();
+        for (at, own) in numbers.iter().enumerate() {
+            let before = (0..at).rev().filter(|other| numbers[*other] <= *own).max_by_key(|other| best[*other].0);
+            best.push((before.map_or(1, |other| best[other].0 + 1), before));
+        }
+        let mut at = (0..best.len()).rev().max_by_key(|at| best[*at].0);
+        let mut found = Vec::new();
+        while let Some(place) = at {
+            found.push(place);
+            at = best[place].1;
+        }
+        found.reverse();
+        found
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn the_rows_found_quickly_are_those_found_by_looking_at_all(
+            numbers in proptest::collection::vec(0_usize..9, 0..24),
+        ) {
+            proptest::prop_assert_eq!(rising(&numbers), rising_by_all(&numbers));
+        }
+    }
 }

@@ -1,7 +1,11 @@
-//! A pattern (PATTERN DEF) with no machining position, with a negative diameter, a distance of 0, an angle of more than a turn, the
-//! same position twice, or with more than nine positions.
+//! A pattern (PATTERN DEF) with no machining position, with a negative diameter, a distance of 0, an angle of more than a
+//! turn, the same position twice, or with more than nine positions.
 //!
-//! Also a call at the points of a table at rapid traverse, which the control does not take (001: 1663). TNC 640, 001: 1428 and 1534-1549. Only said of numbers, and of parameters that certainly have one.
+//! Also a call at the points of a table at rapid traverse, which the control does not take (001: 1663). TNC 640, 001: 1428
+//! and 1534-1549. Only said of numbers, and of parameters that certainly have one.
+use std::collections::HashSet;
+
+use crate::check::values::bits;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{Block, BlockKind, CallForm, FeedKind, NamedWord, PatternItem, ValueKind};
@@ -30,10 +34,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if let Some(tenth) = own.items.iter().filter(|item| named(item, "POS")).nth(MOST) {
             found.push(rule.at(facts, tenth.name).arg("what", "many").arg("word", facts.text(tenth.name)));
         }
-        let places: Vec<_> =
-            own.items.iter().filter(|item| named(item, "POS")).map(|item| place(facts, item)).collect();
-        for (at, item) in own.items.iter().filter(|item| named(item, "POS")).enumerate() {
-            if places[at].is_some() && places[..at].contains(&places[at]) {
+        let mut places = HashSet::new();
+        for item in own.items.iter().filter(|item| named(item, "POS")) {
+            if place(facts, item).is_some_and(|place| !places.insert(place.map(bits))) {
                 found.push(rule.at(facts, item.name).arg("what", "same").arg("word", facts.text(item.name)));
             }
         }

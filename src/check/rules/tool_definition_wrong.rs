@@ -1,7 +1,10 @@
 //! A tool that is defined twice with different measures, tool 0, or a tool that is called before its only definition.
 //!
-//! TOOL DEF without measures names the next tool and defines none. Of calls it is only said where the order of the text is that
-//! of the run.
+//! TOOL DEF without measures names the next tool and defines none. Of calls it is only said where the order of the text is
+//! that of the run.
+use std::collections::{HashMap, HashSet};
+
+use crate::check::values::bits;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::syntax::{Amount, BlockKind, ToolDef, ToolRef};
@@ -9,27 +12,27 @@ use crate::syntax::{Amount, BlockKind, ToolDef, ToolRef};
 pub(super) const RULE: Rule = Rule { code: "tool-definition-wrong", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let mut defined: Vec<(f64, Span, [&str; 2])> = Vec::new();
-    let mut called: Vec<f64> = Vec::new();
+    let mut defined: HashMap<u64, (Span, [&str; 2])> = HashMap::new();
+    let mut called: HashSet<u64> = HashSet::new();
     let straight = !(facts.flow.jumps || facts.flow.programs || facts.flow.unread);
     for (_, block) in facts.marked() {
         match &block.kind {
-            BlockKind::ToolCall(call) => called.extend(call.tool.as_ref().and_then(number)),
+            BlockKind::ToolCall(call) => called.extend(call.tool.as_ref().and_then(number).map(bits)),
             BlockKind::ToolDef(own) if own.length.is_some() || own.radius.is_some() => {
                 let Some(tool) = number(&own.tool) else { continue };
                 let (content, measures) = (facts.content(block), measures(facts, own));
                 let tell = |what: &str| rule.at(facts, content).arg("what", what.to_owned()).arg("tool", tool);
                 if tool == 0.0 {
                     found.push(tell("zero"));
-                } else if let Some((_, first, others)) = defined.iter().find(|(before, ..)| *before == tool) {
+                } else if let Some((first, others)) = defined.get(&bits(tool)) {
                     if *others != measures {
                         let place = Place::new(facts.program.source(), *first);
                         found.push(tell("twice").related("first-place", place));
                     }
-                } else if straight && called.contains(&tool) {
+                } else if straight && called.contains(&bits(tool)) {
                     found.push(tell("behind"));
                 }
-                defined.push((tool, content, measures));
+                defined.entry(bits(tool)).or_insert((content, measures));
             }
             _ => {}
         }

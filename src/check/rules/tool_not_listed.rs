@@ -2,6 +2,8 @@
 //!
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`). Tool 0, tools that parameters choose and those
 //! that TOOL DEF defines are left alone; each tool is told once.
+use std::collections::HashSet;
+
 use crate::check::{Facts, Rule, ToolName};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{Amount, BlockKind, ToolRef};
@@ -10,7 +12,7 @@ pub(super) const RULE: Rule = Rule { code: "tool-not-listed", severity: Severity
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(among) = facts.among else { return };
-    let mut passed: Vec<ToolName<'_>> = Vec::new();
+    let mut passed = HashSet::new();
     for block in facts.program.blocks() {
         let (tool, defined) = match &block.kind {
             BlockKind::ToolCall(call) => (call.tool, false),
@@ -25,11 +27,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             Some(ToolRef::Name(name)) => ToolName::Name(facts.text(name).trim()),
             None => continue,
         };
-        if passed.contains(&name) {
-            continue;
-        }
-        passed.push(name);
-        if !defined && among.has_tool(name) == Some(false) {
+        if passed.insert(name.key()) && !defined && among.has_tool(name) == Some(false) {
             let shown = match name {
                 ToolName::Number(number) => number.to_string(),
                 ToolName::Name(name) => format!("\"{name}\""),

@@ -2,6 +2,8 @@
 //! DR, a pattern without a coordinate or number, FN 16 without its target, a text function without what it reads.
 //!
 //! A block of DIN/ISO that has no equivalent because something is missing in it is told with `iso-incomplete`.
+use std::collections::BTreeSet;
+
 use crate::check::words::{self, Words};
 use crate::check::{Facts, Item, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
@@ -105,9 +107,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.begins() || facts.flow.programs || facts.flow.unread {
         return;
     }
+    let begun: BTreeSet<_> = endings.iter().filter(|own| own.begins()).map(Words::name).collect();
     for ending in &endings {
-        let begun = endings.iter().any(|own| own.is_same(ending) && own.begins());
-        if let Some(word) = ending.beginning().filter(|_| !begun) {
+        if let Some(word) = ending.beginning().filter(|_| !begun.contains(&ending.name())) {
             tell(ending.span(), &word);
         }
     }

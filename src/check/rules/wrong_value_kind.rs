@@ -5,7 +5,6 @@ use crate::check::values::{each_refused, kind, shown};
 use crate::check::{Definition, Facts, Item, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::Refusal;
-use crate::syntax::{Block, BlockKind};
 
 pub(super) const RULE: Rule = Rule { code: "wrong-value-kind", severity: Severity::Error, run: together };
 
@@ -23,9 +22,5 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
 /// in general that it links any parameter to the definition of the same number.
 fn is_given(facts: &Facts<'_>, item: &Item<'_>) -> bool {
     let q = item.param.and_then(|param| param.q);
-    let gives = |block: &Block| match &block.kind {
-        BlockKind::GlobalDef(own) => own.parameters.iter().any(|own| Some(own.q) == q),
-        _ => false,
-    };
-    item.printed == "PREDEF" && facts.marked().any(|(_, block)| gives(block))
+    item.printed == "PREDEF" && q.is_some_and(|q| facts.given.contains_key(&q))
 }
