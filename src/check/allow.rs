@@ -2,6 +2,8 @@
 //!
 //! Behind a block such a comment speaks for that block, on a line of its own for the block that follows.
 //! Invariant: without a reason nothing is taken back, and a comment that takes nothing back is told.
+use std::collections::HashSet;
+
 use super::{Against, RULES};
 use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::locale::Scope;
@@ -21,7 +23,13 @@ struct Allowance {
     reason: bool,
     /// The block that it speaks for.
     block: Option<Span>,
-    used: bool,
+}
+
+impl Allowance {
+    /// What is allowed, and the beginning of the block in which it is.
+    fn key(&self) -> Option<(usize, &str)> {
+        Some((self.block?.start, self.rule.as_str()))
+    }
 }
 
 /// Takes back what the program's comments allow, and adds what is wrong with them.
@@ -29,26 +37,24 @@ pub(super) fn apply(program: &Program, against: &Against<'_>, found: &mut Vec<Di
     if !holds(program.source().text(), MARK) {
         return;
     }
-    let mut all = allowances(program);
+    let all = allowances(program);
+    let allowed: HashSet<_> = all.iter().filter(|own| own.reason).filter_map(Allowance::key).collect();
+    let mut used = HashSet::new();
     found.retain(|diagnostic| {
         let Some(place) = &diagnostic.place else { return true };
         let at = place.span.start;
         // They are in the order of their blocks.
         let first = all.partition_point(|own| own.block.is_some_and(|block| block.end <= at));
-        let mut kept = true;
-        for own in all.iter_mut().skip(first).take_while(|own| own.block.is_some_and(|block| block.start <= at)) {
-            if own.reason && own.rule == diagnostic.code {
-                own.used = true;
-                kept = false;
-            }
-        }
-        kept
+        let block = all.get(first).and_then(|own| own.block).filter(|block| block.start <= at);
+        let Some(key) = block.and_then(|block| allowed.get(&(block.start, diagnostic.code))) else { return true };
+        used.insert(*key);
+        false
     });
     for own in &all {
         let (code, severity) = match own {
             own if !is_rule(&own.rule, against) => ("allow-unknown-rule", Severity::Warning),
             own if !own.reason => ("allow-without-reason", Severity::Warning),
-            own if !own.used => ("allow-unused", Severity::Note),
+            own if own.key().is_none_or(|own| !used.contains(&own)) => ("allow-unused", Severity::Note),
             _ => continue,
         };
         let place = Place::new(program.source(), own.place);
@@ -122,7 +128,6 @@ fn collect(program: &Program, block: &Block, all: &mut Vec<Allowance>) {
                     rule: words.next().unwrap_or_default().to_ascii_lowercase(),
                     reason: words.next().is_some(),
                     block: None,
-                    used: false,
                 });
             }
         }

@@ -5,6 +5,7 @@
 //! run.
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use super::among::{self, Among, Callees, ProgramCall};
 use super::definition::{Defined, Definition, Item};
@@ -58,6 +59,8 @@ pub struct Facts<'a> {
     pub(super) among: Option<&'a dyn Among>,
     /// The data that cycles share.
     pub(super) shared: SharedData,
+    /// Whether any definition has labels in a language that is not loaded, once that was asked.
+    pub(super) foreign: OnceLock<bool>,
     /// The parameters that a GLOBAL DEF gives, with the first block that does.
     pub(super) given: BTreeMap<QRef, usize>,
 }
@@ -143,6 +146,7 @@ impl<'a> Facts<'a> {
             callees: Callees::default(),
             among,
             shared: SharedData::default(),
+            foreign: OnceLock::new(),
             given: BTreeMap::new(),
         };
         let mut known = BTreeMap::new();

@@ -305,7 +305,8 @@ fn is_foreign_name<'a>(facts: &Facts<'a>, definition: &Definition<'a>, labels: &
 
 /// Whether any definition has labels in a language that is not loaded.
 fn foreign_labels(facts: &Facts<'_>) -> bool {
-    facts.readings().any(|own| facts.labels(&own).is_some_and(|labels| is_foreign(facts, &own, labels)))
+    let any = || facts.readings().any(|own| facts.labels(&own).is_some_and(|labels| is_foreign(facts, &own, labels)));
+    *facts.foreign.get_or_init(any)
 }
 
 /// How many of a definition's names and labels each language has.

@@ -89,7 +89,7 @@ pub enum Aspect {
 }
 
 /// The cycle that a call means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pending {
     /// None is defined yet.
     None,
@@ -100,7 +100,7 @@ pub enum Pending {
 }
 
 /// The tool in the spindle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Loaded {
     /// None was called yet.
     None,
@@ -111,7 +111,7 @@ pub enum Loaded {
 }
 
 /// The modal state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Modal {
     /// Two bits for each aspect, those of [`Tri`]: what two states disagree about has both.
     aspects: u64,

@@ -2,7 +2,7 @@
 //!
 //! Invariant: what is entered into a run of blocks only ever becomes less certain, so the walk ends.
 use std::collections::btree_map::Entry;
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, HashSet, VecDeque};
 
 use super::circles::circles;
 use super::graph::{End, Graph, Use, Way, reads, stops};
@@ -360,7 +360,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         }
         let blocks = self.steps.program.blocks();
         let mut words = Motion::new(Path::L);
-        let (mut read, mut calls, mut seen) = (Vec::new(), Vec::new(), Vec::<Modal>::new());
+        let (mut read, mut calls, mut seen) = (Vec::new(), Vec::new(), HashSet::<Modal>::new());
         run.unset = self.first_pass();
         for (at, first) in self.graph.leaders.iter().enumerate() {
             let nodes = (at, Caller::Nobody)..=(at, Caller::Use(usize::MAX));
@@ -407,8 +407,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
                     // Each way of coming here by itself: the same block may be right for one and wrong for another.
                     seen.clear();
                     for modal in states.iter().map(|state| self.steps.at_call(block, state)) {
-                        if !seen.contains(&modal) {
-                            seen.push(modal);
+                        if states.len() == 1 || seen.insert(modal) {
                             run.calls.push(CycleCall { span, block: index, modal });
                         }
                     }

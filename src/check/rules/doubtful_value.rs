@@ -2,6 +2,8 @@
 //!
 //! Which values those are the dictionary of the parameters says. Silent where the parameter does not act, and where
 //! something worse is told of it.
+use std::cell::LazyCell;
+
 use super::together;
 use crate::check::guards::Written;
 use crate::check::values::{number, shown};
@@ -13,6 +15,7 @@ pub(super) const RULE: Rule = Rule { code: "doubtful-value", severity: Severity:
 
 pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
     let Some(cycle) = definition.cycle() else { return };
+    let written = LazyCell::new(|| Written::of(facts, definition, cycle));
     for item in definition.items.iter().filter(|item| item.refusal.is_none()) {
         let Some(param) = item.param.filter(|param| !param.doubtful.is_empty()) else { continue };
         let is = match number(item) {
@@ -21,7 +24,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
             Some(0.0) => Doubtful::Zero,
             _ => continue,
         };
-        if !param.doubtful.contains(&is) || Written::of(facts, definition, cycle).acts(cycle, param) == Some(false) {
+        if !param.doubtful.contains(&is) || written.acts(cycle, param) == Some(false) {
             continue;
         }
         // Findings of this definition about the same place come before.

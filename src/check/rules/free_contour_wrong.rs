@@ -1,6 +1,6 @@
 //! A free contour that cannot be calculated: with less known of its elements than they leave open, polar data without a
-//! pole, an element directly behind a label, CLSD that does not begin and end a contour, an auxiliary point without its distance,
-//! FSELECT without an element.
+//! pole, an element directly behind a label, CLSD that does not begin and end a contour, an auxiliary point without its
+//! distance, FSELECT without an element.
 //!
 //! A line leaves two things open, a tangential one one, an arc three, a tangential one two. Every word counts as one thing
 //! that is known, so what is told is certain; counted is to the end of the contour from its beginning and from each
@@ -152,22 +152,20 @@ fn open(block: &Block) -> Option<i32> {
 /// What is open and what is known since the beginning, and since the last elements whose end is written.
 #[derive(Default)]
 struct Balance {
-    open: Vec<i32>,
+    /// The greatest of what is open since each of them.
+    open: i32,
 }
 
 impl Balance {
     fn add(&mut self, open: i32, known: i32, ends: bool) {
-        if self.open.is_empty() {
-            self.open.push(0);
-        }
-        self.open.iter_mut().for_each(|own| *own += open - known);
+        self.open += open - known;
         if ends {
-            self.open.push(0);
+            self.open = self.open.max(0);
         }
     }
 
     fn lacks(&self) -> bool {
-        self.open.iter().any(|own| *own > 0)
+        self.open > 0
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Each finding has the code of the guard. Only numbers and texts that the definition writes are
 //! known; guards that a machine datum switches off count as active.
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::together;
@@ -22,12 +22,16 @@ pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, r
 fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(tools) = Tools::of(facts) else { return };
     let mut others: HashMap<CycleKey, Option<Other<'_>>> = HashMap::new();
-    let mut seen = BTreeSet::new();
+    let (mut seen, mut told) = (BTreeSet::new(), HashSet::new());
+    // What the definition writes that was called last.
+    let mut last: Option<(u32, Written)> = None;
     for call in &facts.run.calls {
         let (Pending::Definition(index), Some(tool)) = (call.modal.pending, tools.get(call.modal.loaded)) else {
             continue;
         };
-        let Some(own) = facts.definitions.get(index as usize).filter(|own| !own.torn) else { continue };
+        // Nobody here knows what the machine builder has made of a number.
+        let own = facts.definitions.get(index as usize).filter(|own| !own.torn && own.kin().is_some());
+        let Some(own) = own else { continue };
         let kept = own.cycle().zip(own.kept);
         let (cycle, on, guards) = match kept {
             Some((cycle, kept)) => (cycle, facts.against.on, facts.against.labels.guards_of(cycle, kept)),
@@ -39,18 +43,22 @@ fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if !guards.iter().any(|own| own.asks_tool) {
             continue;
         }
-        let other = kept.is_none().then(|| own.read_as(cycle));
-        let read = facts.read(other.as_ref().unwrap_or(own));
-        let written = Written::of(facts, &read, cycle).with(tool);
-        for ready in guards.iter().filter(|own| own.asks_tool) {
+        let kin = own.as_kin();
+        let known = last.take().filter(|(own, _)| *own == index).map(|(_, written)| written);
+        let written = known.unwrap_or_else(|| Written::of(facts, &facts.read(&kin), cycle)).with(tool);
+        for (at, ready) in guards.iter().enumerate().filter(|(_, own)| own.asks_tool) {
             let (Some(code), Some(true)) = (ready.code.as_deref(), written.holds(ready)) else { continue };
-            let place = place(&read, ready, &written).unwrap_or(own.view.head);
+            if !told.insert((index, at)) {
+                continue;
+            }
+            let place = place(&facts.read(&kin), ready, &written).unwrap_or(own.view.head);
             if seen.insert((place.start, lasting(code))) {
                 let rule = Rule { code: lasting(code), severity: Severity::Warning, run: together };
                 let sentence = text::guard_sentence(on, cycle, code, facts.against.readers);
                 found.push(rule.at(facts, place).arg("message", sentence.unwrap_or_else(|| code.to_owned())));
             }
         }
+        last = Some((index, written));
     }
 }
 

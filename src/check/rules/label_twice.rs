@@ -1,7 +1,10 @@
 //! Two parameters of a definition with the same label: one of them is another one's.
 //!
-//! Looked at where the label is in no language that is loaded, or no manual of the control describes the cycle. Silent where
-//! a language calls both parameters the same.
+//! Looked at where the label is in no language that is loaded, or no manual of the control describes the cycle. Silent
+//! where a language calls both parameters the same.
+use std::borrow::Cow;
+use std::collections::HashMap;
+
 use super::together;
 use crate::check::labels::fold;
 use crate::check::{CycleLabels, Definition, Facts, Item, Rule, is_label};
@@ -20,15 +23,11 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
         return;
     }
     let most = facts.against.on.control.label.max_length;
-    let label = |item: &Item<'_>| item.label.map(|label| facts.text(label).trim().len());
-    for (at, item) in definition.items.iter().enumerate() {
-        let Some(length) = label(item) else { continue };
-        let alike = |first: &&Item<'_>| {
-            let text = |item: &Item<'_>| item.label.map(|label| fold(facts.text(label)).into_owned());
-            label(first) == Some(length) && first.name != item.name && text(first) == text(item)
-        };
-        let Some(first) = definition.items.iter().take(at).find(alike) else { continue };
-        let printed = item.label.map_or("", |label| facts.text(label)).trim();
+    let mut seen: HashMap<(usize, Cow<'_, str>), Seen<'_, '_>> = HashMap::new();
+    for item in &definition.items {
+        let Some(label) = item.label.map(|label| facts.text(label)) else { continue };
+        let printed = label.trim();
+        let Some(first) = seen.entry((printed.len(), fold(label))).or_default().before(item) else { continue };
         if !is_label(printed, most)
             || is_known(facts, definition, item, printed)
             || is_called_so(facts, definition, first, item)
@@ -41,6 +40,26 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
             let finding = finding.arg("parameter", own.name.as_ref()).arg("other", other.name.as_ref());
             found.push(finding.related("other-place", place));
         }
+    }
+}
+
+/// The parameters with a label, as far as the next one asks for them.
+#[derive(Default)]
+struct Seen<'i, 'a> {
+    first: Option<&'i Item<'a>>,
+    /// The first one that is another parameter than the first.
+    other: Option<&'i Item<'a>>,
+}
+
+impl<'i, 'a> Seen<'i, 'a> {
+    /// The first parameter that had the label before and is another one. From here on this one has had it, too.
+    fn before(&mut self, item: &'i Item<'a>) -> Option<&'i Item<'a>> {
+        let first = *self.first.get_or_insert(item);
+        if first.name == item.name {
+            return self.other;
+        }
+        self.other.get_or_insert(item);
+        Some(first)
     }
 }
 

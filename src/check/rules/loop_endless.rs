@@ -1,8 +1,8 @@
 //! A jump back that nothing in the loop can end: its condition always holds, or compares what the loop does not change, or
 //! changes it away from the end.
 //!
-//! Silent where the loop stops for the operator, calls programs, has another way out, or may be changed by what cannot be
-//! read.
+//! Silent where the loop stops for the operator, calls programs, has another way out, may be changed by what cannot be
+//! read, or takes too long to look through.
 use crate::check::facts::each_function;
 use crate::check::{Facts, Rule, Use, Way};
 use crate::diag::{Diagnostic, Severity};
@@ -13,44 +13,47 @@ pub(super) const RULE: Rule = Rule { code: "loop-endless", severity: Severity::W
 
 /// How deep subprograms in a loop are looked into.
 const DEPTH: usize = 8;
+/// How often a block may be looked at on average.
+const PATIENCE: usize = 48;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut patience = facts.program.blocks().len().saturating_mul(PATIENCE).saturating_add(100_000);
     for own in facts.run.graph.uses.iter().filter(|own| own.way == Way::Jump) {
         let Some(block) = facts.program.blocks().get(own.block) else { continue };
         let BlockKind::FnJump(jump) = &block.kind else { continue };
-        if !block.skip && never_ends(facts, own, jump) {
+        if !block.skip && never_ends(facts, own, jump, &mut patience) {
             found.push(rule.at(facts, facts.content(block)));
         }
     }
 }
 
 /// What the blocks of a loop do to what its condition compares.
-#[derive(Default)]
 struct Loop<'p> {
     written: Vec<QRef>,
     steps: Vec<&'p FnAssign>,
     /// Something may end it, or change anything.
     open: bool,
+    /// How many blocks may still be looked at.
+    patience: &'p mut usize,
 }
 
-fn never_ends(facts: &Facts<'_>, own: &Use, jump: &FnJump) -> bool {
+fn never_ends<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut usize) -> bool {
     let target = own.mark.as_ref().and_then(|mark| facts.run.graph.block_of(mark));
     let Some(from) = target.filter(|from| *from <= own.block) else { return false };
-    let mut body = Loop::default();
-    body.add(facts, from, own.block, DEPTH);
-    if body.open {
-        return false;
-    }
-    if let Some(always) = jump.decided() {
-        return always;
-    }
+    let decided = jump.decided();
     let free = |operand: &Operand| match operand.amount {
         Amount::Q { q, .. } => q.kind == QKind::Ql || (q.kind == QKind::Q && q.number < 100),
         Amount::Number(_) => true,
         Amount::Text(_) => false,
     };
-    if !free(&jump.a) || !free(&jump.b) || matches!(jump.relation, Relation::Undefined | Relation::Defined) {
+    let compares = || free(&jump.a) && free(&jump.b) && !matches!(jump.relation, Relation::Undefined | Relation::Defined);
+    if !decided.unwrap_or_else(compares) {
         return false;
+    }
+    let mut body = Loop { written: Vec::new(), steps: Vec::new(), open: false, patience };
+    body.add(facts, from, own.block, DEPTH);
+    if body.open || decided.is_some() {
+        return !body.open;
     }
     let changes = |operand: &Operand| match operand.amount {
         Amount::Q { q, .. } => body.written.contains(&q),
@@ -95,8 +98,13 @@ impl<'p> Loop<'p> {
         }
         let graph = &facts.run.graph;
         for (at, block) in facts.program.blocks().iter().enumerate().take(to + 1).skip(from) {
+            let Some(rest) = self.patience.checked_sub(1) else {
+                self.open = true;
+                return;
+            };
+            *self.patience = rest;
             self.block(facts, block);
-            let mut uses = graph.uses.iter().filter(|own| own.block == at && own.way != Way::Named);
+            let mut uses = graph.uses_in(at).iter().filter(|own| own.way != Way::Named);
             let Some(own) = uses.next() else { continue };
             let target = own.mark.as_ref().and_then(|mark| graph.block_of(mark));
             match (own.way, target) {

@@ -3,6 +3,8 @@
 //!
 //! What one control refuses, another one hardly takes; only the widest of those ranges counts. Silent where the parameter
 //! does not act.
+use std::cell::LazyCell;
+
 use super::together;
 use crate::check::guards::Written;
 use crate::check::values::{number, shown};
@@ -18,6 +20,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     if ranges.is_empty() {
         return;
     }
+    let written = LazyCell::new(|| Written::of(facts, definition, cycle));
     for item in definition.items.iter().filter(|item| item.refusal.is_none()) {
         let Some((range, param)) = item.index.and_then(|at| ranges.get(&at)).zip(item.param) else { continue };
         let Some(number) = number(item) else { continue };
@@ -27,7 +30,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
             own if own > range.greatest => ("above", range.greatest),
             _ => continue,
         };
-        if Written::of(facts, definition, cycle).acts(cycle, param) == Some(false) {
+        if written.acts(cycle, param) == Some(false) {
             continue;
         }
         let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref()).arg("side", side);

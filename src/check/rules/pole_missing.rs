@@ -26,12 +26,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     // Only programs with contours are looked through.
-    let contours = contours(facts);
+    let mut contours = contours(facts);
     if contours.is_empty() {
         return;
     }
+    contours.sort_unstable();
     let sets = facts.program.blocks().iter().any(is_pole);
-    for block in contours.into_iter().filter_map(|at| unset(facts, at)) {
+    // Labels without an end between them are followed by the same.
+    let mut last: Option<(usize, Option<&Block>)> = None;
+    for at in contours {
+        let known = last.take().filter(|(decisive, _)| at < *decisive);
+        let (_, unset) = last.insert(known.unwrap_or_else(|| unset(facts, at)));
+        let Some(block) = unset else { continue };
         let severity = if sets { Severity::Warning } else { rule.severity };
         found.push(Diagnostic { severity, ..rule.at(facts, facts.content(block)) });
     }
@@ -63,15 +69,17 @@ fn contours(facts: &Facts<'_>) -> Vec<usize> {
     read.difference(&others).filter_map(|mark| graph.block_of(mark)).collect()
 }
 
-/// The first block of a contour that needs a pole and has none before it in the contour.
-fn unset<'f>(facts: &'f Facts<'_>, label: usize) -> Option<&'f Block> {
-    for block in facts.program.blocks().iter().skip(label + 1) {
+/// The first block of a contour that needs a pole and has none before it in the contour, behind the place of the block
+/// that decides it.
+fn unset<'f>(facts: &'f Facts<'_>, label: usize) -> (usize, Option<&'f Block>) {
+    let blocks = facts.program.blocks();
+    for (at, block) in blocks.iter().enumerate().skip(label + 1) {
         match &block.kind {
-            BlockKind::CallLbl(_) | BlockKind::FnJump(_) => return None,
-            _ if is_pole(block) || block.ends_subprogram() || facts.ends(block) => return None,
-            _ if turns(block) => return Some(block),
+            BlockKind::CallLbl(_) | BlockKind::FnJump(_) => return (at, None),
+            _ if is_pole(block) || block.ends_subprogram() || facts.ends(block) => return (at, None),
+            _ if turns(block) => return (at, Some(block)),
             _ => {}
         }
     }
-    None
+    (blocks.len(), None)
 }

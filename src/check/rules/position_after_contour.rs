@@ -2,6 +2,8 @@
 //!
 //! Such a cycle ends elsewhere than it began, so what is not said is not where it was before. Only said where the position
 //! stands behind the call in the text and nothing leads away between them, with the tool axis Z.
+use std::ops::Range;
+
 use crate::check::contours::wanted;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
@@ -10,27 +12,34 @@ use crate::syntax::{Axis, Block, BlockKind, Motion, Path};
 pub(super) const RULE: Rule = Rule { code: "position-after-contour", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    // The blocks behind which the last position that was found comes first.
+    let mut last: Option<(Range<usize>, Option<&Block>)> = None;
     for call in &facts.run.calls {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(definition) = facts.definitions.get(index as usize) else { continue };
         if !wanted(definition).is_some_and(|own| own.displaces) || call.modal.is(Aspect::OtherAxis) != Tri::No {
             continue;
         }
-        let behind = facts.program.blocks().get(call.block + 1..).unwrap_or_default();
-        if let Some(block) = first_position(behind) {
+        let known = last.take().filter(|(blocks, _)| blocks.contains(&call.block));
+        let (_, block) = last.insert(known.unwrap_or_else(|| {
+            let behind = facts.program.blocks().get(call.block + 1..).unwrap_or_default();
+            let (passed, block) = first_position(behind);
+            (call.block..call.block + passed + 1, block)
+        }));
+        if let Some(block) = block {
             found.push(rule.at(facts, facts.content(block)).arg("cycle", definition.key.to_string()));
         }
     }
 }
 
-/// The first position in the plane, if it does not say all of it.
-fn first_position(behind: &[Block]) -> Option<&Block> {
-    for block in behind {
+/// The first position in the plane, if it does not say all of it, and how many blocks are passed on the way to it.
+fn first_position(behind: &[Block]) -> (usize, Option<&Block>) {
+    for (passed, block) in behind.iter().enumerate() {
         match &block.kind {
             BlockKind::Motion(motion) => {
                 let words = motion.words();
                 if let Some(complete) = complete(&words) {
-                    return (!complete && !block.skip).then_some(block);
+                    return (passed, (!complete && !block.skip).then_some(block));
                 }
             }
             BlockKind::Empty
@@ -39,10 +48,10 @@ fn first_position(behind: &[Block]) -> Option<&Block> {
             | BlockKind::Functions(_)
             | BlockKind::ToolCall(_)
             | BlockKind::ToolDef(_) => {}
-            _ => return None,
+            _ => return (passed, None),
         }
     }
-    None
+    (behind.len(), None)
 }
 
 /// Whether a position says both coordinates of the plane; nothing if it does not lead through the plane.

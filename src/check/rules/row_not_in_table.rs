@@ -18,13 +18,17 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(among) = facts.among.filter(|among| among.knows_rows()) else { return };
     let names_row = |param: &Param| matches!(param.is.as_str(), PRESET | DATUM);
     let names_rows = |own: &&Defined<'_>| own.cycle().is_some_and(|cycle| cycle.params.iter().any(names_row));
+    let selected = selections(facts);
     for definition in facts.definitions.iter().filter(names_rows) {
         let definition = facts.read(definition);
         for item in &definition.items {
             let meaning = item.param.map_or("", |param| param.is.as_str());
             let rows = match meaning {
                 PRESET => Rows::Presets,
-                DATUM => Rows::Datums(selected(facts, definition.view.first)),
+                DATUM => {
+                    let before = selected.partition_point(|(block, _)| *block < definition.view.first);
+                    Rows::Datums(before.checked_sub(1).and_then(|at| selected.get(at)).map(|(_, name)| *name))
+                }
                 _ => continue,
             };
             let Some(row) = number(item) else { continue };
@@ -36,11 +40,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The datum table that was selected last before a block, in the order of the text.
-fn selected<'a>(facts: &Facts<'a>, before: usize) -> Option<&'a str> {
-    let blocks = facts.program.blocks().get(..before).unwrap_or_default();
-    blocks.iter().rev().find_map(|block| match &block.kind {
-        BlockKind::Sel(own) if facts.text(own.what).eq_ignore_ascii_case("TABLE") => Some(facts.text(own.name).trim()),
+/// The datum tables that are selected, with their blocks, in the order of the text.
+fn selections<'a>(facts: &Facts<'a>) -> Vec<(usize, &'a str)> {
+    let selections = facts.marked().filter_map(|(index, block)| match &block.kind {
+        BlockKind::Sel(own) if facts.text(own.what).eq_ignore_ascii_case("TABLE") => {
+            Some((index, facts.text(own.name).trim()))
+        }
         _ => None,
-    })
+    });
+    selections.collect()
 }

@@ -2,6 +2,8 @@
 //!
 //! Later calls may leave it out. Said once a program, and only where no way of the run has named one. Turning tools have no
 //! tool axis: nothing is said of programs with `FUNCTION MODE TURN`.
+use std::cell::LazyCell;
+
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{Amount, BlockKind, ToolRef};
@@ -9,6 +11,7 @@ use crate::syntax::{Amount, BlockKind, ToolRef};
 pub(super) const RULE: Rule = Rule { code: "tool-axis-missing", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let turns = LazyCell::new(|| turns(facts));
     for (from, to, modal) in facts.run.stretches() {
         if modal.is_none_or(|modal| modal.is(Aspect::Tool) != Tri::No) {
             continue;
@@ -17,7 +20,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let BlockKind::ToolCall(call) = &block.kind else { continue };
             // Tool 0 is none.
             let none = matches!(call.tool, Some(ToolRef::Number(own)) if own.amount == Amount::Number(0.0));
-            if call.tool.is_some() && call.axis.is_none() && !none && !turns(facts) {
+            if call.tool.is_some() && call.axis.is_none() && !none && !*turns {
                 found.push(rule.at(facts, facts.content(block)));
                 return;
             }

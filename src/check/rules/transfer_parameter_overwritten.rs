@@ -32,12 +32,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             *last = call.block.max(*last);
         }
     }
+    let before = found.len();
     shared(rule, facts, found);
     overwritten(rule, facts, found);
+    let own = found.get(before..).unwrap_or_default().iter().filter_map(|own| own.place.as_ref());
+    let mut told: BTreeSet<usize> = own.map(|place| place.span.start).collect();
+    let mut read: Option<(u32, Written)> = None;
     for (from, to, modal) in facts.run.stretches() {
         let Some(Pending::Definition(index)) = modal.map(|modal| modal.pending) else { continue };
         let Some(definition) = facts.definitions.get(index as usize) else { continue };
-        let mut read = None;
         for (block, at) in facts.program.blocks().get(from..to).unwrap_or_default().iter().zip(from..) {
             let (target, span) = match &block.kind {
                 BlockKind::FnAssign(assign) => (assign.target, assign.target_span),
@@ -47,15 +50,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             if calls.get(&index).is_none_or(|last| *last <= at) {
                 continue;
             }
-            let (written, passed) = read.get_or_insert_with(|| written(facts, definition));
-            let told =
-                |own: &Diagnostic| own.code == RULE.code && own.place.as_ref().is_some_and(|place| place.span == span);
+            let known = read.take().filter(|(own, _)| *own == index).map(|(_, written)| written);
+            let (_, written) = read.insert((index, known.unwrap_or_else(|| Written::of(facts, definition))));
             let what = match target {
-                own if written.contains(&own) => "call",
-                own if passed.contains(&own) => "passed",
+                own if written.own.contains(&own) => "call",
+                own if written.passed.contains(&own) => "passed",
                 _ => continue,
             };
-            if !found.iter().any(told) {
+            if told.insert(span.start) {
                 let finding = rule.at(facts, span).arg("parameter", target.to_string()).arg("what", what);
                 found.push(finding.arg("cycle", definition.key.to_string()));
             }
@@ -63,16 +65,25 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The parameters that a definition writes, and those that it reads once for all.
-fn written(facts: &Facts<'_>, definition: &Defined<'_>) -> (Vec<QRef>, Vec<QRef>) {
-    let kin = definition.as_kin();
-    let read = facts.read(&kin);
-    let written = read.items.iter().filter_map(|item| item.param?.q).collect();
-    let passed = |item: &Item<'_>| match (item.param?.q?, item.value?.kind) {
-        (own, ValueKind::Q { q, .. }) if own.number > RESERVED => Some(q),
-        _ => None,
-    };
-    (written, read.items.iter().filter_map(passed).collect())
+/// What a definition does to parameters.
+struct Written {
+    /// Those that it writes.
+    own: BTreeSet<QRef>,
+    /// Those that it reads once for all.
+    passed: BTreeSet<QRef>,
+}
+
+impl Written {
+    fn of(facts: &Facts<'_>, definition: &Defined<'_>) -> Self {
+        let kin = definition.as_kin();
+        let read = facts.read(&kin);
+        let own = read.items.iter().filter_map(|item| item.param?.q).collect();
+        let passed = |item: &Item<'_>| match (item.param?.q?, item.value?.kind) {
+            (own, ValueKind::Q { q, .. }) if own.number > RESERVED => Some(q),
+            _ => None,
+        };
+        Self { own, passed: read.items.iter().filter_map(passed).collect() }
+    }
 }
 
 /// What the definition of a contour cycle writes over although the program has written it before and reads it later.

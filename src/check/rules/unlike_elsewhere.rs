@@ -5,7 +5,7 @@
 //! Newer software adds Q parameters at the end, so only those are missed behind which another one of the cycle stands, and of
 //! those in addition only parameters of other cycles that stand amid the cycle's, or have a lower
 //! number. Names and labels that nobody knows are left alone.
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::missing_parameter::gap;
 use crate::check::guards::{self, Ready, Written};
@@ -90,6 +90,7 @@ impl<'a> Other<'a> {
             }
         }
         let mut before: Option<&Item<'_>> = None;
+        let (mut names, last_known) = (HashSet::new(), read.items.iter().rposition(is_known));
         for (at, item) in read.items.iter().enumerate() {
             let name = item.name.as_ref();
             // Words for feeds are many, and PREDEF may stand for any parameter.
@@ -100,10 +101,10 @@ impl<'a> Other<'a> {
             if lines {
                 continue;
             }
-            if read.items.iter().take(at).any(|first| first.name == item.name) {
+            if !names.insert(name) {
                 found.push(tell(item.span, "twice").arg("parameter", name));
             } else if item.index.is_none()
-                && self.is_foreign(facts, item, Some(at) < read.items.iter().rposition(is_known))
+                && self.is_foreign(facts, item, Some(at) < last_known)
             {
                 found.push(tell(item.span, "foreign").arg("parameter", name));
             } else if let Some(before) = before.filter(|before| item.index.is_some() && item.index < before.index) {

@@ -1,5 +1,9 @@
-//! A word that stands twice in a block that may have it once: an angle of PLANE, a dimension of a blank, an axis of TRANS, a
-//! part of a pattern or one of its points, an axis in the lines of a cycle.
+//! A word that stands twice in a block that may have it once: an angle of PLANE, a dimension of a blank, an axis of TRANS,
+//! a part of a pattern or one of its points, an axis in the lines of a cycle.
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::spec::Keyword;
@@ -44,12 +48,21 @@ fn axes<'w>(rule: &Rule, facts: &Facts<'_>, words: impl Iterator<Item = &'w Name
 }
 
 fn tell(rule: &Rule, facts: &Facts<'_>, names: &[Span], found: &mut Vec<Diagnostic>) {
-    for (at, name) in names.iter().enumerate() {
+    let mut seen: HashMap<Cow<'_, str>, Span> = HashMap::new();
+    for name in names {
         let text = facts.text(*name).trim();
-        let same = |own: &&Span| !text.is_empty() && facts.text(**own).trim().eq_ignore_ascii_case(text);
-        if let Some(first) = names.iter().take(at).find(same) {
-            let place = Place::new(facts.program.source(), *first);
-            found.push(rule.at(facts, *name).arg("word", text).related("first-place", place));
+        match seen.entry(in_capitals(text)) {
+            Entry::Occupied(first) if !text.is_empty() => {
+                let place = Place::new(facts.program.source(), *first.get());
+                found.push(rule.at(facts, *name).arg("word", text).related("first-place", place));
+            }
+            Entry::Occupied(_) => {}
+            Entry::Vacant(none) => _ = none.insert(*name),
         }
     }
+}
+
+/// A word without regard to case.
+fn in_capitals(text: &str) -> Cow<'_, str> {
+    if text.bytes().any(|byte| byte.is_ascii_lowercase()) { text.to_ascii_uppercase().into() } else { text.into() }
 }
