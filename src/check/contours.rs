@@ -85,8 +85,8 @@ pub(super) fn body<'a>(blocks: &'a [Block], ends: &[usize], start: usize) -> Opt
     blocks.get(start + 1..*ends.get(ends.partition_point(|end| *end <= start))?)
 }
 
-/// The corners of a contour whose elements are all written with numbers, its first point included; nothing if that cannot
-/// be said.
+/// The corners of a contour whose elements are all written with numbers, its first point included;
+/// nothing if that cannot be said.
 pub(super) fn corners(blocks: &[Block], axes: [Axis; 2]) -> Option<Vec<[f64; 2]>> {
     let mut points: Vec<[f64; 2]> = Vec::new();
     let (mut at, mut pole, mut polar) = ([None; 2], [None; 2], [None; 2]);
@@ -100,10 +100,10 @@ pub(super) fn corners(blocks: &[Block], axes: [Axis; 2]) -> Option<Vec<[f64; 2]>
         match motion.path {
             Path::Rnd | Path::Chf => continue,
             Path::Cc => {
-                pole = cartesian(&motion, axes, if motion.coords.is_empty() { at } else { pole })?;
+                pole = moved(&motion, axes, if motion.coords.is_empty() { at } else { pole })?;
                 continue;
             }
-            Path::L | Path::C | Path::Cr | Path::Ct => at = cartesian(&motion, axes, at)?,
+            Path::L | Path::C | Path::Cr | Path::Ct => at = moved(&motion, axes, at)?,
             Path::Lp | Path::Cp | Path::Ctp => {
                 for (axis, known) in [Axis::Pr, Axis::Pa].into_iter().zip(&mut polar) {
                     if let Some((value, incremental)) = number(&motion, axis)? {
@@ -135,7 +135,16 @@ fn number(motion: &Motion, axis: Axis) -> Option<Option<(f64, bool)>> {
     }
 }
 
-fn cartesian(motion: &Motion, axes: [Axis; 2], from: [Option<f64>; 2]) -> Option<[Option<f64>; 2]> {
+/// Where a movement leads from a place in X and Y; nothing if that is not certain.
+pub(super) fn led(from: Option<[f64; 2]>, motion: &Motion) -> Option<[f64; 2]> {
+    match moved(motion, [Axis::X, Axis::Y], from.map_or([None; 2], |from| from.map(Some)))? {
+        [Some(x), Some(y)] => Some([x, y]),
+        _ => None,
+    }
+}
+
+/// The same in any two axes, of which one may be open before or remain so; nothing if a coordinate is not certain.
+fn moved(motion: &Motion, axes: [Axis; 2], from: [Option<f64>; 2]) -> Option<[Option<f64>; 2]> {
     let mut to = from;
     for (axis, known) in axes.into_iter().zip(&mut to) {
         if let Some((value, incremental)) = number(motion, axis)? {

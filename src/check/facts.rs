@@ -16,7 +16,7 @@ use super::{Against, CycleLabels, values};
 use crate::diag::Span;
 use crate::expr::QRef;
 use crate::fields::key;
-use crate::spec::{Cycle, CycleKey, Known};
+use crate::spec::{Cycle, CycleKey, Known, Param};
 use crate::syntax::{
     Amount, Block, BlockKind, Compensates, CycleForm, MFunction, Operand, Path, Program, StatementKind, ValueKind,
 };
@@ -197,8 +197,8 @@ impl<'a> Facts<'a> {
         self.marked.iter().filter_map(|index| Some((*index as usize, blocks.get(*index as usize)?)))
     }
 
-    /// Corners, tangential arcs, approaches, departures, elements of free contours, surface normals and movements with RL
-    /// or RR, with their places among all blocks.
+    /// Corners, tangential arcs, approaches, departures, elements of free contours, surface normals and movements with
+    /// RL or RR, with their places among all blocks.
     pub fn shaped(&self) -> impl Iterator<Item = (usize, &'a Block)> {
         let blocks = self.program.blocks();
         self.shaped.iter().filter_map(|index| Some((*index as usize, blocks.get(*index as usize)?)))
@@ -249,6 +249,22 @@ impl<'a> Facts<'a> {
     pub(super) fn definition_before(&self, block: usize) -> Option<&Defined<'a>> {
         let at = self.definitions.partition_point(|own| own.view.first < block);
         self.definitions.get(at.checked_sub(1)?)
+    }
+
+    /// Asks the definitions in lines whose cycle, or the one that it is like, has a parameter with a meaning, with the
+    /// items that write it, until one has an answer.
+    pub(super) fn find_meaning<T>(
+        &self,
+        meaning: &str,
+        mut ask: impl FnMut(&Defined<'a>, &mut dyn Iterator<Item = &Item<'_>>) -> Option<T>,
+    ) -> Option<T> {
+        let of_lines = self.definitions.iter().filter(|own| matches!(own.view.form, CycleForm::Lines(_)));
+        let means = |param: &Param| param.is.as_str() == meaning;
+        of_lines.filter(|own| own.kin().is_some_and(|cycle| cycle.params.iter().any(means))).find_map(|own| {
+            let kin = own.as_kin();
+            let read = self.read(&kin);
+            ask(own, &mut read.items.iter().filter(|item| item.param.is_some_and(means)))
+        })
     }
 
     /// The definitions with their values.

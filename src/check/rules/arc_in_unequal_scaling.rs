@@ -1,8 +1,8 @@
-//! An arc or a rounding while the axes of its plane are scaled by different factors, which only a straight line stands (TNC 640,
-//! 001: 6656).
+//! An arc or a rounding while the axes of its plane are scaled by different factors, which only a straight line stands
+//! (TNC 640, 001: 6656).
 //!
-//! Said once a program, and only where every definition that scales has different factors for X and Y and the tool axis is
-//! Z: then the factors of the arc are certain.
+//! Said once a program, and only where every definition that scales has different factors for X and Y and the tool axis
+//! is Z: then the factors of the arc are certain.
 use crate::check::{Aspect, Facts, Item, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, Path};
@@ -14,20 +14,15 @@ const FACTORS: &str = "axis-scaling-factors";
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut scaling = None;
-    for definition in &facts.definitions {
-        if !definition.kin().is_some_and(|cycle| cycle.params.iter().any(|param| param.is.as_str() == FACTORS)) {
-            continue;
+    let uncertain = facts.find_meaning(FACTORS, |definition, factors| {
+        match factors.next().and_then(plane) {
+            Some([x, y]) if x == 1.0 && y == 1.0 => {}
+            Some([x, y]) if x != y => scaling = scaling.or(Some(definition.key)),
+            _ => return Some(()),
         }
-        let kin = definition.as_kin();
-        let read = facts.read(&kin);
-        let factors = read.items.iter().find(|item| item.param.is_some_and(|param| param.is.as_str() == FACTORS));
-        match factors.map(plane) {
-            Some(Some([x, y])) if x == 1.0 && y == 1.0 => {}
-            Some(Some([x, y])) if x != y => scaling = scaling.or(Some(definition.key)),
-            _ => return,
-        }
-    }
-    let Some(key) = scaling else { return };
+        None
+    });
+    let Some(key) = scaling.filter(|_| uncertain.is_none()) else { return };
     let scaled = |modal: &crate::check::Modal| {
         modal.is(Aspect::AxisScaling) == Tri::Yes && modal.is(Aspect::OtherAxis) == Tri::No
     };

@@ -1,12 +1,13 @@
-//! An arc or a rounding on the inside of a contour whose radius is smaller than that of the tool: the tool does not come into
-//! it, and the control refuses the block.
+//! An arc or a rounding on the inside of a contour whose radius is smaller than that of the tool: the tool does not
+//! come into it, and the control refuses the block.
 //!
-//! The radius of the tool is that of TOOL DEF or of the tool table, where it is named. Only corners and arcs are looked at
-//! whose points are written as numbers.
+//! The radius of the tool is that of TOOL DEF or of the tool table, where it is named. Only corners and arcs are looked
+//! at whose points are written as numbers.
+use crate::check::contours::led;
 use crate::check::tools::Tools;
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Arg, Diagnostic, Severity};
-use crate::syntax::{Amount, Axis, BlockKind, Compensation, Motion, Path};
+use crate::syntax::{Amount, BlockKind, Compensation, Path};
 
 pub(super) const RULE: Rule = Rule { code: "arc-too-narrow", severity: Severity::Warning, run };
 
@@ -68,7 +69,7 @@ impl Course {
         }
         let path = motion.path;
         if path == Path::Cc {
-            self.centre = moved(self.at, &motion);
+            self.centre = led(self.at, &motion);
             return None;
         }
         let size = motion.radius.and_then(|radius| match radius.amount {
@@ -81,7 +82,7 @@ impl Course {
         }
         let (before, start) = (self.from, self.at);
         let end = match path {
-            Path::L | Path::C | Path::Cr | Path::Ct => moved(start, &motion),
+            Path::L | Path::C | Path::Cr | Path::Ct => led(start, &motion),
             _ => None,
         };
         let corner = self.corner.take();
@@ -106,16 +107,4 @@ impl Course {
         let turn = one[0] * two[1] - one[1] * two[0];
         (turn * self.side > TOLERANCE).then_some((place, radius))
     }
-}
-
-/// Where a movement leads in X and Y; nothing if that is not certain.
-fn moved(from: Option<[f64; 2]>, motion: &Motion) -> Option<[f64; 2]> {
-    let mut to = [from.map(|own| own[0]), from.map(|own| own[1])];
-    for (to, axis) in to.iter_mut().zip([Axis::X, Axis::Y]) {
-        if let Some(coord) = motion.coord(axis) {
-            let Amount::Number(number) = coord.value.amount else { return None };
-            *to = if coord.incremental { Some((*to)? + number) } else { Some(number) };
-        }
-    }
-    Some([to[0]?, to[1]?])
 }

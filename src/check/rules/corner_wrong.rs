@@ -3,6 +3,7 @@
 //!
 //! Lengths are compared where the corners of both lines are written as numbers, one behind the other, in the plane of X
 //! and Y. Silent at free contours and around blocks that may be skipped.
+use crate::check::contours::led;
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Arg, Diagnostic, Severity};
 use crate::syntax::{Amount, Axis, Block, BlockKind, Element, Motion, Path};
@@ -92,7 +93,7 @@ fn wrong(own: &Element, before: &[&Block], behind: Option<&Block>) -> Option<(&'
     let lines: Vec<&Block> = before.iter().copied().filter(|block| !is_corner(block)).collect();
     let corner = target(&lines)?;
     let start = target(lines.get(1..)?)?;
-    let end = moved(corner, &second.words())?;
+    let end = Some(second.words()).filter(flat).and_then(|second| led(Some(corner), &second))?;
     let one = [start[0] - corner[0], start[1] - corner[1]];
     let other = [end[0] - corner[0], end[1] - corner[1]];
     let (long, wide) = (libm::hypot(one[0], one[1]), libm::hypot(other[0], other[1]));
@@ -139,18 +140,7 @@ fn plain(own: &Motion) -> [Option<f64>; 2] {
     })
 }
 
+/// Whether a line leads nowhere but in X and Y.
 fn flat(own: &Motion) -> bool {
     own.coords.iter().all(|coord| matches!(coord.axis, Axis::X | Axis::Y)) && own.functions.is_empty()
-}
-
-/// Where a line leads from a place.
-fn moved(from: [f64; 2], own: &Motion) -> Option<[f64; 2]> {
-    let mut to = from;
-    for (at, axis) in [Axis::X, Axis::Y].into_iter().enumerate() {
-        if let Some(coord) = own.coord(axis) {
-            let Amount::Number(number) = coord.value.amount else { return None };
-            to[at] = if coord.incremental { from[at] + number } else { number };
-        }
-    }
-    flat(own).then_some(to)
 }

@@ -1,11 +1,11 @@
 //! A spindle speed or feed in a tool call that is negative, or above what a control lets anybody enter.
 //!
-//! The manuals print greatest speeds and feeds for the parameters of cycles; the widest of them is the limit here. Silent
-//! where no manual of the control, nor of another one, prints any.
+//! The manuals print greatest speeds and feeds for the parameters of cycles; the widest of them is the limit here.
+//! Silent where no manual of the control, nor of another one, prints any.
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
 use crate::spec::MM_PER_INCH;
-use crate::syntax::{Amount, BlockKind, FeedKind};
+use crate::syntax::{BlockKind, FeedKind};
 
 pub(super) const RULE: Rule = Rule { code: "speed-out-of-range", severity: Severity::Warning, run };
 
@@ -21,20 +21,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let written = [(call.speed.as_ref(), limits.speed, 1.0, "speed"), (fed, limits.feed, unit, "feed")];
         for (operand, limit, unit, what) in written {
             let Some((operand, limit)) = operand.zip(limit) else { continue };
-            let value = match operand.amount {
-                Amount::Number(value) => value,
-                Amount::Q { negative, .. } => match facts.run.number_at(operand.span) {
-                    Some(value) => {
-                        if negative {
-                            -value
-                        } else {
-                            value
-                        }
-                    }
-                    None => continue,
-                },
-                Amount::Text(_) => continue,
-            };
+            let Some(value) = facts.number(operand) else { continue };
             let side = match value * unit {
                 value if value < 0.0 => "below",
                 value if value > limit => "above",

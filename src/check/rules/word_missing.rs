@@ -1,16 +1,15 @@
-//! A word without which a block means nothing: an approach without its length or angle, an arc of a free contour without
-//! DR, a pattern without a coordinate or number, FN 16 without its target, a text function without what it reads.
+//! A word without which a block means nothing: an approach without its length or angle, an arc of a free contour
+//! without DR, a pattern without a coordinate or number, FN 16 without its target,
+//! a text function without what it reads.
 //!
 //! A block of DIN/ISO that has no equivalent because something is missing in it is told with `iso-incomplete`.
 use std::collections::BTreeSet;
 
 use crate::check::words::{self, Words};
-use crate::check::{Facts, Item, Rule};
+use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::spec::Cycle;
 use crate::syntax::{
-    Approach, Axis, Block, BlockKind, CallForm, CycleForm, Element, NamedWord, Path, PatternDef, Statement,
-    StatementKind,
+    Approach, Axis, Block, BlockKind, CallForm, Element, NamedWord, Path, PatternDef, Statement, StatementKind,
 };
 
 pub(super) const RULE: Rule = Rule { code: "word-missing", severity: Severity::Warning, run };
@@ -27,22 +26,14 @@ const PATTERNS: [(&str, &[&str]); 6] = [
 /// The meaning of the field with the angles of a tilted plane, of which the manual wants all three (001: 6727).
 const ANGLES: &str = "tilting-angles";
 
-/// The first plane of a cycle that lacks an angle; said once a program, for a machine whose angles are those of its axes has
-/// as many as it has axes.
+/// The first plane of a cycle that lacks an angle; said once a program, for a machine whose angles are those of its
+/// axes has as many as it has axes.
 fn angle(facts: &Facts<'_>) -> Option<(Span, &'static str)> {
-    let of_lines = facts.definitions.iter().filter(|own| matches!(own.view.form, CycleForm::Lines(_)));
-    of_lines.filter(|own| own.kin().is_some_and(tilts)).find_map(|definition| {
-        let kin = definition.as_kin();
-        let read = facts.read(&kin);
-        let angles = |item: &&Item<'_>| item.param.is_some_and(|own| own.is.as_str() == ANGLES);
-        read.items.iter().filter(angles).filter(|item| !item.printed.is_empty()).find_map(|item| {
+    facts.find_meaning(ANGLES, |_, angles| {
+        angles.filter(|item| !item.printed.is_empty()).find_map(|item| {
             ["A", "B", "C"].into_iter().find(|axis| !item.printed.contains(axis)).map(|axis| (item.span, axis))
         })
     })
-}
-
-fn tilts(cycle: &Cycle) -> bool {
-    cycle.params.iter().any(|param| param.is.as_str() == ANGLES)
 }
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
