@@ -1,4 +1,5 @@
-//! What a folder of programs says of the hand that wrote them, such as a CAM post-processor: by program, cycle and rule.
+//! What a folder of programs says of the hand that wrote them, such as a CAM post-processor:
+//! by program, cycle and rule.
 //!
 //! Invariants: nothing is judged here, the checker's findings are counted; what no specification describes is neither
 //! right nor wrong but out of the subset, and is told.

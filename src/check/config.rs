@@ -249,7 +249,9 @@ mod tests {
     #[test]
     fn what_comes_later_wins() {
         let config = parsed(
-            "control = \"tnc640\"\n[rules]\nguard = \"off\"\nspindle-off = \"error\"\n[[folder]]\npath = \"old\"\ncontrol = \"itnc530\"\nrules = { guard = \"note\" }\n[[folder]]\npath = \"**/fi/*.h\"\nlang = \"fi\"\n",
+            "control = \"tnc640\"\n[rules]\nguard = \"off\"\nspindle-off = \"error\"\n\
+             [[folder]]\npath = \"old\"\ncontrol = \"itnc530\"\nrules = { guard = \"note\" }\n\
+             [[folder]]\npath = \"**/fi/*.h\"\nlang = \"fi\"\n",
         )
         .unwrap();
         let top = config.of("a.h");

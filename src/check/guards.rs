@@ -300,8 +300,8 @@ impl Written {
     }
 }
 
-/// The data that cycles share, read when a guard first asks for them: the first block of each definition that keeps such,
-/// and its numbers.
+/// The data that cycles share, read when a guard first asks for them: the first block of each definition that keeps
+/// such, and its numbers.
 #[derive(Default)]
 pub(super) struct SharedData(OnceLock<Vec<(usize, Vec<(QRef, f64)>)>>);
 
@@ -334,7 +334,8 @@ pub(super) fn read_as(param: &Param) -> Option<QRef> {
     param.q.or_else(|| param.field.as_ref().and_then(|field| field.stands_for))
 }
 
-/// What is followed through the run under the name of a state; turning can be certain, and that the control mills cannot.
+/// What is followed through the run under the name of a state; turning can be certain,
+/// and that the control mills cannot.
 pub(super) fn aspect_of(name: &str) -> Option<Aspect> {
     let turning = ("turning", Aspect::Turning);
     STATES.iter().chain([&turning]).find(|(own, _)| *own == name).map(|(_, aspect)| *aspect)

@@ -348,8 +348,9 @@ pub(super) fn is_spoken(facts: &Facts<'_>, definition: &Defined<'_>) -> bool {
 
 /// Whether a definition is one that a control wrote in a language that is not loaded.
 ///
-/// Of its parameters at most one of eight is not the cycle's own: newer software has more of them. Two or more and at least half
-/// of them have a comment, three of four comments have the form of labels, and at most one of four is a label in a language that is loaded.
+/// Of its parameters at most one of eight is not the cycle's own: newer software has more of them. Two or more and at
+/// least half of them have a comment, three of four comments have the form of labels, and at most one of four is a
+/// label in a language that is loaded.
 fn is_foreign<'a>(facts: &Facts<'a>, definition: &Definition<'a>, labels: &CycleLabels) -> bool {
     let most = facts.against.on.control.label.max_length;
     let items = &definition.items;

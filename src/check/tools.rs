@@ -1,5 +1,5 @@
-//! What is known of the tool that a call of a cycle finds in the spindle: what the program's own TOOL DEF says of it, or the
-//! tool table where it is named, with the oversize of its tool call.
+//! What is known of the tool that a call of a cycle finds in the spindle: what the program's own TOOL DEF says of it,
+//! or the tool table where it is named, with the oversize of its tool call.
 //!
 //! Invariant: a tool that a parameter chooses, or that is defined in several ways, is not known.
 use std::collections::HashMap;

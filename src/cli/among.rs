@@ -1,7 +1,8 @@
 //! The files around a program that is checked: the programs that it calls, and the tables that are named.
 //!
 //! Invariant: a name means a file only where a control would find it: without a folder it stands beside the calling
-//! program; with folders it ends the path of a file that is checked, too. Whatever cannot be read is as good as not known.
+//! program; with folders it ends the path of a file that is checked, too.
+//! Whatever cannot be read is as good as not known.
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -1,7 +1,7 @@
 //! Programs in DIN/ISO for another control: told in Klartext, converted, and what is new in DIN/ISO again.
 //!
-//! Invariant: a block that needs nothing keeps its bytes, a new one says in Klartext what the conversion wrote, and whatever
-//! cannot be put into DIN/ISO stays as it was and is told.
+//! Invariant: a block that needs nothing keeps its bytes, a new one says in Klartext what the conversion wrote, and
+//! whatever cannot be put into DIN/ISO stays as it was and is told.
 use crate::compare;
 use crate::convert::{self, Conversion, Request};
 use crate::diag::{Diagnostic, Edit, Place, Severity, Source, Span, edited};

@@ -20,7 +20,8 @@ use crate::table::{self, TableKind};
 
 pub(super) const COMMAND: Command = Command {
     name: "check",
-    usage: "PATH… [--control CONTROL] [--lang LANG] [--config FILE] [--table FILE]… [--fix] [--no-cache] [--format FORMAT]",
+    usage: "PATH… [--control CONTROL] [--lang LANG] [--config FILE] [--table FILE]… [--fix] [--no-cache] \
+            [--format FORMAT]",
     arguments: own,
     run,
 };

@@ -17,8 +17,8 @@ use crate::{syntax, system};
 
 pub(super) const COMMAND: Command = Command {
     name: "convert",
-    usage: "FILE… (--from CONTROL --to CONTROL [--form FORM] | --to-iso | --to-klartext [--control CONTROL] [--lang LANG])\
-            \n       [--out FILE | --in-place] [--format FORMAT]",
+    usage: "FILE… (--from CONTROL --to CONTROL [--form FORM] | --to-iso | --to-klartext [--control CONTROL] \
+            [--lang LANG])\n       [--out FILE | --in-place] [--format FORMAT]",
     arguments: own,
     run,
 };

@@ -115,8 +115,8 @@ pub(super) fn is_table(file: &Text) -> bool {
     file.source.text().trim_start_matches('\u{feff}').starts_with("BEGIN")
 }
 
-/// The text of a table of a kind that no manual describes, such as those of pallets and of pockets: it begins with the name
-/// of a file, and its own name is none of a program.
+/// The text of a table of a kind that no manual describes, such as those of pallets and of pockets: it begins with the
+/// name of a file, and its own name is none of a program.
 pub(super) fn other_table(path: &Path) -> Result<Option<Arc<Source>>, Failure> {
     let is_program = |own: &std::ffi::OsStr| super::check::PROGRAMS.iter().any(|it| own.eq_ignore_ascii_case(it));
     if path.extension().is_none_or(is_program) {

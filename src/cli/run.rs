@@ -20,7 +20,8 @@ use crate::text;
 
 pub(super) const COMMAND: Command = Command {
     name: "run",
-    usage: "FILE --control CONTROL --scene FILE [--tool-table FILE] [--out DIR] [--events] [--envelope] [--stock FILE] [--resolution MM] [--format FORMAT] [--skip-blocks] [--lang LANG]",
+    usage: "FILE --control CONTROL --scene FILE [--tool-table FILE] [--out DIR] [--events] [--envelope] \
+            [--stock FILE] [--resolution MM] [--format FORMAT] [--skip-blocks] [--lang LANG]",
     arguments: own,
     run,
 };

@@ -383,8 +383,8 @@ impl<'p> Speller<'p> {
         self.out.get(*self.tokens.get(at)?..end)
     }
 
-    /// Adds a token, a number without its fraction. A plus is left out where it is the sign of what follows, and `F MAX`
-    /// is `FMAX`.
+    /// Adds a token, a number without its fraction. A plus is left out where it is the sign of what follows,
+    /// and `F MAX` is `FMAX`.
     fn token(&mut self, token: &str) {
         let is_value = |token: &str| token.starts_with(|c: char| c.is_ascii_digit()) || token.starts_with('Q');
         let operand =

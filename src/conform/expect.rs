@@ -175,7 +175,8 @@ impl Reader<'_> {
         Some(CellWanted { file, row, column: self.text(column)?, value: self.wanted(value)? })
     }
 
-    /// `{rapid: {Z: 2}}`, `{feed: {Z: -5}, at: 150}`, `{arc: {X: 1, Y: 2}, angle: 60}`, `{dwell: 0.5}`, `{probe: {X: 1}}`,
+    /// `{rapid: {Z: 2}}`, `{feed: {Z: -5}, at: 150}`, `{arc: {X: 1, Y: 2}, angle: 60}`, `{dwell: 0.5}`, `{probe: {X:
+    /// 1}}`,
     /// `{turn: {C: 30}}`.
     fn action(&mut self, node: &Node) -> Option<Action> {
         const VERBS: [&str; 6] = ["rapid", "feed", "arc", "turn", "dwell", "probe"];

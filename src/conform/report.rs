@@ -171,7 +171,8 @@ pub fn junit(report: &Report) -> String {
         let skipped = count(|verdict| matches!(verdict, Verdict::Skipped { .. } | Verdict::OutOfSubset { .. }));
         let (name, tests) = (escape(control), cases.len());
         xml.push_str(&format!(
-            "  <testsuite name=\"{name}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"0\" skipped=\"{skipped}\">\n"
+            "  <testsuite name=\"{name}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"0\" \
+             skipped=\"{skipped}\">\n"
         ));
         for case in cases {
             xml.push_str(&junit_case(case));

@@ -2,7 +2,8 @@
 //!
 //! Cycles are known by their numbers, parameters by theirs. What the other control lacks goes, what it has in
 //! addition comes with the value that does the same, and each of it is told; a cycle that it does not have stays and
-//! is refused. Other blocks stay as they are; what of them the other control's manual does not show is told. Invariants: a block that needs nothing keeps its bytes, and nothing is lost in silence.
+//! is refused. Other blocks stay as they are; what of them the other control's manual does not show is told.
+//! Invariants: a block that needs nothing keeps its bytes, and nothing is lost in silence.
 mod forms;
 mod functions;
 mod lines;

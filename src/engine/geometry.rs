@@ -71,7 +71,8 @@ impl Axis {
     }
 }
 
-/// A rotary axis: A turns about a parallel of X, B of Y, C of Z. Positions of rotary axes are kept as vectors, in degrees.
+/// A rotary axis: A turns about a parallel of X, B of Y, C of Z.
+/// Positions of rotary axes are kept as vectors, in degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct RotaryAxis(
     /// The linear axis that it turns about.

@@ -55,7 +55,8 @@ pub enum Node {
 pub struct ExprError {
     /// Where in the text.
     pub span: Span,
-    /// A kebab-case key for what was expected: `operand`, `operator`, `closing-bracket`, `known-function`, `less-nesting`, `character`, `arguments`, `in-spec-only`.
+    /// A kebab-case key for what was expected: `operand`, `operator`, `closing-bracket`, `known-function`,
+    /// `less-nesting`, `character`, `arguments`, `in-spec-only`.
     pub expected: &'static str,
     /// What stands there.
     pub found: String,

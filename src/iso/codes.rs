@@ -1,7 +1,7 @@
 //! Codes of cycles: which cycle and which form a code is, and the other way round.
 //!
-//! Invariant: what is known of a code comes from the specifications and profiles of all controls; a code from 200 on that none
-//! of them has is the number of a cycle, as with all others.
+//! Invariant: what is known of a code comes from the specifications and profiles of all controls; a code from 200 on
+//! that none of them has is the number of a cycle, as with all others.
 use std::collections::BTreeMap;
 
 use crate::spec::{Catalogue, Cycle, CycleKey, IsoWord, Keyword};

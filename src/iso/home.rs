@@ -1,7 +1,7 @@
 //! Where the text of a program that was written anew comes from.
 //!
-//! Invariant: pieces lie one behind the other and cover the text; a place inside of a piece that was copied has its exact place
-//! at home, any other place that of the block it was made from.
+//! Invariant: pieces lie one behind the other and cover the text; a place inside of a piece that was copied has its
+//! exact place at home, any other place that of the block it was made from.
 use std::sync::Arc;
 
 use crate::diag::{Diagnostic, Edit, Place, Source, Span};

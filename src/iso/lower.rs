@@ -1,8 +1,8 @@
 //! DIN/ISO in Klartext.
 //!
-//! Invariant: each block is read with the codes that act where it stands in the text: `G90` and `G91`, the plane, the motion. That
-//! is also their order in the run, but for jumps; programs that change them differently on two ways to a label are read in
-//! the order of the text.
+//! Invariant: each block is read with the codes that act where it stands in the text: `G90` and `G91`, the plane, the
+//! motion. That is also their order in the run, but for jumps; programs that change them differently on two ways to a
+//! label are read in the order of the text.
 use super::codes::Codes;
 use super::home::Lowered;
 use super::words::{AXES, CENTRE, PLAIN, POLAR, Words};
@@ -39,8 +39,8 @@ pub(super) enum Refusal {
 /// What a block's writing gives.
 pub(super) type Written<T = ()> = Result<T, Refusal>;
 
-/// A DIN/ISO program in Klartext. Blocks that Klartext has no equivalent of are comments there, and blocks of DIN/ISO to
-/// whoever executes it.
+/// A DIN/ISO program in Klartext. Blocks that Klartext has no equivalent of are comments there, and blocks of DIN/ISO
+/// to whoever executes it.
 pub fn to_klartext(program: &Program, codes: &Codes<'_>, labels: Option<&dyn Labels>) -> Lowered {
     let text = program.source().text();
     let eol = if text.contains("\r\n") { "\r\n" } else { "\n" };
@@ -319,7 +319,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Takes the codes that act from here on and say nothing else. Axes and coordinates take `G90` and `G91` themselves.
+    /// Takes the codes that act from here on and say nothing else.
+    /// Axes and coordinates take `G90` and `G91` themselves.
     pub(super) fn modal(&mut self, words: &mut Words<'_>) {
         for word in words.codes() {
             match word.1 {

@@ -1,7 +1,8 @@
 //! Klartext in DIN/ISO.
 //!
-//! Every block names the code of its motion, and where a program has incremental values at all, what each coordinate counts from:
-//! so a label may be reached from anywhere. Invariant: what DIN/ISO has no equivalent of is a comment and a finding.
+//! Every block names the code of its motion, and where a program has incremental values at all, what each coordinate
+//! counts from: so a label may be reached from anywhere. Invariant:
+//! what DIN/ISO has no equivalent of is a comment and a finding.
 use super::codes::Codes;
 use super::lower::with_quotation_marks;
 use super::old::{self, coordinate};

@@ -131,8 +131,8 @@ fn number_of(program: &Program, block: &Block) -> Option<(u32, Span)> {
     (length > 0).then(|| (number, Span::new(start, start + length)))
 }
 
-/// Hands over the places of the numbers of a block; of a definition whose lines are all numbered, several. What begins a
-/// line of a definition that cannot be read whole may be anything.
+/// Hands over the places of the numbers of a block; of a definition whose lines are all numbered, several. What begins
+/// a line of a definition that cannot be read whole may be anything.
 fn each_number(program: &Program, block: &Block, mut take: impl FnMut(Span)) {
     let of_lines = matches!(&block.kind, BlockKind::CycleDef(cycle) if cycle.errors.is_empty());
     let mut at = block.span.start;

@@ -2,8 +2,8 @@
 //!
 //! Each translation has a file `source.lock` with a line a text: `id[.attribute] text [meaning]`: a number
 //! for the words of the source text which it translates, and one for what the specifications mean by it. A
-//! mended slip of the pen leaves the first as it is: words count by their consonants. A variant counts as a translation of whatever the
-//! source language says in the same scope. Invariant: nothing is changed; the fresh lock is a text.
+//! mended slip of the pen leaves the first as it is: words count by their consonants. A variant counts as a translation
+//! of whatever the source language says in the same scope. Invariant: nothing is changed; the fresh lock is a text.
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::fmt::Write as _;
 use std::sync::Arc;

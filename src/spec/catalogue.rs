@@ -374,9 +374,9 @@ impl Catalogue {
         })
     }
 
-    /// The widest range that the controls whose manuals print one give for a parameter of a cycle: its least and greatest
-    /// value, and one of those controls. Where none does, the widest one for parameters of that meaning or, of plain
-    /// numbers, for what it measures, without a control. Nothing if the control itself prints one.
+    /// The widest range that the controls whose manuals print one give for a parameter of a cycle: its least and
+    /// greatest value, and one of those controls. Where none does, the widest one for parameters of that meaning or, of
+    /// plain numbers, for what it measures, without a control. Nothing if the control itself prints one.
     pub fn range_elsewhere(
         &self,
         on: &OnControl,

@@ -301,7 +301,9 @@ impl Decode for Formula {
 
 /// Defines a record: its type, decoding and schema.
 macro_rules! record {
-    ($(#[doc = $doc:literal])+ pub struct $name:ident { $($(#[doc = $field_doc:literal])+ $field:ident $(as $key:literal)? : $ty:ty,)* }) => {
+    ($(#[doc = $doc:literal])+ pub struct $name:ident {
+        $($(#[doc = $field_doc:literal])+ $field:ident $(as $key:literal)? : $ty:ty,)*
+    }) => {
         $(#[doc = $doc])+
         #[derive(Clone, Debug)]
         pub struct $name {
@@ -324,7 +326,10 @@ macro_rules! record {
                 }
                 let place = cx.place(node);
                 // Every field is read before the record fails, so that all mistakes show at once.
-                $(let $field = $crate::spec::decode::field::<$ty>(node, $crate::spec::decode::key!($field $($key)?), cx);)*
+                $(let $field = {
+                    let key = $crate::spec::decode::key!($field $($key)?);
+                    $crate::spec::decode::field::<$ty>(node, key, cx)
+                };)*
                 Some(Self { $($field: $field?,)* place })
             }
 
@@ -399,7 +404,9 @@ pub(super) fn filters(properties: &mut Map<String, Value>) {
 
 /// Defines an enumeration of words: its type, decoding and schema.
 macro_rules! words {
-    ($(#[doc = $doc:literal])+ pub enum $name:ident { $($(#[doc = $word_doc:literal])+ $variant:ident = $word:literal,)+ }) => {
+    ($(#[doc = $doc:literal])+ pub enum $name:ident {
+        $($(#[doc = $word_doc:literal])+ $variant:ident = $word:literal,)+
+    }) => {
         $(#[doc = $doc])+
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum $name { $($(#[doc = $word_doc])+ $variant,)+ }

@@ -48,8 +48,8 @@ record! {
     pub struct IsoWord {
         /// The field that it stands for.
         field: Name,
-        /// The letter, or `P01`; nothing for fields that are written as in Klartext: coordinates, axes. A field of several
-        /// values takes `P01` and those that follow.
+        /// The letter, or `P01`; nothing for fields that are written as in Klartext: coordinates, axes. A field of
+        /// several values takes `P01` and those that follow.
         word: Option<String>,
     }
 }

@@ -58,8 +58,8 @@ record! {
 record! {
     /// Functions of the language, and cycles, that a control does not have.
     pub struct FunctionLacking {
-        /// The words that they are printed with, such as `PATTERN DEF` or `CYCL DEF 251`; what stands behind them does not
-        /// matter.
+        /// The words that they are printed with, such as `PATTERN DEF` or `CYCL DEF 251`;
+        /// what stands behind them does not matter.
         function: Vec<String>,
         /// How that is known.
         why: String,

@@ -21,7 +21,8 @@ pub fn schema() -> Value {
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "ciklo specification",
-        "description": "A cycle, a fragment, a dictionary of meanings, a control, the errata, the topics or the language.",
+        "description": "A cycle, a fragment, a dictionary of meanings, a control, the errata, the topics or the \
+                        language.",
         "anyOf": kinds,
         "$defs": defs,
     })

@@ -275,8 +275,8 @@ impl Assembler<'_> {
         self.push(&first, end, lines + more, kind, remark);
     }
 
-    /// Whether content is what other languages and transfers have: a comment in brackets, or `%` alone; or the number of
-    /// a block and nothing behind it, as generators number their blank lines.
+    /// Whether content is what other languages and transfers have: a comment in brackets, or `%` alone; or the number
+    /// of a block and nothing behind it, as generators number their blank lines.
     fn is_foreign(&self, content: Span) -> bool {
         let text = self.text.get(content.start..content.end).unwrap_or_default();
         text.starts_with('(') || text == "%" || (!text.is_empty() && text.bytes().all(|b| b.is_ascii_digit()))

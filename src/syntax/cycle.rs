@@ -171,8 +171,8 @@ fn words(cursor: &mut Cursor<'_>) -> Read<Vec<NamedWord>> {
     }
 }
 
-/// A label and its value with the letter of an axis between them, `KOT X: +30`, as the axis and the label: elsewhere the axis
-/// stands first (TNC 640, 001: 12706, 12708, 13733).
+/// A label and its value with the letter of an axis between them, `KOT X: +30`, as the axis and the label: elsewhere
+/// the axis stands first (TNC 640, 001: 12706, 12708, 13733).
 fn axis_in_label(text: &str, word: &NamedWord) -> Option<[NamedWord; 2]> {
     let written = text.get(word.name.start..word.name.end)?.strip_suffix(':')?;
     let [.., blank, letter @ b'X'..=b'Z'] = written.as_bytes() else { return None };

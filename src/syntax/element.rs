@@ -1,8 +1,8 @@
 //! Contour elements, read in full when they are first asked for.
 //!
 //! Programs of CAM systems are millions of them, and few readers look at every word. The parser checks each and keeps
-//! where it stands and an outline of it. Invariant: what is read later is what the parser accepted, and the outline says
-//! nothing that the words do not say.
+//! where it stands and an outline of it. Invariant: what is read later is what the parser accepted, and the outline
+//! says nothing that the words do not say.
 use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
@@ -180,8 +180,8 @@ pub(super) const fn axis_bit(axis: Axis) -> u16 {
     1 << axis as u16
 }
 
-/// Whether a block names coordinates that its path does not have, or lacks the one without which it leads nowhere: polar
-/// ones belong to polar paths, an arc about the pole ends at an angle, and a centre lies in a plane.
+/// Whether a block names coordinates that its path does not have, or lacks the one without which it leads nowhere:
+/// polar ones belong to polar paths, an arc about the pole ends at an angle, and a centre lies in a plane.
 const fn misplaced(path: Path, axes: u16) -> bool {
     let (radius, angle) = (axes & axis_bit(Axis::Pr) != 0, axes & axis_bit(Axis::Pa) != 0);
     let straight = axes & (axis_bit(Axis::X) | axis_bit(Axis::Y) | axis_bit(Axis::Z));

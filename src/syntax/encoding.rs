@@ -1,8 +1,8 @@
 //! Bytes of program files to text and back, for any bytes at all.
 //!
-//! Files are UTF-8, with or without a byte order mark, UTF-16 with one, GBK, or of one of the Windows code pages; which one
-//! is guessed from the bytes. Invariant: `decode(bytes).encode(&decode(bytes).text) == bytes`; Windows-1252 as WHATWG
-//! defines it gives each of the 256 bytes a character of its own, so it can stand in for any unknown encoding.
+//! Files are UTF-8, with or without a byte order mark, UTF-16 with one, GBK, or of one of the Windows code pages; which
+//! one is guessed from the bytes. Invariant: `decode(bytes).encode(&decode(bytes).text) == bytes`; Windows-1252 as
+//! WHATWG defines it gives each of the 256 bytes a character of its own, so it can stand in for any unknown encoding.
 use std::borrow::Cow;
 
 const BOM: &[u8] = b"\xEF\xBB\xBF";
@@ -117,8 +117,8 @@ fn guess(bytes: &[u8]) -> Charset {
     }
 }
 
-/// Whether a byte is a letter of Central Europe where it stands: the same byte is a mark, or stands at ends of words, in
-/// the West (`È`, `£`, `¥`, `¹`, `³`, `Ø`).
+/// Whether a byte is a letter of Central Europe where it stands: the same byte is a mark, or stands at ends of words,
+/// in the West (`È`, `£`, `¥`, `¹`, `³`, `Ø`).
 fn is_central(byte: u8, before: bool, behind: bool) -> bool {
     match byte {
         // Č, and ĽŁĄąľł in a word.

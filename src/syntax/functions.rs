@@ -1,7 +1,7 @@
 //! Functions of the language that not every control has, by the words that they are printed with.
 //!
-//! Invariant: here is only how a function is called, not which control has it. What every control here has, such as straight
-//! lines, labels by number and M functions below 100, has no name.
+//! Invariant: here is only how a function is called, not which control has it. What every control here has, such as
+//! straight lines, labels by number and M functions below 100, has no name.
 use std::borrow::Cow;
 
 use super::Program;

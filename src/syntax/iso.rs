@@ -1,8 +1,9 @@
 //! Blocks of DIN/ISO programs.
 //!
-//! They stand in the same tree as those of Klartext: what both languages write alike is the same kind of block, everything else
-//! is a block of words. Invariant: as for Klartext, nothing here knows what a cycle's number or parameter means; the
-//! codes of the language itself (motions, planes, labels) are told apart from those of cycles and no more.
+//! They stand in the same tree as those of Klartext: what both languages write alike is the same kind of block,
+//! everything else is a block of words. Invariant: as for Klartext, nothing here knows what a cycle's number or
+//! parameter means; the codes of the language itself (motions, planes,
+//! labels) are told apart from those of cycles and no more.
 use super::statement::NamedWord;
 use super::tree::{MFunction, Parameter, SyntaxError};
 use crate::diag::Span;
@@ -22,8 +23,8 @@ pub enum Dialect {
 pub struct IsoBlock {
     /// What it is.
     pub kind: IsoKind,
-    /// Letters with their values in the order written. Behind `G`, `D` and `M` the value is the number of the code; behind `P` the
-    /// number of the parameter belongs to the name.
+    /// Letters with their values in the order written. Behind `G`, `D` and `M` the value is the number of the code;
+    /// behind `P` the number of the parameter belongs to the name.
     pub words: Vec<NamedWord>,
     /// M functions; they are no words.
     pub functions: Vec<MFunction>,

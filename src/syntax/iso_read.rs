@@ -1,8 +1,8 @@
 //! The reader of DIN/ISO: from physical lines to blocks.
 //!
-//! A block is a line; a cycle goes on in the lines behind it that are its Q parameters and have no number of their own, and `~`
-//! joins lines as in Klartext. Invariant: the blocks' spans lie one behind the other and cover the text, and each line is
-//! looked at a bounded number of times, whatever the text.
+//! A block is a line; a cycle goes on in the lines behind it that are its Q parameters and have no number of their own,
+//! and `~` joins lines as in Klartext. Invariant: the blocks' spans lie one behind the other and cover the text, and
+//! each line is looked at a bounded number of times, whatever the text.
 use std::sync::Arc;
 
 use super::assemble::{Assembled, FOREIGN};

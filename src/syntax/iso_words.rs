@@ -9,7 +9,8 @@ use super::tree::{Axis, Parameter, Value, ValueKind};
 use super::words::{from_operand, nameless, opt_value};
 use crate::diag::Span;
 
-/// D functions whose words are those of the language; of the others what stands behind the number is kept as it is printed.
+/// D functions whose words are those of the language; of the others what stands behind the number
+/// is kept as it is printed.
 const WORDED: std::ops::RangeInclusive<u16> = 0..=14;
 /// The code that gives a tool its length and radius.
 const TOOL_DEFINITION: f64 = 99.0;
@@ -76,7 +77,8 @@ pub(super) fn word(cursor: &mut Cursor<'_>, block: &mut IsoBlock) -> Read<()> {
             cursor.at = start + 1;
             let value = code(cursor)?;
             block.words.push(NamedWord { span: Span::new(start, value.span.end), name: name(1), value });
-            let worded = matches!(value.kind, ValueKind::Number(n) if WORDED.contains(&(n as u16)) || matches!(n as u16, 18 | 19 | 29));
+            let is_worded = |number: u16| WORDED.contains(&number) || matches!(number, 18 | 19 | 29);
+            let worded = matches!(value.kind, ValueKind::Number(number) if is_worded(number as u16));
             cursor.opt_mark(b':');
             if !worded {
                 cursor.blanks();

@@ -98,7 +98,8 @@ fn skip_mark(bytes: &[u8], at: usize, end: usize, line: &mut Line) -> usize {
 }
 
 /// Digits are a block number if a blank or the start of a block follows them, and not if they are all there is, with or
-/// without a joint. Some programs from elsewhere write `N` before them. Behind a skip mark the block may follow directly.
+/// without a joint. Some programs from elsewhere write `N` before them.
+/// Behind a skip mark the block may follow directly.
 fn block_number(bytes: &[u8], at: usize, end: usize, skipped: bool) -> Option<(u32, usize)> {
     let marked = matches!(bytes.get(at), Some(b'N' | b'n'));
     let at = at + usize::from(marked && at + 1 < end);

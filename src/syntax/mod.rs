@@ -113,8 +113,8 @@ impl Program {
         }
     }
 
-    /// The same program with what `each` writes into its blocks: where they stand in the program that this one was made from,
-    /// and what could not be said here.
+    /// The same program with what `each` writes into its blocks: where they stand in the program that this one was made
+    /// from, and what could not be said here.
     pub fn with_blocks(mut self, each: &mut dyn FnMut(&mut Block)) -> Self {
         self.blocks.iter_mut().for_each(each);
         self

@@ -327,7 +327,8 @@ pub(super) fn parameter(text: &str, start: usize) -> Option<(Line, Assignment, O
     Some((line, Assignment { span: content, q, q_span, value, tight: true }, label))
 }
 
-/// What stands behind a parameter: the comment, the label in it, whether a joint follows, and where the next line begins.
+/// What stands behind a parameter: the comment, the label in it, whether a joint follows,
+/// and where the next line begins.
 fn behind(scan: &mut Scan<'_>) -> Option<(Option<Span>, Option<Span>, bool, usize)> {
     match scan.byte() {
         b'\n' | b'\r' => return Some((None, None, false, scan.next_line())),

@@ -283,7 +283,8 @@ pub(super) fn selected(cursor: &mut Cursor<'_>, start: usize) -> Read<BlockKind>
     Ok(statement(StatementKind::CallSelected, start, head, Vec::new()))
 }
 
-/// A block in which a parameter is named by the value of another one: `Q[Q5] = 3`, `L X+Q[Q5]`. Nothing in it is told apart.
+/// A block in which a parameter is named by the value of another one: `Q[Q5] = 3`, `L X+Q[Q5]`.
+/// Nothing in it is told apart.
 pub(super) fn opt_indirect(text: &str, content: Span) -> Option<BlockKind> {
     let mut cursor = Cursor::new(text, content);
     let written = text.get(content.start..content.end)?;

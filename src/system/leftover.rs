@@ -1,7 +1,7 @@
 //! What stands beside its target until it is whole, and goes away when the program is told to end.
 //!
-//! Invariant: whatever a signal interrupts, nothing that was made here is left behind; who ended the program sees it end by
-//! that signal.
+//! Invariant: whatever a signal interrupts, nothing that was made here is left behind;
+//! who ended the program sees it end by that signal.
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};

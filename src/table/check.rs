@@ -6,8 +6,8 @@ use super::{Quantity, Table, TableKind, TableUnit, column, doubt};
 use crate::diag::{Diagnostic, Place, Severity, Source};
 use std::sync::Arc;
 
-/// Everything that can be said against a table: what cannot be read, columns that stand twice or that no manual describes,
-/// numbers out of their range, words that a column does not take, what is hardly meant.
+/// Everything that can be said against a table: what cannot be read, columns that stand twice or that no manual
+/// describes, numbers out of their range, words that a column does not take, what is hardly meant.
 pub fn check(kind: TableKind, source: &Arc<Source>) -> Vec<Diagnostic> {
     let (table, mut found) = text::read(kind, source);
     // Manuals print tables without BEGIN; the control writes it.

@@ -72,7 +72,8 @@ const fn number(name: &'static str) -> Column {
     Column { name, width: 9, quantity: Quantity::Number }
 }
 
-/// Tool measurement: TNC 320 manual lines 6916-6955; LCUTS, ANGLE: TNC 640 4704; T-ANGLE: 1750; RS, the cutting width: 7304, 8821; TP_NO: 10661; TL: 12624.
+/// Tool measurement: TNC 320 manual lines 6916-6955; LCUTS, ANGLE: TNC 640 4704; T-ANGLE: 1750; RS, the cutting width:
+/// 7304, 8821; TP_NO: 10661; TL: 12624.
 const TOOL: &[Column] = &[
     key("T"),
     text("NAME", 33),
@@ -217,8 +218,8 @@ impl TableKind {
         }
     }
 
-    /// The range outside of which a number is hardly meant, in mm: 20 teeth (TNC 320 manual line 6918, TNC 640 line 14906), tool
-    /// numbers TNC 640 line 13327; the greatest lengths and angles are those of the parameters of cycles.
+    /// The range outside of which a number is hardly meant, in mm: 20 teeth (TNC 320 manual line 6918, TNC 640 line
+    /// 14906), tool numbers TNC 640 line 13327; the greatest lengths and angles are those of the parameters of cycles.
     pub fn usual(self, column: &Column) -> Option<(f64, f64)> {
         match (self, column.name) {
             (Self::Tool, "T") => Some((0.0, 32767.9)),
@@ -256,8 +257,8 @@ impl TableKind {
         }
     }
 
-    /// The words of a column that takes no others: TNC 640 manual lines 1583-1640 (FADE), 14907-14913 (TL, DIRECT.), 10670
-    /// (F_PREPOS, TRACK). Files that a control has written have 0 and 1 in TL.
+    /// The words of a column that takes no others: TNC 640 manual lines 1583-1640 (FADE), 14907-14913 (TL, DIRECT.),
+    /// 10670 (F_PREPOS, TRACK). Files that a control has written have 0 and 1 in TL.
     pub fn words(self, column: &str) -> Option<&'static [&'static str]> {
         match (self, column) {
             (Self::Tool, "TL") => Some(&["L", "-", "0", "1"]),

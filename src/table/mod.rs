@@ -117,8 +117,8 @@ impl Table {
         self.unit
     }
 
-    /// Whether a path in a program means this table: drives and directories do not matter, nor does case. A name without
-    /// an extension means a table of its kind.
+    /// Whether a path in a program means this table: drives and directories do not matter, nor does case. A name
+    /// without an extension means a table of its kind.
     pub fn is_named(&self, path: &str) -> bool {
         let last = |name: &str| name.rsplit(['\\', '/', ':']).next().unwrap_or_default().to_ascii_uppercase();
         let (asked, own) = (last(path), last(&self.file));

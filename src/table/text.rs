@@ -175,7 +175,8 @@ pub(super) fn read(kind: TableKind, source: &Arc<Source>) -> (Option<Table>, Vec
     (Some(Table { kind, file, unit, headings, heading, lines, rows, end }), reader.found)
 }
 
-/// Which lines are neither names of columns nor rows: blank ones, comments, and what describes the columns (`#STRUCTBEGIN` to
+/// Which lines are neither names of columns nor rows: blank ones, comments, and what describes the columns
+/// (`#STRUCTBEGIN` to
 /// `#STRUCTEND`).
 fn described(lines: &[(usize, Line)]) -> Vec<bool> {
     let mut inside = false;

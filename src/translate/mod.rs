@@ -85,8 +85,8 @@ fn write(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding,
     Translation { text: out, changes, diagnostics, sources }
 }
 
-/// Hands over what [`translate`] replaces, or what [`relabel`] does, in the order of the text: long programs have millions
-/// of labels, and all that is replaced takes as much room as the program.
+/// Hands over what [`translate`] replaces, or what [`relabel`] does, in the order of the text: long programs have
+/// millions of labels, and all that is replaced takes as much room as the program.
 pub fn replacing<'a, T>(
     program: &'a Program,
     against: &Against<'a>,

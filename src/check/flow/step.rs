@@ -325,8 +325,9 @@ impl<'f, 'a> Steps<'f, 'a> {
         }
     }
 
-    /// The states where a jump leads and behind it, if they are others than that before it. A switch at the beginning of a
-    /// program may be set otherwise: on the way that its number rules out, the parameters that are compared are unknown.
+    /// The states where a jump leads and behind it, if they are others than that before it. A switch at the beginning
+    /// of a program may be set otherwise: on the way that its number rules out,
+    /// the parameters that are compared are unknown.
     pub(super) fn branches(&self, block: usize, state: &State) -> (Option<State>, Option<State>) {
         let Some(BlockKind::FnJump(jump)) = self.program.blocks().get(block).map(|block| &block.kind) else {
             return (None, None);

@@ -1,7 +1,8 @@
-//! A tangential arc (CT, CTP) without a contour element in the plane before it: there is nothing that it could be tangential to.
+//! A tangential arc (CT, CTP) without a contour element in the plane before it:
+//! there is nothing that it could be tangential to.
 //!
-//! Only said where what stands before it in the text is a tool call, a cycle, or a movement along the tool axis alone, with
-//! the tool axis Z.
+//! Only said where what stands before it in the text is a tool call, a cycle, or a movement along the tool axis alone,
+//! with the tool axis Z.
 use crate::check::facts::is_silent;
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};

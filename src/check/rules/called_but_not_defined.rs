@@ -1,4 +1,5 @@
-//! A cycle call (CYCL CALL, M99, M89, a pattern such as CYCL DEF 220) with no cycle defined before it, on any way that the run can take.
+//! A cycle call (CYCL CALL, M99, M89, a pattern such as CYCL DEF 220) with no cycle defined before it,
+//! on any way that the run can take.
 //!
 //! Silent behind calls of other programs, which may define one, and in programs that name neither blank nor tool:
 //! others call them and may have defined the cycle.

@@ -1,7 +1,7 @@
 //! A clearance height that lies not above what the touch probe touches.
 //!
-//! At a measuring height the ball touches the workpiece, so there is material up to there; at the height of a point of a
-//! surface there is, too, and a probing along the probe axis begins by the set-up clearance above it. A tip at a
+//! At a measuring height the ball touches the workpiece, so there is material up to there; at the height of a point of
+//! a surface there is, too, and a probing along the probe axis begins by the set-up clearance above it. A tip at a
 //! clearance height that is no higher does not come free. What the probe table adds is not known here and left
 //! out. Silent for points that a cycle does not probe, and where one of the two is a parameter.
 use super::together;

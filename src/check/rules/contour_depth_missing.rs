@@ -1,7 +1,7 @@
 //! Contours of which some have a depth of their own and others none.
 //!
-//! The manual asks for a depth at all of them then, 0 if need be (TNC 640, 001: 5602). Said once a program, at the first one
-//! that has none.
+//! The manual asks for a depth at all of them then, 0 if need be (TNC 640, 001: 5602). Said once a program, at the
+//! first one that has none.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, Statement, StatementKind};

@@ -1,10 +1,10 @@
-//! A contour that a cycle reads from a subprogram and cannot machine: movements of the tool axis, approaches, tool calls
-//! or cycles in it, a first point without both coordinates, no RL or RR, an end elsewhere than the beginning, elements
-//! that the cycle does not read, a corner as its last element, local parameters that are not assigned in it, more
-//! contours than it machines.
+//! A contour that a cycle reads from a subprogram and cannot machine: movements of the tool axis, approaches, tool
+//! calls or cycles in it, a first point without both coordinates, no RL or RR, an end elsewhere than the beginning,
+//! elements that the cycle does not read, a corner as its last element, local parameters that are not assigned in it,
+//! more contours than it machines.
 //!
-//! A contour may leave it to the control to close it by going on in the line with which it began. Lengths are only compared
-//! where all coordinates are numbers.
+//! A contour may leave it to the control to close it by going on in the line with which it began. Lengths are only
+//! compared where all coordinates are numbers.
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 use crate::check::contours::{Listed, body, corners, ends, listed, wanted};

@@ -1,7 +1,7 @@
 //! An arc C, CR or CP that does not say which way round it goes.
 //!
-//! The manuals show DR in every such block. DIN/ISO has `G05` for the direction that was programmed last, so controls may
-//! take an arc without DR like that: a warning.
+//! The manuals show DR in every such block. DIN/ISO has `G05` for the direction that was programmed last, so controls
+//! may take an arc without DR like that: a warning.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, Motion, Path};

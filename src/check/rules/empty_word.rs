@@ -1,12 +1,12 @@
-//! A block with an `R` or `F` without a value, or one that ends with an `M` without a number, as older controls and their posts
-//! print them.
+//! A block with an `R` or `F` without a value, or one that ends with an `M` without a number, as older controls and
+//! their posts print them.
 //!
 //! They do nothing. Each is said once a program.
 use memchr::memmem;
 
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::syntax::BlockKind;
+use crate::syntax::{BlockKind, Element};
 
 pub(super) const RULE: Rule = Rule { code: "empty-word", severity: Severity::Note, run };
 
@@ -46,7 +46,8 @@ fn alone(facts: &Facts<'_>, word: &[u8; 2]) -> Option<Span> {
         let block = blocks.partition_point(|block| block.span.end <= at);
         let moves = |block: &&crate::syntax::Block| {
             let before_comment = block.comment().is_none_or(|comment| at < comment.start);
-            let unfed = || matches!(&block.kind, BlockKind::Motion(own) if text.get(at + 1) != Some(&b'F') || own.words().feed.is_none());
+            let fed = |own: &Element| text.get(at + 1) == Some(&b'F') && own.words().feed.is_some();
+            let unfed = || matches!(&block.kind, BlockKind::Motion(own) if !fed(own));
             block.span.start <= at && before_comment && unfed()
         };
         if blocks.get(block).is_some_and(|block| moves(&block)) {

@@ -2,9 +2,9 @@
 //! pole, an element directly behind a label, CLSD that does not begin and end a contour, an auxiliary point without its
 //! distance, FSELECT without an element.
 //!
-//! A line leaves two things open, a tangential one one, an arc three, a tangential one two. Every word counts as one thing
-//! that is known, so what is told is certain; counted is to the end of the contour from its beginning and from each
-//! element whose end is written.
+//! A line leaves two things open, a tangential one one, an arc three, a tangential one two. Every word counts as one
+//! thing that is known, so what is told is certain; counted is to the end of the contour from its beginning and from
+//! each element whose end is written.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{Axis, Block, BlockKind, Motion, Path, StatementKind};

@@ -1,7 +1,8 @@
-//! A word behind FUNCTION, PLANE or TRANS DATUM that no control knows and that is one letter away from one that they know, or
-//! begins like one.
+//! A word behind FUNCTION, PLANE or TRANS DATUM that no control knows and that is one letter away from one that they
+//! know, or begins like one.
 //!
-//! Which words those are is in the file of the language. Of other words nothing is said: newer software has more of them.
+//! Which words those are is in the file of the language. Of other words nothing is said:
+//! newer software has more of them.
 use crate::check::{Facts, Rule, words};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::BlockKind;

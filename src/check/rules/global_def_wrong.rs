@@ -1,6 +1,6 @@
-//! A GLOBAL DEF that does not exist, that lacks a parameter, has a foreign or doubled one or a value that no cycle takes,
-//! or that gives other values before a cycle has used the ones given before; PREDEF for a parameter that no GLOBAL DEF
-//! gives.
+//! A GLOBAL DEF that does not exist, that lacks a parameter, has a foreign or doubled one or a value that no cycle
+//! takes, or that gives other values before a cycle has used the ones given before;
+//! PREDEF for a parameter that no GLOBAL DEF gives.
 //!
 //! What each gives is in the file of the language. PREDEF is left alone in parts of programs, which others may precede.
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,5 +1,5 @@
-//! A block of DIN/ISO in which something is missing without which it means nothing: a coordinate without its value, `G98`
-//! without `L`, `G24` or `G25` without `R`, a D function without an operand or its label.
+//! A block of DIN/ISO in which something is missing without which it means nothing: a coordinate without its value,
+//! `G98` without `L`, `G24` or `G25` without `R`, a D function without an operand or its label.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, IsoBlock, IsoKind, ValueKind};

@@ -1,5 +1,5 @@
-//! A jump back that nothing in the loop can end: its condition always holds, or compares what the loop does not change, or
-//! changes it away from the end.
+//! A jump back that nothing in the loop can end: its condition always holds, or compares what the loop does not change,
+//! or changes it away from the end.
 //!
 //! Silent where the loop stops for the operator, calls programs, has another way out, may be changed by what cannot be
 //! read, or takes too long to look through.
@@ -46,7 +46,8 @@ fn never_ends<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut
         Amount::Number(_) => true,
         Amount::Text(_) => false,
     };
-    let compares = || free(&jump.a) && free(&jump.b) && !matches!(jump.relation, Relation::Undefined | Relation::Defined);
+    let numbers = !matches!(jump.relation, Relation::Undefined | Relation::Defined);
+    let compares = || numbers && free(&jump.a) && free(&jump.b);
     if !decided.unwrap_or_else(compares) {
         return false;
     }

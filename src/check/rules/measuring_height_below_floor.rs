@@ -1,9 +1,10 @@
 //! A measuring height below the floor that the program itself mills where it measures.
 //!
 //! A cycle that mills around or inside a centre leaves a floor at the surface and the depth; a ball whose centre is
-//! measured below that floor stands in the workpiece. Only cycles that name a centre, a surface and a depth are compared,
-//! by the numbers that mean these in every cycle (003:117), so that cycles which the manuals show and do not describe
-//! count, too. Silent where anything else may have cut deeper there or moved the coordinates, and where a value is a parameter.
+//! measured below that floor stands in the workpiece. Only cycles that name a centre, a surface and a depth are
+//! compared, by the numbers that mean these in every cycle (003:117), so that cycles which the manuals show and do not
+//! describe count, too. Silent where anything else may have cut deeper there or moved the coordinates, and where a
+//! value is a parameter.
 use std::collections::HashMap;
 
 use crate::check::guards::Written;

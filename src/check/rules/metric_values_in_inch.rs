@@ -1,5 +1,5 @@
-//! Values in a program in inches that look like millimetres: feeds above 10 m/min, feeds of contours with RL or RR, and of cycles that plunge, of
-//! more than a millimetre a revolution, a blank of more than 3 m.
+//! Values in a program in inches that look like millimetres: feeds above 10 m/min, feeds of contours with RL or RR, and
+//! of cycles that plunge, of more than a millimetre a revolution, a blank of more than 3 m.
 //!
 //! Each is said once. Feeds that stand for rapid traverse (9998 and more) are left alone.
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};

@@ -1,6 +1,7 @@
 //! A mirror image that names the tool axis.
 //!
-//! The tool axis and the axis beside it cannot be mirrored (TNC 640, 001: 6533). Only said where the tool axis is certain.
+//! The tool axis and the axis beside it cannot be mirrored (TNC 640, 001: 6533).
+//! Only said where the tool axis is certain.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::CycleForm;

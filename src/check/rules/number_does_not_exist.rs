@@ -1,5 +1,5 @@
-//! The number of a parameter above 1999, of a local or lasting one above 499, of an M function above 999, or of a label above
-//! the greatest one of the control: there are none.
+//! The number of a parameter above 1999, of a local or lasting one above 499, of an M function above 999, or of a label
+//! above the greatest one of the control: there are none.
 use std::borrow::Cow;
 
 use crate::check::facts::each_function;

@@ -1,8 +1,8 @@
-//! A number outside of the range that another control's manual prints for the same parameter, where this control's prints
-//! none; or of any manual for parameters of that meaning, or for what the parameter measures.
+//! A number outside of the range that another control's manual prints for the same parameter, where this control's
+//! prints none; or of any manual for parameters of that meaning, or for what the parameter measures.
 //!
-//! What one control refuses, another one hardly takes; only the widest of those ranges counts. Silent where the parameter
-//! does not act.
+//! What one control refuses, another one hardly takes; only the widest of those ranges counts. Silent where the
+//! parameter does not act.
 use std::cell::LazyCell;
 
 use super::together;

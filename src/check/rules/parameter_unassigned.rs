@@ -2,8 +2,8 @@
 //!
 //! Only the freely available parameters Q0 to Q99, QS0 to QS99 and local ones are looked at, each once, and only in
 //! programs with a blank: others are called, and their callers may fill parameters. Nothing is said behind calls of
-//! other programs and cycles of the machine builder. Results of cycles are looked at, too, where a program without jumps
-//! reads them before the first cycle that has them.
+//! other programs and cycles of the machine builder. Results of cycles are looked at, too, where a program without
+//! jumps reads them before the first cycle that has them.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::check::flow::reads;

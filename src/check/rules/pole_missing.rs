@@ -1,7 +1,7 @@
 //! A circle about a centre, or a movement in polar coordinates, before any CC.
 //!
-//! Said once a program, and only in programs that name their blank or their tools. A contour that a cycle reads is looked
-//! at by itself: where the program has a CC elsewhere it is a warning, as the cycle may find that one active.
+//! Said once a program, and only in programs that name their blank or their tools. A contour that a cycle reads is
+//! looked at by itself: where the program has a CC elsewhere it is a warning, as the cycle may find that one active.
 use std::collections::BTreeSet;
 
 use crate::check::{Aspect, Facts, Mark, Rule, Tri, Way};

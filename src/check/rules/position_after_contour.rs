@@ -1,7 +1,7 @@
 //! The first position in the plane behind a contour cycle with one coordinate only, or an incremental one.
 //!
-//! Such a cycle ends elsewhere than it began, so what is not said is not where it was before. Only said where the position
-//! stands behind the call in the text and nothing leads away between them, with the tool axis Z.
+//! Such a cycle ends elsewhere than it began, so what is not said is not where it was before. Only said where the
+//! position stands behind the call in the text and nothing leads away between them, with the tool axis Z.
 use std::ops::Range;
 
 use crate::check::contours::wanted;

@@ -1,7 +1,7 @@
 //! A subprogram that runs into the next one, because no LBL 0 stands between them.
 //!
-//! Only said where both are called, or read as contours, neither is jumped to or repeated, and nothing but blocks that always follow each
-//! other stands between the labels.
+//! Only said where both are called, or read as contours, neither is jumped to or repeated, and nothing but blocks that
+//! always follow each other stands between the labels.
 use std::collections::BTreeMap;
 
 use crate::check::{Facts, Mark, Rule, Way};

@@ -1,4 +1,5 @@
-//! A subprogram that is called, or a contour that a cycle reads, and that comes to the end of the program without LBL 0.
+//! A subprogram that is called, or a contour that a cycle reads,
+//! and that comes to the end of the program without LBL 0.
 //!
 //! Silent where it ends with M2 or M30, which may be meant.
 use std::collections::BTreeSet;

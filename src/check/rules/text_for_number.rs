@@ -37,7 +37,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// What is wrong with a formula of functions on texts: what a lone one gives, or texts that are joined, against the target.
+/// What is wrong with a formula of functions on texts: what a lone one gives,
+/// or texts that are joined, against the target.
 fn text(facts: &Facts<'_>, formula: &TextFormula) -> Option<(&'static str, Span)> {
     let to_text = formula.target.kind == QKind::Qs;
     let written = facts.text(formula.text);

@@ -1,7 +1,7 @@
 //! A tool that is defined twice with different measures, tool 0, or a tool that is called before its only definition.
 //!
-//! TOOL DEF without measures names the next tool and defines none. Of calls it is only said where the order of the text is
-//! that of the run.
+//! TOOL DEF without measures names the next tool and defines none. Of calls it is only said where the order of the
+//! text is that of the run.
 use std::collections::{HashMap, HashSet};
 
 use crate::check::values::bits;

@@ -1,11 +1,11 @@
 //! A parameter of a cycle that is written between the cycle's definition and a call of it.
 //!
 //! The call takes the new value, which may be meant; so it is no error, and only said where it is certain which cycle
-//! the next call means. The parameters Q1 to Q20 belong to the cycles that work with the contour data from the definition
-//! of those data to the last call of such a cycle (TNC 640, 001: 4600).
+//! the next call means. The parameters Q1 to Q20 belong to the cycles that work with the contour data from the
+//! definition of those data to the last call of such a cycle (TNC 640, 001: 4600).
 //!
-//! A parameter that the definition has passed on (`Q201=Q1`) does nothing any more when it is written between (001: 1065),
-//! and one that the definition writes over is lost for the program that reads it later.
+//! A parameter that the definition has passed on (`Q201=Q1`) does nothing any more when it is written between (001:
+//! 1065), and one that the definition writes over is lost for the program that reads it later.
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use crate::check::flow::reads;

@@ -1,7 +1,7 @@
 //! A datum shift, rotation, mirror image or scaling that is certainly still active where the program ends.
 //!
-//! A machine parameter decides whether the end of a program resets it, so this is no error. A program that ends with END PGM
-//! only may set it for those that call it.
+//! A machine parameter decides whether the end of a program resets it, so this is no error. A program that ends with
+//! END PGM only may set it for those that call it.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::BlockKind;

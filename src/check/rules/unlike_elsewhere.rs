@@ -1,9 +1,9 @@
-//! A definition of a cycle that no manual of this control describes, measured by that of another control: a parameter is
-//! missing, doubled, foreign or behind one that it precedes, its label is that of another parameter, or its value is one
-//! that the other control refuses or that is hardly meant.
+//! A definition of a cycle that no manual of this control describes, measured by that of another control: a parameter
+//! is missing, doubled, foreign or behind one that it precedes, its label is that of another parameter, or its value is
+//! one that the other control refuses or that is hardly meant.
 //!
-//! Newer software adds Q parameters at the end, so only those are missed behind which another one of the cycle stands, and of
-//! those in addition only parameters of other cycles that stand amid the cycle's, or have a lower
+//! Newer software adds Q parameters at the end, so only those are missed behind which another one of the cycle stands,
+//! and of those in addition only parameters of other cycles that stand amid the cycle's, or have a lower
 //! number. Names and labels that nobody knows are left alone.
 use std::collections::{HashMap, HashSet};
 
@@ -103,9 +103,7 @@ impl<'a> Other<'a> {
             }
             if !names.insert(name) {
                 found.push(tell(item.span, "twice").arg("parameter", name));
-            } else if item.index.is_none()
-                && self.is_foreign(facts, item, Some(at) < last_known)
-            {
+            } else if item.index.is_none() && self.is_foreign(facts, item, Some(at) < last_known) {
                 found.push(tell(item.span, "foreign").arg("parameter", name));
             } else if let Some(before) = before.filter(|before| item.index.is_some() && item.index < before.index) {
                 found.push(tell(item.span, "order").arg("parameter", name).arg("before", before.name.as_ref()));

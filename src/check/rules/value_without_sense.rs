@@ -1,5 +1,5 @@
-//! A parameter that certainly has a value which the word cannot take: a feed that is not positive, an arc or corner without
-//! a radius.
+//! A parameter that certainly has a value which the word cannot take: a feed that is not positive,
+//! an arc or corner without a radius.
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity, Span};
 use crate::syntax::{Block, BlockKind, Feed, FeedKind, Path};

@@ -1,5 +1,5 @@
-//! A word that stands twice in a block that may have it once: an angle of PLANE, a dimension of a blank, an axis of TRANS,
-//! a part of a pattern or one of its points, an axis in the lines of a cycle.
+//! A word that stands twice in a block that may have it once: an angle of PLANE, a dimension of a blank, an axis of
+//! TRANS, a part of a pattern or one of its points, an axis in the lines of a cycle.
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;

@@ -1,5 +1,5 @@
-//! A word of a block with a value that it does not take, or that contradicts another word: SPA+400, MOVE and TURN, an error
-//! number of FN 14 that does not exist, a tool number below 0, `FN 4 … / …` for DIV.
+//! A word of a block with a value that it does not take, or that contradicts another word: SPA+400, MOVE and TURN, an
+//! error number of FN 14 that does not exist, a tool number below 0, `FN 4 … / …` for DIV.
 //!
 //! What words take is in the file of the language. Parameters are left alone.
 use std::collections::BTreeMap;
@@ -105,7 +105,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Whether the surface normal of a line that says one is 0 in all axes; most lines are told apart by their first component.
+/// Whether the surface normal of a line that says one is 0 in all axes;
+/// most lines are told apart by their first component.
 fn has_no_direction(text: &str) -> bool {
     let zero = |component: &str| {
         let value = text.split_ascii_whitespace().find_map(|word| word.strip_prefix(component));

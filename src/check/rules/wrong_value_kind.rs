@@ -18,8 +18,8 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     });
 }
 
-/// Whether the value is that of a GLOBAL DEF of the program. The manuals list the word for some parameters only, and say
-/// in general that it links any parameter to the definition of the same number.
+/// Whether the value is that of a GLOBAL DEF of the program. The manuals list the word for some parameters only, and
+/// say in general that it links any parameter to the definition of the same number.
 fn is_given(facts: &Facts<'_>, item: &Item<'_>) -> bool {
     let q = item.param.and_then(|param| param.q);
     item.printed == "PREDEF" && q.is_some_and(|q| facts.given.contains_key(&q))

@@ -12,8 +12,8 @@ use crate::engine::geometry::Frame;
 pub enum Straight {
     /// The linear axes, from one of their positions to another.
     Axes(DVec3, DVec3),
-    /// The tool tip relative to the workpiece, in the machine as it would be with all axes of the table at 0: the linear
-    /// axes hold it there.
+    /// The tool tip relative to the workpiece, in the machine as it would be with all axes of the table at 0: the
+    /// linear axes hold it there.
     Tip(DVec3, DVec3),
 }
 
@@ -32,8 +32,8 @@ pub struct Course<'m> {
 type Turns<'m> = Vec<(&'m RotaryMachineAxis, f64)>;
 
 impl<'m> Course<'m> {
-    /// A movement between two positions of the rotary axes; `pivot` leads from the tool tip to the point about which the
-    /// head turns, while it stands at 0.
+    /// A movement between two positions of the rotary axes; `pivot` leads from the tool tip to the point about which
+    /// the head turns, while it stands at 0.
     pub const fn new(machine: &'m Machine, angles: [DVec3; 2], straight: Straight, pivot: DVec3) -> Self {
         Self { machine, angles, straight, pivot }
     }
@@ -62,8 +62,9 @@ impl<'m> Course<'m> {
         own.map(|axis| (axis, (axis.axis.of(to) - axis.axis.of(from)).to_radians().abs())).collect()
     }
 
-    /// Where a point of the tool is when a share of the movement is done, seen from what lies on the table, in the machine
-    /// as it would be with all axes of the table at 0. `arm` leads from the tip to the point while the head stands at 0.
+    /// Where a point of the tool is when a share of the movement is done, seen from what lies on the table, in the
+    /// machine as it would be with all axes of the table at 0.
+    /// `arm` leads from the tip to the point while the head stands at 0.
     pub fn at(&self, arm: DVec3, share: f64) -> DVec3 {
         let (angles, line) = (self.angles(share), self.on_line(share));
         let (table, head) = (self.machine.table(angles), self.machine.head(angles));
@@ -81,8 +82,8 @@ impl<'m> Course<'m> {
             Straight::Tip(..) => half * (self.line() + (turned(&table) + turned(&head)) * arm.length()),
             Straight::Axes(..) => {
                 let mut speed = self.line() + turned(&head) * (arm - self.pivot).length();
-                // The point goes inwards through the axes of the table: each sees it turn about itself, and what the outer
-                // ones add to its way.
+                // The point goes inwards through the axes of the table: each sees it turn about itself, and what the
+                // outer ones add to its way.
                 let angles = self.angles(middle);
                 let mut seen = self.on_line(middle) + self.pivot + self.machine.head(angles).vector(arm - self.pivot);
                 for (axis, way) in table.iter().rev() {
@@ -182,8 +183,8 @@ mod tests {
         ]
     }
 
-    /// No point and no axis is ever farther from the middle of a stretch than its bound; and the bound is no more than a
-    /// few times too large, or nothing could be proven with it.
+    /// No point and no axis is ever farther from the middle of a stretch than its bound; and the bound is no more than
+    /// a few times too large, or nothing could be proven with it.
     #[test]
     fn nothing_goes_farther_than_its_bound() {
         let angles = [DVec3::new(-20.0, 15.0, 40.0), DVec3::new(35.0, -30.0, -100.0)];

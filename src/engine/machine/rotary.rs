@@ -24,7 +24,8 @@ pub struct RotaryMachineAxis {
     pub axis: RotaryAxis,
     /// What it carries.
     pub carries: Carried,
-    /// What it carries turns right-handed about this axis when its coordinate grows: +1 as the axis points, -1 against it.
+    /// What it carries turns right-handed about this axis when its coordinate grows:
+    /// +1 as the axis points, -1 against it.
     pub about: (Axis, f64),
     /// A point that stays where it is, in machine coordinates while all other axes stand at 0; of the table only.
     pub centre: DVec3,

@@ -145,8 +145,8 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    /// While the tip is held, the tool may stand askew to the working plane: a cycle that does not ask how it stands would
-    /// probe at another place than it believes.
+    /// While the tip is held, the tool may stand askew to the working plane: a cycle that does not ask how it stands
+    /// would probe at another place than it believes.
     pub(super) fn knows_tool_axis(&self, exec: &Exec<'_, 'e>) -> Result<(), Fault> {
         let asks = || exec.plan().builtins.iter().any(|(_, builtin)| *builtin == Builtin::ProbeUp);
         if self.world.system.tip_held && self.world.is_askew() && !asks() {

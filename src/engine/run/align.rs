@@ -153,8 +153,8 @@ impl<'e> Run<'_, 'e> {
         found.map(|(axis, _)| axis).ok_or_else(unknown)
     }
 
-    /// A line measured along an axis of the working plane shall lie along the other one; one measured along the tool axis
-    /// shall be level across the rotary axis. With an angle, it shall lie at that angle to where it would lie so.
+    /// A line measured along an axis of the working plane shall lie along the other one; one measured along the tool
+    /// axis shall be level across the rotary axis. With an angle, it shall lie at that angle to where it would lie so.
     pub(super) fn align_rotary_axis(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
         let from = self.point(Self::argument(call, 0)?, exec)?;
         let to = self.point(Self::argument(call, 1)?, exec)?;

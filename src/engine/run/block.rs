@@ -375,8 +375,8 @@ impl<'e> Run<'_, 'e> {
         Fault::unsupported("unsupported-m").arg("word", self.slice(function.span).trim())
     }
 
-    /// `M140 MB50`, `M140 MB MAX`: away from the workpiece at rapid traverse, by a length or to the end of the tool axis.
-    /// Only where the tool stands along an axis of the machine.
+    /// `M140 MB50`, `M140 MB MAX`: away from the workpiece at rapid traverse, by a length or to the end of the tool
+    /// axis. Only where the tool stands along an axis of the machine.
     fn retract(&mut self, function: &MFunction) -> Done {
         let leans = self.world.system.is_on_workpiece() || self.world.head.is_some();
         let length = function.with.map(|with| self.slice(with).to_ascii_uppercase());

@@ -45,8 +45,8 @@ pub struct System {
     pub angle_shift: DVec3,
     /// The working plane.
     pub plane: WorkingPlane,
-    /// Where the table has put the workpiece since the rotary axes stood at 0; a tilted system goes with it, and so does
-    /// every system while the tool tip is held.
+    /// Where the table has put the workpiece since the rotary axes stood at 0; a tilted system goes with it, and so
+    /// does every system while the tool tip is held.
     pub table: Frame,
     /// Whether the tool tip is held on the workpiece while rotary axes turn (M128, FUNCTION TCPM).
     pub tip_held: bool,

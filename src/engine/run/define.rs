@@ -35,7 +35,8 @@ pub(super) struct FieldCoord {
 /// The value of an old-style field.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum FieldValue {
-    /// A number; whether it counts from what is in effect, and whether it is a length or feed in the unit of the program.
+    /// A number; whether it counts from what is in effect, and whether it is a length or feed in
+    /// the unit of the program.
     Number { value: f64, incremental: bool, length: bool },
     /// Coordinates.
     Coords(Vec<FieldCoord>),

@@ -1,5 +1,5 @@
-//! Elements of a contour in the working plane: where they lie beside themselves, where two of them meet, how corners are
-//! rounded and broken.
+//! Elements of a contour in the working plane: where they lie beside themselves, where two of them meet, how corners
+//! are rounded and broken.
 //!
 //! Invariant: plain geometry; it knows nothing of heights, feeds, tools or blocks. Offsets are signed, positive to the
 //! left of the direction of travel.
@@ -37,8 +37,8 @@ enum Curve {
     Circle { centre: DVec2, radius: f64 },
 }
 
-/// Where two elements beside their contour meet, and how much of each is cut off there: mm of a line, degrees of an arc;
-/// negative where they go on.
+/// Where two elements beside their contour meet, and how much of each is cut off there: mm of a line, degrees of an
+/// arc; negative where they go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Meeting {
     pub(super) point: DVec2,
@@ -224,8 +224,8 @@ impl Element {
         self
     }
 
-    /// The path beside it from one point to another one, with what they cut off it; nothing where nothing is left and the
-    /// tool would have to go back.
+    /// The path beside it from one point to another one, with what they cut off it; nothing where nothing is left and
+    /// the tool would have to go back.
     pub(super) fn path(&self, start: DVec2, end: DVec2, cut: f64) -> Option<Self> {
         let left = self.extent() - cut;
         if left < -ROUNDING {
@@ -334,8 +334,8 @@ pub(super) fn corner(before: &Element, behind: &Element, offset: f64, manner: Ma
     }
 }
 
-/// A corner rounded with a radius: the two elements and the arc between them, if there is a corner. Nothing where the arc
-/// finds no place.
+/// A corner rounded with a radius: the two elements and the arc between them, if there is a corner.
+/// Nothing where the arc finds no place.
 pub(super) fn rounded(before: &Element, behind: &Element, radius: f64) -> Option<(Element, Option<Element>, Element)> {
     let (bend, straight_on) = bend(before, behind);
     if straight_on || radius == 0.0 {

@@ -295,8 +295,8 @@ pub enum EventKind {
     },
     /// The coordinate system changes.
     Transform(Coordinates),
-    /// How far the path may deviate: the tolerance of the contour, the filter and the tolerance of rotary axes; nothing if
-    /// it is that of the machine.
+    /// How far the path may deviate: the tolerance of the contour, the filter and the tolerance of rotary axes; nothing
+    /// if it is that of the machine.
     Tolerance(Option<[f64; 3]>),
     /// A cell of a table is written.
     Table {

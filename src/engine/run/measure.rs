@@ -1,4 +1,5 @@
-//! Strategies of measuring and calibrating: probing on a path of its own, the angles of a plane, what a calibration found.
+//! Strategies of measuring and calibrating: probing on a path of its own, the angles of a plane,
+//! what a calibration found.
 //!
 //! Invariant: one value or one movement at a time; which cycle asks is not known here.
 use glam::{DMat3, DVec3};
@@ -91,7 +92,8 @@ impl<'e> Run<'_, 'e> {
         Ok(())
     }
 
-    /// The angles about X, then the fixed Y, then the fixed Z that turn the working plane to a main axis and a tool axis.
+    /// The angles about X, then the fixed Y, then the fixed Z that turn the working plane to a
+    /// main axis and a tool axis.
     fn spatial_angles(&self, main: DVec3, tool: DVec3) -> [f64; 3] {
         let system = &self.world.system;
         let turned = [main, tool.cross(main), tool].map(|axis| system.axes(axis));
@@ -111,8 +113,8 @@ impl<'e> Run<'_, 'e> {
         [atan2d(y.z, z.z), b, atan2d(x.y, x.x)]
     }
 
-    /// Writes what a calibration found: effective radius and length into the tool table, the offset of the ball from the
-    /// spindle axis into the probe table. The offset is given by how much it differs from the one in effect, in
+    /// Writes what a calibration found: effective radius and length into the tool table, the offset of the ball from
+    /// the spindle axis into the probe table. The offset is given by how much it differs from the one in effect, in
     /// program coordinates. All of it acts at once.
     pub(super) fn store_probe_calibration(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
         let probe = self.world.probe()?;

@@ -209,8 +209,8 @@ impl<'e> Engine<'e> {
         self
     }
 
-    /// The same with an account of what each probing cycle would do in the worst case. A cycle that fails in the scene does
-    /// not end such a run, if it could be rehearsed.
+    /// The same with an account of what each probing cycle would do in the worst case. A cycle that fails in the scene
+    /// does not end such a run, if it could be rehearsed.
     #[must_use]
     pub const fn with_envelope(mut self) -> Self {
         self.envelope = true;

@@ -357,8 +357,8 @@ impl Run<'_, '_> {
         self.go(kind, feed, to, machine, &path)
     }
 
-    /// Moves on an arc in the working plane about the centre; `sweep` is the signed angle where it is programmed, else it
-    /// follows from the end (a whole circle if that is where the tool stands). Heights may differ: a helix.
+    /// Moves on an arc in the working plane about the centre; `sweep` is the signed angle where it is programmed, else
+    /// it follows from the end (a whole circle if that is where the tool stands). Heights may differ: a helix.
     pub(super) fn arc_to(
         &mut self,
         centre: DVec3,
@@ -519,8 +519,8 @@ impl Run<'_, '_> {
         fault.arg("x", point.x).arg("y", point.y).arg("z", point.z)
     }
 
-    /// How far a probe that still presses against what it touched must go on a line to come free; 0 if it is free, or if
-    /// the line does not lead away.
+    /// How far a probe that still presses against what it touched must go on a line to come free; 0 if it is free, or
+    /// if the line does not lead away.
     fn way_to_freedom(&self, way: DVec3) -> f64 {
         let Some(pressed) = self.world.pressed else { return 0.0 };
         let back = -way.normalize_or_zero().dot(pressed.direction);

@@ -1,8 +1,8 @@
 //! Patterns: points of PATTERN DEF and point tables, calling the last cycle on them or at a position, and the values of
 //! GLOBAL DEF.
 //!
-//! Invariant: a pattern is read when it is defined; a cycle that has a surface coordinate gets the coordinate of the point
-//! added to it, any other one an additional datum shift.
+//! Invariant: a pattern is read when it is defined; a cycle that has a surface coordinate gets the coordinate of the
+//! point added to it, any other one an additional datum shift.
 use glam::DVec3;
 
 use super::fault::{Class, Fault};

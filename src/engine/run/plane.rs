@@ -1,8 +1,8 @@
 //! `PLANE` as the manuals' programs use it, and `TRANS DATUM`: the blocks that change the coordinate system without a
 //! cycle.
 //!
-//! Invariant: a tilted plane is the one of the tilting cycle, whichever block defines it; a form or word that the engine
-//! does not execute is a fault, never ignored.
+//! Invariant: a tilted plane is the one of the tilting cycle, whichever block defines it; a form or word that the
+//! engine does not execute is a fault, never ignored.
 use glam::DVec3;
 
 use super::fault::Fault;

@@ -125,8 +125,8 @@ impl Run<'_, '_> {
         Ok(Stop { tip, centre, touched: found.is_some() })
     }
 
-    /// Where the probe triggers on a path of the ball from its centre at the start, if it does: the tool tip then, the point
-    /// touched, and how far the ball went on after touching. In machine coordinates.
+    /// Where the probe triggers on a path of the ball from its centre at the start, if it does: the tool tip then, the
+    /// point touched, and how far the ball went on after touching. In machine coordinates.
     fn found(&mut self, probe: &ProbeData, path: f64, start: DVec3, way: DVec3) -> Done<Option<(DVec3, DVec3, f64)>> {
         let (body, at_start) = (&self.world.scene.body, self.world.at_parts(start));
         if body.touches(probe.ball_radius, at_start)? {

@@ -1,7 +1,7 @@
 //! What a definition's named values were when it was called last: programs call one definition at many places.
 //!
-//! Invariant: only what follows from Q parameters alone is kept, and only while no Q parameter is given a value; so nothing
-//! that is taken from here could have come out otherwise.
+//! Invariant: only what follows from Q parameters alone is kept, and only while no Q parameter is given a value; so
+//! nothing that is taken from here could have come out otherwise.
 use super::Run;
 use super::cycle::Exec;
 use crate::engine::plan::{Plan, Slot};

@@ -19,7 +19,8 @@ const TRACKING: &str = "ON";
 /// A control measures a point at least once and at most so often.
 const MEASUREMENTS: (f64, f64) = (1.0, 3.0);
 
-/// Directions that differ by less are the same: what a coordinate of a rotary axis that is written with three decimals leaves.
+/// Directions that differ by less are the same: what a coordinate of a rotary axis that is written
+/// with three decimals leaves.
 const STRAIGHT: f64 = 2e-5;
 
 /// What machine parameters of the scene say of every touch probe, on controls that have it there and not in a table.
@@ -193,8 +194,8 @@ impl World<'_> {
         self.head.map_or(tool, |head| head.vector(tool))
     }
 
-    /// The direction from the tool tip to the ball centre as the control believes it, in program coordinates: that of the
-    /// tool axis, unless the control holds the tip and reckons with how the tool stands.
+    /// The direction from the tool tip to the ball centre as the control believes it, in program coordinates: that of
+    /// the tool axis, unless the control holds the tip and reckons with how the tool stands.
     pub(super) fn up(&self) -> DVec3 {
         let system = &self.system;
         if system.tip_held { system.back().vector(self.tool_axis()) } else { system.plane.tool.unit() }
@@ -246,7 +247,8 @@ impl World<'_> {
         self.system.back().vector(self.calibrated_offset_in_machine(probe))
     }
 
-    /// The axis of the shaft in the machine, from the centre of the ball to the centre of its upper end, which is round.
+    /// The axis of the shaft in the machine, from the centre of the ball to the centre of its
+    /// upper end, which is round.
     pub(super) fn shaft_axis(&self, shaft: Shaft) -> DVec3 {
         let straight = self.shaft_of_straight_head(shaft);
         self.head.map_or(straight, |head| head.vector(straight))
@@ -257,8 +259,8 @@ impl World<'_> {
         self.head.map_or(direction, |head| head.inverse().vector(direction))
     }
 
-    /// How far a surface pushes the ball in until the probe triggers; the direction of the machine, of length 1, leads into
-    /// the material.
+    /// How far a surface pushes the ball in until the probe triggers; the direction of the machine, of length 1,
+    /// leads into the material.
     pub(super) fn pre_travel(&self, probe: &ProbeData, direction: DVec3) -> f64 {
         let (plane, direction) = (self.system.plane, self.in_spindle(direction));
         let flat = plane.flat(direction);

@@ -1,13 +1,14 @@
-//! Holding the tool tip on the workpiece while rotary axes turn: `M128` and `M129`, `FUNCTION TCPM` and `FUNCTION RESET TCPM`.
+//! Holding the tool tip on the workpiece while rotary axes turn: `M128` and `M129`,
+//! `FUNCTION TCPM` and `FUNCTION RESET TCPM`.
 //!
-//! Invariant: while it is held, the system is part of the workpiece and the control reckons with how the tool stands; a word
-//! that asks for more is a fault, never ignored.
+//! Invariant: while it is held, the system is part of the workpiece and the control reckons with how the tool stands; a
+//! word that asks for more is a fault, never ignored.
 use super::fault::Fault;
 use super::{Done, Run};
 use crate::syntax::{Statement, ValueKind};
 
-/// What `FUNCTION TCPM` may ask for: the feed is that of the tip, coordinates of rotary axes are positions, and these turn
-/// evenly.
+/// What `FUNCTION TCPM` may ask for: the feed is that of the tip, coordinates of rotary axes are positions,
+/// and these turn evenly.
 const HOLDS: [&str; 7] = ["F", "TCP", "AXIS", "POS", "PATHCTRL", "REFPNT", "TIP-TIP"];
 
 impl Run<'_, '_> {

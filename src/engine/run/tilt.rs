@@ -1,7 +1,7 @@
 //! The tilted working plane: where the rotary axes must stand, and turning them there.
 //!
-//! Invariant: positions follow from the axes of the machine alone; of two that do, the one nearer to 0 is taken. A plane
-//! that the axes cannot reach is a fault.
+//! Invariant: positions follow from the axes of the machine alone; of two that do, the one nearer to 0 is taken. A
+//! plane that the axes cannot reach is a fault.
 use glam::DVec3;
 
 use super::cycle::Exec;
@@ -104,8 +104,8 @@ impl<'e> Run<'_, 'e> {
         nearer.ok_or_else(|| Fault::control("tilting-unreachable"))
     }
 
-    /// Whether the spindle stands at right angles to the rotary axis on which the workpiece is clamped; not where there is
-    /// none.
+    /// Whether the spindle stands at right angles to the rotary axis on which the workpiece is clamped;
+    /// not where there is none.
     pub(super) fn spindle_is_across(&self) -> bool {
         let (world, machine) = (&self.world, &self.world.scene.machine);
         let spindle = machine.head(world.angles).vector(machine.spindle.unit()).normalize();

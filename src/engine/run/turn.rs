@@ -49,8 +49,9 @@ impl Run<'_, '_> {
         self.turn_and_go(to, self.world.here, None, speed)
     }
 
-    /// Turns axes to machine coordinates while the tool goes to a point of the program, as it is before they turn; `machine`
-    /// gives it in machine coordinates where that is what is programmed. A tip that is held goes straight on the workpiece.
+    /// Turns axes to machine coordinates while the tool goes to a point of the program, as it is before they turn;
+    /// `machine` gives it in machine coordinates where that is what is programmed.
+    /// A tip that is held goes straight on the workpiece.
     pub(super) fn turn_and_go(
         &mut self,
         turns: &[(RotaryAxis, f64)],

@@ -259,12 +259,13 @@ impl Body {
         false
     }
 
-    /// A place where a ball touches whose centre goes any way; nothing if it stays free. It need not be the first one. `at`
-    /// tells where the centre is when a share of the way is done, `reach` how far it is from there at most, not more than
-    /// another share before or after. A ball that comes nearer than [`NEAR`] counts as touching.
+    /// A place where a ball touches whose centre goes any way; nothing if it stays free. It need not be the first one.
+    /// `at` tells where the centre is when a share of the way is done, `reach` how far it is from there at most, not
+    /// more than another share before or after. A ball that comes nearer than [`NEAR`] counts as touching.
     ///
     /// # Errors
-    /// As for [`Body::first_contact_on`]; and a ball that goes so near to the solid for so long that it cannot be proven free.
+    /// As for [`Body::first_contact_on`]; and a ball that goes so near to the solid for so long that
+    /// it cannot be proven free.
     pub fn contact_on_course(
         &self,
         ball_radius: f64,

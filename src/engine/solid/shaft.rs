@@ -1,9 +1,9 @@
 //! The contact of a stylus shaft: a cylinder with round ends that moves along a path or turns about an axis.
 //!
-//! Invariant: the shaft is all balls of its radius whose centres lie on its axis: a cylinder and the balls at its ends. A
-//! stretch of the cylinder is free if one ball that holds the whole stretch is; it touches if the ball in its middle does.
-//! What is decided is exact; a shaft that comes closer than [`NEAR`] without a ball of it touching counts as touching, so that
-//! no contact is ever missed.
+//! Invariant: the shaft is all balls of its radius whose centres lie on its axis: a cylinder and the balls at its ends.
+//! A stretch of the cylinder is free if one ball that holds the whole stretch is; it touches if the ball in its middle
+//! does. What is decided is exact; a shaft that comes closer than [`NEAR`] without a ball of it touching counts as
+//! touching, so that no contact is ever missed.
 use super::SolidError;
 use super::body::Body;
 use super::contact::Contact;
@@ -13,8 +13,9 @@ use super::path::Path;
 const NEAR: f64 = 1e-6;
 
 impl Body {
-    /// A place where a shaft touches while it moves; nothing if it stays free. It need not be the first one. `way` tells how
-    /// a point of its axis moves: the one at 0 is the lower end, the one at 1 the upper end, `length` away from it.
+    /// A place where a shaft touches while it moves; nothing if it stays free. It need not be the first one. `way`
+    /// tells how a point of its axis moves: the one at 0 is the lower end, the one at 1 the upper end,
+    /// `length` away from it.
     ///
     /// # Errors
     /// As for [`Body::first_contact_on`].
@@ -27,7 +28,8 @@ impl Body {
         self.shaft_contact_by(radius, length, &|radius, share| self.first_contact_on(radius, &way(share)))
     }
 
-    /// The same for any movement: `touches` tells whether a ball of a radius touches whose centre is that point of the axis.
+    /// The same for any movement: `touches` tells whether a ball of a radius touches whose centre
+    /// is that point of the axis.
     ///
     /// # Errors
     /// Those of `touches`, where no smaller stretch decides.

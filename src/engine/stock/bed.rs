@@ -1,9 +1,9 @@
 //! The bed of a flat tool that goes down: in each row it covers nearly what it covered before, all at one height.
 //!
-//! A row remembers that as one number while nothing else touches it, so that a step of such a way costs no more than the few
-//! columns that the tool leaves and comes to, which are written down for all rows of a lane (see `rim`). Invariant: the tops
-//! of the columns of a bed are out of date, and what is said to be highest in the blocks that were touched since it was laid
-//! may be too high, until it is [spread](Row::spread).
+//! A row remembers that as one number while nothing else touches it, so that a step of such a way costs no more than
+//! the few columns that the tool leaves and comes to, which are written down for all rows of a lane (see `rim`).
+//! Invariant: the tops of the columns of a bed are out of date, and what is said to be highest in the blocks that were
+//! touched since it was laid may be too high, until it is [spread](Row::spread).
 use std::ops::Range;
 
 use super::lane::{BLOCK, Row, SLIVER};
@@ -29,8 +29,8 @@ fn whole(columns: &Range<u32>) -> Range<u32> {
     columns.start / block * block..columns.end.div_ceil(block) * block
 }
 
-/// What a flat tool covers in a row: its columns, and those of them over which it stands where it is lowest, from the first
-/// to behind the last; and the height there.
+/// What a flat tool covers in a row: its columns, and those of them over which it stands where it is lowest, from the
+/// first to behind the last; and the height there.
 #[derive(Clone, Debug)]
 pub(super) struct Reach {
     pub all: Range<u32>,
@@ -95,8 +95,8 @@ impl Row {
         }
     }
 
-    /// Lays a bed where the tool comes into a row without one, all of whose columns below the tool end higher. Whether that was
-    /// all: if not, nothing was done.
+    /// Lays a bed where the tool comes into a row without one, all of whose columns below the tool end higher. Whether
+    /// that was all: if not, nothing was done.
     #[inline(never)]
     pub(super) fn begin(
         &mut self,
@@ -127,8 +127,8 @@ impl Row {
         true
     }
 
-    /// Leaves the bed, over none of whose columns the tool stands where it is lowest. Whether that was all: if not, nothing
-    /// was done.
+    /// Leaves the bed, over none of whose columns the tool stands where it is lowest. Whether that was all:
+    /// if not, nothing was done.
     #[inline(never)]
     pub(super) fn end(
         &mut self,
@@ -152,8 +152,8 @@ impl Row {
         true
     }
 
-    /// Takes the bed on to where the tool stands now, and writes down which columns it leaves and comes to. `across` tells
-    /// where a column lies across the way. Whether that was all: if not, nothing was done.
+    /// Takes the bed on to where the tool stands now, and writes down which columns it leaves and comes to. `across`
+    /// tells where a column lies across the way. Whether that was all: if not, nothing was done.
     #[inline(always)]
     pub(super) fn take_on(
         &mut self,
@@ -209,9 +209,9 @@ impl Row {
         true
     }
 
-    /// Whether the foot of a row lies between two columns that lose something: of all that are looked at, those of the `old`
-    /// bed end at its height, and those over which the tool stands come down to another; `left` tells what is left of
-    /// the others.
+    /// Whether the foot of a row lies between two columns that lose something: of all that are looked at, those of the
+    /// `old` bed end at its height, and those over which the tool stands come down to another;
+    /// `left` tells what is left of the others.
     #[inline(always)]
     fn passes(
         &self,

@@ -1,8 +1,8 @@
 //! The way of a tool on an arc or a helix: how low its envelope reaches in each column.
 //!
-//! Everything is exact for each column: a flat tool leaves a column, or comes to it, where two circles cut each other; where
-//! the slopes of path and end balance has a closed form for a ball, and is searched for with a bull nose or a point on a
-//! helix.
+//! Everything is exact for each column: a flat tool leaves a column, or comes to it, where two circles cut each other;
+//! where the slopes of path and end balance has a closed form for a ball,
+//! and is searched for with a bull nose or a point on a helix.
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::Range;
 
@@ -37,8 +37,8 @@ fn wide_arc_sine(sin: f64) -> f64 {
     sin * (1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0 + q * tail)))))
 }
 
-/// The columns of a block as seen from the centre of an arc: the first coordinate leads to the start, the second to where the
-/// tool goes from there.
+/// The columns of a block as seen from the centre of an arc: the first coordinate leads to the start, the second to
+/// where the tool goes from there.
 struct Seen {
     from: [f64; 2],
     step: [f64; 2],
@@ -82,8 +82,8 @@ impl Seen {
     }
 }
 
-/// A column under a flat tool on a helix keeps the height at which the tool comes to it or leaves it, and that of the lower end
-/// where the tool stands over it there.
+/// A column under a flat tool on a helix keeps the height at which the tool comes to it or leaves it, and that of the
+/// lower end where the tool stands over it there.
 struct Leave {
     /// The square of the tool's radius, and of that of the helix, and how much greater this is.
     square: f64,
@@ -111,7 +111,8 @@ impl Leave {
     fn height(&self, seen: &Seen, n: f64) -> f64 {
         let p = seen.at(n);
         let below = if self.falls { seen.beside_end(p) } else { seen.beside_start(p) };
-        // Where the rim runs through the column the tool is so many times the column's arm along it, and so many across.
+        // Where the rim runs through the column the tool is so many times the column's arm
+        // along it, and so many across.
         let distance = p.length_squared();
         let nearer = 1.0 / distance;
         let along = (distance + self.most) * 0.5 * nearer;
@@ -127,8 +128,8 @@ impl Leave {
 }
 
 impl Sweep {
-    /// The part of a row that it can reach: within the rectangle and the outer rim, and of a short way no more than from end
-    /// to end of what is covered there.
+    /// The part of a row that it can reach: within the rectangle and the outer rim, and of a short way no more than
+    /// from end to end of what is covered there.
     pub(super) fn arc_span(&self, y: f64) -> Option<[f64; 2]> {
         let Way::Arc { centre, radius, start, end, turn, sweep, .. } = self.way else { return None };
         let tool = self.cutter.radius;
@@ -152,8 +153,8 @@ impl Sweep {
                 high = larger(high, stands.x + half);
             }
         }
-        // Where the row crosses the rims of the ring beside the way. A rim is no farther from its chord than its radius times
-        // the square of the angle over eight, so few rows come near it.
+        // Where the row crosses the rims of the ring beside the way. A rim is no farther from its chord than its radius
+        // times the square of the angle over eight, so few rows come near it.
         for reach in [radius + tool, (radius - tool).max(0.0)] {
             let (from, to) = (centre.y + start.y * reach, centre.y + end.y * reach);
             let bulge = reach * (sweep * sweep * 0.125) + HAIR;
@@ -291,9 +292,10 @@ impl Sweep {
         }
     }
 
-    /// A ball on a helix of a quarter turn at most. Where the slopes of way and end balance, the sine of the angle by which the
-    /// tool is turned away from the column is `-slope up / (out radius)`, `up` being its centre's height over the
-    /// column; with the theorem of Pythagoras that gives a quadratic equation for the cosine. Else an end is lowest.
+    /// A ball on a helix of a quarter turn at most. Where the slopes of way and end balance, the sine of the angle by
+    /// which the tool is turned away from the column is `-slope up / (out radius)`, `up` being its centre's height over
+    /// the column; with the theorem of Pythagoras that gives a quadratic equation for the cosine.
+    /// Else an end is lowest.
     fn ball_on_helix(&self, seen: &Seen, z: f64, rise: f64, columns: Range<usize>, out: &mut [f64; BLOCK]) {
         let tool = self.cutter.radius;
         let (square, slope) = (tool * tool, seen.slope);

@@ -73,9 +73,9 @@ impl Cutter {
         }
     }
 
-    /// The same tool, to whose rim the columns belong that lie on it but for rounding: else rounding would decide anew at
-    /// each level whether a column on a wall goes, and a later level would take what the ones before have left as well.
-    /// Ends that are round come up to their rim like a wall; their heights must stay what they are.
+    /// The same tool, to whose rim the columns belong that lie on it but for rounding: else rounding would decide anew
+    /// at each level whether a column on a wall goes, and a later level would take what the ones before have left as
+    /// well. Ends that are round come up to their rim like a wall; their heights must stay what they are.
     pub(super) fn closed(self) -> Self {
         if let Tip::Round(_) = self.tip {
             return self;

@@ -1,7 +1,7 @@
 //! How low the envelope of a tool on a straight way reaches in the columns of a block.
 //!
-//! Where there is a closed form nothing branches, so that several columns are worked on side by side. Only a bull nose on
-//! a ramp has none; there the balance of path and end is found by bisection down to rounding.
+//! Where there is a closed form nothing branches, so that several columns are worked on side by side. Only a bull nose
+//! on a ramp has none; there the balance of path and end is found by bisection down to rounding.
 use std::ops::Range;
 
 use glam::{DVec2, DVec3};
@@ -55,7 +55,8 @@ fn between(number: f64, low: f64, high: f64) -> f64 {
 }
 
 impl Sweep {
-    /// The lowest heights of the envelope at the points `(x + n step, y)` for these numbers; infinity where it does not come.
+    /// The lowest heights of the envelope at the points `(x + n step, y)` for these numbers;
+    /// infinity where it does not come.
     pub(super) fn heights(&self, at: [f64; 3], columns: Range<usize>, out: &mut [f64; BLOCK]) {
         match self.way {
             Way::Line { from, along, length, rise } if rise == 0.0 || length == 0.0 => {
@@ -140,8 +141,8 @@ impl Sweep {
             }),
             Tip::Round(corner) if corner >= radius => {
                 let (top, steep) = (from.z + radius, 1.0 + slope * slope);
-                // The tool is lowest so many times its reach behind a column; squares with their sign are compared, so that
-                // only one root is drawn.
+                // The tool is lowest so many times its reach behind a column; squares with their sign are compared, so
+                // that only one root is drawn.
                 let lean = -slope * slope.abs() / steep;
                 fill(out, columns, |n| {
                     let (u, v) = (u + n * du, v + n * dv);
@@ -199,8 +200,8 @@ impl Sweep {
         -slope.signum() * near
     }
 
-    /// A straight line below which nothing of the envelope of a ball comes in the row through a point: its height there and
-    /// how it rises in a mm. The envelope of its hull is convex, so that is a tangent.
+    /// A straight line below which nothing of the envelope of a ball comes in the row through a point: its height there
+    /// and how it rises in a mm. The envelope of its hull is convex, so that is a tangent.
     pub(super) fn tangent(&self, p: DVec2) -> Option<[f64; 2]> {
         let Hull { from, along, length, slope, steep, radius } = self.hull?;
         let [u, v, du, dv] = Self::along(from, along, [p.x, 1.0, p.y]);

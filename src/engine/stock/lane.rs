@@ -1,9 +1,9 @@
 //! Rows of columns: the material along parallel lines, and what is taken away from it.
 //!
-//! A column has its topmost stretch of material in two arrays, by blocks (see `tops`), and stretches below it, which few columns
-//! have, in a map. Invariant: stretches of a column do not overlap and stand from low to high; an empty column has the top
-//! minus infinity. What a column holds does not grow with the number of cuts: stretches thinner than [`SLIVER`] are
-//! dropped, so their number is bounded by the height of the blank.
+//! A column has its topmost stretch of material in two arrays, by blocks (see `tops`), and stretches below it, which
+//! few columns have, in a map. Invariant: stretches of a column do not overlap and stand from low to high; an empty
+//! column has the top minus infinity. What a column holds does not grow with the number of cuts: stretches thinner than
+//! [`SLIVER`] are dropped, so their number is bounded by the height of the blank.
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -169,8 +169,8 @@ impl Row {
         self.tops.get(block).map_or(f64::NEG_INFINITY, |tops| tops.highest)
     }
 
-    /// Whether some of these columns of a block end above a straight line, given by its height over the first column of the
-    /// block and what it rises from one to the next.
+    /// Whether some of these columns of a block end above a straight line, given by its height over the first column of
+    /// the block and what it rises from one to the next.
     pub(super) fn is_above(&self, block: usize, columns: Range<usize>, height: f64, rise: f64) -> bool {
         let Some(tops) = self.tops.get(block) else { return false };
         if tops.level {
@@ -185,7 +185,8 @@ impl Row {
         above
     }
 
-    /// Takes everything above a height away from columns. Calls `cut` with the first and the last column that lose something.
+    /// Takes everything above a height away from columns. Calls `cut` with the first and the last
+    /// column that lose something.
     pub(super) fn level(
         &mut self,
         (first, last): (usize, usize),
@@ -250,9 +251,9 @@ impl Row {
         }
     }
 
-    /// Takes columns down whose topmost stretches begin lower: some of them to a height, the others to heights of their own
-    /// that `heights` gives for a block with a given first column, none of which is lower. Calls `cut` with the first and
-    /// the last column of each run that loses something.
+    /// Takes columns down whose topmost stretches begin lower: some of them to a height, the others to heights of their
+    /// own that `heights` gives for a block with a given first column, none of which is lower. Calls `cut` with the
+    /// first and the last column of each run that loses something.
     #[inline(always)]
     pub(super) fn sink(
         &mut self,
@@ -321,8 +322,9 @@ impl Row {
         }
     }
 
-    /// Takes away what lies above the lower sides of balls over columns, and of others beside them: `balls` gives the square
-    /// of half the height of the ball over a column, and the height of its middle. Nothing is lower than the first height
+    /// Takes away what lies above the lower sides of balls over columns, and of others beside them: `balls` gives the
+    /// square of half the height of the ball over a column, and the height of its middle. Nothing is lower than the
+    /// first height
     /// `low`, no middle lower than the second, and between two columns no square greater than `most` says. The first
     /// and the last column that lose something.
     #[inline(always)]
@@ -383,8 +385,8 @@ impl Row {
         height > self.floor
     }
 
-    /// Takes everything above the heights away from columns of a block; infinity leaves a column alone. Nothing may be lower
-    /// than `least`. Calls `cut` with the first and the last column of the block that lose something.
+    /// Takes everything above the heights away from columns of a block; infinity leaves a column alone. Nothing may be
+    /// lower than `least`. Calls `cut` with the first and the last column of the block that lose something.
     pub(super) fn lower(
         &mut self,
         block: usize,

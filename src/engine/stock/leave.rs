@@ -1,9 +1,9 @@
-//! What a flat tool on a ramp or on a short piece of a helix leaves at its rim: a column keeps the height at which the tool
-//! leaves it on the way down, or comes to it on the way up.
+//! What a flat tool on a ramp or on a short piece of a helix leaves at its rim: a column keeps the height at which the
+//! tool leaves it on the way down, or comes to it on the way up.
 //!
-//! Columns are points in coordinates of the way: along it and to its left from the start of a line; of an arc towards its
-//! start and towards where it goes from there, from its centre. Invariant: nothing here branches, so that several columns
-//! are worked on side by side.
+//! Columns are points in coordinates of the way: along it and to its left from the start of a line; of an arc towards
+//! its start and towards where it goes from there, from its centre. Invariant: nothing here branches, so that several
+//! columns are worked on side by side.
 use glam::DVec2;
 
 use super::Grid;
@@ -16,8 +16,8 @@ const EDGE: f64 = 5e-13;
 /// Up to this angle, in radians, a few terms of the series of the arc tangent are enough.
 const BRIEF: f64 = 0.03;
 
-/// Twice the arc tangent of a number up to a tenth, the tangent of half of [`NARROW`], or of half of [`BRIEF`]: the rest of
-/// the series is below rounding.
+/// Twice the arc tangent of a number up to a tenth, the tangent of half of [`NARROW`], or of half of [`BRIEF`]: the
+/// rest of the series is below rounding.
 #[inline(always)]
 fn angle_of_half<const IS_BRIEF: bool>(tan: f64) -> f64 {
     let q = tan * tan;
@@ -39,7 +39,8 @@ pub(super) struct Seen {
 }
 
 impl Seen {
-    /// As seen from a point; `turn` is +1, or -1 if the second coordinate grows to the right of the first one's direction.
+    /// As seen from a point; `turn` is +1, or -1 if the second coordinate grows to the right of
+    /// the first one's direction.
     fn new(grid: &Grid, from: DVec2, ahead: DVec2, turn: f64) -> Self {
         let (dx, step) = (grid.x(0) - from.x, grid.cell.x);
         Self {

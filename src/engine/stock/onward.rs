@@ -1,8 +1,8 @@
 //! A ball that goes on from where it has stood: most moves of a finished surface are of that kind, and short.
 //!
-//! All that it covers at its start is gone. Beyond its end it is lowest over a column where it stands at the end; only in
-//! a strip between start and end the way itself counts. Invariant: a column beyond one limit or the other may be taken for
-//! either, as both give the same height there.
+//! All that it covers at its start is gone. Beyond its end it is lowest over a column where it stands at the end; only
+//! in a strip between start and end the way itself counts. Invariant: a column beyond one limit or the other may be
+//! taken for either, as both give the same height there.
 use glam::{DVec2, DVec3};
 
 use super::Grid;
@@ -18,8 +18,8 @@ type Columns = Option<(usize, usize)>;
 /// The part of the plane that lies in a direction from a line.
 #[derive(Clone, Copy, Debug)]
 struct Limit {
-    /// The number of the column at which the line crosses the row at y = 0, and by how many more per mm of y; of a line along
-    /// the rows its y.
+    /// The number of the column at which the line crosses the row at y = 0, and by how many more per mm of y; of a line
+    /// along the rows its y.
     at: f64,
     lean: f64,
     /// +1 if the part lies towards greater x, -1 towards less, 0 for lines along the rows.

@@ -1,9 +1,9 @@
-//! A flat tool on a ramp or on a short piece of a helix: nearly all that it covers lies under it where it stands lowest,
-//! and its floor is level there.
+//! A flat tool on a ramp or on a short piece of a helix: nearly all that it covers lies under it where it stands
+//! lowest, and its floor is level there.
 //!
-//! Of the rest, a rim of few columns, each has a height of its own. Where the tool reaches is calculated for the rows of a
-//! band side by side. Invariant: what is taken from the ends of the way alone is all that is covered in a row, but for
-//! rows near the rims beside the way, which are looked at as a whole.
+//! Of the rest, a rim of few columns, each has a height of its own. Where the tool reaches is calculated for the rows
+//! of a band side by side. Invariant: what is taken from the ends of the way alone is all that is covered in a row, but
+//! for rows near the rims beside the way, which are looked at as a whole.
 use std::ops::Range;
 
 use glam::DVec2;

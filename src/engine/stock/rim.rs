@@ -1,8 +1,8 @@
 //! The columns that a flat tool leaves and comes to beside its beds.
 //!
-//! Those of all rows of a lane are written down one behind the other first, and then worked on without a branch, so that it
-//! does not matter how many there are in a row. Invariant: what is written down is carried out before anything else is
-//! done to the rows.
+//! Those of all rows of a lane are written down one behind the other first, and then worked on without a branch, so
+//! that it does not matter how many there are in a row. Invariant: what is written down is carried out before anything
+//! else is done to the rows.
 use std::ops::Range;
 
 use super::BAND;
@@ -46,8 +46,8 @@ impl Columns {
         self.count = at;
     }
 
-    /// Calculates where columns end by what is left at a place, and what they lose. Where that is nothing, there is no number
-    /// across the way.
+    /// Calculates where columns end by what is left at a place, and what they lose. Where that is nothing, there is no
+    /// number across the way.
     #[inline(always)]
     fn calculate(&mut self, left: impl Fn([f64; 2]) -> f64, across: impl Fn([f64; 2]) -> f64, losses: &mut Losses) {
         // The list is filled up to columns that are worked on side by side with empty ones.
@@ -117,8 +117,8 @@ pub(super) struct Rims {
     any: bool,
 }
 
-/// A row of a lane: its number there, where its first column lies as seen from the way, the number of the column that is
-/// nearest to the centre of the way, and what tells this across it.
+/// A row of a lane: its number there, where its first column lies as seen from the way, the number of the column that
+/// is nearest to the centre of the way, and what tells this across it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<'s> {
     pub row: u32,

@@ -2,8 +2,8 @@
 //!
 //! Coordinates are those of the stock: columns stand along z, and so does the tool. Everything here is exact for
 //! each column: a line sweeps a convex body, so the lowest point over a column is where the slope of the path
-//! and the slope of the tool's end balance, or an end of the path. Only a bull nose on a ramp has no closed form; there the
-//! balance is found by bisection down to rounding. Arcs are in `bend`.
+//! and the slope of the tool's end balance, or an end of the path. Only a bull nose on a ramp has no closed form; there
+//! the balance is found by bisection down to rounding. Arcs are in `bend`.
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
@@ -55,9 +55,9 @@ pub(super) enum Way {
 }
 
 /// A ball on a straight way, from its lowest place on, that holds all that a ball covers on its way: that is the way
-/// itself, or of an arc the chord. No point of an arc is farther from the point of its chord at the same share of the way
-/// than the radius times the square of the angle over eight (the second derivative bounds what a chord misses), and both
-/// are at the same height there; so a ball that is larger by so much holds it.
+/// itself, or of an arc the chord. No point of an arc is farther from the point of its chord at the same share of the
+/// way than the radius times the square of the angle over eight (the second derivative bounds what a chord misses), and
+/// both are at the same height there; so a ball that is larger by so much holds it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hull {
     /// The centre of the ball at the start.
@@ -187,8 +187,8 @@ impl Sweep {
         }
     }
 
-    /// Tells places across the path apart: how far a point lies to the left of a line, or the square of its distance from
-    /// the centre of an arc.
+    /// Tells places across the path apart: how far a point lies to the left of a line, or the square of its distance
+    /// from the centre of an arc.
     pub(super) fn across(&self, p: DVec2) -> f64 {
         match self.way {
             Way::Line { from, along, .. } => along.perp_dot(p - DVec2::new(from.x, from.y)),

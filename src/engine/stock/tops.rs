@@ -1,7 +1,7 @@
 //! The tops of the columns of one block, and what is taken away from them.
 //!
-//! The columns of a block that all end at the same height, as on a plane face, are one number: cutting them again is one
-//! subtraction. Loops run over all columns of a block, several side by side.
+//! The columns of a block that all end at the same height, as on a plane face, are one number: cutting them again is
+//! one subtraction. Loops run over all columns of a block, several side by side.
 use std::ops::Range;
 
 use super::lane::{BLOCK, OFFSETS, PART, SLIVER, Tally, WIDE, larger};
@@ -109,8 +109,8 @@ impl Tops {
         }
     }
 
-    /// Takes everything above the heights away, of which those of columns that stay are infinite; `begin` is the number of the first
-    /// column.
+    /// Takes everything above the heights away, of which those of columns that stay are infinite;
+    /// `begin` is the number of the first column.
     #[inline(always)]
     pub(super) fn bring_down(
         &mut self,
@@ -153,7 +153,8 @@ impl Tops {
         }
     }
 
-    /// Takes a block down to a height that is lower than the highest of its tops; `begin` is the number of the first column.
+    /// Takes a block down to a height that is lower than the highest of its tops;
+    /// `begin` is the number of the first column.
     #[inline(always)]
     pub(super) fn level_down(&mut self, begin: usize, height: f64, sum: &mut Sum, cut: &mut impl FnMut(usize, usize)) {
         if !self.level {
@@ -184,9 +185,9 @@ impl Tops {
         self.level || above.contains(&true)
     }
 
-    /// Takes away what lies above the lower sides of balls over a part of the block: `balls` gives the square of half the
-    /// height of the ball over a column, and the height of its middle. What the columns lose, if any of them does; that is
-    /// looked at first unless it is `likely`. The block has to be [renewed](Self::renew) then.
+    /// Takes away what lies above the lower sides of balls over a part of the block: `balls` gives the square of half
+    /// the height of the ball over a column, and the height of its middle. What the columns lose, if any of them does;
+    /// that is looked at first unless it is `likely`. The block has to be [renewed](Self::renew) then.
     #[inline(always)]
     pub(super) fn under(
         &mut self,

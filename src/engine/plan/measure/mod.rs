@@ -1,8 +1,8 @@
 //! What the values of runs measure: lengths, angles, feeds, times, plain numbers; and whether a length is a
 //! coordinate or a distance.
 //!
-//! Adding two coordinates, comparing a feed with a length, moving to a distance or milling at an angle is a slip: of the
-//! formula or of the dictionary, which then would convert a parameter wrongly in a program in inches. Units go from
+//! Adding two coordinates, comparing a feed with a length, moving to a distance or milling at an angle is a slip: of
+//! the formula or of the dictionary, which then would convert a parameter wrongly in a program in inches. Units go from
 //! parameters, fields and known names through formulas, named values, series, fragments and strategies to where they
 //! are used. Invariant: a value of which nothing is known passes.
 mod value;

@@ -27,8 +27,8 @@ fn is_two(expr: &Expr) -> bool {
     matches!(expr.node, Node::Number(value) if value == 2.0)
 }
 
-/// The unit of a product or, with a sign of -1, of a quotient. A factor of which nothing is known has no unit; of a number
-/// times a direction nothing is known.
+/// The unit of a product or, with a sign of -1, of a quotient. A factor of which nothing is known has no unit; of a
+/// number times a direction nothing is known.
 fn product(one: Option<Unit>, two: Option<Unit>, sign: i8) -> Option<Unit> {
     match (one, two) {
         (None, None | Some([0, 0, 0])) | (Some([0, 0, 0]), None) => None,
