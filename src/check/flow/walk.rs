@@ -45,6 +45,8 @@ pub(super) struct Walk<'w, 'f, 'p> {
     gave_up: bool,
     waiting: VecDeque<Node>,
     queued: BTreeSet<Node>,
+    /// How much may still be looked at.
+    budget: usize,
 }
 
 /// A part that is called, by the run of blocks where it begins.
@@ -70,6 +72,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             gave_up: false,
             waiting: VecDeque::new(),
             queued: BTreeSet::new(),
+            budget: 0,
         }
     }
 
@@ -124,15 +127,22 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         if self.gave_up {
             return false;
         }
-        let mut budget = self.graph.blocks.saturating_mul(PATIENCE).saturating_add(100_000);
+        self.budget = self.graph.blocks.saturating_mul(PATIENCE).saturating_add(100_000);
         while let Some(node) = self.waiting.pop_front() {
             self.queued.remove(&node);
             let cost = self.graph.run_end(node.0) - self.graph.leaders.get(node.0).copied().unwrap_or(0);
-            let Some(rest) = budget.checked_sub(cost + 1) else { return false };
-            budget = rest;
+            self.spend(cost + 1);
+            if self.budget == 0 {
+                return false;
+            }
             self.advance(node);
         }
         true
+    }
+
+    /// Looks at so many blocks, ends of parts or calls that wait for them.
+    fn spend(&mut self, cost: usize) {
+        self.budget = self.budget.saturating_sub(cost);
     }
 
     fn advance(&mut self, (run, caller): Node) {
@@ -158,6 +168,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
                     if self.exits.get(&exit) != Some(&joined) {
                         self.exits.insert(exit, joined);
                         let callers: Vec<Node> = self.callers.get(&caller).into_iter().flatten().copied().collect();
+                        self.spend(callers.len());
                         callers.into_iter().for_each(|caller| self.queue(caller));
                     }
                     if !block.skip {
@@ -197,6 +208,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         let inside = if self.shared { Caller::Outside } else { Caller::Use(at) };
         self.callers.entry(inside).or_default().insert((run, caller));
         self.enter((target, inside), state);
+        self.spend(self.parts.get(&target).map_or(0, |part| part.returns.len()));
         let Some(part) = self.parts.get(&target) else { return };
         let exits = part.returns.iter().filter_map(|exit| self.exits.get(&(*exit, inside)));
         let joined =
