@@ -35,8 +35,10 @@ pub(super) struct Walk<'w, 'f, 'p> {
     entries: BTreeMap<Node, State>,
     /// What each called label may change, and where it returns.
     parts: BTreeMap<usize, Part>,
-    /// States at the blocks LBL 0 of called parts.
-    exits: BTreeMap<(usize, Caller), State>,
+    /// What is certain where called parts return, by the runs of blocks where they begin.
+    behind: BTreeMap<Node, State>,
+    /// The parts that return at each LBL 0, where all calls of a part are followed as one.
+    ends: BTreeMap<usize, Vec<usize>>,
     /// Who waits for the end of a call.
     callers: BTreeMap<Caller, BTreeSet<Node>>,
     /// Whether all calls of a part are followed as one, because there are too many of them.
@@ -66,7 +68,8 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             graph,
             entries: BTreeMap::new(),
             parts: BTreeMap::new(),
-            exits: BTreeMap::new(),
+            behind: BTreeMap::new(),
+            ends: BTreeMap::new(),
             callers: BTreeMap::new(),
             shared: false,
             gave_up: false,
@@ -163,14 +166,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             match self.graph.end(index, block) {
                 End::Stop if !block.skip => return,
                 End::Return if caller != Caller::Nobody => {
-                    let exit = (index, caller);
-                    let joined = self.exits.get(&exit).map_or_else(|| state.clone(), |known| known.join(&state));
-                    if self.exits.get(&exit) != Some(&joined) {
-                        self.exits.insert(exit, joined);
-                        let callers: Vec<Node> = self.callers.get(&caller).into_iter().flatten().copied().collect();
-                        self.spend(callers.len());
-                        callers.into_iter().for_each(|caller| self.queue(caller));
-                    }
+                    self.come_back(index, caller, &state);
                     if !block.skip {
                         return;
                     }
@@ -184,11 +180,39 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         }
     }
 
+    /// Comes to the end of a called part: those who wait for it go on if that is news.
+    fn come_back(&mut self, block: usize, caller: Caller, state: &State) {
+        let parts = match caller {
+            Caller::Use(at) => self.target(at).into_iter().collect(),
+            Caller::Outside => self.ends.get(&block).cloned().unwrap_or_default(),
+            Caller::Nobody => Vec::new(),
+        };
+        self.spend(parts.len());
+        let mut news = false;
+        for part in parts {
+            let joined = self.behind.get(&(part, caller)).map_or_else(|| state.clone(), |known| known.join(state));
+            if self.behind.get(&(part, caller)) != Some(&joined) {
+                self.behind.insert((part, caller), joined);
+                news = true;
+            }
+        }
+        if news {
+            let callers: Vec<Node> = self.callers.get(&caller).into_iter().flatten().copied().collect();
+            self.spend(callers.len());
+            callers.into_iter().for_each(|caller| self.queue(caller));
+        }
+    }
+
+    /// The run of blocks to which a use of a label leads.
+    fn target(&self, at: usize) -> Option<usize> {
+        let mark = self.graph.uses.get(at)?.mark.as_ref()?;
+        Some(self.graph.run_of(self.graph.block_of(mark)?))
+    }
+
     /// Goes where a call, a repeat or a jump leads.
     fn lead_on(&mut self, (run, caller): Node, at: usize, state: &State, skip: bool) {
         let Some(own) = self.graph.uses.get(at).cloned() else { return };
-        let target = own.mark.as_ref().and_then(|mark| self.graph.block_of(mark));
-        let Some(target) = target.map(|block| self.graph.run_of(block)) else {
+        let Some(target) = self.target(at) else {
             // It leads nobody knows where, or nowhere.
             self.enter((run + 1, caller), &State::unknown());
             return;
@@ -208,13 +232,9 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         let inside = if self.shared { Caller::Outside } else { Caller::Use(at) };
         self.callers.entry(inside).or_default().insert((run, caller));
         self.enter((target, inside), state);
-        self.spend(self.parts.get(&target).map_or(0, |part| part.returns.len()));
         let Some(part) = self.parts.get(&target) else { return };
-        let exits = part.returns.iter().filter_map(|exit| self.exits.get(&(*exit, inside)));
-        let joined =
-            exits.fold(None, |all: Option<State>, own| Some(all.map_or_else(|| own.clone(), |all| all.join(own))));
-        if let Some(exit) = joined {
-            let behind = State::behind(state, &exit, &part.touched);
+        if let Some(exit) = self.behind.get(&(target, inside)) {
+            let behind = State::behind(state, exit, &part.touched);
             self.enter((run + 1, caller), &behind);
         }
         if skip {
@@ -261,6 +281,11 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         };
         let all: usize = self.graph.uses.iter().filter(calls_of).filter_map(size).sum();
         self.shared = all > self.graph.blocks.saturating_mul(16).saturating_add(50_000);
+        for (start, part) in self.parts.iter_mut().filter(|_| self.shared) {
+            for end in std::mem::take(&mut part.returns) {
+                self.ends.entry(end).or_default().push(*start);
+            }
+        }
         self.spread(&calls);
         true
     }
