@@ -1,8 +1,8 @@
 //! A parameter or field that the cycle does not have on this control.
 //!
 //! If it has none of all that are written, that is said once, at the cycle. Where nothing else is missing, or what is
-//! missing may stand in a line that cannot be read, it is a warning: later software versions have parameters of which the
-//! manuals here do not speak.
+//! missing may stand in a line that cannot be read, it is a warning: later software versions have parameters of which
+//! the manuals here do not speak.
 use super::together;
 use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
