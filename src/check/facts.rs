@@ -12,6 +12,7 @@ use super::definition::{Defined, Definition, Item};
 use super::flow::{Run, stops};
 use super::guards::SharedData;
 use super::labels::{Tongues, told_by};
+use super::unread::Unread;
 use super::{Against, CycleLabels, values};
 use crate::diag::Span;
 use crate::expr::QRef;
@@ -76,8 +77,8 @@ pub struct Flow {
     pub modal: bool,
     /// There are blocks that are not analysed, such as a change to turning.
     pub opaque: bool,
-    /// There are blocks that cannot be read.
-    pub unread: bool,
+    /// What blocks that cannot be read may do.
+    pub unread: Unread,
     /// There are blocks that may be skipped.
     pub skips: bool,
 }
@@ -369,13 +370,11 @@ impl<'a> Facts<'a> {
                 BlockKind::Statement(statement) => match statement.kind {
                     StatementKind::CallSelected => self.flow.programs |= self.calls_unknown(index),
                     StatementKind::Function => self.flow.opaque = true,
-                    StatementKind::Indirect | StatementKind::Refused => {
-                        (self.flow.opaque, self.flow.unread) = (true, true);
-                    }
+                    StatementKind::Indirect | StatementKind::Refused => self.flow.hide(self.program, block),
                     _ => {}
                 },
                 BlockKind::Iso(_) if block.is_blend() => {}
-                BlockKind::Unknown(_) | BlockKind::Iso(_) => (self.flow.opaque, self.flow.unread) = (true, true),
+                BlockKind::Unknown(_) | BlockKind::Iso(_) => self.flow.hide(self.program, block),
                 _ => {}
             }
             each_function(block, |number| self.flow.modal |= number == 89);

@@ -15,6 +15,7 @@ mod guards;
 mod labels;
 mod rules;
 mod tools;
+mod unread;
 mod values;
 mod words;
 
@@ -27,6 +28,7 @@ pub use flow::{Aspect, CycleCall, Graph, Loaded, Mark, Modal, Pending, Run, Tri,
 pub(crate) use labels::is_label;
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels, Speech, speech};
 pub use rules::RULES;
+pub use unread::Unread;
 
 use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::locale::Language;

@@ -86,6 +86,8 @@ pub enum Aspect {
     BasicRotation,
     /// A cycle has stopped the spindle, and nothing has started it since.
     Stopped,
+    /// Feeds are those of a revolution (M136).
+    PerRevolution,
 }
 
 /// The cycle that a call means.

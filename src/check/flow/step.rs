@@ -8,6 +8,7 @@ use super::state::{Aspect, Known, Loaded, Modal, Pending, State, Tri};
 use crate::check::Facts;
 use crate::check::among::Callees;
 use crate::check::facts::each_function;
+use crate::check::unread::{Hides, hides};
 use crate::diag::Span;
 use crate::expr::{Code, Env, EvalError, Expr, OnlyParameters, QKind, QRef, Value, compile};
 use crate::syntax::{
@@ -68,6 +69,8 @@ impl<'f, 'a> Steps<'f, 'a> {
             2 | 5 | 30 => state.modal.set(Aspect::Spindle, Tri::No),
             128 => state.modal.set(Aspect::Tcpm, Tri::Yes),
             129 => state.modal.set(Aspect::Tcpm, Tri::No),
+            136 => state.modal.set(Aspect::PerRevolution, Tri::Yes),
+            137 => state.modal.set(Aspect::PerRevolution, Tri::No),
             // From here on every movement calls it.
             89 if !self.callees.made.is_empty() => state.forget(),
             89 | 99 => self.called(state),
@@ -186,8 +189,48 @@ impl<'f, 'a> Steps<'f, 'a> {
             BlockKind::Statement(statement) => self.statement(statement, state),
             BlockKind::CallPgm(_) => self.program_called(index, state),
             BlockKind::Iso(_) if block.is_blend() => {}
-            BlockKind::Unknown(_) | BlockKind::Iso(_) => state.forget(),
+            BlockKind::Unknown(_) | BlockKind::Iso(_) => self.unread(block, state),
             _ => {}
+        }
+    }
+
+    /// What a block that cannot be read may have done.
+    fn unread(&self, block: &Block, state: &mut State) {
+        match hides(self.program, block) {
+            // A call of a cycle that is a program may do whatever the program does.
+            Hides::Movement if self.callees.made.is_empty() => {
+                for aspect in [
+                    Aspect::Spindle,
+                    Aspect::Stopped,
+                    Aspect::Counterclockwise,
+                    Aspect::Feed,
+                    Aspect::Pole,
+                    Aspect::Compensation,
+                    Aspect::Tcpm,
+                    Aspect::PerRevolution,
+                ] {
+                    state.modal.set(aspect, Tri::Unknown);
+                }
+                tool_unknown(&mut state.modal);
+            }
+            Hides::Tool => {
+                for aspect in [
+                    Aspect::Tool,
+                    Aspect::ToolFeed,
+                    Aspect::OtherAxis,
+                    Aspect::Speed,
+                    Aspect::Feed,
+                    Aspect::Spindle,
+                    Aspect::Stopped,
+                    Aspect::Counterclockwise,
+                ] {
+                    state.modal.set(aspect, Tri::Unknown);
+                }
+                tool_unknown(&mut state.modal);
+                state.modal.loaded = Loaded::Unknown;
+            }
+            Hides::Assignment(parameters) => parameters.into_iter().for_each(|q| state.set(q, Known::Unknown)),
+            Hides::Movement | Hides::Anything => state.forget(),
         }
     }
 

@@ -1,7 +1,8 @@
 //! An approach without radius compensation, or a departure while none is active.
 //!
 //! Without RL or RR the tool centre runs on the contour. Where a program approaches with R0, its departures are left
-//! alone. Only said where compensation is certainly off.
+//! alone, but for one behind another departure in the text: that one has left the contour. Only said where compensation is
+//! certainly off.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, Compensation, IsoKind, Path};
@@ -14,6 +15,8 @@ pub(super) const RULE: Rule = Rule { code: "approach-without-compensation", seve
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // Whether the contour is one that is meant for the tool centre.
     let mut centre = false;
+    // Whether the contour has been left, and nothing but rapid movements stand behind.
+    let mut left = false;
     for (from, to, modal) in facts.run.stretches() {
         let off = modal.is_some_and(|modal| modal.is(Aspect::Compensation) == Tri::No);
         for block in facts.program.blocks().get(from..to).unwrap_or_default() {
@@ -24,7 +27,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let what = if code == APPROACH { "approach" } else { "departure" };
                 found.push(rule.at(facts, block.comment().unwrap_or(block.span)).arg("what", what));
             }
-            let BlockKind::Motion(motion) = &block.kind else { continue };
+            let BlockKind::Motion(motion) = &block.kind else {
+                left &= matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_));
+                continue;
+            };
+            if !matches!(motion.path(), Path::Dep(_)) {
+                left &= !block.skip && motion.path() == Path::L && motion.outline().is_rapid();
+            }
             let (what, wrong) = match motion.path() {
                 Path::Appr(_) => {
                     let written = motion.compensation;
@@ -32,7 +41,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                     let without = !matches!(written, Some(Compensation::Rl | Compensation::Rr));
                     ("approach", written == Some(Compensation::R0) || (off && without))
                 }
-                Path::Dep(_) => ("departure", off && !centre),
+                Path::Dep(_) => {
+                    let again = std::mem::replace(&mut left, !block.skip);
+                    ("departure", off && (!centre || again))
+                }
                 _ => continue,
             };
             if wrong {

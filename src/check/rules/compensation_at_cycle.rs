@@ -38,7 +38,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// The definition before a call of a cycle that is not described, where the order of the text is that of the run.
 fn before<'f, 'a>(facts: &'f Facts<'a>, block: usize) -> Option<&'f Defined<'a>> {
-    if facts.flow.jumps || facts.flow.programs || facts.flow.unread {
+    if facts.flow.jumps || facts.flow.programs || facts.flow.unread.anything {
         return None;
     }
     let own = facts.definition_before(block)?;

@@ -4,7 +4,7 @@
 //! them. Said once a program, and only where no way of the run has defined it.
 use crate::check::flow::Deed;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, Place, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "contour-data-missing", severity: Severity::Error, run };
 
@@ -17,8 +17,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         let keepers = facts.against.catalogue.controls.values().flat_map(|on| on.cycles.values());
         let Some(keeper) = keepers.into_iter().find(|own| Deed::of_cycle(own).keeps()) else { continue };
-        let finding = rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string());
-        found.push(finding.arg("data", keeper.key.to_string()));
+        let finding = rule.at(facts, call.span).arg("cycle", definition.key.to_string());
+        let finding = finding.arg("data", keeper.key.to_string());
+        found.push(finding.related("first-place", Place::new(facts.program.source(), definition.view.head)));
         return;
     }
 }

@@ -72,6 +72,10 @@ fn wrong(own: &Element, before: &[&Block], behind: Option<&Block>) -> Option<(&'
     {
         return Some(("size", 0.0));
     }
+    // A contour begins with a straight line or an arc, not with a chamfer.
+    if own.path() == Path::Chf && matches!(first.path(), Path::Appr(_)) {
+        return Some(("first", 0.0));
+    }
     let ends = |block: &Block| {
         matches!(block.kind, BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) | BlockKind::ToolCall(_))
     };
@@ -113,7 +117,7 @@ fn wrong(own: &Element, before: &[&Block], behind: Option<&Block>) -> Option<(&'
 fn target(before: &[&Block]) -> Option<[f64; 2]> {
     let mut found = [None, None];
     for block in before {
-        let own = element(Some(block)).filter(|own| matches!(own.path(), Path::L | Path::Appr(_)))?.words();
+        let own = element(Some(block)).filter(|own| leads(own.path()))?.words();
         if own.functions.iter().any(|function| !matches!(function.number, 0..=9 | 13 | 14)) {
             return None;
         }
@@ -127,6 +131,11 @@ fn target(before: &[&Block]) -> Option<[f64; 2]> {
         }
     }
     None
+}
+
+/// Whether the coordinates of an element are those of its end.
+const fn leads(path: Path) -> bool {
+    matches!(path, Path::L | Path::Appr(_) | Path::C | Path::Cr | Path::Ct)
 }
 
 /// The absolute numbers of X and Y.

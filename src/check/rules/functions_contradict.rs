@@ -1,7 +1,8 @@
 //! M functions in one block of which only one can be meant: two that turn the spindle in opposite directions, or one
 //! that switches something on and one that switches it off.
 //!
-//! Functions that act at the end of the block, such as M5 and M9, may well stand beside those that act at its start.
+//! Functions that act at the end of the block, such as M5 and M9, may well stand beside those that act at its start. The
+//! end of the program, which stops the spindle and the coolant, contradicts what starts them.
 use crate::check::facts::each_function;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
@@ -29,6 +30,10 @@ const ONE_OF: [&[u16]; 17] = [
     &[148, 149],
 ];
 
+/// The ends of a program, and what none of them leaves on.
+const ENDS_AND_STARTS: [&[u16]; 10] =
+    [&[2, 3], &[2, 4], &[2, 8], &[2, 13], &[2, 14], &[3, 30], &[4, 30], &[8, 30], &[13, 30], &[14, 30]];
+
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (_, block) in facts.marked() {
         let mut count = 0;
@@ -37,7 +42,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         let functions = facts.functions(block);
-        for group in ONE_OF {
+        for group in ONE_OF.into_iter().chain(ENDS_AND_STARTS) {
             let mut own = functions.iter().filter(|function| group.contains(&function.number));
             let (Some(first), Some(second)) = (own.next(), own.next()) else { continue };
             if first.number != second.number {

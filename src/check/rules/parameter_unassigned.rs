@@ -30,7 +30,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 
 /// The results that are read before the cycle that has them, in a program that goes straight on.
 fn early(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
-    if facts.flow.jumps || facts.flow.programs || facts.flow.unread {
+    if facts.flow.jumps || facts.flow.programs || facts.flow.unread.assignments || facts.flow.unread.anything {
         return Vec::new();
     }
     let mut results: BTreeMap<QRef, usize> = BTreeMap::new();

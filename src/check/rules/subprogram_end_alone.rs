@@ -6,7 +6,7 @@ use crate::syntax::{BlockKind, Label};
 pub(super) const RULE: Rule = Rule { code: "subprogram-end-alone", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    if !facts.begins() || facts.flow.unread {
+    if !facts.begins() || facts.flow.unread.anything {
         return;
     }
     let mut begun = false;

@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule { code: "tool-definition-wrong", severity: Se
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut defined: HashMap<u64, (Span, [&str; 2])> = HashMap::new();
     let mut called: HashSet<u64> = HashSet::new();
-    let straight = !(facts.flow.jumps || facts.flow.programs || facts.flow.unread);
+    let straight = !(facts.flow.jumps || facts.flow.programs || facts.flow.unread.any());
     for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::ToolCall(call) => called.extend(call.tool.as_ref().and_then(number).map(bits)),

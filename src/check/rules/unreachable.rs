@@ -1,16 +1,20 @@
 //! Blocks that the run never comes to: behind the end of the main part, and no label leads there.
 //!
 //! A subprogram that nothing calls may wait for its call, so that is a note. Silent where a subprogram does not
-//! return, which is told by itself, and in pieces of programs.
-use crate::check::{Facts, Rule};
+//! return, which is told by itself, and in pieces of programs. Where one calls itself, only what stands between the
+//! subprograms behind the end of the main part is told.
+use crate::check::{Facts, Rule, Way};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, Label};
 
 pub(super) const RULE: Rule = Rule { code: "unreachable", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    if !facts.begins() || !facts.run.endless_parts().is_empty() || facts.run.recursive_calls().next().is_some() {
+    if !facts.begins() || !facts.run.endless_parts().is_empty() {
         return;
+    }
+    if facts.run.recursive_calls().next().is_some() {
+        return behind_parts(rule, facts, found);
     }
     let blocks = facts.program.blocks();
     let mut ended = false;
@@ -43,6 +47,30 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 told = true;
                 let finding = rule.at(facts, facts.content(block)).arg("part", if label { "label" } else { "block" });
                 found.push(Diagnostic { severity: if label { Severity::Note } else { finding.severity }, ..finding });
+            }
+        }
+    }
+}
+
+/// The blocks behind the end of the main part that stand in no subprogram, in a program that only calls.
+fn behind_parts(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let others =
+        facts.run.graph.uses.iter().any(|own| !matches!(own.way, Way::Call | Way::Named) || own.mark.is_none());
+    if others || facts.flow.skips || facts.flow.unread.any() {
+        return;
+    }
+    let blocks = facts.program.blocks();
+    let Some(main) = blocks.iter().position(|block| facts.ends(block)) else { return };
+    let (mut inside, mut told) = (false, false);
+    for block in blocks.get(main + 1..).unwrap_or_default() {
+        match &block.kind {
+            BlockKind::EndPgm(_) => return,
+            BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) => {}
+            BlockKind::Lbl(label) => (inside, told) = (label.target != Label::END, false),
+            _ if facts.ends(block) || inside || told => {}
+            _ => {
+                told = true;
+                found.push(rule.at(facts, facts.content(block)).arg("part", "block"));
             }
         }
     }

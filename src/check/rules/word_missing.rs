@@ -95,7 +95,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
     }
     // What other programs began may be ended here.
-    if !facts.begins() || facts.flow.programs || facts.flow.unread {
+    if !facts.begins() || facts.flow.programs || facts.flow.unread.any() {
         return;
     }
     let begun: BTreeSet<_> = endings.iter().filter(|own| own.begins()).map(Words::name).collect();
@@ -129,10 +129,15 @@ fn element(facts: &Facts<'_>, block: &Block, motion: &Element) -> Option<&'stati
         // Long programs have millions of them.
         Path::Ln => {
             let text = facts.text(block.span).as_bytes();
-            let directed =
-                memchr::memchr_iter(b'X', text).any(|at| matches!(text.get(at.wrapping_sub(1)), Some(b'N' | b'T')));
-            let says = || motion.words().words.iter().any(|own| facts.text(own.name).trim().len() == 2);
-            return (!directed && !says()).then_some("NX, NY, NZ");
+            let of = |letter: u8, axis: u8| {
+                memchr::memchr_iter(axis, text).any(|at| text.get(at.wrapping_sub(1)) == Some(&letter))
+            };
+            // Most of them have the whole normal and nothing else, or the whole direction of the tool.
+            let [normal, tool] = [b'N', b'T'].map(|letter| [b'X', b'Y', b'Z'].map(|axis| of(letter, axis)));
+            if [normal, tool].iter().all(|own| *own == [true; 3] || *own == [false; 3]) && (normal[0] || tool[0]) {
+                return None;
+            }
+            return vector(facts, &motion.words().words);
         }
         Path::Fc | Path::Fct => return motion.words().counter_clockwise.is_none().then_some("DR"),
         Path::Chf => return motion.words().radius.is_none().then_some("CHF"),
@@ -154,6 +159,20 @@ fn element(facts: &Facts<'_>, block: &Block, motion: &Element) -> Option<&'stati
         form if form.has_arc() && words.radius.is_none() => Some("R"),
         _ => None,
     }
+}
+
+/// What a line with a surface normal lacks: all of it, or a component of a vector of which others stand there.
+fn vector(facts: &Facts<'_>, words: &[NamedWord]) -> Option<&'static str> {
+    const NORMAL: [&str; 3] = ["NX", "NY", "NZ"];
+    const TOOL: [&str; 3] = ["TX", "TY", "TZ"];
+    if !NORMAL.iter().chain(&TOOL).any(|name| has(facts, words, name)) {
+        return Some("NX, NY, NZ");
+    }
+    let partly = |names: &[&'static str; 3]| {
+        let begun = names.iter().any(|name| has(facts, words, name));
+        names.iter().copied().find(|name| begun && !has(facts, words, name))
+    };
+    partly(&NORMAL).or_else(|| partly(&TOOL))
 }
 
 fn patterns<'f>(facts: &'f Facts<'_>, own: &'f PatternDef) -> impl Iterator<Item = (Span, &'static str)> + 'f {
