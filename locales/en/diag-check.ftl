@@ -230,6 +230,7 @@ diag-program-begin-twice = BEGIN PGM stands a second time here.
 diag-program-calls-itself = The program calls itself: { $name }.
 diag-program-end-missing = The program ends here without END PGM.
 diag-programs-call-in-circle = The program { $name } calls this one back, be it through others.
+diag-rapid-into-blank = The tool moves into the blank at rapid here: Z goes to { $value }, and the blank reaches up to { $top }.
 diag-repeat-count-wrong = A part of a program is repeated a whole number of times from 0 to 65534.
 diag-repeat-of-later-label = The label { $label } stands behind this repeat.
 diag-reserved-parameter =
@@ -251,6 +252,11 @@ diag-speed-out-of-range =
     }.
 diag-spindle-direction = { $cycle } needs a spindle that turns clockwise, and it turns counter-clockwise here.
 diag-spindle-off = Material is removed here while the spindle stands.
+diag-sql-handle-missing =
+    { $what ->
+        [ended] COMMIT or ROLLBACK has ended the transaction with the handle { $handle } before.
+       *[missing] No query has given the handle { $handle } before.
+    }
 diag-subprogram-end-alone = This LBL 0 ends no subprogram.
 diag-subprogram-recursive = The subprogram { $label } calls itself here.
 diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: no LBL 0 stands between them.
@@ -315,6 +321,12 @@ diag-transformation-left-on =
         [mirroring] mirror image
        *[scaling] scaling factor
     }.
+diag-turning-feed-unit =
+    { $what ->
+        [revolution] { $parameter }={ $value } is a feed for a revolution here, as M136 is active.
+       *[minute] { $parameter }={ $value } is a feed for a minute here, as M136 is not active.
+    }
+diag-turning-system-missing = { $cycle } is called here, but since the tool call { $aligning } has not been defined.
 diag-unknown-cycle = { $cycle } is a cycle of no control known here.
 diag-unknown-parameter = { $cycle } has no { $parameter } on this control.
 diag-unlike-elsewhere =

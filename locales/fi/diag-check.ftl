@@ -230,6 +230,7 @@ diag-program-begin-twice = BEGIN PGM on tässä toisen kerran.
 diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.
 diag-program-end-missing = Ohjelma loppuu tähän ilman END PGM -lausetta.
 diag-programs-call-in-circle = Ohjelma { $name } kutsuu takaisin tätä ohjelmaa, suoraan tai muiden kautta.
+diag-rapid-into-blank = Työkalu liikkuu tässä pikaliikkeellä aihioon: Z ajetaan arvoon { $value }, ja aihio ulottuu arvoon { $top }.
 diag-repeat-count-wrong = Ohjelmanosa toistetaan 0–65534 kertaa, kokonaisluku.
 diag-repeat-of-later-label = Label { $label } on vasta tämän toiston jälkeen.
 diag-reserved-parameter = Tässä kirjoitetaan parametriin { $parameter }, mutta parametreihin Q100–Q199 kirjoittaa ohjaus itse.
@@ -250,6 +251,11 @@ diag-speed-out-of-range =
     }.
 diag-spindle-direction = { $cycle } vaatii myötäpäivään pyörivän karan, mutta tässä se pyörii vastapäivään.
 diag-spindle-off = Tässä lastutaan karan ollessa pysähdyksissä.
+diag-sql-handle-missing =
+    { $what ->
+        [ended] COMMIT tai ROLLBACK on jo päättänyt tapahtuman, jonka HANDLE on { $handle }.
+       *[missing] Mikään kysely ei ole sitä ennen antanut arvoa HANDLE { $handle }.
+    }
 diag-subprogram-end-alone = Tämä LBL 0 ei päätä mitään aliohjelmaa.
 diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
 diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
@@ -314,6 +320,12 @@ diag-transformation-left-on =
         [mirroring] peilaus
        *[scaling] mittakerroin
     }.
+diag-turning-feed-unit =
+    { $what ->
+        [revolution] { $parameter }={ $value } on tässä syöttöarvo kierrosta kohti, koska M136 on voimassa.
+       *[minute] { $parameter }={ $value } on tässä syöttöarvo minuutissa, koska M136 ei ole voimassa.
+    }
+diag-turning-system-missing = { $cycle } kutsutaan tässä, mutta työkierto { $aligning } on määrittelemättä työkalukutsun jälkeen.
 diag-unknown-cycle = { $cycle } ei ole minkään tässä tunnetun ohjauksen työkierto.
 diag-unknown-parameter = Työkierrossa { $cycle } ei ole tässä ohjauksessa parametria { $parameter }.
 diag-unlike-elsewhere =

@@ -230,6 +230,7 @@ diag-program-begin-twice = BEGIN PGM compare qui una seconda volta.
 diag-program-calls-itself = Il programma chiama sé stesso: { $name }.
 diag-program-end-missing = Il programma finisce qui senza END PGM.
 diag-programs-call-in-circle = Il programma { $name } richiama a sua volta questo, direttamente o tramite altri.
+diag-rapid-into-blank = Qui l’utensile entra nel pezzo grezzo in rapido: Z va a { $value } e il grezzo arriva fino a { $top }.
 diag-repeat-count-wrong = Una parte di programma si ripete un numero intero di volte, da 0 a 65534.
 diag-repeat-of-later-label = Il label { $label } si trova dopo questa ripetizione.
 diag-reserved-parameter = Qui viene scritto { $parameter }, ma i parametri da Q100 a Q199 li scrive il controllo stesso.
@@ -250,6 +251,11 @@ diag-speed-out-of-range =
     }.
 diag-spindle-direction = { $cycle } richiede un mandrino che giri in senso orario, e qui gira in senso antiorario.
 diag-spindle-off = Qui viene asportato materiale a mandrino fermo.
+diag-sql-handle-missing =
+    { $what ->
+        [ended] COMMIT o ROLLBACK ha già concluso la transazione con HANDLE { $handle }.
+       *[missing] Nessuna interrogazione ha fornito prima HANDLE { $handle }.
+    }
 diag-subprogram-end-alone = Questo LBL 0 non termina alcun sottoprogramma.
 diag-subprogram-recursive = Il sottoprogramma { $label } chiama qui sé stesso.
 diag-subprogram-runs-on = Il sottoprogramma { $label } prosegue nel sottoprogramma { $next }: tra i due non c’è LBL 0.
@@ -314,6 +320,12 @@ diag-transformation-left-on =
         [mirroring] una specularità attiva
        *[scaling] un fattore di scala attivo
     }.
+diag-turning-feed-unit =
+    { $what ->
+        [revolution] { $parameter }={ $value } è qui un avanzamento al giro, perché M136 è attivo.
+       *[minute] { $parameter }={ $value } è qui un avanzamento al minuto, perché M136 non è attivo.
+    }
+diag-turning-system-missing = Qui viene chiamato { $cycle }, ma dopo la chiamata utensile { $aligning } non è stato definito.
 diag-unknown-cycle = { $cycle } non è un ciclo di alcun controllo qui noto.
 diag-unknown-parameter = Su questo controllo { $cycle } non ha il parametro { $parameter }.
 diag-unlike-elsewhere =

@@ -230,6 +230,7 @@ diag-program-begin-twice = BEGIN PGM está aqui pela segunda vez.
 diag-program-calls-itself = O programa chama-se a si próprio: { $name }.
 diag-program-end-missing = O programa acaba aqui sem END PGM.
 diag-programs-call-in-circle = O programa { $name } volta a chamar este, diretamente ou através de outros.
+diag-rapid-into-blank = A ferramenta entra aqui no bloco em marcha rápida: Z vai para { $value } e o bloco chega até { $top }.
 diag-repeat-count-wrong = Uma parte do programa repete-se um número inteiro de vezes, de 0 a 65534.
 diag-repeat-of-later-label = O label { $label } fica depois desta repetição.
 diag-reserved-parameter = Aqui escreve-se em { $parameter }, mas é o próprio comando que escreve em Q100 a Q199.
@@ -250,6 +251,11 @@ diag-speed-out-of-range =
     }.
 diag-spindle-direction = { $cycle } precisa de um cabeçote que rode no sentido horário, e aqui roda no sentido anti-horário.
 diag-spindle-off = Aqui remove-se material com o cabeçote parado.
+diag-sql-handle-missing =
+    { $what ->
+        [ended] COMMIT ou ROLLBACK já terminou a transação com HANDLE { $handle }.
+       *[missing] Nenhuma consulta deu antes HANDLE { $handle }.
+    }
 diag-subprogram-end-alone = Este LBL 0 não termina nenhum subprograma.
 diag-subprogram-recursive = O subprograma { $label } chama-se aqui a si próprio.
 diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subprograma { $next }: entre eles não há LBL 0.
@@ -314,6 +320,12 @@ diag-transformation-left-on =
         [mirroring] um espelho ativo
        *[scaling] um fator de escala ativo
     }.
+diag-turning-feed-unit =
+    { $what ->
+        [revolution] { $parameter }={ $value } é aqui um avanço por rotação, porque M136 está ativo.
+       *[minute] { $parameter }={ $value } é aqui um avanço por minuto, porque M136 não está ativo.
+    }
+diag-turning-system-missing = { $cycle } é chamado aqui, mas depois da chamada da ferramenta { $aligning } não foi definido.
 diag-unknown-cycle = { $cycle } não é um ciclo de nenhum comando aqui conhecido.
 diag-unknown-parameter = Neste comando, { $cycle } não tem o parâmetro { $parameter }.
 diag-unlike-elsewhere =

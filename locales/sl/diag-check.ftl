@@ -232,6 +232,7 @@ diag-program-begin-twice = BEGIN PGM je tu drugič.
 diag-program-calls-itself = Program prikliče samega sebe: { $name }.
 diag-program-end-missing = Program se tu konča brez END PGM.
 diag-programs-call-in-circle = Program { $name } kliče nazaj tega, neposredno ali prek drugih.
+diag-rapid-into-blank = Orodje se tu v hitrem teku premakne v surovec: Z gre na { $value }, surovec pa sega do { $top }.
 diag-repeat-count-wrong = Del programa se ponovi celo število krat, od 0 do 65534.
 diag-repeat-of-later-label = Oznaka LBL { $label } stoji za to ponovitvijo.
 diag-reserved-parameter = Tu se zapiše { $parameter }, v parametre od Q100 do Q199 pa zapisuje krmiljenje samo.
@@ -252,6 +253,11 @@ diag-speed-out-of-range =
     }.
 diag-spindle-direction = { $cycle } potrebuje vreteno, ki se vrti v desno, tu pa se vrti v levo.
 diag-spindle-off = Tu se material odvzema, medtem ko vreteno miruje.
+diag-sql-handle-missing =
+    { $what ->
+        [ended] COMMIT ali ROLLBACK je transakcijo s HANDLE { $handle } že končal.
+       *[missing] Nobena poizvedba prej ni dala vrednosti HANDLE { $handle }.
+    }
 diag-subprogram-end-alone = Ta LBL 0 ne konča nobenega podprograma.
 diag-subprogram-recursive = Podprogram { $label } tu prikliče samega sebe.
 diag-subprogram-runs-on = Podprogram { $label } se nadaljuje v podprogram { $next }: med njima ni LBL 0.
@@ -316,6 +322,12 @@ diag-transformation-left-on =
         [mirroring] aktivno zrcaljenje
        *[scaling] aktiven faktor merila
     }.
+diag-turning-feed-unit =
+    { $what ->
+        [revolution] { $parameter }={ $value } je tu pomik na vrtljaj, ker je M136 aktiven.
+       *[minute] { $parameter }={ $value } je tu pomik na minuto, ker M136 ni aktiven.
+    }
+diag-turning-system-missing = { $cycle } se tu prikliče, od priklica orodja naprej pa { $aligning } ni bil definiran.
 diag-unknown-cycle = { $cycle } ni cikel nobenega od znanih krmiljenj.
 diag-unknown-parameter = Cikel { $cycle } na tem krmiljenju nima parametra { $parameter }.
 diag-unlike-elsewhere =

@@ -1,7 +1,7 @@
 //! What a block that cannot be read may do, by how it begins.
 //!
-//! The one place that tells: the word at its beginning says which kind of block it was to be, and such a block can hide no
-//! more than a block of its kind does. Invariant: a block of which the kind is not certain may do anything.
+//! The one place that tells: the word at its beginning says which kind of block it was to be, and such a block can hide
+//! no more than a block of its kind does. Invariant: a block of which the kind is not certain may do anything.
 use super::Flow;
 use crate::expr::{QKind, QRef};
 use crate::syntax::{Block, BlockKind, IsoBlock, IsoKind, Program, ValueKind};

@@ -31,6 +31,8 @@ pub(in crate::check) struct Deed {
     calls_last: bool,
     /// Whether the spindle stands behind its call.
     stops_spindle: bool,
+    /// Whether it aligns the turning system for the tool.
+    aligns: bool,
     /// What it does to the basic rotation, in order.
     rotations: Vec<Rotates>,
     /// The values of parameters that the control lacks.
@@ -214,6 +216,11 @@ impl Deed {
         self.recalls
     }
 
+    /// Whether the cycle aligns the turning system for the tool.
+    pub(in crate::check) const fn aligns(&self) -> bool {
+        self.aligns
+    }
+
     /// Whether the cycle calls the one that was defined last.
     pub(in crate::check) const fn calls_last(&self) -> bool {
         self.calls_last
@@ -281,6 +288,11 @@ impl Deed {
                 (Verb::Call, Argument::One(name)) => self.calls_last |= name.as_str() == LAST_CYCLE,
                 (Verb::Strategy, Argument::One(name)) => {
                     self.recalls |= name.as_str() == RECALL;
+                    if let "align-turning-system" | "reset-turning-system" = name.as_str() {
+                        let aligns = name.as_str().starts_with("align");
+                        self.aligns |= aligns;
+                        self.aspects.push((Aspect::Aligned, if aligns { Tri::Yes } else { Tri::Unknown }.into()));
+                    }
                     self.rotations.extend(Rotates::of(name.as_str(), action));
                 }
                 (Verb::Spindle, Argument::One(name)) if cycle.file.takes_effect == TakesEffect::OnCall => {
@@ -366,8 +378,9 @@ fn results_in_lines<'v>(view: &'v CycleView<'_>) -> impl Iterator<Item = QRef> +
 /// Writes what a definition writes into its parameters.
 fn write(view: &CycleView<'_>, state: &mut State) {
     let CycleForm::Parameters(cycle) = &view.form else {
+        // Those that follow the parameter take the other coordinates and whether the probe has touched (001: 13702).
         for q in results_in_lines(view) {
-            state.set(q, Known::Unknown);
+            (q.number..q.number.saturating_add(4)).for_each(|number| state.set(QRef { number, ..q }, Known::Unknown));
         }
         return;
     };

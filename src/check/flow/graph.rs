@@ -255,6 +255,13 @@ pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef,
                 }
             });
         }
+        BlockKind::TextFormula(formula) => {
+            for word in formula.calls.iter().flat_map(|call| &call.words) {
+                if let ValueKind::Q { q, .. } = word.value.kind {
+                    found.push((q, word.value.span));
+                }
+            }
+        }
         BlockKind::CallLbl(call) => {
             if let Label::Q(q) = call.label.target {
                 found.push((q, call.label.span));

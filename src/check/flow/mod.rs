@@ -210,17 +210,17 @@ fn calls_in(block: &Block, words: &mut Motion, found: &mut Vec<Span>) {
 }
 
 /// Whether a program is one that is started, not one that others call: it names its blank or its tools or ends with
-/// M2 or M30; and whether it names its blank.
+/// M2 or M30; and whether that is certain: it names its blank, or its tools and such an end.
 fn kind(facts: &Facts<'_>) -> (bool, bool) {
-    let (mut main, mut blank) = (false, false);
+    let (mut tool, mut end, mut blank) = (false, false, false);
     for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::BlkForm(_) => blank = true,
             BlockKind::Statement(statement) => blank |= statement.kind == crate::syntax::StatementKind::BlkForm,
-            BlockKind::ToolCall(_) => main = true,
+            BlockKind::ToolCall(_) => tool = true,
             BlockKind::BeginPgm(_) | BlockKind::EndPgm(_) => {}
-            _ => main |= stops(block),
+            _ => end |= stops(block),
         }
     }
-    (facts.begins() && (main || blank), facts.begins() && blank)
+    (facts.begins() && (tool || end || blank), facts.begins() && (blank || (tool && end)))
 }

@@ -88,6 +88,8 @@ pub enum Aspect {
     Stopped,
     /// Feeds are those of a revolution (M136).
     PerRevolution,
+    /// A cycle has aligned the turning system for the tool.
+    Aligned,
 }
 
 /// The cycle that a call means.

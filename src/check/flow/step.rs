@@ -122,6 +122,7 @@ impl<'f, 'a> Steps<'f, 'a> {
                     state.modal.set(Aspect::Tool, named);
                     state.modal.set(Aspect::Probed, Tri::No);
                     state.modal.set(Aspect::Cut, Tri::No);
+                    state.modal.set(Aspect::Aligned, Tri::No);
                     state.modal.loaded = u32::try_from(index).map_or(Loaded::Unknown, Loaded::By);
                     // Whether the change stops the spindle is the machine builder's affair.
                     if state.modal.is(Aspect::Spindle) != Tri::No {
@@ -217,6 +218,7 @@ impl<'f, 'a> Steps<'f, 'a> {
                 for aspect in [
                     Aspect::Tool,
                     Aspect::ToolFeed,
+                    Aspect::Aligned,
                     Aspect::OtherAxis,
                     Aspect::Speed,
                     Aspect::Feed,
@@ -326,8 +328,8 @@ impl<'f, 'a> Steps<'f, 'a> {
                 *state = parameters;
                 state.modal = modal;
             }
-            // Functions whose words are not told apart may write any parameter.
-            StatementKind::Sql => state.forget_parameters(),
+            // A query that fetches writes to parameters that others have bound.
+            StatementKind::Sql if !self.is_query(statement) => state.forget_parameters(),
             // Which parameter is read or written, and what the block does besides, is not known.
             StatementKind::Indirect | StatementKind::Refused => {
                 let modal = State::unknown().modal;
@@ -336,6 +338,14 @@ impl<'f, 'a> Steps<'f, 'a> {
             }
             _ => {}
         }
+    }
+
+    /// Whether a block of SQL writes to no parameters but those that it names.
+    fn is_query(&self, statement: &Statement) -> bool {
+        let Some(first) = statement.words.first() else { return false };
+        let name = self.program.slice(first.name).trim();
+        let gives = matches!(first.value.kind, ValueKind::Q { .. });
+        gives || ["BIND", "UPDATE", "INSERT", "COMMIT", "ROLLBACK"].iter().any(|own| own.eq_ignore_ascii_case(name))
     }
 
     /// Whether a PLANE has angles, and all of them are 0.

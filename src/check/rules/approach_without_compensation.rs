@@ -1,8 +1,8 @@
 //! An approach without radius compensation, or a departure while none is active.
 //!
 //! Without RL or RR the tool centre runs on the contour. Where a program approaches with R0, its departures are left
-//! alone, but for one behind another departure in the text: that one has left the contour. Only said where compensation is
-//! certainly off.
+//! alone, but for one behind another departure in the text: that one has left the contour. Only said where compensation
+//! is certainly off.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, Compensation, IsoKind, Path};

@@ -26,6 +26,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let behind = blocks.get(index + 1..).unwrap_or_default().iter().find(|block| acts(block));
         let upright = facts.run.before(index).is_some_and(|modal| modal.is(Aspect::OtherAxis) == Tri::No);
         let aside = if upright { beside_plane(&before, behind) } else { None };
+        // An approach is one also where its length cannot be read.
+        let begun = |block: &&Block| {
+            let text = facts.text(facts.content(block));
+            matches!(block.kind, BlockKind::Unknown(_))
+                && text.get(..4).is_some_and(|own| own.eq_ignore_ascii_case("APPR"))
+        };
+        if motion.path() == Path::Chf && before.first().is_some_and(begun) {
+            found.push(rule.at(facts, facts.content(block)).arg("what", "first").arg("least", Arg::Number(0.0)));
+            continue;
+        }
         if let Some((what, least)) = aside.or_else(|| wrong(motion, &before, behind)) {
             let finding = rule.at(facts, facts.content(block)).arg("what", what);
             found.push(finding.arg("least", Arg::Number(libm::round(least * 1e4) / 1e4)));

@@ -1,8 +1,8 @@
 //! M functions in one block of which only one can be meant: two that turn the spindle in opposite directions, or one
 //! that switches something on and one that switches it off.
 //!
-//! Functions that act at the end of the block, such as M5 and M9, may well stand beside those that act at its start. The
-//! end of the program, which stops the spindle and the coolant, contradicts what starts them.
+//! Functions that act at the end of the block, such as M5 and M9, may well stand beside those that act at its start.
+//! The end of the program, which stops the spindle and the coolant, contradicts what starts them.
 use crate::check::facts::each_function;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
@@ -10,7 +10,7 @@ use crate::diag::{Diagnostic, Severity};
 pub(super) const RULE: Rule = Rule { code: "functions-contradict", severity: Severity::Warning, run };
 
 /// Of each of these at most one stands in a block.
-const ONE_OF: [&[u16]; 17] = [
+const ONE_OF: [&[u16]; 18] = [
     &[2, 30],
     &[101, 102],
     &[107, 108],
@@ -20,6 +20,8 @@ const ONE_OF: [&[u16]; 17] = [
     &[3, 14],
     &[4, 13],
     &[8, 9],
+    // One calls the cycle in every block, the other one ends that (001: 1253-1258).
+    &[89, 99],
     &[91, 92],
     &[97, 98],
     &[109, 110, 111],

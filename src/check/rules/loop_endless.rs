@@ -1,8 +1,10 @@
 //! A jump back that nothing in the loop can end: its condition always holds, or compares what the loop does not change,
-//! or changes it away from the end.
+//! or changes it away from the end, or steps over it.
 //!
 //! Silent where the loop stops for the operator, calls programs, has another way out, may be changed by what cannot be
 //! read, or takes too long to look through.
+use std::ops::RangeInclusive;
+
 use crate::check::facts::each_function;
 use crate::check::{Facts, Rule, Use, Way};
 use crate::diag::{Diagnostic, Severity};
@@ -13,6 +15,8 @@ pub(super) const RULE: Rule = Rule { code: "loop-endless", severity: Severity::W
 
 /// How deep subprograms in a loop are looked into.
 const DEPTH: usize = 8;
+/// How near the number of steps must come to a whole one.
+const NEAR: f64 = 1e-6;
 /// How often a block may be looked at on average.
 const PATIENCE: usize = 48;
 
@@ -31,6 +35,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 struct Loop<'p> {
     written: Vec<QRef>,
     steps: Vec<&'p FnAssign>,
+    /// The jumps out of it that wait for a value.
+    exits: Vec<&'p FnJump>,
     /// Something may end it, or change anything.
     open: bool,
     /// How many blocks may still be looked at.
@@ -51,10 +57,15 @@ fn never_ends<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut
     if !decided.unwrap_or_else(compares) {
         return false;
     }
-    let mut body = Loop { written: Vec::new(), steps: Vec::new(), open: false, patience };
+    let mut body = Loop::new(patience);
     body.add(facts, from, own.block, DEPTH);
+    let exits = std::mem::take(&mut body.exits);
+    body.open = body.open || !exits.iter().all(|exit| misses(facts, &mut body, exit, from..=own.block));
     if body.open || decided.is_some() {
         return !body.open;
+    }
+    if jump.relation == Relation::NotEqual && misses(facts, &mut body, jump, from..=own.block) {
+        return true;
     }
     let changes = |operand: &Operand| match operand.amount {
         Amount::Q { q, .. } => body.written.contains(&q),
@@ -90,7 +101,79 @@ fn goes_away(body: &Loop<'_>, side: &Operand, relation: Relation, left: bool) ->
     }
 }
 
+/// Whether what a comparison with a fixed value waits for never comes: the only thing that counts is a step that passes
+/// over it, from a start that is written once before the loop.
+fn misses(facts: &Facts<'_>, body: &mut Loop<'_>, jump: &FnJump, blocks: RangeInclusive<usize>) -> bool {
+    let counts = |operand: &Operand| matches!(operand.amount, Amount::Q { q, .. } if body.written.contains(&q));
+    let (counter, end) = match (counts(&jump.a), counts(&jump.b)) {
+        (true, false) => (&jump.a, &jump.b),
+        (false, true) => (&jump.b, &jump.a),
+        _ => return false,
+    };
+    let Amount::Q { q, negative: false } = counter.amount else { return false };
+    // The whole program is looked through for what writes both sides.
+    let Some(rest) = body.patience.checked_sub(facts.program.blocks().len().saturating_mul(2)) else { return false };
+    *body.patience = rest;
+    // Nothing but the loop may decide which blocks are executed, or write parameters out of sight.
+    let graph = &facts.run.graph;
+    let outside = |own: &Use| own.way != Way::Call && own.way != Way::Named && !blocks.contains(&own.block);
+    let hidden = facts.flow.skips || facts.flow.programs || facts.flow.unread.any() || !facts.calls.is_empty();
+    if hidden || graph.uses.iter().any(outside) {
+        return false;
+    }
+    let value = |operand: &Operand| match operand.amount {
+        Amount::Number(number) => Some(number),
+        Amount::Q { q, negative } => set_once(facts, q, &blocks).map(|own| if negative { -own } else { own }),
+        Amount::Text(_) => None,
+    };
+    let steps = || body.steps.iter().filter(|own| own.target == q);
+    let (Some(step), None) = (steps().next(), steps().nth(1)) else { return false };
+    if body.written.iter().filter(|own| **own == q).count() != 1 {
+        return false;
+    }
+    let reads = matches!(step.a.amount, Amount::Q { q: own, negative: false } if own == q);
+    let Some(Amount::Number(by)) = step.b.as_ref().map(|own| own.amount).filter(|_| reads) else { return false };
+    let by = match step.op {
+        FnOp::Add => by,
+        FnOp::Sub => -by,
+        _ => return false,
+    };
+    let (Some(start), Some(end)) = (set_once(facts, q, &blocks), value(end)) else { return false };
+    let times = (end - start) / by;
+    by != 0.0 && (times < 0.0 || (times - libm::round(times)).abs() > NEAR)
+}
+
+/// The number that the only assignment to a parameter outside of a loop gives it before the loop.
+fn set_once(facts: &Facts<'_>, q: QRef, blocks: &RangeInclusive<usize>) -> Option<f64> {
+    if q.kind != QKind::Ql && (q.kind != QKind::Q || q.number >= 100) {
+        return None;
+    }
+    let mut none = 0;
+    let mut all = Loop::new(&mut none);
+    let mut found = None;
+    for (at, block) in facts.program.blocks().iter().enumerate().filter(|(at, _)| !blocks.contains(at)) {
+        let before = all.written.len();
+        all.block(facts, block);
+        if !all.written.get(before..)?.contains(&q) {
+            continue;
+        }
+        let BlockKind::FnAssign(assign) = &block.kind else { return None };
+        let number = match (assign.op, assign.a.amount) {
+            (FnOp::Set, Amount::Number(number)) => number,
+            _ => return None,
+        };
+        if found.replace(number).is_some() || *blocks.start() < at {
+            return None;
+        }
+    }
+    found
+}
+
 impl<'p> Loop<'p> {
+    fn new(patience: &'p mut usize) -> Self {
+        Self { written: Vec::new(), steps: Vec::new(), exits: Vec::new(), open: false, patience }
+    }
+
     /// Adds what the blocks from one to another do.
     fn add(&mut self, facts: &Facts<'p>, from: usize, to: usize, depth: usize) {
         if depth == 0 {
@@ -122,6 +205,10 @@ impl<'p> Loop<'p> {
                     self.add(facts, part, part + end, depth - 1);
                 }
                 (Way::Jump | Way::Repeat, Some(part)) if (from..=to).contains(&part) => {}
+                (Way::Jump, Some(_)) => match &block.kind {
+                    BlockKind::FnJump(jump) if jump.relation == Relation::Equal && !block.skip => self.exits.push(jump),
+                    _ => self.open = true,
+                },
                 _ => self.open = true,
             }
             if self.open {

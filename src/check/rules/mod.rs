@@ -91,6 +91,7 @@ mod program_calls_itself;
 mod program_end_missing;
 mod programs_call_in_circle;
 mod radius_missing;
+mod rapid_into_blank;
 mod repeat_count_wrong;
 mod repeat_of_later_label;
 mod reserved_parameter;
@@ -100,6 +101,7 @@ mod speed_missing;
 mod speed_out_of_range;
 mod spindle_direction;
 mod spindle_off;
+mod sql_handle_missing;
 mod subprogram_end_alone;
 mod subprogram_recursive;
 mod subprogram_runs_on;
@@ -118,6 +120,8 @@ mod tool_unused;
 mod transfer_parameter_overwritten;
 mod transformation_forbidden;
 mod transformation_left_on;
+mod turning_feed_unit;
+mod turning_system_missing;
 mod unknown_cycle;
 mod unknown_parameter;
 mod unlike_elsewhere;
@@ -226,6 +230,7 @@ pub const RULES: &[&Rule] = &[
     &program_end_missing::RULE,
     &programs_call_in_circle::RULE,
     &radius_missing::RULE,
+    &rapid_into_blank::RULE,
     &repeat_count_wrong::RULE,
     &repeat_of_later_label::RULE,
     &reserved_parameter::RULE,
@@ -235,6 +240,7 @@ pub const RULES: &[&Rule] = &[
     &speed_out_of_range::RULE,
     &spindle_direction::RULE,
     &spindle_off::RULE,
+    &sql_handle_missing::RULE,
     &subprogram_end_alone::RULE,
     &subprogram_recursive::RULE,
     &subprogram_runs_on::RULE,
@@ -253,6 +259,8 @@ pub const RULES: &[&Rule] = &[
     &transfer_parameter_overwritten::RULE,
     &transformation_forbidden::RULE,
     &transformation_left_on::RULE,
+    &turning_feed_unit::RULE,
+    &turning_system_missing::RULE,
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,
     &unlike_elsewhere::RULE,

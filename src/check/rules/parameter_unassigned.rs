@@ -1,9 +1,9 @@
 //! A parameter that is read before anything gives it a value, on every way that the run can take.
 //!
 //! Only the freely available parameters Q0 to Q99, QS0 to QS99 and local ones are looked at, each once, and only in
-//! programs with a blank: others are called, and their callers may fill parameters. Nothing is said behind calls of
-//! other programs and cycles of the machine builder. Results of cycles are looked at, too, where a program without
-//! jumps reads them before the first cycle that has them.
+//! programs with a blank, or with tools and M2 or M30: others are called, and their callers may fill parameters.
+//! Nothing is said behind calls of other programs and cycles of the machine builder. Results of cycles are looked at,
+//! too, where a program without jumps reads them before the first cycle that has them.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::check::flow::reads;

@@ -10,6 +10,7 @@ use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::syntax::{
     Approach, Axis, Block, BlockKind, CallForm, Element, NamedWord, Path, PatternDef, Statement, StatementKind,
+    ValueKind,
 };
 
 pub(super) const RULE: Rule = Rule { code: "word-missing", severity: Severity::Warning, run };
@@ -198,6 +199,11 @@ fn statement(facts: &Facts<'_>, own: &Statement, content: Span) -> Option<&'stat
             (own.words.len() == 1 && !aimed && !text.is_empty()).then_some("/ …")
         }
         StatementKind::Fn(18) if !facts.text(content).contains('=') => Some("="),
+        // What is read goes into a parameter, of which only the number stands there.
+        StatementKind::Fn(18) => {
+            let target = own.words.first().filter(|word| facts.text(word.name).trim().is_empty())?;
+            matches!(target.value.kind, ValueKind::Number(_)).then_some("Q")
+        }
         StatementKind::Trans => {
             let axis = own.words.len() == 1 && first().trim().eq_ignore_ascii_case("AXIS");
             axis.then_some("X, Y, Z")

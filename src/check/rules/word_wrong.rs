@@ -11,7 +11,7 @@ use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity, Span};
 use crate::expr::{QKind, QRef};
 use crate::spec::WordLimit;
-use crate::syntax::{Amount, BlockKind, FnOp, Operand, Path, ToolRef, misfitting};
+use crate::syntax::{Amount, BlockKind, CallForm, FeedKind, FnOp, Operand, Path, ToolRef, misfitting};
 
 pub(super) const RULE: Rule = Rule { code: "word-wrong", severity: Severity::Warning, run };
 
@@ -54,6 +54,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                     told.number("R", radius, 0.0, f64::MAX);
                 }
                 continue;
+            }
+            // The way between the points has a feed; the rapid one is none (001: 1663).
+            BlockKind::CyclCall(call) if matches!(call.form, CallForm::Pattern) => {
+                if let Some(feed) = call.feed.filter(|feed| feed.kind == FeedKind::Max) {
+                    told.tell("place", feed.span, "FMAX", "");
+                }
+                if !words::has_function(block, &functions) {
+                    continue;
+                }
             }
             BlockKind::FnAssign(own) if own.op == FnOp::Div => {
                 let content = facts.content(block);
