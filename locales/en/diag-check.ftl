@@ -169,6 +169,7 @@ diag-metric-values-in-inch = The program is in inches, and { $value } looks like
 diag-mirror-of-tool-axis = The tool axis { $axis } cannot be mirrored.
 diag-misordered-parameter = In { $cycle } the control shows { $parameter } before { $before }.
 diag-missing-parameter = { $cycle } lacks { $parameter }.
+diag-modal-call-left-on = M89 still calls the cycle in this block, so that the tool machines the last position once more.
 diag-mode-wrong =
     { $what ->
         [milling] { $cycle } mills or drills, but FUNCTION MODE TURN is active here.
@@ -235,6 +236,11 @@ diag-repeat-count-wrong = A part of a program is repeated a whole number of time
 diag-repeat-of-later-label = The label { $label } stands behind this repeat.
 diag-reserved-parameter =
     { $parameter } is written here, but the control itself writes Q100 to Q199.
+diag-reset-order-wrong =
+    { $what ->
+        [tilt] The tilted plane is reset here while the rotation that was switched on behind it is still active.
+       *[shift] The datum shift is reset here while the plane that was tilted behind it is still tilted.
+    }
 diag-row-not-in-table =
     { $table ->
         [preset] The preset table has no row { $row }.

@@ -169,6 +169,7 @@ diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää milli
 diag-mirror-of-tool-axis = Työkaluakselia { $axis } ei voi peilata.
 diag-misordered-parameter = Työkierrossa { $cycle } ohjaus näyttää parametrin { $parameter } ennen parametria { $before }.
 diag-missing-parameter = Työkierrosta { $cycle } puuttuu { $parameter }.
+diag-modal-call-left-on = M89 kutsuu työkiertoa vielä tässä lauseessa, joten työkalu koneistaa viimeisen aseman uudelleen.
 diag-mode-wrong =
     { $what ->
         [milling] { $cycle } jyrsii tai poraa, mutta tässä on voimassa FUNCTION MODE TURN.
@@ -234,6 +235,11 @@ diag-rapid-into-blank = Työkalu liikkuu tässä pikaliikkeellä aihioon: Z ajet
 diag-repeat-count-wrong = Ohjelmanosa toistetaan 0–65534 kertaa, kokonaisluku.
 diag-repeat-of-later-label = Label { $label } on vasta tämän toiston jälkeen.
 diag-reserved-parameter = Tässä kirjoitetaan parametriin { $parameter }, mutta parametreihin Q100–Q199 kirjoittaa ohjaus itse.
+diag-reset-order-wrong =
+    { $what ->
+        [tilt] Käännetty taso peruutetaan tässä, vaikka sen jäljessä käynnistetty kierto on vielä voimassa.
+       *[shift] Nollapisteen siirto peruutetaan tässä, vaikka sen jäljessä käännetty taso on vielä käännettynä.
+    }
 diag-row-not-in-table =
     { $table ->
         [preset] Peruspistetaulukossa ei ole riviä { $row }.

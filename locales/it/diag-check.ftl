@@ -169,6 +169,7 @@ diag-metric-values-in-inch = Il programma è in pollici e { $value } sembra espr
 diag-mirror-of-tool-axis = L’asse utensile { $axis } non si può specchiare.
 diag-misordered-parameter = In { $cycle } il controllo visualizza { $parameter } prima di { $before }.
 diag-missing-parameter = In { $cycle } manca { $parameter }.
+diag-modal-call-left-on = M89 chiama ancora il ciclo in questo blocco: l’utensile lavora un’altra volta l’ultima posizione.
 diag-mode-wrong =
     { $what ->
         [milling] { $cycle } fresa o fora, ma qui è attivo FUNCTION MODE TURN.
@@ -234,6 +235,11 @@ diag-rapid-into-blank = Qui l’utensile entra nel pezzo grezzo in rapido: Z va 
 diag-repeat-count-wrong = Una parte di programma si ripete un numero intero di volte, da 0 a 65534.
 diag-repeat-of-later-label = Il label { $label } si trova dopo questa ripetizione.
 diag-reserved-parameter = Qui viene scritto { $parameter }, ma i parametri da Q100 a Q199 li scrive il controllo stesso.
+diag-reset-order-wrong =
+    { $what ->
+        [tilt] Qui la rotazione del piano di lavoro viene annullata mentre la rotazione attivata dopo di essa è ancora attiva.
+       *[shift] Qui lo spostamento origine viene annullato mentre il piano di lavoro ruotato dopo di esso è ancora ruotato.
+    }
 diag-row-not-in-table =
     { $table ->
         [preset] La tabella Preset non contiene la riga { $row }.

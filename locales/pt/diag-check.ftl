@@ -169,6 +169,7 @@ diag-metric-values-in-inch = O programa está em polegadas e { $value } parece e
 diag-mirror-of-tool-axis = O eixo da ferramenta { $axis } não pode ser espelhado.
 diag-misordered-parameter = Em { $cycle }, o comando visualiza { $parameter } antes de { $before }.
 diag-missing-parameter = Em { $cycle } falta { $parameter }.
+diag-modal-call-left-on = M89 ainda chama o ciclo nesta frase, pelo que a ferramenta maquina mais uma vez a última posição.
 diag-mode-wrong =
     { $what ->
         [milling] { $cycle } fresa ou fura, mas aqui está ativo FUNCTION MODE TURN.
@@ -234,6 +235,11 @@ diag-rapid-into-blank = A ferramenta entra aqui no bloco em marcha rápida: Z va
 diag-repeat-count-wrong = Uma parte do programa repete-se um número inteiro de vezes, de 0 a 65534.
 diag-repeat-of-later-label = O label { $label } fica depois desta repetição.
 diag-reserved-parameter = Aqui escreve-se em { $parameter }, mas é o próprio comando que escreve em Q100 a Q199.
+diag-reset-order-wrong =
+    { $what ->
+        [tilt] O plano inclinado é anulado aqui, mas a rotação que foi ativada depois dele ainda está ativa.
+       *[shift] A deslocação do ponto zero é anulada aqui, mas o plano que foi inclinado depois dela ainda está inclinado.
+    }
 diag-row-not-in-table =
     { $table ->
         [preset] A tabela de pontos de referência não tem a linha { $row }.

@@ -171,6 +171,7 @@ diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vr
 diag-mirror-of-tool-axis = Orodne osi { $axis } ni mogoče zrcaliti.
 diag-misordered-parameter = V ciklu { $cycle } krmiljenje prikaže { $parameter } pred { $before }.
 diag-missing-parameter = V ciklu { $cycle } manjka { $parameter }.
+diag-modal-call-left-on = M89 v tem stavku še vedno prikliče cikel, zato orodje zadnji položaj obdela še enkrat.
 diag-mode-wrong =
     { $what ->
         [milling] { $cycle } rezka ali vrta, tu pa je aktiven FUNCTION MODE TURN.
@@ -236,6 +237,11 @@ diag-rapid-into-blank = Orodje se tu v hitrem teku premakne v surovec: Z gre na 
 diag-repeat-count-wrong = Del programa se ponovi celo število krat, od 0 do 65534.
 diag-repeat-of-later-label = Oznaka LBL { $label } stoji za to ponovitvijo.
 diag-reserved-parameter = Tu se zapiše { $parameter }, v parametre od Q100 do Q199 pa zapisuje krmiljenje samo.
+diag-reset-order-wrong =
+    { $what ->
+        [tilt] Tu se ponastavi zavrtena ravnina, čeprav je rotacija, vklopljena za njo, še aktivna.
+       *[shift] Tu se ponastavi zamik ničelne točke, čeprav je ravnina, zavrtena za njim, še zavrtena.
+    }
 diag-row-not-in-table =
     { $table ->
         [preset] V preglednici referenčnih točk ni vrstice { $row }.

@@ -59,6 +59,7 @@ diag-spec-yaml-feature = { $feature ->
 diag-spec-yaml-syntax = To ni YAML: { $reason }.
 related-first-place = prvi je tukaj
 related-other-place = drugi je tukaj
+related-defined-here = definirano je tukaj
 related-for-this-control = zapiše se za to krmiljenje
 diag-spec-measure = V ciklu { $cycle } { $reason ->
         [different-quantities] se seštevata ali primerjata količini različnih vrst

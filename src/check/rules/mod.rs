@@ -68,6 +68,7 @@ mod metric_values_in_inch;
 mod mirror_of_tool_axis;
 mod misordered_parameter;
 mod missing_parameter;
+mod modal_call_left_on;
 mod mode_wrong;
 mod name_of_another_cycle;
 mod no_result;
@@ -95,6 +96,7 @@ mod rapid_into_blank;
 mod repeat_count_wrong;
 mod repeat_of_later_label;
 mod reserved_parameter;
+mod reset_order_wrong;
 mod row_not_in_table;
 mod selection_missing;
 mod speed_missing;
@@ -207,6 +209,7 @@ pub const RULES: &[&Rule] = &[
     &mirror_of_tool_axis::RULE,
     &misordered_parameter::RULE,
     &missing_parameter::RULE,
+    &modal_call_left_on::RULE,
     &mode_wrong::RULE,
     &name_of_another_cycle::RULE,
     &no_result::RULE,
@@ -234,6 +237,7 @@ pub const RULES: &[&Rule] = &[
     &repeat_count_wrong::RULE,
     &repeat_of_later_label::RULE,
     &reserved_parameter::RULE,
+    &reset_order_wrong::RULE,
     &row_not_in_table::RULE,
     &selection_missing::RULE,
     &speed_missing::RULE,

@@ -1,0 +1,57 @@
+//! A movement along the tool axis alone while M89 still calls the cycle in every block: the tool machines the last
+//! position once more.
+//!
+//! M99 in the block of the last position, or the definition of another cycle, ends M89 (TNC 640, 001: 1253-1258). Only
+//! said where nothing but movements stands between M89 and the movement, so that the order of the text is that of the
+//! run, and once for each M89.
+use crate::check::facts::each_function;
+use crate::check::flow::removes_material;
+use crate::check::{Aspect, Defined, Facts, Modal, Pending, Rule, Tri};
+use crate::diag::{Diagnostic, Severity};
+use crate::syntax::{Axis, BlockKind, Path};
+
+pub(super) const RULE: Rule = Rule { code: "modal-call-left-on", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if !facts.flow.modal {
+        return;
+    }
+    let mut called = false;
+    for (index, block) in facts.program.blocks().iter().enumerate() {
+        let motion = match &block.kind {
+            BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) => continue,
+            BlockKind::Motion(motion) if !block.skip => motion,
+            _ => {
+                called = false;
+                continue;
+            }
+        };
+        let (mut on, mut off) = (false, false);
+        each_function(block, |number| match number {
+            89 => on = true,
+            // What turns the spindle or the coolant on and off changes nothing.
+            3..=5 | 7..=9 | 13 | 14 => {}
+            _ => off = true,
+        });
+        if on || off {
+            called = on && !off;
+            continue;
+        }
+        if !called {
+            continue;
+        }
+        let coords = motion.words();
+        let along = motion.path() == Path::L && matches!(coords.coords.as_slice(), [only] if only.axis == Axis::Z);
+        if along && facts.run.before(index).is_some_and(|modal| machines(facts, modal)) {
+            found.push(rule.at(facts, facts.content(block)));
+            called = false;
+        }
+    }
+}
+
+/// Whether a call means a cycle that machines, with the tool axis Z.
+fn machines(facts: &Facts<'_>, modal: Modal) -> bool {
+    let Pending::Definition(index) = modal.pending else { return false };
+    let cycle = facts.definitions.get(index as usize).and_then(Defined::kin);
+    cycle.is_some_and(removes_material) && modal.is(Aspect::OtherAxis) == Tri::No
+}
