@@ -24,11 +24,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if facts.inch {
         return;
     }
-    let mut told = BTreeSet::new();
+    let (mut seen, mut told) = (BTreeSet::new(), BTreeSet::new());
     for call in &facts.run.calls {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(revolution) = call.modal.is(Aspect::PerRevolution).known() else { continue };
         let Some(definition) = facts.definitions.get(index as usize) else { continue };
+        if !seen.insert((index, revolution)) {
+            continue;
+        }
         if definition.kin().is_none_or(|cycle| cycle.file.group != Group::Turning) {
             continue;
         }
