@@ -21,7 +21,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The calls, by index of use, of labels that are set more than once, between one of their places and the LBL 0 behind it.
+/// The calls, by index of use, of labels that are set more than once, between one of their places and the LBL 0 behind
+/// it.
 fn inside_doubled(facts: &Facts<'_>) -> Vec<usize> {
     let graph = &facts.run.graph;
     let doubled: BTreeSet<&Mark> =
