@@ -144,3 +144,10 @@ fn parameter(text: &str) -> Option<QRef> {
     let digits = rest.split(|c: char| !c.is_ascii_digit()).next().unwrap_or_default();
     Some(QRef { kind, number: digits.parse().ok()? })
 }
+
+/// Whether a movement or M functions that cannot be read name M2 or M30: the program was to end there.
+pub(super) fn names_end(program: &Program, block: &Block) -> bool {
+    let text = first_line(program.slice(block.span));
+    let ends = |word: &str| ["M2", "M02", "M30"].iter().any(|own| own.eq_ignore_ascii_case(word));
+    of_text(text) == Hides::Movement && text.split_ascii_whitespace().any(ends)
+}

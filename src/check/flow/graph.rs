@@ -1,9 +1,10 @@
 //! The ways that a run can take: where blocks begin that something leads to, and where it leads.
 //!
 //! Invariant: nothing is executed here; labels that parameters choose may be any label.
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::check::facts::each_function;
+use crate::check::unread::names_end;
 use crate::check::{Definition, Facts};
 use crate::diag::Span;
 use crate::spec::ParameterKind;
@@ -75,6 +76,8 @@ pub struct Graph {
     pub uses: Vec<Use>,
     /// The first block of each run of blocks that nothing leads out of or into.
     pub(super) leaders: Vec<usize>,
+    /// The blocks that cannot be read and name M2 or M30.
+    halts: BTreeSet<usize>,
     /// How many blocks there are.
     pub(super) blocks: usize,
 }
@@ -113,6 +116,10 @@ impl Graph {
                             graph.uses.push(Use { block: index, span: word.span, mark, way: Way::Named });
                         }
                     }
+                }
+                BlockKind::Unknown(_) if names_end(program, block) => {
+                    graph.halts.insert(index);
+                    graph.lead(index + 1);
                 }
                 _ if stops(block) => graph.lead(index + 1),
                 _ => {}
@@ -168,7 +175,7 @@ impl Graph {
                     _ => End::Next,
                 }
             }
-            _ if stops(block) => End::Stop,
+            _ if stops(block) || self.halts.contains(&index) => End::Stop,
             _ => End::Next,
         }
     }

@@ -32,10 +32,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let calculated = calculated(facts);
     // Whether a handle acts, as far as the text goes on without labels and jumps.
     let mut acts: BTreeMap<QRef, bool> = BTreeMap::new();
+    let mut straight = !facts.flow.unread.anything;
     for (_, block) in facts.marked() {
         let own = match &block.kind {
             BlockKind::Statement(own) if own.kind == StatementKind::Sql => own,
             BlockKind::Lbl(_) | BlockKind::CallLbl(_) | BlockKind::FnJump(_) => {
+                straight = false;
                 acts.clear();
                 continue;
             }
@@ -48,7 +50,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if calculated.contains(&q) {
             continue;
         }
-        let early = !facts.flow.jumps && !acts.contains_key(&q);
+        let early = straight && !facts.flow.jumps && !acts.contains_key(&q);
         let why = match acts.get(&q) {
             _ if !given.contains(&q) || early => "missing",
             Some(false) => "ended",

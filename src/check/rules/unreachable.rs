@@ -5,7 +5,7 @@
 //! subprograms behind the end of the main part is told.
 use crate::check::{Facts, Rule, Way};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Label};
+use crate::syntax::{Block, BlockKind, Label};
 
 pub(super) const RULE: Rule = Rule { code: "unreachable", severity: Severity::Warning, run };
 
@@ -26,6 +26,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             told = false;
             continue;
         }
+        // What a block that cannot be read ends may be come to all the same.
+        told |= from.checked_sub(1).and_then(|at| blocks.get(at)).is_some_and(is_unread);
         for block in blocks.get(from..to).unwrap_or_default() {
             ended |= matches!(block.kind, BlockKind::EndPgm(_));
             if ended {
@@ -74,4 +76,8 @@ fn behind_parts(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         }
     }
+}
+
+fn is_unread(block: &Block) -> bool {
+    matches!(block.kind, BlockKind::Unknown(_))
 }
