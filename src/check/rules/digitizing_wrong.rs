@@ -1,9 +1,10 @@
 //! Digitizing without a range defined before it, contour lines in a range that a point table bounds, a range whose MIN
 //! point lies above its MAX point, and a clearance height below the MAX point in the probe axis.
 //!
-//! The range is defined before the cycle that digitizes (003: 3236, 3301, 3380), contour lines need the block-shaped one
-//! (003: 3124, 3303), and its points are the least and the greatest coordinates (003: 3096-3107). Where blocks are repeated or
-//! called, a range is missing only if the program has none at all; silent in programs that call others or are parts of one.
+//! The range is defined before the cycle that digitizes (003: 3236, 3301, 3380), contour lines need the block-shaped
+//! one (003: 3124, 3303), and its points are the least and the greatest coordinates (003: 3096-3107). Where blocks are
+//! repeated or called, a range is missing only if the program has none at all; silent in programs that call others or
+//! are parts of one.
 use crate::check::{Defined, Definition, Facts, Item, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::{Cycle, Group};

@@ -18,8 +18,8 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     }
 }
 
-/// Where a parameter is missed: of the old form on the line on which its field would stand; where that line is lost, on the
-/// one behind the gap, and at the end on the last one.
+/// Where a parameter is missed: of the old form on the line on which its field would stand; where that line is lost, on
+/// the one behind the gap, and at the end on the last one.
 pub(super) fn gap(definition: &Definition<'_>, param: &Param) -> Span {
     let (CycleForm::Lines(lines), Some(field)) = (&definition.view.form, &param.field) else {
         return definition.view.head;

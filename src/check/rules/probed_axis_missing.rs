@@ -1,7 +1,8 @@
 //! A position to be probed that does not name the axis in which it is probed.
 //!
-//! The cycle measures one coordinate, and the probe moves from its pre-position towards the nominal value that the position
-//! gives in that axis (001: 12654; 000: 4717-4719; 003: 1779). Without one the probe stays where it happens to stand.
+//! The cycle measures one coordinate, and the probe moves from its pre-position towards the nominal value that the
+//! position gives in that axis (001: 12654; 000: 4717-4719; 003: 1779). Without one the probe stays
+//! where it happens to stand.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
 
