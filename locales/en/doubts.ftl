@@ -5,6 +5,7 @@ guard-clearance-height-not-above-surface = The clearance height does not lie abo
 guard-compensation-axis-not-permitted = With the touch probe axis Z this axis cannot compensate what is measured along that axis.
 guard-contour-without-extent = Start and end of the contour are the same point: there is nothing to be turned.
 guard-corner-radius-too-great = The corner radius is greater than half of the shorter side.
+guard-corner-unclear = Points 1 and 3 do not differ in both axes: which corner is meant cannot be told.
 guard-decrement-too-great = The decrement is not less than the plunging depth: nothing is left of the second infeed.
 guard-depth-to-cylinder-axis = The milling depth is not less than the cylinder radius: the tool would mill down to the axis of the cylinder.
 guard-end-above-start = The end point in the tool axis lies above the starting point: the surface is milled from below.

@@ -5,6 +5,7 @@ guard-clearance-height-not-above-surface = Varmuuskorkeus ei ole työkappaleen y
 guard-compensation-axis-not-permitted = Kun kosketusakseli on Z, tämä akseli ei voi kompensoida sitä, mitä tuon akselin suunnassa mitataan.
 guard-contour-without-extent = Muodon alku ja loppu ovat sama piste: sorvattavaa ei ole.
 guard-corner-radius-too-great = Nurkan säde on suurempi kuin puolet lyhyemmästä sivusta.
+guard-corner-unclear = Pisteet 1 ja 3 eivät eroa toisistaan molemmilla akseleilla: tarkoitettua nurkkaa ei voi päätellä.
 guard-decrement-too-great = Vähennysarvo ei ole pienempi kuin asetussyvyys: toisesta asetusliikkeestä ei jää mitään.
 guard-depth-to-cylinder-axis = Jyrsintäsyvyys ei ole pienempi kuin lieriön säde: työkalu jyrsisi lieriön akseliin asti.
 guard-end-above-start = Työkaluakselin loppupiste on alkupisteen yläpuolella: pintaa jyrsitään alhaalta päin.

@@ -5,6 +5,7 @@ guard-clearance-height-not-above-surface = L’altezza di sicurezza non si trova
 guard-compensation-axis-not-permitted = Con l’asse del tastatore Z questo asse non può compensare ciò che si misura lungo questo asse di misura.
 guard-contour-without-extent = Inizio e fine del profilo sono lo stesso punto: non c’è nulla da tornire.
 guard-corner-radius-too-great = Il raggio dello spigolo è maggiore della metà del lato più corto.
+guard-corner-unclear = I punti 1 e 3 non differiscono in entrambi gli assi: non si può stabilire quale spigolo sia inteso.
 guard-decrement-too-great = Il decremento non è inferiore alla profondità incremento: del secondo incremento non rimane nulla.
 guard-depth-to-cylinder-axis = La profondità di fresatura non è inferiore al raggio del cilindro: l’utensile freserebbe fino all’asse del cilindro.
 guard-end-above-start = Il punto finale nell’asse utensile è al di sopra del punto di partenza: la superficie viene fresata dal basso.

@@ -5,6 +5,7 @@ guard-clearance-height-not-above-surface = A altura segura não está acima da s
 guard-compensation-axis-not-permitted = Com o eixo do apalpador Z, este eixo não pode compensar o que se mede ao longo desse eixo.
 guard-contour-without-extent = O início e o fim do contorno são o mesmo ponto: não há nada para tornear.
 guard-corner-radius-too-great = O raio da esquina é maior do que metade do lado mais curto.
+guard-corner-unclear = Os pontos 1 e 3 não diferem em ambos os eixos: não se pode saber que esquina se pretende.
 guard-decrement-too-great = O valor de redução não é inferior à profundidade de passo: do segundo passo não resta nada.
 guard-depth-to-cylinder-axis = A profundidade de fresagem não é inferior ao raio do cilindro: a ferramenta fresaria até ao eixo do cilindro.
 guard-end-above-start = O ponto final no eixo da ferramenta está acima do ponto inicial: a superfície é fresada a partir de baixo.

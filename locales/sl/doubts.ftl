@@ -5,6 +5,7 @@ guard-clearance-height-not-above-surface = Varna višina ni nad površino obdelo
 guard-compensation-axis-not-permitted = Pri osi tipalnega sistema Z ta os ne more izravnati tega, kar se meri v smeri te merilne osi.
 guard-contour-without-extent = Začetek in konec konture sta ista točka: struženja ni.
 guard-corner-radius-too-great = Polmer vogala je večji od polovice krajše stranice.
+guard-corner-unclear = Točki 1 in 3 se ne razlikujeta v obeh oseh: ni mogoče določiti, kateri kot je mišljen.
 guard-decrement-too-great = Vrednost pojemanja ni manjša od globine primika: od drugega primika ne ostane nič.
 guard-depth-to-cylinder-axis = Globina rezkanja ni manjša od polmera valja: orodje bi rezkalo do osi valja.
 guard-end-above-start = Končna točka na orodni osi je nad začetno točko: površina se rezka od spodaj.
