@@ -98,6 +98,13 @@ diag-cycle-not-described =
     }
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
 diag-defined-but-never-called = { $cycle } is defined here and never called.
+diag-digitizing-wrong =
+    { $what ->
+        [swapped] { $word } is less than the MIN point of the range, { $other }.
+        [low] The clearance height { $word } is below the MAX point of the range, { $other }.
+        [missing] { $cycle } digitizes, but no range has been defined before.
+       *[combined] { $cycle } cannot be combined with { $range }, which defines the range here.
+    }
 diag-direction-unsaid = This arc does not say which way round it goes: DR+ or DR− is missing.
 diag-doubtful-value =
     { $parameter }={ $value } is hardly meant in { $cycle }: { $is ->
@@ -226,6 +233,7 @@ diag-plane-incomplete = This PLANE lacks { $word }.
 diag-plane-not-reset = The program ends here with a tilted working plane.
 diag-position-after-contour = This is the first position behind { $cycle }, and it does not name both coordinates of the plane absolutely.
 diag-probe-while-turning = { $cycle } probes here while the spindle turns.
+diag-probed-axis-missing = { $direction } is probed, but the position does not name { $axis }.
 diag-program-begin-missing = The program does not begin with BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM stands a second time here.
 diag-program-calls-itself = The program calls itself: { $name }.

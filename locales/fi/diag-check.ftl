@@ -98,6 +98,13 @@ diag-cycle-not-described =
     }
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.
+diag-digitizing-wrong =
+    { $what ->
+        [swapped] { $word } on pienempi kuin alueen MIN-piste { $other }.
+        [low] Varmuuskorkeus { $word } on alueen MAX-pisteen { $other } alapuolella.
+        [missing] { $cycle } digitoi, mutta sitä ennen ei ole määritelty aluetta.
+       *[combined] Työkiertoa { $cycle } ei voi yhdistää työkiertoon { $range }, joka määrittelee tässä alueen.
+    }
 diag-direction-unsaid = Kaaren kiertosuuntaa ei ole annettu: DR+ tai DR− puuttuu.
 diag-doubtful-value =
     { $parameter }={ $value } tuskin on tarkoitus työkierrossa { $cycle }: { $is ->
@@ -226,6 +233,7 @@ diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
 diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
 diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, eikä se nimeä tason molempia koordinaatteja absoluuttisina.
 diag-probe-while-turning = { $cycle } koskettaa tässä karan pyöriessä.
+diag-probed-axis-missing = Kosketus tapahtuu suunnassa { $direction }, mutta paikassa ei ole akselia { $axis }.
 diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
 diag-program-begin-twice = BEGIN PGM on tässä toisen kerran.
 diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.

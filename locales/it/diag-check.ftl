@@ -98,6 +98,13 @@ diag-cycle-not-described =
     }
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.
+diag-digitizing-wrong =
+    { $what ->
+        [swapped] { $word } è minore del punto MIN del campo, { $other }.
+        [low] L’altezza di sicurezza { $word } è al di sotto del punto MAX del campo, { $other }.
+        [missing] { $cycle } digitalizza, ma prima non è stato definito alcun campo.
+       *[combined] { $cycle } non può essere combinato con { $range }, che qui definisce il campo.
+    }
 diag-direction-unsaid = L’arco non indica il senso di rotazione: manca DR+ o DR−.
 diag-doubtful-value =
     { $parameter }={ $value } in { $cycle } difficilmente è voluto: { $is ->
@@ -226,6 +233,7 @@ diag-plane-incomplete = In questo PLANE manca { $word }.
 diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
 diag-position-after-contour = Questa è la prima posizione dopo { $cycle } e non indica in assoluto entrambe le coordinate del piano.
 diag-probe-while-turning = { $cycle } tasta qui mentre il mandrino gira.
+diag-probed-axis-missing = Si tasta in direzione { $direction }, ma la posizione non indica { $axis }.
 diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM compare qui una seconda volta.
 diag-program-calls-itself = Il programma chiama sé stesso: { $name }.

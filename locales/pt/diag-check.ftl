@@ -98,6 +98,13 @@ diag-cycle-not-described =
     }
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.
+diag-digitizing-wrong =
+    { $what ->
+        [swapped] { $word } é menor do que o ponto MIN do campo, { $other }.
+        [low] A altura segura { $word } está abaixo do ponto MAX do campo, { $other }.
+        [missing] { $cycle } digitaliza, mas antes não foi definido nenhum campo.
+       *[combined] { $cycle } não pode ser combinado com { $range }, que aqui define o campo.
+    }
 diag-direction-unsaid = O arco não indica o sentido de rotação: falta DR+ ou DR−.
 diag-doubtful-value =
     { $parameter }={ $value } em { $cycle } dificilmente é o pretendido: { $is ->
@@ -226,6 +233,7 @@ diag-plane-incomplete = Neste PLANE falta { $word }.
 diag-plane-not-reset = O programa termina aqui com o plano de maquinação inclinado.
 diag-position-after-contour = Esta é a primeira posição depois de { $cycle } e não indica ambas as coordenadas do plano em absoluto.
 diag-probe-while-turning = { $cycle } apalpa aqui com o cabeçote a rodar.
+diag-probed-axis-missing = Apalpa-se na direção { $direction }, mas a posição não indica { $axis }.
 diag-program-begin-missing = O programa não começa com BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM está aqui pela segunda vez.
 diag-program-calls-itself = O programa chama-se a si próprio: { $name }.

@@ -98,6 +98,13 @@ diag-cycle-not-described =
     }
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.
+diag-digitizing-wrong =
+    { $what ->
+        [swapped] { $word } je manj od točke MIN območja, { $other }.
+        [low] Varna višina { $word } je pod točko MAX območja, { $other }.
+        [missing] { $cycle } digitalizira, vendar pred tem ni definirano nobeno območje.
+       *[combined] { $cycle } ni mogoče povezati z { $range }, ki tu določa območje.
+    }
 diag-direction-unsaid = Lok ne pove, v katero smer poteka: manjka DR+ ali DR−.
 diag-doubtful-value =
     { $parameter }={ $value } v { $cycle } najbrž ni mišljeno: { $is ->
@@ -228,6 +235,7 @@ diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
 diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle } in ne navede obeh koordinat ravnine absolutno.
 diag-probe-while-turning = { $cycle } tu tipa, medtem ko se vreteno vrti.
+diag-probed-axis-missing = Tipa se v smeri { $direction }, vendar položaj ne navaja osi { $axis }.
 diag-program-begin-missing = Program se ne začne z BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM je tu drugič.
 diag-program-calls-itself = Program prikliče samega sebe: { $name }.

@@ -104,6 +104,11 @@ impl ParamLabels {
         self.folded.iter().any(|own| own == printed)
     }
 
+    /// Whether one of its forms, as [`fold`] leaves them, is such.
+    pub(super) fn any_folded(&self, is: impl Fn(&str) -> bool) -> bool {
+        self.folded.iter().any(|own| is(own))
+    }
+
     /// Whether a label made ready by [`fold`] is this one.
     pub(super) fn matches_folded(&self, printed: &str) -> bool {
         self.folded.iter().any(|own| own == printed)

@@ -35,10 +35,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let files = session.files()?;
-    let controls = arguments::all(matches, "control");
-    for id in &controls {
-        cycle::control(&catalogue, id)?;
-    }
+    let controls = cycle::controls(&catalogue, &arguments::all(matches, "control"))?;
     let controls: Vec<&str> = controls.iter().map(String::as_str).collect();
     let world = World { catalogue: &catalogue, locales: &locales, files: &files };
     if matches.get_flag("serve") {

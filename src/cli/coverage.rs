@@ -26,10 +26,8 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
-    let (controls, languages) = (arguments::all(matches, "control"), arguments::all(matches, "lang"));
-    for id in &controls {
-        cycle::control(&catalogue, id)?;
-    }
+    let languages = arguments::all(matches, "lang");
+    let controls = cycle::controls(&catalogue, &arguments::all(matches, "control"))?;
     for tag in &languages {
         cycle::language(&locales, tag)?;
     }

@@ -10,12 +10,17 @@ use crate::locale::{Language, Locales};
 use crate::spec::{Catalogue, Cycle, CycleKey, Known, OnControl};
 use crate::syntax::Program;
 
-/// The control of `--control`.
+/// The control of `--control`, by whichever of its names.
 pub(super) fn control<'c>(catalogue: &'c Catalogue, id: &str) -> Result<&'c OnControl, Failure> {
     catalogue.on(id).ok_or_else(|| {
-        let known: Vec<&str> = catalogue.controls.keys().map(String::as_str).collect();
+        let known: Vec<String> = catalogue.controls.values().map(|on| on.control.names()).collect();
         Diagnostic::global("unknown-control").arg("control", id).arg("known", known.join(", ")).into()
     })
+}
+
+/// The ids of the controls of several `--control`.
+pub(super) fn controls(catalogue: &Catalogue, names: &[String]) -> Result<Vec<String>, Failure> {
+    names.iter().map(|name| control(catalogue, name).map(|on| on.id().to_owned())).collect()
 }
 
 /// The language with that tag.

@@ -277,7 +277,7 @@ type Pair<'a> = (&'a OnControl, &'a Language);
 fn pairs<'a>(request: &Request<'a>) -> Result<Vec<Pair<'a>>, Vec<Diagnostic>> {
     let mut faults = Vec::new();
     for id in request.controls.iter().filter(|id| request.catalogue.on(id).is_none()) {
-        let known: Vec<&str> = request.catalogue.controls.keys().map(String::as_str).collect();
+        let known: Vec<String> = request.catalogue.controls.values().map(|on| on.control.names()).collect();
         faults.push(Diagnostic::global("unknown-control").arg("control", id.as_str()).arg("known", known.join(", ")));
     }
     for tag in request.languages {

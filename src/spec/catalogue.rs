@@ -412,9 +412,9 @@ impl Catalogue {
         meant.or_else(|| all().filter(|_| plain).filter_map(range).reduce(wider))
     }
 
-    /// The cycles of a control.
+    /// The cycles of a control, by its id or another of its names.
     pub fn on(&self, control: &str) -> Option<&OnControl> {
-        self.controls.get(control)
+        self.controls.get(control).or_else(|| self.controls.values().find(|on| on.control.is_called(control)))
     }
 }
 

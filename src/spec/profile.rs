@@ -103,6 +103,8 @@ record! {
     pub struct Control {
         /// Its id, such as `tnc640`.
         control: Name,
+        /// Other names for it on the command line and in configurations: those of single models.
+        also: Vec<Name>,
         /// Its printed name.
         title: String,
         /// The heads of the file names of its manuals.
@@ -129,6 +131,22 @@ record! {
         lacks: Vec<FunctionLacking>,
         /// Every cycle that its manuals name.
         named: Vec<Named>,
+    }
+}
+
+impl Control {
+    /// Whether a name is one of its other names.
+    pub fn is_called(&self, name: &str) -> bool {
+        self.also.iter().any(|own| own.as_str() == name)
+    }
+
+    /// Its id, behind it in brackets its other names.
+    pub fn names(&self) -> String {
+        let also: Vec<&str> = self.also.iter().map(Name::as_str).collect();
+        match also.as_slice() {
+            [] => self.control.as_str().to_owned(),
+            _ => format!("{} ({})", self.control.as_str(), also.join(", ")),
+        }
     }
 }
 

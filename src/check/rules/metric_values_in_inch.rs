@@ -1,11 +1,14 @@
 //! Values in a program in inches that look like millimetres: feeds above 10 m/min, feeds of contours with RL or RR, and
-//! of cycles that plunge, of more than a millimetre a revolution, a blank of more than 3 m.
+//! of cycles that plunge, of more than a millimetre a revolution, feeds with which a tool mills fifty times as fast as
+//! it cuts elsewhere, a blank of more than 3 m, a depth of several times the height of the blank.
 //!
-//! Each is said once. Feeds that stand for rapid traverse (9998 and more) are left alone.
+//! Every block with such a feed is told, and once there is one also those whose feed is too great for a movement that
+//! cuts, of which nobody can say whether it does. Feeds that stand for rapid traverse (9998 and more) are left alone.
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
 use crate::diag::{Arg, Diagnostic, Severity, Span};
+use crate::expr::QRef;
 use crate::spec::{Cycle, Group, Quantity};
-use crate::syntax::{Amount, BlockKind, Compensates, CycleDef, Feed, FeedKind, Operand, ValueKind};
+use crate::syntax::{Amount, Axis, BlkForm, BlockKind, Compensates, CycleDef, Feed, FeedKind, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "metric-values-in-inch", severity: Severity::Warning, run };
 
@@ -15,47 +18,64 @@ const FASTEST: std::ops::Range<f64> = 4000.0..9998.0;
 const FAST: f64 = 1000.0;
 /// The greatest feed a revolution, tenths of an inch.
 const WIDEST: f64 = 0.4;
+/// So many times as fast as it cuts elsewhere no tool mills: twice what an inch has of millimetres.
+const APART: f64 = 50.0;
 /// The meanings of feeds with which cycles plunge.
 const CUTTING: [&str; 2] = ["plunging-feed", "contour-plunging-feed"];
+/// The meanings of feeds with which cycles mill.
+const MILLING: [&str; 2] = ["milling-feed", "contour-milling-feed"];
 /// The farthest corner of a blank, inches.
 const FARTHEST: f64 = 120.0;
+/// The parameter by which a cycle says how deep it cuts (003: 117), and so many heights of the blank no depth is.
+const DEPTH: QRef = QRef::q(201);
+const DEEPEST: f64 = 4.0;
+
+/// The feeds of one tool, as far as the program has been read.
+#[derive(Default)]
+struct Feeds {
+    /// The speed of its spindle, if it is a number.
+    speed: Option<f64>,
+    /// The least feed.
+    least: Option<f64>,
+    /// Those that are certainly too great.
+    found: Vec<(Span, f64)>,
+    /// Those of movements that may pass through the air.
+    doubtful: Vec<(Span, f64)>,
+}
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.inch {
         return;
     }
-    let mut feed: Option<(Span, f64)> = None;
-    let mut corner: Option<(Span, f64)> = None;
-    // Thread cutters may well advance more than a millimetre a revolution.
-    let cuts_threads = |own: &Cycle| own.file.group == Group::Threads;
     let kin = |index: usize| facts.definition_at(index).and_then(Defined::kin);
-    let mut speed: Option<f64> = None;
+    let mut feeds = Feeds::default();
+    let mut corner: Option<(Span, f64)> = None;
+    let (mut lowest, mut height) = (None, None);
     for (index, block) in facts.program.blocks().iter().enumerate() {
         match &block.kind {
-            BlockKind::Motion(motion) if feed.is_none() && motion.outline().has_feed() => {
-                let own = motion.words().feed;
+            BlockKind::Motion(motion) if motion.outline().has_feed() => {
                 let cuts = || {
                     let modal = facts.run.before(index);
                     motion.outline().compensates() == Compensates::Beside
                         || motion.outline().compensates() == Compensates::Unsaid
                             && modal.is_some_and(|modal| modal.is(Aspect::Compensation) == Tri::Yes)
                 };
-                feed = fast(own.as_ref()).or_else(|| match own.map(|own| (own.span, own.kind)) {
-                    Some((span, FeedKind::Value(Operand { amount: Amount::Number(number), .. }))) => {
-                        (is_fast(number, speed) && cuts()).then_some((span, number))
-                    }
-                    _ => None,
-                });
+                if let Some((span, number)) = written(motion.words().feed.as_ref()) {
+                    feeds.moves(span, number, cuts);
+                }
             }
-            BlockKind::CycleDef(cycle) if feed.is_none() && speed.is_some() => {
-                feed = kin(index).filter(|own| !cuts_threads(own)).and_then(|own| fast_in(own, cycle, speed));
+            BlockKind::CycleDef(cycle) => {
+                feeds.of_cycle(kin(index), cycle);
+                feeds.found.extend(height.and_then(|height| too_deep(cycle, height)));
             }
             BlockKind::ToolCall(call) => {
-                speed = match call.speed.map(|own| own.amount) {
+                feeds.speed = match call.speed.map(|own| own.amount) {
                     Some(Amount::Number(number)) if number > 0.0 => Some(number),
                     _ => None,
                 };
-                feed = feed.or_else(|| fast(call.feed.as_ref()));
+                let own = written(call.feed.as_ref());
+                feeds.least = own.map(|(_, number)| number);
+                feeds.found.extend(own.filter(|(_, number)| FASTEST.contains(number)));
             }
             BlockKind::BlkForm(form) => {
                 let far = form.coords.iter().filter_map(|coord| match coord.value.amount {
@@ -63,39 +83,108 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                     _ => None,
                 });
                 corner = corner.or_else(|| far.into_iter().next());
+                height = height.or_else(|| height_of(form, &mut lowest));
             }
             _ => {}
         }
     }
-    for (span, value) in corner.into_iter().chain(feed) {
+    if !feeds.found.is_empty() {
+        feeds.found.append(&mut feeds.doubtful);
+    }
+    for (span, value) in corner.into_iter().chain(feeds.found) {
         found.push(rule.at(facts, span).arg("value", Arg::Number(value)));
     }
 }
 
-/// Whether a feed with which a cycle plunges is hardly one in tenths of an inch a minute.
-fn is_fast(number: f64, speed: Option<f64>) -> bool {
-    let wide = speed.is_some_and(|speed| (FAST..FASTEST.end).contains(&number) && number / speed > WIDEST);
-    FASTEST.contains(&number) || wide
+impl Feeds {
+    /// Takes the feed of a movement.
+    fn moves(&mut self, span: Span, number: f64, cuts: impl Fn() -> bool) {
+        if FASTEST.contains(&number) || ((self.is_wide(number) || self.is_apart(number)) && cuts()) {
+            self.found.push((span, number));
+        } else if self.is_wide(number) {
+            self.doubtful.push((span, number));
+        }
+        self.cut(number);
+    }
+
+    /// Takes the feeds of a cycle.
+    fn of_cycle(&mut self, cycle: Option<&Cycle>, written: &CycleDef) {
+        // Thread cutters may well advance more than a millimetre a revolution.
+        let Some(cycle) = cycle.filter(|own| own.file.group != Group::Threads) else { return };
+        let numbers = |meanings: [&'static str; 2]| {
+            written.parameters.iter().filter_map(move |own| {
+                let param = cycle.params.iter().find(|param| param.q == Some(own.q))?;
+                let means = param.quantity == Quantity::Feed && meanings.contains(&param.is.as_str());
+                match own.value.kind {
+                    ValueKind::Number(number) if means => Some((own.value.span, number)),
+                    _ => None,
+                }
+            })
+        };
+        for (span, number) in numbers(CUTTING) {
+            if FASTEST.contains(&number) && self.speed.is_some() || self.is_wide(number) {
+                self.found.push((span, number));
+            }
+            self.cut(number);
+        }
+        for (span, number) in numbers(MILLING) {
+            if self.is_apart(number) {
+                self.found.push((span, number));
+            }
+        }
+    }
+
+    fn cut(&mut self, number: f64) {
+        if number > 0.0 {
+            self.least = Some(self.least.map_or(number, |least| least.min(number)));
+        }
+    }
+
+    /// Whether a feed of something that cuts is hardly one in tenths of an inch a minute, by the speed.
+    fn is_wide(&self, number: f64) -> bool {
+        self.speed.is_some_and(|speed| (FAST..FASTEST.end).contains(&number) && number / speed > WIDEST)
+    }
+
+    /// The same by the other feeds of the tool.
+    fn is_apart(&self, number: f64) -> bool {
+        number < FASTEST.end && self.least.is_some_and(|least| number >= APART * least)
+    }
 }
 
-fn fast(feed: Option<&Feed>) -> Option<(Span, f64)> {
+/// The number that a feed is.
+fn written(feed: Option<&Feed>) -> Option<(Span, f64)> {
     match feed.map(|feed| (feed.span, feed.kind)) {
         Some((span, FeedKind::Value(operand))) => match operand.amount {
-            Amount::Number(number) if FASTEST.contains(&number) => Some((span, number)),
+            Amount::Number(number) => Some((span, number)),
             _ => None,
         },
         _ => None,
     }
 }
 
-/// The first feed into the material among the parameters of a cycle that is too fast.
-fn fast_in(cycle: &Cycle, written: &CycleDef, speed: Option<f64>) -> Option<(Span, f64)> {
-    written.parameters.iter().find_map(|own| {
-        let param = cycle.params.iter().find(|param| param.q == Some(own.q))?;
-        let cuts = param.quantity == Quantity::Feed && CUTTING.contains(&param.is.as_str());
-        match own.value.kind {
-            ValueKind::Number(number) if cuts && is_fast(number, speed) => Some((own.value.span, number)),
+/// The height of a blank of which both corners are known.
+fn height_of(form: &BlkForm, lowest: &mut Option<(Axis, f64)>) -> Option<f64> {
+    let at = |axis: Axis| {
+        let coord = form.coords.iter().find(|coord| coord.axis == axis && !coord.incremental)?;
+        match coord.value.amount {
+            Amount::Number(number) => Some(number),
             _ => None,
         }
+    };
+    if let Some(axis) = form.axis {
+        *lowest = at(axis).map(|number| (axis, number));
+        return None;
+    }
+    let (axis, bottom) = (*lowest)?;
+    at(axis).map(|top| top - bottom).filter(|height| *height > 0.0)
+}
+
+/// The depth of a cycle, if it is several times the height of the blank.
+fn too_deep(cycle: &CycleDef, height: f64) -> Option<(Span, f64)> {
+    cycle.parameters.iter().find_map(|own| match own.value.kind {
+        ValueKind::Number(number) if number.abs() > DEEPEST * height && own.q == DEPTH => {
+            Some((own.value.span, number))
+        }
+        _ => None,
     })
 }

@@ -1,6 +1,6 @@
 //! A parameter or field that the cycle needs and the definition lacks.
 //!
-//! Of the old form it is told where the field would stand.
+//! Of the old form it is told where the field would stand, be it behind the gap that a lost line leaves.
 //!
 //! Silent where a line of the definition cannot be read: it may be the one that is missed.
 use super::together;
@@ -18,11 +18,12 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     }
 }
 
-/// Where a parameter is missed: of the old form on the line on which, or behind which, its field would stand.
+/// Where a parameter is missed: of the old form on the line on which its field would stand; where that line is lost, on
+/// the one behind the gap, and at the end on the last one.
 pub(super) fn gap(definition: &Definition<'_>, param: &Param) -> Span {
     let (CycleForm::Lines(lines), Some(field)) = (&definition.view.form, &param.field) else {
         return definition.view.head;
     };
-    let before = lines.iter().filter(|line| line.line <= field.line).max_by_key(|line| line.line);
-    before.map_or(definition.view.head, |line| line.head)
+    let behind = lines.iter().filter(|line| line.line >= field.line).min_by_key(|line| line.line);
+    behind.or(lines.last()).map_or(definition.view.head, |line| line.head)
 }

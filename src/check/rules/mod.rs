@@ -37,6 +37,7 @@ mod cycle_not_covered;
 mod cycle_not_described;
 mod cycle_not_on_control;
 mod defined_but_never_called;
+mod digitizing_wrong;
 mod direction_unsaid;
 mod division_by_zero;
 mod doubtful_value;
@@ -86,6 +87,7 @@ mod plane_not_reset;
 mod pole_missing;
 mod position_after_contour;
 mod probe_while_turning;
+mod probed_axis_missing;
 mod program_begin_missing;
 mod program_begin_twice;
 mod program_calls_itself;
@@ -178,6 +180,7 @@ pub const RULES: &[&Rule] = &[
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
     &defined_but_never_called::RULE,
+    &digitizing_wrong::RULE,
     &direction_unsaid::RULE,
     &division_by_zero::RULE,
     &doubtful_value::RULE,
@@ -227,6 +230,7 @@ pub const RULES: &[&Rule] = &[
     &pole_missing::RULE,
     &position_after_contour::RULE,
     &probe_while_turning::RULE,
+    &probed_axis_missing::RULE,
     &program_begin_missing::RULE,
     &program_begin_twice::RULE,
     &program_calls_itself::RULE,

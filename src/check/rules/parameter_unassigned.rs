@@ -3,14 +3,16 @@
 //! Only the freely available parameters Q0 to Q99, QS0 to QS99 and local ones are looked at, each once, and only in
 //! programs with a blank, or with tools and M2 or M30: others are called, and their callers may fill parameters.
 //! Nothing is said behind calls of other programs and cycles of the machine builder. Results of cycles are looked at,
-//! too, where a program without jumps reads them before the first cycle that has them.
+//! too, where a program without jumps reads them before the first cycle that has them, or where a program that probes
+//! reads one that none of its cycles has.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::check::flow::reads;
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::expr::QRef;
-use crate::syntax::BlockKind;
+use crate::expr::{QKind, QRef};
+use crate::spec::{Keyword, Known};
+use crate::syntax::{BlockKind, CycleForm, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "parameter-unassigned", severity: Severity::Warning, run };
 
@@ -21,11 +23,63 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.at(facts, *span).arg("parameter", q.to_string()));
         }
     }
-    for (q, span) in early(facts) {
+    for (q, span) in early(facts).into_iter().chain(foreign(facts)) {
         if told.insert(q) {
             found.push(rule.at(facts, span).arg("parameter", q.to_string()));
         }
     }
+}
+
+/// Where cycles put what they measure (001: 12562).
+const RESULTS: std::ops::RangeInclusive<u16> = 141..=199;
+/// So many parameters a cycle fills from the one on that its definition names.
+const FILLED: u16 = 4;
+
+/// What is read of the results of cycles behind one that probes, and no cycle of the program has.
+fn foreign(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
+    let Some(probing) = facts.definitions.iter().find(|own| own.key.keyword == Keyword::TchProbe) else {
+        return Vec::new();
+    };
+    let unclear = |own: &crate::check::Defined<'_>| {
+        own.torn || matches!(own.known, Known::Builders) || own.key.keyword == Keyword::TchProbe && own.kin().is_none()
+    };
+    let statement = || facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::Statement(_)));
+    if facts.flow.programs
+        || facts.flow.unread.assignments
+        || facts.flow.unread.anything
+        || facts.definitions.iter().any(unclear)
+        || statement()
+    {
+        return Vec::new();
+    }
+    let mut known: BTreeSet<QRef> = BTreeSet::new();
+    for definition in &facts.definitions {
+        let of_cycle = definition.kin().into_iter().flat_map(|cycle| &cycle.file.results);
+        known.extend(of_cycle.filter_map(|result| result.q));
+        let CycleForm::Lines(lines) = &definition.view.form else { continue };
+        for value in lines.iter().flat_map(|line| &line.words).map(|word| word.value.kind) {
+            if let ValueKind::Q { q, .. } = value {
+                known.extend((0..FILLED).map(|next| QRef { number: q.number.saturating_add(next), ..q }));
+            }
+        }
+    }
+    let (mut found, mut read) = (Vec::new(), Vec::new());
+    for (index, block) in facts.program.blocks().iter().enumerate() {
+        read.clear();
+        // What is read before may be left from another program.
+        if index > probing.view.last {
+            reads(block, &mut read);
+        }
+        let result = |q: &QRef| q.kind == QKind::Q && RESULTS.contains(&q.number);
+        found.extend(read.iter().filter(|(q, _)| result(q)));
+        known.extend(match &block.kind {
+            BlockKind::FnAssign(assign) => Some(assign.target),
+            BlockKind::Formula(formula) => Some(formula.target),
+            _ => None,
+        });
+    }
+    found.retain(|(q, _)| !known.contains(q));
+    found
 }
 
 /// The results that are read before the cycle that has them, in a program that goes straight on.

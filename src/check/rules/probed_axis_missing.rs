@@ -1,0 +1,29 @@
+//! A position to be probed that does not name the axis in which it is probed.
+//!
+//! The cycle measures one coordinate, and the probe moves from its pre-position towards the nominal value that the
+//! position gives in that axis (001: 12654; 000: 4717-4719; 003: 1779). Without one the probe stays
+//! where it happens to stand.
+use crate::check::{Facts, Rule};
+use crate::diag::{Diagnostic, Severity};
+
+pub(super) const RULE: Rule = Rule { code: "probed-axis-missing", severity: Severity::Warning, run };
+
+/// The meanings of the direction and of the position.
+const DIRECTION: &str = "probing-direction";
+const POSITION: &str = "probing-position";
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    for (definition, _) in facts.described() {
+        let item = |meaning: &str| {
+            definition.items.iter().find(|item| item.param.is_some_and(|own| own.is.as_str() == meaning))
+        };
+        let (Some(direction), Some(position)) = (item(DIRECTION), item(POSITION)) else { continue };
+        let Some(axis) = direction.printed.trim_end_matches(['+', '-']).chars().next() else { continue };
+        // `X+5`, or `IX+5`.
+        let named = |word: &str| word.trim_start_matches('I').starts_with(axis);
+        if !position.printed.split_whitespace().any(named) {
+            let finding = rule.at(facts, position.span).arg("axis", axis.to_string());
+            found.push(finding.arg("direction", direction.printed.as_ref()));
+        }
+    }
+}

@@ -1,0 +1,42 @@
+; control: itnc530
+0 BEGIN PGM A MM
+1 TOOL CALL 5 Z S3000 F300
+2 L Z+100 R0 FMAX M3
+3 CYCL DEF 207 FORATURA ~
+    Q200=2 ~
+    Q201=-15 ~
+    Q239=1 ~
+    Q203=+0 ~
+    Q204=50
+4 L X+0 Y+0 R0 FMAX M99
+5 CYCL DEF 203 FORATURA ~
+    Q200=2 ~
+    Q201=-15 ~
+    Q206=150 ~
+    Q202=5 ~
+    Q210=0 ~
+    Q203=+0 ~
+    Q204=50 ~
+    Q212=0 ~
+    Q213=3 ~
+    Q205=3 ~
+    Q211=0.25 ~
+    Q208=500 ~
+    Q256=0.2
+6 L X+10 Y+0 R0 FMAX M99
+7 CYCL DEF 207 RIGID TAPPING NEW ~
+    Q200=2 ~
+    Q201=-15 ~
+    Q239=1 ~
+    Q203=+0 ~
+    Q204=50
+8 L X+20 Y+0 R0 FMAX M99
+9 CYCL DEF 207 M8 ~
+    Q200=2 ~
+    Q201=-15 ~
+    Q239=1 ~
+    Q203=+0 ~
+    Q204=50
+10 L X+30 Y+0 R0 FMAX M99
+11 L Z+100 R0 FMAX M30
+12 END PGM A MM
