@@ -10,7 +10,7 @@ use crate::diag::{Diagnostic, Severity};
 use crate::spec::{Cycle, Group};
 use crate::syntax::{BlockKind, CycleForm, ValueKind};
 
-pub(super) const RULE: Rule = Rule { code: "digitizing-wrong", severity: Severity::Error, run };
+pub(super) const RULE: Rule = Rule { code: "digitizing-wrong", severity: Severity::Warning, run };
 
 /// Where a range ends, at its least and at its greatest: of a block, and in the probe axis beside a table.
 const ENDS: [[&str; 2]; 2] = [["digitizing-range-min", "digitizing-range-max"], ["probe-axis-min", "probe-axis-max"]];
@@ -72,8 +72,7 @@ fn order(rule: &Rule, facts: &Facts<'_>, all: &[&Defined<'_>], found: &mut Vec<D
 
 /// Whether a range goes from its least to its greatest coordinates, and the clearance height is above them.
 fn extent(rule: &Rule, facts: &Facts<'_>, range: &Definition<'_>, found: &mut Vec<Diagnostic>) {
-    let told =
-        |place, what: &str| Diagnostic { severity: Severity::Warning, ..rule.at(facts, place) }.arg("what", what);
+    let told = |place, what: &str| rule.at(facts, place).arg("what", what);
     let item = |meaning: &str| range.items.iter().find(|item| item.param.is_some_and(|own| own.is.as_str() == meaning));
     let height = item(HEIGHT).and_then(|item| coordinates(facts, range, item).into_iter().next());
     let axis = item(PROBE_AXIS).map(|item| item.printed.as_ref());
