@@ -180,11 +180,19 @@ impl<'f, 'a> Steps<'f, 'a> {
             BlockKind::ContourFormula(_) => state.modal.set(Aspect::Contour, Tri::Yes),
             BlockKind::Sel(own) => {
                 let what = self.program.slice(own.what);
-                if what.eq_ignore_ascii_case("PGM") || what.eq_ignore_ascii_case("CYCLE") {
+                let is = |word: &str| what.eq_ignore_ascii_case(word);
+                let (program, table) = (is("PGM") || is("CYCLE"), is("TABLE"));
+                if program {
                     state.modal.set(Aspect::Selected, Tri::Yes);
                 }
-                state.modal.set(Aspect::Pattern, Tri::Unknown);
-                state.modal.set(Aspect::Contour, Tri::Unknown);
+                // A table of datums is neither a pattern nor a contour.
+                for (aspect, own, other) in
+                    [(Aspect::Pattern, "PATTERN", "CONTOUR"), (Aspect::Contour, "CONTOUR", "PATTERN")]
+                {
+                    if is(own) || !(program || table || is(other)) {
+                        state.modal.set(aspect, Tri::Unknown);
+                    }
+                }
             }
             BlockKind::Statement(own) if own.kind == StatementKind::CallSelected => self.program_called(index, state),
             BlockKind::Statement(statement) => self.statement(statement, state),

@@ -2,7 +2,10 @@
 //! there is nothing that it could be tangential to.
 //!
 //! Only said where what stands before it in the text is a tool call, a cycle, or a movement along the tool axis alone,
-//! with the tool axis Z.
+//! with the tool axis Z, and behind the starting point of a contour that a cycle reads.
+use std::collections::BTreeSet;
+
+use crate::check::contours;
 use crate::check::facts::is_silent;
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
@@ -24,6 +27,22 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(rule.at(facts, facts.content(block)));
         }
     }
+    // The same contour may be read by several cycles.
+    let mut behind_start: BTreeSet<usize> = BTreeSet::new();
+    for listed in contours::listed(facts) {
+        behind_start.extend(listed.contours.iter().filter_map(|contour| second(contour)).map(|block| block.span.start));
+    }
+    let arcs = facts.shaped().filter(|(_, block)| behind_start.contains(&block.span.start));
+    found.extend(arcs.map(|(_, block)| rule.at(facts, facts.content(block))));
+}
+
+/// The element that begins at the starting point of a contour, if it is a tangential arc.
+fn second(contour: &[Block]) -> Option<&Block> {
+    let mut movements = contour.iter().filter(|block| matches!(block.kind, BlockKind::Motion(_)) && !is_centre(block));
+    let (first, second) = (movements.next()?, movements.next()?);
+    let BlockKind::Motion(motion) = &second.kind else { return None };
+    let tangential = matches!(motion.path(), Path::Ct | Path::Ctp) && !first.skip && !second.skip;
+    (tangential && !leads_nowhere(first)).then_some(second)
 }
 
 fn is_centre(block: &Block) -> bool {

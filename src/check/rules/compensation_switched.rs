@@ -13,9 +13,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut last: Option<(usize, Compensation)> = None;
     for (index, block) in facts.shaped() {
         let BlockKind::Motion(motion) = &block.kind else { continue };
-        let approach = matches!(motion.path(), Path::Appr(_) | Path::Dep(_));
-        if approach || block.skip {
+        if block.skip || matches!(motion.path(), Path::Dep(_)) {
             last = None;
+        } else if matches!(motion.path(), Path::Appr(_)) {
+            let beside = |side: &Compensation| matches!(side, Compensation::Rl | Compensation::Rr);
+            last = motion.words().compensation.filter(beside).map(|side| (index, side));
         } else if motion.outline().compensates() == Compensates::Beside
             && let Some(side) = motion.words().compensation
             && let Some((first, _)) = last.replace((index, side)).filter(|(_, other)| *other != side)

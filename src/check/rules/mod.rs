@@ -299,7 +299,6 @@ pub(super) const OF_DEFINITIONS: &[(&Rule, Each)] = &[
     (&out_of_range_elsewhere::RULE, out_of_range_elsewhere::each),
     (&text_wrong::RULE, text_wrong::each),
     (&label_twice::RULE, label_twice::each),
-    (&name_of_another_cycle::RULE, name_of_another_cycle::each),
     (&unknown_parameter::RULE, unknown_parameter::each),
     (&wrong_value_kind::RULE, wrong_value_kind::each),
     // What is worse at the same place is told before.

@@ -1,6 +1,6 @@
 //! CALL SELECTED PGM or CALL SELECTED CYCLE that no SEL PGM or SEL CYCLE precedes.
 //!
-//! Only said where no way of the run has selected a program.
+//! Only said where no way of the run has selected a program, or where the whole program selects none.
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::diag::{Diagnostic, Severity};
 use crate::syntax::{BlockKind, StatementKind};
@@ -8,10 +8,12 @@ use crate::syntax::{BlockKind, StatementKind};
 pub(super) const RULE: Rule = Rule { code: "selection-missing", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let selects = facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::Sel(_)));
+    let selects = selects || facts.flow.unread.anything || !facts.begins();
     for (index, block) in facts.marked() {
         let BlockKind::Statement(own) = &block.kind else { continue };
         if own.kind == StatementKind::CallSelected
-            && facts.run.before(index).is_some_and(|modal| modal.is(Aspect::Selected) == Tri::No)
+            && (!selects || facts.run.before(index).is_some_and(|modal| modal.is(Aspect::Selected) == Tri::No))
             && !facts.text(facts.content(block)).to_ascii_uppercase().contains("CONTOUR")
         {
             found.push(rule.at(facts, facts.content(block)));
