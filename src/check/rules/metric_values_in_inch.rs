@@ -6,7 +6,6 @@
 //! cuts, of which nobody can say whether it does. Feeds that stand for rapid traverse (9998 and more) are left alone.
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
 use crate::diag::{Arg, Diagnostic, Severity, Span};
-use crate::expr::QRef;
 use crate::spec::{Cycle, Group, Quantity};
 use crate::syntax::{Amount, Axis, BlkForm, BlockKind, Compensates, CycleDef, Feed, FeedKind, ValueKind};
 
@@ -26,8 +25,8 @@ const CUTTING: [&str; 2] = ["plunging-feed", "contour-plunging-feed"];
 const MILLING: [&str; 2] = ["milling-feed", "contour-milling-feed"];
 /// The farthest corner of a blank, inches.
 const FARTHEST: f64 = 120.0;
-/// The parameter by which a cycle says how deep it cuts (003: 117), and so many heights of the blank no depth is.
-const DEPTH: QRef = QRef::q(201);
+/// The meaning of the depth of a cycle, and so many heights of the blank no depth is.
+const DEPTH: &str = "depth";
 const DEEPEST: f64 = 4.0;
 
 /// The feeds of one tool, as far as the program has been read.
@@ -66,7 +65,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
             BlockKind::CycleDef(cycle) => {
                 feeds.of_cycle(kin(index), cycle);
-                feeds.found.extend(height.and_then(|height| too_deep(cycle, height)));
+                feeds.found.extend(height.zip(kin(index)).and_then(|(height, kin)| too_deep(kin, cycle, height)));
             }
             BlockKind::ToolCall(call) => {
                 feeds.speed = match call.speed.map(|own| own.amount) {
@@ -180,9 +179,10 @@ fn height_of(form: &BlkForm, lowest: &mut Option<(Axis, f64)>) -> Option<f64> {
 }
 
 /// The depth of a cycle, if it is several times the height of the blank.
-fn too_deep(cycle: &CycleDef, height: f64) -> Option<(Span, f64)> {
-    cycle.parameters.iter().find_map(|own| match own.value.kind {
-        ValueKind::Number(number) if number.abs() > DEEPEST * height && own.q == DEPTH => {
+fn too_deep(cycle: &Cycle, written: &CycleDef, height: f64) -> Option<(Span, f64)> {
+    let depth = cycle.params.iter().find(|param| param.is.as_str() == DEPTH)?.q?;
+    written.parameters.iter().find_map(|own| match own.value.kind {
+        ValueKind::Number(number) if number.abs() > DEEPEST * height && own.q == depth => {
             Some((own.value.span, number))
         }
         _ => None,
