@@ -5,6 +5,7 @@
 //! where it happens to stand.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
+use crate::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "probed-axis-missing", severity: Severity::Warning, run };
 
@@ -13,7 +14,9 @@ const DIRECTION: &str = "probing-direction";
 const POSITION: &str = "probing-position";
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    for (definition, _) in facts.described() {
+    // The parameters of a cycle of another form need not be read.
+    let of_lines = facts.definitions.iter().filter(|own| matches!(own.view.form, CycleForm::Lines(_)));
+    for definition in of_lines.filter(|own| own.cycle().is_some()).map(|own| facts.read(own)) {
         let item = |meaning: &str| {
             definition.items.iter().find(|item| item.param.is_some_and(|own| own.is.as_str() == meaning))
         };

@@ -29,10 +29,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(revolution) = call.modal.is(Aspect::PerRevolution).known() else { continue };
         let Some(definition) = facts.definitions.get(index as usize) else { continue };
-        if !seen.insert((index, revolution)) {
+        if definition.kin().is_none_or(|cycle| cycle.file.group != Group::Turning) {
             continue;
         }
-        if definition.kin().is_none_or(|cycle| cycle.file.group != Group::Turning) {
+        if !seen.insert((index, revolution)) {
             continue;
         }
         let kin = definition.as_kin();
