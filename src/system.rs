@@ -318,10 +318,19 @@ fn parent(path: &Path) -> &Path {
 #[derive(Debug)]
 pub struct Staged {
     target: PathBuf,
-    scratch: tempfile::TempDir,
     whole: PathBuf,
+    old: PathBuf,
+    /// Has both; there until this is dropped.
+    scratch: Option<tempfile::TempDir>,
     /// Dropped last, when the directory is gone.
     _leftover: leftover::Leftover,
+}
+
+impl Drop for Staged {
+    fn drop(&mut self) {
+        let scratch = self.scratch.take();
+        leftover::undisturbed(|| drop(scratch));
+    }
 }
 
 impl Staged {
@@ -339,10 +348,13 @@ impl Staged {
         fs::create_dir_all(parent(&target)).map_err(trouble)?;
         let temporary = || tempfile::Builder::new().prefix(".ciklo-").tempdir_in(parent(&target));
         let (leftover, scratch) = leftover::make(temporary, tempfile::TempDir::path).map_err(trouble)?;
-        let whole = scratch.path().join("new");
-        fs::create_dir(&whole).map_err(trouble)?;
-        fs::write(whole.join(MARK), "ciklo build 1\n").map_err(trouble)?;
-        Ok(Self { target, scratch, whole, _leftover: leftover })
+        let [whole, old] = ["new", "old"].map(|name| scratch.path().join(name));
+        let staged = Self { target: target.clone(), whole, old, scratch: Some(scratch), _leftover: leftover };
+        let begun = leftover::undisturbed(|| {
+            fs::create_dir(&staged.whole).and_then(|()| fs::write(staged.whole.join(MARK), "ciklo build 1\n"))
+        });
+        begun.map_err(trouble)?;
+        Ok(staged)
     }
 
     /// Writes a file of the directory; `path` has `/` and stays inside.
@@ -351,10 +363,13 @@ impl Staged {
     /// `io-write` if it cannot be written.
     pub fn write(&self, path: &str, bytes: &[u8]) -> Result<(), Trouble> {
         let file = inside(&self.whole, path);
-        let written = fs::write(&file, bytes).or_else(|error| match error.kind() {
-            io::ErrorKind::NotFound => fs::create_dir_all(parent(&file)).and_then(|()| fs::write(&file, bytes)),
-            _ => Err(error),
-        });
+        let write = || {
+            fs::write(&file, bytes).or_else(|error| match error.kind() {
+                io::ErrorKind::NotFound => fs::create_dir_all(parent(&file)).and_then(|()| fs::write(&file, bytes)),
+                _ => Err(error),
+            })
+        };
+        let written = leftover::undisturbed(write);
         written.map_err(|error| Trouble::new("io-write", &inside(&self.target, path), &error))
     }
 
@@ -363,15 +378,14 @@ impl Staged {
     /// # Errors
     /// `io-write` if it cannot be moved; the old one then stands where it stood.
     pub fn commit(self) -> Result<(), Trouble> {
-        let old = self.scratch.path().join("old");
         let exchanged = leftover::undisturbed(|| {
             let replaced = self.target.exists();
             if replaced {
-                fs::rename(&self.target, &old)?;
+                fs::rename(&self.target, &self.old)?;
             }
             let moved = fs::rename(&self.whole, &self.target);
             if moved.is_err() && replaced {
-                fs::rename(&old, &self.target)?;
+                fs::rename(&self.old, &self.target)?;
             }
             moved
         });

@@ -47,6 +47,21 @@ fn stored(path: &Path, actual: &str) {
     }
 }
 
+/// How many files there are in a directory, which may be about to change.
+#[cfg(unix)]
+fn files(folder: &Path) -> usize {
+    let all = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    all.map(|entry| if entry.file_type().is_ok_and(|kind| kind.is_dir()) { files(&entry.path()) } else { 1 }).sum()
+}
+
+/// Whoever runs the tests in the background may have them pass over a signal; the program passes over it as well.
+#[cfg(unix)]
+fn is_passed_over(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).unwrap_or("0");
+    u64::from_str_radix(mask.trim(), 16).unwrap() >> (signal - 1) & 1 == 1
+}
+
 /// A manual takes seconds to write; it grows beside its place, and goes away when the program is told to end.
 #[cfg(unix)]
 #[test]
@@ -54,29 +69,64 @@ fn a_signal_leaves_nothing_half_made() {
     use std::os::unix::process::ExitStatusExt as _;
     let folder = tempfile::tempdir().unwrap();
     let half_made = || {
-        let names = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
-        names.filter(|name| name.to_string_lossy().starts_with(".ciklo-")).count()
+        let all = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path());
+        let mut own = all.filter(|path| path.file_name().unwrap().to_string_lossy().starts_with(".ciklo-"));
+        let first = own.next();
+        assert_eq!(own.next(), None);
+        first
     };
-    // Whoever runs the tests in the background may have them pass over a signal; the program passes over it as well.
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).unwrap_or("0");
-    let ignored = u64::from_str_radix(mask.trim(), 16).unwrap();
-    for (name, number) in [("-TERM", 15), ("-INT", 2), ("-HUP", 1)] {
-        if ignored >> (number - 1) & 1 == 1 {
+    // Early, and while many threads write.
+    let told =
+        [("-TERM", 15), ("-INT", 2), ("-HUP", 1)].into_iter().flat_map(|told| [0, 5, 50, 500].map(|at| (told, at)));
+    for ((name, number), at_least) in told {
+        if is_passed_over(number) {
             continue;
         }
         let out = folder.path().join("manual");
         let mut child = ciklo(&["build", "--out", out.to_str().unwrap()]).stdout(Stdio::null()).spawn().unwrap();
         let begun = (0..6000).any(|_| {
             std::thread::sleep(std::time::Duration::from_millis(10));
-            half_made() > 0
+            half_made().is_some_and(|path| files(&path) >= at_least)
         });
-        assert!(begun, "nothing was begun");
+        assert!(begun, "fewer than {at_least} files");
         let sent = Command::new("kill").args([name, &child.id().to_string()]).status().unwrap();
         assert!(sent.success());
         assert_eq!(child.wait().unwrap().signal(), Some(number), "it ends by the signal");
-        assert_eq!(half_made(), 0, "after {name}");
+        assert_eq!(half_made(), None, "after {name} with {at_least} files");
         assert!(!out.exists());
+    }
+}
+
+/// As the writing of a manual, but nothing else: a directory that many threads write into without end.
+#[cfg(unix)]
+#[test]
+fn a_signal_waits_for_threads_that_write() {
+    use std::os::unix::process::ExitStatusExt as _;
+    const OUT: &str = "CIKLO_TEST_WRITES_INTO";
+    if let Some(out) = std::env::var_os(OUT) {
+        let staged = ciklo::system::Staged::new(Path::new(&out)).unwrap();
+        let write = |thread: usize| (0..).for_each(|at| staged.write(&format!("{thread}/{at}"), b"1").unwrap());
+        return std::thread::scope(|scope| {
+            (1..4).for_each(|thread| drop(scope.spawn(move || write(thread))));
+            write(0);
+        });
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let rounds = if is_passed_over(15) { 0 } else { 40 };
+    for round in 0..rounds {
+        let mut child = Command::new(std::env::current_exe().unwrap())
+            .args(["--exact", "a_signal_waits_for_threads_that_write"])
+            .env(OUT, folder.path().join("out"))
+            .stdout(Stdio::null())
+            .spawn()
+            .unwrap();
+        while files(folder.path()) < round * 20 + 2 {
+            assert_eq!(child.try_wait().unwrap(), None, "it writes until it is told to end");
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
+        assert!(Command::new("kill").arg(child.id().to_string()).status().unwrap().success());
+        assert_eq!(child.wait().unwrap().signal(), Some(15), "it ends by the signal");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0, "in round {round}");
     }
 }
 

@@ -1,16 +1,17 @@
 //! What stands beside its target until it is whole, and goes away when the program is told to end.
 //!
 //! Invariant: whatever a signal interrupts, nothing that was made here is left behind;
-//! who ended the program sees it end by that signal.
+//! who ended the program sees it end by that signal. For this, whoever puts something into a directory made
+//! here, or takes it away, does so [undisturbed]: a directory that changes meanwhile cannot be removed.
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{PoisonError, RwLock, RwLockWriteGuard};
 
 /// What there is now.
-static MADE: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+static MADE: RwLock<Vec<PathBuf>> = RwLock::new(Vec::new());
 
-fn made() -> MutexGuard<'static, Vec<PathBuf>> {
-    MADE.lock().unwrap_or_else(PoisonError::into_inner)
+fn made() -> RwLockWriteGuard<'static, Vec<PathBuf>> {
+    MADE.write().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Something that goes away at a signal, as long as this lives.
@@ -37,9 +38,10 @@ pub(super) fn make<T>(
     Ok((Leftover(path), own))
 }
 
-/// Does something that no signal may interrupt.
+/// Does something that no signal may interrupt; several threads may do so at a time.
+/// Nothing is [made](make) in it.
 pub(super) fn undisturbed<T>(act: impl FnOnce() -> T) -> T {
-    let _waiting = made();
+    let _waiting = MADE.read().unwrap_or_else(PoisonError::into_inner);
     act()
 }
 
