@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::Against;
-use super::definition::Defined;
+use super::definition::{Defined, with_meaning};
 use super::facts::Facts;
 use super::flow::{self, Through};
 use super::values::bits;
@@ -158,7 +158,7 @@ pub(super) fn calls(facts: &Facts<'_>) -> Vec<ProgramCall> {
 
 /// Whether a definition makes a program a cycle.
 fn makes_cycle(definition: &Defined<'_>) -> bool {
-    definition.kin().is_some_and(|cycle| cycle.params.iter().any(|param| param.is.as_str() == PROGRAM))
+    definition.kin().is_some_and(|cycle| with_meaning(cycle, PROGRAM).is_some())
 }
 
 fn places(facts: &Facts<'_>) -> Vec<ProgramCall> {
@@ -207,8 +207,7 @@ fn places(facts: &Facts<'_>) -> Vec<ProgramCall> {
     for (index, definition) in facts.definitions.iter().enumerate().filter(|(_, own)| makes_cycle(own)) {
         let kin = definition.as_kin();
         let read = facts.read(&kin);
-        let named = read.items.iter().find(|item| item.param.is_some_and(|param| param.is.as_str() == PROGRAM));
-        if let Some(item) = named {
+        if let Some(item) = read.item(PROGRAM) {
             push(definition.view.first, item.value_span, Some(index), false);
         }
     }

@@ -143,8 +143,12 @@ pub(super) fn led(from: Option<[f64; 2]>, motion: &Motion) -> Option<[f64; 2]> {
     }
 }
 
-/// The same in any two axes, of which one may be open before or remain so; nothing if a coordinate is not certain.
-fn moved(motion: &Motion, axes: [Axis; 2], from: [Option<f64>; 2]) -> Option<[Option<f64>; 2]> {
+/// The same in any axes, of which some may be open before or remain so; nothing if a coordinate is not certain.
+pub(super) fn moved<const AXES: usize>(
+    motion: &Motion,
+    axes: [Axis; AXES],
+    from: [Option<f64>; AXES],
+) -> Option<[Option<f64>; AXES]> {
     let mut to = from;
     for (axis, known) in axes.into_iter().zip(&mut to) {
         if let Some((value, incremental)) = number(motion, axis)? {

@@ -147,6 +147,11 @@ impl<'a> Definition<'a> {
     }
 
     /// The same with room for its items.
+    /// What is written for the parameter that has a meaning.
+    pub(super) fn item(&self, meaning: &str) -> Option<&Item<'a>> {
+        self.items.iter().find(|item| item.param.is_some_and(|param| param.is.as_str() == meaning))
+    }
+
     pub(super) fn begun(mut room: Vec<Item<'a>>, program: &'a Program, own: &'a Defined<'a>) -> Self {
         room.clear();
         let mut definition = Self { own, items: room, missing: Vec::new(), in_order: false };
@@ -195,6 +200,11 @@ impl<'a> Definition<'a> {
         let missing = cycle.params.iter().zip(there).filter(|(param, there)| !there && needed(param));
         self.missing = missing.map(|(param, _)| param).collect();
     }
+}
+
+/// The parameter of a cycle that has a meaning.
+pub(super) fn with_meaning<'c>(cycle: &'c Cycle, meaning: &str) -> Option<&'c Param> {
+    cycle.params.iter().find(|param| param.is.as_str() == meaning)
 }
 
 /// Finds parameters in a cycle; most are written in its order.

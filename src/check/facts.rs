@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use super::among::{self, Among, Callees, ProgramCall};
-use super::definition::{Defined, Definition, Item};
+use super::definition::{Defined, Definition, Item, with_meaning};
 use super::flow::{Run, stops};
 use super::guards::SharedData;
 use super::labels::{Tongues, told_by};
@@ -179,7 +179,7 @@ impl<'a> Facts<'a> {
 
     /// Whether a block that cannot be read begins with the word.
     pub fn unread(&self, word: &str) -> bool {
-        let mut unread = self.marked().filter(|(_, block)| matches!(block.kind, BlockKind::Unknown(_)));
+        let mut unread = self.marked().filter(|(_, block)| block.is_unread());
         unread.any(|(_, block)| {
             let text = self.text(self.content(block));
             text.get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word))
@@ -222,16 +222,7 @@ impl<'a> Facts<'a> {
 
     /// What the first line of a block says, without its number and the blanks around it.
     pub fn content(&self, block: &Block) -> Span {
-        let text = self.text(block.span);
-        let line = text.split(['\n', '\r']).next().unwrap_or_default();
-        let mut from = line.len() - line.trim_start_matches(['/', ' ', '\t']).len();
-        if block.number.is_some() {
-            let rest = line.get(from..).unwrap_or_default();
-            let rest = rest.trim_start_matches(['N', 'n']).trim_start_matches(|c: char| c.is_ascii_digit());
-            from = line.len() - rest.trim_start_matches(['/', ' ', '\t']).len();
-        }
-        let end = line.trim_end().len().max(from);
-        Span::new(block.span.start + from, block.span.start + end)
+        content(self.program, block)
     }
 
     /// The labels of a definition's cycle.
@@ -261,7 +252,7 @@ impl<'a> Facts<'a> {
     ) -> Option<T> {
         let of_lines = self.definitions.iter().filter(|own| matches!(own.view.form, CycleForm::Lines(_)));
         let means = |param: &Param| param.is.as_str() == meaning;
-        of_lines.filter(|own| own.kin().is_some_and(|cycle| cycle.params.iter().any(means))).find_map(|own| {
+        of_lines.filter(|own| own.kin().is_some_and(|cycle| with_meaning(cycle, meaning).is_some())).find_map(|own| {
             let kin = own.as_kin();
             let read = self.read(&kin);
             ask(own, &mut read.items.iter().filter(|item| item.param.is_some_and(means)))
@@ -400,6 +391,20 @@ fn elsewhere<'a>(against: &Against<'a>, key: CycleKey, known: Known<'_>) -> Opti
         return None;
     }
     against.catalogue.describing(key).map(|(_, cycle)| cycle)
+}
+
+/// What the first line of a block says, without its number and the blanks around it.
+pub(super) fn content(program: &Program, block: &Block) -> Span {
+    let text = program.slice(block.span);
+    let line = text.split(['\n', '\r']).next().unwrap_or_default();
+    let mut from = line.len() - line.trim_start_matches(['/', ' ', '\t']).len();
+    if block.number.is_some() {
+        let rest = line.get(from..).unwrap_or_default();
+        let rest = rest.trim_start_matches(['N', 'n']).trim_start_matches(|c: char| c.is_ascii_digit());
+        from = line.len() - rest.trim_start_matches(['/', ' ', '\t']).len();
+    }
+    let end = line.trim_end().len().max(from);
+    Span::new(block.span.start + from, block.span.start + end)
 }
 
 /// Whether a block is a comment or blank.

@@ -3,6 +3,7 @@
 //! The one place that tells: the word at its beginning says which kind of block it was to be, and such a block can hide
 //! no more than a block of its kind does. Invariant: a block of which the kind is not certain may do anything.
 use super::Flow;
+use super::facts::content;
 use crate::expr::{QKind, QRef};
 use crate::syntax::{Block, BlockKind, IsoBlock, IsoKind, Program, ValueKind};
 
@@ -37,6 +38,16 @@ impl Unread {
     pub const fn any(self) -> bool {
         self.movements || self.tools || self.assignments || self.anything
     }
+
+    /// Whether one of them may move the tool.
+    pub const fn may_move(self) -> bool {
+        self.movements || self.anything
+    }
+
+    /// Whether one of them may write to a parameter.
+    pub const fn may_assign(self) -> bool {
+        self.assignments || self.anything
+    }
 }
 
 impl Flow {
@@ -62,7 +73,7 @@ pub(super) fn hides(program: &Program, block: &Block) -> Hides {
     match &block.kind {
         BlockKind::Iso(own) => of_iso(program, own),
         BlockKind::Statement(_) => Hides::Anything,
-        _ => of_text(first_line(program.slice(block.span))),
+        _ => of_text(first_line(program, block)),
     }
 }
 
@@ -87,13 +98,9 @@ fn of_iso(program: &Program, own: &IsoBlock) -> Hides {
     }
 }
 
-/// The first line without the block number and the sign of a block that may be skipped.
-fn first_line(text: &str) -> &str {
-    let line = text.split(['\n', '\r', ';']).next().unwrap_or_default();
-    let blank = |c: char| matches!(c, '/' | ' ' | '\t');
-    let line = line.trim_start_matches(blank);
-    let rest = line.trim_start_matches(|c: char| c.is_ascii_digit());
-    rest.trim_start_matches(blank).trim_end()
+/// What the first line says, without the comment behind it.
+fn first_line<'p>(program: &'p Program, block: &Block) -> &'p str {
+    program.slice(content(program, block)).split(';').next().unwrap_or_default().trim_end()
 }
 
 fn of_text(line: &str) -> Hides {
@@ -147,7 +154,7 @@ fn parameter(text: &str) -> Option<QRef> {
 
 /// Whether a movement or M functions that cannot be read name M2 or M30: the program was to end there.
 pub(super) fn names_end(program: &Program, block: &Block) -> bool {
-    let text = first_line(program.slice(block.span));
+    let text = first_line(program, block);
     let ends = |word: &str| ["M2", "M02", "M30"].iter().any(|own| own.eq_ignore_ascii_case(word));
     of_text(text) == Hides::Movement && text.split_ascii_whitespace().any(ends)
 }

@@ -72,6 +72,11 @@ impl Block {
         matches!(&self.kind, BlockKind::Lbl(label) if label.target == Label::END)
     }
 
+    /// Whether it cannot be read.
+    pub const fn is_unread(&self) -> bool {
+        matches!(self.kind, BlockKind::Unknown(_))
+    }
+
     /// The same block, told to have no comment.
     pub fn without_comment(self) -> Self {
         Self { comment: Comment::default(), ..self }

@@ -5,6 +5,7 @@
 //! clearance height that is no higher does not come free. What the probe table adds is not known here and left
 //! out. Silent for points that a cycle does not probe, and where one of the two is a parameter.
 use super::together;
+use crate::check::definition::with_meaning;
 use crate::check::guards::Written;
 use crate::check::{Definition, Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
@@ -23,7 +24,7 @@ const ABOVE: [&str; 4] = ["first-point-tool", "second-point-tool", "third-point-
 
 pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
     let Some(cycle) = definition.cycle() else { return };
-    let is = |meaning: &str| cycle.params.iter().find(|param| param.is.as_str() == meaning);
+    let is = |meaning: &str| with_meaning(cycle, meaning);
     let Some(param) = is(CLEARANCE_HEIGHT) else { return };
     let written = Written::of(facts, definition, cycle);
     let Some(height) = written.number_of(param) else { return };

@@ -29,8 +29,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         // An approach is one also where its length cannot be read.
         let begun = |block: &&Block| {
             let text = facts.text(facts.content(block));
-            matches!(block.kind, BlockKind::Unknown(_))
-                && text.get(..4).is_some_and(|own| own.eq_ignore_ascii_case("APPR"))
+            block.is_unread() && text.get(..4).is_some_and(|own| own.eq_ignore_ascii_case("APPR"))
         };
         if motion.path() == Path::Chf && before.first().is_some_and(begun) {
             found.push(rule.at(facts, facts.content(block)).arg("what", "first").arg("least", Arg::Number(0.0)));

@@ -5,6 +5,7 @@
 //! one (003: 3124, 3303), and its points are the least and the greatest coordinates (003: 3096-3107). Where blocks are
 //! repeated or called, a range is missing only if the program has none at all; silent in programs that call others or
 //! are parts of one.
+use crate::check::definition::with_meaning;
 use crate::check::{Defined, Definition, Facts, Item, Rule};
 use crate::diag::{Diagnostic, Severity};
 use crate::spec::{Cycle, Group};
@@ -33,7 +34,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 }
 
 fn has(cycle: &Cycle, meaning: &str) -> bool {
-    cycle.params.iter().any(|param| param.is.as_str() == meaning)
+    with_meaning(cycle, meaning).is_some()
 }
 
 fn is_range(cycle: &Cycle) -> bool {
@@ -73,7 +74,7 @@ fn order(rule: &Rule, facts: &Facts<'_>, all: &[&Defined<'_>], found: &mut Vec<D
 /// Whether a range goes from its least to its greatest coordinates, and the clearance height is above them.
 fn extent(rule: &Rule, facts: &Facts<'_>, range: &Definition<'_>, found: &mut Vec<Diagnostic>) {
     let told = |place, what: &str| rule.at(facts, place).arg("what", what);
-    let item = |meaning: &str| range.items.iter().find(|item| item.param.is_some_and(|own| own.is.as_str() == meaning));
+    let item = |meaning: &str| range.item(meaning);
     let height = item(HEIGHT).and_then(|item| coordinates(facts, range, item).into_iter().next());
     let axis = item(PROBE_AXIS).map(|item| item.printed.as_ref());
     for [least, greatest] in ENDS {

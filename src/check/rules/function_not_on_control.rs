@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::syntax::{BlockKind, functions};
+use crate::syntax::functions;
 
 pub(super) const RULE: Rule = Rule { code: "function-not-on-control", severity: Severity::Warning, run };
 
@@ -26,7 +26,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
     };
     for (_, block) in facts.marked() {
-        if !matches!(block.kind, BlockKind::Unknown(_)) {
+        if !block.is_unread() {
             functions(facts.program, block).into_iter().for_each(|(name, span)| tell(&name, span));
         }
     }

@@ -82,17 +82,7 @@ fn never_ends<'p>(facts: &Facts<'p>, own: &Use, jump: &FnJump, patience: &'p mut
 /// Whether the only thing that the loop does to the side of a comparison is to move it away from the other side.
 fn goes_away(body: &Loop<'_>, side: &Operand, relation: Relation, left: bool) -> bool {
     let Amount::Q { q, negative } = side.amount else { return false };
-    if body.written.iter().filter(|own| **own == q).count() != 1 {
-        return false;
-    }
-    let Some(step) = body.steps.iter().find(|own| own.target == q) else { return false };
-    let reads = matches!(step.a.amount, Amount::Q { q: own, negative: false } if own == q);
-    let Some(Amount::Number(by)) = step.b.as_ref().map(|own| own.amount).filter(|_| reads) else { return false };
-    let by = match step.op {
-        FnOp::Add => by,
-        FnOp::Sub => -by,
-        _ => return false,
-    };
+    let Some(by) = body.step_of(q) else { return false };
     let grows = if negative { -by } else { by };
     match relation {
         Relation::Less => (grows <= 0.0) == left || grows == 0.0,
@@ -126,18 +116,7 @@ fn misses(facts: &Facts<'_>, body: &mut Loop<'_>, jump: &FnJump, blocks: RangeIn
         Amount::Q { q, negative } => set_once(facts, q, &blocks).map(|own| if negative { -own } else { own }),
         Amount::Text(_) => None,
     };
-    let steps = || body.steps.iter().filter(|own| own.target == q);
-    let (Some(step), None) = (steps().next(), steps().nth(1)) else { return false };
-    if body.written.iter().filter(|own| **own == q).count() != 1 {
-        return false;
-    }
-    let reads = matches!(step.a.amount, Amount::Q { q: own, negative: false } if own == q);
-    let Some(Amount::Number(by)) = step.b.as_ref().map(|own| own.amount).filter(|_| reads) else { return false };
-    let by = match step.op {
-        FnOp::Add => by,
-        FnOp::Sub => -by,
-        _ => return false,
-    };
+    let Some(by) = body.step_of(q) else { return false };
     let (Some(start), Some(end)) = (set_once(facts, q, &blocks), value(end)) else { return false };
     let times = (end - start) / by;
     by != 0.0 && (times < 0.0 || (times - libm::round(times)).abs() > NEAR)
@@ -172,6 +151,19 @@ fn set_once(facts: &Facts<'_>, q: QRef, blocks: &RangeInclusive<usize>) -> Optio
 impl<'p> Loop<'p> {
     fn new(patience: &'p mut usize) -> Self {
         Self { written: Vec::new(), steps: Vec::new(), exits: Vec::new(), open: false, patience }
+    }
+
+    /// By how much a parameter grows each time, if a step is the only thing that writes it.
+    fn step_of(&self, q: QRef) -> Option<f64> {
+        let step = self.steps.iter().find(|own| own.target == q)?;
+        let reads = matches!(step.a.amount, Amount::Q { q: own, negative: false } if own == q);
+        let Amount::Number(by) = step.b.as_ref().filter(|_| reads)?.amount else { return None };
+        let alone = self.written.iter().filter(|own| **own == q).count() == 1;
+        match step.op {
+            FnOp::Add if alone => Some(by),
+            FnOp::Sub if alone => Some(-by),
+            _ => None,
+        }
     }
 
     /// Adds what the blocks from one to another do.

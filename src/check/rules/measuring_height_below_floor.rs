@@ -7,6 +7,7 @@
 //! value is a parameter.
 use std::collections::HashMap;
 
+use crate::check::definition::with_meaning;
 use crate::check::guards::Written;
 use crate::check::values::bits;
 use crate::check::{Definition, Facts, Rule};
@@ -47,7 +48,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     for (definition, cycle) in facts.described() {
         let written = Written::of(facts, &definition, cycle);
-        let is = |meaning: &&str| cycle.params.iter().find(|param| param.is.as_str() == *meaning);
+        let is = |meaning: &&str| with_meaning(cycle, meaning);
         let [Some(main), Some(minor), Some(height)] = MEASURED.each_ref().map(is) else { continue };
         let value = |param| written.number_of(param);
         let (Some(main), Some(minor), Some(measured)) = (value(main), value(minor), value(height)) else { continue };

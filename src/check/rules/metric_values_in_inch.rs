@@ -4,6 +4,7 @@
 //!
 //! Every block with such a feed is told, and once there is one also those whose feed is too great for a movement that
 //! cuts, of which nobody can say whether it does. Feeds that stand for rapid traverse (9998 and more) are left alone.
+use crate::check::definition::with_meaning;
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
 use crate::diag::{Arg, Diagnostic, Severity, Span};
 use crate::spec::{Cycle, Group, Quantity};
@@ -180,7 +181,7 @@ fn height_of(form: &BlkForm, lowest: &mut Option<(Axis, f64)>) -> Option<f64> {
 
 /// The depth of a cycle, if it is several times the height of the blank.
 fn too_deep(cycle: &Cycle, written: &CycleDef, height: f64) -> Option<(Span, f64)> {
-    let depth = cycle.params.iter().find(|param| param.is.as_str() == DEPTH)?.q?;
+    let depth = with_meaning(cycle, DEPTH)?.q?;
     written.parameters.iter().find_map(|own| match own.value.kind {
         ValueKind::Number(number) if number.abs() > DEEPEST * height && own.q == depth => {
             Some((own.value.span, number))

@@ -3,7 +3,6 @@
 //! Header files of other languages end with `.h`, too. What cannot be read in such a file is not told one by one.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "not-a-program", severity: Severity::Warning, run };
 
@@ -17,7 +16,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut all, mut unread) = (0, 0);
     for block in facts.acting() {
         all += 1;
-        unread += usize::from(matches!(block.kind, BlockKind::Unknown(_)));
+        unread += usize::from(block.is_unread());
     }
     if all < LEAST || unread * 2 <= all || facts.unread("BEGIN") || facts.unread("END") || facts.unread("%") {
         return;

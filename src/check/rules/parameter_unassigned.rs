@@ -44,12 +44,7 @@ fn foreign(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
         own.torn || matches!(own.known, Known::Builders) || own.key.keyword == Keyword::TchProbe && own.kin().is_none()
     };
     let statement = || facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::Statement(_)));
-    if facts.flow.programs
-        || facts.flow.unread.assignments
-        || facts.flow.unread.anything
-        || facts.definitions.iter().any(unclear)
-        || statement()
-    {
+    if facts.flow.programs || facts.flow.unread.may_assign() || facts.definitions.iter().any(unclear) || statement() {
         return Vec::new();
     }
     let mut known: BTreeSet<QRef> = BTreeSet::new();
@@ -84,7 +79,7 @@ fn foreign(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
 
 /// The results that are read before the cycle that has them, in a program that goes straight on.
 fn early(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
-    if facts.flow.jumps || facts.flow.programs || facts.flow.unread.assignments || facts.flow.unread.anything {
+    if facts.flow.jumps || facts.flow.programs || facts.flow.unread.may_assign() {
         return Vec::new();
     }
     let mut results: BTreeMap<QRef, usize> = BTreeMap::new();

@@ -22,7 +22,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
     }
     let started = facts.run.before(0).is_some_and(|modal| modal.is(Aspect::Pole) == Tri::No);
-    if !started || facts.flow.programs || facts.flow.unread.movements || facts.flow.unread.anything {
+    if !started || facts.flow.programs || facts.flow.unread.may_move() {
         return;
     }
     // Only programs with contours are looked through.

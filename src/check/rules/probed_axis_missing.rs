@@ -17,10 +17,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // The parameters of a cycle of another form need not be read.
     let of_lines = facts.definitions.iter().filter(|own| matches!(own.view.form, CycleForm::Lines(_)));
     for definition in of_lines.filter(|own| own.cycle().is_some()).map(|own| facts.read(own)) {
-        let item = |meaning: &str| {
-            definition.items.iter().find(|item| item.param.is_some_and(|own| own.is.as_str() == meaning))
-        };
-        let (Some(direction), Some(position)) = (item(DIRECTION), item(POSITION)) else { continue };
+        let written = definition.item(DIRECTION).zip(definition.item(POSITION));
+        let Some((direction, position)) = written else { continue };
         let Some(axis) = direction.printed.trim_end_matches(['+', '-']).chars().next() else { continue };
         // `X+5`, or `IX+5`.
         let named = |word: &str| word.trim_start_matches('I').starts_with(axis);

@@ -3,9 +3,10 @@
 //! Looked at from the beginning of a program with a box as its blank up to the first block that is no plain movement,
 //! tool call or M function: what has cut or moved the coordinates then is not known. The place in the plane must be
 //! known and lie inside of the blank with its edges left out. Said once a program.
+use crate::check::contours::moved;
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
-use crate::syntax::{Amount, Axis, BlkForm, Block, BlockKind, Motion, Path};
+use crate::syntax::{Amount, Axis, BlkForm, Block, BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "rapid-into-blank", severity: Severity::Warning, run };
 
@@ -49,7 +50,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let words = motion.words();
         let [Some(first), Some(second)] = corners else { return };
         let Some(blank) = Blank::of(first, second).filter(|_| tool) else { return };
-        let Some(to) = moved(&words, at) else { return };
+        if words.coords.iter().any(|coord| !AXES.contains(&coord.axis)) {
+            return;
+        }
+        let Some(to) = moved(&words, AXES, at) else { return };
         // A movement at feed may have cut.
         if !motion.outline().is_rapid() {
             return;
@@ -70,20 +74,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// Whether a block has no M functions but those of the spindle and the coolant.
 fn is_plain(facts: &Facts<'_>, block: &Block) -> bool {
     facts.functions(block).iter().all(|own| matches!(own.number, 3..=5 | 7..=9 | 13 | 14))
-}
-
-/// Where a straight line leads; nothing if it moves anything else than the three axes.
-fn moved(words: &Motion, from: [Option<f64>; 3]) -> Option<[Option<f64>; 3]> {
-    let mut to = from;
-    for coord in &words.coords {
-        let place = AXES.iter().position(|axis| *axis == coord.axis)?;
-        to[place] = match coord.value.amount {
-            Amount::Number(number) if coord.incremental => from[place].map(|from| from + number),
-            Amount::Number(number) => Some(number),
-            Amount::Q { .. } | Amount::Text(_) => None,
-        };
-    }
-    Some(to)
 }
 
 impl Blank {

@@ -27,7 +27,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         // What a block that cannot be read ends may be come to all the same.
-        told |= from.checked_sub(1).and_then(|at| blocks.get(at)).is_some_and(is_unread);
+        told |= from.checked_sub(1).and_then(|at| blocks.get(at)).is_some_and(Block::is_unread);
         for block in blocks.get(from..to).unwrap_or_default() {
             ended |= matches!(block.kind, BlockKind::EndPgm(_));
             if ended {
@@ -76,8 +76,4 @@ fn behind_parts(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
         }
     }
-}
-
-fn is_unread(block: &Block) -> bool {
-    matches!(block.kind, BlockKind::Unknown(_))
 }

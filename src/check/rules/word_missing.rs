@@ -66,7 +66,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             BlockKind::Statement(own)
                 if own.kind == StatementKind::DeclareContour
                     && own.words.is_empty()
-                    && facts.program.blocks().get(index + 1).is_some_and(is_unread) => {}
+                    && facts.program.blocks().get(index + 1).is_some_and(Block::is_unread) => {}
             BlockKind::PatternDef(own) => {
                 for (span, word) in patterns(facts, own) {
                     tell(span, word);
@@ -105,10 +105,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             tell(ending.span(), &word);
         }
     }
-}
-
-fn is_unread(block: &Block) -> bool {
-    matches!(block.kind, BlockKind::Unknown(_))
 }
 
 /// The words that the file of the language asks for.

@@ -164,7 +164,7 @@ impl<'r> Reader<'r> {
     }
 
     /// A value must measure that.
-    fn expect(&mut self, formula: &Formula, wanted: Quantity) -> Measure {
+    fn claim(&mut self, formula: &Formula, wanted: Quantity) -> Measure {
         let measure = self.formula(formula);
         self.demand(&formula.expr, &formula.place, measure, wanted);
         measure
@@ -265,7 +265,7 @@ impl<'r> Reader<'r> {
                 "count" | "of" => Quantity::Count,
                 _ => Quantity::Length,
             };
-            let measure = self.expect(formula, wanted);
+            let measure = self.claim(formula, wanted);
             match name.as_str() {
                 "from" | "to" if infeeds && measure.reference == Some(Reference::Incremental) => {
                     self.report(&formula.place, &formula.expr, "distance-as-coordinate");
@@ -288,7 +288,7 @@ impl<'r> Reader<'r> {
             self.formula(when);
         }
         if let Some(at) = &action.at {
-            self.expect(at, Quantity::Feed);
+            self.claim(at, Quantity::Feed);
         }
         match (action.verb, &action.argument) {
             (Verb::Let, Argument::Many(entries)) => {
@@ -439,7 +439,7 @@ impl<'r> Reader<'r> {
         let parameters = known.map_or(&[][..], Strategy::parameters);
         for (name, formula) in &action.with.0 {
             match parameters.iter().find(|parameter| parameter.name == name.as_str()) {
-                Some(parameter) => self.expect(formula, parameter.quantity),
+                Some(parameter) => self.claim(formula, parameter.quantity),
                 None => self.formula(formula),
             };
         }
