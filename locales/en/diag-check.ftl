@@ -341,6 +341,7 @@ diag-turning-feed-unit =
        *[minute] { $parameter }={ $value } is a feed for a minute here, as M136 is not active.
     }
 diag-turning-system-missing = { $cycle } is called here, but since the tool call { $aligning } has not been defined.
+diag-two-signs = Two signs stand before the number; they are read as { $right }.
 diag-unknown-cycle = { $cycle } is a cycle of no control known here.
 diag-unknown-parameter = { $cycle } has no { $parameter } on this control.
 diag-unlike-elsewhere =

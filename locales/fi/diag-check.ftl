@@ -340,6 +340,7 @@ diag-turning-feed-unit =
        *[minute] { $parameter }={ $value } on tässä syöttöarvo minuutissa, koska M136 ei ole voimassa.
     }
 diag-turning-system-missing = { $cycle } kutsutaan tässä, mutta työkierto { $aligning } on määrittelemättä työkalukutsun jälkeen.
+diag-two-signs = Luvun edessä on kaksi etumerkkiä; ne luetaan merkkinä { $right }.
 diag-unknown-cycle = { $cycle } ei ole minkään tässä tunnetun ohjauksen työkierto.
 diag-unknown-parameter = Työkierrossa { $cycle } ei ole tässä ohjauksessa parametria { $parameter }.
 diag-unlike-elsewhere =

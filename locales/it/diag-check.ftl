@@ -340,6 +340,7 @@ diag-turning-feed-unit =
        *[minute] { $parameter }={ $value } è qui un avanzamento al minuto, perché M136 non è attivo.
     }
 diag-turning-system-missing = Qui viene chiamato { $cycle }, ma dopo la chiamata utensile { $aligning } non è stato definito.
+diag-two-signs = Davanti al numero ci sono due segni; vengono letti come { $right }.
 diag-unknown-cycle = { $cycle } non è un ciclo di alcun controllo qui noto.
 diag-unknown-parameter = Su questo controllo { $cycle } non ha il parametro { $parameter }.
 diag-unlike-elsewhere =

@@ -340,6 +340,7 @@ diag-turning-feed-unit =
        *[minute] { $parameter }={ $value } é aqui um avanço por minuto, porque M136 não está ativo.
     }
 diag-turning-system-missing = { $cycle } é chamado aqui, mas depois da chamada da ferramenta { $aligning } não foi definido.
+diag-two-signs = Antes do número há dois sinais; são lidos como { $right }.
 diag-unknown-cycle = { $cycle } não é um ciclo de nenhum comando aqui conhecido.
 diag-unknown-parameter = Neste comando, { $cycle } não tem o parâmetro { $parameter }.
 diag-unlike-elsewhere =

@@ -342,6 +342,7 @@ diag-turning-feed-unit =
        *[minute] { $parameter }={ $value } je tu pomik na minuto, ker M136 ni aktiven.
     }
 diag-turning-system-missing = { $cycle } se tu prikliče, od priklica orodja naprej pa { $aligning } ni bil definiran.
+diag-two-signs = Pred številom sta dva predznaka; bereta se kot { $right }.
 diag-unknown-cycle = { $cycle } ni cikel nobenega od znanih krmiljenj.
 diag-unknown-parameter = Cikel { $cycle } na tem krmiljenju nima parametra { $parameter }.
 diag-unlike-elsewhere =

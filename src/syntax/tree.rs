@@ -67,6 +67,11 @@ impl Block {
         matches!(&self.kind, BlockKind::Iso(own) if matches!(own.kind, IsoKind::Blend(_)))
     }
 
+    /// Whether it gives a centre or pole: `CC`, `FPOL`.
+    pub fn sets_pole(&self) -> bool {
+        matches!(&self.kind, BlockKind::Motion(motion) if matches!(motion.path(), Path::Cc | Path::Fpol))
+    }
+
     /// Whether it ends a subprogram: `LBL 0`.
     pub fn ends_subprogram(&self) -> bool {
         matches!(&self.kind, BlockKind::Lbl(label) if label.target == Label::END)

@@ -94,6 +94,9 @@ fn selections<'f>(facts: &Facts<'f>) -> Vec<(&'f Block, &'static str)> {
 /// Whether contours are determined, have a pole if they need one, and begin where they can.
 fn determined(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let blocks = facts.program.blocks();
+    // A contour that a cycle reads is on no way of the run.
+    let closed = facts.begins() && !facts.flow.programs && !facts.flow.unread.may_move();
+    let nowhere = closed && !blocks.iter().any(Block::sets_pole);
     let mut done = 0;
     for (first, block) in facts.shaped() {
         if first < done || open(block).is_none() {
@@ -114,7 +117,7 @@ fn determined(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                         balance.add(open, known(facts, &words), ends_known(&words));
                         last = block;
                         let pole = facts.run.before(done).map(|modal| modal.is(Aspect::Pole));
-                        if pole == Some(Tri::No) && is_polar(facts, &words) {
+                        if (nowhere || pole == Some(Tri::No)) && is_polar(facts, &words) {
                             found.push(rule.at(facts, facts.content(block)).arg("what", "pole"));
                         }
                     }

@@ -126,6 +126,7 @@ mod transformation_forbidden;
 mod transformation_left_on;
 mod turning_feed_unit;
 mod turning_system_missing;
+mod two_signs;
 mod unknown_cycle;
 mod unknown_parameter;
 mod unlike_elsewhere;
@@ -269,6 +270,7 @@ pub const RULES: &[&Rule] = &[
     &transformation_left_on::RULE,
     &turning_feed_unit::RULE,
     &turning_system_missing::RULE,
+    &two_signs::RULE,
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,
     &unlike_elsewhere::RULE,

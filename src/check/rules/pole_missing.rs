@@ -31,7 +31,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     contours.sort_unstable();
-    let sets = facts.program.blocks().iter().any(is_pole);
+    let sets = facts.program.blocks().iter().any(Block::sets_pole);
     // Labels without an end between them are followed by the same.
     let mut last: Option<(usize, Option<&Block>)> = None;
     for at in contours {
@@ -54,10 +54,6 @@ fn turns(block: &Block) -> bool {
     }
 }
 
-fn is_pole(block: &Block) -> bool {
-    matches!(&block.kind, BlockKind::Motion(motion) if matches!(motion.path(), Path::Cc | Path::Fpol))
-}
-
 /// The blocks of the labels that only cycles read.
 fn contours(facts: &Facts<'_>) -> Vec<usize> {
     let graph = &facts.run.graph;
@@ -76,7 +72,7 @@ fn unset<'f>(facts: &'f Facts<'_>, label: usize) -> (usize, Option<&'f Block>) {
     for (at, block) in blocks.iter().enumerate().skip(label + 1) {
         match &block.kind {
             BlockKind::CallLbl(_) | BlockKind::FnJump(_) => return (at, None),
-            _ if is_pole(block) || block.ends_subprogram() || facts.ends(block) => return (at, None),
+            _ if block.sets_pole() || block.ends_subprogram() || facts.ends(block) => return (at, None),
             _ if turns(block) => return (at, Some(block)),
             _ => {}
         }
