@@ -153,6 +153,7 @@ diag-iso-incomplete =
         [value] a letter has no value
         [label] the label is missing (L)
         [radius] the radius or length is missing (R)
+        [cycle] the words of the cycle are missing (P01, P02, …)
        *[operand] an operand or the label of a jump is missing (P01, P02, P03)
     }.
 diag-label-duplicate = The label { $label } is set a second time here.
@@ -176,7 +177,11 @@ diag-metric-values-in-inch = The program is in inches, and { $value } looks like
 diag-mirror-of-tool-axis = The tool axis { $axis } cannot be mirrored.
 diag-misordered-parameter = In { $cycle } the control shows { $parameter } before { $before }.
 diag-missing-parameter = { $cycle } lacks { $parameter }.
-diag-modal-call-left-on = M89 still calls the cycle in this block, so that the tool machines the last position once more.
+diag-modal-call-left-on =
+    M89 still calls the cycle in this block, { $what ->
+        [beside] which moves to a place beside the blank
+       *[again] so that the tool machines the last position once more
+    }.
 diag-mode-wrong =
     { $what ->
         [milling] { $cycle } mills or drills, but FUNCTION MODE TURN is active here.
@@ -230,6 +235,7 @@ diag-pattern-wrong =
        *[diameter] The diameter { $word } of a circle of positions is greater than 0.
     }
 diag-plane-incomplete = This PLANE lacks { $word }.
+diag-plane-not-positioned = STAY leaves the rotary axes where they are, and no block of the program moves one to the angles of this plane.
 diag-plane-not-reset = The program ends here with a tilted working plane.
 diag-position-after-contour = This is the first position behind { $cycle }, and it does not name both coordinates of the plane absolutely.
 diag-probe-while-turning = { $cycle } probes here while the spindle turns.
@@ -275,6 +281,7 @@ diag-subprogram-end-alone = This LBL 0 ends no subprogram.
 diag-subprogram-recursive = The subprogram { $label } calls itself here.
 diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: no LBL 0 stands between them.
 diag-subprogram-without-end = The subprogram { $label } comes to the end of the program without LBL 0.
+diag-table-selected-late = The datum shift before took its row from another table: SEL TABLE is to stand before it.
 diag-tcpm-left-on =
     { $what ->
         [tool] A tool is called here while M128 or FUNCTION TCPM is active.
@@ -316,7 +323,7 @@ diag-tool-unused = The tool { $tool } is called here and changed for another one
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } has read { $parameter } when it was defined: what is written here does not change its call.
-        [lost] { $cycle } writes over { $parameter } here, which the program has written before and reads later.
+        [lost] { $cycle } writes over { $parameter } before the program reads what is written here.
        *[call] { $parameter } belongs to { $cycle }, which is called later: the call takes the value that is written here.
     }
 diag-transformation-forbidden =

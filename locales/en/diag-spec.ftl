@@ -60,6 +60,7 @@ diag-spec-yaml-syntax = Not YAML: { $reason }.
 related-first-place = the first one is here
 related-other-place = the other one is here
 related-defined-here = it is defined here
+related-written-over-here = written over here
 related-for-this-control = it is written for this control
 diag-spec-measure = In { $cycle } { $reason ->
         [different-quantities] two quantities are added or compared that are not of the same kind

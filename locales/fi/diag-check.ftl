@@ -153,6 +153,7 @@ diag-iso-incomplete =
         [value] kirjaimella ei ole arvoa
         [label] label puuttuu (L)
         [radius] säde tai pituus puuttuu (R)
+        [cycle] työkierron sanat puuttuvat (P01, P02, …)
        *[operand] laskettava arvo tai hypyn label puuttuu (P01, P02, P03)
     }.
 diag-label-duplicate = Label { $label } asetetaan tässä toisen kerran.
@@ -176,7 +177,11 @@ diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää milli
 diag-mirror-of-tool-axis = Työkaluakselia { $axis } ei voi peilata.
 diag-misordered-parameter = Työkierrossa { $cycle } ohjaus näyttää parametrin { $parameter } ennen parametria { $before }.
 diag-missing-parameter = Työkierrosta { $cycle } puuttuu { $parameter }.
-diag-modal-call-left-on = M89 kutsuu työkiertoa vielä tässä lauseessa, joten työkalu koneistaa viimeisen aseman uudelleen.
+diag-modal-call-left-on =
+    M89 kutsuu työkiertoa vielä tässä lauseessa, { $what ->
+        [beside] joka ajaa aihion viereen
+       *[again] joten työkalu koneistaa viimeisen aseman uudelleen
+    }.
 diag-mode-wrong =
     { $what ->
         [milling] { $cycle } jyrsii tai poraa, mutta tässä on voimassa FUNCTION MODE TURN.
@@ -230,6 +235,7 @@ diag-pattern-wrong =
        *[diameter] Paikkojen ympyrän halkaisija { $word } on suurempi kuin 0.
     }
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
+diag-plane-not-positioned = STAY jättää kiertoakselit paikoilleen, eikä mikään ohjelman lause aja niitä tämän tason kulmiin.
 diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
 diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, eikä se nimeä tason molempia koordinaatteja absoluuttisina.
 diag-probe-while-turning = { $cycle } koskettaa tässä karan pyöriessä.
@@ -274,6 +280,7 @@ diag-subprogram-end-alone = Tämä LBL 0 ei päätä mitään aliohjelmaa.
 diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
 diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
 diag-subprogram-without-end = Aliohjelma { $label } päätyy ohjelman loppuun ilman LBL 0 -lausetta.
+diag-table-selected-late = Edeltävä nollapisteen siirto otti rivinsä toisesta taulukosta: SEL TABLE kuuluu sen edelle.
 diag-tcpm-left-on =
     { $what ->
         [tool] Tässä kutsutaan työkalua, kun M128 tai FUNCTION TCPM on voimassa.
@@ -315,7 +322,7 @@ diag-tool-unused = Työkalu { $tool } kutsutaan tässä ja vaihdetaan heti toise
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } on lukenut parametrin { $parameter } määriteltäessä: tässä kirjoitettava arvo ei muuta sen kutsua.
-        [lost] { $cycle } kirjoittaa tässä parametrin { $parameter } päälle, johon ohjelma on kirjoittanut aiemmin ja jonka se lukee myöhemmin.
+        [lost] { $cycle } kirjoittaa parametrin { $parameter } päälle, ennen kuin ohjelma lukee tässä kirjoitetun arvon.
        *[call] { $parameter } kuuluu työkiertoon { $cycle }, jota kutsutaan myöhemmin: kutsu käyttää tässä kirjoitettavaa arvoa.
     }
 diag-transformation-forbidden =

@@ -60,6 +60,7 @@ diag-spec-yaml-syntax = Tämä ei ole YAML-muotoa: { $reason }.
 related-first-place = ensimmäinen on tässä
 related-other-place = toinen on tässä
 related-defined-here = se on määritelty tässä
+related-written-over-here = päälle kirjoitetaan tässä
 related-for-this-control = se kirjoitetaan tälle ohjaukselle
 diag-spec-measure = Työkierrossa { $cycle } { $reason ->
         [different-quantities] lasketaan yhteen tai verrataan kahta suuretta, jotka eivät ole samaa lajia

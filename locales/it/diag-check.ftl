@@ -153,6 +153,7 @@ diag-iso-incomplete =
         [value] una lettera è senza valore
         [label] manca il label (L)
         [radius] manca il raggio o la lunghezza (R)
+        [cycle] mancano le parole del ciclo (P01, P02, …)
        *[operand] manca un operando o il label di un salto (P01, P02, P03)
     }.
 diag-label-duplicate = Il label { $label } viene impostato qui per la seconda volta.
@@ -176,7 +177,11 @@ diag-metric-values-in-inch = Il programma è in pollici e { $value } sembra espr
 diag-mirror-of-tool-axis = L’asse utensile { $axis } non si può specchiare.
 diag-misordered-parameter = In { $cycle } il controllo visualizza { $parameter } prima di { $before }.
 diag-missing-parameter = In { $cycle } manca { $parameter }.
-diag-modal-call-left-on = M89 chiama ancora il ciclo in questo blocco: l’utensile lavora un’altra volta l’ultima posizione.
+diag-modal-call-left-on =
+    { $what ->
+        [beside] M89 chiama ancora il ciclo in questo blocco, che porta accanto al pezzo grezzo.
+       *[again] M89 chiama ancora il ciclo in questo blocco: l’utensile lavora un’altra volta l’ultima posizione.
+    }
 diag-mode-wrong =
     { $what ->
         [milling] { $cycle } fresa o fora, ma qui è attivo FUNCTION MODE TURN.
@@ -230,6 +235,7 @@ diag-pattern-wrong =
        *[diameter] Il diametro { $word } di un cerchio di posizioni è maggiore di 0.
     }
 diag-plane-incomplete = In questo PLANE manca { $word }.
+diag-plane-not-positioned = STAY lascia gli assi rotativi dove sono e nessun blocco del programma li porta agli angoli di questo piano.
 diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
 diag-position-after-contour = Questa è la prima posizione dopo { $cycle } e non indica in assoluto entrambe le coordinate del piano.
 diag-probe-while-turning = { $cycle } tasta qui mentre il mandrino gira.
@@ -274,6 +280,7 @@ diag-subprogram-end-alone = Questo LBL 0 non termina alcun sottoprogramma.
 diag-subprogram-recursive = Il sottoprogramma { $label } chiama qui sé stesso.
 diag-subprogram-runs-on = Il sottoprogramma { $label } prosegue nel sottoprogramma { $next }: tra i due non c’è LBL 0.
 diag-subprogram-without-end = Il sottoprogramma { $label } arriva alla fine del programma senza LBL 0.
+diag-table-selected-late = Lo spostamento origine precedente ha preso la sua riga da un’altra tabella: SEL TABLE deve precederlo.
 diag-tcpm-left-on =
     { $what ->
         [tool] Qui si chiama un utensile con M128 o FUNCTION TCPM attivo.
@@ -315,7 +322,7 @@ diag-tool-unused = L’utensile { $tool } viene chiamato qui e subito cambiato c
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } ha letto { $parameter } alla definizione: ciò che si scrive qui non modifica la sua chiamata.
-        [lost] { $cycle } sovrascrive qui { $parameter }, che il programma ha scritto prima e legge più avanti.
+        [lost] { $cycle } sovrascrive { $parameter } prima che il programma legga ciò che si scrive qui.
        *[call] { $parameter } appartiene a { $cycle }, che viene chiamato più avanti: la chiamata usa il valore scritto qui.
     }
 diag-transformation-forbidden =

@@ -60,6 +60,7 @@ diag-spec-yaml-syntax = Non è YAML: { $reason }.
 related-first-place = la prima occorrenza è qui
 related-other-place = l’altro è qui
 related-defined-here = è definito qui
+related-written-over-here = sovrascritto qui
 related-for-this-control = viene scritto per questo controllo
 diag-spec-measure = In { $cycle } { $reason ->
         [different-quantities] vengono sommate o confrontate due grandezze di natura diversa

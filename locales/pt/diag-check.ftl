@@ -153,6 +153,7 @@ diag-iso-incomplete =
         [value] uma letra não tem valor
         [label] falta o label (L)
         [radius] falta o raio ou o comprimento (R)
+        [cycle] faltam as palavras do ciclo (P01, P02, …)
        *[operand] falta um operando ou o label de um salto (P01, P02, P03)
     }.
 diag-label-duplicate = O label { $label } é definido aqui pela segunda vez.
@@ -176,7 +177,11 @@ diag-metric-values-in-inch = O programa está em polegadas e { $value } parece e
 diag-mirror-of-tool-axis = O eixo da ferramenta { $axis } não pode ser espelhado.
 diag-misordered-parameter = Em { $cycle }, o comando visualiza { $parameter } antes de { $before }.
 diag-missing-parameter = Em { $cycle } falta { $parameter }.
-diag-modal-call-left-on = M89 ainda chama o ciclo nesta frase, pelo que a ferramenta maquina mais uma vez a última posição.
+diag-modal-call-left-on =
+    M89 ainda chama o ciclo nesta frase, { $what ->
+        [beside] que leva a um ponto ao lado do bloco
+       *[again] pelo que a ferramenta maquina mais uma vez a última posição
+    }.
 diag-mode-wrong =
     { $what ->
         [milling] { $cycle } fresa ou fura, mas aqui está ativo FUNCTION MODE TURN.
@@ -230,6 +235,7 @@ diag-pattern-wrong =
        *[diameter] O diâmetro { $word } de um círculo de posições é maior que 0.
     }
 diag-plane-incomplete = Neste PLANE falta { $word }.
+diag-plane-not-positioned = STAY deixa os eixos rotativos onde estão e nenhuma frase do programa os leva aos ângulos deste plano.
 diag-plane-not-reset = O programa termina aqui com o plano de maquinação inclinado.
 diag-position-after-contour = Esta é a primeira posição depois de { $cycle } e não indica ambas as coordenadas do plano em absoluto.
 diag-probe-while-turning = { $cycle } apalpa aqui com o cabeçote a rodar.
@@ -274,6 +280,7 @@ diag-subprogram-end-alone = Este LBL 0 não termina nenhum subprograma.
 diag-subprogram-recursive = O subprograma { $label } chama-se aqui a si próprio.
 diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subprograma { $next }: entre eles não há LBL 0.
 diag-subprogram-without-end = O subprograma { $label } chega ao fim do programa sem LBL 0.
+diag-table-selected-late = A deslocação do ponto zero anterior tirou a sua linha de outra tabela: SEL TABLE tem de ficar antes dela.
 diag-tcpm-left-on =
     { $what ->
         [tool] Chama-se aqui uma ferramenta com M128 ou FUNCTION TCPM ativo.
@@ -315,7 +322,7 @@ diag-tool-unused = A ferramenta { $tool } é chamada aqui e logo trocada por out
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } leu { $parameter } na definição: o que aqui se escreve não altera a sua chamada.
-        [lost] { $cycle } escreve aqui por cima de { $parameter }, que o programa escreveu antes e lê mais adiante.
+        [lost] { $cycle } escreve por cima de { $parameter } antes de o programa ler o que aqui se escreve.
        *[call] { $parameter } pertence a { $cycle }, que é chamado mais adiante: a chamada usa o valor aqui escrito.
     }
 diag-transformation-forbidden =

@@ -60,6 +60,7 @@ diag-spec-yaml-syntax = Isto não é YAML: { $reason }.
 related-first-place = o primeiro está aqui
 related-other-place = o outro está aqui
 related-defined-here = está definido aqui
+related-written-over-here = escrito por cima aqui
 related-for-this-control = é escrito para este comando
 diag-spec-measure = Em { $cycle }, { $reason ->
         [different-quantities] somam-se ou comparam-se duas grandezas que não são do mesmo tipo

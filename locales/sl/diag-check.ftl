@@ -153,6 +153,7 @@ diag-iso-incomplete =
         [value] črka nima vrednosti
         [label] manjka oznaka (L)
         [radius] manjka polmer ali dolžina (R)
+        [cycle] manjkajo besede cikla (P01, P02, …)
        *[operand] manjka operand ali oznaka skoka (P01, P02, P03)
     }.
 diag-label-duplicate = Oznaka LBL { $label } je tu postavljena drugič.
@@ -178,7 +179,11 @@ diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vr
 diag-mirror-of-tool-axis = Orodne osi { $axis } ni mogoče zrcaliti.
 diag-misordered-parameter = V ciklu { $cycle } krmiljenje prikaže { $parameter } pred { $before }.
 diag-missing-parameter = V ciklu { $cycle } manjka { $parameter }.
-diag-modal-call-left-on = M89 v tem stavku še vedno prikliče cikel, zato orodje zadnji položaj obdela še enkrat.
+diag-modal-call-left-on =
+    M89 v tem stavku še vedno prikliče cikel, { $what ->
+        [beside] čeprav vodi na mesto ob surovcu
+       *[again] zato orodje zadnji položaj obdela še enkrat
+    }.
 diag-mode-wrong =
     { $what ->
         [milling] { $cycle } rezka ali vrta, tu pa je aktiven FUNCTION MODE TURN.
@@ -232,6 +237,7 @@ diag-pattern-wrong =
        *[diameter] Premer { $word } kroga položajev je večji od 0.
     }
 diag-plane-incomplete = V tem stavku PLANE manjka { $word }.
+diag-plane-not-positioned = STAY pusti rotacijske osi, kjer so, in noben stavek programa jih ne premakne na kote te ravnine.
 diag-plane-not-reset = Program se tu konča z zavrteno obdelovalno ravnino.
 diag-position-after-contour = To je prvi položaj za ciklom { $cycle } in ne navede obeh koordinat ravnine absolutno.
 diag-probe-while-turning = { $cycle } tu tipa, medtem ko se vreteno vrti.
@@ -276,6 +282,7 @@ diag-subprogram-end-alone = Ta LBL 0 ne konča nobenega podprograma.
 diag-subprogram-recursive = Podprogram { $label } tu prikliče samega sebe.
 diag-subprogram-runs-on = Podprogram { $label } se nadaljuje v podprogram { $next }: med njima ni LBL 0.
 diag-subprogram-without-end = Podprogram { $label } pride do konca programa brez LBL 0.
+diag-table-selected-late = Prejšnji zamik ničelne točke je svojo vrstico vzel iz druge preglednice: SEL TABLE mora stati pred njim.
 diag-tcpm-left-on =
     { $what ->
         [tool] Tu se prikliče orodje, medtem ko je aktiven M128 ali FUNCTION TCPM.
@@ -317,7 +324,7 @@ diag-tool-unused = Orodje { $tool } se tu prikliče in takoj zamenja z drugim.
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } je parameter { $parameter } prebral ob definiciji: kar je zapisano tu, njegovega priklica ne spremeni.
-        [lost] { $cycle } tu prepiše parameter { $parameter }, v katerega je program že pisal in ga pozneje bere.
+        [lost] { $cycle } prepiše parameter { $parameter }, preden program prebere, kar se tu zapiše.
        *[call] { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic uporabi tu zapisano vrednost.
     }
 diag-transformation-forbidden =

@@ -60,6 +60,7 @@ diag-spec-yaml-syntax = To ni YAML: { $reason }.
 related-first-place = prvi je tukaj
 related-other-place = drugi je tukaj
 related-defined-here = definirano je tukaj
+related-written-over-here = prepisano je tukaj
 related-for-this-control = zapiše se za to krmiljenje
 diag-spec-measure = V ciklu { $cycle } { $reason ->
         [different-quantities] se seštevata ali primerjata količini različnih vrst

@@ -278,13 +278,32 @@ impl<'a> Facts<'a> {
     /// The same with room that was used before; what it holds is let go.
     pub(super) fn read_into<'d>(&'d self, room: Vec<Item<'d>>, definition: &'d Defined<'a>) -> Definition<'d> {
         let mut read = Definition::begun(room, self.program, definition);
+        self.fill(&mut read, None);
+        read
+    }
+
+    /// Gives a definition its values on one of the passes of a loop.
+    pub(super) fn read_pass(&self, definition: &mut Definition<'_>, pass: usize) {
+        self.fill(definition, Some(pass));
+    }
+
+    fn fill(&self, read: &mut Definition<'_>, pass: Option<usize>) {
         for item in &mut read.items {
             if let Some(ValueKind::Q { negative, .. }) = item.value.map(|value| value.kind) {
-                item.number = self.known_at(item.value_span, negative);
+                let passed = || pass.and_then(|pass| self.run.numbers_at(item.value_span).get(pass).copied());
+                let signed = |number: f64| if negative { -number } else { number };
+                item.number = self.known_at(item.value_span, negative).or_else(|| passed().map(signed));
             }
             item.refusal = values::refused(item, self.inch);
         }
-        read
+    }
+
+    /// How often a definition is read with other values.
+    pub(super) fn passes(&self, definition: &Definition<'_>) -> usize {
+        if !self.run.changes_numbers() {
+            return 0;
+        }
+        definition.items.iter().map(|item| self.run.numbers_at(item.value_span).len()).max().unwrap_or_default()
     }
 
     /// The number that a parameter certainly has at its place, with the sign before it.

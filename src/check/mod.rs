@@ -5,6 +5,7 @@
 //! on the run of the program (jumps, parameters calculated, machine data) keeps it silent.
 mod allow;
 mod among;
+mod blank;
 mod config;
 mod contours;
 mod definition;
@@ -93,9 +94,19 @@ fn found_in(facts: &Facts<'_>) -> Vec<Diagnostic> {
     // The room of one definition's values serves the next.
     let mut room = Vec::new();
     for definition in &facts.definitions {
-        let definition = facts.read_into(room, definition);
-        for (rule, each) in rules::OF_DEFINITIONS {
-            each(rule, facts, &definition, &mut found);
+        let mut definition = facts.read_into(room, definition);
+        let first = found.len();
+        look_at(facts, &definition, &mut found);
+        // What is found on a pass of a loop is told once.
+        for pass in 0..facts.passes(&definition) {
+            let told = found.len();
+            facts.read_pass(&mut definition, pass);
+            look_at(facts, &definition, &mut found);
+            let mut own = found.split_off(told);
+            let before = found.get(first..).unwrap_or_default();
+            let place = |own: &Diagnostic| (own.code, own.place.as_ref().map(|place| place.span.start));
+            own.retain(|own| before.iter().all(|before| place(before) != place(own)));
+            found.append(&mut own);
         }
         room = definition.items;
     }
@@ -104,6 +115,13 @@ fn found_in(facts: &Facts<'_>) -> Vec<Diagnostic> {
     let place = |own: &Diagnostic| own.place.as_ref().map(|place| (place.span.start, place.span.end));
     found.sort_by(|one, other| place(one).cmp(&place(other)).then_with(|| rank(one.code).cmp(&rank(other.code))));
     found
+}
+
+/// Lets the rules for definitions look at one.
+fn look_at(facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
+    for (rule, each) in rules::OF_DEFINITIONS {
+        each(rule, facts, definition, found);
+    }
 }
 
 /// Where findings of a code stand among those at the same place.

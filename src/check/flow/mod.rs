@@ -58,6 +58,8 @@ pub struct Run {
     pub(super) odd: Vec<Span>,
     /// Numbers of the parameters that definitions read, by the place of the value.
     numbers: BTreeMap<usize, f64>,
+    /// Those that a parameter has one after the other where a block is passed several times, by the place of the value.
+    passes: BTreeMap<usize, Vec<f64>>,
     /// Where the program ends, with the state there.
     pub ends: Vec<(usize, Modal)>,
     /// The blocks behind a label, a call or a jump that the main part comes to, without being called.
@@ -130,6 +132,16 @@ impl Run {
     /// The number of a parameter that a definition reads there.
     pub fn number_at(&self, place: Span) -> Option<f64> {
         self.numbers.get(&place.start).copied()
+    }
+
+    /// The numbers of a parameter that a definition reads there with another one each time, pass by pass.
+    pub fn numbers_at(&self, place: Span) -> &[f64] {
+        self.passes.get(&place.start).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// Whether anything is read with different numbers.
+    pub fn changes_numbers(&self) -> bool {
+        !self.passes.is_empty()
     }
 }
 

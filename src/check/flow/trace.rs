@@ -11,9 +11,37 @@ use crate::syntax::BlockKind;
 /// How many blocks it goes beyond four times those of the program.
 const PATIENCE: usize = 20_000;
 
-/// The numbers that blocks read, by the place of the value; nothing of those that are read with several.
-pub(super) fn numbers(steps: &Steps<'_, '_>, graph: &Graph, mut state: State) -> BTreeMap<usize, Option<f64>> {
-    let mut found = BTreeMap::new();
+/// So many passes are told apart; of more the last one stands for those behind.
+const PASSES: usize = 16;
+
+/// The numbers with which a value is read, pass by pass: there is one at least.
+#[derive(Debug)]
+pub(super) struct Passes(Vec<Option<f64>>);
+
+impl Passes {
+    /// The number, if it is known and the same each time.
+    pub(super) fn only(&self) -> Option<f64> {
+        let first = *self.0.first()?;
+        first.filter(|_| self.0.iter().all(|own| *own == first))
+    }
+
+    /// The numbers, if all are known and not all are the same.
+    pub(super) fn several(self) -> Option<Vec<f64>> {
+        if self.only().is_some() { None } else { self.0.into_iter().collect() }
+    }
+
+    fn add(&mut self, number: Option<f64>) {
+        if self.0.len() < PASSES {
+            self.0.push(number);
+        } else if let Some(last) = self.0.last_mut() {
+            *last = number;
+        }
+    }
+}
+
+/// The numbers that blocks read, by the place of the value.
+pub(super) fn numbers(steps: &Steps<'_, '_>, graph: &Graph, mut state: State) -> BTreeMap<usize, Passes> {
+    let mut found: BTreeMap<usize, Passes> = BTreeMap::new();
     // Without a loop or a jump all of that is known.
     if !graph.uses.iter().any(|own| matches!(own.way, Way::Repeat | Way::Jump)) {
         return found;
@@ -32,8 +60,7 @@ pub(super) fn numbers(steps: &Steps<'_, '_>, graph: &Graph, mut state: State) ->
                 Known::Number(number) => Some(number),
                 Known::Unset | Known::Unknown => None,
             };
-            let known = found.entry(span.start).or_insert(number);
-            *known = known.filter(|known| number == Some(*known));
+            found.entry(span.start).or_insert_with(|| Passes(Vec::with_capacity(1))).add(number);
         }
         let here = index;
         index += 1;

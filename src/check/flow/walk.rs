@@ -460,9 +460,12 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             }
         }
         if let Some(state) = self.entries.get(&(0, Caller::Nobody)) {
-            for (place, number) in trace::numbers(self.steps, &self.graph, state.clone()) {
-                if let (Some(number), Entry::Vacant(entry)) = (number, run.numbers.entry(place)) {
-                    entry.insert(number);
+            for (place, passes) in trace::numbers(self.steps, &self.graph, state.clone()) {
+                if let Entry::Vacant(entry) = run.numbers.entry(place) {
+                    match passes.only() {
+                        Some(number) => drop(entry.insert(number)),
+                        None => run.passes.extend(passes.several().map(|several| (place, several))),
+                    }
                 }
             }
         }

@@ -1,8 +1,9 @@
 //! A block of DIN/ISO in which something is missing without which it means nothing: a coordinate without its value,
-//! `G98` without `L`, `G24` or `G25` without `R`, a D function without an operand or its label.
+//! `G98` without `L`, `G24` or `G25` without `R`, a D function without an operand or its label, a cycle of older software
+//! without any of its words.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, IsoBlock, IsoKind, ValueKind};
+use crate::syntax::{BlockKind, IsoBlock, IsoKind, ValueKind, is_older};
 
 pub(super) const RULE: Rule = Rule { code: "iso-incomplete", severity: Severity::Error, run };
 
@@ -31,6 +32,8 @@ fn missing(own: &IsoBlock) -> Option<&'static str> {
         IsoKind::Function(0 | 5..=7) if count < 3 => Some("operand"),
         IsoKind::Function(1..=4 | 8 | 13) if count < 4 => Some("operand"),
         IsoKind::Function(9..=12) if count < 4 => Some("operand"),
+        // Each has two words at least; an M function may stand behind the code.
+        IsoKind::Cycle(code) if is_older(code) && count < 3 => Some("cycle"),
         _ => None,
     }
 }

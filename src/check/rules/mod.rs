@@ -83,6 +83,7 @@ mod pattern_combination;
 mod pattern_missing;
 mod pattern_wrong;
 mod plane_incomplete;
+mod plane_not_positioned;
 mod plane_not_reset;
 mod pole_missing;
 mod position_after_contour;
@@ -110,6 +111,7 @@ mod subprogram_end_alone;
 mod subprogram_recursive;
 mod subprogram_runs_on;
 mod subprogram_without_end;
+mod table_selected_late;
 mod tcpm_left_on;
 mod text_for_number;
 mod text_wrong;
@@ -227,6 +229,7 @@ pub const RULES: &[&Rule] = &[
     &pattern_missing::RULE,
     &pattern_wrong::RULE,
     &plane_incomplete::RULE,
+    &plane_not_positioned::RULE,
     &plane_not_reset::RULE,
     &pole_missing::RULE,
     &position_after_contour::RULE,
@@ -254,6 +257,7 @@ pub const RULES: &[&Rule] = &[
     &subprogram_recursive::RULE,
     &subprogram_runs_on::RULE,
     &subprogram_without_end::RULE,
+    &table_selected_late::RULE,
     &tcpm_left_on::RULE,
     &text_for_number::RULE,
     &text_wrong::RULE,

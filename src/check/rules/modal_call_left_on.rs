@@ -1,9 +1,11 @@
 //! A movement along the tool axis alone while M89 still calls the cycle in every block: the tool machines the last
-//! position once more.
+//! position once more. Or one to a place beside the blank, with coordinates that nothing has moved.
 //!
 //! M99 in the block of the last position, or the definition of another cycle, ends M89 (TNC 640, 001: 1253-1258). Only
 //! said where nothing but movements stands between M89 and the movement, so that the order of the text is that of the
 //! run, and once for each M89.
+use crate::check::blank::{AXES, Blank, is_unmoved};
+use crate::check::contours::moved;
 use crate::check::facts::each_function;
 use crate::check::flow::removes_material;
 use crate::check::{Aspect, Defined, Facts, Modal, Pending, Rule, Tri};
@@ -16,7 +18,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.flow.modal {
         return;
     }
-    let mut called = false;
+    let blank = Blank::of(facts.program);
+    let (mut called, mut at) = (false, [None; 3]);
     for (index, block) in facts.program.blocks().iter().enumerate() {
         let motion = match &block.kind {
             BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) => continue,
@@ -33,6 +36,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             3..=5 | 7..=9 | 13 | 14 => {}
             _ => off = true,
         });
+        let coords = motion.words();
+        let to = moved(&coords, AXES, std::mem::take(&mut at)).unwrap_or_default();
+        at = to;
         if on || off {
             called = on && !off;
             continue;
@@ -40,10 +46,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if !called {
             continue;
         }
-        let coords = motion.words();
         let along = motion.path() == Path::L && matches!(coords.coords.as_slice(), [only] if only.axis == Axis::Z);
-        if along && facts.run.before(index).is_some_and(|modal| machines(facts, modal)) {
-            found.push(rule.at(facts, facts.content(block)));
+        let beside = |modal: &Modal| match (&blank, to) {
+            (Some(blank), [Some(x), Some(y), _]) => blank.lacks(x, y) && is_unmoved(modal),
+            _ => false,
+        };
+        let modal = facts.run.before(index).filter(|modal| machines(facts, *modal));
+        if modal.is_some_and(|modal| along || beside(&modal)) {
+            let what = if along { "again" } else { "beside" };
+            found.push(rule.at(facts, facts.content(block)).arg("what", what));
             called = false;
         }
     }

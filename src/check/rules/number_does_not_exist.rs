@@ -22,6 +22,7 @@ const FUNCTION: u16 = 999;
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let label = facts.against.on.control.greatest_label.unwrap_or(u32::MAX);
+    let mut read = Vec::new();
     for (_, block) in facts.marked() {
         let named = match &block.kind {
             BlockKind::Lbl(own) => Some(own.as_ref()),
@@ -50,15 +51,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let finding = rule.at(facts, function.span).arg("name", format!("M{}", function.number));
             found.push(finding.arg("greatest", format!("M{FUNCTION}")));
         }
-        let (target, span) = match &block.kind {
-            BlockKind::FnAssign(assign) => (assign.target, assign.target_span),
-            BlockKind::Formula(formula) => (formula.target, formula.target_span),
-            BlockKind::TextFormula(formula) => (formula.target, formula.target_span),
-            _ => continue,
+        let target = match &block.kind {
+            BlockKind::FnAssign(assign) => Some((assign.target, assign.target_span)),
+            BlockKind::Formula(formula) => Some((formula.target, formula.target_span)),
+            BlockKind::TextFormula(formula) => Some((formula.target, formula.target_span)),
+            _ => None,
         };
-        let mut read = vec![(target, span)];
+        read.clear();
+        read.extend(target);
         reads(block, &mut read);
-        for (q, span) in read {
+        for &(q, span) in &read {
             let (letters, greatest) = match q.kind {
                 QKind::Q => ("Q", PARAMETER),
                 QKind::Qs => ("QS", PARAMETER),

@@ -3,20 +3,13 @@
 //! Looked at from the beginning of a program with a box as its blank up to the first block that is no plain movement,
 //! tool call or M function: what has cut or moved the coordinates then is not known. The place in the plane must be
 //! known and lie inside of the blank with its edges left out. Said once a program.
+use crate::check::blank::{AXES, Blank};
 use crate::check::contours::moved;
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
-use crate::syntax::{Amount, Axis, BlkForm, Block, BlockKind, Path};
+use crate::syntax::{Axis, Block, BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "rapid-into-blank", severity: Severity::Warning, run };
-
-const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
-
-/// The corners of a blank, the lower one first.
-struct Blank {
-    low: [f64; 3],
-    high: [f64; 3],
-}
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.begins() {
@@ -49,7 +42,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         };
         let words = motion.words();
         let [Some(first), Some(second)] = corners else { return };
-        let Some(blank) = Blank::of(first, second).filter(|_| tool) else { return };
+        let Some(blank) = Blank::between(first, second).filter(|_| tool) else { return };
         if words.coords.iter().any(|coord| !AXES.contains(&coord.axis)) {
             return;
         }
@@ -61,7 +54,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let alone = matches!(words.coords.as_slice(), [only] if only.axis == Axis::Z);
         if let (true, [Some(x), Some(y), Some(z)]) = (alone, to)
             && blank.holds(x, y)
-            && (blank.low[2]..blank.high[2]).contains(&z)
+            && blank.is_inside(z)
         {
             let finding = rule.at(facts, facts.content(block)).arg("value", Arg::Number(z));
             found.push(finding.arg("top", Arg::Number(blank.high[2])));
@@ -74,33 +67,4 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// Whether a block has no M functions but those of the spindle and the coolant.
 fn is_plain(facts: &Facts<'_>, block: &Block) -> bool {
     facts.functions(block).iter().all(|own| matches!(own.number, 3..=5 | 7..=9 | 13 | 14))
-}
-
-impl Blank {
-    /// The blank with its corners in order.
-    fn of(first: &BlkForm, second: &BlkForm) -> Option<Self> {
-        if first.axis != Some(Axis::Z) {
-            return None;
-        }
-        let number = |form: &BlkForm, axis: Axis| {
-            let coord = form.coords.iter().find(|coord| coord.axis == axis)?;
-            match coord.value.amount {
-                Amount::Number(number) => Some((number, coord.incremental)),
-                Amount::Q { .. } | Amount::Text(_) => None,
-            }
-        };
-        let mut blank = Self { low: [0.0; 3], high: [0.0; 3] };
-        for (place, axis) in AXES.into_iter().enumerate() {
-            let (one, _) = number(first, axis)?;
-            let (other, incremental) = number(second, axis)?;
-            let other = if incremental { one + other } else { other };
-            (blank.low[place], blank.high[place]) = (one.min(other), one.max(other));
-        }
-        Some(blank)
-    }
-
-    /// Whether a place of the plane lies inside.
-    fn holds(&self, x: f64, y: f64) -> bool {
-        self.low[0] < x && x < self.high[0] && self.low[1] < y && y < self.high[1]
-    }
 }

@@ -1,8 +1,10 @@
 //! A cycle that works with a spindle that turns clockwise only, called while it certainly turns the other way.
 //!
-//! Said once a program.
-use crate::check::{Aspect, Facts, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
+//! Said once a program, of the M function that turns it the wrong way where it stands right before in the text.
+use crate::check::facts::each_function;
+use crate::check::{Aspect, CycleCall, Facts, Pending, Rule, Tri};
+use crate::diag::{Diagnostic, Place, Severity, Span};
+use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "spindle-direction", severity: Severity::Warning, run };
 
@@ -14,9 +16,32 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let call = calls.find_map(|call| {
         let Pending::Definition(index) = call.modal.pending else { return None };
         let own = facts.definitions.get(index as usize)?;
-        own.kin().is_some_and(|cycle| cycle.file.clockwise_only).then_some((call.span, own))
+        own.kin().is_some_and(|cycle| cycle.file.clockwise_only).then_some((call, own))
     });
-    if let Some((span, own)) = call {
-        found.push(rule.at(facts, span).arg("cycle", own.key.to_string()));
+    if let Some((call, own)) = call {
+        let finding = |span| rule.at(facts, span).arg("cycle", own.key.to_string());
+        found.push(match started(facts, call) {
+            Some(span) => finding(span).related("called-here", Place::new(facts.program.source(), call.span)),
+            None => finding(call.span),
+        });
     }
+}
+
+/// The block before a call that starts the spindle, with nothing between that may be come to from elsewhere.
+fn started(facts: &Facts<'_>, call: &CycleCall) -> Option<Span> {
+    for block in facts.program.blocks().get(..call.block)?.iter().rev() {
+        let (mut on, mut other) = (false, false);
+        each_function(block, |number| match number {
+            4 | 14 => on = true,
+            3 | 13 => other = true,
+            _ => {}
+        });
+        if on && !other {
+            return Some(facts.content(block));
+        }
+        if other || matches!(block.kind, BlockKind::Lbl(_)) {
+            return None;
+        }
+    }
+    None
 }

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use crate::check::flow::reads;
 use crate::check::{Aspect, Defined, Facts, Item, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, Place, Severity};
 use crate::expr::{QKind, QRef};
 use crate::spec::Group;
 use crate::syntax::{BlockKind, ValueKind};
@@ -94,36 +94,39 @@ fn overwritten(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if definitions.peek().is_none() {
         return;
     }
-    let (mut owned, mut lost) = (BTreeSet::new(), BTreeMap::new());
+    // Where each was written, and where what was written is lost.
+    let (mut owned, mut lost) = (BTreeMap::new(), BTreeMap::new());
     let mut read = Vec::new();
     for (index, block) in facts.program.blocks().iter().enumerate() {
         if let Some(definition) = definitions.next_if(|own| own.view.first == index) {
             for item in &facts.read(&definition.as_kin()).items {
-                if let Some(q) = item.param.and_then(|param| param.q).filter(|q| owned.remove(q)) {
+                let q = item.param.and_then(|param| param.q);
+                if let Some((q, span)) = q.and_then(|q| Some((q, owned.remove(&q)?))) {
                     let other =
                         !matches!(item.value.map(|own| own.kind), Some(ValueKind::Q { q: own, .. }) if own == q);
-                    other.then(|| lost.insert(q, (item.span, definition.key)));
+                    other.then(|| lost.insert(q, (span, item.span, definition.key)));
                 }
             }
             continue;
         }
         let target = match &block.kind {
-            BlockKind::FnAssign(assign) => Some(assign.target),
-            BlockKind::Formula(formula) => Some(formula.target),
+            BlockKind::FnAssign(assign) => Some((assign.target, assign.target_span)),
+            BlockKind::Formula(formula) => Some((formula.target, formula.target_span)),
             BlockKind::Empty | BlockKind::Comment | BlockKind::CycleDef(_) => continue,
             _ => None,
         };
         if !lost.is_empty() {
             read.clear();
             reads(block, &mut read);
-            for (span, key, q) in read.iter().filter_map(|(q, _)| lost.remove(q).map(|(span, key)| (span, key, *q))) {
+            for (q, (span, over, key)) in read.iter().filter_map(|(q, _)| Some((q, lost.remove(q)?))) {
                 let finding = rule.at(facts, span).arg("parameter", q.to_string()).arg("what", "lost");
-                found.push(finding.arg("cycle", key.to_string()));
+                let over = Place::new(facts.program.source(), over);
+                found.push(finding.arg("cycle", key.to_string()).related("written-over-here", over));
             }
         }
-        if let Some(q) = target.filter(shared) {
+        if let Some((q, span)) = target.filter(|(q, _)| shared(q)) {
             lost.remove(&q);
-            owned.insert(q);
+            owned.insert(q, span);
         }
     }
 }

@@ -1,0 +1,74 @@
+//! The box that a program names as its blank.
+use super::{Aspect, Modal, Tri};
+use crate::syntax::{Amount, Axis, BlkForm, BlockKind, Program};
+
+/// The axes of places inside of it, in the order of its corners.
+pub(super) const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+/// The corners of a blank that stands along Z, the lower one first; in the unit of the program.
+pub(super) struct Blank {
+    pub low: [f64; 3],
+    pub high: [f64; 3],
+}
+
+impl Blank {
+    /// The blank of a program that names one box and no more.
+    pub(super) fn of(program: &Program) -> Option<Self> {
+        let mut forms = program.blocks().iter().filter_map(|block| match &block.kind {
+            BlockKind::BlkForm(form) => Some(form.as_ref()),
+            _ => None,
+        });
+        let (first, second) = (forms.next()?, forms.next()?);
+        (forms.next().is_none() && first.part == 1 && second.part == 2).then(|| Self::between(first, second))?
+    }
+
+    /// The blank with its corners in order.
+    pub(super) fn between(first: &BlkForm, second: &BlkForm) -> Option<Self> {
+        if first.axis != Some(Axis::Z) {
+            return None;
+        }
+        let number = |form: &BlkForm, axis: Axis| {
+            let coord = form.coords.iter().find(|coord| coord.axis == axis)?;
+            match coord.value.amount {
+                Amount::Number(number) => Some((number, coord.incremental)),
+                Amount::Q { .. } | Amount::Text(_) => None,
+            }
+        };
+        let mut blank = Self { low: [0.0; 3], high: [0.0; 3] };
+        for (place, axis) in AXES.into_iter().enumerate() {
+            let (one, _) = number(first, axis)?;
+            let (other, incremental) = number(second, axis)?;
+            let other = if incremental { one + other } else { other };
+            (blank.low[place], blank.high[place]) = (one.min(other), one.max(other));
+        }
+        Some(blank)
+    }
+
+    /// Whether a place of the plane lies inside, the edges left out.
+    pub(super) fn holds(&self, x: f64, y: f64) -> bool {
+        self.low[0] < x && x < self.high[0] && self.low[1] < y && y < self.high[1]
+    }
+
+    /// Whether a place of the plane lies outside, the edges left out.
+    pub(super) fn lacks(&self, x: f64, y: f64) -> bool {
+        x < self.low[0] || self.high[0] < x || y < self.low[1] || self.high[1] < y
+    }
+
+    /// Whether a height lies below the top and not below the floor.
+    pub(super) fn is_inside(&self, z: f64) -> bool {
+        (self.low[2]..self.high[2]).contains(&z)
+    }
+}
+
+/// Whether coordinates are those of the blank: nothing shifts, turns, mirrors, scales or tilts them.
+pub(super) fn is_unmoved(modal: &Modal) -> bool {
+    const MOVING: [Aspect; 6] = [
+        Aspect::DatumShift,
+        Aspect::Rotation,
+        Aspect::Mirroring,
+        Aspect::Scaling,
+        Aspect::AxisScaling,
+        Aspect::Tilting,
+    ];
+    MOVING.iter().all(|own| modal.is(*own) == Tri::No)
+}
