@@ -111,7 +111,10 @@ cli-examples-export =
 
 cli-summary = { $errors ->
         [0] { $warnings ->
-            [0] Nothing found.
+            [0] { $notes ->
+                [0] Nothing found.
+               *[other] No errors, no warnings.
+            }
             [one] No errors, { $warnings } warning.
            *[other] No errors, { $warnings } warnings.
         }

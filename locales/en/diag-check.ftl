@@ -243,7 +243,11 @@ diag-probed-axis-missing = { $direction } is probed, but the position does not n
 diag-program-begin-missing = The program does not begin with BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM stands a second time here.
 diag-program-calls-itself = The program calls itself: { $name }.
-diag-program-end-missing = The program ends here without END PGM.
+diag-program-end-missing =
+    The program ends here without { $end ->
+        [iso] a block that begins with % and ends it
+       *[pgm] END PGM
+    }.
 diag-programs-call-in-circle = The program { $name } calls this one back, be it through others.
 diag-rapid-into-blank = The tool moves into the blank at rapid here: Z goes to { $value }, and the blank reaches up to { $top }.
 diag-repeat-count-wrong = A part of a program is repeated a whole number of times from 0 to 65534.
@@ -349,7 +353,7 @@ diag-turning-feed-unit =
     }
 diag-turning-system-missing = { $cycle } is called here, but since the tool call { $aligning } has not been defined.
 diag-two-signs = Two signs stand before the number; they are read as { $right }.
-diag-unknown-cycle = { $cycle } is a cycle of no control known here.
+diag-unknown-cycle = { $cycle } is a cycle of which no manual here speaks.
 diag-unknown-parameter = { $cycle } has no { $parameter } on this control.
 diag-unlike-elsewhere =
     { $what ->

@@ -102,7 +102,10 @@ cli-examples-export =
 
 cli-summary = { $errors ->
         [0] { $warnings ->
-            [0] Ei havaintoja.
+            [0] { $notes ->
+                [0] Ei havaintoja.
+               *[other] Ei virheitä eikä varoituksia.
+            }
             [one] Ei virheitä, { $warnings } varoitus.
            *[other] Ei virheitä, { $warnings } varoitusta.
         }

@@ -243,7 +243,11 @@ diag-probed-axis-missing = Kosketus tapahtuu suunnassa { $direction }, mutta pai
 diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
 diag-program-begin-twice = BEGIN PGM on tässä toisen kerran.
 diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.
-diag-program-end-missing = Ohjelma loppuu tähän ilman END PGM -lausetta.
+diag-program-end-missing =
+    Ohjelma loppuu tähän ilman { $end ->
+        [iso] lausetta, joka alkaa %-merkillä ja päättää sen
+       *[pgm] END PGM -lausetta
+    }.
 diag-programs-call-in-circle = Ohjelma { $name } kutsuu takaisin tätä ohjelmaa, suoraan tai muiden kautta.
 diag-rapid-into-blank = Työkalu liikkuu tässä pikaliikkeellä aihioon: Z ajetaan arvoon { $value }, ja aihio ulottuu arvoon { $top }.
 diag-repeat-count-wrong = Ohjelmanosa toistetaan 0–65534 kertaa, kokonaisluku.
@@ -348,7 +352,7 @@ diag-turning-feed-unit =
     }
 diag-turning-system-missing = { $cycle } kutsutaan tässä, mutta työkierto { $aligning } on määrittelemättä työkalukutsun jälkeen.
 diag-two-signs = Luvun edessä on kaksi etumerkkiä; ne luetaan merkkinä { $right }.
-diag-unknown-cycle = { $cycle } ei ole minkään tässä tunnetun ohjauksen työkierto.
+diag-unknown-cycle = { $cycle } on työkierto, josta mikään tässä käytetty käsikirja ei kerro.
 diag-unknown-parameter = Työkierrossa { $cycle } ei ole tässä ohjauksessa parametria { $parameter }.
 diag-unlike-elsewhere =
     { $what ->

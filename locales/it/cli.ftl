@@ -102,7 +102,10 @@ cli-examples-export =
 
 cli-summary = { $errors ->
         [0] { $warnings ->
-            [0] Nessun rilievo.
+            [0] { $notes ->
+                [0] Nessun rilievo.
+               *[other] Nessun errore, nessun avviso.
+            }
             [one] Nessun errore, { $warnings } avviso.
            *[other] Nessun errore, { $warnings } avvisi.
         }

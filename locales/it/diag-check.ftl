@@ -243,7 +243,11 @@ diag-probed-axis-missing = Si tasta in direzione { $direction }, ma la posizione
 diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM compare qui una seconda volta.
 diag-program-calls-itself = Il programma chiama sé stesso: { $name }.
-diag-program-end-missing = Il programma finisce qui senza END PGM.
+diag-program-end-missing =
+    Il programma finisce qui senza { $end ->
+        [iso] un blocco che inizi con % e lo chiuda
+       *[pgm] END PGM
+    }.
 diag-programs-call-in-circle = Il programma { $name } richiama a sua volta questo, direttamente o tramite altri.
 diag-rapid-into-blank = Qui l’utensile entra nel pezzo grezzo in rapido: Z va a { $value } e il grezzo arriva fino a { $top }.
 diag-repeat-count-wrong = Una parte di programma si ripete un numero intero di volte, da 0 a 65534.
@@ -348,7 +352,7 @@ diag-turning-feed-unit =
     }
 diag-turning-system-missing = Qui viene chiamato { $cycle }, ma dopo la chiamata utensile { $aligning } non è stato definito.
 diag-two-signs = Davanti al numero ci sono due segni; vengono letti come { $right }.
-diag-unknown-cycle = { $cycle } non è un ciclo di alcun controllo qui noto.
+diag-unknown-cycle = { $cycle } è un ciclo di cui nessun manuale qui considerato parla.
 diag-unknown-parameter = Su questo controllo { $cycle } non ha il parametro { $parameter }.
 diag-unlike-elsewhere =
     { $what ->

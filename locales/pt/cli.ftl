@@ -102,7 +102,10 @@ cli-examples-export =
 
 cli-summary = { $errors ->
         [0] { $warnings ->
-            [0] Nada a assinalar.
+            [0] { $notes ->
+                [0] Nada a assinalar.
+               *[other] Sem erros nem avisos.
+            }
             [one] Sem erros, { $warnings } aviso.
            *[other] Sem erros, { $warnings } avisos.
         }

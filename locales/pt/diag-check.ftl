@@ -243,7 +243,11 @@ diag-probed-axis-missing = Apalpa-se na direção { $direction }, mas a posiçã
 diag-program-begin-missing = O programa não começa com BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM está aqui pela segunda vez.
 diag-program-calls-itself = O programa chama-se a si próprio: { $name }.
-diag-program-end-missing = O programa acaba aqui sem END PGM.
+diag-program-end-missing =
+    O programa acaba aqui sem { $end ->
+        [iso] uma frase que comece por % e o termine
+       *[pgm] END PGM
+    }.
 diag-programs-call-in-circle = O programa { $name } volta a chamar este, diretamente ou através de outros.
 diag-rapid-into-blank = A ferramenta entra aqui no bloco em marcha rápida: Z vai para { $value } e o bloco chega até { $top }.
 diag-repeat-count-wrong = Uma parte do programa repete-se um número inteiro de vezes, de 0 a 65534.
@@ -348,7 +352,7 @@ diag-turning-feed-unit =
     }
 diag-turning-system-missing = { $cycle } é chamado aqui, mas depois da chamada da ferramenta { $aligning } não foi definido.
 diag-two-signs = Antes do número há dois sinais; são lidos como { $right }.
-diag-unknown-cycle = { $cycle } não é um ciclo de nenhum comando aqui conhecido.
+diag-unknown-cycle = { $cycle } é um ciclo de que nenhum manual aqui considerado fala.
 diag-unknown-parameter = Neste comando, { $cycle } não tem o parâmetro { $parameter }.
 diag-unlike-elsewhere =
     { $what ->

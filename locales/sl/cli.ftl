@@ -102,7 +102,10 @@ cli-examples-export =
 
 cli-summary = { $errors ->
         [0] { $warnings ->
-            [0] Brez ugotovitev.
+            [0] { $notes ->
+                [0] Brez ugotovitev.
+               *[other] Brez napak in opozoril.
+            }
             [one] Brez napak, { $warnings } opozorilo.
             [two] Brez napak, { $warnings } opozorili.
             [few] Brez napak, { $warnings } opozorila.

@@ -245,7 +245,11 @@ diag-probed-axis-missing = Tipa se v smeri { $direction }, vendar položaj ne na
 diag-program-begin-missing = Program se ne začne z BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM je tu drugič.
 diag-program-calls-itself = Program prikliče samega sebe: { $name }.
-diag-program-end-missing = Program se tu konča brez END PGM.
+diag-program-end-missing =
+    Program se tu konča brez { $end ->
+        [iso] stavka, ki se začne s % in ga zaključi
+       *[pgm] END PGM
+    }.
 diag-programs-call-in-circle = Program { $name } kliče nazaj tega, neposredno ali prek drugih.
 diag-rapid-into-blank = Orodje se tu v hitrem teku premakne v surovec: Z gre na { $value }, surovec pa sega do { $top }.
 diag-repeat-count-wrong = Del programa se ponovi celo število krat, od 0 do 65534.
@@ -350,7 +354,7 @@ diag-turning-feed-unit =
     }
 diag-turning-system-missing = { $cycle } se tu prikliče, od priklica orodja naprej pa { $aligning } ni bil definiran.
 diag-two-signs = Pred številom sta dva predznaka; bereta se kot { $right }.
-diag-unknown-cycle = { $cycle } ni cikel nobenega od znanih krmiljenj.
+diag-unknown-cycle = { $cycle } je cikel, ki ga ne omenja noben tu upoštevan priročnik.
 diag-unknown-parameter = Cikel { $cycle } na tem krmiljenju nima parametra { $parameter }.
 diag-unlike-elsewhere =
     { $what ->

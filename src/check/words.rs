@@ -136,6 +136,8 @@ fn tokens(text: &str, start: usize) -> Vec<(&str, Span)> {
     let bytes = text.as_bytes();
     for (at, byte) in bytes.iter().copied().enumerate() {
         let ends = !quoted && (byte.is_ascii_whitespace() || matches!(byte, b'(' | b')' | b';' | b'~'));
+        // A blank may be missing behind the sign of an assignment: `=ID20`.
+        let assigned = |first: usize| first + 1 == at && bytes.get(first) == Some(&b'=') && byte.is_ascii_alphabetic();
         quoted ^= byte == b'"';
         match (ends, from) {
             (true, Some(first)) => {
@@ -143,6 +145,10 @@ fn tokens(text: &str, start: usize) -> Vec<(&str, Span)> {
                 from = None;
             }
             (false, None) => from = Some(at),
+            (false, Some(first)) if !quoted && assigned(first) => {
+                found.push((text.get(first..at).unwrap_or_default(), Span::new(start + first, start + at)));
+                from = Some(at);
+            }
             _ => {}
         }
         if ends && byte == b';' {

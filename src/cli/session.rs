@@ -141,9 +141,10 @@ impl<'s> Session<'s> {
             self.output.print(&text)?;
         }
         let count = |severity| found.iter().filter(|diagnostic| diagnostic.severity == severity).count();
-        let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
+        let (errors, warnings, notes) = (count(Severity::Error), count(Severity::Warning), count(Severity::Note));
         if format != "json" {
             let args = Args::new().number("errors", errors as f64).number("warnings", warnings as f64);
+            let args = args.number("notes", notes as f64);
             let line = self.ui.text("cli-summary", &args);
             self.output.remark(&line);
         }

@@ -212,6 +212,10 @@ fn opt_function_tail(cursor: &mut Cursor<'_>, number: u16) -> Read<Option<Span>>
             cursor.at = start + 4;
             cursor.operand()?;
         }
+        (197, b"DL") => {
+            cursor.at = start + 2;
+            cursor.operand()?;
+        }
         // How far the hand wheel may go, in each axis.
         (118, _) => while opt_coord(cursor)?.is_some() {},
         (94 | 138, _) => while opt_axis(cursor).is_some() {},

@@ -186,8 +186,9 @@ pub(super) fn opt_statement(cursor: &mut Cursor<'_>, first: &[u8], start: usize)
     Some(match first {
         b"PLANE" => plane(cursor, start),
         b"FUNCTION" => function(cursor, start),
-        b"ADP" | b"AFC" | b"FILE" | b"FIXTURE" | b"MONITORING" | b"OPEN" | b"POLARKIN" | b"PRESET" | b"SECTION"
-        | b"TABDATA" | b"TURNDATA" => {
+        // Recesses and undercuts of contours that are turned begin with their own word.
+        b"ADP" | b"AFC" | b"FILE" | b"FIXTURE" | b"GRV" | b"MONITORING" | b"OPEN" | b"POLARKIN" | b"PRESET"
+        | b"SECTION" | b"TABDATA" | b"TURNDATA" | b"UDC" => {
             let head = cursor.at;
             words::free(cursor).map(|words| statement(StatementKind::Function, start, head, words))
         }

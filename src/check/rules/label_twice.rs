@@ -1,7 +1,8 @@
 //! Two parameters of a definition with the same label: one of them is another one's.
 //!
 //! Looked at where the label is in no language that is loaded, or no manual of the control describes the cycle. Silent
-//! where a language calls both parameters the same.
+//! where a language calls both parameters the same, and where another cycle of the program has the same label at both:
+//! then it is the language that does.
 use std::borrow::Cow;
 use std::collections::HashMap;
 
@@ -14,6 +15,9 @@ use crate::spec::Known;
 use crate::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "label-twice", severity: Severity::Warning, run: together };
+
+/// So many definitions of other cycles are looked through.
+const FEW: usize = 64;
 
 pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
     if matches!(definition.view.form, CycleForm::Lines(_)) || facts.has_usual_labels(definition) {
@@ -31,6 +35,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
         if !is_label(printed, most)
             || is_known(facts, definition, item, printed)
             || is_called_so(facts, definition, first, item)
+            || is_repeated(facts, definition, [first, item], printed)
         {
             continue;
         }
@@ -70,6 +75,18 @@ fn is_known(facts: &Facts<'_>, definition: &Definition<'_>, item: &Item<'_>, pri
         labels.languages.iter().any(|language| language.params.iter().any(|own| own.matches_folded(&folded)))
     };
     item.index.is_some() && facts.labels(definition).is_some_and(has)
+}
+
+/// Whether a definition of another cycle has the label at both parameters.
+fn is_repeated(facts: &Facts<'_>, definition: &Definition<'_>, pair: [&Item<'_>; 2], printed: &str) -> bool {
+    let wanted = fold(printed);
+    let others = facts.definitions.iter().filter(|own| own.key != definition.key).take(FEW);
+    others.map(|own| facts.read(own)).any(|other| {
+        pair.iter().all(|own| {
+            let there = other.items.iter().find(|item| item.name == own.name).and_then(|item| item.label);
+            there.is_some_and(|label| fold(facts.text(label).trim()) == wanted)
+        })
+    })
 }
 
 /// Whether the labels of both parameters are the same in a language.

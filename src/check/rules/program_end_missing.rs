@@ -1,6 +1,7 @@
 //! A program that begins with BEGIN PGM and has no END PGM: its end is missing, or more than its end.
 use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity};
+use crate::syntax::Dialect;
 
 pub(super) const RULE: Rule = Rule { code: "program-end-missing", severity: Severity::Error, run };
 
@@ -10,6 +11,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     if let Some(last) = facts.acting().next_back() {
-        found.push(rule.at(facts, facts.content(last)));
+        let end = match facts.program.dialect() {
+            Dialect::Klartext => "pgm",
+            Dialect::Iso => "iso",
+        };
+        found.push(rule.at(facts, facts.content(last)).arg("end", end));
     }
 }
