@@ -327,6 +327,7 @@ diag-tool-unused = The tool { $tool } is called here and changed for another one
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } has read { $parameter } when it was defined: what is written here does not change its call.
+        [filled] { $cycle } fills four parameters from the one named here, and with them { $parameter }, which the program has written before and reads later.
         [lost] { $cycle } writes over { $parameter } before the program reads what is written here.
        *[call] { $parameter } belongs to { $cycle }, which is called later: the call takes the value that is written here.
     }

@@ -326,6 +326,7 @@ diag-tool-unused = Työkalu { $tool } kutsutaan tässä ja vaihdetaan heti toise
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } on lukenut parametrin { $parameter } määriteltäessä: tässä kirjoitettava arvo ei muuta sen kutsua.
+        [filled] { $cycle } täyttää tässä nimetystä alkaen neljä parametria, myös parametrin { $parameter }, johon ohjelma on kirjoittanut aiemmin ja jonka se lukee myöhemmin.
         [lost] { $cycle } kirjoittaa parametrin { $parameter } päälle, ennen kuin ohjelma lukee tässä kirjoitetun arvon.
        *[call] { $parameter } kuuluu työkiertoon { $cycle }, jota kutsutaan myöhemmin: kutsu käyttää tässä kirjoitettavaa arvoa.
     }

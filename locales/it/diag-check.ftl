@@ -326,6 +326,7 @@ diag-tool-unused = L’utensile { $tool } viene chiamato qui e subito cambiato c
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } ha letto { $parameter } alla definizione: ciò che si scrive qui non modifica la sua chiamata.
+        [filled] { $cycle } riempie quattro parametri a partire da quello indicato qui, e con essi { $parameter }, che il programma ha scritto prima e legge più avanti.
         [lost] { $cycle } sovrascrive { $parameter } prima che il programma legga ciò che si scrive qui.
        *[call] { $parameter } appartiene a { $cycle }, che viene chiamato più avanti: la chiamata usa il valore scritto qui.
     }

@@ -326,6 +326,7 @@ diag-tool-unused = A ferramenta { $tool } é chamada aqui e logo trocada por out
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } leu { $parameter } na definição: o que aqui se escreve não altera a sua chamada.
+        [filled] { $cycle } preenche quatro parâmetros a partir do que aqui se indica, e com eles { $parameter }, que o programa escreveu antes e lê mais adiante.
         [lost] { $cycle } escreve por cima de { $parameter } antes de o programa ler o que aqui se escreve.
        *[call] { $parameter } pertence a { $cycle }, que é chamado mais adiante: a chamada usa o valor aqui escrito.
     }

@@ -328,6 +328,7 @@ diag-tool-unused = Orodje { $tool } se tu prikliče in takoj zamenja z drugim.
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } je parameter { $parameter } prebral ob definiciji: kar je zapisano tu, njegovega priklica ne spremeni.
+        [filled] { $cycle } od tu navedenega naprej zapolni štiri parametre, tudi { $parameter }, v katerega je program že pisal in ga pozneje bere.
         [lost] { $cycle } prepiše parameter { $parameter }, preden program prebere, kar se tu zapiše.
        *[call] { $parameter } pripada ciklu { $cycle }, ki se prikliče pozneje: priklic uporabi tu zapisano vrednost.
     }

@@ -5,7 +5,7 @@
 //! and Y. Controls allow for rounding, each as its machine is set; what is told here is more than any of that.
 use crate::check::{Facts, Rule};
 use crate::diag::{Arg, Diagnostic, Severity};
-use crate::syntax::{Amount, Axis, Block, BlockKind, Motion, Path};
+use crate::syntax::{Amount, Approach, Axis, Block, BlockKind, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "arc-wrong", severity: Severity::Error, run };
 
@@ -95,7 +95,10 @@ impl Way {
         let flat = !others && self.plane;
         let end = self.end(motion);
         match motion.path {
-            Path::L | Path::Ct => self.at = end,
+            // The coordinates of an approach are those of the first point of the contour.
+            Path::L | Path::Ct | Path::Appr(Approach::Lt | Approach::Ln | Approach::Ct | Approach::Lct) => {
+                self.at = end
+            }
             Path::Cc if motion.coords.is_empty() => self.centre = self.at,
             // Of a centre with one coordinate the manuals do not say where the other comes from.
             Path::Cc => {

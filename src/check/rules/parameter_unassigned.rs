@@ -12,7 +12,7 @@ use crate::check::{Facts, Rule};
 use crate::diag::{Diagnostic, Severity, Span};
 use crate::expr::{QKind, QRef};
 use crate::spec::{Keyword, Known};
-use crate::syntax::{BlockKind, CycleForm, ValueKind};
+use crate::syntax::{Block, BlockKind, CycleForm, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "parameter-unassigned", severity: Severity::Warning, run };
 
@@ -44,9 +44,17 @@ fn foreign(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
         own.torn || matches!(own.known, Known::Builders) || own.key.keyword == Keyword::TchProbe && own.kin().is_none()
     };
     let statement = || facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::Statement(_)));
-    if facts.flow.programs || facts.flow.unread.may_assign() || facts.definitions.iter().any(unclear) || statement() {
+    if facts.flow.unread.may_assign() || facts.definitions.iter().any(unclear) || statement() {
         return Vec::new();
     }
+    // Other programs may give them values, behind their calls and behind what these may lead back to.
+    let leaves =
+        |block: &Block| matches!(block.kind, BlockKind::CallPgm(_) | BlockKind::Lbl(_) | BlockKind::CallLbl(_));
+    let end = match facts.flow.programs {
+        true if !facts.begins() => return Vec::new(),
+        true => facts.marked().find(|(_, block)| leaves(block)).map_or(0, |(index, _)| index),
+        false => usize::MAX,
+    };
     let mut known: BTreeSet<QRef> = BTreeSet::new();
     for definition in &facts.definitions {
         let of_cycle = definition.kin().into_iter().flat_map(|cycle| &cycle.file.results);
@@ -59,7 +67,7 @@ fn foreign(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
         }
     }
     let (mut found, mut read) = (Vec::new(), Vec::new());
-    for (index, block) in facts.program.blocks().iter().enumerate() {
+    for (index, block) in facts.program.blocks().iter().enumerate().take(end) {
         read.clear();
         // What is read before may be left from another program.
         if index > probing.view.last {

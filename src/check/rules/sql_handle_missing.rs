@@ -1,7 +1,7 @@
 //! SQL with a handle that no query of the program has given, or that a query gave and COMMIT or ROLLBACK has ended.
 //!
 //! `SQL Q5 "SELECT …"` gives the handle; FETCH, UPDATE, INSERT, COMMIT and ROLLBACK name it. ROLLBACK with INDEX goes
-//! on with one row. Silent in parts of programs, where other programs are called, and where the handle is calculated;
+//! on with one row. Silent in parts of programs, behind calls of other programs, and where the handle is calculated;
 //! an ended one is told where nothing but the order of the text leads there.
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,9 +16,10 @@ pub(super) const RULE: Rule = Rule { code: "sql-handle-missing", severity: Sever
 const USES: [&str; 5] = ["FETCH", "UPDATE", "INSERT", "COMMIT", "ROLLBACK"];
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    if !facts.begins() || facts.flow.programs || !facts.calls.is_empty() {
+    if !facts.begins() {
         return;
     }
+    let calls = facts.flow.programs || !facts.calls.is_empty();
     let statements = || {
         facts.marked().filter_map(|(_, block)| match &block.kind {
             BlockKind::Statement(own) if own.kind == StatementKind::Sql => Some((block, own.as_ref())),
@@ -36,6 +37,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (_, block) in facts.marked() {
         let own = match &block.kind {
             BlockKind::Statement(own) if own.kind == StatementKind::Sql => own,
+            // From here on other programs may have been called.
+            BlockKind::Lbl(_) | BlockKind::CallLbl(_) | BlockKind::CallPgm(_) if calls => return,
+            BlockKind::Statement(own) if calls && own.kind == StatementKind::CallSelected => return,
             BlockKind::Lbl(_) | BlockKind::CallLbl(_) | BlockKind::FnJump(_) => {
                 straight = false;
                 acts.clear();

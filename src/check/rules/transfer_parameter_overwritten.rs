@@ -9,11 +9,11 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use crate::check::flow::reads;
-use crate::check::{Aspect, Defined, Facts, Item, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Place, Severity};
+use crate::check::{Aspect, Defined, Definition, Facts, Item, Pending, Rule, Tri};
+use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::expr::{QKind, QRef};
-use crate::spec::Group;
-use crate::syntax::{BlockKind, ValueKind};
+use crate::spec::{Group, ParameterKind};
+use crate::syntax::{Amount, BlockKind, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "transfer-parameter-overwritten", severity: Severity::Warning, run };
 
@@ -86,11 +86,13 @@ impl Written {
     }
 }
 
-/// What the definition of a contour cycle writes over although the program has written it before and reads it later.
+/// What the definition of a contour cycle, or one that fills more parameters than it names, writes over although the
+/// program has written it before and reads it later.
 fn overwritten(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let shared = |q: &QRef| q.kind == QKind::Q && (1..=RESERVED).contains(&q.number);
     let contours = |own: &Defined<'_>| own.kin().is_some_and(|cycle| cycle.file.group == Group::Contours);
-    let mut definitions = facts.definitions.iter().filter(|own| contours(own)).peekable();
+    let wanted = |own: &&Defined<'_>| contours(own) || fills(own);
+    let mut definitions = facts.definitions.iter().filter(wanted).peekable();
     if definitions.peek().is_none() {
         return;
     }
@@ -99,36 +101,72 @@ fn overwritten(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut read = Vec::new();
     for (index, block) in facts.program.blocks().iter().enumerate() {
         if let Some(definition) = definitions.next_if(|own| own.view.first == index) {
-            for item in &facts.read(&definition.as_kin()).items {
+            let kin = definition.as_kin();
+            let read = facts.read(&kin);
+            if fills(definition) {
+                for (q, over) in filled(&read) {
+                    let place = owned.remove(&q).filter(|(_, given)| *given);
+                    place.map(|(span, _)| lost.insert(q, (over, span, definition.key, "filled")));
+                }
+                continue;
+            }
+            for item in &read.items {
                 let q = item.param.and_then(|param| param.q);
-                if let Some((q, span)) = q.and_then(|q| Some((q, owned.remove(&q)?))) {
+                if let Some((q, (span, _))) = q.filter(shared).and_then(|q| Some((q, owned.remove(&q)?))) {
                     let other =
                         !matches!(item.value.map(|own| own.kind), Some(ValueKind::Q { q: own, .. }) if own == q);
-                    other.then(|| lost.insert(q, (span, item.span, definition.key)));
+                    other.then(|| lost.insert(q, (span, item.span, definition.key, "lost")));
                 }
             }
             continue;
         }
         let target = match &block.kind {
-            BlockKind::FnAssign(assign) => Some((assign.target, assign.target_span)),
-            BlockKind::Formula(formula) => Some((formula.target, formula.target_span)),
+            BlockKind::FnAssign(assign) => Some((assign.target, assign.target_span, !is_blank(assign.a.amount))),
+            BlockKind::Formula(formula) => {
+                let number = facts.text(formula.text).trim().parse();
+                Some((formula.target, formula.target_span, !number.is_ok_and(|own| is_blank(Amount::Number(own)))))
+            }
             BlockKind::Empty | BlockKind::Comment | BlockKind::CycleDef(_) => continue,
             _ => None,
         };
         if !lost.is_empty() {
             read.clear();
             reads(block, &mut read);
-            for (q, (span, over, key)) in read.iter().filter_map(|(q, _)| Some((q, lost.remove(q)?))) {
-                let finding = rule.at(facts, span).arg("parameter", q.to_string()).arg("what", "lost");
+            for (q, (span, over, key, what)) in read.iter().filter_map(|(q, _)| Some((q, lost.remove(q)?))) {
+                let finding = rule.at(facts, span).arg("parameter", q.to_string()).arg("what", what);
+                let caption = if what == "lost" { "written-over-here" } else { "other-place" };
                 let over = Place::new(facts.program.source(), over);
-                found.push(finding.arg("cycle", key.to_string()).related("written-over-here", over));
+                found.push(finding.arg("cycle", key.to_string()).related(caption, over));
             }
         }
-        if let Some((q, span)) = target.filter(|(q, _)| shared(q)) {
+        if let Some((q, span, given)) = target {
             lost.remove(&q);
-            owned.insert(q, span);
+            owned.insert(q, (span, given));
         }
     }
+}
+
+/// What a cycle fills from the parameter on that it names: three coordinates and how it went (001: 13702).
+const FILLS: &str = "ball-centre-and-status";
+const FILLED: u16 = 4;
+
+fn fills(definition: &Defined<'_>) -> bool {
+    definition.kin().is_some_and(|cycle| cycle.file.results.iter().any(|own| own.is.as_str() == FILLS))
+}
+
+/// The parameters that such a definition does not name and fills, with the place of the one that it names.
+fn filled(read: &Definition<'_>) -> Vec<(QRef, Span)> {
+    let named = read.items.iter().find_map(|item| match item.value?.kind {
+        ValueKind::Q { q, .. } if item.param?.kind == ParameterKind::QNumber => Some((q, item.span)),
+        _ => None,
+    });
+    let Some((first, span)) = named else { return Vec::new() };
+    (1..FILLED).map(|next| (QRef { number: first.number.saturating_add(next), ..first }, span)).collect()
+}
+
+/// Whether a number is one that a program writes before a measurement to see that something has come.
+fn is_blank(amount: Amount) -> bool {
+    matches!(amount, Amount::Number(number) if matches!(number.abs(), 0.0 | 1.0))
 }
 
 /// The parameters that the cycles of contours share, written while they are still to be called.
