@@ -17,9 +17,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         let keepers = facts.against.catalogue.controls.values().flat_map(|on| on.cycles.values());
         let Some(keeper) = keepers.into_iter().find(|own| Deed::of_cycle(own).keeps()) else { continue };
-        let finding = rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string());
+        let finding = rule.at(facts, call.span).arg("cycle", definition.key.to_string());
         let finding = finding.arg("data", keeper.key.to_string());
-        found.push(finding.related("called-here", Place::new(facts.program.source(), call.span)));
+        found.push(finding.related("defined-here", Place::new(facts.program.source(), definition.view.head)));
         return;
     }
 }
