@@ -4,6 +4,7 @@ use std::path::Path;
 use clap::ArgMatches;
 use serde::Serialize;
 
+use super::neighbours::Neighbours;
 use super::session::{Session, json};
 use super::{Command, Failure, Outcome, arguments, cycle, program, run as runs};
 use crate::check::{Against, LabelBook};
@@ -147,16 +148,15 @@ fn execute(
     let texts = LogTexts::new(cycle::language(&locales, on.control.language.as_str())?, on.id(), &data);
     let mut traces = Vec::new();
     for (name, file) in names.iter().zip(files) {
-        let neighbours = runs::neighbours(Path::new(name), file.program.source().text(), catalogue)?;
-        let mut engine = Engine::new(&file.program, on, &scene, &texts).with_catalogue(catalogue);
-        for (name, other) in &neighbours {
-            engine = engine.with_program(name, &other.program);
-        }
+        let neighbours = Neighbours::new(Path::new(name), catalogue);
+        let engine =
+            Engine::new(&file.program, on, &scene, &texts).with_catalogue(catalogue).with_programs(&neighbours);
         let mut trace = Trace::default();
         let outcome = engine.run(&mut |event| trace.push(event));
         if let Some(diagnostic) = &outcome.diagnostic {
             session.output.complain(&file.at_home(diagnostic.clone()), &session.ui);
         }
+        neighbours.readable()?;
         traces.push((trace, outcome.status));
     }
     let (Some(b), Some(a)) = (traces.pop(), traces.pop()) else {

@@ -79,6 +79,9 @@ fn serve(session: &mut Session, world: &World<'_>) -> Result<Outcome, Failure> {
     while let Some(line) = system::next_line()? {
         session.output.print(&format!("{}\n", conform::serve(world, &line)))?;
         session.output.finish()?;
+        if session.output.is_closed() {
+            break;
+        }
     }
     Ok(Outcome::Clean)
 }

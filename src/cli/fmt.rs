@@ -46,7 +46,6 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
                 Err(Failure::Trouble(trouble)) => troubles.push(*trouble),
                 // A table that cannot be read; the other files are laid out all the same.
                 Err(Failure::Data(found)) => troubles.extend(found),
-                Err(failure) => return Err(failure),
             }
         }
     }

@@ -1,9 +1,9 @@
 //! The command `ciklo`: one file a command, and what they share.
 //!
 //! Exit codes: 0 clean, 1 errors were found in what was given, 2 the command could not be carried out
-//! (wrong words on the command line, a file that cannot be read or written). Invariant: only this
-//! module and `system` touch files, environment and terminal, and no command holds knowledge that a
-//! library module could hold.
+//! (wrong words on the command line, a file that cannot be read or written). Whether somebody reads the result to its end
+//! changes none of them. Invariant: only this module and `system` touch files, environment and terminal, and no
+//! command holds knowledge that a library module could hold.
 mod among;
 mod annotations;
 mod arguments;
@@ -28,6 +28,7 @@ mod fmt;
 mod lint;
 mod man;
 mod mend;
+mod neighbours;
 mod parse;
 mod plot;
 mod program;
@@ -65,8 +66,6 @@ enum Failure {
     Trouble(Box<Diagnostic>),
     /// The data that everything is made from has mistakes.
     Data(Vec<Diagnostic>),
-    /// Nobody reads standard output any more.
-    BrokenPipe,
 }
 
 impl From<Diagnostic> for Failure {
@@ -145,7 +144,7 @@ pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     let result = result.and_then(|outcome| output.finish().map(|()| outcome));
     match result {
-        Ok(Outcome::Clean) | Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
+        Ok(Outcome::Clean) => ExitCode::SUCCESS,
         Ok(Outcome::Errors) => ExitCode::from(EXIT_ERRORS),
         Err(Failure::Trouble(diagnostic)) => {
             output.complain(&diagnostic, &ui);

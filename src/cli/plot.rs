@@ -4,6 +4,7 @@ use std::path::Path;
 use clap::ArgMatches;
 use clap::builder::PossibleValuesParser;
 
+use super::neighbours::Neighbours;
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, program, run, stock};
 use crate::diag::Source;
@@ -40,16 +41,13 @@ fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure>
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
     let path = arguments::text(matches, "file");
     let file = program::understand(Path::new(&path), &catalogue)?;
-    let neighbours = run::neighbours(Path::new(&path), file.program.source().text(), &catalogue)?;
+    let neighbours = Neighbours::new(Path::new(&path), &catalogue);
     let files = session.files()?;
     let scene = match matches.get_one::<String>("scene") {
         Some(path) => run::scene(path, &files)?,
         None => Scene::parse(&Source::new("scene", "scene: 1\n"), &files).map_err(Failure::Data)?,
     };
-    let mut engine = Engine::new(&file.program, on, &scene, &NoTexts).with_catalogue(&catalogue);
-    for (name, other) in &neighbours {
-        engine = engine.with_program(name, &other.program);
-    }
+    let engine = Engine::new(&file.program, on, &scene, &NoTexts).with_catalogue(&catalogue).with_programs(&neighbours);
     let mut machining = stock::begin(&file.program, &scene, matches)?;
     let mut track = Track::default();
     let result = engine.observe(&mut |event| {
@@ -67,6 +65,7 @@ fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure>
         let diagnostic = &diagnostic;
         session.output.complain(diagnostic, &session.ui);
     }
+    neighbours.readable()?;
     Ok(match result.status {
         Status::Done | Status::Stopped => Outcome::Clean,
         Status::Error | Status::Limit | Status::Unsupported => Outcome::Errors,

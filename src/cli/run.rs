@@ -4,6 +4,7 @@ use std::path::Path;
 
 use clap::ArgMatches;
 
+use super::neighbours::Neighbours;
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, envelope, program, stock};
 use crate::check::{self, Against, LabelBook};
@@ -25,9 +26,6 @@ pub(super) const COMMAND: Command = Command {
     arguments: own,
     run,
 };
-
-/// How a program calls another one; only then are its neighbours read.
-const CALLS: [&str; 2] = ["CALL PGM", "PGM CALL"];
 
 /// Digits of a result in the summary, a nanometre; events have them all.
 const SHOWN: Digits = Digits { minimum: 0, maximum: Some(6) };
@@ -56,7 +54,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let path = arguments::text(matches, "file");
     let file = program::understand(Path::new(&path), &catalogue)?;
     let language = language(&file, &catalogue, &locales, on, matches)?;
-    let neighbours = neighbours(Path::new(&path), file.program.source().text(), &catalogue)?;
+    let neighbours = Neighbours::new(Path::new(&path), &catalogue);
     let files = session.files()?;
     let mut scene = scene(&arguments::text(matches, "scene"), &files)?;
     if let Some(tools) = matches.get_one::<String>("tool-table") {
@@ -64,16 +62,15 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     selected(Path::new(&path), file.program.source().text(), &mut scene)?;
     let texts = LogTexts::new(language, on.id(), &files);
-    let mut engine = Engine::new(&file.program, on, &scene, &texts).with_catalogue(&catalogue);
-    for (name, other) in &neighbours {
-        engine = engine.with_program(name, &other.program);
-    }
+    let mut engine =
+        Engine::new(&file.program, on, &scene, &texts).with_catalogue(&catalogue).with_programs(&neighbours);
     if matches.get_flag("skip-blocks") {
         engine = engine.skipping_blocks();
     }
     if matches.get_flag("envelope") {
         let result = engine.with_envelope().run(&mut |_| {});
-        return envelope::show(session, on, &locales, &result, arguments::chosen_format(matches));
+        let outcome = envelope::show(session, on, &locales, &result, arguments::chosen_format(matches))?;
+        return neighbours.readable().map(|()| outcome);
     }
     let mut teller = Teller { events: matches.get_flag("events"), set: BTreeMap::new(), failed: None, written: Ok(()) };
     let part = stock::wanted(matches);
@@ -84,7 +81,6 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         Some(watch) => engine.run(&mut |event| watch.see(event, &mut |event| teller.tell(&event, output))),
         None => engine.observe(&mut |event| teller.tell(event, output)),
     };
-    teller.written?;
     let format = arguments::chosen_format(matches);
     if !teller.events && format != "json" {
         summary(session, &teller.set, result.status)?;
@@ -97,6 +93,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     if let Some(out) = matches.get_one::<String>("out") {
         save(session, Path::new(out), result.tables.iter().chain(&result.logs))?;
     }
+    // What was asked for as files is written, whatever became of standard output.
+    teller.written?;
     if let Some(diagnostic) = result.diagnostic.clone().map(|diagnostic| file.at_home(diagnostic)) {
         let diagnostic = &diagnostic;
         let sentence = result.fault.as_ref().filter(|fault| fault.of_cycle).and_then(|fault| {
@@ -109,6 +107,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
             None => session.output.complain(diagnostic, &session.ui),
         }
     }
+    neighbours.readable()?;
     Ok(match result.status {
         Status::Done | Status::Stopped => Outcome::Clean,
         Status::Error | Status::Limit | Status::Unsupported => Outcome::Errors,
@@ -162,25 +161,6 @@ fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
         }
     }
     Ok(())
-}
-
-/// The programs beside this one, by name, if it calls any.
-pub(super) fn neighbours(
-    path: &Path,
-    text: &str,
-    catalogue: &Catalogue,
-) -> Result<Vec<(String, program::Understood)>, Failure> {
-    if !CALLS.iter().any(|call| text.to_uppercase().contains(call)) {
-        return Ok(Vec::new());
-    }
-    let mut programs = Vec::new();
-    for extension in super::check::PROGRAMS {
-        for other in system::beside(path, extension)? {
-            let name = other.file_name().map(|name| name.to_string_lossy().into_owned());
-            programs.push((name.unwrap_or_default(), program::understand(&other, catalogue)?));
-        }
-    }
-    Ok(programs)
 }
 
 /// Tells events as they come, or remembers what the summary needs.

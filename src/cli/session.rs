@@ -30,14 +30,18 @@ pub(super) fn interface() -> Locales {
 }
 
 /// Standard output, buffered, and standard error.
+///
+/// Where nobody reads standard output any more, what is printed is dropped: a command does the rest of its work and
+/// ends as it would have ended.
 pub(super) struct Output {
     stdout: BufWriter<StdoutLock<'static>>,
     colours: (bool, bool),
+    closed: bool,
 }
 
 impl Output {
     pub(super) fn new() -> Self {
-        Self { stdout: BufWriter::new(io::stdout().lock()), colours: system::colours() }
+        Self { stdout: BufWriter::new(io::stdout().lock()), colours: system::colours(), closed: false }
     }
 
     /// Writes a part of the result.
@@ -47,12 +51,35 @@ impl Output {
 
     /// Writes a part of the result, byte by byte as it is.
     pub(super) fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
-        self.stdout.write_all(bytes).map_err(|error| stdout_failure(&error))
+        if self.closed {
+            return Ok(());
+        }
+        let written = self.stdout.write_all(bytes);
+        self.taken(written)
     }
 
     /// Writes out what is buffered.
     pub(super) fn finish(&mut self) -> Result<(), Failure> {
-        self.stdout.flush().map_err(|error| stdout_failure(&error))
+        if self.closed {
+            return Ok(());
+        }
+        let flushed = self.stdout.flush();
+        self.taken(flushed)
+    }
+
+    /// Whether nobody reads standard output any more.
+    pub(super) const fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    fn taken(&mut self, written: io::Result<()>) -> Result<(), Failure> {
+        match written {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {
+                self.closed = true;
+                Ok(())
+            }
+            written => written.map_err(|error| system::stdout_trouble(&error).into()),
+        }
     }
 
     /// Tells of a problem on standard error.
@@ -66,13 +93,6 @@ impl Output {
     pub(super) fn remark(&mut self, line: &str) {
         let _ = self.stdout.flush();
         let _ = writeln!(io::stderr(), "{line}");
-    }
-}
-
-fn stdout_failure(error: &io::Error) -> Failure {
-    match error.kind() {
-        io::ErrorKind::BrokenPipe => Failure::BrokenPipe,
-        _ => system::stdout_trouble(error).into(),
     }
 }
 
@@ -120,11 +140,14 @@ impl<'s> Session<'s> {
 
     /// Prints a document, for people to read too, as it is made.
     pub(super) fn print_json(&mut self, document: &impl serde::Serialize) -> Result<(), Failure> {
+        if self.output.closed {
+            return Ok(());
+        }
         if let Err(error) = serde_json::to_writer_pretty(&mut self.output.stdout, document) {
-            return Err(match error.io_error_kind() {
-                Some(kind) => stdout_failure(&kind.into()),
-                None => Diagnostic::global("internal").arg("detail", error.to_string()).into(),
-            });
+            let Some(kind) = error.io_error_kind() else {
+                return Err(Diagnostic::global("internal").arg("detail", error.to_string()).into());
+            };
+            self.output.taken(Err(kind.into()))?;
         }
         self.output.print("\n")
     }

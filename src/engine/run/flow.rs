@@ -39,16 +39,23 @@ pub(super) struct Flow {
     jumps: u64,
 }
 
-/// How programs are called by name: the file name without folder and extension, in capitals.
-pub(super) fn program_key(name: &str) -> String {
+/// How programs are called by name: the file name without folder and extension `.H`, in capitals.
+pub fn program_key(name: &str) -> String {
     let last = name.rsplit(['\\', '/', ':']).next().unwrap_or_default().to_ascii_uppercase();
     last.strip_suffix(".H").map_or_else(|| last.clone(), str::to_owned)
 }
 
 impl Flow {
-    pub(super) fn new(programs: &[Prepared<'_>]) -> Self {
-        let repeats = programs.iter().map(|program| vec![None; program.program.blocks().len()]).collect();
-        Self { program: 0, block: 0, next: 0, frames: Vec::new(), repeats, blocks: 0, jumps: 0 }
+    pub(super) fn new(program: &Prepared<'_>) -> Self {
+        let mut flow =
+            Self { program: 0, block: 0, next: 0, frames: Vec::new(), repeats: Vec::new(), blocks: 0, jumps: 0 };
+        flow.add(program);
+        flow
+    }
+
+    /// Takes in another program, which is numbered next.
+    pub(super) fn add(&mut self, program: &Prepared<'_>) {
+        self.repeats.push(vec![None; program.program.blocks().len()]);
     }
 
     /// Goes on to the next block.

@@ -58,6 +58,7 @@ pub use event::{
     Turned,
 };
 pub use fault::{CODES, Class, Fault};
+pub use flow::program_key;
 pub use params::Params;
 pub use told::Told;
 pub use trace::{Trace, Traced};
@@ -99,6 +100,12 @@ impl Texts for NoTexts {
     fn template(&self, _: &str) -> Option<(String, String)> {
         None
     }
+}
+
+/// Programs that are looked for when they are called.
+pub trait Programs {
+    /// The program that is called by this [key](program_key), if there is one.
+    fn program(&self, key: &str) -> Option<&Program>;
 }
 
 /// How much a run may do before it ends with a limit.
@@ -162,6 +169,7 @@ pub struct Outcome {
 pub struct Engine<'e> {
     program: &'e Program,
     others: BTreeMap<String, &'e Program>,
+    around: Option<&'e dyn Programs>,
     on: &'e OnControl,
     scene: &'e Scene,
     texts: &'e dyn Texts,
@@ -176,8 +184,8 @@ impl<'e> Engine<'e> {
     /// A run of the program on the control in the world of the scene.
     pub fn new(program: &'e Program, on: &'e OnControl, scene: &'e Scene, texts: &'e dyn Texts) -> Self {
         let limits = Limits::default();
-        let (others, others_on) = (BTreeMap::new(), Vec::new());
-        Self { program, others, on, scene, texts, limits, skip_blocks: false, envelope: false, others_on }
+        let (others, around, others_on) = (BTreeMap::new(), None, Vec::new());
+        Self { program, others, around, on, scene, texts, limits, skip_blocks: false, envelope: false, others_on }
     }
 
     /// The same with other limits.
@@ -191,6 +199,13 @@ impl<'e> Engine<'e> {
     #[must_use]
     pub fn with_program(mut self, name: &str, program: &'e Program) -> Self {
         self.others.insert(flow::program_key(name), program);
+        self
+    }
+
+    /// The same with programs that are looked for when they are called.
+    #[must_use]
+    pub const fn with_programs(mut self, around: &'e dyn Programs) -> Self {
+        self.around = Some(around);
         self
     }
 
@@ -228,13 +243,7 @@ impl<'e> Engine<'e> {
             Ok(world) => world,
             Err(error) => return self.not_started(error.into(), see),
         };
-        let mut programs = vec![Prepared::new(self.program)];
-        let mut names = BTreeMap::new();
-        for (name, program) in &self.others {
-            names.insert(name.clone(), programs.len());
-            programs.push(Prepared::new(program));
-        }
-        let mut run = Run::new(self, programs, names, world, see);
+        let mut run = Run::new(self, Prepared::new(self.program), world, see);
         let end = run.program();
         run.finish(end)
     }
@@ -318,7 +327,7 @@ struct Run<'r, 'e> {
     engine: &'r Engine<'e>,
     see: &'r mut dyn FnMut(&Event),
     programs: Vec<Prepared<'e>>,
-    /// Programs that can be called, by name.
+    /// Programs that were called, by name.
     names: BTreeMap<String, usize>,
     plans: BTreeMap<CycleKey, Arc<Plan>>,
     world: World<'e>,
@@ -371,20 +380,14 @@ struct Run<'r, 'e> {
 }
 
 impl<'r, 'e> Run<'r, 'e> {
-    fn new(
-        engine: &'r Engine<'e>,
-        programs: Vec<Prepared<'e>>,
-        names: BTreeMap<String, usize>,
-        world: World<'e>,
-        see: &'r mut dyn FnMut(&Event),
-    ) -> Self {
+    fn new(engine: &'r Engine<'e>, program: Prepared<'e>, world: World<'e>, see: &'r mut dyn FnMut(&Event)) -> Self {
         let at = At { program: engine.program.source().name().into(), ..At::default() };
         Self {
             engine,
             see,
-            flow: flow::Flow::new(&programs),
-            programs,
-            names,
+            flow: flow::Flow::new(&program),
+            programs: vec![program],
+            names: BTreeMap::new(),
             plans: BTreeMap::new(),
             world,
             params: Params::new(),

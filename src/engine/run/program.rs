@@ -3,6 +3,7 @@
 //! Invariant: every block is either executed, without effect by its nature, or a fault.
 use std::sync::Arc;
 
+use super::code::Prepared;
 use super::fault::Fault;
 use super::flow::{Call, program_key};
 use super::{Done, Run};
@@ -122,10 +123,24 @@ impl<'e> Run<'_, 'e> {
     pub(super) fn call_program(&mut self, name: &str) -> Done {
         // A program call ends radius compensation.
         self.end_contour()?;
-        let Some(program) = self.names.get(&program_key(name)).copied() else {
+        let Some(program) = self.called(program_key(name)) else {
             return Err(Fault::program("program-missing").arg("name", name).into());
         };
         self.flow.call(program, 0, Call::Program, &self.engine.limits)
+    }
+
+    /// The number of a program that is called, which is looked for at its first call.
+    fn called(&mut self, key: String) -> Option<usize> {
+        if let Some(known) = self.names.get(&key) {
+            return Some(*known);
+        }
+        let given = self.engine.others.get(&key).copied();
+        let prepared = Prepared::new(given.or_else(|| self.engine.around?.program(&key))?);
+        self.flow.add(&prepared);
+        self.programs.push(prepared);
+        let number = self.programs.len() - 1;
+        self.names.insert(key, number);
+        Some(number)
     }
 
     pub(super) fn jump(&mut self, jump: &FnJump) -> Done {
