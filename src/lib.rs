@@ -27,4 +27,5 @@ pub mod syntax;
 pub mod system;
 pub mod table;
 pub mod text;
+pub mod together;
 pub mod translate;

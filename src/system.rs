@@ -2,18 +2,19 @@
 //!
 //! Invariant: nothing half-written is ever found under the name that was asked for. A file is written
 //! beside its target and renamed; a directory is filled beside its target and exchanged when whole. Nothing of that is
-//! left behind, also when a signal ends the program.
+//! left behind, nor a program that was started, also when a signal ends this one.
+mod answering;
 mod leftover;
 
 use std::ffi::OsString;
-use std::io::{self, BufRead as _, IsTerminal, Write as _};
+use std::io::{self, IsTerminal, Write as _};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
-use std::time::Duration;
-use std::{env, fs, thread};
+use std::{env, fs};
 
+use leftover::Made;
 use sha2::{Digest as _, Sha256};
+
+pub use answering::{Answering, LONGEST_LINE, NoAnswer, next_line};
 
 use crate::diag::Diagnostic;
 
@@ -40,6 +41,7 @@ impl Trouble {
             io::ErrorKind::NotADirectory => "not-directory",
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "full",
             io::ErrorKind::ReadOnlyFilesystem => "read-only",
+            io::ErrorKind::FileTooLarge => "too-large",
             _ => "other",
         };
         Self { code, path: path.to_owned(), reason, detail: error.to_string() }
@@ -53,6 +55,11 @@ impl From<Trouble> for Diagnostic {
             .arg("reason", trouble.reason)
             .arg("detail", trouble.detail)
     }
+}
+
+/// Makes a limit of the system on the size of files an error like others instead of the end of the program.
+pub fn outlive_limits() {
+    leftover::outlive_limits();
 }
 
 /// The words of the command line, the program's name first.
@@ -285,7 +292,7 @@ fn write_beside<'p>(path: &Path, parts: impl Iterator<Item = &'p [u8]>) -> io::R
         return put_parts(fs::File::create(path)?, parts);
     }
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let (_leftover, mut file) = leftover::make(|| temporary(parent(&target)), tempfile::NamedTempFile::path)?;
+    let (_leftover, mut file) = leftover::make(|| temporary(parent(&target)), |file| Made::at(file.path()))?;
     put_parts(&mut file, parts)?;
     if let Ok(known) = fs::metadata(&target) {
         file.as_file().set_permissions(known.permissions())?;
@@ -347,7 +354,7 @@ impl Staged {
         }
         fs::create_dir_all(parent(&target)).map_err(trouble)?;
         let temporary = || tempfile::Builder::new().prefix(".ciklo-").tempdir_in(parent(&target));
-        let (leftover, scratch) = leftover::make(temporary, tempfile::TempDir::path).map_err(trouble)?;
+        let (leftover, scratch) = leftover::make(temporary, |made| Made::at(made.path())).map_err(trouble)?;
         let [whole, old] = ["new", "old"].map(|name| scratch.path().join(name));
         let staged = Self { target: target.clone(), whole, old, scratch: Some(scratch), _leftover: leftover };
         let begun = leftover::undisturbed(|| {
@@ -452,110 +459,5 @@ mod tests {
         let missing = read(&root.path().join("none")).unwrap_err();
         assert_eq!(missing.reason, "not-found");
         assert!(write(&root.path().join("none/a.h"), b"").is_err());
-    }
-}
-
-/// The next line of standard input, without its end; nothing at the end of the input.
-///
-/// # Errors
-/// `io-read`.
-pub fn next_line() -> Result<Option<String>, Trouble> {
-    let mut line = String::new();
-    let read = io::stdin().lock().read_line(&mut line);
-    let count = read.map_err(|error| Trouble::new("io-read", Path::new("-"), &error))?;
-    Ok((count > 0).then(|| line.trim_end().to_owned()))
-}
-
-/// Another program that answers each line by a line. It is started when it is first asked and again after it ended.
-pub struct Answering {
-    words: Vec<String>,
-    limit: Duration,
-    running: Option<Running>,
-}
-
-struct Running {
-    child: Child,
-    ask: Sender<String>,
-    answers: Receiver<String>,
-}
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        // It may have ended by itself.
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
-/// Why a program gave no answer.
-#[derive(Debug)]
-pub enum NoAnswer {
-    /// It took too long and was ended.
-    TimeLimit,
-    /// It ended or could not be started, for that reason.
-    Ended(String),
-}
-
-impl Answering {
-    /// The program of a command line: words with blanks between them, double quotes around words with blanks.
-    pub fn new(command: &str, limit: Duration) -> Self {
-        let mut words = Vec::new();
-        for (index, part) in command.split('"').enumerate() {
-            match index % 2 {
-                1 => words.push(part.to_owned()),
-                _ => words.extend(part.split_whitespace().map(str::to_owned)),
-            }
-        }
-        Self { words, limit, running: None }
-    }
-
-    /// The answer to a line.
-    ///
-    /// # Errors
-    /// There is none in time; the program was ended.
-    pub fn ask(&mut self, line: &str) -> Result<String, NoAnswer> {
-        let mut running = match self.running.take() {
-            Some(running) => running,
-            None => self.start().map_err(|error| NoAnswer::Ended(error.to_string()))?,
-        };
-        // A program that has ended shows when it does not answer.
-        let _ = running.ask.send(format!("{line}\n"));
-        match running.answers.recv_timeout(self.limit) {
-            Ok(answer) => {
-                self.running = Some(running);
-                Ok(answer)
-            }
-            Err(RecvTimeoutError::Timeout) => Err(NoAnswer::TimeLimit),
-            Err(RecvTimeoutError::Disconnected) => {
-                let _ = running.child.kill();
-                let ended = running.child.wait().map_or_else(|error| error.to_string(), |status| status.to_string());
-                Err(NoAnswer::Ended(ended))
-            }
-        }
-    }
-
-    fn start(&self) -> io::Result<Running> {
-        let (program, words) = self.words.split_first().ok_or(io::ErrorKind::NotFound)?;
-        let mut child = Command::new(program).args(words).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
-        let (Some(mut input), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
-            return Err(io::ErrorKind::BrokenPipe.into());
-        };
-        let (ask, asked) = mpsc::channel::<String>();
-        let (tell, answers) = mpsc::channel();
-        thread::spawn(move || {
-            for line in asked {
-                if input.write_all(line.as_bytes()).and_then(|()| input.flush()).is_err() {
-                    return;
-                }
-            }
-        });
-        thread::spawn(move || {
-            for line in io::BufReader::new(output).lines() {
-                if line.ok().and_then(|line| tell.send(line).ok()).is_none() {
-                    return;
-                }
-            }
-        });
-        Ok(Running { child, ask, answers })
     }
 }

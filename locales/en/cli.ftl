@@ -234,8 +234,18 @@ diag-io-write = { $path } cannot be written: { $reason ->
         [not-directory] a part of the path is not a directory
         [full] no space is left
         [read-only] the file system is read-only
+        [too-large] a file may not be that large
        *[other] { $detail }
     }.
+diag-engine-start = The engine “{ $path }” cannot be started: { $reason ->
+        [not-found] there is no such program
+        [permission] permission is denied
+       *[other] { $detail }
+    }.
+diag-engine-silent = The engine did not answer { $silent } cases in a row and is not asked further: { $left ->
+        [one] { $left } case is left out.
+       *[other] { $left } cases are left out.
+    }
 diag-io-foreign-directory = { $path } has files that ciklo did not write, so it is not replaced. Choose an empty or a new directory.
 diag-data-lacks = { $path } lacks the directory { $name }.
 diag-no-data = { $path } has none of the directories cycle-specs, locales and templates.

@@ -205,8 +205,18 @@ diag-io-write = Kirjoittaminen ei onnistu: { $path }: { $reason ->
         [not-directory] polun osa ei ole hakemisto
         [full] tila on loppunut
         [read-only] tiedostojärjestelmä on vain luettavissa
+        [too-large] tiedosto ei saa olla niin suuri
        *[other] { $detail }
     }.
+diag-engine-start = Suoritusohjelman käynnistäminen ei onnistu: { $path }: { $reason ->
+        [not-found] ohjelmaa ei ole
+        [permission] ei käyttöoikeutta
+       *[other] { $detail }
+    }.
+diag-engine-silent = Suoritusohjelma ei vastannut { $silent } peräkkäiseen tapaukseen, eikä siltä enää kysytä: { $left ->
+        [one] { $left } tapaus jää pois.
+       *[other] { $left } tapausta jää pois.
+    }
 diag-io-foreign-directory = Hakemistossa { $path } on tiedostoja, joita ciklo ei ole kirjoittanut, joten sitä ei korvata. Valitse tyhjä tai uusi hakemisto.
 diag-data-lacks = Hakemistosta { $path } puuttuu hakemisto { $name }.
 diag-no-data = Hakemistossa { $path } ei ole hakemistoja cycle-specs, locales eikä templates.

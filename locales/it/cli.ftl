@@ -205,8 +205,18 @@ diag-io-write = Impossibile scrivere { $path }: { $reason ->
         [not-directory] una parte del percorso non è una cartella
         [full] non c’è più spazio
         [read-only] il file system è di sola lettura
+        [too-large] un file non può essere così grande
        *[other] { $detail }
     }.
+diag-engine-start = Impossibile avviare il motore “{ $path }”: { $reason ->
+        [not-found] il programma non esiste
+        [permission] permesso negato
+       *[other] { $detail }
+    }.
+diag-engine-silent = Il motore non ha risposto a { $silent } casi di seguito e non viene più interrogato: { $left ->
+        [one] { $left } caso è escluso.
+       *[other] { $left } casi sono esclusi.
+    }
 diag-io-foreign-directory = { $path } contiene file non scritti da ciklo, perciò non viene sostituita. Scegliere una cartella vuota o nuova.
 diag-data-lacks = In { $path } manca la cartella { $name }.
 diag-no-data = { $path } non contiene nessuna delle cartelle cycle-specs, locales e templates.

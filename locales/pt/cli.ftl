@@ -208,8 +208,18 @@ diag-io-write = Não é possível escrever { $path }: { $reason ->
         [not-directory] uma parte do caminho não é uma pasta
         [full] não há mais espaço
         [read-only] o sistema de ficheiros é só de leitura
+        [too-large] um ficheiro não pode ser tão grande
        *[other] { $detail }
     }.
+diag-engine-start = Não é possível iniciar o motor “{ $path }”: { $reason ->
+        [not-found] o programa não existe
+        [permission] sem permissão
+       *[other] { $detail }
+    }.
+diag-engine-silent = O motor não respondeu a { $silent } casos seguidos e não volta a ser consultado: { $left ->
+        [one] fica de fora { $left } caso.
+       *[other] ficam de fora { $left } casos.
+    }
 diag-io-foreign-directory = { $path } tem ficheiros que o ciklo não escreveu, por isso não é substituída. Escolha uma pasta vazia ou nova.
 diag-data-lacks = Em { $path } falta a pasta { $name }.
 diag-no-data = { $path } não tem nenhuma das pastas cycle-specs, locales e templates.

@@ -227,8 +227,20 @@ diag-io-write = { $path } ni mogoče zapisati: { $reason ->
         [not-directory] del poti ni mapa
         [full] prostora je zmanjkalo
         [read-only] datotečni sistem je samo za branje
+        [too-large] datoteka ne sme biti tako velika
        *[other] { $detail }
     }.
+diag-engine-start = Pogona »{ $path }« ni mogoče zagnati: { $reason ->
+        [not-found] program ne obstaja
+        [permission] ni dovoljenja
+       *[other] { $detail }
+    }.
+diag-engine-silent = Pogon večkrat zapored ni odgovoril (število primerov: { $silent }), zato ni več vprašan: { $left ->
+        [one] izpuščen je { $left } primer.
+        [two] izpuščena sta { $left } primera.
+        [few] izpuščeni so { $left } primeri.
+       *[other] izpuščenih je { $left } primerov.
+    }
 diag-io-foreign-directory = V mapi { $path } so datoteke, ki jih ciklo ni zapisal, zato ni zamenjana. Izberite prazno ali novo mapo.
 diag-data-lacks = V mapi { $path } manjka mapa { $name }.
 diag-no-data = V mapi { $path } ni nobene od map cycle-specs, locales in templates.

@@ -17,6 +17,7 @@ use crate::locale::{Args, Language, Locales, Scope, Ui};
 use crate::spec::{Catalogue, OnControl};
 use crate::system;
 use crate::table::{self, TableKind};
+use crate::together::together;
 
 pub(super) const COMMAND: Command = Command {
     name: "check",
@@ -273,22 +274,17 @@ fn all<'l>(
 ) -> Vec<Checked> {
     let next = AtomicUsize::new(0);
     let results: Mutex<Vec<Option<Checked>>> = Mutex::new(jobs.iter().map(|_| None).collect());
-    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(jobs.len().max(1));
-    std::thread::scope(|scope| {
-        for _ in 0..workers {
-            scope.spawn(|| {
-                let mut books = BTreeMap::new();
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(job) = jobs.get(index) else { break };
-                    let result = work(job, &mut books);
-                    progress.step();
-                    let mut all = results.lock().unwrap_or_else(PoisonError::into_inner);
-                    if let Some(cell) = all.get_mut(index) {
-                        *cell = Some(result);
-                    }
-                }
-            });
+    together(jobs.len(), || {
+        let mut books = BTreeMap::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(job) = jobs.get(index) else { break };
+            let result = work(job, &mut books);
+            progress.step();
+            let mut all = results.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some(cell) = all.get_mut(index) {
+                *cell = Some(result);
+            }
         }
     });
     results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect()

@@ -18,7 +18,7 @@ pub(super) const COMMAND: Command = Command {
 };
 
 /// How long another engine may take for a case, in seconds.
-const TIME_LIMIT: f64 = 10.0;
+const TIME_LIMIT: Duration = Duration::from_secs(10);
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
@@ -27,7 +27,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::valued(ui, "engine", "CMD", "cli-conform-engine"),
         arguments::valued(ui, "time-limit", "SECONDS", "cli-conform-time-limit")
             .requires("engine")
-            .value_parser(clap::value_parser!(f64)),
+            .value_parser(time_limit),
         arguments::switch(ui, "serve", "cli-conform-serve").conflicts_with_all(["engine", "control"]),
     ]
 }
@@ -44,9 +44,10 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let (report, found) = match matches.get_one::<String>("engine") {
         None => conform::run(&world, &controls),
         Some(command) => {
-            let limit = matches.get_one::<f64>("time-limit").copied().unwrap_or(TIME_LIMIT);
-            let limit = Duration::try_from_secs_f64(limit).unwrap_or(Duration::MAX);
-            conform::run_foreign(&world, &controls, &mut Foreign(Answering::new(command, limit)))
+            let limit = matches.get_one::<Duration>("time-limit").copied().unwrap_or(TIME_LIMIT);
+            let mut engine = Answering::new(command, limit);
+            engine.begin()?;
+            conform::run_foreign(&world, &controls, &mut Foreign(engine))
         }
     };
     let text = match arguments::chosen_format(matches) {
@@ -62,6 +63,13 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     Ok(if wrong || !report.is_clean() { Outcome::Errors } else { Outcome::Clean })
 }
 
+/// Seconds as a time that passes: neither nothing nor for ever.
+fn time_limit(text: &str) -> Result<Duration, String> {
+    let seconds: f64 = text.parse().map_err(|_| text.to_owned())?;
+    let limit = Duration::try_from_secs_f64(seconds).ok();
+    limit.filter(|limit| !limit.is_zero()).ok_or_else(|| text.to_owned())
+}
+
 /// Another engine, in a process of its own.
 struct Foreign(Answering);
 
@@ -69,6 +77,7 @@ impl Partner for Foreign {
     fn ask(&mut self, line: &str) -> Result<String, Silence> {
         self.0.ask(line).map_err(|silence| match silence {
             NoAnswer::TimeLimit => Silence::TimeLimit,
+            NoAnswer::TooLong => Silence::TooLong(system::LONGEST_LINE),
             NoAnswer::Ended(reason) => Silence::Ended(reason),
         })
     }

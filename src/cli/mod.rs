@@ -124,6 +124,7 @@ const EXIT_TROUBLE: u8 = 2;
 
 /// Carries out a command line, the program's name first.
 pub fn main(words: impl IntoIterator<Item = OsString>) -> ExitCode {
+    system::outlive_limits();
     let words: Vec<OsString> = words.into_iter().collect();
     let locales = session::interface();
     let mut output = Output::new();

@@ -1,6 +1,7 @@
 //! Another engine put to the cases: asked by the protocol, judged like ours.
 //!
-//! Invariant: what it cannot tell (which sentences were executed) is not held against it; silence is.
+//! Invariant: what it cannot tell (which sentences were executed) is not held against it; silence is, and one that
+//! stays silent is not asked for ever.
 use super::case::{self, Prepared};
 use super::protocol::{Answer, CycleName, PROTOCOL, Request};
 use super::{CaseReport, CycleReport, FORMAT, Job, Mismatch, Report, Verdict, World, jobs};
@@ -11,9 +12,16 @@ use crate::diag::{Diagnostic, dedupe};
 pub enum Silence {
     /// It took longer than it may.
     TimeLimit,
+    /// Its answer had no end within so many bytes.
+    TooLong(usize),
     /// It ended, or could not be started, for that reason.
     Ended(String),
 }
+
+/// So many cases in a row an engine may be silent that has never answered.
+const NEVER: usize = 3;
+/// The same of one that has answered before: cases of one cycle, on which it may fail, stand together.
+const NO_MORE: usize = 12;
 
 /// Another engine: gets a line and gives a line.
 pub trait Partner {
@@ -24,11 +32,41 @@ pub trait Partner {
     fn ask(&mut self, line: &str) -> Result<String, Silence>;
 }
 
-/// Puts every example on the controls (all of them, if the list is empty) to another engine.
+/// An engine with what is known of its silence.
+struct Patience<'p> {
+    partner: &'p mut dyn Partner,
+    answered: bool,
+    /// Cases without an answer since the last one.
+    silent: usize,
+}
+
+impl Patience<'_> {
+    fn ask(&mut self, line: &str) -> Result<String, Silence> {
+        let answer = self.partner.ask(line);
+        self.answered |= answer.is_ok();
+        self.silent = if answer.is_ok() { 0 } else { self.silent + 1 };
+        answer
+    }
+
+    fn is_over(&self) -> bool {
+        self.silent >= if self.answered { NO_MORE } else { NEVER }
+    }
+}
+
+/// Puts every example on the controls (all of them, if the list is empty) to another engine. One that was silent too
+/// often in a row is not asked further: `engine-silent` tells how many cases are left.
 pub fn run(world: &World<'_>, controls: &[&str], partner: &mut dyn Partner) -> (Report, Vec<Diagnostic>) {
     let (mut cases, mut found, mut cycles) = (Vec::new(), Vec::new(), Vec::<CycleReport>::new());
-    for (id, job) in (1..).zip(jobs(world, controls)) {
-        let (report, mistakes) = execute(world, &job, id, partner);
+    let jobs = jobs(world, controls);
+    let mut partner = Patience { partner, answered: false, silent: 0 };
+    for (id, job) in (1..).zip(&jobs) {
+        if partner.is_over() {
+            let left = jobs.len() - cases.len();
+            let silent = Diagnostic::global("engine-silent").arg("silent", partner.silent as f64);
+            found.push(silent.arg("left", left as f64));
+            break;
+        }
+        let (report, mistakes) = execute(world, job, id, &mut partner);
         found.extend(mistakes);
         if !cycles.iter().rev().any(|known| known.is_of(&report)) {
             cycles.push(CycleReport::unseen(&report));
@@ -39,7 +77,7 @@ pub fn run(world: &World<'_>, controls: &[&str], partner: &mut dyn Partner) -> (
     (Report { format: FORMAT, cases, cycles }, found)
 }
 
-fn execute(world: &World<'_>, job: &Job<'_>, id: u64, partner: &mut dyn Partner) -> (CaseReport, Vec<Diagnostic>) {
+fn execute(world: &World<'_>, job: &Job<'_>, id: u64, partner: &mut Patience<'_>) -> (CaseReport, Vec<Diagnostic>) {
     if let Some(reason) = &job.example.skip {
         return (job.report(Verdict::Skipped { reason: reason.clone() }), Vec::new());
     }
@@ -52,7 +90,7 @@ fn execute(world: &World<'_>, job: &Job<'_>, id: u64, partner: &mut dyn Partner)
     }
 }
 
-fn judge(job: &Job<'_>, prepared: &Prepared<'_>, id: u64, partner: &mut dyn Partner) -> Verdict {
+fn judge(job: &Job<'_>, prepared: &Prepared<'_>, id: u64, partner: &mut Patience<'_>) -> Verdict {
     let key = job.cycle.key;
     let request = Request {
         format: PROTOCOL.to_owned(),
@@ -72,6 +110,9 @@ fn judge(job: &Job<'_>, prepared: &Prepared<'_>, id: u64, partner: &mut dyn Part
     let answer = match partner.ask(&line) {
         Ok(line) => line,
         Err(Silence::TimeLimit) => return fails("engine", "an answer", "none within the time limit".to_owned()),
+        Err(Silence::TooLong(most)) => {
+            return fails("engine", "an answer", format!("a line without an end in {most} bytes"));
+        }
         Err(Silence::Ended(reason)) => return fails("engine", "an answer", format!("it ended: {reason}")),
     };
     let answer: Answer = match serde_json::from_str(&answer) {

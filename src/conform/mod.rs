@@ -24,6 +24,7 @@ use crate::engine::run::Shown;
 use crate::engine::scene::Scene;
 use crate::locale::Locales;
 use crate::spec::{Catalogue, Cycle, CycleKey, Example, OnControl};
+use crate::together::together;
 
 /// What conformance works on.
 #[derive(Clone, Copy, Debug)]
@@ -122,18 +123,13 @@ type Result = (CaseReport, Shown, Vec<Diagnostic>);
 fn execute(world: &World<'_>, jobs: &[Job<'_>]) -> Vec<Result> {
     let next = AtomicUsize::new(0);
     let results: Mutex<Vec<Option<Result>>> = Mutex::new(jobs.iter().map(|_| None).collect());
-    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(jobs.len().max(1));
-    std::thread::scope(|scope| {
-        for _ in 0..workers {
-            scope.spawn(|| {
-                while let Some((index, job)) = take(&next, jobs) {
-                    let result = case::execute(world, job.on, job.cycle, job.example);
-                    let mut all = results.lock().unwrap_or_else(PoisonError::into_inner);
-                    if let Some(cell) = all.get_mut(index) {
-                        *cell = Some(result);
-                    }
-                }
-            });
+    together(jobs.len(), || {
+        while let Some((index, job)) = take(&next, jobs) {
+            let result = case::execute(world, job.on, job.cycle, job.example);
+            let mut all = results.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some(cell) = all.get_mut(index) {
+                *cell = Some(result);
+            }
         }
     });
     results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect()

@@ -29,6 +29,7 @@ use crate::check::LabelBook;
 use crate::diag::Diagnostic;
 use crate::locale::{Language, Locales};
 use crate::spec::{Catalogue, OnControl};
+use crate::together::together;
 use crate::{dialog, export, label};
 
 use compare::Comparison;
@@ -310,13 +311,7 @@ fn in_parallel(jobs: usize, run: &(dyn Fn(usize) -> Result<(), Vec<Diagnostic>> 
             }
         }
     };
-    let threads = std::thread::available_parallelism().map_or(1, usize::from).min(jobs.max(1));
-    std::thread::scope(|scope| {
-        for _ in 1..threads {
-            scope.spawn(work);
-        }
-        work();
-    });
+    together(jobs, work);
     let mut faults = faults.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
     let key = |fault: &Diagnostic| {
         let place = fault.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));

@@ -1,41 +1,73 @@
-//! What stands beside its target until it is whole, and goes away when the program is told to end.
+//! What stands beside its target until it is whole, programs that run for this one, and how both go away when the
+//! program is told to end.
 //!
 //! Invariant: whatever a signal interrupts, nothing that was made here is left behind;
 //! who ended the program sees it end by that signal. For this, whoever puts something into a directory made
 //! here, or takes it away, does so [undisturbed]: a directory that changes meanwhile cannot be removed.
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{PoisonError, RwLock, RwLockWriteGuard};
+use std::{fs, io};
 
 /// What there is now.
-static MADE: RwLock<Vec<PathBuf>> = RwLock::new(Vec::new());
+static MADE: RwLock<Vec<Made>> = RwLock::new(Vec::new());
 
-fn made() -> RwLockWriteGuard<'static, Vec<PathBuf>> {
+fn made() -> RwLockWriteGuard<'static, Vec<Made>> {
     MADE.write().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What goes away at a signal.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Made {
+    /// A file or directory.
+    Path(PathBuf),
+    /// The process that leads a group of its own, with all that belong to it.
+    Group(u32),
+}
+
+impl Made {
+    pub(super) fn at(path: &Path) -> Self {
+        Self::Path(path.to_owned())
+    }
+
+    fn remove(&self) {
+        // What cannot be taken away stays; there is nobody left to tell.
+        let _ = match self {
+            Self::Path(path) if path.is_dir() => fs::remove_dir_all(path),
+            Self::Path(path) => fs::remove_file(path),
+            Self::Group(leader) => kill_group(*leader),
+        };
+    }
 }
 
 /// Something that goes away at a signal, as long as this lives.
 #[derive(Debug)]
-pub(super) struct Leftover(PathBuf);
+pub(super) struct Leftover(Made);
+
+impl Leftover {
+    /// Makes it go away now.
+    pub(super) fn end(self) {
+        self.0.remove();
+    }
+}
 
 impl Drop for Leftover {
     fn drop(&mut self) {
-        made().retain(|path| *path != self.0);
+        made().retain(|own| *own != self.0);
     }
 }
 
 /// Makes something that is to go away at a signal.
 pub(super) fn make<T>(
     make: impl FnOnce() -> io::Result<T>,
-    path: impl FnOnce(&T) -> &Path,
+    what: impl FnOnce(&T) -> Made,
 ) -> io::Result<(Leftover, T)> {
     listen();
     // A signal waits until it is known what was made.
     let mut all = made();
     let own = make()?;
-    let path = path(&own).to_owned();
-    all.push(path.clone());
-    Ok((Leftover(path), own))
+    let what = what(&own);
+    all.push(what.clone());
+    Ok((Leftover(what), own))
 }
 
 /// Does something that no signal may interrupt; several threads may do so at a time.
@@ -46,34 +78,68 @@ pub(super) fn undisturbed<T>(act: impl FnOnce() -> T) -> T {
 }
 
 #[cfg(unix)]
+fn kill_group(leader: u32) -> io::Result<()> {
+    use rustix::process::{Pid, Signal, kill_process_group};
+    let group = i32::try_from(leader).ok().and_then(Pid::from_raw).ok_or(io::ErrorKind::InvalidInput)?;
+    Ok(kill_process_group(group, Signal::KILL)?)
+}
+
+/// Groups of processes are nothing that all systems have; whoever started the process ends it.
+#[cfg(not(unix))]
+fn kill_group(_: u32) -> io::Result<()> {
+    Ok(())
+}
+
+/// Whatever a signal of the limit on the size of files does, writing goes wrong then, and that is told.
+#[cfg(unix)]
+pub(super) fn outlive_limits() {
+    use signal_hook::consts::SIGXFSZ;
+    // Where that is refused, the program ends as others do.
+    let _ = signal_hook::flag::register(SIGXFSZ, std::sync::Arc::default());
+}
+
+#[cfg(not(unix))]
+pub(super) fn outlive_limits() {}
+
+/// The signals by which a program is told to end, and those that end it if it does not hear them.
+#[cfg(unix)]
+const HEARD: [i32; 8] = {
+    use signal_hook::consts::{SIGALRM, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2};
+    [SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGUSR1, SIGUSR2, signal_hook::consts::SIGXCPU]
+};
+
+#[cfg(unix)]
 fn listen() {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
-    use std::{fs, thread};
+    use std::sync::mpsc;
+    use std::thread;
 
     static LISTENING: std::sync::Once = std::sync::Once::new();
     LISTENING.call_once(|| {
         let ignored = ignored();
-        let heard = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 0);
-        let Ok(mut signals) = Signals::new(heard) else { return };
-        thread::spawn(move || {
+        let heard = HEARD.into_iter().filter(move |signal| ignored >> (signal - 1) & 1 == 0);
+        let (ready, listens) = mpsc::channel();
+        // Signals are taken over by the thread that hears them: where there is none, they end the program.
+        let listener = move || {
+            let Ok(mut signals) = Signals::new(heard) else { return };
+            let _ = ready.send(());
             for signal in signals.forever() {
                 let all = made();
-                for path in all.iter() {
-                    // What cannot be taken away stays; there is nobody left to tell.
-                    let _ = if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };
-                }
+                all.iter().for_each(Made::remove);
                 // It ends here, before anything else is made.
                 let _ = signal_hook::low_level::emulate_default_handler(signal);
             }
-        });
+        };
+        if thread::Builder::new().spawn(listener).is_ok() {
+            let _ = listens.recv();
+        }
     });
 }
 
 /// Signals that whoever started the program wants it to pass over, a bit each; none where that cannot be known.
 #[cfg(unix)]
 fn ignored() -> u64 {
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
     mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or_default()
 }

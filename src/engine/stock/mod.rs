@@ -49,6 +49,7 @@ use glam::{DVec2, DVec3};
 
 use super::geometry::{Axis, Frame, WorkingPlane};
 use super::solid::{Body, Path, Shape, SolidError};
+use crate::together::together;
 use lane::{Row, SLIVER, Tally, larger, smaller};
 use oblique::Oblique;
 use onward::Onward;
@@ -60,6 +61,8 @@ use sweep::Sweep;
 const BAND: usize = 4;
 /// Lanes that can be worked on at the same time.
 const LANES: usize = 8;
+/// Pieces of moves below which one thread works.
+const FEW: usize = 32;
 /// Most columns of a grid: about three gigabytes.
 const MOST_COLUMNS: f64 = 1.5e8;
 /// How deep rapid traverse must be in the material to count as contact, mm. What follows from rounding is far below.
@@ -390,15 +393,8 @@ impl Stock {
                 *tallies = work_lane(&grid, *number, rows, jobs.iter().zip(&plans), moves);
             }
         };
-        let threads = std::thread::available_parallelism().map_or(1, usize::from).min(LANES);
-        if threads == 1 || jobs.len() < 32 {
-            work();
-        } else {
-            std::thread::scope(|scope| {
-                (1..threads).for_each(|_| drop(scope.spawn(work)));
-                work();
-            });
-        }
+        // A few moves are done before a thread is there.
+        together(if jobs.len() < FEW { 1 } else { LANES }, work);
         let mut all = vec![Tally::NONE; moves];
         for lane in lanes {
             let tallies = lane.into_inner().map(|(_, tallies)| tallies).unwrap_or_default();
