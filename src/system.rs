@@ -106,6 +106,32 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Trouble> {
     read.map_err(|error| Trouble::new("io-read", path, &error))
 }
 
+/// The bytes of a file that nobody named: nothing else is read, as pipes may wait for ever and devices may have no end.
+///
+/// # Errors
+/// `io-read` if it is no file or cannot be read.
+pub fn read_file(path: &Path) -> Result<Vec<u8>, Trouble> {
+    if is_no_file(path) {
+        let error = if path.is_dir() { io::ErrorKind::IsADirectory.into() } else { not_regular() };
+        return Err(Trouble::new("io-read", path, &error));
+    }
+    read(path)
+}
+
+/// Whether something stands there that is no file.
+pub fn is_no_file(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|known| !known.is_file())
+}
+
+/// How many bytes a file has, if it can be told.
+pub fn size(path: &Path) -> Option<u64> {
+    fs::metadata(path).ok().map(|known| known.len())
+}
+
+fn not_regular() -> io::Error {
+    io::Error::other("not a regular file")
+}
+
 /// What the bytes of a file come to, which tells whether somebody has changed it.
 pub type Digest = [u8; 32];
 
@@ -168,8 +194,7 @@ fn collect(directory: &Path, name: &str, depth: usize, files: &mut Vec<(String, 
             files.push((name, read(&path)?));
         } else if !known.is_dir() {
             // A pipe would wait for ever.
-            let error = io::Error::other("not a regular file");
-            return Err(Trouble::new("io-read", &path, &error));
+            return Err(Trouble::new("io-read", &path, &not_regular()));
         } else if depth < DEEPEST {
             collect(&path, &name, depth + 1, files)?;
         }
@@ -208,10 +233,11 @@ pub fn files_below(path: &Path, extensions: &[&str]) -> Result<Vec<PathBuf>, Tro
     Ok(found)
 }
 
-/// The nearest file of that name in the directory of a path or above it.
+/// The nearest of that name in the directory of a path or above it.
 pub fn nearest(path: &Path, name: &str) -> Option<PathBuf> {
     let whole = fs::canonicalize(path).or_else(|_| env::current_dir()).ok()?;
-    whole.ancestors().map(|directory| directory.join(name)).find(|file| file.is_file())
+    // Also what cannot be read: whoever asks shall see that.
+    whole.ancestors().map(|directory| directory.join(name)).find(|file| fs::symlink_metadata(file).is_ok())
 }
 
 /// The path of a file as seen from a directory, with `/`; as it is given if it lies elsewhere.
@@ -288,7 +314,7 @@ fn put_parts<'p>(file: impl io::Write, mut parts: impl Iterator<Item = &'p [u8]>
 
 fn write_beside<'p>(path: &Path, parts: impl Iterator<Item = &'p [u8]>) -> io::Result<()> {
     // A device such as /dev/stdout or a pipe cannot be replaced by renaming.
-    if fs::metadata(path).is_ok_and(|known| !known.is_file()) {
+    if is_no_file(path) {
         return put_parts(fs::File::create(path)?, parts);
     }
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());

@@ -305,3 +305,70 @@ fn every_signal_that_ends_it_leaves_nothing_half_made() {
         assert_eq!(files(), 0, "{name}");
     }
 }
+
+/// A folder with as many copies of a program as make a cache worth it, and the place of the cache.
+fn programs(text: &str) -> (tempfile::TempDir, std::path::PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    for number in 0..16 {
+        std::fs::write(folder.path().join(format!("{number}.h")), format!("{text}; {number}\n")).unwrap();
+    }
+    let place = folder.path().join("cache");
+    std::fs::create_dir(&place).unwrap();
+    (folder, place)
+}
+
+/// What a check of that folder says.
+fn checked(folder: &tempfile::TempDir, place: &Path) -> Output {
+    let words = ["check", folder.path().to_str().unwrap(), "--control", "tnc640", "--format", "json"];
+    ciklo(&words).env("XDG_CACHE_HOME", place).output().unwrap()
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_cache_is_a_file_and_bounded() {
+    let (folder, place) = programs("0 BEGIN PGM A MM\n1 FOO\n2 END PGM A MM\n");
+    let first = checked(&folder, &place);
+    assert_eq!(first.status.code(), Some(1));
+    let file = place.join("ciklo/check.cache");
+    let entries = || std::fs::read_to_string(&file).unwrap().lines().count() - 1;
+    assert_eq!(entries(), 16);
+    // Many findings in one program are not kept.
+    let long = format!("0 BEGIN PGM B MM\n{}END PGM B MM\n", "1 FOO\n".repeat(2000));
+    std::fs::write(folder.path().join("long.h"), long).unwrap();
+    std::fs::write(folder.path().join("short.h"), "0 BEGIN PGM B MM\n1 END PGM B MM\n").unwrap();
+    let found = checked(&folder, &place);
+    assert_eq!(entries(), 17);
+    assert_eq!(checked(&folder, &place).stdout, found.stdout);
+    // What is larger than a cache can be is not read.
+    let whole = std::fs::read_to_string(&file).unwrap();
+    std::fs::write(&file, format!("{whole}{}", format!("{:032x} []\n", 1).repeat(2_000_000))).unwrap();
+    std::fs::write(folder.path().join("new.h"), "0 BEGIN PGM N MM\n1 END PGM N MM\n").unwrap();
+    assert_eq!(checked(&folder, &place).stdout, found.stdout);
+    assert!(std::fs::metadata(&file).unwrap().len() < 32 << 20);
+    // A pipe would wait for ever, for reading and for writing.
+    std::fs::remove_file(&file).unwrap();
+    assert!(Command::new("mkfifo").arg(&file).status().unwrap().success());
+    assert_eq!(checked(&folder, &place).stdout, found.stdout);
+    assert!(!std::fs::metadata(&file).unwrap().is_file());
+}
+
+#[test]
+fn settings_that_cannot_be_read_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = folder.path().join("a.h");
+    std::fs::write(&program, "0 BEGIN PGM A MM\n1 END PGM A MM\n").unwrap();
+    let check = || told(&run(&["check", program.to_str().unwrap(), "--control", "tnc640"]));
+    let settings = folder.path().join("ciklo.toml");
+    std::fs::create_dir(&settings).unwrap();
+    let (code, errors) = check();
+    assert_eq!(code, Some(2));
+    assert!(errors.contains("ciklo.toml cannot be read: it is a directory"), "{errors}");
+    std::fs::remove_dir(&settings).unwrap();
+    for (table, says) in [("missing.T", "error[io-read]"), ("a.h", "error[check-no-table]")] {
+        std::fs::write(&settings, format!("# Tables\ntables = [\"{table}\"]\n")).unwrap();
+        let (code, errors) = check();
+        assert_eq!(code, Some(2));
+        assert!(errors.contains(says) && errors.contains(table), "{errors}");
+        assert!(errors.contains("ciklo.toml:2:11"), "{errors}");
+    }
+}

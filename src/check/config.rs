@@ -29,6 +29,8 @@ const GUARD: &str = "guard";
 pub struct Config {
     all: Settings,
     folders: Vec<(Vec<String>, Settings)>,
+    /// Where each table is named.
+    tables: BTreeMap<String, Place>,
 }
 
 /// What it says for one program.
@@ -58,7 +60,7 @@ impl Config {
         controls: Known<'_>,
         languages: Known<'_>,
     ) -> Result<Self, Vec<Diagnostic>> {
-        let mut reader = Reader { source, rules, controls, languages, found: Vec::new() };
+        let mut reader = Reader { source, rules, controls, languages, tables: BTreeMap::new(), found: Vec::new() };
         let mut config = Self::default();
         match DeTable::parse(source.text()) {
             Err(error) => {
@@ -76,7 +78,13 @@ impl Config {
                 }
             }
         }
+        config.tables = reader.tables;
         if reader.found.is_empty() { Ok(config) } else { Err(reader.found) }
+    }
+
+    /// Where a table is named first.
+    pub fn table(&self, name: &str) -> Option<&Place> {
+        self.tables.get(name)
     }
 
     /// What is said for a program; its path has `/` and begins in the folder of the file.
@@ -119,6 +127,7 @@ struct Reader<'r> {
     rules: Known<'r>,
     controls: Known<'r>,
     languages: Known<'r>,
+    tables: BTreeMap<String, Place>,
     found: Vec<Diagnostic>,
 }
 
@@ -137,7 +146,12 @@ impl Reader<'_> {
                 "lang" => settings.language = self.word(name, value, self.languages),
                 "tables" => match value.get_ref() {
                     DeValue::Array(names) => {
-                        settings.tables.extend(names.iter().filter_map(|name| self.word("tables", name, &|_| true)));
+                        for value in names.iter() {
+                            let Some(table) = self.word("tables", value, &|_| true) else { continue };
+                            let place = Place::new(self.source, value.span());
+                            self.tables.entry(table.clone()).or_insert(place);
+                            settings.tables.push(table);
+                        }
                     }
                     _ => self.wrong("config-value", value.span(), name, "tables = [\"…\"]"),
                 },

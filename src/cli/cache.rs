@@ -18,6 +18,10 @@ use crate::system;
 pub(super) const LEAST: usize = 16;
 /// How many entries are kept.
 const MOST: usize = 100_000;
+/// How many bytes they have together at most.
+const MOST_BYTES: usize = 32 << 20;
+/// How many bytes an entry has at most: a program with more findings is being worked on.
+const LONGEST: usize = 16 << 10;
 const FILE: &str = "check.cache";
 /// The first line of the file.
 const HEAD: &str = "ciklo-check-cache/1";
@@ -32,15 +36,21 @@ pub(super) struct Cache {
 }
 
 impl Cache {
-    /// The cache of this user; nothing if there is no place for it.
+    /// The cache of this user; nothing if there is no place for it, or something else stands there.
     pub(super) fn open(reader: &str) -> Option<Self> {
         let file = system::cache_directory()?.join(FILE);
+        if system::is_no_file(&file) {
+            return None;
+        }
         let mut hasher = DefaultHasher::new();
         (env!("CARGO_PKG_VERSION"), reader).hash(&mut hasher);
         for (path, text) in data::embedded() {
             (path, text).hash(&mut hasher);
         }
-        let text = system::read(&file).ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default();
+        // A larger one was not written here.
+        let ours = system::size(&file).is_some_and(|size| size <= 2 * MOST_BYTES as u64);
+        let bytes = ours.then(|| system::read(&file).ok()).flatten();
+        let text = bytes.and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default();
         let mut lines = text.lines();
         let mut known = HashMap::new();
         if lines.next() == Some(HEAD) {
@@ -78,7 +88,9 @@ impl Cache {
     pub(super) fn keep(&self, key: u128, found: &[Diagnostic]) {
         if let Some(written) = found.iter().map(written).collect::<Option<Vec<Value>>>() {
             let line = Value::Array(written).to_string();
-            self.fresh.lock().unwrap_or_else(PoisonError::into_inner).push((key, line));
+            if line.len() <= LONGEST {
+                self.fresh.lock().unwrap_or_else(PoisonError::into_inner).push((key, line));
+            }
         }
     }
 
@@ -94,7 +106,10 @@ impl Cache {
         let known: BTreeSet<(u128, &str)> = self.known.iter().map(|(key, found)| (*key, found.as_str())).collect();
         let all = fresh.iter().map(|(key, found)| (*key, found.as_str())).chain(known.into_iter().take(room));
         for (key, found) in all {
-            text.push_str(&format!("{key:032x} {found}\n"));
+            let line = format!("{key:032x} {found}\n");
+            if line.len() <= MOST_BYTES - text.len().min(MOST_BYTES) {
+                text.push_str(&line);
+            }
         }
         // Without it the next run takes longer, and nothing else.
         if let Some(directory) = self.file.parent()

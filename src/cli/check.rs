@@ -12,7 +12,7 @@ use super::progress::Progress;
 use super::session::Session;
 use super::{Command, Failure, Outcome, annotations, arguments, cycle, mend, program};
 use crate::check::{self, Against, Config, LabelBook, Settings};
-use crate::diag::{Diagnostic, Severity, Source};
+use crate::diag::{Diagnostic, Place, Severity, Source};
 use crate::locale::{Args, Language, Locales, Scope, Ui};
 use crate::spec::{Catalogue, OnControl};
 use crate::system;
@@ -63,15 +63,21 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let readers: Vec<&Language> =
         [locales.language(session.ui.tag()).ok(), locales.source()].into_iter().flatten().collect();
-    let (jobs, mut troubles) = jobs(session, matches, &catalogue, &locales)?;
+    let (jobs, mut troubles, named) = jobs(session, matches, &catalogue, &locales)?;
     let fix = matches.get_flag("fix");
     // Other data than that of this program gives other findings.
     let cached = jobs.len() >= cache::LEAST && !fix && !matches.get_flag("no-cache") && session.data().is_none();
     let cache = if cached { Cache::open(session.ui.tag()) } else { None };
     let library = Library::new(jobs.iter().map(|job| job.path.clone()).collect());
     let mut tables = Shelf::new(&arguments::all(matches, "table"))?;
-    for job in &jobs {
-        tables.add(&job.settings.tables)?;
+    for table in jobs.iter().flat_map(|job| &job.settings.tables) {
+        tables.add(std::slice::from_ref(table)).map_err(|failure| match failure {
+            Failure::Trouble(mut trouble) => {
+                trouble.place = named.get(table).cloned();
+                Failure::Trouble(trouble)
+            }
+            failure => failure,
+        })?;
     }
     let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), jobs.len());
     let results = all(&jobs, &progress, |job, books| {
@@ -168,19 +174,22 @@ fn found_in(
     Ok(found)
 }
 
-/// The programs that are meant, each with its control and settings, and what could not be found.
+/// The programs that are meant, each with its control and settings, what could not be found, and where tables are named.
+type Jobs<'c> = (Vec<Job<'c>>, Vec<Diagnostic>, BTreeMap<String, Place>);
+
 fn jobs<'c>(
     session: &Session,
     matches: &ArgMatches,
     catalogue: &'c Catalogue,
     locales: &Locales,
-) -> Result<(Vec<Job<'c>>, Vec<Diagnostic>), Failure> {
+) -> Result<Jobs<'c>, Failure> {
     let asked = matches.get_one::<String>("control").map(|id| cycle::control(catalogue, id)).transpose()?;
     let language = matches.get_one::<String>("lang").map(|tag| cycle::language(locales, tag)).transpose()?;
     let mut configs = Configs {
         given: matches.get_one::<String>("config").map(PathBuf::from),
         near: BTreeMap::new(),
         read: BTreeMap::new(),
+        tables: BTreeMap::new(),
     };
     let (mut jobs, mut troubles) = (Vec::new(), Vec::new());
     for name in arguments::all(matches, "file") {
@@ -200,12 +209,12 @@ fn jobs<'c>(
                 Some(on) => jobs.push(Job { path, on, settings, named: single }),
                 None => {
                     troubles.push(Diagnostic::global("check-no-control").arg("path", path.display().to_string()));
-                    return Ok((jobs, troubles));
+                    return Ok((jobs, troubles, configs.tables));
                 }
             }
         }
     }
-    Ok((jobs, troubles))
+    Ok((jobs, troubles, configs.tables))
 }
 
 /// Files with settings, each read once.
@@ -214,6 +223,8 @@ struct Configs {
     /// The file that is nearest to a folder.
     near: BTreeMap<PathBuf, Option<PathBuf>>,
     read: BTreeMap<PathBuf, Config>,
+    /// Where a table was named first.
+    tables: BTreeMap<String, Place>,
 }
 
 impl Configs {
@@ -234,26 +245,36 @@ impl Configs {
         };
         let Some(file) = file else { return Ok(Settings::default()) };
         if !self.read.contains_key(&file) {
-            let config = config(&file, session, catalogue, locales)?;
+            let bytes = if self.given.is_some() { system::read(&file) } else { system::read_file(&file) };
+            let config = config(&file, bytes?, session, catalogue, locales)?;
             self.read.insert(file.clone(), config);
         }
         let root = match file.parent() {
             Some(root) if root != Path::new("") => root,
             _ => Path::new("."),
         };
-        let mut settings =
-            self.read.get(&file).map(|config| config.of(&system::seen_from(root, path))).unwrap_or_default();
+        let Some(config) = self.read.get(&file) else { return Ok(Settings::default()) };
+        let mut settings = config.of(&system::seen_from(root, path));
         // Tables are named from the folder of the file.
         for table in &mut settings.tables {
+            let place = config.table(table).cloned();
             *table = root.join(&*table).to_string_lossy().into_owned();
+            if let Some(place) = place {
+                self.tables.entry(table.clone()).or_insert(place);
+            }
         }
         Ok(settings)
     }
 }
 
-fn config(file: &Path, session: &Session, catalogue: &Catalogue, locales: &Locales) -> Result<Config, Failure> {
+fn config(
+    file: &Path,
+    bytes: Vec<u8>,
+    session: &Session,
+    catalogue: &Catalogue,
+    locales: &Locales,
+) -> Result<Config, Failure> {
     let name = file.display().to_string();
-    let bytes = system::read(file)?;
     let text = String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", name.as_str()))?;
     let codes = session.ui.codes("diag-");
     let guard = |code: &str| {
