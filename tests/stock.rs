@@ -330,6 +330,11 @@ fn blanks_that_cannot_be() {
         let made = Stock::new(&shape, [MIN, MAX], Frame::IDENTITY, Axis::Z, resolution);
         assert!(matches!(made, Err(StockTrouble::Resolution { .. })));
     }
+    for far in [2e9, 1e41, f64::MAX] {
+        let max = DVec3::new(far, MAX.y, MAX.z);
+        let made = Stock::new(&Shape::Box { min: MIN, max }, [MIN, max], Frame::IDENTITY, Axis::Z, far / 2.0);
+        assert!(matches!(made, Err(StockTrouble::Extent)), "{far}");
+    }
 }
 
 /// The mesh of a part with pocket, hole, undercut and round blank: every edge of a triangle lies against one that goes

@@ -74,6 +74,7 @@ diag-table-doubtful =
     }
 diag-table-value-not-taken = Row { $row }: column { $column } does not take “{ $found }”.
 
+diag-stock-extent = The blank is too large: it reaches farther than { $limit } mm from its zero point.
 diag-stock-form = BLK FORM { $word } is not described in the manuals: give the stock in the scene, or a cuboid by BLK FORM 0.1 and 0.2.
 diag-stock-missing = There is no blank: neither does the scene have a stock, nor the program a BLK FORM.
 diag-stock-blank = The corners of BLK FORM must be numbers, and each minimum must be smaller than its maximum.

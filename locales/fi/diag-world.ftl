@@ -73,6 +73,7 @@ diag-table-doubtful =
     }
 diag-table-value-not-taken = Rivi { $row }: sarake { $column } ei hyväksy arvoa ”{ $found }”.
 diag-stock-blank = BLK FORM -lauseen kulmien on oltava lukuja, ja jokaisen minimin on oltava pienempi kuin maksimin.
+diag-stock-extent = Aihio on liian suuri: se ulottuu yli { $limit } mm:n päähän nollapisteestään.
 diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: anna aihio asetelmassa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.
 diag-stock-missing = Aihiota ei ole: asetelmassa ei ole aihiota eikä ohjelmassa BLK FORM -lausetta.
 diag-stock-resolution = { $found } ei kelpaa aihion sarakkeiden väliksi: sen on oltava suurempi kuin nolla, ja sarakkeita saa olla enintään 150 miljoonaa.

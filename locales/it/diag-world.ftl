@@ -73,6 +73,7 @@ diag-table-doubtful =
     }
 diag-table-value-not-taken = Riga { $row }: la colonna { $column } non accetta «{ $found }».
 diag-stock-blank = Gli spigoli di BLK FORM devono essere numeri e ogni minimo deve essere inferiore al suo massimo.
+diag-stock-extent = Il pezzo grezzo è troppo grande: si estende oltre { $limit } mm dalla sua origine.
 diag-stock-form = BLK FORM { $word } non è descritto nei manuali: indicare il pezzo grezzo nella scena, oppure un parallelepipedo con BLK FORM 0.1 e 0.2.
 diag-stock-missing = Manca il pezzo grezzo: non lo contengono né la scena né il programma con un BLK FORM.
 diag-stock-resolution = { $found } non può essere la distanza tra le colonne del pezzo grezzo: deve essere maggiore di zero e le colonne possono essere al massimo 150 milioni.

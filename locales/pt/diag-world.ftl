@@ -73,6 +73,7 @@ diag-table-doubtful =
     }
 diag-table-value-not-taken = Linha { $row }: a coluna { $column } não aceita «{ $found }».
 diag-stock-blank = Os cantos de BLK FORM têm de ser números e cada mínimo tem de ser inferior ao seu máximo.
+diag-stock-extent = O bloco é demasiado grande: estende-se a mais de { $limit } mm do seu ponto zero.
 diag-stock-form = BLK FORM { $word } não está descrito nos manuais: indique o bloco na cena, ou um paralelepípedo com BLK FORM 0.1 e 0.2.
 diag-stock-missing = Não há bloco: nem a cena o contém, nem o programa tem um BLK FORM.
 diag-stock-resolution = { $found } não pode ser a distância entre as colunas do bloco: tem de ser superior a zero e pode haver, no máximo, 150 milhões de colunas.

@@ -75,6 +75,7 @@ diag-table-doubtful =
     }
 diag-table-value-not-taken = Vrstica { $row }: stolpec { $column } ne sprejme vrednosti »{ $found }«.
 diag-stock-blank = Oglišča v stavku BLK FORM morajo biti števila in vsak minimum mora biti manjši od maksimuma.
+diag-stock-extent = Surovec je prevelik: sega več kot { $limit } mm od svojega izhodišča.
 diag-stock-form = Stavka BLK FORM { $word } priročniki ne opisujejo: surovec navedite v prizorišču ali kot kvader s stavkoma BLK FORM 0.1 in 0.2.
 diag-stock-missing = Surovca ni: nima ga niti prizorišče niti program s stavkom BLK FORM.
 diag-stock-resolution = { $found } ne more biti razdalja med stolpci surovca: biti mora večja od nič, stolpcev pa je lahko največ 150 milijonov.

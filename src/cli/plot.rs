@@ -48,7 +48,7 @@ fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure>
         None => Scene::parse(&Source::new("scene", "scene: 1\n"), &files).map_err(Failure::Data)?,
     };
     let engine = Engine::new(&file.program, on, &scene, &NoTexts).with_catalogue(&catalogue).with_programs(&neighbours);
-    let mut machining = stock::begin(&file.program, &scene, matches)?;
+    let mut machining = stock::begin(&file, &scene, matches)?;
     let mut track = Track::default();
     let result = engine.observe(&mut |event| {
         machining.see(event);

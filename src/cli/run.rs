@@ -75,7 +75,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let mut teller = Teller { events: matches.get_flag("events"), set: BTreeMap::new(), failed: None, written: Ok(()) };
     let part = stock::wanted(matches);
     let followed = part.is_some() || scene.stock.is_some();
-    let mut watch = followed.then(|| stock::begin(&file.program, &scene, matches)).transpose()?.map(Watch::new);
+    let mut watch = followed.then(|| stock::begin(&file, &scene, matches)).transpose()?.map(Watch::new);
     let output = &mut *session.output;
     let result = match &mut watch {
         Some(watch) => engine.run(&mut |event| watch.see(event, &mut |event| teller.tell(&event, output))),
@@ -141,8 +141,7 @@ pub(super) fn scene(path: &str, files: &[(String, String)]) -> Result<Scene, Fai
 
 fn table(path: &Path, kind: TableKind) -> Result<Table, Failure> {
     let file = program::source(path)?;
-    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    Table::parse(kind, &Source::new(name, file.source.text())).map_err(Failure::Data)
+    Table::parse(kind, &file.source).map_err(Failure::Data)
 }
 
 /// Adds the tables beside the program that the scene does not have, if the program selects any.
@@ -193,7 +192,7 @@ fn summary(session: &mut Session, set: &BTreeMap<String, Content>, status: Statu
     let numbers = session.ui.numbers();
     for (q, value) in set {
         let value = match value {
-            Content::Number(number) => numbers.nc(*number, SHOWN).unwrap_or_default(),
+            Content::Number(number) => numbers.nc(*number, SHOWN).unwrap_or_else(|| number.to_string()),
             Content::Text(text) => format!("\"{text}\""),
         };
         session.output.print(&format!("{q} = {value}\n"))?;

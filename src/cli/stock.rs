@@ -3,13 +3,13 @@ use std::path::Path;
 
 use clap::ArgMatches;
 
+use super::program::Understood;
 use super::session::{self, Session};
 use super::{Failure, arguments};
 use crate::diag::Diagnostic;
 use crate::engine::scene::Scene;
 use crate::engine::stock::{Finding, Machining, Report, Stock};
 use crate::locale::{Args, Digits, Ui};
-use crate::syntax::Program;
 use crate::system;
 
 /// The name of the option for the part.
@@ -37,7 +37,7 @@ pub(super) fn wanted(matches: &ArgMatches) -> Option<&str> {
 }
 
 /// The blank of the scene or the program, ready for the first event.
-pub(super) fn begin(program: &Program, scene: &Scene, matches: &ArgMatches) -> Result<Machining, Failure> {
+pub(super) fn begin(file: &Understood, scene: &Scene, matches: &ArgMatches) -> Result<Machining, Failure> {
     let resolution = match matches.get_one::<String>(RESOLUTION) {
         None => None,
         Some(text) => {
@@ -45,7 +45,9 @@ pub(super) fn begin(program: &Program, scene: &Scene, matches: &ArgMatches) -> R
             Some(text.parse::<f64>().ok().filter(|mm| *mm > 0.0 && mm.is_finite()).ok_or_else(wrong)?)
         }
     };
-    Machining::new(program, scene, resolution).map_err(|trouble| trouble.diagnostic().into())
+    let program = &file.program;
+    Machining::new(program, scene, resolution)
+        .map_err(|trouble| file.at_home(trouble.diagnostic_in(program, scene)).into())
 }
 
 /// Writes the part and tells the report.
@@ -64,7 +66,7 @@ pub(super) fn end(session: &mut Session, path: &str, part: (Stock, Report), form
 fn told(session: &mut Session, report: &Report) -> Result<(), Failure> {
     let ui = session.ui;
     let numbers = ui.numbers();
-    let number = |value: f64, digits| numbers.nc(value, digits).unwrap_or_default();
+    let number = |value: f64, digits| numbers.nc(value, digits).unwrap_or_else(|| value.to_string());
     let short = |value| number(value, SHOWN);
     let time = |seconds| number(seconds, ROUGH);
     let line = |id: &str, args: Args| format!("{}\n", ui.text(id, &args));
@@ -102,7 +104,7 @@ fn told(session: &mut Session, report: &Report) -> Result<(), Failure> {
 pub(super) fn findings(session: &mut Session, report: &Report) -> Result<(), Failure> {
     let ui = session.ui;
     let numbers = ui.numbers();
-    let short = |value| numbers.nc(value, SHOWN).unwrap_or_default();
+    let short = |value: f64| numbers.nc(value, SHOWN).unwrap_or_else(|| value.to_string());
     let line = |id: &str, args: Args| format!("{}\n", ui.text(id, &args));
     let mut text = String::new();
     for Finding { kind, line: at, program, amount, count } in &report.findings {

@@ -171,7 +171,8 @@ pub(super) fn read(kind: TableKind, source: &Arc<Source>) -> (Option<Table>, Vec
     let end = end.unwrap_or(numbered.len());
     let rows = rows(&mut reader, &numbered, heading + 1..end, &described, &headings, &key);
     let lines = numbered.into_iter().map(|(_, line)| line).collect();
-    let (file, unit) = (source.name().to_owned(), unit.unwrap_or(TableUnit::Mm));
+    let file = source.name().rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
+    let unit = unit.unwrap_or(TableUnit::Mm);
     (Some(Table { kind, file, unit, headings, heading, lines, rows, end }), reader.found)
 }
 

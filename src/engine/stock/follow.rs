@@ -6,14 +6,14 @@ use glam::DVec3;
 use super::cutter::{Cutter, Neck, Tip};
 use super::pace::Pace;
 use super::report::{Place, Report};
-use super::{Batch, Cut, SKIN, Stock};
-use crate::diag::Diagnostic;
+use super::{Batch, Cut, FARTHEST, SKIN, Stock};
+use crate::diag::{self, Diagnostic};
 use crate::engine::geometry::{Axis, Frame, INCH};
 use crate::engine::machine::Machine;
 use crate::engine::run::{Event, EventKind, FindingKind, MoveKind};
 use crate::engine::scene::Scene;
 use crate::engine::solid::{Path, Shape, SolidError};
-use crate::syntax::{self, Amount, BlockKind, Program, StatementKind};
+use crate::syntax::{self, Amount, Block, BlockKind, Coord, Program, StatementKind};
 
 /// Moves that are carried out together.
 const TOGETHER: usize = 4096;
@@ -32,6 +32,8 @@ pub enum StockTrouble {
         /// Its word.
         word: String,
     },
+    /// The blank reaches too far from its zero point.
+    Extent,
     /// The resolution is not positive or makes too many columns.
     Resolution {
         /// What was asked for.
@@ -47,10 +49,44 @@ impl StockTrouble {
         match self {
             Self::Missing => Diagnostic::global("stock-missing"),
             Self::Blank => Diagnostic::global("stock-blank"),
+            Self::Extent => Diagnostic::global("stock-extent").arg("limit", FARTHEST),
             Self::Form { word } => Diagnostic::global("stock-form").arg("word", word.as_str()),
             Self::Resolution { found } => Diagnostic::global("stock-resolution").arg("found", *found),
             Self::Solid(error) => Diagnostic::global(error.code()),
         }
+    }
+
+    /// The same with its place in the program, if the blank is the program's: the block that is to blame, or the
+    /// beginning of a program without a blank.
+    pub fn diagnostic_in(&self, program: &Program, scene: &Scene) -> Diagnostic {
+        let mut diagnostic = self.diagnostic();
+        if scene.stock.is_none() {
+            let blocks = program.blocks();
+            let is_form = |block: &&Block| match &block.kind {
+                BlockKind::BlkForm(_) => true,
+                BlockKind::Statement(statement) => statement.kind == StatementKind::BlkForm,
+                _ => false,
+            };
+            let unknown = blocks.iter().filter(is_form).find(|block| match &block.kind {
+                BlockKind::BlkForm(form) => form.coords.iter().any(|coord| corner_value(coord).is_none()),
+                _ => true,
+            });
+            let blamed = unknown.or_else(|| blocks.iter().rfind(is_form)).or_else(|| blocks.first());
+            diagnostic.place = blamed.map(|block| {
+                let text = program.slice(block.span);
+                let start = block.span.start + (text.len() - text.trim_start().len());
+                diag::Place::new(program.source(), start..(block.span.start + text.trim_end().len()).max(start))
+            });
+        }
+        diagnostic
+    }
+}
+
+/// The axis and the number of a coordinate of a corner.
+fn corner_value(coord: &Coord) -> Option<(Axis, f64)> {
+    match (linear(coord.axis), coord.value.amount) {
+        (Some(axis), Amount::Number(value)) => Some((axis, value)),
+        _ => None,
     }
 }
 
@@ -115,13 +151,13 @@ impl Blank {
             let mut corner = start;
             let mut known = true;
             for coord in &form.coords {
-                match (linear(coord.axis), coord.value.amount) {
-                    (Some(axis), Amount::Number(value)) => {
+                match corner_value(coord) {
+                    Some((axis, value)) => {
                         let value = value * unit;
                         let value = if coord.incremental { axis.of(start) + value } else { value };
                         corner = axis.with(corner, value);
                     }
-                    _ => known = false,
+                    None => known = false,
                 }
             }
             *(if form.part == 1 { first } else { second }) = known.then_some(corner);

@@ -63,6 +63,8 @@ const BAND: usize = 4;
 const LANES: usize = 8;
 /// Pieces of moves below which one thread works.
 const FEW: usize = 32;
+/// How far from its own zero point a blank may reach, mm: farther than any machine.
+pub(super) const FARTHEST: f64 = 1e9;
 /// Most columns of a grid: about three gigabytes.
 const MOST_COLUMNS: f64 = 1.5e8;
 /// How deep rapid traverse must be in the material to count as contact, mm. What follows from rounding is far below.
@@ -210,7 +212,7 @@ impl Stock {
     /// `min` to `max` holds the blank. Cells are at most as large as the resolution.
     ///
     /// # Errors
-    /// The resolution is not positive or too fine, or the blank has no extent.
+    /// The resolution is not positive or too fine, or the blank has no extent or too large a one.
     pub fn new(
         blank: &Shape,
         bounds: [DVec3; 2],
@@ -225,7 +227,10 @@ impl Stock {
             DVec3::new(flat.x, flat.y, axis.of(p))
         });
         let extent = max - min;
-        let sound = resolution > 0.0 && extent.is_finite() && extent.min_element() > 0.0;
+        if ![min, max].iter().all(|corner| corner.is_finite() && corner.abs().max_element() <= FARTHEST) {
+            return Err(StockTrouble::Extent);
+        }
+        let sound = resolution > 0.0 && extent.min_element() > 0.0;
         let (columns, rows) = ((extent.x / resolution).ceil(), (extent.y / resolution).ceil());
         if !sound || columns * rows > MOST_COLUMNS {
             return Err(StockTrouble::Resolution { found: resolution });
