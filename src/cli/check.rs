@@ -174,7 +174,8 @@ fn found_in(
     Ok(found)
 }
 
-/// The programs that are meant, each with its control and settings, what could not be found, and where tables are named.
+/// The programs that are meant, each with its control and settings, what could not be found, and where tables are
+/// named.
 type Jobs<'c> = (Vec<Job<'c>>, Vec<Diagnostic>, BTreeMap<String, Place>);
 
 fn jobs<'c>(
