@@ -1,17 +1,18 @@
 //! What is known of programs that were checked before, in the user's cache directory.
 //!
-//! An entry is known by everything that findings depend on: the bytes of the program, the control, the language of
-//! its labels and of the reader, the version and data of this program. Invariant: a cache that cannot be read, or not
+//! An entry is known by everything that findings depend on: the bytes of the program, the dialect that its name stands
+//! for, the control, the language of its labels and of the reader, the version and data of this program. Invariant: a cache that cannot be read, or not
 //! wholly, is as good as none, and what it says is what checking again would say; it never makes a command fail.
 use std::collections::{BTreeSet, HashMap};
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use serde_json::{Value, json};
 
 use crate::data;
 use crate::diag::{Arg, Diagnostic, Edit, Place, Severity, Source, Span};
+use crate::syntax::Dialect;
 use crate::system;
 
 /// So many programs are worth a cache.
@@ -64,10 +65,11 @@ impl Cache {
     }
 
     /// The key of a program with what it is checked by.
-    pub(super) fn key(&self, bytes: &[u8], control: &str, language: Option<&str>) -> u128 {
+    pub(super) fn key(&self, path: &Path, bytes: &[u8], control: &str, language: Option<&str>) -> u128 {
+        let of_kind = Dialect::of_name(&path.to_string_lossy()) == Dialect::Iso;
         let half = |which: u8| {
             let mut hasher = DefaultHasher::new();
-            (which, self.salt, control, language, bytes).hash(&mut hasher);
+            (which, self.salt, of_kind, control, language, bytes).hash(&mut hasher);
             u128::from(hasher.finish())
         };
         (half(0) << 64) | half(1)

@@ -161,7 +161,7 @@ fn found_in(
     let bytes = system::read(&job.path)?;
     // What was found without tables says nothing of a check with them.
     let cache = cache.filter(|_| !place.has_tables());
-    let known = cache.map(|cache| (cache, cache.key(&bytes, job.on.id(), against.language)));
+    let known = cache.map(|cache| (cache, cache.key(&job.path, &bytes, job.on.id(), against.language)));
     if let Some(found) = known.and_then(|(cache, key)| cache.find(key, || program::source_of(&job.path, &bytes))) {
         return Ok(found);
     }

@@ -18,6 +18,15 @@ pub enum Dialect {
     Iso,
 }
 
+impl Dialect {
+    /// The language that the name of a file stands for. It counts where the text leaves it open, and reading takes
+    /// nothing else from a name.
+    pub fn of_name(name: &str) -> Self {
+        let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase());
+        if matches!(extension.as_deref(), Some("i" | "iso")) { Self::Iso } else { Self::Klartext }
+    }
+}
+
 /// A block of words.
 #[derive(Clone, Debug)]
 pub struct IsoBlock {
@@ -150,8 +159,7 @@ pub const fn is_path(code: u16) -> bool {
 /// Whether a text is a DIN/ISO program: it begins with `%`; a file of that kind may begin with something else, but not
 /// with the first block of Klartext.
 pub(super) fn is_iso(text: &str, name: &str) -> bool {
-    let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase());
-    let of_kind = matches!(extension.as_deref(), Some("i" | "iso"));
+    let of_kind = Dialect::of_name(name) == Dialect::Iso;
     let said = |line| {
         let line = str::trim_start(line).trim_start_matches(['N', 'n']);
         line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start()
