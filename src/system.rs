@@ -4,19 +4,22 @@
 //! beside its target and renamed; a directory is filled beside its target and exchanged when whole. Nothing of that is
 //! left behind, nor a program that was started, also when a signal ends this one.
 mod answering;
+mod folders;
 mod leftover;
+mod replace;
 
 use std::ffi::OsString;
-use std::io::{self, IsTerminal, Write as _};
+use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use leftover::Made;
-use sha2::{Digest as _, Sha256};
-
-pub use answering::{Answering, LONGEST_LINE, NoAnswer, next_line};
 
 use crate::diag::Diagnostic;
+
+pub use answering::{Answering, LONGEST_LINE, NoAnswer, next_line};
+pub use folders::{Folder, beside, files_below, nearest, seen_from, spelled};
+pub use replace::{Seen, write, write_parts};
 
 /// Marks a directory as one that was written by us and may be replaced.
 const MARK: &str = ".ciklo-build";
@@ -132,36 +135,6 @@ fn not_regular() -> io::Error {
     io::Error::other("not a regular file")
 }
 
-/// What the bytes of a file come to, which tells whether somebody has changed it.
-pub type Digest = [u8; 32];
-
-/// The digest of bytes.
-pub fn digest(bytes: &[u8]) -> Digest {
-    Sha256::digest(bytes).into()
-}
-
-/// The digest of a file's bytes, which are not kept.
-///
-/// # Errors
-/// `io-read` if it cannot be read.
-pub fn digest_of(path: &Path) -> Result<Digest, Trouble> {
-    let mut digest = Sha256::new();
-    let mut buffer = vec![0; 1 << 16];
-    let mut read = || -> io::Result<()> {
-        let mut file = fs::File::open(path)?;
-        loop {
-            match io::Read::read(&mut file, &mut buffer) {
-                Ok(0) => return Ok(()),
-                Ok(length) => digest.update(buffer.get(..length).unwrap_or_default()),
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-                Err(error) => return Err(error),
-            }
-        }
-    };
-    read().map_err(|error| Trouble::new("io-read", path, &error))?;
-    Ok(digest.finalize().into())
-}
-
 /// All files below some directories in `root`, by path with `/`, in the order of paths. Hidden files
 /// are passed over.
 ///
@@ -202,66 +175,6 @@ fn collect(directory: &Path, name: &str, depth: usize, files: &mut Vec<(String, 
     Ok(())
 }
 
-/// The file itself, or all files below a directory that have one of the extensions, in any case, in the order
-/// of paths. Hidden files are passed over, and links to directories are not followed.
-///
-/// # Errors
-/// `io-read` if a directory cannot be read.
-pub fn files_below(path: &Path, extensions: &[&str]) -> Result<Vec<PathBuf>, Trouble> {
-    if !path.is_dir() {
-        return Ok(vec![path.to_owned()]);
-    }
-    let mut found = Vec::new();
-    let mut open = vec![path.to_owned()];
-    while let Some(directory) = open.pop() {
-        let trouble = |error: io::Error| Trouble::new("io-read", &directory, &error);
-        for entry in fs::read_dir(&directory).map_err(trouble)? {
-            let entry = entry.map_err(trouble)?;
-            let own = entry.path();
-            let wanted = || own.extension().is_some_and(|own| extensions.iter().any(|it| own.eq_ignore_ascii_case(it)));
-            if entry.file_name().to_string_lossy().starts_with('.') {
-                continue;
-            }
-            if entry.file_type().map_err(trouble)?.is_dir() {
-                open.push(own);
-            } else if wanted() && own.is_file() {
-                found.push(own);
-            }
-        }
-    }
-    found.sort();
-    Ok(found)
-}
-
-/// The nearest of that name in the directory of a path or above it.
-pub fn nearest(path: &Path, name: &str) -> Option<PathBuf> {
-    let whole = fs::canonicalize(path).or_else(|_| env::current_dir()).ok()?;
-    // Also what cannot be read: whoever asks shall see that.
-    whole.ancestors().map(|directory| directory.join(name)).find(|file| fs::symlink_metadata(file).is_ok())
-}
-
-/// The path of a file as seen from a directory, with `/`; as it is given if it lies elsewhere.
-pub fn seen_from(directory: &Path, path: &Path) -> String {
-    let whole = |path: &Path| fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let (own, root) = (whole(path), whole(directory));
-    let relative = own.strip_prefix(root).map_or_else(|_| path.to_owned(), Path::to_path_buf);
-    relative.to_string_lossy().replace('\\', "/")
-}
-
-/// The other files in the directory of a file that have an extension, in any case, by name.
-///
-/// # Errors
-/// `io-read` if the directory cannot be read.
-pub fn beside(path: &Path, extension: &str) -> Result<Vec<PathBuf>, Trouble> {
-    let directory = parent(path);
-    let entries = fs::read_dir(directory).map_err(|error| Trouble::new("io-read", directory, &error))?;
-    let paths = entries.filter_map(|entry| entry.ok().map(|entry| entry.path()));
-    let has = |other: &PathBuf| other.extension().is_some_and(|own| own.eq_ignore_ascii_case(extension));
-    let mut paths: Vec<PathBuf> = paths.filter(|other| other.is_file() && other != path && has(other)).collect();
-    paths.sort();
-    Ok(paths)
-}
-
 /// Where this program may keep what it can find out again: the place that the platform names for that.
 pub fn cache_directory() -> Option<PathBuf> {
     let named = |name: &str| env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
@@ -288,56 +201,6 @@ pub fn create_directory(path: &Path) -> Result<(), Trouble> {
 pub fn inside(directory: &Path, name: &str) -> PathBuf {
     let parts = name.split(['/', '\\']).filter(|part| !matches!(*part, "" | "." | ".."));
     directory.join(parts.collect::<PathBuf>())
-}
-
-/// Writes a file so that it is either the old one or whole.
-///
-/// # Errors
-/// `io-write` if it cannot be written; the old file is then untouched.
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Trouble> {
-    write_parts(path, std::iter::once(bytes))
-}
-
-/// Writes a file in parts that lie one behind the other.
-///
-/// # Errors
-/// `io-write` if it cannot be written.
-pub fn write_parts<'p>(path: &Path, parts: impl Iterator<Item = &'p [u8]>) -> Result<(), Trouble> {
-    write_beside(path, parts).map_err(|error| Trouble::new("io-write", path, &error))
-}
-
-fn put_parts<'p>(file: impl io::Write, mut parts: impl Iterator<Item = &'p [u8]>) -> io::Result<()> {
-    let mut file = io::BufWriter::new(file);
-    parts.try_for_each(|part| file.write_all(part))?;
-    file.flush()
-}
-
-fn write_beside<'p>(path: &Path, parts: impl Iterator<Item = &'p [u8]>) -> io::Result<()> {
-    // A device such as /dev/stdout or a pipe cannot be replaced by renaming.
-    if is_no_file(path) {
-        return put_parts(fs::File::create(path)?, parts);
-    }
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let (_leftover, mut file) = leftover::make(|| temporary(parent(&target)), |file| Made::at(file.path()))?;
-    put_parts(&mut file, parts)?;
-    if let Ok(known) = fs::metadata(&target) {
-        file.as_file().set_permissions(known.permissions())?;
-    }
-    file.persist(&target).map_err(|error| error.error)?;
-    Ok(())
-}
-
-#[cfg(unix)]
-fn temporary(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
-    use std::os::unix::fs::PermissionsExt as _;
-    // Reduced by the user's mask, as for any new file.
-    let permissions = fs::Permissions::from_mode(0o666);
-    tempfile::Builder::new().prefix(".ciklo-").permissions(permissions).tempfile_in(directory)
-}
-
-#[cfg(not(unix))]
-fn temporary(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
-    tempfile::Builder::new().prefix(".ciklo-").tempfile_in(directory)
 }
 
 fn parent(path: &Path) -> &Path {
@@ -472,18 +335,5 @@ mod tests {
         let trouble = Staged::new(root.path()).unwrap_err();
         assert_eq!(Diagnostic::from(trouble).code, "io-foreign-directory");
         assert!(root.path().join("thesis.txt").exists());
-    }
-
-    #[test]
-    fn a_file_is_replaced_whole_and_keeps_its_permissions() {
-        let root = tempfile::tempdir().unwrap();
-        let path = root.path().join("a.h");
-        write(&path, b"one").unwrap();
-        write(&path, b"two").unwrap();
-        assert_eq!(read(&path).unwrap(), b"two");
-        assert_eq!(fs::read_dir(root.path()).unwrap().count(), 1);
-        let missing = read(&root.path().join("none")).unwrap_err();
-        assert_eq!(missing.reason, "not-found");
-        assert!(write(&root.path().join("none/a.h"), b"").is_err());
     }
 }

@@ -46,13 +46,10 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
     let (mut jobs, mut troubles) = (Vec::new(), Vec::new());
     for name in arguments::all(matches, "file") {
-        match system::files_below(Path::new(&name), &PROGRAMS) {
-            Ok(found) => {
-                let named = found == [PathBuf::from(&name)];
-                jobs.extend(found.into_iter().map(|path| Job { path, on, settings: Settings::default(), named }));
-            }
-            Err(trouble) => troubles.push(Diagnostic::from(trouble)),
-        }
+        let (found, hidden) = system::files_below(Path::new(&name), &PROGRAMS);
+        troubles.extend(hidden.into_iter().map(Diagnostic::from));
+        let named = found == [PathBuf::from(&name)];
+        jobs.extend(found.into_iter().map(|path| Job { path, on, settings: Settings::default(), named }));
     }
     let library = Library::new(jobs.iter().map(|job| job.path.clone()).collect());
     let shelf = Shelf::new(&[])?;

@@ -194,13 +194,8 @@ fn jobs<'c>(
     };
     let (mut jobs, mut troubles) = (Vec::new(), Vec::new());
     for name in arguments::all(matches, "file") {
-        let paths = match system::files_below(Path::new(&name), &[&PROGRAMS[..], &TABLES[..]].concat()) {
-            Ok(paths) => paths,
-            Err(trouble) => {
-                troubles.push(Diagnostic::from(trouble));
-                continue;
-            }
-        };
+        let (paths, hidden) = system::files_below(Path::new(&name), &[&PROGRAMS[..], &TABLES[..]].concat());
+        troubles.extend(hidden.into_iter().map(Diagnostic::from));
         let single = paths == [PathBuf::from(&name)];
         for path in paths {
             let mut settings = configs.of(&path, session, catalogue, locales)?;

@@ -10,10 +10,10 @@ use super::{Command, Failure, Outcome, arguments, by_klartext, cycle, dialect, p
 use crate::check::{Against, LabelBook};
 use crate::convert::{self, Conversion, Form, Request, Step};
 use crate::diag::{Diagnostic, Edit, Severity};
-use crate::locale::{Args, Ui};
+use crate::locale::{Args, Locales, Ui};
 use crate::syntax::encoding::{self, Decoded};
-use crate::syntax::{Dialect, Program};
-use crate::{syntax, system};
+use crate::syntax::{self, Dialect, Program};
+use crate::system::{self, Seen};
 
 pub(super) const COMMAND: Command = Command {
     name: "convert",
@@ -86,43 +86,71 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let books = (LabelBook::new(from, &locales), LabelBook::new(to, &locales));
     let against = |on, labels| Against { catalogue: &catalogue, on, labels, language: None, readers: &[] };
     let (from, to) = (against(from, &books.0), against(to, &books.1));
-    let mut errors = false;
+    let work = Work { from, to, locales: &locales, form, matches };
+    let (mut errors, mut troubles) = (false, Vec::new());
     for name in &names {
+        match work.convert(session, name) {
+            Ok(own) => errors |= own,
+            // The other files are converted all the same.
+            Err(Failure::Trouble(trouble)) => troubles.push(*trouble),
+            Err(failure) => return Err(failure),
+        }
+    }
+    let last = troubles.pop();
+    troubles.iter().for_each(|trouble| session.output.complain(trouble, &session.ui));
+    match last {
+        Some(trouble) => Err(trouble.into()),
+        None => Ok(if errors { Outcome::Errors } else { Outcome::Clean }),
+    }
+}
+
+/// What is done with each program.
+struct Work<'a> {
+    from: Against<'a>,
+    to: Against<'a>,
+    locales: &'a Locales,
+    form: Form,
+    matches: &'a ArgMatches,
+}
+
+impl Work<'_> {
+    /// Converts a program and tells what was found: whether there were errors.
+    fn convert(&self, session: &mut Session, name: &str) -> Result<bool, Failure> {
+        let in_place = self.matches.get_flag("in-place");
         let path = Path::new(name);
+        if in_place && name == "-" {
+            return Err(Diagnostic::global("fix-no-file").into());
+        }
         let bytes = system::read(path)?;
-        let digest = system::digest(&bytes);
+        let seen = Seen::of(path, &bytes);
         let Decoded { text, encoding } = encoding::decode_owned(bytes);
-        let source = crate::diag::Source::new(name.as_str(), text);
+        let source = crate::diag::Source::new(name, text);
         let program = syntax::parse(&source);
-        let request = Request { from, to, locales: &locales, form, encoding };
-        let format = arguments::chosen_format(matches);
+        let request = Request { from: self.from, to: self.to, locales: self.locales, form: self.form, encoding };
+        let format = arguments::chosen_format(self.matches);
         let converted = match program.dialect() {
             Dialect::Iso => Converted::Whole(by_klartext::convert(&program, &request)),
             Dialect::Klartext if format == "json" => Converted::Whole(convert::convert(&program, &request)),
             Dialect::Klartext => Converted::long(&program, &request),
         };
-        errors |= converted.errors();
         let edits = converted.edits();
         let pieces = || program::pieces(source.text(), edits.iter().map(|edit| (edit.span, edit.text.as_str())));
-        let written = match matches.get_one::<String>("out").map(String::as_str) {
+        let written = match self.matches.get_one::<String>("out").map(String::as_str) {
             Some(out) => Some(out),
-            None => in_place.then_some(name.as_str()),
+            None => in_place.then_some(name),
         };
         if let Some(written) = written {
-            // Nobody may have changed the file between reading and writing.
-            if in_place && system::digest_of(path)? != digest {
-                return Err(Diagnostic::global("fix-file-changed").arg("path", name.as_str()).into());
-            }
-            program::write_pieces(Path::new(written), encoding, pieces(), &source)?;
+            program::write_pieces(Path::new(written), &seen, encoding, pieces(), &source)?;
             let args = Args::new().number("count", edits.len() as f64).text("path", written);
             let line = session.ui.text("cli-converted", &args);
             session.output.remark(&line);
         }
         match &converted {
             Converted::Whole(conversion) if format == "json" => {
-                let document = json(&report(session, name, (from.on.id(), to.on.id()), conversion))?;
+                let controls = (self.from.on.id(), self.to.on.id());
+                let document = json(&report(session, name, controls, conversion))?;
                 session.output.print(&document)?;
-                continue;
+                return Ok(converted.errors());
             }
             _ if written.is_none() => program::print_pieces(session, encoding, pieces(), &source)?,
             _ => {}
@@ -137,8 +165,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
                 }
             }),
         }
+        Ok(converted.errors())
     }
-    Ok(if errors { Outcome::Errors } else { Outcome::Clean })
 }
 
 /// What a conversion gave.

@@ -13,7 +13,7 @@ use crate::locale::{Args, Ui};
 use crate::spec::{CycleKey, Field, OnControl, Param};
 use crate::syntax::Dialect;
 use crate::syntax::encoding::Encoding;
-use crate::system;
+use crate::system::{self, Seen};
 
 /// The arguments that ask for it.
 pub(super) fn own(ui: &Ui) -> Vec<clap::Arg> {
@@ -65,7 +65,10 @@ const READING: &str = "syntax-";
 /// Writes a program in the other language.
 pub(super) fn write(session: &mut Session, matches: &ArgMatches, path: &str) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
-    let file = program::understand(Path::new(path), &catalogue)?;
+    let path = Path::new(path);
+    let bytes = system::read(path)?;
+    let seen = Seen::of(path, &bytes);
+    let file = program::understood_bytes(path, bytes, &catalogue);
     let codes = Codes::new(&catalogue);
     let wanted = if matches.get_flag("to-iso") { Dialect::Iso } else { Dialect::Klartext };
     let (text, diagnostics) = if file.written().dialect() == wanted {
@@ -91,7 +94,7 @@ pub(super) fn write(session: &mut Session, matches: &ArgMatches, path: &str) -> 
     let bytes = file.encoding.encode(&text).map_err(|sign| program::unwritable(sign, source))?;
     match matches.get_one::<String>("out") {
         Some(out) => {
-            system::write(Path::new(out), &bytes)?;
+            system::write_parts(Path::new(out), Some(&seen), std::iter::once(&*bytes))?;
             let line = session.ui.text("cli-written", &Args::new().text("path", out.as_str()));
             session.output.remark(&line);
         }

@@ -9,7 +9,7 @@ use crate::check::{Against, LabelBook};
 use crate::diag::Diagnostic;
 use crate::layout;
 use crate::locale::{Args, Ui};
-use crate::system;
+use crate::system::{self, Seen};
 use crate::table::{Table, TableKind};
 
 pub(super) const COMMAND: Command = Command { name: "fmt", usage: "PATH… [--check]", arguments: own, run };
@@ -26,20 +26,19 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
     let (mut count, mut troubles) = (0, Vec::new());
     for name in arguments::all(matches, "file") {
-        let paths = match system::files_below(Path::new(&name), &[&check::PROGRAMS[..], &check::TABLES[..]].concat()) {
-            Ok(paths) => paths,
-            Err(trouble) => {
-                troubles.push(Diagnostic::from(trouble));
-                continue;
-            }
-        };
+        let extensions = [&check::PROGRAMS[..], &check::TABLES[..]].concat();
+        let (paths, hidden) = system::files_below(Path::new(&name), &extensions);
+        troubles.extend(hidden.into_iter().map(Diagnostic::from));
         for path in paths {
             let only_check = matches.get_flag("check");
             let done = match TableKind::of_file(&path.to_string_lossy()) {
                 Some(kind) => table(session, &path, kind, only_check),
-                // The columns of a table are nothing that blocks have.
-                None if program::other_table(&path)?.is_some() => Ok(false),
-                None => file(session, &path, &against, only_check),
+                None => match program::other_table(&path) {
+                    // The columns of a table are nothing that blocks have.
+                    Ok(Some(_)) => Ok(false),
+                    Ok(None) => file(session, &path, &against, only_check),
+                    Err(failure) => Err(failure),
+                },
             };
             match done {
                 Ok(changed) => count += usize::from(changed),
@@ -59,7 +58,9 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
 
 /// Lays out a table; what is none stays as it is.
 fn table(session: &mut Session, path: &Path, kind: TableKind, only_check: bool) -> Result<bool, Failure> {
-    let file = program::source(path)?;
+    let bytes = system::read(path)?;
+    let seen = Seen::of(path, &bytes);
+    let file = program::text(path, bytes);
     if !program::is_table(&file) {
         return Ok(false);
     }
@@ -72,7 +73,7 @@ fn table(session: &mut Session, path: &Path, kind: TableKind, only_check: bool) 
         return Ok(true);
     }
     let bytes = file.encoding.encode(&new).map_err(|sign| program::unwritable(sign, &file.source))?;
-    system::write(path, &bytes)?;
+    system::write_parts(path, Some(&seen), std::iter::once(&*bytes))?;
     let line = session.ui.text("cli-written", &Args::new().text("path", path.display().to_string()));
     session.output.remark(&line);
     Ok(true)
@@ -81,7 +82,7 @@ fn table(session: &mut Session, path: &Path, kind: TableKind, only_check: bool) 
 /// Lays out a file, or says only whether it would change.
 fn file(session: &mut Session, path: &Path, against: &Against<'_>, only_check: bool) -> Result<bool, Failure> {
     let bytes = system::read(path)?;
-    let digest = system::digest(&bytes);
+    let seen = Seen::of(path, &bytes);
     let old = program::understood_bytes(path, bytes, against.catalogue);
     let encoding = old.encoding;
     let changes = !layout::is_laid_out(old.written());
@@ -99,7 +100,7 @@ fn file(session: &mut Session, path: &Path, against: &Against<'_>, only_check: b
         return Ok(true);
     }
     let text = layout::laid_out(old.written());
-    let original = mend::Original::of(path, digest, &old, against);
+    let original = mend::Original::of(path, seen, &old, against);
     drop(old);
     let new = program::understood(path, text, encoding, against.catalogue);
     original.store(&new, against)?;

@@ -9,35 +9,32 @@ use super::program::{self, Understood};
 use crate::check::{self, Against, Among, Settings};
 use crate::compare;
 use crate::diag::{Diagnostic, Edit, edited};
-use crate::system::{self, Digest};
+use crate::system::{self, Seen};
 
 /// What a program must still be when it is written anew.
 pub(super) struct Original<'p> {
     path: &'p Path,
-    /// What its bytes in the file come to.
-    bytes: Digest,
+    /// The file as it was read.
+    seen: Seen,
     /// What it comes to for a control.
     program: [u8; 32],
 }
 
 impl<'p> Original<'p> {
     /// That of a file.
-    pub(super) fn of(path: &'p Path, bytes: Digest, old: &Understood, against: &Against<'_>) -> Self {
-        Self { path, bytes, program: compare::fingerprint(&old.program, against) }
+    pub(super) fn of(path: &'p Path, seen: Seen, old: &Understood, against: &Against<'_>) -> Self {
+        Self { path, seen, program: compare::fingerprint(&old.program, against) }
     }
 
     /// Puts the new program in the place of the old one. The two are not held at the same time: they may be long.
     pub(super) fn store(&self, new: &Understood, against: &Against<'_>) -> Result<(), Failure> {
-        let told = |code: &'static str| Diagnostic::global(code).arg("path", self.path.display().to_string());
         if compare::fingerprint(&new.program, against) != self.program {
-            return Err(told("fix-changes-program").into());
+            let path = self.path.display().to_string();
+            return Err(Diagnostic::global("fix-changes-program").arg("path", path).into());
         }
         let text = new.written().source();
         let whole = new.encoding.encode(text.text()).map_err(|sign| program::unwritable(sign, text))?;
-        if system::digest_of(self.path)? != self.bytes {
-            return Err(told("fix-file-changed").into());
-        }
-        system::write(self.path, &whole)?;
+        system::write_parts(self.path, Some(&self.seen), std::iter::once(&*whole))?;
         Ok(())
     }
 }
@@ -53,7 +50,7 @@ pub(super) fn file(
         return Err(Diagnostic::global("fix-no-file").into());
     }
     let bytes = system::read(path)?;
-    let digest = system::digest(&bytes);
+    let seen = Seen::of(path, &bytes);
     let old = program::understood_bytes(path, bytes, against.catalogue);
     let encoding = old.encoding;
     let mut found = old.findings(check::check_among(&old.program, against, among));
@@ -67,7 +64,7 @@ pub(super) fn file(
     }
     drop(found);
     let text = edited(old.written().source().text(), &edits);
-    let original = Original::of(path, digest, &old, against);
+    let original = Original::of(path, seen, &old, against);
     drop(old);
     let mended = program::understood(path, text, encoding, against.catalogue);
     original.store(&mended, against)?;
@@ -96,7 +93,7 @@ mod tests {
         let understood = |text: &str| program::understood_bytes(&path, text.into(), against.catalogue);
         let put = |text: &str| {
             std::fs::write(&path, text).unwrap();
-            let original = Original::of(&path, system::digest(old.as_bytes()), &understood(old), &against);
+            let original = Original::of(&path, Seen::of(&path, old.as_bytes()), &understood(old), &against);
             original.store(&understood(new), &against)
         };
         let Err(Failure::Trouble(trouble)) = put("1 L X+6 FMAX\n") else { panic!("it was written") };

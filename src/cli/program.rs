@@ -12,7 +12,7 @@ use crate::iso::{Codes, Lowered, to_klartext};
 use crate::spec::Catalogue;
 use crate::syntax::encoding::{self, Charset, Decoded, Encoding};
 use crate::syntax::{self, Dialect, Program};
-use crate::system;
+use crate::system::{self, Seen};
 
 /// An encoding in which a text is its own bytes.
 const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
@@ -132,8 +132,13 @@ pub(super) fn other_table(path: &Path) -> Result<Option<Arc<Source>>, Failure> {
 
 /// Reads the text of a file that is no program.
 pub(super) fn source(path: &Path) -> Result<Text, Failure> {
-    let decoded = encoding::decode_owned(system::read(path)?);
-    Ok(Text { source: Source::new(path.display().to_string(), decoded.text), encoding: decoded.encoding })
+    Ok(text(path, system::read(path)?))
+}
+
+/// The same of the bytes of the file.
+pub(super) fn text(path: &Path, bytes: Vec<u8>) -> Text {
+    let decoded = encoding::decode_owned(bytes);
+    Text { source: Source::new(path.display().to_string(), decoded.text), encoding: decoded.encoding }
 }
 
 /// The text of a program of which the bytes are there.
@@ -155,17 +160,20 @@ pub(super) fn pieces<'t>(
     })
 }
 
-/// Writes a text that stands in pieces to a file, without putting it together if its encoding lets that.
+/// Writes a text that stands in pieces to a file, without putting it together if its encoding lets that. It is made
+/// from a file that was read: if this is the one, nobody may have changed it.
 pub(super) fn write_pieces<'t>(
     path: &Path,
+    from: &Seen,
     encoding: Encoding,
     pieces: impl Iterator<Item = &'t str>,
     source: &Arc<Source>,
 ) -> Result<(), Failure> {
     if encoding == UTF_8 {
-        system::write_parts(path, pieces.map(str::as_bytes))?;
+        system::write_parts(path, Some(from), pieces.map(str::as_bytes))?;
     } else {
-        system::write(path, &encoded(encoding, pieces, source)?)?;
+        let bytes = encoded(encoding, pieces, source)?;
+        system::write_parts(path, Some(from), std::iter::once(&*bytes))?;
     }
     Ok(())
 }

@@ -11,6 +11,7 @@ use crate::diag::{Severity, Source, Span};
 use crate::locale::{Args, Language, Ui};
 use crate::syntax::Dialect;
 use crate::syntax::encoding::Encoding;
+use crate::system::{self, Seen};
 use crate::translate::{self, Replacement, Told};
 
 pub(super) const COMMAND: Command = Command {
@@ -35,7 +36,11 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let to = cycle::language(&locales, &arguments::text(matches, "to"))?.tag();
     let from = matches.get_one::<String>("from").map(|tag| cycle::language(&locales, tag)).transpose()?;
-    let file = program::understand(Path::new(&arguments::text(matches, "file")), &catalogue)?;
+    let path = arguments::text(matches, "file");
+    let path = Path::new(&path);
+    let bytes = system::read(path)?;
+    let seen = Seen::of(path, &bytes);
+    let file = program::understood_bytes(path, bytes, &catalogue);
     let on = match matches.get_one::<String>("control") {
         Some(id) => Some(cycle::control(&catalogue, id)?),
         None => cycle::likeliest(&file.program, &catalogue, &locales),
@@ -47,6 +52,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let relabel = matches.get_flag("relabel");
     let source = file.written().source();
     let out = matches.get_one::<String>("out").map(String::as_str);
+    let to_file = out.map(|out| (Path::new(out), &seen));
     let write = |all: &mut dyn Iterator<Item = Replacement<'_>>| {
         let mut count = 0;
         let at_home = all.filter_map(|own| Some((file.exact(own.span)?, own.to)));
@@ -56,9 +62,9 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         let written = if sorted {
             let mut all: Vec<_> = counted.collect();
             all.sort_by_key(|(span, _)| *span);
-            put(session, out, file.encoding, &mut all.into_iter(), source)
+            put(session, to_file, file.encoding, &mut all.into_iter(), source)
         } else {
-            put(session, out, file.encoding, &mut counted, source)
+            put(session, to_file, file.encoding, &mut counted, source)
         };
         written.map(|()| count)
     };
@@ -85,17 +91,17 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     Ok(if errors { Outcome::Errors } else { Outcome::Clean })
 }
 
-/// Writes the program with what is replaced in it.
+/// Writes the program with what is replaced in it: to a file, made from the one that was read, or to standard output.
 fn put<'t>(
     session: &mut Session,
-    out: Option<&str>,
+    out: Option<(&Path, &Seen)>,
     encoding: Encoding,
     replaced: &mut dyn Iterator<Item = (Span, &'t str)>,
     source: &'t Arc<Source>,
 ) -> Result<(), Failure> {
     let pieces = program::pieces(source.text(), replaced);
     match out {
-        Some(out) => program::write_pieces(Path::new(out), encoding, pieces, source),
+        Some((out, from)) => program::write_pieces(out, from, encoding, pieces, source),
         None => program::print_pieces(session, encoding, pieces, source),
     }
 }

@@ -1,0 +1,160 @@
+//! Which files there are: below a directory, beside a program, above it.
+use std::collections::HashMap;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::{env, fs, io};
+
+use super::{Trouble, parent};
+
+/// The file itself, or all files below a directory that have one of the extensions, in any case, in the order
+/// of paths, and what could not be looked into (`io-read`). Hidden files are passed over, and links to directories are
+/// not followed.
+pub fn files_below(path: &Path, extensions: &[&str]) -> (Vec<PathBuf>, Vec<Trouble>) {
+    if !path.is_dir() {
+        return (vec![path.to_owned()], Vec::new());
+    }
+    let (mut found, mut troubles) = (Vec::new(), Vec::new());
+    let mut open = vec![path.to_owned()];
+    while let Some(directory) = open.pop() {
+        if let Err(error) = look_into(&directory, extensions, &mut found, &mut open) {
+            troubles.push(Trouble::new("io-read", &directory, &error));
+        }
+    }
+    found.sort();
+    (found, troubles)
+}
+
+fn look_into(
+    directory: &Path,
+    extensions: &[&str],
+    found: &mut Vec<PathBuf>,
+    open: &mut Vec<PathBuf>,
+) -> io::Result<()> {
+    for entry in fs::read_dir(directory)? {
+        let entry = entry?;
+        let own = entry.path();
+        let wanted = || own.extension().is_some_and(|own| extensions.iter().any(|it| own.eq_ignore_ascii_case(it)));
+        if entry.file_name().to_string_lossy().starts_with('.') {
+            continue;
+        }
+        if entry.file_type()?.is_dir() {
+            open.push(own);
+        } else if wanted() && own.is_file() {
+            found.push(own);
+        }
+    }
+    Ok(())
+}
+
+/// The nearest of that name in the directory of a path or above it.
+pub fn nearest(path: &Path, name: &str) -> Option<PathBuf> {
+    let whole = fs::canonicalize(path).or_else(|_| env::current_dir()).ok()?;
+    // Also what cannot be read: whoever asks shall see that.
+    whole.ancestors().map(|directory| directory.join(name)).find(|file| fs::symlink_metadata(file).is_ok())
+}
+
+/// The path of a file as seen from a directory, with `/`; as it is given if it lies elsewhere.
+pub fn seen_from(directory: &Path, path: &Path) -> String {
+    let whole = |path: &Path| fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let (own, root) = (whole(path), whole(directory));
+    let relative = own.strip_prefix(root).map_or_else(|_| path.to_owned(), Path::to_path_buf);
+    relative.to_string_lossy().replace('\\', "/")
+}
+
+/// The other files in the directory of a file that have an extension, in any case, by name. They are spelled as the
+/// file is: without a directory if it has none.
+///
+/// # Errors
+/// `io-read` if the directory cannot be read.
+pub fn beside(path: &Path, extension: &str) -> Result<Vec<PathBuf>, Trouble> {
+    let directory = parent(path);
+    let entries = fs::read_dir(directory).map_err(|error| Trouble::new("io-read", directory, &error))?;
+    let spelled = |name: OsString| path.with_file_name(name);
+    let paths = entries.filter_map(|entry| entry.ok().map(|entry| spelled(entry.file_name())));
+    let has = |other: &PathBuf| other.extension().is_some_and(|own| own.eq_ignore_ascii_case(extension));
+    let mut paths: Vec<PathBuf> = paths.filter(|other| other != path && has(other) && other.is_file()).collect();
+    paths.sort();
+    Ok(paths)
+}
+
+/// The one spelling of a path, whatever way it is given: its directory without links and detours. The file itself
+/// may be a link: what it names stands beside the link. Standard input (`-`) stays what it is.
+pub fn spelled(path: &Path) -> PathBuf {
+    if path == Path::new("-") {
+        return path.to_owned();
+    }
+    match (fs::canonicalize(parent(path)), path.file_name()) {
+        (Ok(directory), Some(name)) => directory.join(name),
+        _ => path.to_owned(),
+    }
+}
+
+/// The files of a directory as they were when it was looked into, found by name.
+#[derive(Debug)]
+pub struct Folder {
+    directory: PathBuf,
+    /// By name in small letters, in the order of names.
+    files: HashMap<String, Vec<OsString>>,
+}
+
+impl Folder {
+    /// The files in a directory.
+    ///
+    /// # Errors
+    /// `io-read` if the directory cannot be read.
+    pub fn of(directory: &Path) -> Result<Self, Trouble> {
+        let trouble = |error: io::Error| Trouble::new("io-read", directory, &error);
+        let mut files: HashMap<String, Vec<OsString>> = HashMap::new();
+        for entry in fs::read_dir(directory).map_err(trouble)?.flatten() {
+            let is_file = match entry.file_type() {
+                Ok(kind) if kind.is_symlink() => entry.path().is_file(),
+                Ok(kind) => kind.is_file(),
+                Err(_) => false,
+            };
+            if is_file {
+                let name = entry.file_name();
+                files.entry(name.to_string_lossy().to_ascii_lowercase()).or_default().push(name);
+            }
+        }
+        files.values_mut().for_each(|names| names.sort());
+        Ok(Self { directory: directory.to_owned(), files })
+    }
+
+    /// The file of a name, in any case; the first one of several.
+    pub fn file(&self, name: &str) -> Option<PathBuf> {
+        self.files.get(&name.to_ascii_lowercase())?.first().map(|own| self.directory.join(own))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_found_in_any_case_and_a_directory_is_none() {
+        let root = tempfile::tempdir().unwrap();
+        let names = |folder: &Folder, name| folder.file(name).map(|path| path.file_name().unwrap().to_owned());
+        fs::create_dir(root.path().join("dir.h")).unwrap();
+        for name in ["Part.H", "other.i"] {
+            fs::write(root.path().join(name), "").unwrap();
+        }
+        let folder = Folder::of(root.path()).unwrap();
+        assert_eq!(names(&folder, "pART.h").unwrap(), "Part.H");
+        assert_eq!(names(&folder, "OTHER.I").unwrap(), "other.i");
+        assert_eq!(names(&folder, "dir.h"), None);
+        assert!(Folder::of(&root.path().join("none")).is_err());
+    }
+
+    #[test]
+    fn a_path_has_one_spelling() {
+        let root = tempfile::tempdir().unwrap();
+        let folder = root.path().join("a");
+        fs::create_dir(&folder).unwrap();
+        let own = spelled(&folder.join("x.h"));
+        assert_eq!(spelled(&folder.join("../a/./x.h")), own);
+        assert_eq!(spelled(Path::new("Cargo.toml")), spelled(Path::new("./Cargo.toml")));
+        // A file without a directory has neighbours without one.
+        assert!(beside(Path::new("Cargo.toml"), "lock").unwrap().contains(&PathBuf::from("Cargo.lock")));
+        assert!(beside(Path::new("./Cargo.toml"), "toml").unwrap().iter().all(|path| path.starts_with(".")));
+    }
+}

@@ -1,0 +1,243 @@
+//! Files that are written where they stand.
+//!
+//! Invariant: a file is either the old one or whole, and stays the old one if it cannot be written, if it may not be
+//! changed, or if somebody else has changed it since it was read. What is written is beside it until then.
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+use std::{fs, iter};
+
+use sha2::{Digest as _, Sha256};
+
+use super::leftover::Made;
+use super::{Trouble, is_no_file, leftover, parent};
+
+/// So many links are followed one after the other.
+const MOST_LINKS: usize = 40;
+
+/// What the bytes of a file come to.
+type Digest = [u8; 32];
+
+/// A file as it was read, which shows whether somebody has changed it since.
+#[derive(Debug)]
+pub struct Seen {
+    path: PathBuf,
+    digest: Digest,
+}
+
+impl Seen {
+    /// The file with the bytes that were read from it.
+    pub fn of(path: &Path, bytes: &[u8]) -> Self {
+        Self { path: path.to_owned(), digest: Sha256::digest(bytes).into() }
+    }
+
+    /// Whether a path leads to it, also through a link.
+    fn is_at(&self, path: &Path) -> bool {
+        // Standard input is no file, whatever is named like it.
+        self.path != Path::new("-") && (self.path == path || is_same(&self.path, path))
+    }
+
+    /// Whether it is as it was.
+    fn is_unchanged(&self, path: &Path) -> io::Result<bool> {
+        // Whoever writes while it is read shows in the time.
+        let stamp = || fs::metadata(path).map(|known| (known.len(), known.modified().ok()));
+        let before = stamp()?;
+        Ok(digest_of(path)? == self.digest && stamp()? == before)
+    }
+}
+
+#[cfg(unix)]
+fn is_same(one: &Path, other: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt as _;
+    let number = |path| fs::metadata(path).ok().map(|known| (known.dev(), known.ino()));
+    number(one).is_some_and(|own| number(other) == Some(own))
+}
+
+#[cfg(not(unix))]
+fn is_same(one: &Path, other: &Path) -> bool {
+    fs::canonicalize(one).is_ok_and(|own| fs::canonicalize(other).is_ok_and(|other| own == other))
+}
+
+/// The digest of a file's bytes, which are not kept.
+fn digest_of(path: &Path) -> io::Result<Digest> {
+    let mut digest = Sha256::new();
+    let mut buffer = vec![0; 1 << 16];
+    let mut file = fs::File::open(path)?;
+    loop {
+        match io::Read::read(&mut file, &mut buffer) {
+            Ok(0) => return Ok(digest.finalize().into()),
+            Ok(length) => digest.update(buffer.get(..length).unwrap_or_default()),
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+            Err(error) => return Err(error),
+        }
+    }
+}
+
+/// Writes a file so that it is either the old one or whole.
+///
+/// # Errors
+/// `io-write` if it cannot be written; the old file is then untouched.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Trouble> {
+    write_parts(path, None, iter::once(bytes))
+}
+
+/// Writes a file in parts that lie one behind the other. If they are made from a file that was read and this is it,
+/// it must be as it was read until it is replaced.
+///
+/// # Errors
+/// `io-write` if it cannot be written, `fix-file-changed` if somebody has changed it; the old file is then untouched.
+pub fn write_parts<'p>(path: &Path, from: Option<&Seen>, parts: impl Iterator<Item = &'p [u8]>) -> Result<(), Trouble> {
+    let from = from.filter(|from| from.is_at(path));
+    match write_beside(path, from, parts) {
+        Ok(true) => Ok(()),
+        Ok(false) => Err(Trouble::new("fix-file-changed", path, &io::Error::other("changed"))),
+        Err(error) => Err(Trouble::new("io-write", path, &error)),
+    }
+}
+
+fn put_parts<'p>(file: impl io::Write, mut parts: impl Iterator<Item = &'p [u8]>) -> io::Result<()> {
+    let mut file = io::BufWriter::new(file);
+    parts.try_for_each(|part| file.write_all(part))?;
+    file.flush()
+}
+
+/// Whether the file was replaced; it is not if it is another one than was read.
+fn write_beside<'p>(path: &Path, from: Option<&Seen>, parts: impl Iterator<Item = &'p [u8]>) -> io::Result<bool> {
+    // A device such as /dev/stdout or a pipe cannot be replaced by renaming.
+    if is_no_file(path) {
+        return put_parts(fs::File::create(path)?, parts).map(|()| true);
+    }
+    let target = target(path)?;
+    let known = fs::metadata(&target).ok();
+    if known.is_some() {
+        // Whoever may rename in a directory may not change every file in it.
+        fs::OpenOptions::new().write(true).open(&target)?;
+    }
+    let (_leftover, mut file) = leftover::make(|| temporary(parent(&target)), |file| Made::at(file.path()))?;
+    put_parts(&mut file, parts)?;
+    if let Some(known) = known {
+        keep_owner(file.as_file(), &known);
+        file.as_file().set_permissions(known.permissions())?;
+    }
+    // Nothing that takes time stands between this and the exchange.
+    if let Some(from) = from
+        && !from.is_unchanged(&target)?
+    {
+        return Ok(false);
+    }
+    file.persist(&target).map_err(|error| error.error)?;
+    Ok(true)
+}
+
+/// The file that a path leads to; a link stays, and what it names is made if it is not there.
+fn target(path: &Path) -> io::Result<PathBuf> {
+    let missing = match fs::canonicalize(path) {
+        Ok(target) => return Ok(target),
+        Err(error) => error,
+    };
+    let mut target = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&target) {
+            Ok(next) => target = parent(&target).join(next),
+            Err(_) => return Ok(target),
+        }
+    }
+    Err(missing)
+}
+
+/// Gives a new file to the owner of the old one, or at least to the group, as far as that is allowed.
+#[cfg(unix)]
+fn keep_owner(file: &fs::File, known: &fs::Metadata) {
+    use std::os::unix::fs::{MetadataExt as _, fchown};
+    let (user, group) = (known.uid(), known.gid());
+    let is_kept = file.metadata().is_ok_and(|own| (own.uid(), own.gid()) == (user, group));
+    if !is_kept && fchown(file, Some(user), Some(group)).is_err() {
+        // Only the administrator may give files away.
+        let _ = fchown(file, None, Some(group));
+    }
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_: &fs::File, _: &fs::Metadata) {}
+
+#[cfg(unix)]
+fn temporary(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
+    use std::os::unix::fs::PermissionsExt as _;
+    // Reduced by the user's mask, as for any new file.
+    let permissions = fs::Permissions::from_mode(0o666);
+    tempfile::Builder::new().prefix(".ciklo-").permissions(permissions).tempfile_in(directory)
+}
+
+#[cfg(not(unix))]
+fn temporary(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
+    tempfile::Builder::new().prefix(".ciklo-").tempfile_in(directory)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::read;
+    use super::*;
+
+    #[test]
+    fn a_file_is_replaced_whole_and_keeps_its_permissions() {
+        let root = tempfile::tempdir().unwrap();
+        let path = root.path().join("a.h");
+        write(&path, b"one").unwrap();
+        write(&path, b"two").unwrap();
+        assert_eq!(read(&path).unwrap(), b"two");
+        assert_eq!(fs::read_dir(root.path()).unwrap().count(), 1);
+        let missing = read(&root.path().join("none")).unwrap_err();
+        assert_eq!(missing.reason, "not-found");
+        assert!(write(&root.path().join("none/a.h"), b"").is_err());
+    }
+
+    #[test]
+    fn what_was_read_is_replaced_only_as_it_was_read() {
+        let root = tempfile::tempdir().unwrap();
+        let (path, other) = (root.path().join("a.h"), root.path().join("b.h"));
+        let replace = |target: &Path, seen: &Seen| write_parts(target, Some(seen), iter::once(&b"new"[..]));
+        fs::write(&path, "old").unwrap();
+        let seen = Seen::of(&path, b"old");
+        // Another one may be any.
+        fs::write(&other, "any").unwrap();
+        replace(&other, &seen).unwrap();
+        // Somebody writes while the new one is written.
+        let parts = [&b"n"[..], b"ew"].into_iter().inspect(|part| {
+            if *part == b"ew" {
+                fs::write(&path, "theirs").unwrap();
+            }
+        });
+        assert_eq!(write_parts(&path, Some(&seen), parts).unwrap_err().code, "fix-file-changed");
+        assert_eq!(read(&path).unwrap(), b"theirs");
+        assert_eq!(replace(&root.path().join("./a.h"), &seen).unwrap_err().code, "fix-file-changed");
+        fs::write(&path, "old").unwrap();
+        replace(&path, &seen).unwrap();
+        assert_eq!(read(&path).unwrap(), b"new");
+        assert_eq!(fs::read_dir(root.path()).unwrap().count(), 2, "nothing temporary is left");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_stay_and_what_they_name_is_written() {
+        use std::os::unix::fs::symlink;
+        let root = tempfile::tempdir().unwrap();
+        let at = |name: &str| root.path().join(name);
+        fs::create_dir(at("deep")).unwrap();
+        symlink("deep/second", at("first")).unwrap();
+        symlink("../a.h", at("deep/second")).unwrap();
+        for text in [&b"one"[..], b"two"] {
+            write(&at("first"), text).unwrap();
+            assert_eq!(read(&at("a.h")).unwrap(), text);
+        }
+        let seen = Seen::of(&at("a.h"), b"two");
+        fs::write(at("a.h"), "theirs").unwrap();
+        let replaced = write_parts(&at("first"), Some(&seen), iter::once(&b"three"[..]));
+        assert_eq!(replaced.unwrap_err().code, "fix-file-changed");
+        symlink("loop", at("loop")).unwrap();
+        assert!(write(&at("loop"), b"").is_err());
+        symlink("none/a.h", at("nowhere")).unwrap();
+        assert!(write(&at("nowhere"), b"").is_err());
+        for link in ["first", "deep/second", "loop", "nowhere"] {
+            assert!(fs::symlink_metadata(at(link)).unwrap().is_symlink(), "{link}");
+        }
+    }
+}
