@@ -25,7 +25,7 @@ pub use among::{Among, Called, Callee, ProgramCall, Rows, ToolName, named};
 pub use config::{Config, Known, Settings};
 pub use definition::{Defined, Definition, Item};
 pub use facts::{Facts, Flow};
-pub use flow::{Aspect, CycleCall, Graph, Loaded, Mark, Modal, Pending, Run, Tri, Use, Way};
+pub use flow::{Aspect, CycleCall, Graph, Loaded, Mark, Modal, Pending, Run, Tri, Use, Way, circles};
 pub(crate) use labels::is_label;
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels, Speech, speech};
 pub use rules::RULES;

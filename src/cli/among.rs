@@ -3,30 +3,72 @@
 //! Invariant: a name means a file only where a control would find it: without a folder it stands beside the calling
 //! program; with folders it ends the path of a file that is checked, too.
 //! Whatever cannot be read is as good as not known.
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::check::Job;
 use super::{Failure, program};
 use crate::check::{self, Against, Among, Called, Callee, Rows, ToolName};
 use crate::diag::{Diagnostic, Severity};
-use crate::system;
+use crate::system::{self, Folder};
 use crate::table::{Table, TableKind};
 
 /// Extension of programs whose name has none.
 const EXTENSION: &str = "h";
-/// So deep calls are followed.
-const DEEPEST: usize = 32;
 
-/// The programs that are checked, and those that they call.
+/// The programs that are checked, and those that they call. Each has one path here ([`system::spelled`]).
 pub(super) struct Library {
-    files: Vec<PathBuf>,
-    /// What is known of called programs, by control and path.
-    callees: Mutex<BTreeMap<(String, PathBuf), Arc<Callee>>>,
+    /// The files that are checked as they were given, each with its path.
+    spelled: HashMap<PathBuf, PathBuf>,
+    /// Their parts from the last to the first, given and spelled, by the last one in small letters.
+    named: HashMap<String, Vec<(Vec<String>, PathBuf)>>,
+    /// Folders that were looked into; nothing of those that cannot be.
+    folders: Mutex<HashMap<PathBuf, Option<Arc<Folder>>>>,
+    /// What names with folders mean.
+    asked: Mutex<HashMap<String, Option<PathBuf>>>,
+    /// What is known of called programs, by control.
+    controls: Mutex<BTreeMap<String, Arc<Calling>>>,
+}
+
+/// What programs do and call on a control, each found out once.
+#[derive(Default)]
+struct Calling {
+    /// What a called program does; nothing of one that cannot be read.
+    callees: Cells<Option<Arc<Callee>>>,
     /// The files that a program calls.
-    calls: Mutex<BTreeMap<PathBuf, Arc<BTreeSet<PathBuf>>>>,
+    calls: Cells<Arc<BTreeSet<PathBuf>>>,
+    /// The number of the circle that a program is in, if it is in one.
+    circles: Mutex<HashMap<PathBuf, Option<usize>>>,
+}
+
+/// Something of each file, which whoever comes first finds out while others wait.
+struct Cells<T>(Mutex<HashMap<PathBuf, Arc<OnceLock<T>>>>);
+
+impl<T> Default for Cells<T> {
+    fn default() -> Self {
+        Self(Mutex::default())
+    }
+}
+
+impl<T: Clone> Cells<T> {
+    fn cell(&self, path: &Path) -> Arc<OnceLock<T>> {
+        let mut all = held(&self.0);
+        match all.get(path) {
+            Some(cell) => Arc::clone(cell),
+            None => Arc::clone(all.entry(path.to_owned()).or_default()),
+        }
+    }
+
+    /// What is known already.
+    fn known(&self, path: &Path) -> Option<T> {
+        held(&self.0).get(path)?.get().cloned()
+    }
+}
+
+fn held<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// What a name means.
@@ -38,7 +80,46 @@ enum Found {
 
 impl Library {
     pub(super) fn new(files: Vec<PathBuf>) -> Self {
-        Self { files, callees: Mutex::default(), calls: Mutex::default() }
+        let mut directories: HashMap<PathBuf, PathBuf> = HashMap::new();
+        let mut spelled = HashMap::new();
+        let mut named: HashMap<String, Vec<(Vec<String>, PathBuf)>> = HashMap::new();
+        for given in files {
+            let directory = given.parent().map(Path::to_owned).unwrap_or_default();
+            // Folders are asked once: there may be thousands of files in one.
+            let whole = match directories.get(&directory).zip(given.file_name()) {
+                Some((directory, name)) => directory.join(name),
+                None => system::spelled(&given),
+            };
+            if let Some(own) = whole.parent().filter(|own| !own.as_os_str().is_empty()) {
+                directories.entry(directory).or_insert_with(|| own.to_owned());
+            }
+            for path in [&given, &whole] {
+                let parts: Vec<String> =
+                    path.components().rev().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
+                if let Some(last) = parts.first() {
+                    named.entry(last.to_ascii_lowercase()).or_default().push((parts, whole.clone()));
+                }
+            }
+            spelled.insert(given, whole);
+        }
+        let (folders, asked, controls) = (Mutex::default(), Mutex::default(), Mutex::default());
+        Self { spelled, named, folders, asked, controls }
+    }
+
+    /// The path of a file that is checked.
+    fn spelled(&self, given: &Path) -> PathBuf {
+        self.spelled.get(given).map_or_else(|| system::spelled(given), Clone::clone)
+    }
+
+    /// The files of a folder.
+    fn folder(&self, directory: &Path) -> Option<Arc<Folder>> {
+        let mut all = held(&self.folders);
+        if let Some(known) = all.get(directory) {
+            return known.clone();
+        }
+        let own = Folder::of(directory).ok().map(Arc::new);
+        all.insert(directory.to_owned(), own.clone());
+        own
     }
 
     /// The file that a name in a program means.
@@ -55,82 +136,127 @@ impl Library {
         let Some((last, folders)) = parts.split_last() else { return Found::Unknown };
         let last = if last.contains('.') { (*last).to_owned() } else { format!("{last}.{EXTENSION}") };
         if folders.is_empty() && !name.contains(['\\', '/', ':']) {
-            let extension = last.rsplit_once('.').map_or("", |(_, extension)| extension);
-            let Ok(beside) = system::beside(from, extension) else { return Found::Unknown };
-            let named =
-                |path: &Path| path.file_name().is_some_and(|own| own.to_string_lossy().eq_ignore_ascii_case(&last));
-            let own = named(from).then(|| from.to_owned());
-            return own.or_else(|| beside.into_iter().find(|path| named(path))).map_or(Found::Missing, Found::File);
+            let is_own = from.file_name().is_some_and(|own| own.to_string_lossy().eq_ignore_ascii_case(&last));
+            let Some(folder) = from.parent().and_then(|directory| self.folder(directory)) else {
+                return Found::Unknown;
+            };
+            let own = is_own.then(|| from.to_owned());
+            return own.or_else(|| folder.file(&last)).map_or(Found::Missing, Found::File);
         }
-        let ends = |path: &&PathBuf| {
-            let mut own = path.components().rev().map(|part| part.as_os_str().to_string_lossy().into_owned());
-            let mut asked = std::iter::once(last.as_str())
-                .chain(folders.iter().rev().filter(|part| !is_drive(part, name)).copied());
-            asked.all(|part| own.next().is_some_and(|own| own.eq_ignore_ascii_case(part)))
+        let known = held(&self.asked).get(name).cloned();
+        let found = known.unwrap_or_else(|| {
+            let folders: Vec<&str> = folders.iter().rev().filter(|part| !is_drive(part, name)).copied().collect();
+            let found = self.ending(&last, &folders);
+            held(&self.asked).insert(name.to_owned(), found.clone());
+            found
+        });
+        found.map_or(Found::Unknown, Found::File)
+    }
+
+    /// The only file whose path ends with some folders, told from the last to the first, and a name.
+    fn ending(&self, last: &str, folders: &[&str]) -> Option<PathBuf> {
+        let ends = |(parts, _): &&(Vec<String>, PathBuf)| {
+            let mut own = parts.iter().skip(1);
+            folders.iter().all(|part| own.next().is_some_and(|own| own.eq_ignore_ascii_case(part)))
         };
-        let mut all = self.files.iter().filter(ends);
-        match (all.next(), all.next()) {
-            (Some(only), None) => Found::File(only.clone()),
-            _ => Found::Unknown,
+        let mut all = self.named.get(&last.to_ascii_lowercase())?.iter().filter(ends).map(|(_, path)| path);
+        let only = all.next()?;
+        all.all(|other| other == only).then(|| only.clone())
+    }
+
+    /// What is known of programs on a control.
+    fn on(&self, against: &Against<'_>) -> Arc<Calling> {
+        let mut all = held(&self.controls);
+        match all.get(against.on.id()) {
+            Some(known) => Arc::clone(known),
+            None => Arc::clone(all.entry(against.on.id().to_owned()).or_default()),
         }
     }
 
-    /// What a program does that is called, so many calls deep.
-    fn callee(&self, path: &Path, against: &Against<'_>, depth: usize) -> Option<Arc<Callee>> {
-        let key = (against.on.id().to_owned(), path.to_owned());
-        let known = |map: &Mutex<BTreeMap<_, Arc<Callee>>>| {
-            map.lock().unwrap_or_else(PoisonError::into_inner).get(&key).map(Arc::clone)
-        };
-        if let Some(callee) = known(&self.callees) {
-            return Some(callee);
+    /// What a program does that is called.
+    fn callee(&self, path: &Path, against: &Against<'_>) -> Option<Arc<Callee>> {
+        let on = self.on(against);
+        // What a program calls is known before it is looked at itself, however deep calls are nested.
+        let mut way = vec![path.to_owned()];
+        while let Some(next) = way.last().cloned() {
+            if on.callees.known(&next).is_some() {
+                way.pop();
+                continue;
+            }
+            let round = self.circle(&next, against).is_some();
+            let length = way.len();
+            if !round {
+                let calls = self.calls(&next, against);
+                way.extend(calls.iter().filter(|called| on.callees.known(called).is_none()).cloned());
+            }
+            if way.len() == length {
+                on.callees.cell(&next).get_or_init(|| self.read(&next, against, round).map(Arc::new));
+                way.pop();
+            }
         }
+        on.callees.known(path).flatten()
+    }
+
+    fn read(&self, path: &Path, against: &Against<'_>, round: bool) -> Option<Callee> {
         let bytes = system::read(path).ok()?;
         let file = program::understood_bytes(path, bytes, against.catalogue);
-        // What goes round, or on for too long, may do anything.
-        let callee = if depth > DEEPEST || self.leads(path, path, against) {
-            Callee::anything(&file.program)
-        } else {
-            let inside = Inside { library: self, path, against, depth: depth + 1 };
-            Callee::of(&file.program, against, Some(&inside))
-        };
-        let callee = Arc::new(callee);
-        self.callees.lock().unwrap_or_else(PoisonError::into_inner).insert(key, Arc::clone(&callee));
-        Some(callee)
+        // What goes round may do anything.
+        if round {
+            return Some(Callee::anything(&file.program));
+        }
+        Some(Callee::of(&file.program, against, Some(&Inside { library: self, path, against })))
     }
 
     /// The files that a program calls.
     fn calls(&self, path: &Path, against: &Against<'_>) -> Arc<BTreeSet<PathBuf>> {
-        if let Some(known) = self.calls.lock().unwrap_or_else(PoisonError::into_inner).get(path) {
-            return Arc::clone(known);
-        }
-        let mut calls = BTreeSet::new();
-        if let Ok(bytes) = system::read(path) {
-            let file = program::understood_bytes(path, bytes, against.catalogue);
-            for name in check::named(&file.program, against) {
-                if let Found::File(called) = self.file(path, &name) {
-                    calls.insert(called);
+        let cell = self.on(against).calls.cell(path);
+        let calls = cell.get_or_init(|| {
+            let mut calls = BTreeSet::new();
+            if let Ok(bytes) = system::read(path) {
+                let file = program::understood_bytes(path, bytes, against.catalogue);
+                for name in check::named(&file.program, against) {
+                    if let Found::File(called) = self.file(path, &name) {
+                        calls.insert(called);
+                    }
                 }
             }
-        }
-        let calls = Arc::new(calls);
-        self.calls.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned(), Arc::clone(&calls));
-        calls
+            Arc::new(calls)
+        });
+        Arc::clone(calls)
     }
 
-    /// Whether a program calls another one, be it through others.
-    fn leads(&self, from: &Path, to: &Path, against: &Against<'_>) -> bool {
-        let (mut seen, mut open) = (BTreeSet::from([from.to_owned()]), vec![from.to_owned()]);
-        while let Some(path) = open.pop() {
-            for next in self.calls(&path, against).iter() {
-                if next == to {
-                    return true;
-                }
-                if seen.insert(next.clone()) {
-                    open.push(next.clone());
-                }
-            }
+    /// The circle of calls that a program is in: the same for all programs of the circle, and nothing if it does not
+    /// lead back to itself.
+    fn circle(&self, path: &Path, against: &Against<'_>) -> Option<usize> {
+        let on = self.on(against);
+        if let Some(known) = held(&on.circles).get(path) {
+            return *known;
         }
-        false
+        // Everything that it leads to and that was not looked at: what was looked at does not lead here.
+        let (mut seen, mut open) = (BTreeMap::new(), vec![path.to_owned()]);
+        while let Some(next) = open.pop() {
+            if seen.contains_key(&next) || held(&on.circles).contains_key(&next) {
+                continue;
+            }
+            let calls = self.calls(&next, against);
+            open.extend(calls.iter().cloned());
+            seen.insert(next, calls);
+        }
+        let mut circles = held(&on.circles);
+        // Others may have looked at some of them meanwhile, and then at all that these lead to.
+        seen.retain(|path, _| !circles.contains_key(path));
+        let index: HashMap<&PathBuf, usize> = seen.keys().enumerate().map(|(index, path)| (path, index)).collect();
+        let inner: Vec<Vec<usize>> =
+            seen.values().map(|calls| calls.iter().filter_map(|called| index.get(called).copied()).collect()).collect();
+        let groups = check::circles(&inner);
+        let mut members: HashMap<usize, usize> = HashMap::new();
+        groups.iter().for_each(|group| *members.entry(*group).or_default() += 1);
+        let base = circles.len();
+        for ((path, calls), group) in seen.iter().zip(groups) {
+            let round = members.get(&group).is_some_and(|count| *count > 1) || calls.contains(path);
+            circles.insert(path.clone(), round.then_some(base + group));
+        }
+        circles.get(path).copied().flatten()
     }
 }
 
@@ -144,13 +270,12 @@ struct Inside<'l, 'a> {
     library: &'l Library,
     path: &'l Path,
     against: &'l Against<'a>,
-    depth: usize,
 }
 
 impl Among for Inside<'_, '_> {
     fn called(&self, name: &str) -> Called {
         let Found::File(path) = self.library.file(self.path, name) else { return Called::Unknown };
-        match self.library.callee(&path, self.against, self.depth) {
+        match self.library.on(self.against).callees.known(&path).flatten() {
             Some(callee) => Called::Is { callee, round: false },
             None => Called::Unknown,
         }
@@ -201,7 +326,7 @@ impl Shelf {
 pub(super) struct Standing<'s> {
     library: &'s Library,
     tables: Vec<&'s Table>,
-    path: &'s Path,
+    path: PathBuf,
     /// Whether its folder is checked as a whole.
     whole: bool,
     against: &'s Against<'s>,
@@ -213,7 +338,8 @@ impl<'s> Standing<'s> {
     pub(super) fn new(library: &'s Library, shelf: &'s Shelf, job: &'s Job<'_>, against: &'s Against<'s>) -> Self {
         let names = shelf.given.iter().chain(&job.settings.tables);
         let tables = names.filter_map(|name| shelf.tables.get(name)).collect();
-        Self { library, tables, path: &job.path, whole: !job.named, against, asked: AtomicBool::new(false) }
+        let path = library.spelled(&job.path);
+        Self { library, tables, path, whole: !job.named, against, asked: AtomicBool::new(false) }
     }
 
     pub(super) const fn against(&self) -> &Against<'s> {
@@ -238,7 +364,7 @@ impl<'s> Standing<'s> {
 impl Among for Standing<'_> {
     fn called(&self, name: &str) -> Called {
         self.asked.store(true, Ordering::Relaxed);
-        let path = match self.library.file(self.path, name) {
+        let path = match self.library.file(&self.path, name) {
             Found::Unknown => return Called::Unknown,
             Found::Missing if self.whole => return Called::Missing(Severity::Warning),
             Found::Missing => return Called::Missing(Severity::Note),
@@ -248,10 +374,11 @@ impl Among for Standing<'_> {
         if path == self.path {
             return Called::Unknown;
         }
-        match self.library.callee(&path, self.against, 0) {
-            Some(callee) => Called::Is { callee, round: self.library.leads(&path, self.path, self.against) },
-            None => Called::Unknown,
-        }
+        let Some(callee) = self.library.callee(&path, self.against) else { return Called::Unknown };
+        // This program calls that one: if that one leads here, they are in one circle.
+        let circle = self.library.circle(&path, self.against);
+        let round = circle.is_some() && circle == self.library.circle(&self.path, self.against);
+        Called::Is { callee, round }
     }
 
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {

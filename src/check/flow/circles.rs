@@ -4,7 +4,7 @@
 
 /// For each of some nodes the number of the group of those that lead to each other, by what each leads to. Groups are
 /// numbered so that one leads only to itself and to lower ones.
-pub(super) fn circles(inner: &[Vec<usize>]) -> Vec<usize> {
+pub fn circles(inner: &[Vec<usize>]) -> Vec<usize> {
     const NEW: usize = usize::MAX;
     // When each node was come to, the earliest open one that it leads back to, and its group.
     let (mut came, mut back, mut group) = (vec![NEW; inner.len()], vec![NEW; inner.len()], vec![NEW; inner.len()]);

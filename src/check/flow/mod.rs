@@ -15,6 +15,7 @@ mod walk;
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(super) use graph::stops;
+pub use circles::circles;
 pub use graph::{Graph, Mark, Use, Way};
 pub use state::{Aspect, Loaded, Modal, Pending, Tri};
 
@@ -23,7 +24,6 @@ use super::facts::each_function;
 use crate::diag::Span;
 use crate::expr::QRef;
 use crate::syntax::{Block, BlockKind, MFunction, Motion};
-use circles::circles;
 pub(super) use effect::{Deed, probes, removes_material, stops_spindle};
 pub(super) use graph::reads;
 use state::{State, Touched};
