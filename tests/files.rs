@@ -148,12 +148,12 @@ fn thousands_of_programs_that_call_each_other_take_seconds() {
     let begun = Instant::now();
     let output = folder.run(&["check", "p", "--control", "tnc640"]);
     assert_eq!((code(&output), found(&output).lines().count()), (0, 0), "{}", told(&output));
-    assert!(begun.elapsed() < Duration::from_mins(1), "{:?}", begun.elapsed());
+    assert!(begun.elapsed() < Duration::from_secs(60), "{:?}", begun.elapsed());
     // Whatever the first one calls changes the last one's circle.
     folder.put(&format!("p/{COUNT}.h"), &calling("p", "0"));
     let output = folder.run(&["check", "p", "--control", "tnc640", "--format", "json"]);
     assert_eq!((code(&output), found(&output).lines().count()), (1, COUNT + 1));
-    assert!(begun.elapsed() < Duration::from_mins(2), "{:?}", begun.elapsed());
+    assert!(begun.elapsed() < Duration::from_secs(120), "{:?}", begun.elapsed());
 }
 
 /// How many bytes a process has read.
@@ -257,6 +257,23 @@ fn a_file_keeps_its_owner() {
     assert_eq!(code(&folder.run(&["fmt", "a.h"])), 0);
     assert_ne!(owner().2, before.2, "it was exchanged");
     assert_eq!((owner().0, owner().1), (before.0, before.1));
+}
+
+/// What an export or a transfer that was cut off leaves behind does not pass without a word.
+#[test]
+fn files_without_a_block_are_told() {
+    let folder = Folder::new();
+    let zeros = "\0".repeat(4096);
+    let empty = [("a.h", ""), ("b.i", ""), ("c.h", "\r\n\n"), ("d.h", &zeros), ("e.i", &zeros)];
+    let others = [("mode.i", "G90\n"), ("comment.h", "; later\n"), ("comment.i", "; later\n")];
+    empty.iter().chain(&others).for_each(|(name, text)| folder.put(name, text));
+    let output = folder.run(&["check", ".", "--control", "tnc640", "--format", "json"]);
+    let found_in = found(&output);
+    let of: Vec<&str> = found_in.lines().filter(|line| line.contains("program-empty")).collect();
+    assert_eq!((code(&output), of.len()), (0, empty.len()), "{of:?}");
+    assert!(empty.iter().zip(of).all(|((name, _), line)| line.contains(name)));
+    let output = folder.run(&["certify", ".", "--control", "tnc640"]);
+    assert!(found(&output).contains("program-empty: 5 times"), "{}", found(&output));
 }
 
 /// One that is missing does not keep the others from being converted or laid out.

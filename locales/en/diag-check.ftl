@@ -243,6 +243,7 @@ diag-probed-axis-missing = { $direction } is probed, but the position does not n
 diag-program-begin-missing = The program does not begin with BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM stands a second time here.
 diag-program-calls-itself = The program calls itself: { $name }.
+diag-program-empty = The file holds no block.
 diag-program-end-missing =
     The program ends here without { $end ->
         [iso] a block that begins with % and ends it

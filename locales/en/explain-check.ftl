@@ -96,6 +96,7 @@ explain-probed-axis-missing = The cycle measures the coordinate of one axis. The
 explain-program-begin-missing = A program has END PGM, but no block BEGIN PGM with its name and unit. The beginning may be lost.
 explain-program-begin-twice = A program has one BEGIN PGM, its first block. Two programs may have been put together, and an END PGM lost.
 explain-program-calls-itself = CALL PGM names the program that it stands in, so that the call never ends. Only said where the call names no folder.
+explain-program-empty = There is nothing in the file but empty lines or zero bytes: writing or transferring it was probably cut off. Files with nothing but comments are left alone.
 explain-program-end-missing = A program begins with BEGIN PGM and has no END PGM: the file may have been cut off, so that more than the last block is missing.
 explain-programs-call-in-circle = Programs that call each other in a circle never come to an end, and controls refuse them. Where conditional jumps or blocks that may be skipped are in the program it is a warning, as one of them may end the circle. Example: A.H calls B.H, and B.H calls A.H.
 explain-rapid-into-blank = Before anything has been cut, a rapid movement along the tool axis ends inside of the blank from BLK FORM, so the tool strikes the material. Only said at the beginning of a program, as long as nothing but plain movements and tool calls stands there and the place in the plane is known. Said once a program. Example: L Z-10 R0 FMAX over a blank that reaches up to Z+0.

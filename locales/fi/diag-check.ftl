@@ -243,6 +243,7 @@ diag-probed-axis-missing = Kosketus tapahtuu suunnassa { $direction }, mutta pai
 diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
 diag-program-begin-twice = BEGIN PGM on tässä toisen kerran.
 diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.
+diag-program-empty = Tiedostossa ei ole yhtään lausetta.
 diag-program-end-missing =
     Ohjelma loppuu tähän ilman { $end ->
         [iso] lausetta, joka alkaa %-merkillä ja päättää sen

@@ -96,6 +96,7 @@ explain-probed-axis-missing = Työkierto mittaa yhden akselin koordinaatin. Paik
 explain-program-begin-missing = Ohjelmassa on END PGM, mutta ei BEGIN PGM -lausetta, jossa ovat nimi ja mittayksikkö. Alku on voinut kadota.
 explain-program-begin-twice = Ohjelmassa on yksi BEGIN PGM, sen ensimmäinen lause. Kaksi ohjelmaa on voitu yhdistää, ja yksi END PGM on voinut kadota.
 explain-program-calls-itself = CALL PGM nimeää saman ohjelman, jossa se on, joten kutsu ei pääty koskaan. Ilmoitetaan vain, kun kutsussa ei ole hakemistoa.
+explain-program-empty = Tiedostossa on vain tyhjiä rivejä tai nollatavuja: sen kirjoitus tai siirto on todennäköisesti keskeytynyt. Tiedostoista, joissa on pelkkiä kommentteja, ei huomauteta.
 explain-program-end-missing = Ohjelmassa on BEGIN PGM mutta ei END PGM -lausetta: tiedosto on voinut katketa, jolloin puuttuu muutakin kuin viimeinen lause.
 explain-programs-call-in-circle = Toisiaan kehässä kutsuvat ohjelmat eivät pääty koskaan, ja ohjaus hylkää ne. Jos ohjelmassa on ehdollisia hyppyjä tai ohitettavia lauseita, tämä on varoitus, sillä jokin niistä voi katkaista kehän. Esimerkki: A.H kutsuu ohjelmaa B.H ja B.H ohjelmaa A.H.
 explain-rapid-into-blank = Ennen kuin mitään on lastuttu, pikaliike työkaluakselin suunnassa päättyy BLK FORM -aihion sisälle, joten työkalu törmää materiaaliin. Ilmoitetaan vain ohjelman alussa, kun siinä on vain tavallisia liikkeitä ja työkalukutsuja ja asema tasossa tunnetaan. Ilmoitetaan kerran ohjelmaa kohti. Esimerkki: L Z-10 R0 FMAX, kun aihio ulottuu arvoon Z+0.

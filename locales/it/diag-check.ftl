@@ -243,6 +243,7 @@ diag-probed-axis-missing = Si tasta in direzione { $direction }, ma la posizione
 diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM compare qui una seconda volta.
 diag-program-calls-itself = Il programma chiama sé stesso: { $name }.
+diag-program-empty = Il file non contiene alcun blocco.
 diag-program-end-missing =
     Il programma finisce qui senza { $end ->
         [iso] un blocco che inizi con % e lo chiuda

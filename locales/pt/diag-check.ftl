@@ -243,6 +243,7 @@ diag-probed-axis-missing = Apalpa-se na direção { $direction }, mas a posiçã
 diag-program-begin-missing = O programa não começa com BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM está aqui pela segunda vez.
 diag-program-calls-itself = O programa chama-se a si próprio: { $name }.
+diag-program-empty = O ficheiro não contém nenhuma frase.
 diag-program-end-missing =
     O programa acaba aqui sem { $end ->
         [iso] uma frase que comece por % e o termine

@@ -245,6 +245,7 @@ diag-probed-axis-missing = Tipa se v smeri { $direction }, vendar položaj ne na
 diag-program-begin-missing = Program se ne začne z BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM je tu drugič.
 diag-program-calls-itself = Program prikliče samega sebe: { $name }.
+diag-program-empty = Datoteka ne vsebuje nobenega stavka.
 diag-program-end-missing =
     Program se tu konča brez { $end ->
         [iso] stavka, ki se začne s % in ga zaključi

@@ -96,6 +96,7 @@ explain-probed-axis-missing = Cikel izmeri koordinato ene osi. Položaj navaja v
 explain-program-begin-missing = Program ima END PGM, nima pa stavka BEGIN PGM z imenom in enoto. Začetek je morda izgubljen.
 explain-program-begin-twice = Program ima en BEGIN PGM, svoj prvi stavek. Morda sta bila združena dva programa in se je en END PGM izgubil.
 explain-program-calls-itself = CALL PGM navaja program, v katerem stoji, zato se priklic nikoli ne konča. Javi se samo, če priklic ne navaja mape.
+explain-program-empty = V datoteki so samo prazne vrstice ali ničelni bajti: zapisovanje ali prenos se je verjetno prekinil. Na datoteke, v katerih so samo komentarji, pravilo ne opozarja.
 explain-program-end-missing = Program se začne z BEGIN PGM in nima END PGM: datoteka je morda odrezana, tako da manjka več kot zadnji stavek.
 explain-programs-call-in-circle = Programi, ki se kličejo v krogu, se nikoli ne končajo in krmiljenja jih zavrnejo. Če so v programu pogojni skoki ali stavki, ki se lahko preskočijo, je to opozorilo, saj lahko kateri od njih krog prekine. Primer: A.H kliče B.H in B.H kliče A.H.
 explain-rapid-into-blank = Preden je bilo kar koli odrezano, se hitri tek v orodni osi konča znotraj surovca iz BLK FORM, zato orodje trči v material. Javi se samo na začetku programa, dokler so tam le navadni premiki in priklici orodja ter je položaj v ravnini znan. Javi se enkrat za vsak program. Primer: L Z-10 R0 FMAX nad surovcem, ki sega do Z+0.

@@ -11,11 +11,14 @@ use crate::diag::{Diagnostic, Place, Source, Span};
 use crate::iso::{Codes, Lowered, to_klartext};
 use crate::spec::Catalogue;
 use crate::syntax::encoding::{self, Charset, Decoded, Encoding};
-use crate::syntax::{self, Dialect, Program};
+use crate::syntax::{self, BlockKind, Dialect, Program};
 use crate::system::{self, Seen};
 
 /// An encoding in which a text is its own bytes.
 const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
+
+/// What is found in a file without any block.
+const EMPTY: &str = "program-empty";
 
 /// A program file.
 pub(super) struct File {
@@ -57,7 +60,14 @@ impl Understood {
     /// The findings of the checker where they are in the file.
     pub(super) fn findings(&self, found: Vec<Diagnostic>) -> Vec<Diagnostic> {
         match &self.iso {
-            Some((_, lowered)) => lowered.findings(found, lowered.diagnostics.clone()),
+            Some((written, lowered)) => {
+                let mut found = lowered.findings(found, lowered.diagnostics.clone());
+                // A block that sets a mode only is none in Klartext, but the file has one.
+                if written.blocks().iter().any(|block| !matches!(block.kind, BlockKind::Empty)) {
+                    found.retain(|own| own.code != EMPTY);
+                }
+                found
+            }
             None => found,
         }
     }

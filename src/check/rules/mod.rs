@@ -92,6 +92,7 @@ mod probed_axis_missing;
 mod program_begin_missing;
 mod program_begin_twice;
 mod program_calls_itself;
+mod program_empty;
 mod program_end_missing;
 mod programs_call_in_circle;
 mod radius_missing;
@@ -238,6 +239,7 @@ pub const RULES: &[&Rule] = &[
     &program_begin_missing::RULE,
     &program_begin_twice::RULE,
     &program_calls_itself::RULE,
+    &program_empty::RULE,
     &program_end_missing::RULE,
     &programs_call_in_circle::RULE,
     &radius_missing::RULE,

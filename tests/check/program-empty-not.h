@@ -1,0 +1,2 @@
+; control: tnc640
+; to be written
