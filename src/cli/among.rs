@@ -86,11 +86,12 @@ impl Library {
         for given in files {
             let directory = given.parent().map(Path::to_owned).unwrap_or_default();
             // Folders are asked once: there may be thousands of files in one.
-            let whole = match directories.get(&directory).zip(given.file_name()) {
+            let known = directories.get(&directory).zip(given.file_name());
+            let whole = match known.filter(|_| given != Path::new("-")) {
                 Some((directory, name)) => directory.join(name),
                 None => system::spelled(&given),
             };
-            if let Some(own) = whole.parent().filter(|own| !own.as_os_str().is_empty()) {
+            if let Some(own) = whole.parent().filter(|own| own.is_absolute()) {
                 directories.entry(directory).or_insert_with(|| own.to_owned());
             }
             for path in [&given, &whole] {
@@ -420,5 +421,23 @@ impl Among for Standing<'_> {
             [only] => Some(only.has_row(row)),
             _ => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_has_one_path_and_standard_input_has_none() {
+        let given = ["-", "Cargo.toml", "-", "./Cargo.toml", "src/../Cargo.toml"];
+        let library = Library::new(given.into_iter().map(PathBuf::from).collect());
+        let path = library.spelled(Path::new("Cargo.toml"));
+        assert!(path.is_absolute());
+        assert!(given.iter().filter(|own| **own != "-").all(|own| library.spelled(Path::new(own)) == path));
+        assert_eq!(library.spelled(Path::new("-")), Path::new("-"));
+        assert!(matches!(library.file(Path::new("-"), "sub"), Found::Unknown));
+        assert!(matches!(library.file(&path, "none"), Found::Missing));
+        assert!(matches!(library.file(&path, "CARGO.LOCK"), Found::File(lock) if lock.ends_with("Cargo.lock")));
     }
 }
