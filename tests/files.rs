@@ -128,6 +128,11 @@ fn circles_are_found_however_files_are_named() {
     }
     let [one, other] = ["l3.h", "./l3.h"].map(|file| inside(&["check", file, "--control", "tnc640"]));
     assert_eq!(found(&one), found(&other).replace("./", ""));
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/c200.scene.yaml");
+    let [one, other] =
+        ["l3.h", "./l3.h"].map(|file| told(&inside(&["run", file, "--control", "tnc640", "--scene", scene])));
+    assert!(one.contains("l3b.h:"), "{one}");
+    assert_eq!(one, other.replace("./", ""));
     // A name with folders means the one file that ends so, also where it is given twice.
     folder.put("b/c/one.h", &calling("one", "TNC:\\b\\c\\two.h"));
     folder.put("b/c/two.h", &calling("two", "TNC:\\b\\c\\one.h"));
