@@ -323,3 +323,18 @@ fn a_name_that_a_parameter_follows_closed_up_is_left_alone() {
     assert!(there.contains("DRILLING[Q200=2 ;"), "{there}");
     assert!(there.contains("Q201=-15 ;SYVYYS"), "{there}");
 }
+
+/// The axis of an angle stands before the word or behind it (000: 6755, 001: 13733): the colon stays where it stands.
+#[test]
+fn an_axis_between_a_label_and_its_colon_stays_there() {
+    let data = Data::new();
+    let first = "0 BEGIN PGM A MM\n1 TCH PROBE 3.0 MERJENJE\n2 TCH PROBE 3.1 Q5\n3 TCH PROBE 3.2 KOT X: +15\n\
+                 4 TCH PROBE 3.3 ABST +10 F100 MB1 REFERENČNI SISTEM:0\n5 TCH PROBE 3.4 ERRORMODE1\n6 END PGM A MM\n";
+    for (word, to) in [("KULMA", "fi"), ("ANGOLO", "it"), ("ÂNGULO", "pt"), ("ANGLE", "en")] {
+        let there = data.translate("tnc640", first, to, UTF_8).text;
+        assert!(there.contains(&format!("TCH PROBE 3.2 {word} X: +15\n")), "{there}");
+        assert_eq!(data.translate("tnc640", &there, "sl", UTF_8).text, first);
+        let before = first.replace("KOT X:", "X KOT:");
+        assert!(data.translate("tnc640", &before, to, UTF_8).text.contains(&format!("X {word}: +15\n")));
+    }
+}

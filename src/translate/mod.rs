@@ -180,6 +180,11 @@ impl<'a> Writer<'_, 'a> {
             self.diagnostics.push(missing.arg("cycle", cycle));
             return;
         };
+        // Where the axis stands behind the word, the colon stands behind the axis: `KOT X: +15` (001: 13733).
+        let to = match to.strip_suffix(':') {
+            Some(word) if !from.ends_with(':') && behind.is_some_and(is_axis_with_colon) => word,
+            _ => to,
+        };
         if from == to {
             return;
         }
@@ -190,4 +195,10 @@ impl<'a> Writer<'_, 'a> {
         }
         self.changes.push(Replacement { span, to });
     }
+}
+
+/// Whether a text goes on with the letter of an axis and a colon.
+fn is_axis_with_colon(text: &str) -> bool {
+    let mut behind = text.trim_start_matches([' ', '\t']).chars();
+    matches!((behind.next(), behind.next()), (Some('A'..='C' | 'U'..='Z' | 'a'..='c' | 'u'..='z'), Some(':')))
 }

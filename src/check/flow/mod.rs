@@ -14,8 +14,8 @@ mod walk;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-pub(super) use graph::stops;
 pub use circles::circles;
+pub(super) use graph::stops;
 pub use graph::{Graph, Mark, Use, Way};
 pub use state::{Aspect, Loaded, Modal, Pending, Tri};
 
