@@ -97,6 +97,7 @@ diag-cycle-not-described =
        *[other] { $cycle } ({ $name }) is named by the manuals and not described: it is measured by the manual of the { $other }.
     }
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
+diag-datum-table-late = The datum shift before took its row from another table: SEL TABLE is to stand before it.
 diag-defined-but-never-called = { $cycle } is defined here and never called.
 diag-digitizing-wrong =
     { $what ->
@@ -286,7 +287,6 @@ diag-subprogram-end-alone = This LBL 0 ends no subprogram.
 diag-subprogram-recursive = The subprogram { $label } calls itself here.
 diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: no LBL 0 stands between them.
 diag-subprogram-without-end = The subprogram { $label } comes to the end of the program without LBL 0.
-diag-table-selected-late = The datum shift before took its row from another table: SEL TABLE is to stand before it.
 diag-tcpm-left-on =
     { $what ->
         [tool] A tool is called here while M128 or FUNCTION TCPM is active.

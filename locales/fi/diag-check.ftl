@@ -97,6 +97,7 @@ diag-cycle-not-described =
        *[other] Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sitä verrataan ohjauksen { $other } käsikirjaan.
     }
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
+diag-datum-table-late = Edeltävä nollapisteen siirto otti rivinsä toisesta taulukosta: SEL TABLE kuuluu sen edelle.
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.
 diag-digitizing-wrong =
     { $what ->
@@ -285,7 +286,6 @@ diag-subprogram-end-alone = Tämä LBL 0 ei päätä mitään aliohjelmaa.
 diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
 diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
 diag-subprogram-without-end = Aliohjelma { $label } päätyy ohjelman loppuun ilman LBL 0 -lausetta.
-diag-table-selected-late = Edeltävä nollapisteen siirto otti rivinsä toisesta taulukosta: SEL TABLE kuuluu sen edelle.
 diag-tcpm-left-on =
     { $what ->
         [tool] Tässä kutsutaan työkalua, kun M128 tai FUNCTION TCPM on voimassa.

@@ -97,6 +97,7 @@ diag-cycle-not-described =
        *[other] { $cycle } ({ $name }) è citato nei manuali ma non descritto: viene confrontato con il manuale di { $other }.
     }
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
+diag-datum-table-late = Lo spostamento origine precedente ha preso la sua riga da un’altra tabella: SEL TABLE deve precederlo.
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.
 diag-digitizing-wrong =
     { $what ->
@@ -285,7 +286,6 @@ diag-subprogram-end-alone = Questo LBL 0 non termina alcun sottoprogramma.
 diag-subprogram-recursive = Il sottoprogramma { $label } chiama qui sé stesso.
 diag-subprogram-runs-on = Il sottoprogramma { $label } prosegue nel sottoprogramma { $next }: tra i due non c’è LBL 0.
 diag-subprogram-without-end = Il sottoprogramma { $label } arriva alla fine del programma senza LBL 0.
-diag-table-selected-late = Lo spostamento origine precedente ha preso la sua riga da un’altra tabella: SEL TABLE deve precederlo.
 diag-tcpm-left-on =
     { $what ->
         [tool] Qui si chiama un utensile con M128 o FUNCTION TCPM attivo.

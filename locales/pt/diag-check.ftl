@@ -97,6 +97,7 @@ diag-cycle-not-described =
        *[other] { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: é comparado com o manual de { $other }.
     }
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
+diag-datum-table-late = A deslocação do ponto zero anterior tirou a sua linha de outra tabela: SEL TABLE tem de ficar antes dela.
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.
 diag-digitizing-wrong =
     { $what ->
@@ -285,7 +286,6 @@ diag-subprogram-end-alone = Este LBL 0 não termina nenhum subprograma.
 diag-subprogram-recursive = O subprograma { $label } chama-se aqui a si próprio.
 diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subprograma { $next }: entre eles não há LBL 0.
 diag-subprogram-without-end = O subprograma { $label } chega ao fim do programa sem LBL 0.
-diag-table-selected-late = A deslocação do ponto zero anterior tirou a sua linha de outra tabela: SEL TABLE tem de ficar antes dela.
 diag-tcpm-left-on =
     { $what ->
         [tool] Chama-se aqui uma ferramenta com M128 ou FUNCTION TCPM ativo.

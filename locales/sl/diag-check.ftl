@@ -97,6 +97,7 @@ diag-cycle-not-described =
        *[other] Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: primerja se s priročnikom krmiljenja { $other }.
     }
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
+diag-datum-table-late = Prejšnji zamik ničelne točke je svojo vrstico vzel iz druge preglednice: SEL TABLE mora stati pred njim.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.
 diag-digitizing-wrong =
     { $what ->
@@ -287,7 +288,6 @@ diag-subprogram-end-alone = Ta LBL 0 ne konča nobenega podprograma.
 diag-subprogram-recursive = Podprogram { $label } tu prikliče samega sebe.
 diag-subprogram-runs-on = Podprogram { $label } se nadaljuje v podprogram { $next }: med njima ni LBL 0.
 diag-subprogram-without-end = Podprogram { $label } pride do konca programa brez LBL 0.
-diag-table-selected-late = Prejšnji zamik ničelne točke je svojo vrstico vzel iz druge preglednice: SEL TABLE mora stati pred njim.
 diag-tcpm-left-on =
     { $what ->
         [tool] Tu se prikliče orodje, medtem ko je aktiven M128 ali FUNCTION TCPM.

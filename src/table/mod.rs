@@ -71,7 +71,7 @@ impl Table {
         Self { kind, file, unit: TableUnit::Mm, headings, heading: 1, lines, rows: Vec::new(), end: 2 }
     }
 
-    /// Reads a table. The name of its file is that of the source without folders.
+    /// Reads a table. The name of its file is that of the source without the folders of this computer.
     ///
     /// # Errors
     /// All mistakes with their places: no header, no heading, no `[END]`, no or a repeated row number, a

@@ -171,7 +171,7 @@ pub(super) fn read(kind: TableKind, source: &Arc<Source>) -> (Option<Table>, Vec
     let end = end.unwrap_or(numbered.len());
     let rows = rows(&mut reader, &numbered, heading + 1..end, &described, &headings, &key);
     let lines = numbered.into_iter().map(|(_, line)| line).collect();
-    let file = source.name().rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
+    let file = file_of(source.name());
     let unit = unit.unwrap_or(TableUnit::Mm);
     (Some(Table { kind, file, unit, headings, heading, lines, rows, end }), reader.found)
 }
@@ -258,4 +258,10 @@ fn rows(
         }
     }
     rows
+}
+
+/// The name of a file without the folders of this computer; those of a control (`TNC:\table`) stay.
+fn file_of(name: &str) -> String {
+    let own = std::path::Path::new(name).file_name().filter(|_| !name.starts_with("TNC:"));
+    own.map_or_else(|| name.to_owned(), |own| own.to_string_lossy().into_owned())
 }

@@ -1,11 +1,9 @@
-//! Values in a program in inches that look like millimetres: feeds above 10 m/min, feeds of contours with RL or RR, of
-//! movements within the height of the blank, and of cycles that plunge, of more than a millimetre a revolution, feeds with which a tool mills fifty times as fast as
+//! Values in a program in inches that look like millimetres: feeds above 10 m/min, feeds of contours with RL or RR, and
+//! of cycles that plunge, of more than a millimetre a revolution, feeds with which a tool mills fifty times as fast as
 //! it cuts elsewhere, a blank of more than 3 m, a depth of several times the height of the blank.
 //!
 //! Every block with such a feed is told, and once there is one also those whose feed is too great for a movement that
 //! cuts, of which nobody can say whether it does. Feeds that stand for rapid traverse (9998 and more) are left alone.
-use crate::check::blank::{Blank, is_unmoved};
-use crate::check::contours::moved;
 use crate::check::definition::with_meaning;
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
 use crate::diag::{Arg, Diagnostic, Severity, Span};
@@ -53,24 +51,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut feeds = Feeds::default();
     let mut corner: Option<(Span, f64)> = None;
     let (mut lowest, mut height) = (None, None);
-    let blank = Blank::of(facts.program);
-    // The height of the tool, as far as the blocks say it one behind the other.
-    let mut at = None;
     for (index, block) in facts.program.blocks().iter().enumerate() {
         match &block.kind {
-            BlockKind::Motion(motion) => {
-                let words = motion.words();
-                at = moved(&words, [Axis::Z], [at]).and_then(|[at]| at);
-                let aside = words.coords.iter().any(|coord| matches!(coord.axis, Axis::X | Axis::Y));
+            BlockKind::Motion(motion) if motion.outline().has_feed() => {
                 let cuts = || {
                     let modal = facts.run.before(index);
-                    let inside = blank.as_ref().zip(at).is_some_and(|(blank, at)| blank.is_inside(at));
-                    aside && inside && modal.is_some_and(|modal| is_unmoved(&modal))
-                        || motion.outline().compensates() == Compensates::Beside
+                    motion.outline().compensates() == Compensates::Beside
                         || motion.outline().compensates() == Compensates::Unsaid
                             && modal.is_some_and(|modal| modal.is(Aspect::Compensation) == Tri::Yes)
                 };
-                if let Some((span, number)) = written(words.feed.as_ref()) {
+                if let Some((span, number)) = written(motion.words().feed.as_ref()) {
                     feeds.moves(span, number, cuts);
                 }
             }
@@ -79,7 +69,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 feeds.found.extend(height.zip(kin(index)).and_then(|(height, kin)| too_deep(kin, cycle, height)));
             }
             BlockKind::ToolCall(call) => {
-                at = None;
                 feeds.speed = match call.speed.map(|own| own.amount) {
                     Some(Amount::Number(number)) if number > 0.0 => Some(number),
                     _ => None,
@@ -96,8 +85,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 corner = corner.or_else(|| far.into_iter().next());
                 height = height.or_else(|| height_of(form, &mut lowest));
             }
-            BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => {}
-            _ => at = None,
+            _ => {}
         }
     }
     if !feeds.found.is_empty() {

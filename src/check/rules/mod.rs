@@ -36,6 +36,7 @@ mod cycle_line_twice;
 mod cycle_not_covered;
 mod cycle_not_described;
 mod cycle_not_on_control;
+mod datum_table_late;
 mod defined_but_never_called;
 mod digitizing_wrong;
 mod direction_unsaid;
@@ -112,7 +113,6 @@ mod subprogram_end_alone;
 mod subprogram_recursive;
 mod subprogram_runs_on;
 mod subprogram_without_end;
-mod table_selected_late;
 mod tcpm_left_on;
 mod text_for_number;
 mod text_wrong;
@@ -183,6 +183,7 @@ pub const RULES: &[&Rule] = &[
     &cycle_not_covered::RULE,
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
+    &datum_table_late::RULE,
     &defined_but_never_called::RULE,
     &digitizing_wrong::RULE,
     &direction_unsaid::RULE,
@@ -259,7 +260,6 @@ pub const RULES: &[&Rule] = &[
     &subprogram_recursive::RULE,
     &subprogram_runs_on::RULE,
     &subprogram_without_end::RULE,
-    &table_selected_late::RULE,
     &tcpm_left_on::RULE,
     &text_for_number::RULE,
     &text_wrong::RULE,

@@ -5,7 +5,7 @@
 use crate::check::flow::removes_material;
 use crate::check::{Defined, Facts, Pending, Rule};
 use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Axis, Block, BlockKind, Motion, Path, StatementKind, ValueKind};
+use crate::syntax::{Axis, Block, BlockKind, Motion, NamedWord, Path, StatementKind, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "plane-not-positioned", severity: Severity::Warning, run };
 
@@ -37,10 +37,12 @@ fn stays(facts: &Facts<'_>, block: &Block) -> bool {
         ValueKind::Q { .. } => true,
         _ => false,
     };
+    // About the tool axis alone the coordinates may be turned without any rotary axis.
+    let about_axis = |word: &NamedWord| facts.text(word.name).trim().eq_ignore_ascii_case("SPC");
     own.kind == StatementKind::Plane
-        && own.words.iter().any(|word| angle(word.value.kind))
+        && own.words.iter().any(|word| angle(word.value.kind) && !about_axis(word))
         && has(facts, block, "STAY")
-        && !has(facts, block, "RESET")
+        && !["RESET", "ROT"].iter().any(|word| has(facts, block, word))
 }
 
 fn has(facts: &Facts<'_>, block: &Block, wanted: &str) -> bool {

@@ -7,7 +7,7 @@ use crate::check::{Defined, Facts, Rule};
 use crate::diag::{Diagnostic, Place, Severity};
 use crate::syntax::{BlockKind, CycleKeyword};
 
-pub(super) const RULE: Rule = Rule { code: "table-selected-late", severity: Severity::Warning, run };
+pub(super) const RULE: Rule = Rule { code: "datum-table-late", severity: Severity::Warning, run };
 
 /// The meaning of the field that names a row.
 const ROW: &str = "datum-row";
