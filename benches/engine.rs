@@ -10,15 +10,15 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{env, fs};
 
-use ciklo::data;
-use ciklo::diag::Source;
+use ciklo::base::data;
+use ciklo::base::diag::Source;
 use ciklo::engine::geometry::{Axis, Frame};
 use ciklo::engine::run::{Engine, EventKind, NoTexts};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::{Path, Shape};
 use ciklo::engine::stock::{Batch, Cutter, Machining, Stock, Tip};
+use ciklo::program::syntax::parse;
 use ciklo::spec::{Catalogue, OnControl};
-use ciklo::syntax::parse;
 use glam::DVec3;
 
 const ROUNDS: u32 = 3;

@@ -2,9 +2,9 @@
 //! `cargo bench --bench manual`; nothing is judged here.
 use std::time::{Duration, Instant};
 
-use ciklo::data;
-use ciklo::locale::Locales;
-use ciklo::manual::{Request, Site};
+use ciklo::base::data;
+use ciklo::language::locale::Locales;
+use ciklo::output::manual::{Request, Site};
 use ciklo::spec::Catalogue;
 
 /// How long each figure is measured.

@@ -6,16 +6,16 @@ use std::fs;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+use ciklo::base::data;
+use ciklo::base::diag::{Source, Span};
 use ciklo::check::{Against, LabelBook, check};
-use ciklo::compare::compare;
-use ciklo::data;
-use ciklo::diag::{Source, Span};
-use ciklo::layout::laid_out;
-use ciklo::locale::Locales;
+use ciklo::language::locale::Locales;
+use ciklo::program::layout::laid_out;
+use ciklo::program::syntax::encoding::{Charset, Encoding};
+use ciklo::program::syntax::{Document, parse};
 use ciklo::spec::Catalogue;
-use ciklo::syntax::encoding::{Charset, Encoding};
-use ciklo::syntax::{Document, parse};
-use ciklo::translate::replacing;
+use ciklo::tools::compare::compare;
+use ciklo::tools::translate::replacing;
 
 const MEGABYTE: usize = 1_000_000;
 const ROUNDS: u32 = 9;

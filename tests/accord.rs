@@ -1,9 +1,9 @@
 //! What `accord` and the habits of the catalogue find: facts altered in the built data, each one found, and
 //! nothing found in the data as they are.
-use ciklo::accord;
-use ciklo::data::{self, Files};
-use ciklo::diag::Diagnostic;
-use ciklo::locale::Locales;
+use ciklo::base::data::{self, Files};
+use ciklo::base::diag::Diagnostic;
+use ciklo::language::consistency;
+use ciklo::language::locale::Locales;
 use ciklo::spec::{self, Catalogue};
 
 /// The file, what stands there, what is put there, and what must be found: the code and a word that the finding names.
@@ -15,7 +15,7 @@ fn found(files: &Files) -> Vec<Diagnostic> {
     found.extend(mistakes);
     found.extend(spec::lint(&catalogue));
     found.extend(ciklo::engine::plan::check(&catalogue));
-    found.extend(accord::check(&catalogue, &locales));
+    found.extend(consistency::check(&catalogue, &locales));
     found
 }
 

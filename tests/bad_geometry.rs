@@ -5,18 +5,18 @@
 use std::fmt::Write as _;
 use std::sync::OnceLock;
 
-use ciklo::conform::LogTexts;
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
+use ciklo::base::expr::{QKind, QRef};
 use ciklo::engine::run::{Class, Content, Engine, EventKind};
 use ciklo::engine::scene::Scene;
-use ciklo::expr::{QKind, QRef};
-use ciklo::locale::{Locales, Scope};
+use ciklo::language::locale::{Locales, Scope};
+use ciklo::program::syntax;
 use ciklo::spec::Catalogue;
-use ciklo::syntax;
+use ciklo::tools::conform::LogTexts;
 use proptest::prelude::*;
 
 struct Data {
-    files: ciklo::data::Files,
+    files: ciklo::base::data::Files,
     catalogue: Catalogue,
     locales: Locales,
 }
@@ -24,7 +24,7 @@ struct Data {
 fn data() -> &'static Data {
     static DATA: OnceLock<Data> = OnceLock::new();
     DATA.get_or_init(|| {
-        let files = ciklo::data::embedded();
+        let files = ciklo::base::data::embedded();
         let (catalogue, _) = Catalogue::load(&files);
         let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
         Data { files, catalogue, locales }

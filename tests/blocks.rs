@@ -2,11 +2,11 @@
 //! refused, and what a dialog says.
 use std::path::Path;
 
-use ciklo::data;
-use ciklo::dialog;
-use ciklo::expr::QRef;
-use ciklo::label::{self, Request};
-use ciklo::locale::Locales;
+use ciklo::base::data;
+use ciklo::base::expr::QRef;
+use ciklo::language::label::{self, Request};
+use ciklo::language::locale::Locales;
+use ciklo::output::dialog;
 use ciklo::spec::{Catalogue, Cycle, CycleKey, Entries, Field, Keyword, Name, NcExample, OnControl, Shape};
 use proptest::prelude::*;
 

@@ -8,14 +8,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::{env, fs};
 
+use ciklo::base::data;
+use ciklo::base::diag::{Diagnostic, Severity, Source};
 use ciklo::check::{
     ALLOW_CODES, Against, Among, Called, Callee, Facts, LabelBook, RULES, Rows, ToolName, check, check_among, named,
 };
-use ciklo::data;
-use ciklo::diag::{Diagnostic, Severity, Source};
-use ciklo::locale::{Locales, Ui};
+use ciklo::language::locale::{Locales, Ui};
+use ciklo::program::syntax::{Program, parse};
 use ciklo::spec::{Catalogue, OnControl};
-use ciklo::syntax::{Program, parse};
 use proptest::prelude::*;
 
 struct Data {
@@ -166,7 +166,10 @@ fn every_code_has_a_text_and_an_explanation_in_every_language() {
         for tag in data.locales.tags() {
             let language = data.locales.language(tag).expect("it is listed");
             for key in [format!("diag-{code}"), format!("explain-{code}")] {
-                assert!(language.has(key.as_str(), &ciklo::locale::Scope::NONE), "locales/{tag} has no {key}");
+                assert!(
+                    language.has(key.as_str(), &ciklo::language::locale::Scope::NONE),
+                    "locales/{tag} has no {key}"
+                );
             }
         }
     }
@@ -226,7 +229,10 @@ fn the_language_of_a_program_is_that_of_its_labels() {
         let found = data.with(head(&text, "control:"), |against| Facts::of(&program, against).language);
         let has_labels = text.lines().any(|line| line.starts_with('Q') && line.contains(';'));
         if has_labels
-            && data.locales.language(&language).is_ok_and(|l| l.has("cycle-drilling", &ciklo::locale::Scope::NONE))
+            && data
+                .locales
+                .language(&language)
+                .is_ok_and(|l| l.has("cycle-drilling", &ciklo::language::locale::Scope::NONE))
         {
             assert_eq!(found.as_deref(), Some(language.as_str()), "{}", stem(&path));
         }

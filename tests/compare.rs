@@ -6,15 +6,15 @@
 use std::fs;
 use std::path::Path;
 
+use ciklo::base::data;
+use ciklo::base::diag::Source;
 use ciklo::check::{Against, LabelBook};
-use ciklo::compare::compare;
-use ciklo::data;
-use ciklo::diag::Source;
-use ciklo::locale::Locales;
+use ciklo::language::locale::Locales;
+use ciklo::program::syntax::encoding::{Charset, Encoding};
+use ciklo::program::syntax::parse;
 use ciklo::spec::Catalogue;
-use ciklo::syntax::encoding::{Charset, Encoding};
-use ciklo::syntax::parse;
-use ciklo::translate::translate;
+use ciklo::tools::compare::compare;
+use ciklo::tools::translate::translate;
 
 const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
 

@@ -2,13 +2,13 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use ciklo::conform::{self, Verdict, World};
-use ciklo::locale::Locales;
+use ciklo::language::locale::Locales;
 use ciklo::spec::Catalogue;
+use ciklo::tools::conform::{self, Verdict, World};
 
 #[test]
 fn every_example_comes_out_as_it_says() {
-    let files = ciklo::data::embedded();
+    let files = ciklo::base::data::embedded();
     let (catalogue, _) = Catalogue::load(&files);
     let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
     let (report, mistakes) = conform::run(&World { catalogue: &catalogue, locales: &locales, files: &files }, &[]);

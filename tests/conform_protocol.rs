@@ -1,11 +1,11 @@
 //! Another engine put to the cases: one that is right passes, one that is wrong is caught wherever a case looks.
 use std::time::Duration;
 
-use ciklo::conform::{self, Answer, Moved, Partner, Report, Silence, Verdict, World};
-use ciklo::data::{self, Files};
-use ciklo::locale::Locales;
+use ciklo::base::data::{self, Files};
+use ciklo::language::locale::Locales;
 use ciklo::spec::{Catalogue, Example, Kind};
 use ciklo::system::{Answering, NoAnswer};
+use ciklo::tools::conform::{self, Answer, Moved, Partner, Report, Silence, Verdict, World};
 
 const CONTROL: &str = "tnc320";
 

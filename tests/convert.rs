@@ -1,17 +1,17 @@
 //! Programs for another control: what the other control then says of them, that they come back, and that they do the same.
 use std::collections::BTreeMap;
 
+use ciklo::base::diag::{Arg, Severity, Source};
+use ciklo::base::expr::QRef;
 use ciklo::check::{Against, LabelBook, check};
-use ciklo::compare::compare;
-use ciklo::conform::{LogTexts, World, executed};
-use ciklo::convert::{Conversion, Form, Request, convert};
-use ciklo::diag::{Arg, Severity, Source};
 use ciklo::engine::run::{Engine, Event, EventKind, Status};
-use ciklo::expr::QRef;
-use ciklo::label::{self, Request as BlockRequest};
+use ciklo::language::label::{self, Request as BlockRequest};
+use ciklo::program::syntax::encoding::{Charset, Encoding};
+use ciklo::program::syntax::{Program, functions, parse};
 use ciklo::spec::OnControl;
-use ciklo::syntax::encoding::{Charset, Encoding};
-use ciklo::syntax::{Program, functions, parse};
+use ciklo::tools::compare::compare;
+use ciklo::tools::conform::{LogTexts, World, executed};
+use ciklo::tools::convert::{Conversion, Form, Request, convert};
 
 #[path = "support/built.rs"]
 mod built;
@@ -109,11 +109,11 @@ fn the_other_control_finds_its_own_definition() {
             against.language = Some(own.control.language.as_str());
             let found = check(&program(&conversion.text), &against);
             // What the printed block leaves out is missing on both.
-            let left_out = |found: &ciklo::diag::Diagnostic| match found.get("parameter") {
+            let left_out = |found: &ciklo::base::diag::Diagnostic| match found.get("parameter") {
                 Some(Arg::Text(name)) => QRef::parse(name).is_some_and(|q| cycle.param(q).is_some()),
                 _ => false,
             };
-            let own = |found: &&ciklo::diag::Diagnostic| found.code == "missing-parameter" && left_out(found);
+            let own = |found: &&ciklo::base::diag::Diagnostic| found.code == "missing-parameter" && left_out(found);
             let shape = found.iter().filter(|found| SHAPE.contains(&found.code));
             let objections: Vec<_> = shape.filter(|found| !own(found)).collect();
             assert!(objections.is_empty(), "{from} → {to}\n{}\n{objections:#?}", conversion.text);

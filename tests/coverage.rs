@@ -1,10 +1,10 @@
 //! The coverage report: its documented keys over all data, and what it counts over a small catalogue.
 use std::collections::{BTreeMap, BTreeSet};
 
-use ciklo::coverage::{Coverage, Executed, LeftOut, coverage};
-use ciklo::data;
-use ciklo::locale::Locales;
+use ciklo::base::data;
+use ciklo::language::locale::Locales;
 use ciklo::spec::{Catalogue, CycleKey, Keyword};
+use ciklo::tools::coverage::{Coverage, Executed, LeftOut, coverage};
 use serde_json::Value;
 
 #[path = "support/small.rs"]

@@ -3,13 +3,14 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use ciklo::conform::{self, World};
-use ciklo::data;
+use ciklo::base::data;
 use ciklo::engine::run::CODES;
 use ciklo::engine::stock::{FindingKind, Report};
-use ciklo::locale::Locales;
+use ciklo::language::label;
+use ciklo::language::locale::Locales;
+use ciklo::output::dialog;
 use ciklo::spec::{Catalogue, schema};
-use ciklo::{dialog, label};
+use ciklo::tools::conform::{self, World};
 use serde_json::Value;
 
 fn page(name: &str) -> String {

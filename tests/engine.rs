@@ -9,23 +9,23 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use ciklo::conform::LogTexts;
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::run::{CODES, Class, Engine, Event, EventKind, Limits, MoveKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::locale::Locales;
+use ciklo::language::locale::Locales;
+use ciklo::program::syntax;
 use ciklo::spec::Catalogue;
-use ciklo::syntax;
+use ciklo::tools::conform::LogTexts;
 
 struct World {
-    files: ciklo::data::Files,
+    files: ciklo::base::data::Files,
     catalogue: Catalogue,
     locales: Locales,
 }
 
 impl World {
     fn new() -> Self {
-        let files = ciklo::data::embedded();
+        let files = ciklo::base::data::embedded();
         let (catalogue, _) = Catalogue::load(&files);
         let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
         Self { files, catalogue, locales }

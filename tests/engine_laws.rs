@@ -4,12 +4,12 @@
 //! Truths are calculated here from the scene's numbers, with plain trigonometry and nothing of the engine.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 
-use ciklo::conform::LogTexts;
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
+use ciklo::base::expr::QRef;
 use ciklo::engine::run::{Content, Engine, EventKind, Limits, MoveKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::expr::QRef;
-use ciklo::syntax;
+use ciklo::program::syntax;
+use ciklo::tools::conform::LogTexts;
 use proptest::prelude::*;
 
 #[path = "support/built.rs"]

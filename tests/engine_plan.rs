@@ -10,7 +10,7 @@ mod mistakes;
 
 #[test]
 fn every_run_compiles_for_every_control() {
-    let (catalogue, _) = Catalogue::load(&ciklo::data::embedded());
+    let (catalogue, _) = Catalogue::load(&ciklo::base::data::embedded());
     let found = plan::check(&catalogue);
     let shown: Vec<String> = found.iter().map(mistakes::line).collect();
     assert!(found.is_empty(), "{} mistakes:\n{}", found.len(), shown.join("\n"));
@@ -53,7 +53,7 @@ const fn has_no_unit(quantity: Quantity) -> bool {
 /// contradicts what the runs do with the parameter.
 #[test]
 fn a_wrong_quantity_contradicts_the_runs() {
-    let (catalogue, _) = Catalogue::load(&ciklo::data::embedded());
+    let (catalogue, _) = Catalogue::load(&ciklo::base::data::embedded());
     let meanings: BTreeSet<&str> = catalogue
         .controls
         .values()

@@ -2,14 +2,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ciklo::conform::LogTexts;
-use ciklo::data::{self, Files};
-use ciklo::diag::Source;
+use ciklo::base::data::{self, Files};
+use ciklo::base::diag::Source;
 use ciklo::engine::run::{Engine, Event, EventKind, Obstacle, Outcome, Touching};
 use ciklo::engine::scene::Scene;
-use ciklo::locale::Locales;
+use ciklo::language::locale::Locales;
+use ciklo::program::syntax::parse;
 use ciklo::spec::Catalogue;
-use ciklo::syntax::parse;
+use ciklo::tools::conform::LogTexts;
 
 struct Data {
     files: Files,

@@ -2,9 +2,9 @@
 #[path = "support/small.rs"]
 mod catalogue;
 
-use ciklo::data::{self, Files};
-use ciklo::export::{self, Export};
-use ciklo::locale::Locales;
+use ciklo::base::data::{self, Files};
+use ciklo::language::locale::Locales;
+use ciklo::output::export::{self, Export};
 use ciklo::spec::Catalogue;
 use serde_json::{Value, json};
 

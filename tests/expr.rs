@@ -1,7 +1,7 @@
 //! Expressions: a table of texts and values, and laws.
 use std::sync::Arc;
 
-use ciklo::expr::{
+use ciklo::base::expr::{
     Code, Dialect, Env, EvalError, QKind, QRef, Resolve, Type, TypeError, Value, compile, cosd, parse, sind,
 };
 use glam::DVec3;

@@ -1,12 +1,12 @@
 //! Programs as people and post-processors write them (`tests/habits.txt`).
+use ciklo::base::data;
+use ciklo::base::diag::{Diagnostic, Severity, Source};
 use ciklo::check::{Against, LabelBook, check};
-use ciklo::data;
-use ciklo::diag::{Diagnostic, Severity, Source};
-use ciklo::locale::Locales;
+use ciklo::language::locale::Locales;
+use ciklo::program::syntax::encoding::{Charset, Encoding};
+use ciklo::program::syntax::{Program, json, parse};
 use ciklo::spec::Catalogue;
-use ciklo::syntax::encoding::{Charset, Encoding};
-use ciklo::syntax::{Program, json, parse};
-use ciklo::translate::translate;
+use ciklo::tools::translate::translate;
 
 const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
 

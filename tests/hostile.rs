@@ -1,5 +1,5 @@
 //! Data that is broken on purpose: what is wrong is said, with its place, and nothing overflows, hangs or fills memory.
-use ciklo::data::Files;
+use ciklo::base::data::Files;
 use ciklo::engine::plan;
 use ciklo::spec::Catalogue;
 
@@ -7,7 +7,7 @@ const DRILLING: &str = "cycle-specs/drilling/200-drilling.yaml";
 
 /// The embedded files with one text replaced in the description of drilling.
 fn files_with(old: &str, new: &str) -> Files {
-    let mut files = ciklo::data::embedded();
+    let mut files = ciklo::base::data::embedded();
     let (_, text) = files.iter_mut().find(|(path, _)| path == DRILLING).expect("drilling is described");
     assert!(text.contains(old), "{old} stands in the file");
     *text = text.replacen(old, new, 1);
@@ -18,7 +18,7 @@ fn files_with(old: &str, new: &str) -> Files {
 fn errors(files: &Files) -> Vec<(String, &'static str)> {
     let (catalogue, mut found) = Catalogue::load(files);
     found.extend(plan::check(&catalogue));
-    let file = |place: &ciklo::diag::Place| place.source.name().to_owned();
+    let file = |place: &ciklo::base::diag::Place| place.source.name().to_owned();
     found.iter().map(|it| (it.place.as_ref().map(file).unwrap_or_default(), it.code)).collect()
 }
 
@@ -50,7 +50,7 @@ fn fragments_that_multiply_are_refused() {
 
 #[test]
 fn an_empty_file_is_a_mistake() {
-    let mut files = ciklo::data::embedded();
+    let mut files = ciklo::base::data::embedded();
     for (path, text) in &mut files {
         if path == DRILLING {
             text.clear();

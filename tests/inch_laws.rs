@@ -4,12 +4,12 @@
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 
-use ciklo::conform::{self, LogTexts};
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::run::{Engine, Event, EventKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
+use ciklo::program::syntax;
 use ciklo::spec::{Cycle, Keyword, OnControl, Param, TakesEffect};
-use ciklo::syntax;
+use ciklo::tools::conform::{self, LogTexts};
 use proptest::prelude::*;
 use serde_json::Value;
 

@@ -6,18 +6,18 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
+use ciklo::base::data::{self, Files};
+use ciklo::base::diag::{Diagnostic, Source};
 use ciklo::check::{Against, LabelBook, check};
-use ciklo::compare::compare;
-use ciklo::conform::{self, LogTexts, Partner, Request, Silence, World};
-use ciklo::data::{self, Files};
-use ciklo::diag::{Diagnostic, Source};
 use ciklo::engine::run::{Engine, Trace};
 use ciklo::engine::scene::Scene;
-use ciklo::iso::{Codes, to_iso, to_klartext};
-use ciklo::label;
-use ciklo::locale::Locales;
+use ciklo::language::label;
+use ciklo::language::locale::Locales;
+use ciklo::program::iso::{Codes, to_iso, to_klartext};
+use ciklo::program::syntax::{Dialect, Program, parse};
 use ciklo::spec::Catalogue;
-use ciklo::syntax::{Dialect, Program, parse};
+use ciklo::tools::compare::compare;
+use ciklo::tools::conform::{self, LogTexts, Partner, Request, Silence, World};
 use proptest::prelude::*;
 
 #[path = "iso/programs.rs"]
@@ -203,7 +203,7 @@ fn copies_know_where_they_come_from() {
         let klartext = lowered.program.source().text();
         for at in 0..klartext.len() {
             for length in [0, 1, 3] {
-                let span = ciklo::diag::Span::new(at, (at + length).min(klartext.len()));
+                let span = ciklo::base::diag::Span::new(at, (at + length).min(klartext.len()));
                 let home = lowered.home(span);
                 assert!(home.start <= home.end && home.end <= text.len());
                 if let Some(exact) = lowered.exact(span) {

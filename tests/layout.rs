@@ -2,14 +2,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use ciklo::base::data;
+use ciklo::base::diag::{Source, edited};
 use ciklo::check::{Against, LabelBook};
-use ciklo::compare::compare;
-use ciklo::data;
-use ciklo::diag::{Source, edited};
-use ciklo::layout::layout;
-use ciklo::locale::Locales;
+use ciklo::language::locale::Locales;
+use ciklo::program::layout::layout;
+use ciklo::program::syntax::{Program, parse};
 use ciklo::spec::Catalogue;
-use ciklo::syntax::{Program, parse};
+use ciklo::tools::compare::compare;
 
 fn parsed(text: &str) -> Program {
     parse(&Source::new("program.h", text))

@@ -1,7 +1,7 @@
 //! The languages: look-up, numbers, functions, findings, and how diagnostics are shown.
-use ciklo::diag::{Diagnostic, Place, Source};
-use ciklo::locale::render::{render, to_json_line};
-use ciklo::locale::{Args, Collation, Digits, Fault, Locales, Meanings, Numbers, Scope, Ui};
+use ciklo::base::diag::{Diagnostic, Place, Source};
+use ciklo::language::locale::render::{render, to_json_line};
+use ciklo::language::locale::{Args, Collation, Digits, Fault, Locales, Meanings, Numbers, Scope, Ui};
 use proptest::prelude::*;
 
 /// The units and lists that the tests share.
@@ -312,13 +312,13 @@ fn a_file_with_a_mistake_keeps_its_sound_messages() {
 
 const ENGLISH: &str = "a = A { $x }\nb = B\n    .tip = T\nc = C\nc__drilling = D\n-t = t\n";
 
-fn audited(translation: &str, lock: &str) -> ciklo::locale::Audit {
+fn audited(translation: &str, lock: &str) -> ciklo::language::locale::Audit {
     let (locales, _) =
         load(&[("locales/en/a.ftl", ENGLISH), ("locales/fi/a.ftl", translation), ("locales/fi/source.lock", lock)]);
     locales.audit("fi").unwrap()
 }
 
-fn keys(findings: &[ciklo::locale::Finding]) -> Vec<&str> {
+fn keys(findings: &[ciklo::language::locale::Finding]) -> Vec<&str> {
     findings.iter().map(|finding| finding.key.as_str()).collect()
 }
 

@@ -8,17 +8,17 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use ciklo::conform::{self, LogTexts, Partner, Silence, World};
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::run::Engine;
 use ciklo::engine::scene::Scene;
-use ciklo::locale::Locales;
+use ciklo::language::locale::Locales;
+use ciklo::program::syntax;
 use ciklo::spec::Catalogue;
-use ciklo::syntax;
+use ciklo::tools::conform::{self, LogTexts, Partner, Silence, World};
 use serde_json::Value;
 
 struct Data {
-    files: ciklo::data::Files,
+    files: ciklo::base::data::Files,
     catalogue: Catalogue,
     locales: Locales,
 }
@@ -26,7 +26,7 @@ struct Data {
 fn data() -> &'static Data {
     static DATA: OnceLock<Data> = OnceLock::new();
     DATA.get_or_init(|| {
-        let files = ciklo::data::embedded();
+        let files = ciklo::base::data::embedded();
         let (catalogue, _) = Catalogue::load(&files);
         let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
         Data { files, catalogue, locales }
@@ -218,8 +218,8 @@ fn printed_values_stand_in_the_printed_order() {
 fn logs_have_the_printed_layout() {
     let language = data().locales.language("en").expect("English");
     let word = |id: &str| {
-        let scope = ciklo::locale::Scope::NONE;
-        language.text(id, &scope, &ciklo::locale::Args::new()).expect("a text").into_owned()
+        let scope = ciklo::language::locale::Scope::NONE;
+        language.text(id, &scope, &ciklo::language::locale::Args::new()).expect("a text").into_owned()
     };
     let order = [
         "log-date",

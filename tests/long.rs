@@ -1,12 +1,12 @@
 //! Programs of a size and a shape for which anything that grows with the square of the length would take minutes.
 use std::sync::LazyLock;
 
+use ciklo::base::data;
+use ciklo::base::diag::Source;
 use ciklo::check::{Against, LabelBook, check};
-use ciklo::data;
-use ciklo::diag::Source;
-use ciklo::locale::Locales;
+use ciklo::language::locale::Locales;
+use ciklo::program::syntax::{Block, BlockKind, Program, parse};
 use ciklo::spec::Catalogue;
-use ciklo::syntax::{Block, BlockKind, Program, parse};
 
 /// How often things are repeated.
 const MANY: usize = 20_000;

@@ -10,10 +10,10 @@ use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
 use std::sync::{Mutex, OnceLock};
 
-use ciklo::data::{self, Files};
-use ciklo::diag::Diagnostic;
-use ciklo::locale::Locales;
-use ciklo::manual::{self, Request};
+use ciklo::base::data::{self, Files};
+use ciklo::base::diag::Diagnostic;
+use ciklo::language::locale::Locales;
+use ciklo::output::manual::{self, Request};
 use ciklo::spec::Catalogue;
 
 type Produced = BTreeMap<String, Vec<u8>>;

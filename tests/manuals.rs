@@ -5,12 +5,12 @@
 //! read, `findings.txt` what the checker finds although the block can be read.
 use std::collections::{BTreeMap, BTreeSet};
 
+use ciklo::base::data;
+use ciklo::base::diag::Source;
 use ciklo::check::{Against, LabelBook, check};
-use ciklo::data;
-use ciklo::diag::Source;
-use ciklo::locale::Locales;
+use ciklo::language::locale::Locales;
+use ciklo::program::syntax::{json, parse};
 use ciklo::spec::Catalogue;
-use ciklo::syntax::{json, parse};
 
 const MANUALS: [(&str, &str); 5] = [
     ("000", include_str!("manuals/000.txt")),

@@ -5,12 +5,12 @@
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::fmt::Write as _;
 
-use ciklo::conform::LogTexts;
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
+use ciklo::base::expr::QRef;
 use ciklo::engine::run::{Content, Engine, EventKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::expr::QRef;
-use ciklo::syntax;
+use ciklo::program::syntax;
+use ciklo::tools::conform::LogTexts;
 use proptest::prelude::*;
 
 #[path = "support/built.rs"]

@@ -2,10 +2,10 @@
 //! calculated by hand from the manual's rules (TNC 640, lines 1216-1700).
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::run::{Engine, EventKind, MoveKind, NoTexts, Outcome};
 use ciklo::engine::scene::Scene;
-use ciklo::syntax;
+use ciklo::program::syntax;
 use proptest::prelude::*;
 
 #[path = "support/built.rs"]

@@ -1,7 +1,7 @@
 //! Lines in the usual words are read by a short way: it must tell what the long one tells, which is taken for the same line
 //! behind a mark that counts as a blank.
-use ciklo::diag::{Source, Span};
-use ciklo::syntax::{Block, BlockKind, CycleDef, Parameter, Program, ValueKind, parse};
+use ciklo::base::diag::{Source, Span};
+use ciklo::program::syntax::{Block, BlockKind, CycleDef, Parameter, Program, ValueKind, parse};
 use proptest::prelude::*;
 
 fn parsed(text: &str) -> Program {
@@ -15,7 +15,7 @@ fn told(program: &Program, block: &Block) -> String {
         BlockKind::Motion(element) => {
             let (mut functions, words) = (Vec::new(), element.words());
             element.each_function(|number| functions.push(number));
-            let outline = ciklo::syntax::Outline::of(&words);
+            let outline = ciklo::program::syntax::Outline::of(&words);
             assert_eq!(outline, element.outline(), "{:?}", program.slice(block.span));
             assert_eq!(functions, words.functions.iter().map(|own| own.number).collect::<Vec<_>>());
             assert_eq!(words.path, element.path());

@@ -1,20 +1,20 @@
 //! Values of definitions: presets of GLOBAL DEF, feeds by words, what is frozen when a cycle is defined and what is not.
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::run::{Engine, Event, EventKind, NoTexts, Outcome, Status};
 use ciklo::engine::scene::Scene;
+use ciklo::program::syntax;
 use ciklo::spec::{Catalogue, Cycle, Keyword, OnControl, Param, TakesEffect};
-use ciklo::syntax;
 use std::sync::OnceLock;
 
 struct World {
-    files: ciklo::data::Files,
+    files: ciklo::base::data::Files,
     catalogue: Catalogue,
 }
 
 fn world() -> &'static World {
     static WORLD: OnceLock<World> = OnceLock::new();
     WORLD.get_or_init(|| {
-        let files = ciklo::data::embedded();
+        let files = ciklo::base::data::embedded();
         let (catalogue, _) = Catalogue::load(&files);
         World { files, catalogue }
     })

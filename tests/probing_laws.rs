@@ -6,11 +6,11 @@
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::fmt::Write as _;
 
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
+use ciklo::base::expr::QRef;
 use ciklo::engine::run::{Content, Engine, EventKind, NoTexts, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::expr::QRef;
-use ciklo::syntax;
+use ciklo::program::syntax;
 use proptest::prelude::*;
 
 #[path = "support/built.rs"]

@@ -7,13 +7,13 @@
 use std::fmt::Write as _;
 use std::sync::OnceLock;
 
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
+use ciklo::base::expr::QRef;
 use ciklo::engine::geometry::RotaryAxis;
 use ciklo::engine::machine::Machine;
 use ciklo::engine::run::{Content, Engine, EventKind, NoTexts, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::expr::QRef;
-use ciklo::syntax;
+use ciklo::program::syntax;
 use proptest::prelude::*;
 
 #[path = "support/built.rs"]

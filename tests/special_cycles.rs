@@ -2,12 +2,12 @@
 //! takes it instead of a number.
 use std::fmt::Write as _;
 
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
+use ciklo::base::expr::{QKind, QRef};
 use ciklo::engine::run::{Engine, Event, EventKind, NoTexts, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::expr::{QKind, QRef};
+use ciklo::program::syntax;
 use ciklo::spec::{Cycle, Keyword};
-use ciklo::syntax;
 
 #[path = "support/built.rs"]
 mod built;

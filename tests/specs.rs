@@ -1,6 +1,6 @@
 //! Specifications: the registry test over all embedded files, and files with mistakes beside what
 //! must be said of them (`tests/specs/`, in the form of `support/mistakes.rs`).
-use ciklo::diag::{Diagnostic, Severity};
+use ciklo::base::diag::{Diagnostic, Severity};
 use ciklo::spec::{Catalogue, lint, schema};
 
 #[path = "support/mistakes.rs"]
@@ -8,7 +8,7 @@ mod mistakes;
 
 #[test]
 fn every_file_reads_and_is_free_of_errors() {
-    let (catalogue, mut found) = Catalogue::load(&ciklo::data::embedded());
+    let (catalogue, mut found) = Catalogue::load(&ciklo::base::data::embedded());
     found.extend(lint(&catalogue));
     let (errors, warnings): (Vec<_>, Vec<_>) = found.iter().partition(|d| d.severity == Severity::Error);
     let show = |list: &[&Diagnostic]| list.iter().map(|found| mistakes::line(found)).collect::<Vec<_>>().join("\n");
@@ -29,7 +29,7 @@ fn every_file_fits_the_schema() {
     compiler.add_resource("file:///schema.json", schema()).expect("the schema is JSON");
     let id = compiler.compile("file:///schema.json", &mut schemas).expect("the schema is a JSON Schema");
     let mut seen = 0;
-    for (path, text) in ciklo::data::embedded() {
+    for (path, text) in ciklo::base::data::embedded() {
         if !path.starts_with("cycle-specs/") || path.contains("/machines/") || !path.ends_with(".yaml") {
             continue;
         }

@@ -4,12 +4,12 @@
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::geometry::{Axis, Frame};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::{Path, Shape};
 use ciklo::engine::stock::{Batch, Blank, Cut, Cutter, Neck, Stock, StockTrouble, Tip};
-use ciklo::syntax;
+use ciklo::program::syntax;
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -382,7 +382,7 @@ fn meshes_are_closed() {
 /// The blank of a program: a cuboid in its unit, its second corner also in increments; of other forms a plain word.
 #[test]
 fn the_blank_of_a_program_is_a_cuboid_in_its_unit() {
-    let files = ciklo::data::embedded();
+    let files = ciklo::base::data::embedded();
     let find = |lines: &str, scene: &str| {
         let program = syntax::parse(&Source::new("A.H", lines));
         let scene = Scene::parse(&Source::new("scene.yaml", scene), &files).expect("a scene");

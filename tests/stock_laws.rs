@@ -6,13 +6,13 @@
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::fmt::Write as _;
 
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::geometry::{Axis, Frame, WorkingPlane};
 use ciklo::engine::run::{Engine, NoTexts, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::{Path, Shape};
 use ciklo::engine::stock::{Batch, Cut, Cutter, Machining, Report, Stock, Tip};
-use ciklo::syntax;
+use ciklo::program::syntax;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 

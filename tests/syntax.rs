@@ -6,10 +6,10 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use ciklo::diag::Source;
-use ciklo::diag::Span;
-use ciklo::syntax::encoding::{Charset, decode};
-use ciklo::syntax::{Block, BlockKind, Document, Program, json, parse};
+use ciklo::base::diag::Source;
+use ciklo::base::diag::Span;
+use ciklo::program::syntax::encoding::{Charset, decode};
+use ciklo::program::syntax::{Block, BlockKind, Document, Program, json, parse};
 use proptest::prelude::*;
 
 #[path = "syntax/dump.rs"]
@@ -183,7 +183,7 @@ fn numbers_are_those_that_rust_reads() {
         let program = program(&format!("L X-{}", text.replace('.', ",")));
         let BlockKind::Motion(motion) = &program.blocks()[0].kind else { panic!("no motion: {text}") };
         let expected = -text.parse::<f64>().expect("a number");
-        assert_eq!(motion.coords[0].value.amount, ciklo::syntax::Amount::Number(expected));
+        assert_eq!(motion.coords[0].value.amount, ciklo::program::syntax::Amount::Number(expected));
     }
 }
 

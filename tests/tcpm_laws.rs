@@ -6,21 +6,21 @@
 use std::fmt::Write as _;
 use std::sync::OnceLock;
 
-use ciklo::conform::LogTexts;
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
+use ciklo::base::expr::QRef;
 use ciklo::engine::run::{Content, Engine, EventKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::expr::QRef;
-use ciklo::locale::Locales;
+use ciklo::language::locale::Locales;
+use ciklo::program::syntax;
 use ciklo::spec::Catalogue;
-use ciklo::syntax;
+use ciklo::tools::conform::LogTexts;
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 
-fn data() -> &'static (ciklo::data::Files, Catalogue, Locales) {
-    static DATA: OnceLock<(ciklo::data::Files, Catalogue, Locales)> = OnceLock::new();
+fn data() -> &'static (ciklo::base::data::Files, Catalogue, Locales) {
+    static DATA: OnceLock<(ciklo::base::data::Files, Catalogue, Locales)> = OnceLock::new();
     DATA.get_or_init(|| {
-        let files = ciklo::data::embedded();
+        let files = ciklo::base::data::embedded();
         let (catalogue, _) = Catalogue::load(&files);
         let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
         (files, catalogue, locales)

@@ -7,75 +7,105 @@ use std::path::{Path, PathBuf};
 /// Which modules a module may use. They are one crate, so only this table holds the layers.
 /// A module never uses one that stands below it.
 const LAYERS: &[(&str, &[&str])] = &[
-    ("data", &[]),
-    ("diag", &[]),
-    ("together", &[]),
-    ("expr", &["diag"]),
-    ("spec", &["diag", "expr"]),
-    ("locale", &["diag"]),
-    ("text", &["diag", "expr", "spec", "locale"]),
-    ("syntax", &["diag", "expr"]),
-    ("fields", &["spec", "syntax"]),
-    ("label", &["diag", "expr", "spec", "locale", "text"]),
-    ("accord", &["diag", "spec", "locale", "text"]),
-    ("export", &["diag", "spec", "locale", "text"]),
-    ("dialog", &["diag", "spec", "locale", "text", "export"]),
-    ("check", &["diag", "expr", "spec", "locale", "text", "syntax", "fields"]),
-    ("certify", &["diag", "spec", "syntax", "check"]),
-    ("translate", &["diag", "syntax", "check"]),
+    ("base::data", &[]),
+    ("base::diag", &[]),
+    ("base::parallel", &[]),
+    ("base::expr", &["base::diag"]),
+    ("spec", &["base::diag", "base::expr"]),
+    ("language::locale", &["base::diag"]),
+    ("language::text", &["base::diag", "base::expr", "spec", "language::locale"]),
+    ("language::label", &["base::diag", "base::expr", "spec", "language::locale", "language::text"]),
+    ("language::consistency", &["base::diag", "spec", "language::locale", "language::text"]),
+    ("program::syntax", &["base::diag", "base::expr"]),
+    ("program::fields", &["spec", "program::syntax"]),
+    ("program::table", &["base::diag"]),
+    ("program::layout", &["base::diag", "program::syntax"]),
+    ("program::iso", &["base::diag", "base::expr", "spec", "program::syntax", "program::fields"]),
     (
-        "manual",
+        "check",
         &[
-            "diag",
-            "together",
-            "expr",
+            "base::diag",
+            "base::expr",
             "spec",
-            "locale",
-            "text",
-            "syntax",
-            "label",
-            "dialog",
-            "export",
-            "check",
-            "translate",
+            "language::locale",
+            "language::text",
+            "program::syntax",
+            "program::fields",
         ],
     ),
-    ("compare", &["diag", "syntax", "check"]),
-    ("iso", &["diag", "expr", "spec", "syntax", "fields"]),
-    ("convert", &["diag", "expr", "spec", "locale", "label", "syntax", "check"]),
-    ("layout", &["diag", "syntax"]),
-    ("table", &["diag"]),
-    ("engine", &["diag", "together", "expr", "spec", "syntax", "fields", "table"]),
-    ("conform", &["diag", "together", "expr", "spec", "locale", "text", "label", "syntax", "engine"]),
-    ("coverage", &["diag", "expr", "spec", "locale", "engine"]),
-    ("system", &["diag"]),
+    (
+        "engine",
+        &["base::diag", "base::parallel", "base::expr", "spec", "program::syntax", "program::fields", "program::table"],
+    ),
+    ("tools::certify", &["base::diag", "spec", "program::syntax", "check"]),
+    ("tools::translate", &["base::diag", "program::syntax", "check"]),
+    ("tools::compare", &["base::diag", "program::syntax", "check"]),
+    (
+        "tools::convert",
+        &["base::diag", "base::expr", "spec", "language::locale", "language::label", "program::syntax", "check"],
+    ),
+    (
+        "tools::conform",
+        &[
+            "base::diag",
+            "base::parallel",
+            "base::expr",
+            "spec",
+            "language::locale",
+            "language::text",
+            "language::label",
+            "program::syntax",
+            "engine",
+        ],
+    ),
+    ("tools::coverage", &["base::diag", "base::expr", "spec", "language::locale", "engine"]),
+    ("output::export", &["base::diag", "spec", "language::locale", "language::text"]),
+    ("output::dialog", &["base::diag", "spec", "language::locale", "language::text", "output::export"]),
+    (
+        "output::manual",
+        &[
+            "base::diag",
+            "base::parallel",
+            "base::expr",
+            "spec",
+            "language::locale",
+            "language::text",
+            "program::syntax",
+            "language::label",
+            "output::dialog",
+            "output::export",
+            "check",
+            "tools::translate",
+        ],
+    ),
+    ("system", &["base::diag"]),
     (
         "cli",
         &[
-            "data",
-            "diag",
-            "together",
-            "expr",
+            "base::data",
+            "base::diag",
+            "base::parallel",
+            "base::expr",
             "spec",
-            "locale",
-            "text",
-            "syntax",
-            "label",
-            "accord",
-            "dialog",
-            "export",
-            "manual",
+            "language::locale",
+            "language::text",
+            "program::syntax",
+            "language::label",
+            "language::consistency",
+            "output::dialog",
+            "output::export",
+            "output::manual",
             "check",
-            "certify",
-            "translate",
-            "compare",
-            "convert",
-            "iso",
-            "layout",
-            "table",
+            "tools::certify",
+            "tools::translate",
+            "tools::compare",
+            "tools::convert",
+            "program::iso",
+            "program::layout",
+            "program::table",
             "engine",
-            "conform",
-            "coverage",
+            "tools::conform",
+            "tools::coverage",
             "system",
         ],
     ),
@@ -106,25 +136,39 @@ fn all() -> Vec<(String, String)> {
     files
 }
 
-/// `engine/run/mod.rs` and `engine.rs` belong to `engine`.
-fn module(file: &str) -> &str {
-    file.split('/').next().unwrap_or(file).trim_end_matches(".rs")
+/// Whether a directory of `src/` only groups modules.
+fn is_group(name: &str) -> bool {
+    LAYERS.iter().any(|(module, _)| module.split_once("::").is_some_and(|(group, _)| group == name))
 }
 
-/// The modules that a text uses as `crate::x` or `crate::{x, y}`.
+/// `engine/run/mod.rs` belongs to `engine`, `base/diag.rs` and `program/iso/words.rs` to `base::diag` and
+/// `program::iso`. The head of a group belongs to the group.
+fn module(file: &str) -> String {
+    let mut parts = file.trim_end_matches(".rs").split('/');
+    let first = parts.next().unwrap_or_default();
+    match parts.next() {
+        Some(second) if is_group(first) && second != "mod" => format!("{first}::{second}"),
+        _ => first.to_owned(),
+    }
+}
+
+/// The modules that a text uses as `crate::x` or `crate::group::x`.
 fn uses(text: &str) -> BTreeSet<String> {
+    let word = |text: &str| text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
     let mut found = BTreeSet::new();
     let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
     for line in code {
         for (at, _) in line.match_indices("crate::") {
             let rest = &line[at + "crate::".len()..];
-            let list = rest.strip_prefix('{').map_or(rest, |inner| inner.split('}').next().unwrap_or(inner));
-            let names = if rest.starts_with('{') { list.split(',').collect() } else { vec![list] };
-            for name in names {
-                let word: String = name.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
-                if !word.is_empty() {
-                    found.insert(word);
+            let first = word(rest);
+            match rest[first.len()..].strip_prefix("::") {
+                Some(inner) if is_group(&first) => {
+                    let list = inner.strip_prefix('{').map_or(inner, |list| list.split('}').next().unwrap_or(list));
+                    let names = if inner.starts_with('{') { list.split(',').collect() } else { vec![list] };
+                    found.extend(names.into_iter().map(|name| format!("{first}::{}", word(name.trim()))));
                 }
+                _ if !first.is_empty() => _ = found.insert(first),
+                _ => {}
             }
         }
     }
@@ -137,10 +181,10 @@ fn modules_use_only_what_stands_above_them() {
     let mut wrong = Vec::new();
     for (file, text) in all() {
         let own = module(&file);
-        if matches!(own, "lib" | "main") {
+        if matches!(own.as_str(), "lib" | "main") || (is_group(&own) && file.ends_with("/mod.rs")) {
             continue;
         }
-        let Some(allowed) = layers.get(own) else {
+        let Some(allowed) = layers.get(own.as_str()) else {
             wrong.push(format!("{file}: the module {own} is not in the table of layers"));
             continue;
         };
@@ -218,7 +262,7 @@ fn the_library_does_not_touch_files_environment_or_terminal() {
     let words = ["std::fs", "std::env", "std::process", "println!", "print!(", "eprintln!", "dbg!("];
     let mut wrong = Vec::new();
     for (file, text) in all() {
-        if matches!(module(&file), "cli" | "system" | "main") {
+        if matches!(module(&file).as_str(), "cli" | "system" | "main") {
             continue;
         }
         for (number, line) in text.lines().enumerate() {

@@ -5,12 +5,12 @@
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 use std::collections::{BTreeMap, BTreeSet};
 
-use ciklo::conform::{self, LogTexts, Partner, Silence, World};
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
+use ciklo::base::expr::QRef;
 use ciklo::engine::run::{Content, Engine, Event, EventKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::expr::QRef;
-use ciklo::syntax;
+use ciklo::program::syntax;
+use ciklo::tools::conform::{self, LogTexts, Partner, Silence, World};
 use proptest::prelude::*;
 use serde_json::Value;
 

@@ -6,10 +6,10 @@
 //! The matrices are multiplied here, with plain trigonometry and nothing of the engine.
 #![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
 
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::run::{Engine, EventKind, MoveKind, NoTexts, Outcome, Status};
 use ciklo::engine::scene::Scene;
-use ciklo::syntax;
+use ciklo::program::syntax;
 use proptest::prelude::*;
 
 #[path = "support/built.rs"]

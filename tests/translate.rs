@@ -2,14 +2,14 @@
 use std::path::Path;
 use std::{env, fs};
 
+use ciklo::base::data;
+use ciklo::base::diag::Source;
 use ciklo::check::{Against, LabelBook};
-use ciklo::data;
-use ciklo::diag::Source;
-use ciklo::locale::{Locales, Scope};
+use ciklo::language::locale::{Locales, Scope};
+use ciklo::program::syntax::encoding::{Charset, Encoding};
+use ciklo::program::syntax::parse;
 use ciklo::spec::Catalogue;
-use ciklo::syntax::encoding::{Charset, Encoding};
-use ciklo::syntax::parse;
-use ciklo::translate::{Translation, translate};
+use ciklo::tools::translate::{Translation, translate};
 use proptest::prelude::*;
 
 const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
@@ -238,7 +238,7 @@ fn unknown_labels_are_replaced_when_asked_for() {
     let labels = LabelBook::new(on, &data.locales);
     let against = Against { catalogue: &data.catalogue, on, labels: &labels, language: None, readers: &[] };
     let program = parse(&Source::new("program.h", german));
-    let translation = ciklo::translate::relabel(&program, &against, "en", UTF_8);
+    let translation = ciklo::tools::translate::relabel(&program, &against, "en", UTF_8);
     assert_else_unchanged(german, &translation);
     assert_eq!(translation.text, english);
     // Without being asked, only what is known to be a label changes.

@@ -6,12 +6,12 @@
 use std::fs;
 use std::path::Path;
 
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::run::{Engine, NoTexts, Outcome, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::stock::{Machining, Report, Stock};
+use ciklo::program::syntax;
 use ciklo::spec::Catalogue;
-use ciklo::syntax;
 use glam::{DVec2, DVec3};
 
 /// Columns so near to an edge are not judged, mm.
@@ -20,13 +20,13 @@ const EDGE: f64 = 0.02;
 const NEAR: f64 = 1e-6;
 
 struct Data {
-    files: ciklo::data::Files,
+    files: ciklo::base::data::Files,
     catalogue: Catalogue,
 }
 
 impl Data {
     fn new() -> Self {
-        let files = ciklo::data::embedded();
+        let files = ciklo::base::data::embedded();
         let (catalogue, _) = Catalogue::load(&files);
         Self { files, catalogue }
     }

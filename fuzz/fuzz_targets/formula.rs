@@ -2,7 +2,7 @@
 #![no_main]
 use std::sync::Arc;
 
-use ciklo::expr::{Dialect, Env, EvalError, QRef, Resolve, Type, Value, compile, parse, parse_formula};
+use ciklo::base::expr::{Dialect, Env, EvalError, QRef, Resolve, Type, Value, compile, parse, parse_formula};
 use libfuzzer_sys::fuzz_target;
 
 /// Parameters have their number as value.

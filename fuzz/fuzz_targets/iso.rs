@@ -3,11 +3,11 @@
 #![no_main]
 use std::sync::OnceLock;
 
-use ciklo::data;
-use ciklo::diag::Source;
-use ciklo::iso::{Codes, to_iso, to_klartext};
+use ciklo::base::data;
+use ciklo::base::diag::Source;
+use ciklo::program::iso::{Codes, to_iso, to_klartext};
 use ciklo::spec::Catalogue;
-use ciklo::syntax::parse;
+use ciklo::program::syntax::parse;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &str| {

@@ -3,13 +3,13 @@
 use std::sync::OnceLock;
 
 use ciklo::check::{Against, LabelBook};
-use ciklo::compare::compare;
-use ciklo::data;
-use ciklo::diag::{Source, edited};
-use ciklo::layout::layout;
-use ciklo::locale::Locales;
+use ciklo::tools::compare::compare;
+use ciklo::base::data;
+use ciklo::base::diag::{Source, edited};
+use ciklo::program::layout::layout;
+use ciklo::language::locale::Locales;
 use ciklo::spec::Catalogue;
-use ciklo::syntax::parse;
+use ciklo::program::syntax::parse;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &str| {

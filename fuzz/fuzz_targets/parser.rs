@@ -1,8 +1,8 @@
 //! Any bytes are a program: they come back, the blocks cover the text, and every finding has a place inside.
 #![no_main]
-use ciklo::diag::Source;
-use ciklo::syntax::encoding::decode;
-use ciklo::syntax::{json, parse};
+use ciklo::base::diag::Source;
+use ciklo::program::syntax::encoding::decode;
+use ciklo::program::syntax::{json, parse};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {

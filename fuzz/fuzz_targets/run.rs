@@ -2,12 +2,12 @@
 #![no_main]
 use std::sync::OnceLock;
 
-use ciklo::data;
-use ciklo::diag::Source;
+use ciklo::base::data;
+use ciklo::base::diag::Source;
 use ciklo::engine::run::{Engine, Limits, NoTexts};
 use ciklo::engine::scene::Scene;
 use ciklo::spec::Catalogue;
-use ciklo::syntax::parse;
+use ciklo::program::syntax::parse;
 use libfuzzer_sys::fuzz_target;
 
 const LIMITS: Limits = Limits { blocks: 2_000, jumps: 200, depth: 19, members: 200, moves: 20_000 };

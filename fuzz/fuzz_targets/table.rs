@@ -1,7 +1,7 @@
 //! Any text is a table or an error; a table comes back as it was, and a changed cell is read back.
 #![no_main]
-use ciklo::diag::Source;
-use ciklo::table::{Cell, Table, TableKind};
+use ciklo::base::diag::Source;
+use ciklo::program::table::{Cell, Table, TableKind};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &str| {

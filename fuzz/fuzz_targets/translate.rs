@@ -3,13 +3,13 @@
 use std::sync::OnceLock;
 
 use ciklo::check::{Against, LabelBook, check};
-use ciklo::data;
-use ciklo::diag::Source;
-use ciklo::locale::Locales;
+use ciklo::base::data;
+use ciklo::base::diag::Source;
+use ciklo::language::locale::Locales;
 use ciklo::spec::Catalogue;
-use ciklo::syntax::encoding::{Charset, Encoding};
-use ciklo::syntax::parse;
-use ciklo::translate::translate;
+use ciklo::program::syntax::encoding::{Charset, Encoding};
+use ciklo::program::syntax::parse;
+use ciklo::tools::translate::translate;
 use libfuzzer_sys::fuzz_target;
 
 struct Data {

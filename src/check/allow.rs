@@ -5,9 +5,9 @@
 use std::collections::HashSet;
 
 use super::{Against, RULES};
-use crate::diag::{Diagnostic, Place, Severity, Span};
-use crate::locale::Scope;
-use crate::syntax::{Block, BlockKind, Program};
+use crate::base::diag::{Diagnostic, Place, Severity, Span};
+use crate::language::locale::Scope;
+use crate::program::syntax::{Block, BlockKind, Program};
 
 /// What such a comment begins with, in any case.
 const MARK: &str = "ciklo:";

@@ -10,8 +10,8 @@ use super::definition::{Defined, with_meaning};
 use super::facts::Facts;
 use super::flow::{self, Through};
 use super::values::bits;
-use crate::diag::{Severity, Span};
-use crate::syntax::{BlockKind, Program, StatementKind, ValueKind};
+use crate::base::diag::{Severity, Span};
+use crate::program::syntax::{BlockKind, Program, StatementKind, ValueKind};
 
 /// The meaning of a parameter that names a program.
 const PROGRAM: &str = "program-to-call";

@@ -1,6 +1,6 @@
 //! The box that a program names as its blank.
 use super::{Aspect, Modal, Tri};
-use crate::syntax::{Amount, Axis, BlkForm, BlockKind, Program};
+use crate::program::syntax::{Amount, Axis, BlkForm, BlockKind, Program};
 
 /// The axes of places inside of it, in the order of its corners.
 pub(super) const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];

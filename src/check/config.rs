@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::RULES;
 use super::allow::CODES;
-use crate::diag::{Diagnostic, Place, Severity, Source};
+use crate::base::diag::{Diagnostic, Place, Severity, Source};
 
 /// The words for severities; `off` leaves the finding out.
 const LEVELS: [(&str, Option<Severity>); 4] = [

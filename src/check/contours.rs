@@ -6,8 +6,8 @@ use std::collections::{HashMap, HashSet};
 
 use super::flow::{Pending, Way};
 use super::{Defined, Facts};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Motion, Path, StatementKind};
 use crate::spec::{ContourWanted, ParameterKind};
-use crate::syntax::{Amount, Axis, Block, BlockKind, Motion, Path, StatementKind};
 
 /// A list of contours, the definition that holds it, and the cycles that machine them.
 pub(super) struct Listed<'f, 'a> {
@@ -111,7 +111,10 @@ pub(super) fn corners(blocks: &[Block], axes: [Axis; 2]) -> Option<Vec<[f64; 2]>
                     }
                 }
                 let ([Some(x), Some(y)], [Some(radius), Some(angle)]) = (pole, polar) else { return None };
-                at = [Some(x + radius * crate::expr::cosd(angle)), Some(y + radius * crate::expr::sind(angle))];
+                at = [
+                    Some(x + radius * crate::base::expr::cosd(angle)),
+                    Some(y + radius * crate::base::expr::sind(angle)),
+                ];
             }
             _ => return None,
         }

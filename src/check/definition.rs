@@ -9,10 +9,10 @@ use std::ops::Deref;
 use super::fields;
 use super::flow::Deed;
 use super::labels::{Kept, Tongues};
-use crate::diag::Span;
-use crate::expr::QRef;
+use crate::base::diag::Span;
+use crate::base::expr::QRef;
+use crate::program::syntax::{CycleDef, CycleForm, CycleView, Parameter, Program, Value};
 use crate::spec::{Cycle, CycleKey, Group, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
-use crate::syntax::{CycleDef, CycleForm, CycleView, Parameter, Program, Value};
 
 /// A cycle definition and what the control knows of its cycle.
 #[derive(Clone)]

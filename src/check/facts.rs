@@ -14,13 +14,13 @@ use super::guards::SharedData;
 use super::labels::{Tongues, told_by};
 use super::unread::Unread;
 use super::{Against, CycleLabels, values};
-use crate::diag::Span;
-use crate::expr::QRef;
-use crate::fields::key;
-use crate::spec::{Cycle, CycleKey, Known, Param};
-use crate::syntax::{
+use crate::base::diag::Span;
+use crate::base::expr::QRef;
+use crate::program::fields::key;
+use crate::program::syntax::{
     Amount, Block, BlockKind, Compensates, CycleForm, MFunction, Operand, Path, Program, StatementKind, ValueKind,
 };
+use crate::spec::{Cycle, CycleKey, Known, Param};
 
 /// A program with its cycle definitions resolved for a control.
 pub struct Facts<'a> {

@@ -5,10 +5,10 @@
 use std::borrow::Cow;
 
 use super::definition::{Item, capitals, index_of};
-use crate::diag::Span;
-use crate::fields::{first, stands_on};
+use crate::base::diag::Span;
+use crate::program::fields::{first, stands_on};
+use crate::program::syntax::{NamedWord, OldCycleLine, Program, ValueKind};
 use crate::spec::{Cycle, Field, Param, Shape};
-use crate::syntax::{NamedWord, OldCycleLine, Program, ValueKind};
 
 /// A field with the parameter that it writes.
 type Written<'a> = (&'a Param, &'a Field);

@@ -8,9 +8,11 @@ use std::sync::{Arc, OnceLock};
 use super::tools::Tool;
 use super::values::number;
 use super::{Aspect, Defined, Definition, Facts, Modal};
-use crate::expr::{Code, Env, EvalError, Expr, Func, Node, OnlyParameters, Op, QRef, Resolve, Type, Value, compile};
+use crate::base::expr::{
+    Code, Env, EvalError, Expr, Func, Node, OnlyParameters, Op, QRef, Resolve, Type, Value, compile,
+};
+use crate::program::syntax::ValueKind;
 use crate::spec::{Cycle, Doubt, Entries, Formula, Guard, OnControl, Outcome, Param};
-use crate::syntax::ValueKind;
 
 /// How deep names may stand for names; longer chains are circles, which the checks of the
 /// specifications report.

@@ -11,10 +11,10 @@ use super::definition::{Defined, Definition, Place};
 use super::facts::Facts;
 use super::flow::Deed;
 use super::guards::{self, Ready};
-use crate::locale::{Language, Locales};
+use crate::language::locale::{Language, Locales};
+use crate::language::text::{CycleText, Vocabulary};
+use crate::program::syntax::CycleForm;
 use crate::spec::{Catalogue, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape};
-use crate::syntax::CycleForm;
-use crate::text::{CycleText, Vocabulary};
 
 /// The labels of a control, put together when a cycle is first asked for.
 pub struct LabelBook<'a> {

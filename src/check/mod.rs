@@ -31,10 +31,10 @@ pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels, Speech, sp
 pub use rules::RULES;
 pub use unread::Unread;
 
-use crate::diag::{Diagnostic, Place, Severity, Span};
-use crate::locale::Language;
+use crate::base::diag::{Diagnostic, Place, Severity, Span};
+use crate::language::locale::Language;
+use crate::program::syntax::Program;
 use crate::spec::{Catalogue, OnControl};
-use crate::syntax::Program;
 
 /// A rule of the checker.
 #[derive(Debug)]

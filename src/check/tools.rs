@@ -6,8 +6,8 @@ use std::collections::HashMap;
 
 use super::among::ToolKey;
 use super::{Facts, Loaded, ToolName};
+use crate::program::syntax::{Amount, BlockKind, Operand, ToolRef};
 use crate::spec::MM_PER_INCH;
-use crate::syntax::{Amount, BlockKind, Operand, ToolRef};
 
 /// A tool, in the unit of the program.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,8 +4,8 @@
 //! no more than a block of its kind does. Invariant: a block of which the kind is not certain may do anything.
 use super::Flow;
 use super::facts::content;
-use crate::expr::{QKind, QRef};
-use crate::syntax::{Block, BlockKind, IsoBlock, IsoKind, Program, ValueKind};
+use crate::base::expr::{QKind, QRef};
+use crate::program::syntax::{Block, BlockKind, IsoBlock, IsoKind, Program, ValueKind};
 
 /// What a block that cannot be read may do.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,9 +5,9 @@ use std::borrow::Cow;
 
 use super::definition::capitals;
 use super::{Definition, Facts, Item};
-use crate::expr::{QKind, QRef};
+use crate::base::expr::{QKind, QRef};
+use crate::program::syntax::{Parameter, ValueKind};
 use crate::spec::{MM_PER_INCH, Param, ParameterKind, Refusal, number_refusal_in, refusal};
-use crate::syntax::{Parameter, ValueKind};
 
 /// Why the value is refused; `inch` tells whether lengths of the program are inches.
 pub(super) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 
 use super::Facts;
 use super::facts::each_function;
-use crate::diag::Span;
-use crate::expr::QRef;
+use crate::base::diag::Span;
+use crate::base::expr::QRef;
+use crate::program::syntax::{Block, BlockKind, MFunction, Statement, StatementKind};
 use crate::spec::BlockWords;
-use crate::syntax::{Block, BlockKind, MFunction, Statement, StatementKind};
 
 /// The words of a block, or of an M function or a function on texts in one.
 pub(super) struct Words<'f> {

@@ -10,10 +10,10 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::check::Job;
 use super::{Failure, program};
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{self, Against, Among, Called, Callee, Rows, ToolName};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::table::{Table, TableKind};
 use crate::system::{self, Folder};
-use crate::table::{Table, TableKind};
 
 /// Extension of programs whose name has none.
 const EXTENSION: &str = "h";

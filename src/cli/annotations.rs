@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 
 use super::Failure;
 use super::session::{Session, json as document, place_key};
-use crate::diag::{Diagnostic, Place, Severity};
-use crate::locale::{Args, Ui};
+use crate::base::diag::{Diagnostic, Place, Severity};
+use crate::language::locale::{Args, Ui};
 
 /// What a reader of the document checks it against.
 const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::{Arg, ArgAction, ArgMatches, builder::PossibleValuesParser, value_parser};
 
-use crate::locale::{Args, Ui};
+use crate::language::locale::{Args, Ui};
 
 pub(super) const DATA: &str = "data";
 pub(super) const UI_LANGUAGE: &str = "ui-lang";

@@ -3,8 +3,8 @@ use clap::{ArgMatches, value_parser};
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle};
-use crate::label::{self, Request};
-use crate::locale::Ui;
+use crate::language::label::{self, Request};
+use crate::language::locale::Ui;
 
 pub(super) const COMMAND: Command = Command {
     name: "block",

@@ -7,9 +7,9 @@ use clap::ArgMatches;
 use super::progress::Progress;
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle};
-use crate::diag::Diagnostic;
-use crate::locale::{Args, Ui};
-use crate::manual::{Request, Site};
+use crate::base::diag::Diagnostic;
+use crate::language::locale::{Args, Ui};
+use crate::output::manual::{Request, Site};
 use crate::system::Staged;
 
 pub(super) const COMMAND: Command =

@@ -2,11 +2,11 @@
 //!
 //! Invariant: a block that needs nothing keeps its bytes, a new one says in Klartext what the conversion wrote, and
 //! whatever cannot be put into DIN/ISO stays as it was and is told.
-use crate::compare;
-use crate::convert::{self, Conversion, Request};
-use crate::diag::{Diagnostic, Edit, Place, Severity, Source, Span, edited};
-use crate::iso::{Codes, Lowered, to_iso, to_klartext};
-use crate::syntax::{Block, BlockKind, Program, parse};
+use crate::base::diag::{Diagnostic, Edit, Place, Severity, Source, Span, edited};
+use crate::program::iso::{Codes, Lowered, to_iso, to_klartext};
+use crate::program::syntax::{Block, BlockKind, Program, parse};
+use crate::tools::compare;
+use crate::tools::convert::{self, Conversion, Request};
 
 /// Findings about the Klartext that the reader of the program does not see.
 const SYNTAX: &str = "syntax-";

@@ -10,9 +10,9 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use serde_json::{Value, json};
 
-use crate::data;
-use crate::diag::{Arg, Diagnostic, Edit, Place, Severity, Source, Span};
-use crate::syntax::Dialect;
+use crate::base::data;
+use crate::base::diag::{Arg, Diagnostic, Edit, Place, Severity, Source, Span};
+use crate::program::syntax::Dialect;
 use crate::system;
 
 /// So many programs are worth a cache.

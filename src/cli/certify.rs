@@ -9,11 +9,11 @@ use super::check::{Job, PROGRAMS};
 use super::progress::Progress;
 use super::session::{Session, json};
 use super::{Command, Failure, Outcome, arguments, cycle, program};
-use crate::certify::{CycleReport, ProgramReport, RuleReport, Tally, Verdict};
+use crate::base::diag::Diagnostic;
 use crate::check::{Against, Facts, LabelBook, Settings, check_among};
-use crate::diag::Diagnostic;
-use crate::locale::{Args, Ui};
+use crate::language::locale::{Args, Ui};
 use crate::system;
+use crate::tools::certify::{CycleReport, ProgramReport, RuleReport, Tally, Verdict};
 
 pub(super) const COMMAND: Command =
     Command { name: "certify", usage: "PATH… --control CONTROL [--format FORMAT]", arguments: own, run };

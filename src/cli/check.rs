@@ -11,13 +11,13 @@ use super::cache::{self, Cache};
 use super::progress::Progress;
 use super::session::Session;
 use super::{Command, Failure, Outcome, annotations, arguments, cycle, mend, program};
+use crate::base::diag::{Diagnostic, Place, Severity, Source};
+use crate::base::parallel::together;
 use crate::check::{self, Against, Config, LabelBook, Settings};
-use crate::diag::{Diagnostic, Place, Severity, Source};
-use crate::locale::{Args, Language, Locales, Scope, Ui};
+use crate::language::locale::{Args, Language, Locales, Scope, Ui};
+use crate::program::table::{self, TableKind};
 use crate::spec::{Catalogue, OnControl};
 use crate::system;
-use crate::table::{self, TableKind};
-use crate::together::together;
 
 pub(super) const COMMAND: Command = Command {
     name: "check",

@@ -8,11 +8,11 @@ use super::neighbours::Neighbours;
 use super::session::{Session, json};
 use super::{Command, Failure, Outcome, arguments, cycle, program, run as runs};
 use crate::check::{Against, LabelBook};
-use crate::compare::{self, Difference, Statement};
-use crate::conform::LogTexts;
 use crate::engine::run::{Engine, Status, Trace, Traced};
-use crate::locale::{Args, Ui};
+use crate::language::locale::{Args, Ui};
 use crate::spec::{Catalogue, OnControl};
+use crate::tools::compare::{self, Difference, Statement};
+use crate::tools::conform::LogTexts;
 
 pub(super) const COMMAND: Command = Command {
     name: "compare",
@@ -160,7 +160,9 @@ fn execute(
         traces.push((trace, outcome.status));
     }
     let (Some(b), Some(a)) = (traces.pop(), traces.pop()) else {
-        return Err(crate::diag::Diagnostic::global("internal").arg("detail", "two programs, not two traces").into());
+        return Err(crate::base::diag::Diagnostic::global("internal")
+            .arg("detail", "two programs, not two traces")
+            .into());
     };
     Ok(executed(&a, &b))
 }

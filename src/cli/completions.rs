@@ -4,7 +4,7 @@ use clap_complete::{Shell, generate};
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, usage};
-use crate::locale::Ui;
+use crate::language::locale::Ui;
 
 pub(super) const COMMAND: Command = Command { name: "completions", usage: "SHELL", arguments: own, run };
 

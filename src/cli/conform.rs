@@ -5,10 +5,10 @@ use super::session::{self, Session};
 use super::{Command, Failure, Outcome, arguments, cycle};
 use std::time::Duration;
 
-use crate::conform::{self, CaseReport, CycleReport, Partner, Report, Silence, Verdict, World};
-use crate::diag::Severity;
-use crate::locale::{Args, Ui};
+use crate::base::diag::Severity;
+use crate::language::locale::{Args, Ui};
 use crate::system::{self, Answering, NoAnswer};
+use crate::tools::conform::{self, CaseReport, CycleReport, Partner, Report, Silence, Verdict, World};
 
 pub(super) const COMMAND: Command = Command {
     name: "conform",

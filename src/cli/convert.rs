@@ -7,13 +7,13 @@ use serde::Serialize;
 
 use super::session::{Session, json};
 use super::{Command, Failure, Outcome, arguments, by_klartext, cycle, dialect, program};
+use crate::base::diag::{Diagnostic, Edit, Severity};
 use crate::check::{Against, LabelBook};
-use crate::convert::{self, Conversion, Form, Request, Step};
-use crate::diag::{Diagnostic, Edit, Severity};
-use crate::locale::{Args, Locales, Ui};
-use crate::syntax::encoding::{self, Decoded};
-use crate::syntax::{self, Dialect, Program};
+use crate::language::locale::{Args, Locales, Ui};
+use crate::program::syntax::encoding::{self, Decoded};
+use crate::program::syntax::{self, Dialect, Program};
 use crate::system::{self, Seen};
+use crate::tools::convert::{self, Conversion, Form, Request, Step};
 
 pub(super) const COMMAND: Command = Command {
     name: "convert",
@@ -124,7 +124,7 @@ impl Work<'_> {
         let bytes = system::read(path)?;
         let seen = Seen::of(path, &bytes);
         let Decoded { text, encoding } = encoding::decode_owned(bytes);
-        let source = crate::diag::Source::new(name, text);
+        let source = crate::base::diag::Source::new(name, text);
         let program = syntax::parse(&source);
         let request = Request { from: self.from, to: self.to, locales: self.locales, form: self.form, encoding };
         let format = arguments::chosen_format(self.matches);
@@ -211,7 +211,7 @@ fn report<'r>(
     conversion: &'r Conversion,
 ) -> Report<'r> {
     let finding = |found: &Diagnostic| {
-        let start = found.place.as_ref().map(crate::diag::Place::start);
+        let start = found.place.as_ref().map(crate::base::diag::Place::start);
         Finding {
             line: start.map_or(0, |start| start.line),
             column: start.map_or(0, |start| start.column),

@@ -3,10 +3,10 @@ use clap::ArgMatches;
 
 use super::session::{self, Session};
 use super::{Command, Failure, Outcome, arguments, cycle};
-use crate::conform::{self, World};
-use crate::coverage::{self, CycleCoverage, Executed, LeftOut};
-use crate::locale::{Args, Locales, Ui};
+use crate::language::locale::{Args, Locales, Ui};
 use crate::spec::{Catalogue, CycleKey};
+use crate::tools::conform::{self, World};
+use crate::tools::coverage::{self, CycleCoverage, Executed, LeftOut};
 
 pub(super) const COMMAND: Command =
     Command {

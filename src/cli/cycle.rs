@@ -4,11 +4,11 @@
 use clap::ArgMatches;
 
 use super::Failure;
+use crate::base::diag::Diagnostic;
 use crate::check::{self, Against, LabelBook};
-use crate::diag::Diagnostic;
-use crate::locale::{Language, Locales};
+use crate::language::locale::{Language, Locales};
+use crate::program::syntax::Program;
 use crate::spec::{Catalogue, Cycle, CycleKey, Known, OnControl};
-use crate::syntax::Program;
 
 /// The control of `--control`, by whichever of its names.
 pub(super) fn control<'c>(catalogue: &'c Catalogue, id: &str) -> Result<&'c OnControl, Failure> {

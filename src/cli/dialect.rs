@@ -5,14 +5,14 @@ use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Failure, Outcome, arguments, cycle, program};
+use crate::base::diag::{Diagnostic, Severity};
+use crate::base::expr::QRef;
 use crate::check::LabelBook;
-use crate::diag::{Diagnostic, Severity};
-use crate::expr::QRef;
-use crate::iso::{Codes, Labels, to_iso, to_klartext};
-use crate::locale::{Args, Ui};
+use crate::language::locale::{Args, Ui};
+use crate::program::iso::{Codes, Labels, to_iso, to_klartext};
+use crate::program::syntax::Dialect;
+use crate::program::syntax::encoding::Encoding;
 use crate::spec::{CycleKey, Field, OnControl, Param};
-use crate::syntax::Dialect;
-use crate::syntax::encoding::Encoding;
 use crate::system::{self, Seen};
 
 /// The arguments that ask for it.

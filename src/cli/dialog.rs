@@ -3,8 +3,8 @@ use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, session};
-use crate::dialog;
-use crate::locale::Ui;
+use crate::language::locale::Ui;
+use crate::output::dialog;
 
 pub(super) const COMMAND: Command =
     Command { name: "dialog", usage: "CYCLE --control CONTROL [--lang LANG] [--format FORMAT]", arguments: own, run };

@@ -4,7 +4,7 @@ use serde::Serialize;
 use super::session::{self, Session};
 use super::{Failure, Outcome};
 use crate::engine::run::{self as engine, ENVELOPE_FORMAT, Envelope, Near, Obstacle, Touching};
-use crate::locale::{Args, Digits, Locales, Scope, Ui};
+use crate::language::locale::{Args, Digits, Locales, Scope, Ui};
 use crate::spec::OnControl;
 
 /// Digits of a length, a nanometre; JSON has them all.

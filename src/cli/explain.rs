@@ -3,8 +3,8 @@ use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments};
-use crate::diag::Diagnostic;
-use crate::locale::{Args, Ui};
+use crate::base::diag::Diagnostic;
+use crate::language::locale::{Args, Ui};
 
 pub(super) const COMMAND: Command = Command { name: "explain", usage: "[CODE]", arguments: own, run };
 

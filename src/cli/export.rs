@@ -3,8 +3,8 @@ use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, session};
-use crate::export;
-use crate::locale::Ui;
+use crate::language::locale::Ui;
+use crate::output::export;
 
 pub(super) const COMMAND: Command =
     Command { name: "export", usage: "--control CONTROL [--lang LANG]", arguments: own, run };

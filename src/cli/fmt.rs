@@ -5,12 +5,12 @@ use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, check, mend, program};
+use crate::base::diag::Diagnostic;
 use crate::check::{Against, LabelBook};
-use crate::diag::Diagnostic;
-use crate::layout;
-use crate::locale::{Args, Ui};
+use crate::language::locale::{Args, Ui};
+use crate::program::layout;
+use crate::program::table::{Table, TableKind};
 use crate::system::{self, Seen};
-use crate::table::{Table, TableKind};
 
 pub(super) const COMMAND: Command = Command { name: "fmt", usage: "PATH… [--check]", arguments: own, run };
 

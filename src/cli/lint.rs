@@ -6,16 +6,17 @@ use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, session};
-use crate::accord;
+use crate::base::diag::{Diagnostic, Severity, Source};
 use crate::check::{self, Against, LabelBook};
-use crate::conform::{self, Verdict, World};
-use crate::diag::{Diagnostic, Severity, Source};
 use crate::engine::plan;
-use crate::label;
-use crate::locale::{Args, Language, LocaleError, Locales, SOURCE_LANGUAGE, Scope, Ui};
-use crate::manual;
+use crate::language::consistency;
+use crate::language::label;
+use crate::language::locale::{Args, Language, LocaleError, Locales, SOURCE_LANGUAGE, Scope, Ui};
+use crate::output::manual;
+use crate::program::syntax;
 use crate::spec::{self, Catalogue};
-use crate::{syntax, system};
+use crate::system;
+use crate::tools::conform::{self, Verdict, World};
 
 pub(super) const COMMAND: Command =
     Command { name: "lint", usage: "[--data DIR] [--format FORMAT] [--accept-translations]", arguments: own, run };
@@ -40,7 +41,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     found.extend(texts(&catalogue, &locales));
     found.extend(languages_of_controls(&catalogue, &locales));
     found.extend(label::check(&catalogue, &locales));
-    found.extend(accord::check(&catalogue, &locales));
+    found.extend(consistency::check(&catalogue, &locales));
     found.extend(printed(&catalogue, &locales));
     found.extend(examples(&catalogue, &locales, &files));
     let site = pages(&catalogue, &locales, &files, &found);
@@ -58,7 +59,7 @@ fn accept(session: &mut Session) -> Result<Outcome, Failure> {
     };
     let files = session::working_copy(root)?;
     let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-    let meanings = accord::meanings(&Catalogue::load(&files).0);
+    let meanings = consistency::meanings(&Catalogue::load(&files).0);
     for tag in locales.tags().filter(|tag| *tag != SOURCE_LANGUAGE) {
         let path = root.join("locales").join(tag).join("source.lock");
         system::write(&path, locales.accepted(tag, &meanings)?.as_bytes())?;
@@ -70,7 +71,7 @@ fn accept(session: &mut Session) -> Result<Outcome, Failure> {
 }
 
 fn languages(catalogue: &Catalogue, locales: &Locales) -> Result<Vec<Diagnostic>, LocaleError> {
-    let meanings = accord::meanings(catalogue);
+    let meanings = consistency::meanings(catalogue);
     let mut found = Vec::new();
     for tag in locales.tags() {
         found.extend(locales.audit_with(tag, &meanings)?.diagnostics());
@@ -98,7 +99,7 @@ fn texts(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     }
     locales.iter().for_each(|language| variants(catalogue, language, &mut found));
     unused(catalogue, locales, &mut found);
-    crate::diag::dedupe(&mut found);
+    crate::base::diag::dedupe(&mut found);
     found
 }
 
@@ -165,7 +166,7 @@ fn printed(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
             }
         }
     }
-    crate::diag::dedupe(&mut found);
+    crate::base::diag::dedupe(&mut found);
     found
 }
 
@@ -189,7 +190,7 @@ fn examples(catalogue: &Catalogue, locales: &Locales, files: &[(String, String)]
             );
         }
     }
-    crate::diag::dedupe(&mut found);
+    crate::base::diag::dedupe(&mut found);
     found
 }
 

@@ -8,8 +8,8 @@ use clap_mangen::Man;
 
 use super::session::{Session, interface};
 use super::{Command, Failure, Outcome, arguments, usage};
-use crate::diag::Diagnostic;
-use crate::locale::{Args, Ui};
+use crate::base::diag::Diagnostic;
+use crate::language::locale::{Args, Ui};
 use crate::system;
 
 pub(super) const COMMAND: Command = Command { name: "man", usage: "[--out DIR]", arguments: own, run };

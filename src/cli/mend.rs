@@ -6,10 +6,10 @@ use std::path::Path;
 
 use super::Failure;
 use super::program::{self, Understood};
+use crate::base::diag::{Diagnostic, Edit, edited};
 use crate::check::{self, Against, Among, Settings};
-use crate::compare;
-use crate::diag::{Diagnostic, Edit, edited};
 use crate::system::{self, Seen};
+use crate::tools::compare;
 
 /// What a program must still be when it is written anew.
 pub(super) struct Original<'p> {
@@ -74,9 +74,9 @@ pub(super) fn file(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::data;
     use crate::check::LabelBook;
-    use crate::data;
-    use crate::locale::Locales;
+    use crate::language::locale::Locales;
     use crate::spec::Catalogue;
 
     #[test]

@@ -45,8 +45,8 @@ use std::process::ExitCode;
 
 use clap::ArgMatches;
 
-use crate::diag::Diagnostic;
-use crate::locale::Ui;
+use crate::base::diag::Diagnostic;
+use crate::language::locale::Ui;
 use crate::system;
 use session::{Output, Session};
 
@@ -80,8 +80,8 @@ impl From<system::Trouble> for Failure {
     }
 }
 
-impl From<crate::locale::LocaleError> for Failure {
-    fn from(error: crate::locale::LocaleError) -> Self {
+impl From<crate::language::locale::LocaleError> for Failure {
+    fn from(error: crate::language::locale::LocaleError) -> Self {
         Diagnostic::from(error).into()
     }
 }

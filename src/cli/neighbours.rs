@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use super::check::PROGRAMS;
 use super::{Failure, program};
 use crate::engine::run::{Programs, program_key};
+use crate::program::syntax::Program;
 use crate::spec::Catalogue;
-use crate::syntax::Program;
 use crate::system;
 
 /// A file, and the program in it once it was called.

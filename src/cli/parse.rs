@@ -5,8 +5,8 @@ use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, program};
-use crate::locale::Ui;
-use crate::syntax::json;
+use crate::language::locale::Ui;
+use crate::program::syntax::json;
 
 pub(super) const COMMAND: Command = Command { name: "parse", usage: "FILE [--print]", arguments: own, run };
 

@@ -7,11 +7,11 @@ use clap::builder::PossibleValuesParser;
 use super::neighbours::Neighbours;
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, program, run, stock};
-use crate::diag::Source;
+use crate::base::diag::Source;
 use crate::engine::draw::{Track, View};
 use crate::engine::run::{Engine, NoTexts, Status};
 use crate::engine::scene::Scene;
-use crate::locale::{Args, Ui};
+use crate::language::locale::{Args, Ui};
 use crate::system;
 
 pub(super) const COMMAND: Command = Command {

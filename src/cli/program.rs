@@ -7,11 +7,11 @@ use std::sync::Arc;
 
 use super::Failure;
 use super::session::Session;
-use crate::diag::{Diagnostic, Place, Source, Span};
-use crate::iso::{Codes, Lowered, to_klartext};
+use crate::base::diag::{Diagnostic, Place, Source, Span};
+use crate::program::iso::{Codes, Lowered, to_klartext};
+use crate::program::syntax::encoding::{self, Charset, Decoded, Encoding};
+use crate::program::syntax::{self, BlockKind, Dialect, Program};
 use crate::spec::Catalogue;
-use crate::syntax::encoding::{self, Charset, Decoded, Encoding};
-use crate::syntax::{self, BlockKind, Dialect, Program};
 use crate::system::{self, Seen};
 
 /// An encoding in which a text is its own bytes.

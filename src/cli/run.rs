@@ -7,17 +7,17 @@ use clap::ArgMatches;
 use super::neighbours::Neighbours;
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, envelope, program, stock};
+use crate::base::diag::{Diagnostic, Source};
 use crate::check::{self, Against, LabelBook};
-use crate::conform::LogTexts;
-use crate::diag::{Diagnostic, Source};
 use crate::engine::run::{Content, Engine, Event, EventKind, Status};
 use crate::engine::scene::Scene;
 use crate::engine::stock::Watch;
-use crate::locale::{Args, Digits, Language, Locales, Ui};
+use crate::language::locale::{Args, Digits, Language, Locales, Ui};
+use crate::language::text;
+use crate::program::table::{Table, TableKind};
 use crate::spec::{Catalogue, CycleKey, OnControl};
 use crate::system;
-use crate::table::{Table, TableKind};
-use crate::text;
+use crate::tools::conform::LogTexts;
 
 pub(super) const COMMAND: Command = Command {
     name: "run",

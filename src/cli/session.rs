@@ -8,10 +8,10 @@ use std::path::Path;
 use std::rc::Rc;
 
 use super::Failure;
-use crate::data::{self, Files};
-use crate::diag::{Diagnostic, Severity};
-use crate::locale::render::{render, to_json_line};
-use crate::locale::{Args, Locales, Ui};
+use crate::base::data::{self, Files};
+use crate::base::diag::{Diagnostic, Severity};
+use crate::language::locale::render::{render, to_json_line};
+use crate::language::locale::{Args, Locales, Ui};
 use crate::spec::Catalogue;
 use crate::system;
 

@@ -6,10 +6,10 @@ use clap::ArgMatches;
 use super::program::Understood;
 use super::session::{self, Session};
 use super::{Failure, arguments};
-use crate::diag::Diagnostic;
+use crate::base::diag::Diagnostic;
 use crate::engine::scene::Scene;
 use crate::engine::stock::{Finding, Machining, Report, Stock};
-use crate::locale::{Args, Digits, Ui};
+use crate::language::locale::{Args, Digits, Ui};
 use crate::system;
 
 /// The name of the option for the part.

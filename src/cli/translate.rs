@@ -6,13 +6,13 @@ use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, program};
+use crate::base::diag::{Severity, Source, Span};
 use crate::check::{Against, LabelBook};
-use crate::diag::{Severity, Source, Span};
-use crate::locale::{Args, Language, Ui};
-use crate::syntax::Dialect;
-use crate::syntax::encoding::Encoding;
+use crate::language::locale::{Args, Language, Ui};
+use crate::program::syntax::Dialect;
+use crate::program::syntax::encoding::Encoding;
 use crate::system::{self, Seen};
-use crate::translate::{self, Replacement, Told};
+use crate::tools::translate::{self, Replacement, Told};
 
 pub(super) const COMMAND: Command = Command {
     name: "translate",

@@ -10,8 +10,8 @@ use clap::{Arg, ArgAction};
 use super::arguments::{self, UI_LANGUAGE};
 use super::session::Output;
 use super::{COMMANDS, Command, Failure, Outcome};
-use crate::diag::Diagnostic;
-use crate::locale::{Args, Ui};
+use crate::base::diag::Diagnostic;
+use crate::language::locale::{Args, Ui};
 
 /// Columns of the help where the width of the terminal is not known, and at most.
 const WIDTH: usize = 100;

@@ -4,7 +4,7 @@
 //! input gives the same bits on every machine. Frames are rigid: they shift and rotate, they never scale.
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-use crate::expr::{cosd, sind};
+use crate::base::expr::{cosd, sind};
 
 /// mm in an inch.
 pub(in crate::engine) const INCH: f64 = crate::spec::MM_PER_INCH;

@@ -12,4 +12,4 @@ pub mod solid;
 pub mod sphere;
 pub mod stock;
 
-pub use crate::table;
+pub use crate::program::table;

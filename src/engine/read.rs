@@ -2,7 +2,7 @@
 //!
 //! Invariant: every mistake is reported at its place and reading goes on, so one run shows all of them; a
 //! key that nobody asked for is a mistake.
-use crate::diag::{Arg, Diagnostic, Place, Source};
+use crate::base::diag::{Arg, Diagnostic, Place, Source};
 use crate::engine::geometry::Axis;
 use crate::spec::{Key, Kind, Node};
 use glam::DVec3;

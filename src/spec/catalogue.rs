@@ -12,8 +12,8 @@ use super::language::{BlockWords, Global, Tongue};
 use super::profile::{Control, Errata, Erratum, Named, Topic, Topics};
 use super::vocabulary::{Doubtful, Keyword, ParameterKind, Quantity, Reference, Shape};
 use super::yaml::{self, Node};
-use crate::diag::{Diagnostic, Place, Source, dedupe};
-use crate::expr::{QKind, QRef};
+use crate::base::diag::{Diagnostic, Place, Source, dedupe};
+use crate::base::expr::{QKind, QRef};
 
 /// The key of a cycle: how it is written and its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use serde_json::{Map, Value, json};
 
 use super::yaml::{Kind, Node};
-use crate::diag::{Diagnostic, Place, Source};
-use crate::expr::{Dialect, Expr, QRef, parse};
+use crate::base::diag::{Diagnostic, Place, Source};
+use crate::base::expr::{Dialect, Expr, QRef, parse};
 
 /// Where mistakes of one file go.
 pub struct Context<'c> {
@@ -266,7 +266,7 @@ pub struct Formula {
 
 impl Formula {
     /// The place of a stretch of the expression; all of it where the file breaks its lines or escapes characters.
-    pub fn at(&self, span: crate::diag::Span) -> Place {
+    pub fn at(&self, span: crate::base::diag::Span) -> Place {
         let whole = self.place.span;
         let written = self.place.source.text().get(whole.start..whole.end);
         let Some(before) = written.and_then(|written| written.find(&*self.text)) else { return self.place.clone() };
@@ -283,7 +283,7 @@ impl Decode for Formula {
             Ok(expr) => Some(Self { expr, text: name.text, place: name.place }),
             Err(error) => {
                 let shell = Self {
-                    expr: Expr { node: crate::expr::Node::Number(0.0), span: error.span },
+                    expr: Expr { node: crate::base::expr::Node::Number(0.0), span: error.span },
                     text: name.text,
                     place: name.place,
                 };
@@ -309,7 +309,7 @@ macro_rules! record {
         pub struct $name {
             $($(#[doc = $field_doc])+ pub $field: $ty,)*
             /// Where it stands.
-            pub place: $crate::diag::Place,
+            pub place: $crate::base::diag::Place,
         }
 
         impl $crate::spec::decode::Decode for $name {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::yaml::{Key, Kind, Node};
-use crate::diag::{Diagnostic, Place, Source};
+use crate::base::diag::{Diagnostic, Place, Source};
 
 /// The tree as the control sees it.
 pub(super) fn for_control(node: &Node, control: &str) -> Node {

@@ -7,7 +7,7 @@ use super::decode::{Context, Decode, Definitions, Entries, Formula, Name, record
 use super::run_form::*;
 use super::vocabulary::*;
 use super::yaml::Node;
-use crate::expr::QRef;
+use crate::base::expr::QRef;
 
 record! {
     /// Lines of a manual.

@@ -2,7 +2,7 @@
 //!
 //! Invariant: the same for every control that has the block; which one has it is not known here.
 use super::decode::{record, words};
-use crate::expr::QRef;
+use crate::base::expr::QRef;
 
 words! {
     /// What a function gives.

@@ -21,8 +21,7 @@ pub use form::*;
 pub use language::{BlockWords, Gives, Global, Tongue, WordLimit};
 pub use lint::{equals, lint};
 pub use profile::{
-    Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Topic, TopicOn, Topics,
-    Transformation,
+    Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Topic, TopicOn, Topics, Transformation,
 };
 pub use run_form::*;
 pub use schema::schema;

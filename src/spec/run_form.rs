@@ -186,7 +186,7 @@ pub struct Action {
     /// Arguments of a fragment or strategy.
     pub with: Entries<Formula>,
     /// Where it stands.
-    pub place: crate::diag::Place,
+    pub place: crate::base::diag::Place,
 }
 
 const MODIFIERS: [&str; 4] = ["at", "as", "when", "with"];

@@ -1,8 +1,8 @@
 //! Which texts a cycle needs: the ids that the locales must have for it.
 use super::catalogue::{Cycle, OnControl};
 use super::form::Fragment;
-use super::run_form::{Action, Argument, Case, Item};
 use super::lint::walk;
+use super::run_form::{Action, Argument, Case, Item};
 use super::vocabulary::Verb;
 
 /// A text that must exist: a message id and, if it is not the message's value, an attribute.

@@ -171,7 +171,7 @@ fn parse(text: &str) -> Option<f64> {
 }
 
 fn is_q(text: &str) -> bool {
-    crate::expr::QRef::parse(text.strip_prefix(['+', '-']).unwrap_or(text)).is_some()
+    crate::base::expr::QRef::parse(text.strip_prefix(['+', '-']).unwrap_or(text)).is_some()
 }
 
 fn is_axis(c: char) -> bool {

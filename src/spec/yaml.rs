@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use saphyr_parser::{Event, Parser, ScalarStyle};
 
-use crate::diag::{Diagnostic, Place, Source, Span};
+use crate::base::diag::{Diagnostic, Place, Source, Span};
 
 /// Deeper nesting than this is refused.
 const MAX_DEPTH: usize = 64;

@@ -4,13 +4,13 @@
 use std::fmt::Write as _;
 
 use crate::built::{Built, built};
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::geometry::{Axis, WorkingPlane};
 use ciklo::engine::run::{Engine, EventKind, MoveKind, NoTexts, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::Path;
 use ciklo::engine::stock::{Machining, Stock};
-use ciklo::syntax;
+use ciklo::program::syntax;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use std::f64::consts::TAU;

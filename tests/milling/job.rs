@@ -3,13 +3,13 @@
 //! Invariant: sizes in here are those of the program; `View` leads from the program to the workpiece.
 use std::fmt::Write as _;
 
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::geometry::{Axis, Frame, WorkingPlane};
 use ciklo::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Outcome, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::Shape;
 use ciklo::engine::stock::{FindingKind, Machining, Report};
-use ciklo::syntax;
+use ciklo::program::syntax;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 

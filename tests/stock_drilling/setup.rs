@@ -2,13 +2,13 @@
 use std::fmt::Write as _;
 
 use crate::built::{Built, built};
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::geometry::{Axis, WorkingPlane};
 use ciklo::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Outcome, Status, Threaded};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::Shape;
 use ciklo::engine::stock::{Machining, Report, Stock, Watch};
-use ciklo::syntax;
+use ciklo::program::syntax;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 

@@ -2,8 +2,8 @@
 #![allow(dead_code, reason = "not every test program asks for everything")]
 use std::sync::{LazyLock, OnceLock};
 
-use ciklo::data::{self, Files};
-use ciklo::locale::Locales;
+use ciklo::base::data::{self, Files};
+use ciklo::language::locale::Locales;
 use ciklo::spec::Catalogue;
 
 /// Files, catalogue and texts; mistakes in them are looked for elsewhere.

@@ -2,13 +2,13 @@
 //!
 //! What a word is follows from the specifications for parameters and fields, and from the list here for other words.
 //! A program that calculates has lengths that only its run knows: it has no such twin here.
-use ciklo::diag::Span;
-use ciklo::fields::{self, first, stands_on};
-use ciklo::spec::{Catalogue, Cycle, OnControl, Shape};
-use ciklo::syntax::{
+use ciklo::base::diag::Span;
+use ciklo::program::fields::{self, first, stands_on};
+use ciklo::program::syntax::{
     Amount, Axis, BlockKind, CallForm, Coord, CycleForm, Feed, FeedKind, NamedWord, Operand, Parameter, Program,
     StatementKind, ToolCall, Value, ValueKind,
 };
+use ciklo::spec::{Catalogue, Cycle, OnControl, Shape};
 
 /// mm in an inch.
 pub(crate) const INCH: f64 = 25.4;
@@ -146,7 +146,7 @@ impl Twin<'_, '_> {
         }
     }
 
-    fn fields(&mut self, cycle: &Cycle, lines: &[&ciklo::syntax::OldCycleLine]) {
+    fn fields(&mut self, cycle: &Cycle, lines: &[&ciklo::program::syntax::OldCycleLine]) {
         // The first form that reads every word.
         for form in 0..cycle.file.forms.len() {
             let before = self.edits.len();
@@ -158,7 +158,7 @@ impl Twin<'_, '_> {
         self.untold = true;
     }
 
-    fn fields_of(&mut self, cycle: &Cycle, form: usize, lines: &[&ciklo::syntax::OldCycleLine]) -> bool {
+    fn fields_of(&mut self, cycle: &Cycle, form: usize, lines: &[&ciklo::program::syntax::OldCycleLine]) -> bool {
         for line in lines {
             let mut expected: Vec<_> = cycle.fields(form).filter(|(_, field)| stands_on(field, line)).collect();
             let mut words = line.words.as_slice();

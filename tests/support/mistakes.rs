@@ -6,7 +6,7 @@
 use std::path::Path;
 use std::{env, fs};
 
-use ciklo::diag::Diagnostic;
+use ciklo::base::diag::Diagnostic;
 use ciklo::spec::Catalogue;
 
 fn source(diagnostic: &Diagnostic) -> &str {

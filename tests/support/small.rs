@@ -1,7 +1,7 @@
 //! A catalogue of two cycles on one control: every kind of run item, the old and the new form.
 use std::path::Path;
 
-use ciklo::data::{self, Files};
+use ciklo::base::data::{self, Files};
 
 const OWN: [&str; 8] = [
     "cycle-specs/controls/small.yaml",

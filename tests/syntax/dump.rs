@@ -1,8 +1,8 @@
 //! A readable form of parsed programs, for expectations.
 use std::fmt::Write as _;
 
-use ciklo::diag::Span;
-use ciklo::syntax::{
+use ciklo::base::diag::Span;
+use ciklo::program::syntax::{
     Amount, Axis, Block, BlockKind, CallForm, Compensation, Coord, Feed, FeedKind, IsoBlock, IsoKind, Label, LabelRef,
     MFunction, Motion, NamedWord, Operand, Parameter, Path, Program, ToolRef, Value, ValueKind,
 };

@@ -1,6 +1,6 @@
 //! Frames, angles and circles; circle fits against references of 50 digits (`tests/references/circle_fits.py`).
+use ciklo::base::expr::{atan2d, cosd, sind};
 use ciklo::engine::geometry::{Axis, Circle, FitError, Frame, WorkingPlane, fit_circle};
-use ciklo::expr::{atan2d, cosd, sind};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use proptest::prelude::*;
 

@@ -1,6 +1,6 @@
 //! Scenes: what is read, which defaults hold, and every mistake with its place.
-use ciklo::data::embedded;
-use ciklo::diag::Source;
+use ciklo::base::data::embedded;
+use ciklo::base::diag::Source;
 use ciklo::engine::geometry::Frame;
 use ciklo::engine::machine::Machine;
 use ciklo::engine::scene::{Clock, ParameterValue, Scene};

@@ -1,5 +1,5 @@
 //! Tables in the controls' file format: what is read, what is written, what is refused.
-use ciklo::diag::Source;
+use ciklo::base::diag::Source;
 use ciklo::engine::table::{Cell, Table, TableError, TableKind};
 use proptest::prelude::*;
 
@@ -82,7 +82,7 @@ fn files_as_controls_write_them_are_read() {
     assert_eq!(table.to_text(), text);
     table.add_row(3.0).expect("room");
     assert_eq!(table.to_text(), text.replace("5.1  D", "3\n5.1  D"));
-    let found: Vec<_> = ciklo::table::check(TableKind::Tool, &source).iter().map(|d| d.code).collect();
+    let found: Vec<_> = ciklo::program::table::check(TableKind::Tool, &source).iter().map(|d| d.code).collect();
     // It has no column L, and a line behind the end.
     assert_eq!(found, ["table-doubtful", "table-unknown-column", "table-doubtful"]);
     // A description without an end leaves no names of columns.
@@ -142,9 +142,9 @@ fn mistakes_are_told_together_with_their_places() {
 #[test]
 fn a_table_without_begin_is_doubted() {
     let text = "TAB1.PNT MM\nNR      X           Y           Z\n0       +10         +10         +0\n[END]\n";
-    let found = ciklo::table::check(TableKind::Points, &Source::new("TAB1.PNT", text));
+    let found = ciklo::program::table::check(TableKind::Points, &Source::new("TAB1.PNT", text));
     let told: Vec<_> = found.iter().map(|own| (own.code, own.severity)).collect();
-    assert_eq!(told, [("table-no-header", ciklo::diag::Severity::Warning)]);
+    assert_eq!(told, [("table-no-header", ciklo::base::diag::Severity::Warning)]);
 }
 
 /// Of the mistakes that people make in tables, each is told at its line; of good tables nothing is said.
@@ -160,10 +160,11 @@ fn broken_tables_are_told_at_their_lines() {
         let lines = words.next().expect("lines").split(',').map(|line| line.parse().expect("a line"));
         let lines: Vec<usize> = lines.collect();
         let kind = TableKind::of_file(&name).expect("a kind");
-        let mut found = ciklo::table::check(kind, &Source::new(name, text));
-        found.retain(|own| own.severity != ciklo::diag::Severity::Note);
-        let told =
-            |own: &ciklo::diag::Diagnostic| own.place.as_ref().is_some_and(|place| lines.contains(&place.start().line));
+        let mut found = ciklo::program::table::check(kind, &Source::new(name, text));
+        found.retain(|own| own.severity != ciklo::base::diag::Severity::Note);
+        let told = |own: &ciklo::base::diag::Diagnostic| {
+            own.place.as_ref().is_some_and(|place| lines.contains(&place.start().line))
+        };
         let right = if lines == [0] { found.is_empty() } else { found.iter().any(told) };
         if !right {
             wrong.push(head);
@@ -246,7 +247,7 @@ proptest! {
         }
         bytes.extend(b"[END]");
         bytes.extend(&tail);
-        let decoded = ciklo::syntax::encoding::decode(&bytes);
+        let decoded = ciklo::program::syntax::encoding::decode(&bytes);
         if let Ok(mut table) = Table::parse(kind, &Source::new(kind.file_name(), decoded.text.as_str())) {
             let text = table.to_text();
             let again = decoded.encoding.encode(&text).expect("its own characters").to_vec();

@@ -1,10 +1,10 @@
 //! Every finding of the world has a text in every language, and gives it the arguments that it shows.
-use ciklo::data::embedded;
-use ciklo::diag::{Diagnostic, Source};
+use ciklo::base::data::embedded;
+use ciklo::base::diag::{Diagnostic, Source};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::SolidError;
 use ciklo::engine::table::{Table, TableError, TableKind};
-use ciklo::locale::{Args, Locales, Scope};
+use ciklo::language::locale::{Args, Locales, Scope};
 use glam::DVec3;
 use std::collections::BTreeSet;
 
@@ -31,10 +31,10 @@ fn findings() -> Vec<Diagnostic> {
         all.extend(Table::parse(TableKind::Datum, &Source::new("X.D", *text)).expect_err("mistakes"));
     }
     let values = Source::new("values.t", include_str!("../cli/tables/values.t"));
-    all.extend(ciklo::table::check(TableKind::Tool, &values));
+    all.extend(ciklo::program::table::check(TableKind::Tool, &values));
     let doubtful = "BEGIN X.PNT\nNR X\n2 1\n1 1\n[END]\n";
-    all.extend(ciklo::table::check(TableKind::Points, &Source::new("X.PNT", doubtful)));
-    all.extend(ciklo::table::check_other(&Source::new("PALLET.P", include_str!("../cli/tables/PALLET.P"))));
+    all.extend(ciklo::program::table::check(TableKind::Points, &Source::new("X.PNT", doubtful)));
+    all.extend(ciklo::program::table::check_other(&Source::new("PALLET.P", include_str!("../cli/tables/PALLET.P"))));
     let (file, column, row) = ("X.D".to_owned(), "X".to_owned(), 1.0);
     let errors = [
         TableError::NoTable { file: file.clone() },

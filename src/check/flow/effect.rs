@@ -5,13 +5,13 @@ use std::collections::HashMap;
 
 use super::state::{Aspect, Known, Pending, State, Tri};
 use super::step::{Values, pend};
+use crate::base::expr::{Code, OnlyParameters, QKind, QRef, compile};
 use crate::check::{Defined, Definition, Facts};
-use crate::expr::{Code, OnlyParameters, QKind, QRef, compile};
+use crate::program::syntax::{CycleForm, CycleKeyword, CycleView, OldCycleLine, Program, ValueKind};
 use crate::spec::{
     Action, Argument, Body, Cycle, CycleKey, Group, Item, Keyword, Known as Of, ParameterKind, TakesEffect,
     Transformation, Verb,
 };
-use crate::syntax::{CycleForm, CycleKeyword, CycleView, OldCycleLine, Program, ValueKind};
 
 /// What the definitions of a cycle do.
 #[derive(Debug, Default)]

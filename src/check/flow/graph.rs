@@ -3,12 +3,12 @@
 //! Invariant: nothing is executed here; labels that parameters choose may be any label.
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::base::diag::Span;
 use crate::check::facts::each_function;
 use crate::check::unread::names_end;
 use crate::check::{Definition, Facts};
-use crate::diag::Span;
+use crate::program::syntax::{Amount, Block, BlockKind, Label, LabelRef, Program, ValueKind};
 use crate::spec::ParameterKind;
-use crate::syntax::{Amount, Block, BlockKind, Label, LabelRef, Program, ValueKind};
 
 /// Which label: a number or a name.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -226,8 +226,8 @@ pub(super) fn mark_of(program: &Program, label: &LabelRef) -> Option<Mark> {
 }
 
 /// The parameters that a block reads, with their places.
-pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef, Span)>) {
-    let operand = |operand: &crate::syntax::Operand, found: &mut Vec<_>| {
+pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::base::expr::QRef, Span)>) {
+    let operand = |operand: &crate::program::syntax::Operand, found: &mut Vec<_>| {
         if let Amount::Q { q, .. } = operand.amount {
             found.push((q, operand.span));
         }
@@ -240,7 +240,7 @@ pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef,
             motion.feed.iter().for_each(|feed| feed_reads(feed, found));
         }
         BlockKind::CyclCall(call) => {
-            if let crate::syntax::CallForm::Position(coords) = &call.form {
+            if let crate::program::syntax::CallForm::Position(coords) = &call.form {
                 coords.iter().for_each(|coord| operand(&coord.value, found));
             }
         }
@@ -249,14 +249,17 @@ pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef,
             assign.b.iter().for_each(|b| operand(b, found));
         }
         BlockKind::FnJump(jump)
-            if !matches!(jump.relation, crate::syntax::Relation::Undefined | crate::syntax::Relation::Defined) =>
+            if !matches!(
+                jump.relation,
+                crate::program::syntax::Relation::Undefined | crate::program::syntax::Relation::Defined
+            ) =>
         {
             operand(&jump.a, found);
             operand(&jump.b, found);
         }
         BlockKind::Formula(formula) => {
             formula.expr.walk(&mut |expr| {
-                if let crate::expr::Node::Q(q) = expr.node {
+                if let crate::base::expr::Node::Q(q) = expr.node {
                     let start = formula.text.start;
                     found.push((q, Span::new(start + expr.span.start, start + expr.span.end)));
                 }
@@ -276,7 +279,7 @@ pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef,
             call.repeat.iter().for_each(|times| operand(times, found));
         }
         BlockKind::ToolCall(call) => {
-            if let Some(crate::syntax::ToolRef::Number(number)) = &call.tool {
+            if let Some(crate::program::syntax::ToolRef::Number(number)) = &call.tool {
                 operand(number, found);
             }
             [&call.speed, &call.cutting_speed, &call.dl, &call.dr]
@@ -294,7 +297,7 @@ pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef,
                 }
             }
         }
-        BlockKind::OldCycleLine(line) if line.keyword == crate::syntax::CycleKeyword::CyclDef => {
+        BlockKind::OldCycleLine(line) if line.keyword == crate::program::syntax::CycleKeyword::CyclDef => {
             for word in &line.words {
                 if let ValueKind::Q { q, .. } = word.value.kind {
                     found.push((q, word.value.span));
@@ -312,8 +315,8 @@ pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::expr::QRef,
     }
 }
 
-fn feed_reads(feed: &crate::syntax::Feed, found: &mut Vec<(crate::expr::QRef, Span)>) {
-    use crate::syntax::FeedKind;
+fn feed_reads(feed: &crate::program::syntax::Feed, found: &mut Vec<(crate::base::expr::QRef, Span)>) {
+    use crate::program::syntax::FeedKind;
     if let FeedKind::Value(operand) | FeedKind::PerRevolution(operand) | FeedKind::PerTooth(operand) = &feed.kind
         && let Amount::Q { q, .. } = operand.amount
     {

@@ -21,9 +21,9 @@ pub use state::{Aspect, Loaded, Modal, Pending, Tri};
 
 use super::Facts;
 use super::facts::each_function;
-use crate::diag::Span;
-use crate::expr::QRef;
-use crate::syntax::{Block, BlockKind, MFunction, Motion};
+use crate::base::diag::Span;
+use crate::base::expr::QRef;
+use crate::program::syntax::{Block, BlockKind, MFunction, Motion};
 pub(super) use effect::{Deed, probes, removes_material, stops_spindle};
 pub(super) use graph::reads;
 use state::{State, Touched};
@@ -228,7 +228,9 @@ fn kind(facts: &Facts<'_>) -> (bool, bool) {
     for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::BlkForm(_) => blank = true,
-            BlockKind::Statement(statement) => blank |= statement.kind == crate::syntax::StatementKind::BlkForm,
+            BlockKind::Statement(statement) => {
+                blank |= statement.kind == crate::program::syntax::StatementKind::BlkForm
+            }
             BlockKind::ToolCall(_) => tool = true,
             BlockKind::BeginPgm(_) | BlockKind::EndPgm(_) => {}
             _ => end |= stops(block),

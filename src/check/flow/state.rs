@@ -4,7 +4,7 @@
 use std::collections::{BTreeSet, HashMap};
 use std::hash::{BuildHasherDefault, Hasher};
 
-use crate::expr::{QKind, QRef};
+use crate::base::expr::{QKind, QRef};
 
 /// Whether something is so: no, yes, or nobody can tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

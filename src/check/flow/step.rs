@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use super::effect::Effects;
 use super::state::{Aspect, Known, Loaded, Modal, Pending, State, Tri};
+use crate::base::diag::Span;
+use crate::base::expr::{Code, Env, EvalError, Expr, OnlyParameters, QKind, QRef, Value, compile};
 use crate::check::Facts;
 use crate::check::among::Callees;
 use crate::check::facts::each_function;
 use crate::check::unread::{Hides, hides};
-use crate::diag::Span;
-use crate::expr::{Code, Env, EvalError, Expr, OnlyParameters, QKind, QRef, Value, compile};
-use crate::syntax::{
+use crate::program::syntax::{
     Amount, Axis, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, NamedWord, Operand,
     Path, Program, Statement, StatementKind, ValueKind,
 };

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, HashMap};
 use super::graph::{End, Graph, Way, reads};
 use super::state::{Known, State};
 use super::step::{Steps, value};
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 /// How many blocks it goes beyond four times those of the program.
 const PATIENCE: usize = 20_000;

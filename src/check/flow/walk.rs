@@ -9,9 +9,9 @@ use super::graph::{End, Graph, Use, Way, reads, stops};
 use super::state::{Known, Modal, State, Touched};
 use super::step::Steps;
 use super::{CycleCall, Outline, Run, calls_in, trace};
-use crate::diag::Span;
-use crate::expr::QRef;
-use crate::syntax::{BlockKind, Motion, Path};
+use crate::base::diag::Span;
+use crate::base::expr::QRef;
+use crate::program::syntax::{BlockKind, Motion, Path};
 
 /// How often a block may be looked at on average.
 const PATIENCE: usize = 48;

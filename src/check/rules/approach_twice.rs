@@ -1,7 +1,7 @@
 //! An approach to a contour (APPR) while radius compensation is certainly active: the contour before it was not left.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Path};
+use crate::program::syntax::{BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "approach-twice", severity: Severity::Warning, run };
 

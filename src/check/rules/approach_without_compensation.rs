@@ -3,9 +3,9 @@
 //! Without RL or RR the tool centre runs on the contour. Where a program approaches with R0, its departures are left
 //! alone, but for one behind another departure in the text: that one has left the contour. Only said where compensation
 //! is certainly off.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Compensation, IsoKind, Path};
+use crate::program::syntax::{BlockKind, Compensation, IsoKind, Path};
 
 /// The code of DIN/ISO for a tangential approach.
 const APPROACH: u16 = 26;

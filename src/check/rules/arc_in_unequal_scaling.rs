@@ -3,9 +3,9 @@
 //!
 //! Said once a program, and only where every definition that scales has different factors for X and Y and the tool axis
 //! is Z: then the factors of the arc are certain.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Item, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Path};
+use crate::program::syntax::{BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "arc-in-unequal-scaling", severity: Severity::Warning, run };
 

@@ -3,11 +3,11 @@
 //!
 //! The radius of the tool is that of TOOL DEF or of the tool table, where it is named. Only corners and arcs are looked
 //! at whose points are written as numbers.
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::contours::led;
 use crate::check::tools::Tools;
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Arg, Diagnostic, Severity};
-use crate::syntax::{Amount, BlockKind, Compensation, Path};
+use crate::program::syntax::{Amount, BlockKind, Compensation, Path};
 
 pub(super) const RULE: Rule = Rule { code: "arc-too-narrow", severity: Severity::Warning, run };
 

@@ -5,11 +5,11 @@
 //! with the tool axis Z, and behind the starting point of a contour that a cycle reads.
 use std::collections::BTreeSet;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::contours;
 use crate::check::facts::is_silent;
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Axis, Block, BlockKind, Path};
+use crate::program::syntax::{Axis, Block, BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "arc-without-tangent", severity: Severity::Warning, run };
 

@@ -3,9 +3,9 @@
 //!
 //! Of ends it is only said where start, end and centre are written as numbers, one behind the other, in the plane of X
 //! and Y. Controls allow for rounding, each as its machine is set; what is told here is more than any of that.
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Arg, Diagnostic, Severity};
-use crate::syntax::{Amount, Approach, Axis, Block, BlockKind, Motion, Path};
+use crate::program::syntax::{Amount, Approach, Axis, Block, BlockKind, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "arc-wrong", severity: Severity::Error, run };
 

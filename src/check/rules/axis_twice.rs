@@ -1,7 +1,7 @@
 //! An axis that stands twice in a block.
+use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Place, Severity};
-use crate::syntax::{BlockKind, CallForm, axis_twice};
+use crate::program::syntax::{BlockKind, CallForm, axis_twice};
 
 pub(super) const RULE: Rule = Rule { code: "axis-twice", severity: Severity::Error, run };
 

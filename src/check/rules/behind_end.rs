@@ -1,8 +1,8 @@
 //! Blocks behind END PGM, which the control does not execute.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::facts::is_silent;
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "behind-end", severity: Severity::Warning, run };
 

@@ -1,8 +1,8 @@
 //! A blank whose corners do not make a body: the second one is not greater than the first one in an axis, an axis is
 //! missing, or one of the two lines is.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Amount, Axis, BlkForm, Block, BlockKind, Coord, StatementKind};
+use crate::program::syntax::{Amount, Axis, BlkForm, Block, BlockKind, Coord, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "blank-wrong", severity: Severity::Warning, run };
 

@@ -2,8 +2,8 @@
 //!
 //! The control numbers anew what it reads, so this is a note, said once a program: blocks may have been moved, lost or
 //! written twice.
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Arg, Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "block-numbers", severity: Severity::Note, run };
 

@@ -4,11 +4,11 @@
 //! behind the definition of a pattern, which has called the cycle before it by itself already.
 //! Otherwise the call means the last cycle that is called, whatever was defined since. Silent where
 //! blocks are repeated, called or skipped, and behind cycles of which nothing is known.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::facts::is_silent;
 use crate::check::{Defined, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::BlockKind;
 use crate::spec::TakesEffect;
-use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "call-of-def-active-cycle", severity: Severity::Error, run };
 

@@ -3,8 +3,8 @@
 //!
 //! Silent behind calls of other programs, which may define one, and in programs that name neither blank nor tool:
 //! others call them and may have defined the cycle.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Pending, Rule};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "called-but-not-defined", severity: Severity::Error, run };
 

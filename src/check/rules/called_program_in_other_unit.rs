@@ -1,6 +1,6 @@
 //! A program in millimetres that calls one in inches, or the other way round.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Called, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "called-program-in-other-unit", severity: Severity::Warning, run };
 

@@ -2,8 +2,8 @@
 //!
 //! A name without a folder means the folder of the calling program. It is a warning where that folder was checked as a
 //! whole, a note where single files were: the other one may only not be here. Silent where the call names a folder.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Called, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "called-program-missing", severity: Severity::Warning, run };
 

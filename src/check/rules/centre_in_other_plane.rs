@@ -1,9 +1,9 @@
 //! An arc in another plane than its centre: CC names one pair of axes, C leads through another one.
 //!
 //! Only said where CC names two axes and the arc behind it in the text names two others.
+use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Place, Severity};
-use crate::syntax::{Axis, Block, BlockKind, Motion, Path};
+use crate::program::syntax::{Axis, Block, BlockKind, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "centre-in-other-plane", severity: Severity::Warning, run };
 

@@ -1,8 +1,8 @@
 //! A number that is none of the choices which the parameter offers.
 use super::together;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::values::{each_refused, shown};
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 use crate::spec::Refusal;
 
 pub(super) const RULE: Rule = Rule { code: "choice-not-offered", severity: Severity::Error, run: together };

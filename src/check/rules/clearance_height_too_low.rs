@@ -5,10 +5,10 @@
 //! clearance height that is no higher does not come free. What the probe table adds is not known here and left
 //! out. Silent for points that a cycle does not probe, and where one of the two is a parameter.
 use super::together;
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::definition::with_meaning;
 use crate::check::guards::Written;
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Arg, Diagnostic, Severity};
 use crate::spec::{Cycle, Param};
 
 pub(super) const RULE: Rule = Rule { code: "clearance-height-too-low", severity: Severity::Warning, run: together };

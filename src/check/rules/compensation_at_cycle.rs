@@ -1,10 +1,10 @@
 //! A cycle that is called, a touch-probe cycle, or PLANE, while radius compensation is certainly active.
 //!
 //! Cycles compensate for the tool themselves and want R0 where they begin. Said once a program.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::{BlockKind, StatementKind};
 use crate::spec::Keyword;
-use crate::syntax::{BlockKind, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "compensation-at-cycle", severity: Severity::Warning, run };
 

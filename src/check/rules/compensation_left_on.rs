@@ -1,9 +1,9 @@
 //! A tool change, or the end of the program, while radius compensation is certainly active.
 //!
 //! Of programs without a blank and a tool, which others may read as a contour, the end is left alone.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "compensation-left-on", severity: Severity::Warning, run };
 

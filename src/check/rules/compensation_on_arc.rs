@@ -1,9 +1,9 @@
 //! Radius compensation that begins in an arc: controls want a straight line or an approach before the contour.
 //!
 //! Only said where compensation is certainly off before the block.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Compensates, Path};
+use crate::program::syntax::{BlockKind, Compensates, Path};
 
 pub(super) const RULE: Rule = Rule { code: "compensation-on-arc", severity: Severity::Warning, run };
 

@@ -2,9 +2,9 @@
 //!
 //! Only said where the two stand one behind the other in the text, with movements between them and nothing that another
 //! way of the run could come in by.
+use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Place, Severity};
-use crate::syntax::{Block, BlockKind, Compensates, Compensation, Path};
+use crate::program::syntax::{Block, BlockKind, Compensates, Compensation, Path};
 
 pub(super) const RULE: Rule = Rule { code: "compensation-switched", severity: Severity::Warning, run };
 

@@ -2,9 +2,9 @@
 //!
 //! Roughing, pilot drilling and finishing of contours take depth, allowances and heights from the cycle that keeps
 //! them. Said once a program, and only where no way of the run has defined it.
+use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::flow::Deed;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Place, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "contour-data-missing", severity: Severity::Error, run };
 

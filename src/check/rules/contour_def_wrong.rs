@@ -2,9 +2,9 @@
 //! (TNC 640, 001: 5861, 5922, 5929).
 use std::collections::HashSet;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, NamedWord, StatementKind};
+use crate::program::syntax::{BlockKind, NamedWord, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "contour-def-wrong", severity: Severity::Error, run };
 

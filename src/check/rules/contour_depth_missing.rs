@@ -2,9 +2,9 @@
 //!
 //! The manual asks for a depth at all of them then, 0 if need be (TNC 640, 001: 5602). Said once a program, at the
 //! first one that has none.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Statement, StatementKind};
+use crate::program::syntax::{BlockKind, Statement, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "contour-depth-missing", severity: Severity::Warning, run };
 

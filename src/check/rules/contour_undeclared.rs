@@ -4,9 +4,9 @@
 //! goes: there only what is named nowhere is told.
 use std::collections::BTreeSet;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Block, BlockKind, Program, StatementKind};
+use crate::program::syntax::{Block, BlockKind, Program, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "contour-undeclared", severity: Severity::Error, run };
 

@@ -1,9 +1,9 @@
 //! A cycle that machines a contour, in milling or turning, and is called before anything has named a contour.
 //!
 //! CYCL DEF 14, SEL CONTOUR and CONTOUR DEF name one. Said once a program.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::contours::wanted;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "contour-unnamed", severity: Severity::Error, run };
 

@@ -7,13 +7,13 @@
 //! compared where all coordinates are numbers.
 use std::collections::{BTreeSet, HashMap, HashSet};
 
+use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::base::expr::{QKind, QRef};
 use crate::check::contours::{Listed, body, corners, ends, listed, wanted};
 use crate::check::flow::reads;
 use crate::check::{Defined, Facts, Rule, Use, Way};
-use crate::diag::{Diagnostic, Severity, Span};
-use crate::expr::{QKind, QRef};
+use crate::program::syntax::{Axis, Block, BlockKind, Compensates, Motion, Path, StatementKind};
 use crate::spec::{ContourWanted, TakesEffect};
-use crate::syntax::{Axis, Block, BlockKind, Compensates, Motion, Path, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "contour-wrong", severity: Severity::Warning, run };
 

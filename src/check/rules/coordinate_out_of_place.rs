@@ -2,9 +2,9 @@
 //! element, a polar radius or no angle in an arc about the pole, a centre with three axes, a corner with coordinates.
 //!
 //! Centres with three axes are said once a program: some post-processors print all of them.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Path, is_misplaced};
+use crate::program::syntax::{BlockKind, Path, is_misplaced};
 
 pub(super) const RULE: Rule = Rule { code: "coordinate-out-of-place", severity: Severity::Warning, run };
 

@@ -3,10 +3,10 @@
 //!
 //! Lengths are compared where the corners of both lines are written as numbers, one behind the other, in the plane of X
 //! and Y. Silent at free contours and around blocks that may be skipped.
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::contours::led;
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Arg, Diagnostic, Severity};
-use crate::syntax::{Amount, Axis, Block, BlockKind, Element, Motion, Path};
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, Element, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "corner-wrong", severity: Severity::Warning, run };
 

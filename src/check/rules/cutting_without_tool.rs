@@ -2,9 +2,9 @@
 //!
 //! Said once a program, and only in programs that name their blank or their tools; movements in machine coordinates
 //! (M91, M92) and of rotary axes alone are left alone.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Axis, BlockKind, Coord, Path};
+use crate::program::syntax::{Axis, BlockKind, Coord, Path};
 
 pub(super) const RULE: Rule = Rule { code: "cutting-without-tool", severity: Severity::Warning, run };
 

@@ -1,7 +1,7 @@
 //! A line of a definition in the old form that does not follow line 0 of the same cycle.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::CycleForm;
+use crate::program::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "cycle-line-alone", severity: Severity::Error, run };
 

@@ -1,11 +1,11 @@
 //! A line of a definition in the old form on which nothing stands, though the cycle has a field there that must not be
 //! left out; of cycles that no manual names also, as a note, a line with a label only.
 use super::together;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::fields::stands_on;
+use crate::program::fields::stands_on;
+use crate::program::syntax::{CycleForm, OldCycleLine, SHORTEST_LABEL, ValueKind};
 use crate::spec::Known;
-use crate::syntax::{CycleForm, OldCycleLine, SHORTEST_LABEL, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "cycle-line-empty", severity: Severity::Warning, run: together };
 

@@ -1,9 +1,9 @@
 //! A definition of the old form in which a line is left out: behind line 3 comes line 5.
 //!
 //! Of cycles that are described the parameter that is missing is told instead.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::CycleForm;
+use crate::program::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "cycle-line-missing", severity: Severity::Warning, run };
 

@@ -1,7 +1,7 @@
 //! A definition of the old form in which a line has the number of the line before it, or a smaller one.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::CycleForm;
+use crate::program::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "cycle-line-twice", severity: Severity::Warning, run };
 

@@ -2,8 +2,8 @@
 //! the touch-probe manual is known: it may well exist. It is measured by the manual of another control, or by none.
 use super::cycle_not_described::other;
 use super::unknown_cycle::has_other_keyword;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 use crate::spec::Known;
 
 pub(super) const RULE: Rule = Rule { code: "cycle-not-covered", severity: Severity::Note, run };

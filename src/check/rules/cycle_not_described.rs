@@ -1,9 +1,9 @@
 //! A cycle that the control has and its manuals here do not describe, though they name it: it is measured by the manual
 //! of another control, or by none.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Defined, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::CycleForm;
 use crate::spec::Known;
-use crate::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "cycle-not-described", severity: Severity::Note, run };
 

@@ -1,6 +1,6 @@
 //! A cycle that this control lacks and another one has.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 use crate::spec::{CycleKey, Known};
 
 pub(super) const RULE: Rule = Rule { code: "cycle-not-on-control", severity: Severity::Warning, run };

@@ -2,10 +2,10 @@
 //!
 //! SEL TABLE stands before the shift that takes its row from it (TNC 640, 001: 6373). Only said where no movement, call
 //! or label stands between the two, and where the program has selected no table before.
+use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::definition::with_meaning;
 use crate::check::{Defined, Facts, Rule};
-use crate::diag::{Diagnostic, Place, Severity};
-use crate::syntax::{BlockKind, CycleKeyword};
+use crate::program::syntax::{BlockKind, CycleKeyword};
 
 pub(super) const RULE: Rule = Rule { code: "datum-table-late", severity: Severity::Warning, run };
 

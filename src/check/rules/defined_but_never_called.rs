@@ -2,10 +2,10 @@
 //!
 //! A pattern behind it calls it. Silent in programs that call others, which may call it, and with M89, and where a
 //! block behind it cannot be read.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Modal, Pending, Rule};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::BlockKind;
 use crate::spec::TakesEffect;
-use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "defined-but-never-called", severity: Severity::Warning, run };
 

@@ -5,11 +5,11 @@
 //! one (003: 3124, 3303), and its points are the least and the greatest coordinates (003: 3096-3107). Where blocks are
 //! repeated or called, a range is missing only if the program has none at all; silent in programs that call others or
 //! are parts of one.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::definition::with_meaning;
 use crate::check::{Defined, Definition, Facts, Item, Rule};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::{BlockKind, CycleForm, ValueKind};
 use crate::spec::{Cycle, Group};
-use crate::syntax::{BlockKind, CycleForm, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "digitizing-wrong", severity: Severity::Warning, run };
 
@@ -99,7 +99,7 @@ fn extent(rule: &Rule, facts: &Facts<'_>, range: &Definition<'_>, found: &mut Ve
 struct Coordinate {
     axis: Option<String>,
     number: f64,
-    span: crate::diag::Span,
+    span: crate::base::diag::Span,
 }
 
 /// The coordinates of a field that are certain; incremental ones are not.

@@ -2,9 +2,9 @@
 //!
 //! The manuals show DR in every such block. DIN/ISO has `G05` for the direction that was programmed last, so controls
 //! may take an arc without DR like that: a warning.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Motion, Path};
+use crate::program::syntax::{BlockKind, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "direction-unsaid", severity: Severity::Warning, run };
 

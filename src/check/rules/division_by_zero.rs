@@ -1,7 +1,7 @@
 //! FN 4 with a divisor that is certainly zero.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Amount, BlockKind, FnOp};
+use crate::program::syntax::{Amount, BlockKind, FnOp};
 
 pub(super) const RULE: Rule = Rule { code: "division-by-zero", severity: Severity::Error, run };
 

@@ -5,10 +5,10 @@
 use std::cell::LazyCell;
 
 use super::together;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::guards::Written;
 use crate::check::values::{number, shown};
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 use crate::spec::Doubtful;
 
 pub(super) const RULE: Rule = Rule { code: "doubtful-value", severity: Severity::Warning, run: together };

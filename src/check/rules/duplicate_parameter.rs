@@ -2,9 +2,9 @@
 use std::collections::HashMap;
 
 use super::together;
+use crate::base::diag::{Diagnostic, Place, Severity};
+use crate::base::expr::QRef;
 use crate::check::{Definition, Facts, Item, Rule};
-use crate::diag::{Diagnostic, Place, Severity};
-use crate::expr::QRef;
 
 pub(super) const RULE: Rule = Rule { code: "duplicate-parameter", severity: Severity::Error, run: together };
 

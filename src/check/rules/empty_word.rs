@@ -4,9 +4,9 @@
 //! They do nothing. Each is said once a program.
 use memchr::memmem;
 
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
-use crate::syntax::{BlockKind, Element};
+use crate::program::syntax::{BlockKind, Element};
 
 pub(super) const RULE: Rule = Rule { code: "empty-word", severity: Severity::Note, run };
 
@@ -44,7 +44,7 @@ fn alone(facts: &Facts<'_>, word: &[u8; 2]) -> Option<Span> {
     let by_itself = |at: &usize| matches!(text.get(at + word.len()), Some(b' ' | b'\t' | b'\r' | b'\n'));
     for at in memmem::find_iter(text, word).filter(by_itself).take(FEW) {
         let block = blocks.partition_point(|block| block.span.end <= at);
-        let moves = |block: &&crate::syntax::Block| {
+        let moves = |block: &&crate::program::syntax::Block| {
             let before_comment = block.comment().is_none_or(|comment| at < comment.start);
             let fed = |own: &Element| text.get(at + 1) == Some(&b'F') && own.words().feed.is_some();
             let unfed = || matches!(&block.kind, BlockKind::Motion(own) if !fed(own));

@@ -2,9 +2,9 @@
 //!
 //! Said once a program, and only in programs that name their blank or their tools. Behind cycles, other programs and
 //! functions that may bring a feed nothing is said.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Path};
+use crate::program::syntax::{BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "feed-missing", severity: Severity::Error, run };
 

@@ -1,9 +1,9 @@
 //! A movement or tool call with a negative feed.
 use memchr::memmem;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Amount, BlockKind, Feed, FeedKind};
+use crate::program::syntax::{Amount, BlockKind, Feed, FeedKind};
 
 pub(super) const RULE: Rule = Rule { code: "feed-negative", severity: Severity::Error, run };
 

@@ -1,9 +1,9 @@
 //! A movement with the feed F0.
 //!
 //! Tool calls with F0 are left alone: they only unload a tool.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Amount, BlockKind, FeedKind};
+use crate::program::syntax::{Amount, BlockKind, FeedKind};
 
 pub(super) const RULE: Rule = Rule { code: "feed-zero", severity: Severity::Warning, run };
 

@@ -2,10 +2,10 @@
 //!
 //! Only where the line can have no other value, so that its meaning is clear.
 use super::together;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::CycleForm;
 use crate::spec::Shape;
-use crate::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "field-word-missing", severity: Severity::Warning, run: together };
 

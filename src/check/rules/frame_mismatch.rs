@@ -1,7 +1,7 @@
 //! END PGM with another name or unit than BEGIN PGM: a part of another program, or a copy that was half renamed.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Frame};
+use crate::program::syntax::{BlockKind, Frame};
 
 pub(super) const RULE: Rule = Rule { code: "frame-mismatch", severity: Severity::Warning, run };
 

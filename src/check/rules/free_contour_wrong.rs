@@ -5,9 +5,9 @@
 //! A line leaves two things open, a tangential one one, an arc three, a tangential one two. Every word counts as one
 //! thing that is known, so what is told is certain; counted is to the end of the contour from its beginning and from
 //! each element whose end is written.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Axis, Block, BlockKind, Motion, Path, StatementKind};
+use crate::program::syntax::{Axis, Block, BlockKind, Motion, Path, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "free-contour-wrong", severity: Severity::Warning, run };
 
@@ -40,7 +40,8 @@ fn closing<'f>(
         let words = motion.words();
         let (mut distance, mut auxiliary) = (false, false);
         for word in &words.words {
-            let number = |least: f64| matches!(word.value.kind, crate::syntax::ValueKind::Number(own) if own <= least);
+            let number =
+                |least: f64| matches!(word.value.kind, crate::program::syntax::ValueKind::Number(own) if own <= least);
             match name(facts, word).to_ascii_uppercase().as_str() {
                 "CLSD" => {
                     let text = facts.text(word.span).trim_end();
@@ -84,7 +85,8 @@ fn selections<'f>(facts: &Facts<'f>) -> Vec<(&'f Block, &'static str)> {
         let number = own.words.first().map(|word| word.value.kind);
         if !before.is_some_and(free) {
             found.push((block, "selected"));
-        } else if matches!(number, Some(crate::syntax::ValueKind::Number(own)) if own < 1.0 || own.fract() != 0.0) {
+        } else if matches!(number, Some(crate::program::syntax::ValueKind::Number(own)) if own < 1.0 || own.fract() != 0.0)
+        {
             found.push((block, "solution"));
         }
     }
@@ -172,7 +174,7 @@ impl Balance {
     }
 }
 
-fn name<'f>(facts: &'f Facts<'_>, word: &crate::syntax::NamedWord) -> &'f str {
+fn name<'f>(facts: &'f Facts<'_>, word: &crate::program::syntax::NamedWord) -> &'f str {
     facts.text(word.name).trim()
 }
 

@@ -3,9 +3,9 @@
 //!
 //! Which words those are is in the file of the language. Of other words nothing is said:
 //! newer software has more of them.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule, words};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "function-misspelled", severity: Severity::Warning, run };
 

@@ -3,9 +3,9 @@
 //! Profiles of the controls name them. Each is said once a program.
 use std::collections::BTreeSet;
 
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
-use crate::syntax::functions;
+use crate::program::syntax::functions;
 
 pub(super) const RULE: Rule = Rule { code: "function-not-on-control", severity: Severity::Warning, run };
 

@@ -7,11 +7,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use memchr::memmem;
 
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::values::refused_by_all;
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
+use crate::program::syntax::{BlockKind, CycleForm, GlobalDef, ValueKind};
 use crate::spec::CycleKey;
-use crate::syntax::{BlockKind, CycleForm, GlobalDef, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "global-def-wrong", severity: Severity::Warning, run };
 

@@ -7,13 +7,13 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::together;
 use super::unlike_elsewhere::Other;
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::guards::{Ready, Written, read_as};
 use crate::check::tools::Tools;
 use crate::check::values::number;
 use crate::check::{Definition, Facts, Item, Pending, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
+use crate::language::text;
 use crate::spec::{Cycle, CycleKey, Outcome};
-use crate::text;
 
 pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run };
 

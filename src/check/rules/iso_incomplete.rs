@@ -1,9 +1,9 @@
 //! A block of DIN/ISO in which something is missing without which it means nothing: a coordinate without its value,
 //! `G98` without `L`, `G24` or `G25` without `R`, a D function without an operand or its label, a cycle of older software
 //! without any of its words.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, IsoBlock, IsoKind, ValueKind, is_older};
+use crate::program::syntax::{BlockKind, IsoBlock, IsoKind, ValueKind, is_older};
 
 pub(super) const RULE: Rule = Rule { code: "iso-incomplete", severity: Severity::Error, run };
 

@@ -1,7 +1,7 @@
 //! A label that a block before has set already.
+use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Place, Severity};
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "label-duplicate", severity: Severity::Error, run };
 

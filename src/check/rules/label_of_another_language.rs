@@ -1,8 +1,8 @@
 //! A label in another language than most labels of the program.
 use super::together;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::labels::fold;
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "label-of-another-language", severity: Severity::Warning, run: together };
 

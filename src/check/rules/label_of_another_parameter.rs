@@ -2,9 +2,9 @@
 //!
 //! Labels that no language has are left alone; machine builders and older software have their own.
 use super::together;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::labels::fold;
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "label-of-another-parameter", severity: Severity::Warning, run: together };
 

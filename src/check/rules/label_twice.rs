@@ -7,12 +7,12 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use super::together;
+use crate::base::diag::{Diagnostic, Place, Severity};
+use crate::base::expr::QRef;
 use crate::check::labels::fold;
 use crate::check::{CycleLabels, Definition, Facts, Item, Rule, is_label};
-use crate::diag::{Diagnostic, Place, Severity};
-use crate::expr::QRef;
+use crate::program::syntax::CycleForm;
 use crate::spec::Known;
-use crate::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "label-twice", severity: Severity::Warning, run: together };
 

@@ -1,9 +1,9 @@
 //! A call, a repeat, a jump or a list of contours that names a label which no block sets.
 //!
 //! Silent in pieces of programs, and where a block that cannot be read may be the label.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule, Way};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Block, BlockKind, Label};
+use crate::program::syntax::{Block, BlockKind, Label};
 
 pub(super) const RULE: Rule = Rule { code: "label-undefined", severity: Severity::Error, run };
 

@@ -4,9 +4,9 @@
 //! a subprogram was taken over. Single labels in a definition are another finding.
 use std::collections::BTreeSet;
 
+use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::labels::is_spoken;
 use crate::check::{Facts, Rule, Speech, speech};
-use crate::diag::{Diagnostic, Place, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "languages-mixed", severity: Severity::Note, run };
 

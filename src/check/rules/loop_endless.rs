@@ -5,11 +5,13 @@
 //! read, or takes too long to look through.
 use std::ops::RangeInclusive;
 
+use crate::base::diag::{Diagnostic, Severity};
+use crate::base::expr::{QKind, QRef};
 use crate::check::facts::each_function;
 use crate::check::{Facts, Rule, Use, Way};
-use crate::diag::{Diagnostic, Severity};
-use crate::expr::{QKind, QRef};
-use crate::syntax::{Amount, Block, BlockKind, FnAssign, FnJump, FnOp, Operand, Relation, StatementKind, ValueKind};
+use crate::program::syntax::{
+    Amount, Block, BlockKind, FnAssign, FnJump, FnOp, Operand, Relation, StatementKind, ValueKind,
+};
 
 pub(super) const RULE: Rule = Rule { code: "loop-endless", severity: Severity::Warning, run };
 

@@ -1,8 +1,8 @@
 //! A position in machine coordinates (M91, M92) while radius compensation is certainly active.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::facts::each_function;
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Compensates};
+use crate::program::syntax::{BlockKind, Compensates};
 
 pub(super) const RULE: Rule = Rule { code: "machine-coordinates-compensated", severity: Severity::Warning, run };
 

@@ -5,11 +5,11 @@
 //! follow it: a subprogram that stands before its calls may be meant to be executed once on the way.
 use std::collections::BTreeMap;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::contours::ends;
 use crate::check::facts::{each_function, is_silent};
 use crate::check::{Facts, Mark, Rule, Way};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Block, BlockKind};
+use crate::program::syntax::{Block, BlockKind};
 
 pub(super) const RULE: Rule = Rule { code: "main-runs-into-subprogram", severity: Severity::Warning, run };
 

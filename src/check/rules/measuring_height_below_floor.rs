@@ -7,13 +7,13 @@
 //! value is a parameter.
 use std::collections::HashMap;
 
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::definition::with_meaning;
 use crate::check::guards::Written;
 use crate::check::values::bits;
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Arg, Diagnostic, Severity};
+use crate::program::syntax::ValueKind;
 use crate::spec::{Cycle, Group, Known};
-use crate::syntax::ValueKind;
 
 pub(super) const RULE: Rule = Rule { code: "measuring-height-below-floor", severity: Severity::Warning, run };
 

@@ -4,11 +4,11 @@
 //!
 //! Every block with such a feed is told, and once there is one also those whose feed is too great for a movement that
 //! cuts, of which nobody can say whether it does. Feeds that stand for rapid traverse (9998 and more) are left alone.
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::definition::with_meaning;
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
-use crate::diag::{Arg, Diagnostic, Severity, Span};
+use crate::program::syntax::{Amount, Axis, BlkForm, BlockKind, Compensates, CycleDef, Feed, FeedKind, ValueKind};
 use crate::spec::{Cycle, Group, Quantity};
-use crate::syntax::{Amount, Axis, BlkForm, BlockKind, Compensates, CycleDef, Feed, FeedKind, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "metric-values-in-inch", severity: Severity::Warning, run };
 

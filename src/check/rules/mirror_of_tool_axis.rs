@@ -2,9 +2,9 @@
 //!
 //! The tool axis and the axis beside it cannot be mirrored (TNC 640, 001: 6533).
 //! Only said where the tool axis is certain.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::CycleForm;
+use crate::program::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "mirror-of-tool-axis", severity: Severity::Warning, run };
 

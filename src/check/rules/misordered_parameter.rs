@@ -4,10 +4,10 @@
 //! Lines of the old form are counted by their numbers; within a line their fields may stand in any order, as may lines
 //! that are repeated, such as those of a datum shift.
 use super::together;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Definition, Facts, Item, Rule};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::{CycleForm, OldCycleLine};
 use crate::spec::Cycle;
-use crate::syntax::{CycleForm, OldCycleLine};
 
 pub(super) const RULE: Rule = Rule { code: "misordered-parameter", severity: Severity::Warning, run: together };
 

@@ -4,10 +4,10 @@
 //!
 //! Silent where a line of the definition cannot be read: it may be the one that is missed.
 use super::together;
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
+use crate::program::syntax::CycleForm;
 use crate::spec::Param;
-use crate::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "missing-parameter", severity: Severity::Error, run: together };
 

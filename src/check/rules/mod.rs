@@ -141,7 +141,7 @@ mod word_wrong;
 mod wrong_value_kind;
 
 use super::{Definition, Facts, Rule};
-use crate::diag::Diagnostic;
+use crate::base::diag::Diagnostic;
 
 /// All rules, in the order of their codes. The findings of `guard` have the codes of the
 /// specifications' guards.

@@ -4,13 +4,13 @@
 //! M99 in the block of the last position, or the definition of another cycle, ends M89 (TNC 640, 001: 1253-1258). Only
 //! said where nothing but movements stands between M89 and the movement, so that the order of the text is that of the
 //! run, and once for each M89.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::blank::{AXES, Blank, is_unmoved};
 use crate::check::contours::moved;
 use crate::check::facts::each_function;
 use crate::check::flow::removes_material;
 use crate::check::{Aspect, Defined, Facts, Modal, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Axis, BlockKind, Path};
+use crate::program::syntax::{Axis, BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "modal-call-left-on", severity: Severity::Warning, run };
 

@@ -3,11 +3,11 @@
 //!
 //! FUNCTION MODE TURN and FUNCTION MODE MILL choose. Said once for each way; a machine may have other ways to choose,
 //! and what is not certain is left alone.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::flow::removes_material;
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::{BlockKind, StatementKind};
 use crate::spec::Group;
-use crate::syntax::{BlockKind, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "mode-wrong", severity: Severity::Warning, run };
 

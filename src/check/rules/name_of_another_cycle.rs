@@ -5,9 +5,9 @@
 //! manuals have; there a name that is a part of an own one, or has an own one in it, is left alone, too.
 use std::collections::HashMap;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::labels::fold;
 use crate::check::{Defined, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 use crate::spec::{CycleKey, Known};
 
 pub(super) const RULE: Rule = Rule { code: "name-of-another-cycle", severity: Severity::Warning, run };

@@ -2,8 +2,8 @@
 //! what is not positive, or a number that is too large.
 //!
 //! FN 4 with a divisor of zero is `division-by-zero`.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "no-result", severity: Severity::Error, run };
 

@@ -1,9 +1,9 @@
 //! FN 27 or FN 28 before FN 26 has opened a table.
 //!
 //! Left alone in parts of programs and behind calls of other ones.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, StatementKind};
+use crate::program::syntax::{BlockKind, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "no-table-open", severity: Severity::Warning, run };
 

@@ -1,8 +1,8 @@
 //! A file that is no program: no BEGIN PGM, no END PGM, and most of its blocks cannot be read.
 //!
 //! Header files of other languages end with `.h`, too. What cannot be read in such a file is not told one by one.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "not-a-program", severity: Severity::Warning, run };
 

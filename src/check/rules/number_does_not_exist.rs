@@ -2,12 +2,12 @@
 //! above the greatest one of the control: there are none.
 use std::borrow::Cow;
 
+use crate::base::diag::{Diagnostic, Severity};
+use crate::base::expr::QKind;
 use crate::check::facts::each_function;
 use crate::check::flow::reads;
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::expr::QKind;
-use crate::syntax::{BlockKind, Label, StatementKind};
+use crate::program::syntax::{BlockKind, Label, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "number-does-not-exist", severity: Severity::Error, run };
 

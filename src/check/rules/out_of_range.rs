@@ -3,9 +3,9 @@
 //! Silent where the manual prints no range. Ranges of lengths and feeds are in mm; in a program in inches the limit is
 //! told in inches.
 use super::together;
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::values::{each_refused, shown};
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Arg, Diagnostic, Severity};
 use crate::spec::{ParameterKind, Refusal};
 
 pub(super) const RULE: Rule = Rule { code: "out-of-range", severity: Severity::Error, run: together };

@@ -6,10 +6,10 @@
 use std::cell::LazyCell;
 
 use super::together;
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::guards::Written;
 use crate::check::values::{number, shown};
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Arg, Diagnostic, Severity};
 use crate::spec::MM_PER_INCH;
 
 pub(super) const RULE: Rule = Rule { code: "out-of-range-elsewhere", severity: Severity::Warning, run: together };

@@ -7,12 +7,12 @@
 //! reads one that none of its cycles has.
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::base::expr::{QKind, QRef};
 use crate::check::flow::reads;
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
-use crate::expr::{QKind, QRef};
+use crate::program::syntax::{Block, BlockKind, CycleForm, ValueKind};
 use crate::spec::{Keyword, Known};
-use crate::syntax::{Block, BlockKind, CycleForm, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "parameter-unassigned", severity: Severity::Warning, run };
 

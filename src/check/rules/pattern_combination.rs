@@ -1,10 +1,10 @@
 //! A pattern that would call a cycle which its manual does not let it call, or calls with a value that it excludes.
 //!
 //! Only said where it is certain which cycle was defined last.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Pending, Rule};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::{CycleForm, ValueKind};
 use crate::spec::Combined;
-use crate::syntax::{CycleForm, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "pattern-combination", severity: Severity::Warning, run };
 

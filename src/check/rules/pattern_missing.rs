@@ -1,7 +1,7 @@
 //! CYCL CALL PAT before anything has defined or selected a pattern.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, CallForm};
+use crate::program::syntax::{BlockKind, CallForm};
 
 pub(super) const RULE: Rule = Rule { code: "pattern-missing", severity: Severity::Error, run };
 

@@ -5,10 +5,10 @@
 //! 1428 and 1534-1549. Only said of numbers, and of parameters that certainly have one.
 use std::collections::HashSet;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::values::bits;
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Block, BlockKind, CallForm, FeedKind, NamedWord, PatternItem, ValueKind};
+use crate::program::syntax::{Block, BlockKind, CallForm, FeedKind, NamedWord, PatternItem, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "pattern-wrong", severity: Severity::Warning, run };
 

@@ -1,9 +1,9 @@
 //! A PLANE that lacks an angle, component or coordinate of its form, or a word that says how the axes turn.
 //!
 //! The words of each form are in the file of the language.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule, words};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, StatementKind};
+use crate::program::syntax::{BlockKind, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "plane-incomplete", severity: Severity::Warning, run };
 

@@ -2,10 +2,10 @@
 //!
 //! PLANE with STAY only calculates the positions of the rotary axes; a block of its own is to take them there. Only said
 //! of whole programs that call no others, where material is removed later, and once a program.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::flow::removes_material;
 use crate::check::{Defined, Facts, Pending, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Axis, Block, BlockKind, Motion, NamedWord, Path, StatementKind, ValueKind};
+use crate::program::syntax::{Axis, Block, BlockKind, Motion, NamedWord, Path, StatementKind, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "plane-not-positioned", severity: Severity::Warning, run };
 

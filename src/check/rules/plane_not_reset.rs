@@ -1,8 +1,8 @@
 //! A working plane that is certainly still tilted where the program ends.
 //!
 //! It stays tilted for whatever is run next.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "plane-not-reset", severity: Severity::Warning, run };
 

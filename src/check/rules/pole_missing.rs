@@ -4,9 +4,9 @@
 //! looked at by itself: where the program has a CC elsewhere it is a warning, as the cycle may find that one active.
 use std::collections::BTreeSet;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Mark, Rule, Tri, Way};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Approach, Block, BlockKind, Path};
+use crate::program::syntax::{Approach, Block, BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "pole-missing", severity: Severity::Error, run };
 

@@ -4,10 +4,10 @@
 //! position stands behind the call in the text and nothing leads away between them, with the tool axis Z.
 use std::ops::Range;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::contours::wanted;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Axis, Block, BlockKind, Motion, Path};
+use crate::program::syntax::{Axis, Block, BlockKind, Motion, Path};
 
 pub(super) const RULE: Rule = Rule { code: "position-after-contour", severity: Severity::Warning, run };
 

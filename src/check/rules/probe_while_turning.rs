@@ -2,8 +2,8 @@
 //!
 //! Cycles that measure a tool turn it themselves. Silent at cycles that no manual of the control describes, and behind
 //! a tool call: whether it stops the spindle is the machine builder's affair. Said once a program.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
 use crate::spec::{Group, Keyword};
 
 pub(super) const RULE: Rule = Rule { code: "probe-while-turning", severity: Severity::Warning, run };

@@ -1,6 +1,6 @@
 //! A program that ends with END PGM and does not begin with BEGIN PGM.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "program-begin-missing", severity: Severity::Error, run };
 

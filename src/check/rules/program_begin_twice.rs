@@ -1,7 +1,7 @@
 //! A second BEGIN PGM before END PGM.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "program-begin-twice", severity: Severity::Error, run };
 

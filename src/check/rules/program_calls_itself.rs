@@ -1,10 +1,10 @@
 //! A program that calls a program of its own name, with CALL PGM, a selected program or a program that is made a cycle.
 //!
 //! Only said where the call names no folder.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::among::name;
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "program-calls-itself", severity: Severity::Error, run };
 

@@ -1,8 +1,8 @@
 //! A file without any block: nothing but empty lines or zero bytes, as an export or a transfer that was cut off leaves
 //! it. Comments are blocks: what somebody has written is left alone.
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "program-empty", severity: Severity::Warning, run };
 

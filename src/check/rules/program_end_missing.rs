@@ -1,7 +1,7 @@
 //! A program that begins with BEGIN PGM and has no END PGM: its end is missing, or more than its end.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::Dialect;
+use crate::program::syntax::Dialect;
 
 pub(super) const RULE: Rule = Rule { code: "program-end-missing", severity: Severity::Error, run };
 

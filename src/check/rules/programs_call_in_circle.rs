@@ -2,8 +2,8 @@
 //!
 //! Where conditional jumps or blocks that may be skipped are in the calling program, it may end all the same, and this
 //! is a warning. A program that calls itself directly is told by itself.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Called, Facts, Rule, Way};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "programs-call-in-circle", severity: Severity::Error, run };
 

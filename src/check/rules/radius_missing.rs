@@ -1,7 +1,7 @@
 //! An arc CR or a rounding RND without its radius.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Path};
+use crate::program::syntax::{BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "radius-missing", severity: Severity::Error, run };
 

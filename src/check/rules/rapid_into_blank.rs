@@ -3,11 +3,11 @@
 //! Looked at from the beginning of a program with a box as its blank up to the first block that is no plain movement,
 //! tool call or M function: what has cut or moved the coordinates then is not known. The place in the plane must be
 //! known and lie inside of the blank with its edges left out. Said once a program.
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{AXES, Blank};
 use crate::check::contours::moved;
 use crate::check::{Facts, Rule};
-use crate::diag::{Arg, Diagnostic, Severity};
-use crate::syntax::{Axis, Block, BlockKind, Path};
+use crate::program::syntax::{Axis, Block, BlockKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "rapid-into-blank", severity: Severity::Warning, run };
 

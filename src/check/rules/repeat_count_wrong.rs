@@ -1,7 +1,7 @@
 //! A repeat whose number of times is negative or no whole number.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Amount, BlockKind};
+use crate::program::syntax::{Amount, BlockKind};
 
 pub(super) const RULE: Rule = Rule { code: "repeat-count-wrong", severity: Severity::Error, run };
 

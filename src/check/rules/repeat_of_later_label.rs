@@ -1,8 +1,8 @@
 //! A repeat of a part whose label stands behind it.
 //!
 //! The part that is repeated lies between the label and the repeat, so the label stands before.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule, Way};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "repeat-of-later-label", severity: Severity::Warning, run };
 

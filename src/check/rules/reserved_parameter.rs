@@ -3,10 +3,10 @@
 //! Said once for each parameter.
 use std::collections::BTreeSet;
 
+use crate::base::diag::{Diagnostic, Severity};
+use crate::base::expr::QKind;
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::expr::QKind;
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "reserved-parameter", severity: Severity::Warning, run };
 

@@ -3,8 +3,8 @@
 //!
 //! With a tilted plane, transformations are reset in the reverse order of their definition (TNC 640, 001: 6836-6850).
 //! Only said of programs without jumps, where it is certain at each step what is active, and once a program.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Modal, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "reset-order-wrong", severity: Severity::Warning, run };
 

@@ -2,11 +2,11 @@
 //!
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`); of several datum tables it is the one that SEL
 //! TABLE selects before. Rows that parameters choose are only looked at where their value is certain.
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::values::number;
 use crate::check::{Defined, Facts, Rows, Rule};
-use crate::diag::{Arg, Diagnostic, Severity};
+use crate::program::syntax::BlockKind;
 use crate::spec::Param;
-use crate::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "row-not-in-table", severity: Severity::Warning, run };
 

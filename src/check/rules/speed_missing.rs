@@ -2,9 +2,9 @@
 //!
 //! Said once a program. Before the first tool call only in programs that name their blank and call a tool later: others
 //! may go on with a spindle that turns already.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Modal, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Block, BlockKind};
+use crate::program::syntax::{Block, BlockKind};
 
 pub(super) const RULE: Rule = Rule { code: "speed-missing", severity: Severity::Warning, run };
 

@@ -2,10 +2,10 @@
 //!
 //! The manuals print greatest speeds and feeds for the parameters of cycles; the widest of them is the limit here.
 //! Silent where no manual of the control, nor of another one, prints any.
+use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Arg, Diagnostic, Severity};
+use crate::program::syntax::{BlockKind, FeedKind};
 use crate::spec::MM_PER_INCH;
-use crate::syntax::{BlockKind, FeedKind};
 
 pub(super) const RULE: Rule = Rule { code: "speed-out-of-range", severity: Severity::Warning, run };
 

@@ -1,10 +1,10 @@
 //! A cycle that works with a spindle that turns clockwise only, called while it certainly turns the other way.
 //!
 //! Said once a program, of the M function that turns it the wrong way where it stands right before in the text.
+use crate::base::diag::{Diagnostic, Place, Severity, Span};
 use crate::check::facts::each_function;
 use crate::check::{Aspect, CycleCall, Facts, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Place, Severity, Span};
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "spindle-direction", severity: Severity::Warning, run };
 

@@ -3,11 +3,11 @@
 //! Said once a program. The spindle stands at the beginning, behind M0, M2, M5, M6 and M30, and behind a cycle that
 //! stops it (TNC 640, 001: 2581 and 2656); behind a tool call and M functions of the machine builder nobody knows.
 //! FUNCTION MODE TURN goes on with another spindle, which stands until it is turned on (TNC 640, 001: 7314-7321).
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::flow::{removes_material, stops_spindle};
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Severity, Span};
+use crate::program::syntax::{BlockKind, Compensates};
 use crate::spec::Group;
-use crate::syntax::{BlockKind, Compensates};
 
 pub(super) const RULE: Rule = Rule { code: "spindle-off", severity: Severity::Warning, run };
 

@@ -5,10 +5,10 @@
 //! an ended one is told where nothing but the order of the text leads there.
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::base::diag::{Diagnostic, Severity};
+use crate::base::expr::QRef;
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::expr::QRef;
-use crate::syntax::{Block, BlockKind, NamedWord, Statement, StatementKind, ValueKind};
+use crate::program::syntax::{Block, BlockKind, NamedWord, Statement, StatementKind, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "sql-handle-missing", severity: Severity::Warning, run };
 

@@ -1,7 +1,7 @@
 //! LBL 0 without a label that it ends: none stands before it, or another LBL 0 has ended it already.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Label};
+use crate::program::syntax::{BlockKind, Label};
 
 pub(super) const RULE: Rule = Rule { code: "subprogram-end-alone", severity: Severity::Warning, run };
 

@@ -4,8 +4,8 @@
 //! warning. A call of a label that is set twice is looked at by itself: it stands between that label and its LBL 0.
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Mark, Rule, Way};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "subprogram-recursive", severity: Severity::Error, run };
 

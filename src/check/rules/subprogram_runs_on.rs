@@ -4,15 +4,15 @@
 //! always follow each other stands between the labels.
 use std::collections::BTreeMap;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Mark, Rule, Way};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{BlockKind, Label};
+use crate::program::syntax::{BlockKind, Label};
 
 pub(super) const RULE: Rule = Rule { code: "subprogram-runs-on", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let only_called = only_called(facts);
-    let mut before: Option<(String, crate::diag::Span)> = None;
+    let mut before: Option<(String, crate::base::diag::Span)> = None;
     for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::Lbl(label) => {

@@ -4,9 +4,9 @@
 //! Silent where it ends with M2 or M30, which may be meant.
 use std::collections::BTreeSet;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule, Way};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Block, BlockKind};
+use crate::program::syntax::{Block, BlockKind};
 
 pub(super) const RULE: Rule = Rule { code: "subprogram-without-end", severity: Severity::Warning, run };
 

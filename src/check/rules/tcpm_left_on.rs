@@ -1,9 +1,9 @@
 //! M128 or FUNCTION TCPM that is certainly still active where a tool is called or the program ends.
 //!
 //! Each is said once a program.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "tcpm-left-on", severity: Severity::Warning, run };
 

@@ -1,11 +1,11 @@
 //! A formula that gives a text to a parameter for numbers or the other way round, or that calculates with texts.
 //!
 //! Texts are joined by `||`; TONUMB and TOCHAR turn one into the other.
+use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::base::expr::{OnlyParameters, QKind, Type, TypeError, compile};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
-use crate::expr::{OnlyParameters, QKind, Type, TypeError, compile};
+use crate::program::syntax::{BlockKind, TextFormula};
 use crate::spec::Gives;
-use crate::syntax::{BlockKind, TextFormula};
 
 pub(super) const RULE: Rule = Rule { code: "text-for-number", severity: Severity::Error, run };
 

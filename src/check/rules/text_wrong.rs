@@ -3,10 +3,10 @@
 //! `%` and `\\` stand doubled, or before the letter of a sign that is not printed or of a variable. Letters of all
 //! languages are left alone.
 use super::together;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::ValueKind;
 use crate::spec::ParameterKind;
-use crate::syntax::ValueKind;
 
 pub(super) const RULE: Rule = Rule { code: "text-wrong", severity: Severity::Warning, run: together };
 

@@ -4,9 +4,9 @@
 //! have no tool axis: nothing is said of programs with `FUNCTION MODE TURN`.
 use std::cell::LazyCell;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Amount, BlockKind, ToolRef};
+use crate::program::syntax::{Amount, BlockKind, ToolRef};
 
 pub(super) const RULE: Rule = Rule { code: "tool-axis-missing", severity: Severity::Warning, run };
 

@@ -3,9 +3,9 @@
 //!
 //! A pattern is told where the axis is certain. An angular head may well have another axis than the blank names, so
 //! only a program in which no tool has the axis of the blank is told.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Axis, Block, BlockKind};
+use crate::program::syntax::{Axis, Block, BlockKind};
 
 pub(super) const RULE: Rule = Rule { code: "tool-axis-other", severity: Severity::Warning, run };
 

@@ -4,10 +4,10 @@
 //! text is that of the run.
 use std::collections::{HashMap, HashSet};
 
+use crate::base::diag::{Diagnostic, Place, Severity, Span};
 use crate::check::values::bits;
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Place, Severity, Span};
-use crate::syntax::{Amount, BlockKind, ToolDef, ToolRef};
+use crate::program::syntax::{Amount, BlockKind, ToolDef, ToolRef};
 
 pub(super) const RULE: Rule = Rule { code: "tool-definition-wrong", severity: Severity::Warning, run };
 

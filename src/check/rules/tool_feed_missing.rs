@@ -3,9 +3,9 @@
 //! Only said where no way of the run has given a feed in a tool call.
 use memchr::memmem;
 
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity, Span};
-use crate::syntax::{BlockKind, FeedKind, Path};
+use crate::program::syntax::{BlockKind, FeedKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "tool-feed-missing", severity: Severity::Warning, run };
 

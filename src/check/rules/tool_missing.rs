@@ -2,8 +2,8 @@
 //!
 //! Said once a program. Silent behind calls of other programs and blocks that are not analysed (turning has no tool
 //! axis), and in programs that name neither blank nor tool: others call them.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
 use crate::spec::{Keyword, Known};
 
 pub(super) const RULE: Rule = Rule { code: "tool-missing", severity: Severity::Error, run };

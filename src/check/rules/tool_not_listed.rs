@@ -4,9 +4,9 @@
 //! that TOOL DEF defines are left alone; each tool is told once.
 use std::collections::HashSet;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule, ToolName};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Amount, BlockKind, ToolRef};
+use crate::program::syntax::{Amount, BlockKind, ToolRef};
 
 pub(super) const RULE: Rule = Rule { code: "tool-not-listed", severity: Severity::Warning, run };
 

@@ -3,9 +3,9 @@
 //!
 //! A tool call must stand between them. Silent behind STOP, M0, M6 and M functions of the machine builder, where
 //! another tool may be put in by hand. Each is said once a program.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::flow::{probes, removes_material};
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "tool-unfit", severity: Severity::Warning, run };
 

@@ -1,10 +1,10 @@
 //! A tool that is called and changed for another one in the next block.
 //!
 //! Tool 0, which empties the spindle, and tools that a parameter names are left alone.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::facts::is_silent;
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Amount, Block, BlockKind, ToolRef};
+use crate::program::syntax::{Amount, Block, BlockKind, ToolRef};
 
 pub(super) const RULE: Rule = Rule { code: "tool-unused", severity: Severity::Warning, run };
 

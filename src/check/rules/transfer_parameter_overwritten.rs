@@ -8,12 +8,12 @@
 //! 1065), and one that the definition writes over is lost for the program that reads it later.
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
+use crate::base::diag::{Diagnostic, Place, Severity, Span};
+use crate::base::expr::{QKind, QRef};
 use crate::check::flow::reads;
 use crate::check::{Aspect, Defined, Definition, Facts, Item, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Place, Severity, Span};
-use crate::expr::{QKind, QRef};
+use crate::program::syntax::{Amount, BlockKind, ValueKind};
 use crate::spec::{Group, ParameterKind};
-use crate::syntax::{Amount, BlockKind, ValueKind};
 
 pub(super) const RULE: Rule = Rule { code: "transfer-parameter-overwritten", severity: Severity::Warning, run };
 

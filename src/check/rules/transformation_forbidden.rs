@@ -1,7 +1,7 @@
 //! A cycle that a manual forbids while a transformation is active, defined while it certainly is.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::guards::aspect_of;
 use crate::check::{Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "transformation-forbidden", severity: Severity::Warning, run };
 

@@ -2,9 +2,9 @@
 //!
 //! A machine parameter decides whether the end of a program resets it, so this is no error. A program that ends with
 //! END PGM only may set it for those that call it.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::BlockKind;
+use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "transformation-left-on", severity: Severity::Warning, run };
 

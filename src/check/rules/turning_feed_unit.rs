@@ -6,10 +6,10 @@
 //! of programs in mm.
 use std::collections::BTreeSet;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Pending, Rule};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::ValueKind;
 use crate::spec::Group;
-use crate::syntax::ValueKind;
 
 pub(super) const RULE: Rule = Rule { code: "turning-feed-unit", severity: Severity::Warning, run };
 

@@ -5,9 +5,9 @@
 //! call.
 use std::collections::BTreeSet;
 
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::flow::Deed;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, Tri};
-use crate::diag::{Diagnostic, Severity};
 use crate::spec::Group;
 
 pub(super) const RULE: Rule = Rule { code: "turning-system-missing", severity: Severity::Warning, run };

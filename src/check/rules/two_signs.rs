@@ -3,8 +3,8 @@
 //! They are read as their product. Only a plus and a minus are mended: whoever writes `--` may mean either.
 use memchr::memmem;
 
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
 
 pub(super) const RULE: Rule = Rule { code: "two-signs", severity: Severity::Warning, run };
 

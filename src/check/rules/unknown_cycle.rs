@@ -1,10 +1,10 @@
 //! A cycle that no manual of the specifications names and that is not the machine builder's. A warning: controls have
 //! cycles of other software versions, of which the manuals here do not speak.
 use super::cycle_not_on_control::elsewhere;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Defined, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
+use crate::program::syntax::CycleForm;
 use crate::spec::{CycleKey, Keyword, Known};
-use crate::syntax::CycleForm;
 
 pub(super) const RULE: Rule = Rule { code: "unknown-cycle", severity: Severity::Warning, run };
 

@@ -4,8 +4,8 @@
 //! missing may stand in a line that cannot be read, it is a warning: later software versions have parameters of which
 //! the manuals here do not speak.
 use super::together;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Definition, Facts, Rule};
-use crate::diag::{Diagnostic, Severity};
 
 pub(super) const RULE: Rule = Rule { code: "unknown-parameter", severity: Severity::Error, run: together };
 
@@ -27,7 +27,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     }
     for item in strange {
         let complete = definition.missing.is_empty() || definition.torn;
-        let addition = complete && crate::expr::QRef::parse(&item.name).is_some();
+        let addition = complete && crate::base::expr::QRef::parse(&item.name).is_some();
         let severity = if addition { Severity::Warning } else { rule.severity };
         let finding = rule.at(facts, item.span).arg("parameter", item.name.as_ref());
         found.push(Diagnostic { severity, ..finding }.arg("cycle", definition.key.to_string()));

@@ -8,15 +8,15 @@
 use std::collections::{HashMap, HashSet};
 
 use super::missing_parameter::gap;
+use crate::base::diag::{Diagnostic, Severity, Span};
+use crate::base::expr::{QKind, QRef};
 use crate::check::guards::{self, Ready, Written};
 use crate::check::labels::fold;
 use crate::check::values::{refused, refused_by_all, shown};
 use crate::check::{Defined, Definition, Facts, Item, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
-use crate::expr::{QKind, QRef};
+use crate::language::text;
+use crate::program::syntax::{CycleForm, ValueKind};
 use crate::spec::{Cycle, CycleKey, Known, OnControl, Outcome};
-use crate::syntax::{CycleForm, ValueKind};
-use crate::text;
 
 pub(super) const RULE: Rule = Rule { code: "unlike-elsewhere", severity: Severity::Warning, run };
 

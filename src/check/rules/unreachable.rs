@@ -3,9 +3,9 @@
 //! A subprogram that nothing calls may wait for its call, so that is a note. Silent where a subprogram does not
 //! return, which is told by itself, and in pieces of programs. Where one calls itself, only what stands between the
 //! subprograms behind the end of the main part is told.
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule, Way};
-use crate::diag::{Diagnostic, Severity};
-use crate::syntax::{Block, BlockKind, Label};
+use crate::program::syntax::{Block, BlockKind, Label};
 
 pub(super) const RULE: Rule = Rule { code: "unreachable", severity: Severity::Warning, run };
 

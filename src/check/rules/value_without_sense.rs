@@ -1,8 +1,8 @@
 //! A parameter that certainly has a value which the word cannot take: a feed that is not positive,
 //! an arc or corner without a radius.
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::{Facts, Rule};
-use crate::diag::{Arg, Diagnostic, Severity, Span};
-use crate::syntax::{Block, BlockKind, Feed, FeedKind, Path};
+use crate::program::syntax::{Block, BlockKind, Feed, FeedKind, Path};
 
 pub(super) const RULE: Rule = Rule { code: "value-without-sense", severity: Severity::Warning, run };
 

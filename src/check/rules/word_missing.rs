@@ -5,10 +5,10 @@
 //! A block of DIN/ISO that has no equivalent because something is missing in it is told with `iso-incomplete`.
 use std::collections::BTreeSet;
 
+use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::words::{self, Words};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Severity, Span};
-use crate::syntax::{
+use crate::program::syntax::{
     Approach, Axis, Block, BlockKind, CallForm, Element, NamedWord, Path, PatternDef, Statement, StatementKind,
     ValueKind,
 };

@@ -4,10 +4,10 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
+use crate::base::diag::{Diagnostic, Place, Severity, Span};
 use crate::check::{Facts, Rule};
-use crate::diag::{Diagnostic, Place, Severity, Span};
+use crate::program::syntax::{BlockKind, CycleForm, NamedWord, StatementKind};
 use crate::spec::Keyword;
-use crate::syntax::{BlockKind, CycleForm, NamedWord, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "word-twice", severity: Severity::Warning, run };
 

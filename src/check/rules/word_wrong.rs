@@ -6,12 +6,12 @@ use std::collections::BTreeMap;
 
 use memchr::memmem;
 
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::base::expr::{QKind, QRef};
 use crate::check::words::{self, Words};
 use crate::check::{Facts, Rule};
-use crate::diag::{Arg, Diagnostic, Severity, Span};
-use crate::expr::{QKind, QRef};
+use crate::program::syntax::{Amount, BlockKind, CallForm, FeedKind, FnOp, Operand, Path, ToolRef, misfitting};
 use crate::spec::WordLimit;
-use crate::syntax::{Amount, BlockKind, CallForm, FeedKind, FnOp, Operand, Path, ToolRef, misfitting};
 
 pub(super) const RULE: Rule = Rule { code: "word-wrong", severity: Severity::Warning, run };
 
@@ -103,7 +103,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let motion = motion.words();
         for word in &motion.words {
             let name = facts.text(word.name).trim();
-            let crate::syntax::ValueKind::Number(number) = word.value.kind else { continue };
+            let crate::program::syntax::ValueKind::Number(number) = word.value.kind else { continue };
             let (least, greatest) = match name {
                 "LEN" => (f64::MIN_POSITIVE, f64::MAX),
                 "CCA" => (f64::MIN_POSITIVE, 360.0),

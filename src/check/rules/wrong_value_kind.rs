@@ -1,9 +1,9 @@
 //! A value of a kind that the parameter does not take: a text instead of a number, a word that it
 //! does not offer, a fraction where a whole number is needed, nothing at all.
 use super::together;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::values::{each_refused, kind, shown};
 use crate::check::{Definition, Facts, Item, Rule};
-use crate::diag::{Diagnostic, Severity};
 use crate::spec::Refusal;
 
 pub(super) const RULE: Rule = Rule { code: "wrong-value-kind", severity: Severity::Error, run: together };

@@ -9,7 +9,7 @@ pub use rotary::{Carried, RotaryMachineAxis};
 
 use super::geometry::Axis;
 use super::read::Reader;
-use crate::diag::{Diagnostic, Source};
+use crate::base::diag::{Diagnostic, Source};
 use crate::spec::{Node, read_yaml};
 use glam::DVec3;
 use std::sync::Arc;

@@ -4,9 +4,9 @@
 use std::sync::Arc;
 
 use super::{Slot, Strategy};
-use crate::diag::Place;
+use crate::base::diag::Place;
+use crate::base::expr::{Code, QRef};
 use crate::engine::table::TableKind;
-use crate::expr::{Code, QRef};
 use crate::spec::{Moment, Outcome};
 
 /// A compiled expression with the slots that must have a value before it can be evaluated.

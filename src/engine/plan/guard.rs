@@ -7,8 +7,8 @@ use std::sync::Arc;
 use super::names::{Binding, Scope};
 use super::types::type_of_word;
 use super::{Block, Compiler, Guard, Inlined, Let, StandsFor};
-use crate::diag::{Diagnostic, Place};
-use crate::expr::Type;
+use crate::base::diag::{Diagnostic, Place};
+use crate::base::expr::Type;
 use crate::spec::{self, Entries, Formula, Fragment, Moment, Name, Outcome, Param, ParameterKind, Shape};
 
 /// How many fragments a cycle may use, those inside others counted each time: ten uses of ten uses of ten … would

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::act::{Block, Case, Collect, Item, Series, SeriesKind, Step};
 use super::names::{Binding, Scope};
 use super::{Calc, Compiler, Do, SentenceKind};
-use crate::diag::{Diagnostic, Place};
-use crate::expr::Type;
+use crate::base::diag::{Diagnostic, Place};
+use crate::base::expr::Type;
 use crate::spec::{self, Action, Entries, Formula, Name};
 
 impl SeriesKind {

@@ -15,8 +15,8 @@ mod verb;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::diag::Diagnostic;
-use crate::expr::QRef;
+use crate::base::diag::Diagnostic;
+use crate::base::expr::QRef;
 use crate::spec::{Catalogue, Cycle, OnControl};
 
 pub use act::{
@@ -139,7 +139,7 @@ pub fn check(catalogue: &Catalogue) -> Vec<Diagnostic> {
         }
     }
     measure::formulas(catalogue, &mut found);
-    crate::diag::dedupe(&mut found);
+    crate::base::diag::dedupe(&mut found);
     found
 }
 

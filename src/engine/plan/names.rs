@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::Slot;
-use crate::diag::{Diagnostic, Place};
-use crate::expr::{QRef, Resolve, Type};
+use crate::base::diag::{Diagnostic, Place};
+use crate::base::expr::{QRef, Resolve, Type};
 use crate::spec::{Cycle, Name, OnControl};
 
 /// A name that the engine gives a value to.

@@ -2,7 +2,7 @@
 //!
 //! A strategy is written once for all cycles and does one thing with values that are given to it; one that
 //! is not listed here is pending. Invariant: signatures only, no execution.
-use crate::expr::Type;
+use crate::base::expr::Type;
 use crate::spec::Quantity;
 
 /// A strategy.

@@ -5,8 +5,8 @@ use std::cell::RefCell;
 
 use super::names::{Resolver, Scope};
 use super::{Calc, Compiler};
-use crate::diag::{Diagnostic, Place};
-use crate::expr::{Dialect, Type, TypeError, compile, parse};
+use crate::base::diag::{Diagnostic, Place};
+use crate::base::expr::{Dialect, Type, TypeError, compile, parse};
 use crate::spec::{Argument, Formula, Name};
 
 /// The word for a type in messages.
@@ -76,7 +76,8 @@ impl Compiler<'_> {
         match parse(&name.text, Dialect::Spec) {
             Ok(expr) => Some(shell(expr)),
             Err(error) => {
-                let at = shell(crate::expr::Expr { node: crate::expr::Node::Number(0.0), span: error.span });
+                let at =
+                    shell(crate::base::expr::Expr { node: crate::base::expr::Node::Number(0.0), span: error.span });
                 let diagnostic = Diagnostic::error("spec-expression", at.at(error.span));
                 self.found.push(diagnostic.arg("expected", error.expected).arg("found", error.found));
                 None

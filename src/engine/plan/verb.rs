@@ -6,9 +6,9 @@ use std::sync::Arc;
 use super::act::{Act, Cancel, Cooling, Do, Fitted, SpindleTurn, StrategyCall, Target, Transform};
 use super::names::{Binding, Scope};
 use super::{Calc, Compiler, Let, Strategy};
-use crate::diag::{Diagnostic, Place};
+use crate::base::diag::{Diagnostic, Place};
+use crate::base::expr::{QKind, QRef, Type};
 use crate::engine::table::TableKind;
-use crate::expr::{QKind, QRef, Type};
 use crate::spec::{Action, Argument, Entries, Formula, Name, ParameterKind, Verb};
 
 /// The axes of the working plane as keys of a target.

@@ -12,11 +12,11 @@ use super::fault::{Class, Fault};
 use super::motion::Speed;
 use super::world::LOCKED;
 use super::{Content, Done, Event, EventKind, Leave, Run};
+use crate::base::expr::{QKind, QRef, Value};
 use crate::engine::geometry::{Axis, FitError, fit_circle};
 use crate::engine::plan::{Act, Builtin, Calc, Cancel, Cooling, Fitted, Inlined, Slot, SpindleTurn, Target, Transform};
 use crate::engine::sphere::fit_sphere;
 use crate::engine::table::{Cell, TableKind};
-use crate::expr::{QKind, QRef, Value};
 use crate::spec::{Moment, Transformation};
 
 impl<'e> Run<'_, 'e> {

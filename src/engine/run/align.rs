@@ -8,11 +8,11 @@ use super::cycle::Exec;
 use super::fault::Fault;
 use super::motion::Speed;
 use super::{Done, Run};
+use crate::base::expr::{Value, atan2d};
 use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
 use crate::engine::machine::Carried;
 use crate::engine::plan::StrategyCall;
 use crate::engine::table::{Cell, TableKind};
-use crate::expr::{Value, atan2d};
 
 /// Points that are nearer to each other, in mm, determine no direction: a tenth of what controls take as input.
 const SAME_POINT: f64 = 1e-5;

@@ -8,8 +8,8 @@ use super::fault::Fault;
 use super::motion::Speed;
 use super::outline::left_of;
 use super::{Done, Run};
-use crate::expr::atan2d;
-use crate::syntax::{Approach, Motion};
+use crate::base::expr::atan2d;
+use crate::program::syntax::{Approach, Motion};
 
 /// A piece of a way in the working plane.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,15 +7,15 @@ use super::motion::Speed;
 use super::program::After;
 use super::world::LOCKED;
 use super::{Content, Done, EventKind, Run};
-use crate::diag::Span;
+use crate::base::diag::Span;
+use crate::base::expr::{Env, EvalError, QKind, QRef, Value, atan2d, cosd, sind};
 use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::table::{Cell, TableKind};
-use crate::expr::{Env, EvalError, QKind, QRef, Value, atan2d, cosd, sind};
-use crate::spec::Transformation;
-use crate::syntax::{
+use crate::program::syntax::{
     Amount, Axis, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Operand, Path,
     StatementKind, ToolCall, ToolDef, ToolRef,
 };
+use crate::spec::Transformation;
 
 /// What an M function does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -205,7 +205,7 @@ impl<'e> Run<'_, 'e> {
             FnOp::Mul => a * b,
             FnOp::Div if b == 0.0 => return Err(EvalError::DivisionByZero.into()),
             FnOp::Div => a / b,
-            FnOp::Sqrt if a < 0.0 => return Err(EvalError::Domain(crate::expr::Func::Sqrt, a).into()),
+            FnOp::Sqrt if a < 0.0 => return Err(EvalError::Domain(crate::base::expr::Func::Sqrt, a).into()),
             FnOp::Sqrt => libm::sqrt(a),
             FnOp::Sin => sind(a),
             FnOp::Cos => cosd(a),

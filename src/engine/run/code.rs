@@ -4,9 +4,9 @@
 use std::collections::HashMap;
 
 use super::fault::Fault;
+use crate::base::expr::{self, Code};
 use crate::engine::geometry::INCH;
-use crate::expr::{self, Code};
-use crate::syntax::{Block, BlockKind, CycleView, Formula, Label, Path, Program};
+use crate::program::syntax::{Block, BlockKind, CycleView, Formula, Label, Path, Program};
 
 /// What a label is known by.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

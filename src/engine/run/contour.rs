@@ -15,7 +15,7 @@ use super::event::{At, Event};
 use super::fault::{Class, Fault};
 use super::motion::Speed;
 use super::{Done, Run};
-use crate::syntax::{Axis, Compensation, Motion};
+use crate::program::syntax::{Axis, Compensation, Motion};
 
 /// More than that does not wait behind an element.
 const MOST_WAITING: usize = 10_000;

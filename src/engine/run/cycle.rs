@@ -11,9 +11,9 @@ use super::fault::{Class, Fault};
 use super::stylus::ProbeData;
 use super::world::Tables;
 use super::{Done, EventKind, Leave, Params, Run};
+use crate::base::expr::{Env, EvalError, QRef, Type, Value};
 use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Slot, Step};
 use crate::engine::scene::{Orientation, ParameterValue};
-use crate::expr::{Env, EvalError, QRef, Type, Value};
 use crate::spec::{Moment, Outcome, Transformation};
 
 /// Cycles that call cycles go no deeper than this.

@@ -11,14 +11,16 @@ use super::fault::{Class, Fault};
 use super::motion::RAPID_FEED;
 use super::turn::rotary;
 use super::{Content, Done, Run};
+use crate::base::expr::{QKind, QRef};
 use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::plan::Plan;
-use crate::expr::{QKind, QRef};
-use crate::fields::{self, first, stands_on};
+use crate::program::fields::{self, first, stands_on};
+use crate::program::syntax::{
+    Axis, CycleDef, CycleForm, CycleView, NamedWord, OldCycleLine, Parameter, Value, ValueKind,
+};
 use crate::spec::{
     self, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect, Transformation,
 };
-use crate::syntax::{Axis, CycleDef, CycleForm, CycleView, NamedWord, OldCycleLine, Parameter, Value, ValueKind};
 
 /// A coordinate of an old-style field.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,7 +6,7 @@
 use glam::DVec2;
 
 use super::outline::left_of;
-use crate::expr::{atan2d, cosd, sind};
+use crate::base::expr::{atan2d, cosd, sind};
 
 /// Directions that differ by less (radians) go on without a corner: what two square marks of an input step cause.
 const STRAIGHT_ON: f64 = 1e-5;

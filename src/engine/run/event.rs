@@ -8,9 +8,9 @@ use glam::DVec3;
 
 use super::fault::Fault;
 use super::world::Tool;
+use crate::base::expr::QRef;
 use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
 use crate::engine::solid::Path;
-use crate::expr::QRef;
 use crate::spec::CycleKey;
 
 /// The version of the JSON form.

@@ -4,10 +4,10 @@
 use std::borrow::Cow;
 
 use super::event::Status;
-use crate::diag::{Arg, Diagnostic, Place};
+use crate::base::diag::{Arg, Diagnostic, Place};
+use crate::base::expr::{EvalError, LONGEST_TEXT};
 use crate::engine::solid::SolidError;
 use crate::engine::table::TableError;
-use crate::expr::{EvalError, LONGEST_TEXT};
 
 /// The classes of faults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

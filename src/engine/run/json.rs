@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::event::{Content, Coordinates, Event, EventKind, MoveKind, Threaded, Turned};
 use super::fault::Class;
-use crate::diag::Arg;
+use crate::base::diag::Arg;
 use crate::engine::geometry::{Axis, RotaryAxis};
 
 /// A number as JSON has it: no negative zero.

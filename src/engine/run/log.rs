@@ -9,8 +9,8 @@ use minijinja::{Environment, UndefinedBehavior};
 use super::cycle::Exec;
 use super::fault::{Class, Fault};
 use super::{Done, EventKind, Run};
-use crate::diag::Arg;
-use crate::expr::Value;
+use crate::base::diag::Arg;
+use crate::base::expr::Value;
 
 /// How a template asks for a word.
 const TEXT: &str = "text[\"";

@@ -9,10 +9,10 @@ use super::fault::Fault;
 use super::motion::Speed;
 use super::probe::Approach;
 use super::{Done, Run};
+use crate::base::expr::{Value, atan2d};
 use crate::engine::geometry::Axis;
 use crate::engine::plan::StrategyCall;
 use crate::engine::table::{Cell, TableKind};
-use crate::expr::{Value, atan2d};
 
 /// Three points lie on a line if the triangle that they span is flatter than this, as a sine.
 const ON_LINE: f64 = 1e-9;

@@ -12,10 +12,10 @@ use super::probe::Pressed;
 use super::stylus::ProbeData;
 use super::turn::rotary;
 use super::{Done, Pole, Run, Touching};
+use crate::base::expr::{atan2d, cosd, sind};
 use crate::engine::geometry::{Axis as LinearAxis, RotaryAxis, WorkingPlane};
 use crate::engine::solid::Path as BallPath;
-use crate::expr::{atan2d, cosd, sind};
-use crate::syntax::{Approach, Axis, Coord, Feed, FeedKind, Motion, Path};
+use crate::program::syntax::{Approach, Axis, Coord, Feed, FeedKind, Motion, Path};
 
 /// How far the end of a circle may lie off it, mm: what the controls' input step of 0.0001 mm can cause, with room.
 const OFF_CIRCLE: f64 = 0.001;

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::fault::Fault;
 use super::motion::Speed;
 use super::{Done, Run};
-use crate::expr::{cosd, sind};
+use crate::base::expr::{cosd, sind};
 
 /// Where a figure lies in the working plane.
 #[derive(Clone, Copy, Debug)]

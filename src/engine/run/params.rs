@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use super::event::Content;
-use crate::expr::{EvalError, QKind, QRef};
+use crate::base::expr::{EvalError, QKind, QRef};
 
 /// How many parameters of each family there are.
 const COUNT: usize = 2000;

@@ -8,9 +8,9 @@ use glam::DVec3;
 use super::fault::{Class, Fault};
 use super::motion::Speed;
 use super::{Content, Done, EventKind, Run};
+use crate::base::expr::{QRef, cosd, sind};
 use crate::engine::geometry::Axis;
-use crate::expr::{QRef, cosd, sind};
-use crate::syntax::{Block, Coord, Feed, FeedKind, GlobalDef, ValueKind};
+use crate::program::syntax::{Block, Coord, Feed, FeedKind, GlobalDef, ValueKind};
 
 /// Points by main, minor and tool axis.
 pub(super) type Pattern = Vec<DVec3>;

@@ -9,12 +9,12 @@ use super::fault::Fault;
 use super::motion::Speed;
 use super::turn::rotary;
 use super::{Content, Done, Run};
+use crate::base::expr::{QKind, QRef};
 use crate::engine::geometry::{Axis, RotaryAxis};
 use crate::engine::machine::RotaryMachineAxis;
 use crate::engine::table::TableKind;
-use crate::expr::{QKind, QRef};
+use crate::program::syntax::{self, NamedWord, Statement, Value, ValueKind};
 use crate::spec::Transformation;
-use crate::syntax::{self, NamedWord, Statement, Value, ValueKind};
 
 /// Where the positions of the rotary axes are told: A, then B, then C.
 const POSITIONS: u16 = 120;

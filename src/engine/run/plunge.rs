@@ -7,8 +7,8 @@ use super::cycle::Exec;
 use super::fault::{Class, Fault};
 use super::motion::Speed;
 use super::{Done, Run};
+use crate::base::expr::{cosd, sind, tand};
 use crate::engine::plan::StrategyCall;
-use crate::expr::{cosd, sind, tand};
 
 /// More turns or strokes for one level than this are refused.
 const MAX_PASSES: f64 = 10_000.0;

@@ -7,8 +7,8 @@ use super::code::Prepared;
 use super::fault::Fault;
 use super::flow::{Call, program_key};
 use super::{Done, Run};
-use crate::expr::QKind;
-use crate::syntax::{Amount, Block, CallLbl, FnJump, Label, LabelRef, Operand};
+use crate::base::expr::QKind;
+use crate::program::syntax::{Amount, Block, CallLbl, FnJump, Label, LabelRef, Operand};
 
 /// How it goes on after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +77,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The text at a place of the program being executed.
-    pub(super) fn slice(&self, span: crate::diag::Span) -> &'e str {
+    pub(super) fn slice(&self, span: crate::base::diag::Span) -> &'e str {
         self.programs.get(self.flow.program).map_or("", |prepared| prepared.program.slice(span))
     }
 

@@ -4,8 +4,8 @@
 use super::cycle::Exec;
 use super::fault::{Class, Fault};
 use super::{Done, Run};
+use crate::base::expr::Value;
 use crate::engine::plan::{Series, SeriesKind, Slot};
-use crate::expr::Value;
 
 /// Below this, in mm, the rest of a way is rounding and no infeed of its own.
 const NO_INFEED: f64 = 1e-9;

@@ -6,11 +6,11 @@ use glam::DVec3;
 use super::cycle::Exec;
 use super::fault::{Class, Fault};
 use super::{Done, EventKind, Run};
+use crate::base::expr::Value;
 use crate::engine::geometry::{Axis, Frame};
 use crate::engine::plan::{Calc, Strategy, StrategyCall};
 use crate::engine::scene::Preset;
 use crate::engine::table::{Cell, TableKind};
-use crate::expr::Value;
 
 /// Coordinates that differ by less, in mm, are the same: cells keep no more.
 const UNCHANGED: f64 = 1e-9;

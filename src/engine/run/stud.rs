@@ -8,8 +8,8 @@ use super::cycle::Exec;
 use super::fault::{Class, Fault};
 use super::outline::{Outline, Place, Tangent, left_of};
 use super::{Done, Run};
+use crate::base::expr::atan2d;
 use crate::engine::plan::StrategyCall;
-use crate::expr::atan2d;
 
 /// What calculation may add to a whole number of laps.
 const SPARE: f64 = 1e-9;

@@ -6,10 +6,10 @@ use glam::{DVec2, DVec3};
 
 use super::fault::Fault;
 use super::world::{Tool, World};
+use crate::base::expr::{atan2d, cosd, sind};
 use crate::engine::geometry::RotaryAxis;
 use crate::engine::scene::{Orientation, PreTravel, Scene, Shaft};
 use crate::engine::table::{TableError, TableKind};
-use crate::expr::{atan2d, cosd, sind};
 use crate::spec::OnControl;
 
 /// The word of the probe table for pre-positioning at the machine's rapid rate (TNC 320 manual, line 545).

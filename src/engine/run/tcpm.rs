@@ -5,7 +5,7 @@
 //! word that asks for more is a fault, never ignored.
 use super::fault::Fault;
 use super::{Done, Run};
-use crate::syntax::{Statement, ValueKind};
+use crate::program::syntax::{Statement, ValueKind};
 
 /// What `FUNCTION TCPM` may ask for: the feed is that of the tip, coordinates of rotary axes are positions,
 /// and these turn evenly.

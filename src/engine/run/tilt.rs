@@ -8,10 +8,10 @@ use super::cycle::Exec;
 use super::fault::Fault;
 use super::motion::Speed;
 use super::{Done, Run};
+use crate::base::expr::{Value, atan2d};
 use crate::engine::geometry::RotaryAxis;
 use crate::engine::machine::{Carried, RotaryMachineAxis};
 use crate::engine::plan::StrategyCall;
-use crate::expr::{Value, atan2d};
 
 /// Directions that differ by less are the same.
 const SAME: f64 = 1e-9;

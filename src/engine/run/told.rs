@@ -9,7 +9,7 @@ use glam::DVec3;
 use super::event::{At, Content, Event, EventKind, MessageKind, Status};
 use super::fault::{Class, Fault};
 use super::{Outcome, Params, Shown};
-use crate::expr::QRef;
+use crate::base::expr::QRef;
 use crate::spec::CycleKey;
 
 /// What another engine tells of a run.

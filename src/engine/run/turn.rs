@@ -11,7 +11,7 @@ use super::{Done, EventKind, Run};
 use crate::engine::geometry::RotaryAxis;
 use crate::engine::machine::{Carried, Course, RotaryMachineAxis, Straight};
 use crate::engine::solid::{Contact, Path as BallPath, SolidError};
-use crate::syntax::Axis;
+use crate::program::syntax::Axis;
 
 /// A ball centre nearer to the axis, in mm, does not move when it turns.
 const ON_AXIS: f64 = 1e-9;

@@ -7,10 +7,10 @@ use glam::DVec3;
 
 use super::Run;
 use super::define::Definition;
+use crate::base::expr::QRef;
 use crate::engine::geometry::Axis;
 use crate::engine::plan::Plan;
 use crate::engine::table::{Quantity, TableKind};
-use crate::expr::QRef;
 use crate::spec::{CycleKey, Keyword};
 
 /// Coordinates that come back from the program's unit no further from where the tool stands, in mm, are the same.

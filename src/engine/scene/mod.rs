@@ -18,7 +18,7 @@ use super::read::Reader;
 use super::solid::{Body, Shape};
 use super::stock::Neck;
 use super::table::{Table, TableError, TableKind};
-use crate::diag::{Diagnostic, Source};
+use crate::base::diag::{Diagnostic, Source};
 use crate::spec::{Kind, Node, read_yaml};
 use glam::DVec3;
 use std::sync::Arc;

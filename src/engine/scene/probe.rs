@@ -4,9 +4,9 @@
 use glam::DVec2;
 
 use super::rows;
+use crate::base::expr::cosd;
 use crate::engine::read::Reader;
 use crate::engine::table::{Cell, Table};
-use crate::expr::cosd;
 use crate::spec::{Kind, Node};
 
 /// The keys of a probe that are no columns of the table.

@@ -3,7 +3,7 @@
 //! Invariant: lines and arcs are made of rational pieces `N(u) / w(u)` with quadratic polynomials, exact and
 //! not approximated; neighbouring pieces overlap by a hair, so a root on the seam belongs to one of them.
 use super::poly::Poly;
-use crate::expr::{cosd, sind};
+use crate::base::expr::{cosd, sind};
 use glam::DVec3;
 
 /// A path; its parameter t runs from 0 (start) to 1 (end) in proportion to the way.

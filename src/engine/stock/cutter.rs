@@ -2,8 +2,8 @@
 //!
 //! Invariant: lengths are mm; the tip is where the program's position is, the shank goes on without end.
 use super::sweep::HAIR;
+use crate::base::expr::tand;
 use crate::engine::run::Tool;
-use crate::expr::tand;
 
 /// The lower end of a tool.
 #[derive(Clone, Copy, Debug, PartialEq)]

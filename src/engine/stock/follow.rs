@@ -7,13 +7,13 @@ use super::cutter::{Cutter, Neck, Tip};
 use super::pace::Pace;
 use super::report::{Place, Report};
 use super::{Batch, Cut, FARTHEST, SKIN, Stock};
-use crate::diag::{self, Diagnostic};
+use crate::base::diag::{self, Diagnostic};
 use crate::engine::geometry::{Axis, Frame, INCH};
 use crate::engine::machine::Machine;
 use crate::engine::run::{Event, EventKind, FindingKind, MoveKind};
 use crate::engine::scene::Scene;
 use crate::engine::solid::{Path, Shape, SolidError};
-use crate::syntax::{self, Amount, Block, BlockKind, Coord, Program, StatementKind};
+use crate::program::syntax::{self, Amount, Block, BlockKind, Coord, Program, StatementKind};
 
 /// Moves that are carried out together.
 const TOGETHER: usize = 4096;

@@ -49,7 +49,7 @@ use glam::{DVec2, DVec3};
 
 use super::geometry::{Axis, Frame, WorkingPlane};
 use super::solid::{Body, Path, Shape, SolidError};
-use crate::together::together;
+use crate::base::parallel::together;
 use lane::{Row, SLIVER, Tally, larger, smaller};
 use oblique::Oblique;
 use onward::Onward;

@@ -2,8 +2,8 @@
 use super::super::catalogue::Cycle;
 use super::super::decode::Name;
 use super::super::value::refusal;
-use crate::diag::Diagnostic;
-use crate::expr::QRef;
+use crate::base::diag::Diagnostic;
+use crate::base::expr::QRef;
 
 pub(super) fn examples(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
     for example in &cycle.file.nc_examples {

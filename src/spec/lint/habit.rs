@@ -7,8 +7,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::catalogue::{Catalogue, Cycle, OnControl, Param};
 use super::super::form::Choice;
 use super::super::vocabulary::Quantity;
-use crate::diag::Diagnostic;
-use crate::expr::{Node, Op, QRef};
+use crate::base::diag::Diagnostic;
+use crate::base::expr::{Node, Op, QRef};
 
 /// Uses that make a habit.
 const HABIT: usize = 3;

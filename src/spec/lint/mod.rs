@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 
 use super::catalogue::{Catalogue, Cycle, OnControl};
 use super::decode::Name;
-use crate::diag::{Diagnostic, Place, Severity, dedupe};
+use crate::base::diag::{Diagnostic, Place, Severity, dedupe};
 
 /// All findings about the catalogue; what several controls share shows once.
 pub fn lint(catalogue: &Catalogue) -> Vec<Diagnostic> {

@@ -2,8 +2,8 @@
 use super::super::catalogue::{Cycle, OnControl, Param};
 use super::super::value::refusal;
 use super::super::vocabulary::{ParameterKind, Shape};
-use crate::diag::Diagnostic;
-use crate::expr::QKind;
+use crate::base::diag::Diagnostic;
+use crate::base::expr::QKind;
 
 pub(super) fn parameters(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
     for (index, param) in cycle.params.iter().enumerate() {

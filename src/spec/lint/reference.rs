@@ -3,8 +3,8 @@ use super::super::catalogue::{Catalogue, Cycle, CycleKey, Known, OnControl};
 use super::super::decode::Name;
 use super::super::form::ManualLines;
 use super::super::vocabulary::{Group, Keyword};
-use crate::diag::{Diagnostic, Place};
-use crate::expr::{Expr, Node, QRef};
+use crate::base::diag::{Diagnostic, Place};
+use crate::base::expr::{Expr, Node, QRef};
 
 /// `10`, `10-20` and lists of them with commas; ends in order.
 fn lines_are_well_formed(lines: &str) -> bool {

@@ -7,7 +7,7 @@ use super::super::decode::{Entries, Formula, Name};
 use super::super::form::{Fragment, Guard};
 use super::super::run_form::{Action, Argument, Case, ConditionUse, Item};
 use super::super::vocabulary::Verb;
-use crate::diag::Diagnostic;
+use crate::base::diag::Diagnostic;
 
 pub(super) fn run(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) {
     let mut steps = Vec::new();

@@ -11,8 +11,8 @@ use std::collections::BTreeMap;
 
 use super::Strategy;
 use super::names::as_name;
-use crate::diag::{Diagnostic, Place};
-use crate::expr::{Dialect, Expr, QRef, parse};
+use crate::base::diag::{Diagnostic, Place};
+use crate::base::expr::{Dialect, Expr, QRef, parse};
 use crate::spec::{
     Action, Argument, Case, Catalogue, Cycle, Entries, Formula, Guard, Item, Name, OnControl, Param, ParameterKind,
     Quantity, Reference, Series, Verb,

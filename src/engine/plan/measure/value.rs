@@ -1,7 +1,7 @@
 //! What a formula measures, by what stands in it.
 use super::{ANGLE, COORDINATE, DISTANCE, FEED, LENGTH, Measure, NUMBER, Reader, Unit, plain};
-use crate::diag::Place;
-use crate::expr::{Expr, Func, Node, Op};
+use crate::base::diag::Place;
+use crate::base::expr::{Expr, Func, Node, Op};
 use crate::spec::{Quantity, Reference};
 
 /// Whether it is a number that is written there, and not 0.

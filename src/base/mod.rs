@@ -1,0 +1,8 @@
+//! What everything else is built on: the embedded data, diagnostics and their places, threads, and the formulas
+//! of the controls.
+//!
+//! Invariant: knows no cycle, no block of a program and no language. Start with [`diag`].
+pub mod data;
+pub mod diag;
+pub mod expr;
+pub mod parallel;

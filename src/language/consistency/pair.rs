@@ -1,0 +1,154 @@
+//! Texts that have changed places: the choices of a parameter, the results of a cycle.
+//!
+//! Which word of a language stands for which word of another is learned from all texts but the two in
+//! question. If they fit better crosswise, one of the languages has swapped them.
+use std::collections::{BTreeSet, HashMap};
+
+use crate::base::diag::Diagnostic;
+use crate::language::locale::{Key, Language, Locales, Scope};
+use crate::spec::Catalogue;
+
+/// How much better two texts must fit crosswise.
+const MARGIN: f64 = 0.25;
+/// Letters of a word that are compared; the rest is mostly its ending.
+const LETTERS: usize = 6;
+
+/// The words of a text, by their numbers in the language.
+type Words = BTreeSet<u32>;
+
+/// The texts of a language as sets of words.
+struct Corpus<'l> {
+    language: &'l Language,
+    texts: HashMap<String, Words>,
+}
+
+/// Message ids of texts that may stand in each other's place.
+fn pairs(catalogue: &Catalogue) -> BTreeSet<(String, String)> {
+    let mut pairs = BTreeSet::new();
+    let mut add = |ids: Vec<String>| {
+        for (at, one) in ids.iter().enumerate() {
+            pairs.extend(ids[..at].iter().filter(|other| *other != one).map(|other| (other.clone(), one.clone())));
+        }
+    };
+    for cycle in catalogue.controls.values().flat_map(|on| on.cycles.values()) {
+        for param in &cycle.params {
+            add(param.choices.iter().map(|choice| format!("choice-{}", choice.choice.as_str())).collect());
+        }
+        add(cycle.file.results.iter().map(|result| format!("result-{}", result.is.as_str())).collect());
+    }
+    pairs
+}
+
+/// Reports pairs of texts that a language has swapped.
+pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Diagnostic>) {
+    let pairs = pairs(catalogue);
+    let corpora: Vec<Corpus> = locales.iter().map(Corpus::of).collect();
+    let wanted: Vec<Words> = corpora.iter().map(|corpus| corpus.words_of(&pairs)).collect();
+    let table = |a: usize, b: usize| Table::new(&corpora[a], &wanted[a], &corpora[b], &wanted[b]);
+    let tables: Vec<Vec<Table>> = (0..corpora.len()).map(|a| (0..a).map(|b| table(a, b)).collect()).collect();
+    for (one, other) in &pairs {
+        // The languages with which each finds the pair swapped.
+        let mut against = vec![Vec::new(); corpora.len()];
+        for a in 0..corpora.len() {
+            for b in 0..a {
+                if tables[a][b].swapped(&corpora[a].texts, &corpora[b].texts, one, other) {
+                    against[a].push(corpora[b].language.tag());
+                    against[b].push(corpora[a].language.tag());
+                }
+            }
+        }
+        // One language alone may have its words for it nowhere else.
+        let Some(most) = against.iter().map(Vec::len).max().filter(|most| *most > 1) else { continue };
+        for (at, with) in against.iter().enumerate().filter(|(_, with)| with.len() == most) {
+            let Some((_, place)) = corpora[at].language.raw(Key::from(one.as_str()), Scope::NONE) else { continue };
+            found.push(
+                Diagnostic::warning("accord-swapped", place)
+                    .arg("language", corpora[at].language.tag())
+                    .arg("key", one.as_str())
+                    .arg("other", other.as_str())
+                    .arg("others", with.join(", ")),
+            );
+        }
+    }
+}
+
+impl<'l> Corpus<'l> {
+    fn of(language: &'l Language) -> Self {
+        let mut numbers: HashMap<String, u32> = HashMap::new();
+        let mut texts = HashMap::new();
+        for (key, suffixes) in language.keys() {
+            if !suffixes.is_empty() || key.attribute.is_some_and(|name| name != "help" && name != "purpose") {
+                continue;
+            }
+            let Some((text, _)) = language.raw(key, Scope::NONE) else { continue };
+            let words = text.split(|c: char| !c.is_alphanumeric() && c != '‹' && c != '›');
+            let words = words.filter(|word| !word.is_empty()).map(|word| {
+                let stem: String = word.to_lowercase().chars().take(LETTERS).collect();
+                let next = numbers.len() as u32;
+                *numbers.entry(stem).or_insert(next)
+            });
+            texts.insert(key.to_string(), words.collect());
+        }
+        Self { language, texts }
+    }
+
+    /// All words of the texts that may have changed places.
+    fn words_of(&self, pairs: &BTreeSet<(String, String)>) -> Words {
+        let ids = pairs.iter().flat_map(|(one, other)| [one, other]);
+        ids.filter_map(|id| self.texts.get(id)).flatten().copied().collect()
+    }
+}
+
+/// How often words of two languages stand in texts with the same id.
+struct Table {
+    one: HashMap<u32, f64>,
+    other: HashMap<u32, f64>,
+    both: HashMap<(u32, u32), f64>,
+}
+
+impl Table {
+    fn new(one: &Corpus, of_one: &Words, other: &Corpus, of_other: &Words) -> Self {
+        let mut table = Self { one: HashMap::new(), other: HashMap::new(), both: HashMap::new() };
+        for (id, words) in &one.texts {
+            let Some(others) = other.texts.get(id) else { continue };
+            let others: Vec<u32> = others.intersection(of_other).copied().collect();
+            for word in words.intersection(of_one) {
+                *table.one.entry(*word).or_default() += 1.0;
+                for other in &others {
+                    *table.both.entry((*word, *other)).or_default() += 1.0;
+                }
+            }
+            for word in others {
+                *table.other.entry(word).or_default() += 1.0;
+            }
+        }
+        table
+    }
+
+    /// How strongly two words go together in all texts but those that are left out, from 0 to 1.
+    fn strength(&self, word: u32, other: u32, left_out: &[(&Words, &Words)]) -> f64 {
+        let count = |has: &dyn Fn(&(&Words, &Words)) -> bool| left_out.iter().filter(|pair| has(pair)).count() as f64;
+        let one = self.one.get(&word).copied().unwrap_or(0.0) - count(&|pair| pair.0.contains(&word));
+        let two = self.other.get(&other).copied().unwrap_or(0.0) - count(&|pair| pair.1.contains(&other));
+        let both = self.both.get(&(word, other)).copied().unwrap_or(0.0)
+            - count(&|pair| pair.0.contains(&word) && pair.1.contains(&other));
+        if one + two <= 0.0 || both <= 0.0 { 0.0 } else { 2.0 * both / (one + two) }
+    }
+
+    fn swapped(&self, one: &HashMap<String, Words>, other: &HashMap<String, Words>, a: &str, b: &str) -> bool {
+        let (Some(a1), Some(b1), Some(a2), Some(b2)) = (one.get(a), one.get(b), other.get(a), other.get(b)) else {
+            return false;
+        };
+        let left_out = [(a1, a2), (b1, b2)];
+        // Only what tells the two apart says anything.
+        let fit = |from: &Words, not: &Words, to: &Words, nor: &Words| -> f64 {
+            let best = |word: &u32| {
+                to.difference(nor).map(|other| self.strength(*word, *other, &left_out)).fold(0.0, f64::max)
+            };
+            from.difference(not).map(best).sum()
+        };
+        let straight = fit(a1, b1, a2, b2) + fit(b1, a1, b2, a2);
+        let crosswise = fit(a1, b1, b2, a2) + fit(b1, a1, a2, b2);
+        crosswise > straight + MARGIN
+    }
+}

@@ -1,0 +1,363 @@
+//! Reading the files of all languages: parsing, variants, duplicates, units and lists; pages of prose as they are.
+//!
+//! Invariant: a mistake costs the message it stands in, never the file, and each has its place.
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::sync::Arc;
+
+use fluent::FluentResource;
+use fluent_syntax::ast::{self, Pattern};
+use fluent_syntax::parser::{ErrorKind, ParserError};
+use unic_langid::LanguageIdentifier;
+
+use super::audit::Lock;
+use super::check;
+use super::function::{Forms, ListForm};
+use super::language::{Entry, File, Form, Language, Parts};
+use super::number::Numbers;
+use super::pattern::{Node, Template, visit};
+use crate::base::diag::{Diagnostic, Place, Source, Span};
+
+/// The file of a language that holds its units and lists.
+const UNITS: &str = "units.ftl";
+/// The file of a language that records which source texts its translations were made from.
+const LOCK: &str = "source.lock";
+/// The folder of a language that holds its pages of prose.
+const TOPICS: &str = "topics/";
+/// What a page of prose ends in.
+const PROSE: &str = ".md";
+/// Fluent's parser recurses with each brace; no real message nests this deep.
+const DEEPEST_NESTING: usize = 64;
+
+/// Fluent's plural rules overflow with the digits of a longer number.
+const MOST_DIGITS_TOGETHER: usize = 18;
+
+/// All languages among the files, with all mistakes in them.
+pub(super) fn languages<P, T>(files: impl IntoIterator<Item = (P, T)>) -> (BTreeMap<String, Language>, Vec<Diagnostic>)
+where
+    P: AsRef<str>,
+    T: AsRef<[u8]>,
+{
+    let mut diagnostics = Vec::new();
+    let mut grouped: BTreeMap<String, Vec<(String, Arc<Source>)>> = BTreeMap::new();
+    for (path, bytes) in files {
+        let Some((tag, name)) = address(path.as_ref()) else { continue };
+        match std::str::from_utf8(bytes.as_ref()) {
+            Ok(text) => {
+                let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+                grouped.entry(tag.to_owned()).or_default().push((name.to_owned(), Source::new(path.as_ref(), text)));
+            }
+            Err(_) => diagnostics.push(Diagnostic::error("locale-encoding", start(&Source::new(path.as_ref(), "")))),
+        }
+    }
+    let mut languages = BTreeMap::new();
+    for (tag, mut sources) in grouped {
+        sources.sort_by(|(a, _), (b, _)| a.cmp(b));
+        if let Some(parts) = Reader::new(&mut diagnostics).read(&tag, sources) {
+            let language = Language::new(parts);
+            check::language(&language, &mut diagnostics);
+            languages.insert(tag, language);
+        }
+    }
+    (languages, diagnostics)
+}
+
+/// Language and name of a file of ours below `locales/`.
+fn address(path: &str) -> Option<(&str, &str)> {
+    let inside = match path.rfind("/locales/") {
+        Some(at) => path.get(at + "/locales/".len()..)?,
+        None => path.strip_prefix("locales/")?,
+    };
+    let (tag, name) = inside.split_once('/')?;
+    (name.ends_with(".ftl") || name == LOCK || topic(name).is_some()).then_some((tag, name))
+}
+
+/// The topic of a page of prose: `topics/threads.md` is `threads`.
+fn topic(name: &str) -> Option<&str> {
+    name.strip_prefix(TOPICS)?.strip_suffix(PROSE).filter(|topic| !topic.contains('/'))
+}
+
+fn start(source: &Arc<Source>) -> Place {
+    Place::new(source, Span::default())
+}
+
+/// Where a slice of the text that a resource owns stands.
+pub(super) fn span_in(text: &str, slice: &str) -> Span {
+    let offset = (slice.as_ptr() as usize).saturating_sub(text.as_ptr() as usize).min(text.len());
+    Span::new(offset, (offset + slice.len()).min(text.len()))
+}
+
+struct Reader<'d> {
+    diagnostics: &'d mut Vec<Diagnostic>,
+    files: Vec<File>,
+    entries: HashMap<String, Entry>,
+    defined: HashMap<String, Place>,
+    referenced: HashSet<String>,
+}
+
+impl<'d> Reader<'d> {
+    fn new(diagnostics: &'d mut Vec<Diagnostic>) -> Self {
+        Self {
+            diagnostics,
+            files: Vec::new(),
+            entries: HashMap::new(),
+            defined: HashMap::new(),
+            referenced: HashSet::new(),
+        }
+    }
+
+    fn read(mut self, tag: &str, sources: Vec<(String, Arc<Source>)>) -> Option<Parts> {
+        let Ok(id) = tag.parse::<LanguageIdentifier>() else {
+            let place = sources.first().map(|(_, source)| start(source))?;
+            self.diagnostics.push(Diagnostic::error("locale-tag", place).arg("tag", tag));
+            return None;
+        };
+        let mut lock = None;
+        let mut topics = BTreeMap::new();
+        let mut forms = Forms { numbers: Numbers::of(tag), units: HashMap::new(), lists: HashMap::new() };
+        for (name, source) in sources {
+            if name == LOCK {
+                lock = Some(Lock::read(&source, self.diagnostics));
+            } else if let Some(topic) = topic(&name) {
+                topics.insert(topic.to_owned(), source);
+            } else if self.shallow(&source) && self.short_numbers(&source) {
+                let resource = self.parse(&source);
+                self.collect(&source, &resource);
+                if name == UNITS {
+                    self.units(&source, &resource, &mut forms);
+                }
+                self.files.push(File { source, resource });
+            }
+        }
+        let distinguished = self.distinguished();
+        Some(Parts {
+            tag: tag.to_owned(),
+            id,
+            files: self.files,
+            entries: self.entries,
+            distinguished,
+            forms,
+            lock,
+            topics,
+        })
+    }
+
+    fn shallow(&mut self, source: &Arc<Source>) -> bool {
+        let mut depth = 0_usize;
+        let mut at = 0;
+        for line in source.text().split_inclusive('\n') {
+            if !line.starts_with([' ', '}', '\t', '\r', '\n']) {
+                depth = 0;
+            }
+            for byte in line.bytes() {
+                match byte {
+                    b'{' => depth += 1,
+                    b'}' => depth = depth.saturating_sub(1),
+                    _ => {}
+                }
+            }
+            if depth > DEEPEST_NESTING {
+                let place = Place::new(source, at..at + line.trim_end().len());
+                self.diagnostics.push(Diagnostic::error("locale-nesting", place).arg("most", DEEPEST_NESTING));
+                return false;
+            }
+            at += line.len();
+        }
+        true
+    }
+
+    fn short_numbers(&mut self, source: &Arc<Source>) -> bool {
+        let mut run = 0;
+        for (at, byte) in source.text().bytes().enumerate() {
+            run = if byte.is_ascii_digit() { run + 1 } else { 0 };
+            if run > MOST_DIGITS_TOGETHER {
+                let place = Place::new(source, at + 1 - run..at + 1);
+                self.diagnostics.push(Diagnostic::error("locale-long-number", place).arg("most", MOST_DIGITS_TOGETHER));
+                return false;
+            }
+        }
+        true
+    }
+
+    fn parse(&mut self, source: &Arc<Source>) -> Arc<FluentResource> {
+        let (resource, errors) = match FluentResource::try_new(source.text().to_owned()) {
+            Ok(resource) => (resource, Vec::new()),
+            Err(damaged) => damaged,
+        };
+        self.diagnostics.extend(errors.iter().map(|error| syntax_error(source, error)));
+        for (at, mark) in source.text().match_indices(['\u{2068}', '\u{2069}']) {
+            let place = Place::new(source, at..at + mark.len());
+            self.diagnostics.push(Diagnostic::error("locale-isolation-mark", place));
+        }
+        Arc::new(resource)
+    }
+
+    fn collect(&mut self, source: &Arc<Source>, resource: &FluentResource) {
+        for (entry, node) in resource.entries().enumerate() {
+            let (name, sign, value, attributes) = match node {
+                ast::Entry::Message(message) => (message.id.name, "", message.value.as_ref(), &message.attributes),
+                ast::Entry::Term(term) => (term.id.name, "-", Some(&term.value), &term.attributes),
+                _ => continue,
+            };
+            let place = Place::new(source, span_in(resource.source(), name));
+            // Fluent keeps messages and terms in one table, so `x` and `-x` exclude each other.
+            if self.is_double(name, &place) {
+                continue;
+            }
+            let Some((base, suffixes)) = self.suffixes(name, &place) else { continue };
+            let form = |attribute, span, refers| Form {
+                suffixes: suffixes.clone(),
+                file: self.files.len(),
+                entry,
+                attribute,
+                refers,
+                span,
+            };
+            let mut forms = Vec::new();
+            if let Some(pattern) = value {
+                forms.push((None, form(None, place.span, references(pattern, &mut self.referenced))));
+            }
+            for (index, attribute) in attributes.iter().enumerate() {
+                let span = span_in(resource.source(), attribute.id.name);
+                let refers = references(&attribute.value, &mut self.referenced);
+                forms.push((Some(attribute.id.name), form(Some(index), span, refers)));
+            }
+            self.add(source, format!("{sign}{base}"), forms);
+        }
+    }
+
+    fn add(&mut self, source: &Arc<Source>, id: String, forms: Vec<(Option<&str>, Form)>) {
+        let mut seen: HashMap<&str, Span> = HashMap::new();
+        let entry = self.entries.entry(id).or_default();
+        for (attribute, form) in forms {
+            let Some(name) = attribute else {
+                entry.value.push(form);
+                continue;
+            };
+            if let Some(first) = seen.insert(name, form.span) {
+                self.diagnostics.push(
+                    Diagnostic::error("locale-duplicate", Place::new(source, form.span))
+                        .arg("key", name)
+                        .related("first-definition", Place::new(source, first)),
+                );
+                continue;
+            }
+            match entry.attributes.iter_mut().find(|(own, _)| **own == *name) {
+                Some((_, forms)) => forms.push(form),
+                None => entry.attributes.push((name.into(), vec![form])),
+            }
+        }
+    }
+
+    fn is_double(&mut self, name: &str, place: &Place) -> bool {
+        if let Some(first) = self.defined.get(name) {
+            self.diagnostics.push(
+                Diagnostic::error("locale-duplicate", place.clone())
+                    .arg("key", name)
+                    .related("first-definition", first.clone()),
+            );
+            return true;
+        }
+        self.defined.insert(name.to_owned(), place.clone());
+        false
+    }
+
+    fn suffixes<'n>(&mut self, name: &'n str, place: &Place) -> Option<(&'n str, Vec<Box<str>>)> {
+        let mut segments = name.split("__");
+        let base = segments.next().filter(|base| !base.is_empty());
+        let suffixes: Vec<Box<str>> = segments.map(Box::from).collect();
+        match base {
+            Some(base) if suffixes.len() <= 2 && suffixes.iter().all(|suffix| !suffix.is_empty()) => {
+                Some((base, suffixes))
+            }
+            _ => {
+                self.diagnostics.push(Diagnostic::error("locale-variant", place.clone()).arg("key", name));
+                None
+            }
+        }
+    }
+
+    fn units(&mut self, source: &Arc<Source>, resource: &FluentResource, forms: &mut Forms) {
+        for node in resource.entries() {
+            let ast::Entry::Message(message) = node else { continue };
+            let id = message.id.name;
+            let sound = if let Some(name) = id.strip_prefix("unit-") {
+                message.value.as_ref().and_then(|value| Template::of(value, &["value"])).map(|template| {
+                    forms.units.insert(name.to_owned(), template);
+                })
+            } else if let Some(name) = id.strip_prefix("list-") {
+                list_form(message).map(|form| {
+                    forms.lists.insert(name.to_owned(), form);
+                })
+            } else {
+                Some(())
+            };
+            if sound.is_none() {
+                let place = Place::new(source, span_in(resource.source(), id));
+                self.diagnostics.push(Diagnostic::error("locale-unit-form", place).arg("key", id));
+            }
+        }
+    }
+
+    fn distinguished(&self) -> HashSet<Box<str>> {
+        let referenced = self.entries.iter().filter(|(id, _)| self.referenced.contains(*id));
+        let forms = referenced.flat_map(|(_, entry)| entry.all()).flat_map(|(_, forms)| forms);
+        forms.flat_map(|form| form.suffixes.iter().cloned()).collect()
+    }
+}
+
+fn list_form(message: &ast::Message<&str>) -> Option<ListForm> {
+    let template = |pattern| Template::of(pattern, &["first", "last"]);
+    let more = message.attributes.iter().find(|attribute| attribute.id.name == "more")?;
+    Some(ListForm { last: template(message.value.as_ref()?)?, more: template(&more.value)? })
+}
+
+/// Notes what the pattern refers to, and whether it refers to anything.
+fn references(pattern: &Pattern<&str>, referenced: &mut HashSet<String>) -> bool {
+    let mut any = false;
+    visit(pattern, &mut |node| match node {
+        Node::Message { id, .. } => {
+            any = true;
+            referenced.insert(id.to_owned());
+        }
+        Node::Term { id, .. } => {
+            any = true;
+            referenced.insert(format!("-{id}"));
+        }
+        Node::Shown(_) | Node::Chosen(..) | Node::Function { .. } => {}
+    });
+    any
+}
+
+fn syntax_error(source: &Arc<Source>, error: &ParserError) -> Diagnostic {
+    let (kind, detail) = describe(&error.kind);
+    let diagnostic = Diagnostic::error("locale-syntax", Place::new(source, error.pos.clone()));
+    diagnostic.arg("kind", kind).arg("detail", detail)
+}
+
+/// The kind as a word of the `kind` selector in `diag-locale-syntax`, and what belongs to it.
+fn describe(kind: &ErrorKind) -> (&'static str, String) {
+    let (word, detail) = match kind {
+        ErrorKind::ExpectedToken(token) => return ("expected-token", token.to_string()),
+        ErrorKind::ExpectedCharRange { range } => ("expected-character", range.as_str()),
+        ErrorKind::ExpectedMessageField { entry_id } => ("empty-message", entry_id.as_str()),
+        ErrorKind::ExpectedTermField { entry_id } => ("empty-term", entry_id.as_str()),
+        ErrorKind::ForbiddenCallee => ("bad-function-name", ""),
+        ErrorKind::MissingDefaultVariant => ("no-default", ""),
+        ErrorKind::MissingValue => ("no-value", ""),
+        ErrorKind::MultipleDefaultVariants => ("two-defaults", ""),
+        ErrorKind::MessageReferenceAsSelector
+        | ErrorKind::TermReferenceAsSelector
+        | ErrorKind::MessageAttributeAsSelector
+        | ErrorKind::ExpectedSimpleExpressionAsSelector => ("bad-selector", ""),
+        ErrorKind::TermAttributeAsPlaceable => ("term-attribute", ""),
+        ErrorKind::UnterminatedStringLiteral => ("open-string", ""),
+        ErrorKind::PositionalArgumentFollowsNamed => ("argument-order", ""),
+        ErrorKind::DuplicatedNamedArgument(name) => ("argument-twice", name.as_str()),
+        ErrorKind::UnknownEscapeSequence(escape) | ErrorKind::InvalidUnicodeEscapeSequence(escape) => {
+            ("bad-escape", escape.as_str())
+        }
+        ErrorKind::UnbalancedClosingBrace => ("closing-brace", ""),
+        ErrorKind::ExpectedInlineExpression | ErrorKind::ExpectedLiteral => ("no-expression", ""),
+    };
+    (word, detail.to_owned())
+}

@@ -1,0 +1,76 @@
+//! The languages of Ciklo: one wrapper around Fluent, with the numbers, units, lists and order of
+//! each language.
+//!
+//! A directory `locales/<language>/` with Fluent files is a language; nothing in Rust lists them.
+//! Texts vary by cycle and control (`id__cycle__control`), and every failure to format is an error
+//! value, never text. Invariant: this module knows no cycle, no specification and no file system; it
+//! is handed files and plain keys. See `docs/locale-files.md` for the form of the files.
+mod args;
+mod audit;
+mod check;
+mod collation;
+mod error;
+mod function;
+mod language;
+mod load;
+mod number;
+mod pattern;
+pub mod render;
+mod ui;
+
+use std::collections::BTreeMap;
+
+pub use args::Args;
+pub use audit::{Audit, Finding, Meanings};
+pub use collation::Collation;
+pub use error::{Fault, LocaleError};
+pub use language::{Key, Language, Scope};
+pub use number::{Digits, Numbers};
+pub use ui::Ui;
+
+use crate::base::diag::Diagnostic;
+
+/// The tag of the source language, which all others translate.
+pub const SOURCE_LANGUAGE: &str = "en";
+
+/// All languages that were loaded.
+#[derive(Debug)]
+pub struct Locales {
+    languages: BTreeMap<String, Language>,
+}
+
+impl Locales {
+    /// Reads every `locales/<language>/**/*.ftl` and `locales/<language>/source.lock` among the files
+    /// and passes over the rest. All mistakes of all files come back together; what is sound is usable.
+    pub fn load<P, T>(files: impl IntoIterator<Item = (P, T)>) -> (Self, Vec<Diagnostic>)
+    where
+        P: AsRef<str>,
+        T: AsRef<[u8]>,
+    {
+        let (languages, diagnostics) = load::languages(files);
+        (Self { languages }, diagnostics)
+    }
+
+    /// The tags of the languages, in alphabetical order.
+    pub fn tags(&self) -> impl Iterator<Item = &str> {
+        self.languages.keys().map(String::as_str)
+    }
+
+    /// The languages, in the order of their tags.
+    pub fn iter(&self) -> impl Iterator<Item = &Language> {
+        self.languages.values()
+    }
+
+    /// The language with that tag.
+    ///
+    /// # Errors
+    /// [`Fault::UnknownLanguage`] if there is none.
+    pub fn language(&self, tag: &str) -> Result<&Language, LocaleError> {
+        self.languages.get(tag).ok_or_else(|| LocaleError::unknown_language(tag))
+    }
+
+    /// The source language; nothing if its files are not among those loaded.
+    pub fn source(&self) -> Option<&Language> {
+        self.languages.get(SOURCE_LANGUAGE)
+    }
+}

@@ -1,0 +1,135 @@
+//! A cycle on all controls that describe it, side by side.
+use minijinja::value::Serde;
+use minijinja::{Value, context};
+
+use super::Site;
+use super::cycle::Maker;
+use super::section::{Section, file_of};
+use super::view::{ColumnView, ComparedView, ComparisonView, PageView, ParameterView, SwitchView};
+use crate::base::diag::Diagnostic;
+use crate::language::locale::Args;
+use crate::language::text::{CycleText, Vocabulary};
+use crate::spec::CycleKey;
+
+/// The folder of the comparisons.
+const FOLDER: &str = "compare";
+
+/// A cycle in a language on at least two controls.
+pub(super) struct Comparison {
+    /// The path of its page.
+    pub(super) path: String,
+    key: CycleKey,
+    /// The sections of the language that have the cycle.
+    sections: Vec<usize>,
+}
+
+/// All comparisons that the sections allow, in their order.
+pub(super) fn all(sections: &[Section]) -> Vec<Comparison> {
+    let mut all: Vec<Comparison> = Vec::new();
+    for (at, section) in sections.iter().enumerate() {
+        for entry in &section.entries {
+            let key = entry.cycle.key;
+            let path = path(section.language.tag(), key);
+            match all.iter_mut().find(|known| known.path == path) {
+                Some(known) => known.sections.push(at),
+                None => all.push(Comparison { path, key, sections: vec![at] }),
+            }
+        }
+    }
+    all.retain(|comparison| comparison.sections.len() > 1);
+    all
+}
+
+fn path(language: &str, key: CycleKey) -> String {
+    format!("{FOLDER}/{language}/{}", file_of(key))
+}
+
+impl Site<'_> {
+    /// The link from a page of the section to the comparison of a cycle.
+    pub(super) fn comparison(&self, section: &Section, key: CycleKey) -> Option<String> {
+        let path = path(section.language.tag(), key);
+        self.comparisons.iter().any(|known| known.path == path).then(|| format!("../../{path}"))
+    }
+}
+
+pub(super) fn page(site: &Site, comparison: &Comparison) -> Result<String, Vec<Diagnostic>> {
+    let sections: Vec<&Section> = comparison.sections.iter().filter_map(|at| site.sections.get(*at)).collect();
+    let Some(first) = sections.first() else { return Ok(String::new()) };
+    let name = first.entry(comparison.key).map(|entry| entry.name.clone()).unwrap_or_default();
+    let mut columns = Vec::new();
+    let mut rows: Vec<ComparedView> = Vec::new();
+    let mut faults = Vec::new();
+    for (at, section) in sections.iter().enumerate() {
+        let Some(entry) = section.entry(comparison.key) else { continue };
+        let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
+        let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
+        let maker = Maker { text: &text, section, site };
+        let iso = &entry.cycle.iso;
+        columns.push(ColumnView {
+            control: section.on.control.title.clone(),
+            href: format!("../../{}", section.path(&entry.file)),
+            nc_name: text.nc_name().into_owned(),
+            iso: iso.clone(),
+            options: entry.cycle.described.options.iter().map(|number| maker.option(*number)).collect(),
+        });
+        let mut before = None;
+        for param in &entry.cycle.params {
+            let view = maker.parameter(param);
+            before = Some(place(&mut rows, view, (at, sections.len()), before));
+        }
+        faults.extend(text.faults());
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    for row in &mut rows {
+        row.differs = row.cells.windows(2).any(|pair| pair[0] != pair[1]);
+    }
+    let key = comparison.key.to_string();
+    let args = Args::new().text("name", name.as_str()).text("key", key.as_str());
+    let title = first.text("page-comparison-title", &args)?.into_owned();
+    let view = ComparisonView { key, name, columns, rows };
+    let context = context! {
+        page => Value::from(Serde(&frame(site, first, comparison, title))),
+        words => first.words.clone(),
+        comparison => Value::from(Serde(&view)),
+    };
+    site.render("compare.html", context)
+}
+
+/// Puts a parameter into its row, or into a new one behind the row of the parameter before it.
+fn place(rows: &mut Vec<ComparedView>, view: ParameterView, (at, of): (usize, usize), before: Option<usize>) -> usize {
+    let row = rows.iter().position(|row| row.q == view.id).unwrap_or_else(|| {
+        let row = before.map_or(0, |before| before + 1);
+        rows.insert(row, ComparedView { q: view.id.clone(), differs: false, cells: (0..of).map(|_| None).collect() });
+        row
+    });
+    if let Some(cell) = rows[row].cells.get_mut(at) {
+        *cell = Some(view);
+    }
+    row
+}
+
+fn frame(site: &Site, section: &Section, comparison: &Comparison, title: String) -> PageView {
+    let others = site.comparisons.iter().filter(|other| other.key == comparison.key);
+    let languages = others.filter_map(|other| {
+        let own = site.sections.get(*other.sections.first()?)?;
+        Some(SwitchView {
+            href: format!("../../{}", other.path),
+            lang: own.language.tag().to_owned(),
+            name: own.language_name.clone(),
+            current: other.path == comparison.path,
+        })
+    });
+    PageView {
+        lang: section.language.tag().to_owned(),
+        title,
+        root: "../../",
+        control: section.on.control.title.clone(),
+        home: format!("../../{}", section.path("")),
+        languages: languages.collect(),
+        controls: Vec::new(),
+        previous: None,
+        next: None,
+    }
+}

@@ -1,0 +1,174 @@
+//! The lists of a section: by Q parameter, by keyword, and the glossary.
+use std::collections::BTreeMap;
+
+use minijinja::value::Serde;
+use minijinja::{Value, context};
+use serde::Serialize;
+
+use super::page::{Here, link};
+use super::section::{Entry, Section, TERM};
+use super::view::{LetterView, LinkView, QView, TermView, UseView};
+use super::{Site, inline};
+use crate::base::diag::Diagnostic;
+use crate::language::locale::{Args, Scope};
+use crate::language::text::with_texts;
+
+/// The file of the list by Q parameter.
+pub(super) const PARAMETERS: &str = "parameters.html";
+/// The file of the index.
+pub(super) const KEYWORDS: &str = "keywords.html";
+/// The file of the glossary.
+pub(super) const GLOSSARY: &str = "glossary.html";
+
+/// A parameter of a cycle with its name.
+struct Used<'s, 'a> {
+    entry: &'s Entry<'a>,
+    /// `Q200`, and nothing for old-style fields.
+    q: Option<String>,
+    name: String,
+}
+
+/// Every parameter of every cycle, in the order of the cycles.
+fn used<'s, 'a>(section: &'s Section<'a>) -> Result<Vec<Used<'s, 'a>>, Vec<Diagnostic>> {
+    let mut all = Vec::new();
+    let mut faults = Vec::new();
+    for entry in &section.entries {
+        let names = with_texts(section.on, entry.cycle, section.language, |text| {
+            let named =
+                |param: &crate::spec::Param| (param.q.map(|q| q.to_string()), text.param(param).name.into_owned());
+            text.cycle.params.iter().map(named).collect::<Vec<_>>()
+        });
+        match names {
+            Ok(names) => all.extend(names.into_iter().map(|(q, name)| Used { entry, q, name })),
+            Err(more) => faults.extend(more),
+        }
+    }
+    if faults.is_empty() { Ok(all) } else { Err(faults) }
+}
+
+/// The link to a parameter on the page of its cycle.
+fn to_parameter(used: &Used) -> LinkView {
+    let mut link = link(used.entry);
+    if let (Some(href), Some(q)) = (&mut link.href, &used.q) {
+        href.push('#');
+        href.push_str(q);
+    }
+    link
+}
+
+/// Adds a place below a name, each place once.
+fn add(uses: &mut Vec<UseView>, name: &str, place: LinkView) {
+    let at = uses.iter().position(|known| known.name == name).unwrap_or_else(|| {
+        uses.push(UseView { name: name.to_owned(), places: Vec::new() });
+        uses.len() - 1
+    });
+    let places = &mut uses[at].places;
+    if !places.iter().any(|known| known.href == place.href) {
+        places.push(place);
+    }
+}
+
+fn render(
+    site: &Site,
+    section: &Section,
+    (file, title, template): (&str, &str, &str),
+    list: &impl Serialize,
+) -> Result<String, Vec<Diagnostic>> {
+    let args = Args::new().text("control", section.on.control.title.as_str());
+    let title = section.text(title, &args)?.into_owned();
+    let frame = site.frame(section, title, Here::Every(file));
+    let context = context! {
+        page => Value::from(Serde(&frame)),
+        words => section.words.clone(),
+        list => Value::from(Serde(list)),
+    };
+    site.render(template, context)
+}
+
+/// Where is Q351 used, and what is it called there?
+pub(super) fn parameters(site: &Site, section: &Section) -> Result<String, Vec<Diagnostic>> {
+    let mut by_q: BTreeMap<(u64, String), Vec<UseView>> = BTreeMap::new();
+    for used in used(section)? {
+        let Some(q) = &used.q else { continue };
+        let number = q.trim_start_matches(|c: char| !c.is_ascii_digit()).parse().unwrap_or(0);
+        add(by_q.entry((number, q.clone())).or_default(), &used.name, to_parameter(&used));
+    }
+    let list: Vec<QView> = by_q.into_iter().map(|((_, q), uses)| QView { q, uses }).collect();
+    render(site, section, (PARAMETERS, "page-parameters-title", "parameters.html"), &list)
+}
+
+/// Cycles, parameters, topics and terms, in the order of the language.
+pub(super) fn keywords(site: &Site, section: &Section) -> Result<String, Vec<Diagnostic>> {
+    let mut uses: BTreeMap<String, Vec<LinkView>> = BTreeMap::new();
+    let mut note = |name: &str, place: LinkView| {
+        let places = uses.entry(name.to_owned()).or_default();
+        if !places.iter().any(|known| known.href == place.href) {
+            places.push(place);
+        }
+    };
+    for entry in &section.entries {
+        note(&entry.name, link(entry));
+    }
+    for used in used(section)? {
+        note(&used.name, to_parameter(&used));
+    }
+    for topic in &section.topics {
+        note(&topic.title, plain_link(topic.file.clone(), topic.title.clone()));
+    }
+    for term in terms(section)? {
+        let word = section.text("site-glossary", &Args::new())?.into_owned();
+        note(&term.term, plain_link(format!("{GLOSSARY}#{}", term.id), word));
+    }
+    let mut entries: Vec<UseView> = uses.into_iter().map(|(name, places)| UseView { name, places }).collect();
+    section
+        .language
+        .collation()
+        .sort_by_key(&mut entries, |entry| entry.name.trim_start_matches(|c: char| !c.is_alphanumeric()));
+    let mut letters: Vec<LetterView> = Vec::new();
+    for entry in entries {
+        let letter = letter(&entry.name);
+        match letters.last_mut() {
+            Some(last) if section.language.collation().same(&last.letter, &letter) => last.entries.push(entry),
+            _ => letters.push(LetterView { id: format!("letter-{}", letters.len() + 1), letter, entries: vec![entry] }),
+        }
+    }
+    render(site, section, (KEYWORDS, "page-keywords-title", "keywords.html"), &letters)
+}
+
+fn plain_link(href: String, name: String) -> LinkView {
+    LinkView { href: Some(href), key: String::new(), number: 0, name, name_lang: None }
+}
+
+/// The letter below which a name stands; digits share a heading.
+fn letter(name: &str) -> String {
+    match name.chars().find(|c| c.is_alphanumeric()) {
+        Some(c) if c.is_alphabetic() => c.to_uppercase().collect(),
+        _ => "0\u{2013}9".to_owned(),
+    }
+}
+
+fn terms(section: &Section) -> Result<Vec<TermView>, Vec<Diagnostic>> {
+    let mut views = Vec::new();
+    for id in &section.terms {
+        let key = format!("{TERM}{id}");
+        let definition = section.text(&format!("{key}.definition"), &Args::new())?;
+        views.push(TermView {
+            id: format!("term-{id}"),
+            term: section.text(&key, &Args::new())?.into_owned(),
+            definition: Value::from_safe_string(inline::html(&definition, section)),
+            source: None,
+        });
+    }
+    section.language.collation().sort_by_key(&mut views, |view| &view.term);
+    Ok(views)
+}
+
+/// The words of the trade.
+pub(super) fn glossary(site: &Site, section: &Section) -> Result<String, Vec<Diagnostic>> {
+    let mut list = terms(section)?;
+    for view in &mut list {
+        let word = site.source.and_then(|source| source.plain(view.id.as_str(), &Scope::NONE).ok());
+        view.source = word.map(|word| word.into_owned()).filter(|word| *word != view.term);
+    }
+    render(site, section, (GLOSSARY, "page-glossary-title", "glossary.html"), &list)
+}

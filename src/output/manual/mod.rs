@@ -1,0 +1,331 @@
+//! The manual as a static site: a page a cycle for every control and language, overviews, dialog
+//! bundles and label tables, indexes, topics, comparisons. No network is needed to read it,
+//! and a script only to search.
+//!
+//! Invariant: a pure function from specifications, locales and templates to paths and bytes; the
+//! same input gives the same bytes, whatever thread makes a page. Who writes files is not known here.
+mod compare;
+mod cycle;
+mod index;
+mod inline;
+mod lists;
+mod overview;
+mod page;
+mod search;
+mod section;
+mod stem;
+mod topic;
+mod view;
+
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use minijinja::syntax::SyntaxConfig;
+use minijinja::{Environment, UndefinedBehavior};
+use serde::Serialize;
+
+use crate::base::diag::Diagnostic;
+use crate::base::parallel::together;
+use crate::check::LabelBook;
+use crate::language::label;
+use crate::language::locale::{Language, Locales};
+use crate::output::dialog;
+use crate::output::export;
+use crate::spec::{Catalogue, OnControl};
+
+use compare::Comparison;
+use section::Section;
+
+/// What a site is made from.
+#[derive(Clone, Copy)]
+pub struct Request<'a> {
+    /// The specifications.
+    pub catalogue: &'a Catalogue,
+    /// The languages.
+    pub locales: &'a Locales,
+    /// All data files; templates and assets are those below `templates/`.
+    pub files: &'a [(String, String)],
+    /// The ids of the controls; all of them if there is none.
+    pub controls: &'a [String],
+    /// The tags of the languages; all of them if there is none.
+    pub languages: &'a [String],
+}
+
+/// Takes each file of the site, as its path below the output directory and its bytes. It is called from
+/// several threads, in no particular order.
+pub type Sink<'s> = dyn Fn(&str, &[u8]) -> Result<(), Diagnostic> + Sync + 's;
+
+type Put<'p> = dyn Fn(&str, &[u8]) -> Result<(), Vec<Diagnostic>> + 'p;
+
+/// What was built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Built {
+    /// Pages.
+    pub pages: usize,
+    /// Files, pages included.
+    pub files: usize,
+}
+
+/// A site that is ready to be written.
+pub struct Site<'a> {
+    sections: Vec<Section<'a>>,
+    comparisons: Vec<Comparison>,
+    source: Option<&'a Language>,
+    catalogue: &'a Catalogue,
+    /// The labels of each control, to write its printed lines in other languages.
+    labels: BTreeMap<&'a str, LabelBook<'a>>,
+    templates: Environment<'a>,
+    assets: Vec<(&'a str, &'a str)>,
+}
+
+/// One file to make.
+#[derive(Clone, Copy)]
+enum Job {
+    Index,
+    Overview(usize),
+    Parameters(usize),
+    Keywords(usize),
+    Glossary(usize),
+    Search(usize),
+    Topic(usize, usize),
+    Comparison(usize),
+    Cycle(usize, usize),
+    Dialogs(usize),
+    Labels(usize),
+    Export(usize),
+}
+
+/// Builds a whole site.
+///
+/// # Errors
+/// Everything that is missing or wrong, in a stable order; what was handed to the sink until then is
+/// of no use.
+pub fn build(request: &Request, sink: &Sink) -> Result<Built, Vec<Diagnostic>> {
+    Site::new(request)?.write(sink)
+}
+
+impl<'a> Site<'a> {
+    /// Prepares templates, contents and words.
+    ///
+    /// # Errors
+    /// Controls and languages that do not exist, templates that cannot be read, names that are missing.
+    pub fn new(request: &Request<'a>) -> Result<Self, Vec<Diagnostic>> {
+        let templates = environment(request.files).map_err(|found| vec![found])?;
+        let pairs = pairs(request)?;
+        let source = request.locales.source();
+        let made = Mutex::new(Vec::new());
+        let faults = in_parallel(pairs.len(), &|at| {
+            let Some((on, language)) = pairs.get(at) else { return Ok(()) };
+            let section = Section::new(&request.catalogue.topics, on, language, source)?;
+            lock(&made).push((at, section));
+            Ok(())
+        });
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let mut sections = made.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+        sections.sort_by_key(|(at, _)| *at);
+        let assets = request.files.iter().filter_map(|(path, text)| {
+            Some((path.strip_prefix("templates/").filter(|path| path.starts_with("assets/"))?, text.as_str()))
+        });
+        let sections: Vec<Section> = sections.into_iter().map(|(_, section)| section).collect();
+        let comparisons = compare::all(&sections);
+        let mut labels = BTreeMap::new();
+        for section in &sections {
+            labels.entry(section.on.id()).or_insert_with(|| LabelBook::new(section.on, request.locales));
+        }
+        Ok(Self {
+            sections,
+            comparisons,
+            source,
+            catalogue: request.catalogue,
+            labels,
+            templates,
+            assets: assets.collect(),
+        })
+    }
+
+    fn jobs(&self) -> Vec<Job> {
+        let mut jobs = vec![Job::Index];
+        for (at, section) in self.sections.iter().enumerate() {
+            jobs.extend([
+                Job::Overview(at),
+                Job::Parameters(at),
+                Job::Keywords(at),
+                Job::Glossary(at),
+                Job::Search(at),
+            ]);
+            jobs.extend([Job::Dialogs(at), Job::Labels(at), Job::Export(at)]);
+            jobs.extend((0..section.entries.len()).map(|entry| Job::Cycle(at, entry)));
+            jobs.extend((0..section.topics.len()).map(|topic| Job::Topic(at, topic)));
+        }
+        jobs.extend((0..self.comparisons.len()).map(Job::Comparison));
+        jobs
+    }
+
+    /// How many pages the site has.
+    pub fn pages(&self) -> usize {
+        self.jobs().iter().filter(|job| !matches!(job, Job::Dialogs(_) | Job::Labels(_) | Job::Export(_))).count()
+    }
+
+    /// Makes every file and hands it to the sink.
+    ///
+    /// # Errors
+    /// Every text that is missing, every mistake of a template, and what the sink reports.
+    pub fn write(&self, sink: &Sink) -> Result<Built, Vec<Diagnostic>> {
+        let jobs = self.jobs();
+        let files = AtomicUsize::new(0);
+        let put = |path: &str, bytes: &[u8]| {
+            files.fetch_add(1, Ordering::Relaxed);
+            sink(path, bytes).map_err(|found| vec![found])
+        };
+        for (path, text) in &self.assets {
+            put(path, text.as_bytes())?;
+        }
+        let faults = in_parallel(jobs.len(), &|at| jobs.get(at).map_or(Ok(()), |job| self.make(*job, &put)));
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        Ok(Built { pages: self.pages(), files: files.into_inner() })
+    }
+
+    fn make(&self, job: Job, put: &Put) -> Result<(), Vec<Diagnostic>> {
+        match job {
+            Job::Index => put("index.html", index::page(self)?.as_bytes()),
+            Job::Overview(at) => {
+                let section = &self.sections[at];
+                put(&section.path("index.html"), overview::page(self, section)?.as_bytes())
+            }
+            Job::Parameters(at) => {
+                let section = &self.sections[at];
+                put(&section.path(lists::PARAMETERS), lists::parameters(self, section)?.as_bytes())
+            }
+            Job::Keywords(at) => {
+                let section = &self.sections[at];
+                put(&section.path(lists::KEYWORDS), lists::keywords(self, section)?.as_bytes())
+            }
+            Job::Glossary(at) => {
+                let section = &self.sections[at];
+                put(&section.path(lists::GLOSSARY), lists::glossary(self, section)?.as_bytes())
+            }
+            Job::Search(at) => {
+                let section = &self.sections[at];
+                put(&section.path(search::PAGE), search::page(self, section)?.as_bytes())?;
+                put(&section.path(search::INDEX), search::index(self, section)?.as_bytes())
+            }
+            Job::Topic(at, topic) => {
+                let section = &self.sections[at];
+                put(&section.path(&section.topics[topic].file), topic::page(self, section, topic)?.as_bytes())
+            }
+            Job::Comparison(at) => {
+                let comparison = &self.comparisons[at];
+                put(&comparison.path, compare::page(self, comparison)?.as_bytes())
+            }
+            Job::Cycle(at, entry) => {
+                let section = &self.sections[at];
+                let file = section.path(&section.entries[entry].file);
+                put(&file, cycle::page(self, section, entry)?.as_bytes())
+            }
+            Job::Dialogs(at) => {
+                let section = &self.sections[at];
+                put(&section.path("dialogs.json"), &json(&dialog::bundle(section.on, section.language)?)?)
+            }
+            Job::Labels(at) => {
+                let section = &self.sections[at];
+                let rows = label::table(section.on, section.language)?;
+                put(&section.path("labels.json"), &json(&rows)?)?;
+                put(&section.path("labels.csv"), label::csv(&rows).as_bytes())
+            }
+            Job::Export(at) => {
+                let section = &self.sections[at];
+                put(&section.path("export.json"), &json(&export::export(section.on, section.language)?)?)
+            }
+        }
+    }
+
+    fn render(&self, template: &str, view: minijinja::Value) -> Result<String, Vec<Diagnostic>> {
+        let rendered = self.templates.get_template(template).and_then(|template| template.render(view));
+        rendered.map_err(|error| vec![template_fault(template, &error)])
+    }
+}
+
+fn json(value: &impl Serialize) -> Result<Vec<u8>, Vec<Diagnostic>> {
+    let mut bytes = serde_json::to_vec_pretty(value)
+        .map_err(|error| vec![Diagnostic::global("manual-json").arg("reason", error.to_string())])?;
+    bytes.push(b'\n');
+    Ok(bytes)
+}
+
+fn environment(files: &[(String, String)]) -> Result<Environment<'_>, Diagnostic> {
+    let mut templates = Environment::new();
+    templates.set_undefined_behavior(UndefinedBehavior::Strict);
+    let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build();
+    templates.set_syntax(syntax.map_err(|error| template_fault("", &error))?);
+    for (path, text) in files {
+        let Some(name) = path.strip_prefix("templates/").filter(|name| name.ends_with(".html")) else { continue };
+        templates.add_template(name, text).map_err(|error| template_fault(name, &error))?;
+    }
+    Ok(templates)
+}
+
+fn template_fault(name: &str, error: &minijinja::Error) -> Diagnostic {
+    let name = error.name().unwrap_or(name);
+    let diagnostic = Diagnostic::global("manual-template").arg("template", name).arg("line", error.line().unwrap_or(0));
+    diagnostic.arg("reason", error.to_string())
+}
+
+type Pair<'a> = (&'a OnControl, &'a Language);
+
+fn pairs<'a>(request: &Request<'a>) -> Result<Vec<Pair<'a>>, Vec<Diagnostic>> {
+    let mut faults = Vec::new();
+    for id in request.controls.iter().filter(|id| request.catalogue.on(id).is_none()) {
+        let known: Vec<String> = request.catalogue.controls.values().map(|on| on.control.names()).collect();
+        faults.push(Diagnostic::global("unknown-control").arg("control", id.as_str()).arg("known", known.join(", ")));
+    }
+    for tag in request.languages {
+        faults.extend(request.locales.language(tag).err().map(Diagnostic::from));
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let wanted = |list: &[String], id: &str| list.is_empty() || list.iter().any(|own| own == id);
+    let mut pairs = Vec::new();
+    for on in request.catalogue.controls.values().filter(|on| wanted(request.controls, on.id())) {
+        let languages = request.locales.iter().filter(|language| wanted(request.languages, language.tag()));
+        pairs.extend(languages.map(|language| (on, language)));
+    }
+    Ok(pairs)
+}
+
+/// Runs numbered jobs on all processors and gives what went wrong, sorted and once each.
+fn in_parallel(jobs: usize, run: &(dyn Fn(usize) -> Result<(), Vec<Diagnostic>> + Sync)) -> Vec<Diagnostic> {
+    let next = AtomicUsize::new(0);
+    let faults = Mutex::new(Vec::new());
+    let work = || {
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            if at >= jobs {
+                return;
+            }
+            if let Err(more) = run(at) {
+                lock(&faults).extend(more);
+            }
+        }
+    };
+    together(jobs, work);
+    let mut faults = faults.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let key = |fault: &Diagnostic| {
+        let place = fault.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));
+        let args = fault.args.iter().filter(|(name, _)| !["cycle", "control"].contains(name));
+        (fault.code, place, args.map(|(name, value)| format!("{name}={value:?}")).collect::<String>())
+    };
+    faults.sort_by_cached_key(key);
+    faults.dedup_by_key(|fault| key(fault));
+    faults
+}
+
+/// A lock that a panic elsewhere left still guards a whole list.
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+}

@@ -1,0 +1,149 @@
+//! What all pages of a control in a language share: words, contents and links.
+use std::borrow::Cow;
+use std::collections::{BTreeMap, HashMap};
+
+use minijinja::Value;
+use minijinja::value::Serde;
+
+use crate::base::diag::{Diagnostic, Place};
+use crate::language::locale::{Args, Language, LocaleError, Scope};
+use crate::spec::{Cycle, CycleKey, Keyword, OnControl, Topic};
+
+/// The prefixes of messages that are words without arguments.
+const WORDS: [&str; 4] = ["site-", "caption-", "reference-", "optional-"];
+
+/// A control in a language.
+pub(super) struct Section<'a> {
+    pub(super) on: &'a OnControl,
+    pub(super) language: &'a Language,
+    /// The name of the language in itself.
+    pub(super) language_name: String,
+    /// The words of the site, for templates.
+    pub(super) words: Value,
+    /// The cycles by key.
+    pub(super) entries: Vec<Entry<'a>>,
+    /// The topics that its manual covers.
+    pub(super) topics: Vec<TopicPage<'a>>,
+    /// The terms of the glossary: ids without their prefix.
+    pub(super) terms: Vec<&'a str>,
+    by_key: HashMap<CycleKey, usize>,
+}
+
+/// A page of a cycle.
+pub(super) struct Entry<'a> {
+    pub(super) cycle: &'a Cycle,
+    pub(super) name: String,
+    /// The file name of its page.
+    pub(super) file: String,
+}
+
+/// A page of prose.
+pub(super) struct TopicPage<'a> {
+    pub(super) id: &'a str,
+    pub(super) title: String,
+    /// The file name of its page.
+    pub(super) file: String,
+    /// What stands below the title, in Markdown.
+    pub(super) body: &'a str,
+}
+
+/// What the message of a term begins with.
+pub(super) const TERM: &str = "term-";
+
+impl<'a> Section<'a> {
+    pub(super) fn new(
+        topics: &'a [Topic],
+        on: &'a OnControl,
+        language: &'a Language,
+        source: Option<&'a Language>,
+    ) -> Result<Self, Vec<Diagnostic>> {
+        let mut faults = Vec::new();
+        let words = words(language, source, &mut faults);
+        let mut entries = Vec::new();
+        for cycle in on.cycles.values() {
+            let scope = Scope::new(cycle.name(), on.id());
+            match language.plain(&format!("cycle-{}", cycle.name()), &scope) {
+                Ok(name) => entries.push(Entry { cycle, name: name.into_owned(), file: file_of(cycle.key) }),
+                Err(error) => faults.push(of_cycle(error, cycle)),
+            }
+        }
+        let covers = |topic: &&Topic| topic.controls.iter().any(|own| own.control.as_str() == on.id());
+        let pages: Vec<_> = topics.iter().filter(covers).map(|topic| topic_page(topic, language)).collect();
+        let mut topics = Vec::new();
+        for page in pages {
+            match page {
+                Ok(page) => topics.push(page),
+                Err(fault) => faults.push(fault),
+            }
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let mut terms: Vec<&str> = source.unwrap_or(language).ids().filter_map(|id| id.strip_prefix(TERM)).collect();
+        terms.sort_unstable();
+        let by_key = entries.iter().enumerate().map(|(at, entry)| (entry.cycle.key, at)).collect();
+        let language_name = words.get("language_name").cloned().unwrap_or_default();
+        Ok(Self { on, language, language_name, words: Value::from(Serde(&words)), entries, topics, terms, by_key })
+    }
+
+    /// The path of a file of this section.
+    pub(super) fn path(&self, file: &str) -> String {
+        format!("{}/{}/{file}", self.on.id(), self.language.tag())
+    }
+
+    pub(super) fn entry(&self, key: CycleKey) -> Option<&Entry<'a>> {
+        self.by_key.get(&key).and_then(|at| self.entries.get(*at))
+    }
+
+    /// A text with arguments that belongs to no cycle.
+    pub(super) fn text(&self, key: &str, args: &Args) -> Result<Cow<'_, str>, Vec<Diagnostic>> {
+        self.language.text(key, &Scope::control(self.on.id()), args).map_err(|error| vec![error.into()])
+    }
+}
+
+/// The page of a topic: its first line is the title.
+fn topic_page<'a>(topic: &'a Topic, language: &'a Language) -> Result<TopicPage<'a>, Diagnostic> {
+    let id = topic.topic.as_str();
+    let lacking = |code, place| Diagnostic::error(code, place).arg("topic", id).arg("language", language.tag());
+    let Some(page) = language.topic(id) else {
+        return Err(lacking("manual-topic-missing", topic.topic.place.clone()));
+    };
+    let (first, body) = page.text().split_once('\n').unwrap_or((page.text(), ""));
+    let Some(title) = first.strip_prefix("# ").map(str::trim).filter(|title| !title.is_empty()) else {
+        return Err(lacking("manual-topic-title", Place::new(page, 0..first.len())));
+    };
+    Ok(TopicPage { id, title: title.to_owned(), file: format!("topic-{id}.html"), body })
+}
+
+fn of_cycle(error: LocaleError, cycle: &Cycle) -> Diagnostic {
+    let mut diagnostic = Diagnostic::from(error);
+    diagnostic.place.get_or_insert_with(|| cycle.file.name.place.clone());
+    diagnostic
+}
+
+/// All words, by their ids as templates write them: `site-by-name` is `words.by_name`, and
+/// `caption-unit` is `words.caption_unit`. Every language must have those of the source language.
+fn words(language: &Language, source: Option<&Language>, faults: &mut Vec<Diagnostic>) -> BTreeMap<String, String> {
+    let ids = source.unwrap_or(language).ids().filter(|id| WORDS.iter().any(|prefix| id.starts_with(prefix)));
+    let mut words = BTreeMap::new();
+    for id in ids {
+        match language.plain(id, &Scope::NONE) {
+            Ok(word) => {
+                words.insert(id.strip_prefix(WORDS[0]).unwrap_or(id).replace('-', "_"), word.into_owned());
+            }
+            Err(error) => faults.push(error.into()),
+        }
+    }
+    words
+}
+
+/// The file name of the page of a cycle: `tch-probe-412.html`.
+pub(super) fn file_of(key: CycleKey) -> String {
+    format!("{}-{}.html", key.keyword.as_str().to_lowercase().replace(' ', "-"), key.number)
+}
+
+/// The cycle that a link such as `cycle:TCH-PROBE-412` means.
+pub(super) fn link_target(link: &str) -> Option<CycleKey> {
+    let (keyword, number) = link.strip_prefix("cycle:")?.rsplit_once('-')?;
+    Some(CycleKey::new(Keyword::by_word(&keyword.replace('-', " "))?, number.parse().ok()?))
+}

@@ -1,0 +1,339 @@
+//! The outside world: files, the environment and the terminal.
+//!
+//! Invariant: nothing half-written is ever found under the name that was asked for. A file is written
+//! beside its target and renamed; a directory is filled beside its target and exchanged when whole. Nothing of that is
+//! left behind, nor a program that was started, also when a signal ends this one.
+mod answering;
+mod folders;
+mod leftover;
+mod replace;
+
+use std::ffi::OsString;
+use std::io::{self, IsTerminal};
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use leftover::Made;
+
+use crate::base::diag::Diagnostic;
+
+pub use answering::{Answering, LONGEST_LINE, NoAnswer, next_line};
+pub use folders::{Folder, beside, files_below, nearest, seen_from, spelled};
+pub use replace::{Seen, write, write_parts};
+
+/// Marks a directory as one that was written by us and may be replaced.
+const MARK: &str = ".ciklo-build";
+/// How deep directories with data are followed; links could otherwise lead round in a circle.
+const DEEPEST: usize = 16;
+
+/// Something outside that failed.
+#[derive(Debug)]
+pub struct Trouble {
+    code: &'static str,
+    path: PathBuf,
+    reason: &'static str,
+    detail: String,
+}
+
+impl Trouble {
+    fn new(code: &'static str, path: &Path, error: &io::Error) -> Self {
+        let reason = match error.kind() {
+            io::ErrorKind::NotFound => "not-found",
+            io::ErrorKind::PermissionDenied => "permission",
+            io::ErrorKind::IsADirectory => "is-directory",
+            io::ErrorKind::NotADirectory => "not-directory",
+            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "full",
+            io::ErrorKind::ReadOnlyFilesystem => "read-only",
+            io::ErrorKind::FileTooLarge => "too-large",
+            _ => "other",
+        };
+        Self { code, path: path.to_owned(), reason, detail: error.to_string() }
+    }
+}
+
+impl From<Trouble> for Diagnostic {
+    fn from(trouble: Trouble) -> Self {
+        Self::global(trouble.code)
+            .arg("path", trouble.path.display().to_string())
+            .arg("reason", trouble.reason)
+            .arg("detail", trouble.detail)
+    }
+}
+
+/// Makes a limit of the system on the size of files an error like others instead of the end of the program.
+pub fn outlive_limits() {
+    leftover::outlive_limits();
+}
+
+/// The words of the command line, the program's name first.
+pub fn arguments() -> impl Iterator<Item = OsString> {
+    env::args_os()
+}
+
+/// A variable of the environment; nothing if it is not set or not text.
+#[expect(clippy::disallowed_methods, reason = "this is the place to ask")]
+pub fn variable(name: &str) -> Option<String> {
+    env::var(name).ok()
+}
+
+/// Whether progress can be shown: standard error is a terminal.
+pub fn shows_progress() -> bool {
+    io::stderr().is_terminal()
+}
+
+/// Whether standard output and standard error take colours.
+pub fn colours() -> (bool, bool) {
+    let never = anstream::ColorChoice::Never;
+    (
+        anstream::AutoStream::choice(&io::stdout()) != never && io::stdout().is_terminal(),
+        anstream::AutoStream::choice(&io::stderr()) != never && io::stderr().is_terminal(),
+    )
+}
+
+/// What to say if standard output does not take any more.
+pub fn stdout_trouble(error: &io::Error) -> Trouble {
+    Trouble::new("io-write", Path::new("-"), error)
+}
+
+/// The bytes of a file; of standard input for `-`.
+///
+/// # Errors
+/// `io-read` if it cannot be read.
+pub fn read(path: &Path) -> Result<Vec<u8>, Trouble> {
+    let read = if path == Path::new("-") {
+        let mut bytes = Vec::new();
+        io::Read::read_to_end(&mut io::stdin().lock(), &mut bytes).map(|_| bytes)
+    } else {
+        fs::read(path)
+    };
+    read.map_err(|error| Trouble::new("io-read", path, &error))
+}
+
+/// The bytes of a file that nobody named: nothing else is read, as pipes may wait for ever and devices may have no end.
+///
+/// # Errors
+/// `io-read` if it is no file or cannot be read.
+pub fn read_file(path: &Path) -> Result<Vec<u8>, Trouble> {
+    if is_no_file(path) {
+        let error = if path.is_dir() { io::ErrorKind::IsADirectory.into() } else { not_regular() };
+        return Err(Trouble::new("io-read", path, &error));
+    }
+    read(path)
+}
+
+/// Whether something stands there that is no file.
+pub fn is_no_file(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|known| !known.is_file())
+}
+
+/// How many bytes a file has, if it can be told.
+pub fn size(path: &Path) -> Option<u64> {
+    fs::metadata(path).ok().map(|known| known.len())
+}
+
+fn not_regular() -> io::Error {
+    io::Error::other("not a regular file")
+}
+
+/// All files below some directories in `root`, by path with `/`, in the order of paths. Hidden files
+/// are passed over.
+///
+/// # Errors
+/// `io-read` if `root` is no directory or something in it cannot be read.
+pub fn read_tree(root: &Path, tops: &[&str]) -> Result<Vec<(String, Vec<u8>)>, Trouble> {
+    fs::read_dir(root).map_err(|error| Trouble::new("io-read", root, &error))?;
+    let mut files = Vec::new();
+    for top in tops {
+        let path = root.join(top);
+        if path.is_dir() {
+            collect(&path, top, 0, &mut files)?;
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
+fn collect(directory: &Path, name: &str, depth: usize, files: &mut Vec<(String, Vec<u8>)>) -> Result<(), Trouble> {
+    let trouble = |error: io::Error| Trouble::new("io-read", directory, &error);
+    for entry in fs::read_dir(directory).map_err(trouble)? {
+        let entry = entry.map_err(trouble)?;
+        let own = entry.file_name().to_string_lossy().into_owned();
+        let (path, name) = (entry.path(), format!("{name}/{own}"));
+        if own.starts_with('.') {
+            continue;
+        }
+        let known = fs::metadata(&path).map_err(|error| Trouble::new("io-read", &path, &error))?;
+        if known.is_file() {
+            files.push((name, read(&path)?));
+        } else if !known.is_dir() {
+            // A pipe would wait for ever.
+            return Err(Trouble::new("io-read", &path, &not_regular()));
+        } else if depth < DEEPEST {
+            collect(&path, &name, depth + 1, files)?;
+        }
+    }
+    Ok(())
+}
+
+/// Where this program may keep what it can find out again: the place that the platform names for that.
+pub fn cache_directory() -> Option<PathBuf> {
+    let named = |name: &str| env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
+    let absolute = |path: &PathBuf| path.is_absolute();
+    let base = if cfg!(windows) {
+        named("LOCALAPPDATA")?
+    } else if cfg!(target_os = "macos") {
+        named("HOME")?.join("Library/Caches")
+    } else {
+        named("XDG_CACHE_HOME").filter(absolute).or_else(|| Some(named("HOME")?.join(".cache")))?
+    };
+    Some(base.join("ciklo")).filter(absolute)
+}
+
+/// Makes a directory, unless it is there.
+///
+/// # Errors
+/// `io-write` if it cannot be made.
+pub fn create_directory(path: &Path) -> Result<(), Trouble> {
+    fs::create_dir_all(path).map_err(|error| Trouble::new("io-write", path, &error))
+}
+
+/// A file of that name in a directory; whatever in the name leads elsewhere is left out.
+pub fn inside(directory: &Path, name: &str) -> PathBuf {
+    let parts = name.split(['/', '\\']).filter(|part| !matches!(*part, "" | "." | ".."));
+    directory.join(parts.collect::<PathBuf>())
+}
+
+fn parent(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    }
+}
+
+/// A directory in the making. Dropped before [`Staged::commit`], it leaves no trace.
+#[derive(Debug)]
+pub struct Staged {
+    target: PathBuf,
+    whole: PathBuf,
+    old: PathBuf,
+    /// Has both; there until this is dropped.
+    scratch: Option<tempfile::TempDir>,
+    /// Dropped last, when the directory is gone.
+    _leftover: leftover::Leftover,
+}
+
+impl Drop for Staged {
+    fn drop(&mut self) {
+        let scratch = self.scratch.take();
+        leftover::undisturbed(|| drop(scratch));
+    }
+}
+
+impl Staged {
+    /// Begins a directory that will stand at `target`; what was built there before stays until then.
+    ///
+    /// # Errors
+    /// `io-foreign-directory` if something stands there that we did not write; `io-write`.
+    pub fn new(target: &Path) -> Result<Self, Trouble> {
+        let trouble = |error: io::Error| Trouble::new("io-write", target, &error);
+        let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
+        if !is_ours(&target).map_err(trouble)? {
+            let error = io::Error::from(io::ErrorKind::AlreadyExists);
+            return Err(Trouble::new("io-foreign-directory", &target, &error));
+        }
+        fs::create_dir_all(parent(&target)).map_err(trouble)?;
+        let temporary = || tempfile::Builder::new().prefix(".ciklo-").tempdir_in(parent(&target));
+        let (leftover, scratch) = leftover::make(temporary, |made| Made::at(made.path())).map_err(trouble)?;
+        let [whole, old] = ["new", "old"].map(|name| scratch.path().join(name));
+        let staged = Self { target: target.clone(), whole, old, scratch: Some(scratch), _leftover: leftover };
+        let begun = leftover::undisturbed(|| {
+            fs::create_dir(&staged.whole).and_then(|()| fs::write(staged.whole.join(MARK), "ciklo build 1\n"))
+        });
+        begun.map_err(trouble)?;
+        Ok(staged)
+    }
+
+    /// Writes a file of the directory; `path` has `/` and stays inside.
+    ///
+    /// # Errors
+    /// `io-write` if it cannot be written.
+    pub fn write(&self, path: &str, bytes: &[u8]) -> Result<(), Trouble> {
+        let file = inside(&self.whole, path);
+        let write = || {
+            fs::write(&file, bytes).or_else(|error| match error.kind() {
+                io::ErrorKind::NotFound => fs::create_dir_all(parent(&file)).and_then(|()| fs::write(&file, bytes)),
+                _ => Err(error),
+            })
+        };
+        let written = leftover::undisturbed(write);
+        written.map_err(|error| Trouble::new("io-write", &inside(&self.target, path), &error))
+    }
+
+    /// Puts the directory in its place, in exchange for what was built there before.
+    ///
+    /// # Errors
+    /// `io-write` if it cannot be moved; the old one then stands where it stood.
+    pub fn commit(self) -> Result<(), Trouble> {
+        let exchanged = leftover::undisturbed(|| {
+            let replaced = self.target.exists();
+            if replaced {
+                fs::rename(&self.target, &self.old)?;
+            }
+            let moved = fs::rename(&self.whole, &self.target);
+            if moved.is_err() && replaced {
+                fs::rename(&self.old, &self.target)?;
+            }
+            moved
+        });
+        exchanged.map_err(|error| Trouble::new("io-write", &self.target, &error))
+    }
+}
+
+/// Whether a directory may be replaced: it is not there, it is empty, or we wrote it.
+fn is_ours(target: &Path) -> io::Result<bool> {
+    match fs::read_dir(target) {
+        Ok(mut entries) => Ok(target.join(MARK).is_file() || entries.next().is_none()),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(true),
+        Err(error) => Err(error),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_directory_is_exchanged_when_whole_and_not_before() {
+        let root = tempfile::tempdir().unwrap();
+        let target = root.path().join("a/out");
+        let first = Staged::new(&target).unwrap();
+        first.write("x/y.txt", b"1").unwrap();
+        first.write("../../escape.txt", b"1").unwrap();
+        assert!(!target.exists());
+        first.commit().unwrap();
+        assert_eq!(fs::read(target.join("x/y.txt")).unwrap(), b"1");
+        assert!(!root.path().join("escape.txt").exists());
+
+        let abandoned = Staged::new(&target).unwrap();
+        abandoned.write("x/y.txt", b"2").unwrap();
+        drop(abandoned);
+        assert_eq!(fs::read(target.join("x/y.txt")).unwrap(), b"1");
+
+        let second = Staged::new(&target).unwrap();
+        second.write("z.txt", b"3").unwrap();
+        second.commit().unwrap();
+        assert!(!target.join("x").exists());
+        assert_eq!(fs::read(target.join("z.txt")).unwrap(), b"3");
+        let beside: Vec<_> = fs::read_dir(root.path().join("a")).unwrap().collect();
+        assert_eq!(beside.len(), 1, "nothing temporary is left");
+    }
+
+    #[test]
+    fn a_directory_of_someone_else_is_left_alone() {
+        let root = tempfile::tempdir().unwrap();
+        fs::write(root.path().join("thesis.txt"), "all my work").unwrap();
+        let trouble = Staged::new(root.path()).unwrap_err();
+        assert_eq!(Diagnostic::from(trouble).code, "io-foreign-directory");
+        assert!(root.path().join("thesis.txt").exists());
+    }
+}

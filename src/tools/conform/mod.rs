@@ -1,0 +1,163 @@
+//! Conformance: the examples of the specifications executed by the engine.
+//!
+//! Each example is one case for each control that has the cycle; what it expects is compared with what the
+//! engine tells. Invariant: an expectation is never adapted to a result; what no example shows is reported.
+mod case;
+mod expect;
+mod foreign;
+mod protocol;
+mod report;
+mod texts;
+
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+pub use foreign::{Partner, Silence, run as run_foreign};
+pub use protocol::{Answer, CellWritten, CycleName, Moved, PROTOCOL, Request, serve};
+pub use report::{CaseReport, Clause, CycleReport, FORMAT, Mismatch, Report, Verdict, junit};
+pub use texts::LogTexts;
+
+use crate::base::diag::{Diagnostic, Source, dedupe};
+use crate::base::parallel::together;
+use crate::engine::plan;
+use crate::engine::run::Shown;
+use crate::engine::scene::Scene;
+use crate::language::locale::Locales;
+use crate::spec::{Catalogue, Cycle, CycleKey, Example, OnControl};
+
+/// What conformance works on.
+#[derive(Clone, Copy, Debug)]
+pub struct World<'w> {
+    /// The specifications.
+    pub catalogue: &'w Catalogue,
+    /// The languages, for labels and logs.
+    pub locales: &'w Locales,
+    /// All data files: machines and templates of logs are among them.
+    pub files: &'w [(String, String)],
+}
+
+/// An example on a control.
+struct Job<'w> {
+    on: &'w OnControl,
+    cycle: &'w Cycle,
+    example: &'w Example,
+}
+
+impl Job<'_> {
+    fn report(&self, verdict: Verdict) -> CaseReport {
+        case::report(self.on, self.cycle, self.example, verdict)
+    }
+}
+
+/// Runs every example on the controls (all of them, if the list is empty). Mistakes in the examples themselves come
+/// back as diagnostics.
+pub fn run(world: &World<'_>, controls: &[&str]) -> (Report, Vec<Diagnostic>) {
+    let chosen = |on: &&OnControl| controls.is_empty() || controls.contains(&on.id());
+    let jobs = jobs(world, controls);
+    let results = execute(world, &jobs);
+    let mut shown: BTreeMap<(String, CycleKey), Shown> = BTreeMap::new();
+    let (mut cases, mut found) = (Vec::new(), Vec::new());
+    for (job, (report, seen, mistakes)) in jobs.iter().zip(results) {
+        cases.push(report);
+        found.extend(mistakes);
+        for (key, sentence) in seen.sentences {
+            shown.entry((job.on.id().to_owned(), key)).or_default().sentences.insert((key, sentence));
+        }
+        for (key, code) in seen.guards {
+            shown.entry((job.on.id().to_owned(), key)).or_default().guards.insert((key, code));
+        }
+    }
+    let mut cycles = Vec::new();
+    for on in world.catalogue.controls.values().filter(chosen) {
+        for cycle in on.cycles.values() {
+            let seen = shown.remove(&(on.id().to_owned(), cycle.key)).unwrap_or_default();
+            cycles.push(cycle_report(on, cycle, &seen));
+        }
+    }
+    dedupe(&mut found);
+    (Report { format: FORMAT, cases, cycles }, found)
+}
+
+/// An example on a control as what it executes.
+#[derive(Clone, Debug)]
+pub struct Executed<'w> {
+    /// The control.
+    pub on: &'w OnControl,
+    /// The cycle that has it.
+    pub cycle: &'w Cycle,
+    /// Its name.
+    pub name: &'w str,
+    /// The program.
+    pub program: Arc<Source>,
+    /// The scene.
+    pub scene: Scene,
+}
+
+/// The programs and scenes of all sound examples on the controls, or on all of them if the list is empty; those that
+/// are skipped are left out.
+pub fn executed<'w>(world: &World<'w>, controls: &[&str]) -> Vec<Executed<'w>> {
+    let ready = |job: Job<'w>| {
+        let Job { on, cycle, example } = job;
+        let case::Prepared { program, scene, .. } = case::prepare(world, on, cycle, example).ok()?;
+        Some(Executed { on, cycle, name: example.name.as_str(), program, scene })
+    };
+    jobs(world, controls).into_iter().filter(|job| job.example.skip.is_none()).filter_map(ready).collect()
+}
+
+/// The examples on the controls, or on all of them if the list is empty.
+fn jobs<'w>(world: &World<'w>, controls: &[&str]) -> Vec<Job<'w>> {
+    let chosen = |on: &&OnControl| controls.is_empty() || controls.contains(&on.id());
+    let mut jobs = Vec::new();
+    for on in world.catalogue.controls.values().filter(chosen) {
+        for cycle in on.cycles.values() {
+            jobs.extend(cycle.file.examples.iter().map(|example| Job { on, cycle, example }));
+        }
+    }
+    jobs
+}
+
+type Result = (CaseReport, Shown, Vec<Diagnostic>);
+
+/// Executes the cases on all cores; the results come in the order of the jobs.
+fn execute(world: &World<'_>, jobs: &[Job<'_>]) -> Vec<Result> {
+    let next = AtomicUsize::new(0);
+    let results: Mutex<Vec<Option<Result>>> = Mutex::new(jobs.iter().map(|_| None).collect());
+    together(jobs.len(), || {
+        while let Some((index, job)) = take(&next, jobs) {
+            let result = case::execute(world, job.on, job.cycle, job.example);
+            let mut all = results.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some(cell) = all.get_mut(index) {
+                *cell = Some(result);
+            }
+        }
+    });
+    results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect()
+}
+
+fn take<'j, 'w>(next: &AtomicUsize, jobs: &'j [Job<'w>]) -> Option<(usize, &'j Job<'w>)> {
+    let index = next.fetch_add(1, Ordering::Relaxed);
+    jobs.get(index).map(|job| (index, job))
+}
+
+/// What the examples showed of a cycle, and what they did not.
+fn cycle_report(on: &OnControl, cycle: &Cycle, seen: &Shown) -> CycleReport {
+    let (plan, _) = plan::compile(cycle, on);
+    let id = |sentence: &plan::Sentence| match sentence.kind {
+        plan::SentenceKind::Step => format!("step-{}", sentence.id),
+        plan::SentenceKind::Say => format!("say-{}", sentence.id),
+    };
+    let executed = |sentence: &&plan::Sentence| seen.sentences.contains(&(cycle.key, (**sentence).clone()));
+    let provoked = |code: &&std::sync::Arc<str>| seen.guards.contains(&(cycle.key, std::sync::Arc::clone(code)));
+    CycleReport {
+        control: on.id().to_owned(),
+        keyword: cycle.key.keyword.as_str(),
+        number: cycle.key.number,
+        name: cycle.name().to_owned(),
+        pending: plan.pending().map(str::to_owned).collect(),
+        executed: plan.sentences.iter().filter(executed).map(id).collect(),
+        unexecuted: plan.sentences.iter().filter(|sentence| !executed(sentence)).map(id).collect(),
+        provoked: plan.codes.iter().filter(provoked).map(|code| code.to_string()).collect(),
+        unprovoked: plan.codes.iter().filter(|code| !provoked(code)).map(|code| code.to_string()).collect(),
+    }
+}
