@@ -1,7 +1,7 @@
 //! The data that the program works on: specifications, locales and templates, embedded or from a
 //! working copy.
 //!
-//! Invariant: plain paths and texts; whoever reads a directory does it outside of this module.
+//! Invariant: plain paths and texts; directories are read outside of this module.
 
 mod embedded {
     include!(concat!(env!("OUT_DIR"), "/embedded.rs"));

@@ -54,7 +54,7 @@ struct Lines {
 /// Of so many lines one is remembered; the others are counted from there.
 const STEP: usize = 64;
 
-/// The starts of lines behind `from` up to `to`; lines end at `\n`, `\r\n` or a lone `\r`.
+/// The starts of lines after `from` up to `to`; lines end at `\n`, `\r\n` or a lone `\r`.
 fn starts(text: &str, from: usize, to: usize) -> impl Iterator<Item = usize> + '_ {
     let bytes = text.as_bytes();
     let part = bytes.get(from..to.min(bytes.len())).unwrap_or_default();
@@ -222,11 +222,11 @@ pub struct Diagnostic {
     pub args: Vec<(&'static str, Arg)>,
     /// Other places that belong to the finding, each with a code of its own for its caption.
     pub related: Vec<(&'static str, Place)>,
-    /// What may stand there instead without changing what the program does, if anything.
+    /// What may be written there instead without changing what the program does, if anything.
     pub fix: Option<Edit>,
 }
 
-/// A stretch of a text and what stands there instead.
+/// A range of a text and what replaces it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
     /// The stretch.
@@ -280,7 +280,7 @@ impl Diagnostic {
         self
     }
 
-    /// The same with what may stand at `span` instead.
+    /// The same with a text that may replace `span`.
     pub fn fix(mut self, span: Span, text: impl Into<String>) -> Self {
         self.fix = Some(Edit { span, text: text.into() });
         self

@@ -14,12 +14,12 @@ pub const fn key(keyword: CycleKeyword, number: u32) -> CycleKey {
     CycleKey::new(keyword, number)
 }
 
-/// Whether a field may stand on a line: on its own one, or on a later one if its line may be repeated.
+/// Whether a field may be on a line: on its own one, or on a later one if its line may be repeated.
 pub const fn stands_on(field: &Field, line: &OldCycleLine) -> bool {
     field.line == line.line || (field.repeat && line.line > field.line)
 }
 
-/// The place of the first of the fields that the words begin with, and how many words make it up. Fields stand
+/// The place of the first of the fields that the words begin with, and how many words make it up. Fields are
 /// in their order: those before it are not written on this line.
 pub fn first<'f>(
     program: &Program,
@@ -51,7 +51,7 @@ fn width(program: &Program, field: &Field, words: &[NamedWord]) -> usize {
             let plain = name.strip_prefix(['I', 'i']).filter(|_| field.incremental);
             name.eq_ignore_ascii_case(own) || plain.is_some_and(|plain| plain.eq_ignore_ascii_case(own))
         }
-        // Most are printed with a colon, the second value of a pair behind a bar; of the others, short words are
+        // Most are printed with a colon, the second value of a pair after a bar; of the others, short words are
         // those of other fields.
         Shape::Labelled => {
             let letters = name.chars().filter(|c| c.is_alphabetic()).count();

@@ -42,12 +42,12 @@ impl std::fmt::Display for CycleKey {
     }
 }
 
-/// Where an old-style field stands and how it is written.
+/// Where an old-style field is and how it is written.
 #[derive(Clone, Debug)]
 pub struct Field {
     /// The index of its form.
     pub form: usize,
-    /// The number of its line behind the point.
+    /// The number of its line after the point.
     pub line: u32,
     /// Whether the line may be repeated with following numbers.
     pub repeat: bool,
@@ -92,7 +92,7 @@ pub struct Param {
     pub choices: Vec<Choice>,
     /// The values that are hardly meant.
     pub doubtful: Vec<Doubtful>,
-    /// The characters that a text may have beside letters, digits and blanks; nothing if it may have any.
+    /// The characters that a text may have besides letters, digits and blanks; nothing if it may have any.
     pub characters: Option<String>,
     /// The condition under which it acts.
     pub effective: Option<Name>,
@@ -102,7 +102,7 @@ pub struct Param {
     pub imported: Option<f64>,
     /// The printed example value.
     pub example: Option<String>,
-    /// Where it stands in the file.
+    /// Where it is in the file.
     pub place: Place,
 }
 
@@ -259,7 +259,7 @@ pub struct Catalogue {
     pub errata: Vec<Erratum>,
     /// The topics, in the order of the overview.
     pub topics: Vec<Topic>,
-    /// Blocks of the language that are no cycles; those of which more is said come behind others.
+    /// Blocks of the language that are no cycles; those with more words come after those with fewer.
     pub blocks: Vec<BlockWords>,
     /// What GLOBAL DEF gives.
     pub globals: Vec<Global>,

@@ -147,7 +147,7 @@ impl<T> Entries<T> {
 pub struct Name {
     /// The text.
     pub text: Arc<str>,
-    /// Where it stands.
+    /// Its place.
     pub place: Place,
 }
 
@@ -260,7 +260,7 @@ pub struct Formula {
     pub expr: Expr,
     /// As written.
     pub text: Arc<str>,
-    /// Where it stands.
+    /// Its place.
     pub place: Place,
 }
 
@@ -308,7 +308,7 @@ macro_rules! record {
         #[derive(Clone, Debug)]
         pub struct $name {
             $($(#[doc = $field_doc])+ pub $field: $ty,)*
-            /// Where it stands.
+            /// Its place.
             pub place: $crate::base::diag::Place,
         }
 

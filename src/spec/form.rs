@@ -67,7 +67,7 @@ record! {
 }
 
 record! {
-    /// A word that may stand instead of a number.
+    /// A word that may replace a number.
     pub struct Word {
         /// The word, such as `FAUTO`.
         word: String,
@@ -101,7 +101,7 @@ record! {
         choices: Vec<Choice>,
         /// Values that are hardly meant, on any control.
         doubtful: Vec<Doubtful>,
-        /// The characters that a text may have beside letters, digits and blanks.
+        /// The characters that a text may have besides letters, digits and blanks.
         characters: Option<String>,
     }
 }
@@ -161,7 +161,7 @@ record! {
 record! {
     /// A line of the old form.
     pub struct Line {
-        /// Its number behind the point.
+        /// Its number after the point.
         line: u32,
         /// Its fields in order.
         fields: Vec<Parameter>,
@@ -241,7 +241,7 @@ record! {
         without: Vec<Name>,
         /// Blocks before.
         before: Vec<String>,
-        /// Blocks behind.
+        /// The number of blocks after it.
         after: Vec<String>,
         /// The id of its title, `title-<id>`.
         title: Option<Name>,
@@ -261,7 +261,7 @@ record! {
         switched_off_by: Option<Name>,
         /// When it is looked at.
         at: Option<Moment>,
-        /// The parameter where the checker tells it, if it is not the first one that the condition measures.
+        /// The parameter at which the checker reports it, if it is not the first one that the condition measures.
         about: Option<QRef>,
         /// Guards of a fragment instead.
         r#use as "use": Option<Name>,
@@ -277,7 +277,7 @@ record! {
         code: Name,
         /// When it applies: a formula of the Q parameters of the cycle.
         when: Formula,
-        /// The parameter where it is told.
+        /// The parameter at which it is reported.
         about: QRef,
     }
 }
@@ -323,7 +323,7 @@ record! {
         program: Option<Name>,
         /// Blocks before the definition.
         before: Vec<String>,
-        /// Blocks behind the definition or call.
+        /// Blocks after the definition or call.
         after: Vec<String>,
         /// The scene.
         scene: Option<Tree>,
@@ -347,7 +347,7 @@ record! {
         compensated: bool,
         /// It machines the first of them only.
         first_only: bool,
-        /// It ends elsewhere than it began: the first position behind it names both coordinates of the plane.
+        /// It ends elsewhere than it began: the first position after it names both coordinates of the plane.
         displaces: bool,
         /// It turns them: they are described in Z and X.
         turned: bool,
@@ -371,7 +371,7 @@ record! {
 record! {
     /// A state of the control in which a manual forbids a cycle.
     pub struct RefusedState {
-        /// Its name, as guards know it behind `active.`.
+        /// Its name, as guards know it after `active.`.
         state: Name,
     }
 }
@@ -387,7 +387,7 @@ record! {
         name: Name,
         /// Its group.
         group: Group,
-        /// Other groups in whose overview it stands, too.
+        /// Other groups whose overview lists it, too.
         also_in: Vec<Group>,
         /// Where it is described.
         controls: Vec<Described>,
@@ -453,7 +453,7 @@ record! {
         actions as "do": Vec<Action>,
         /// Bullets.
         choose: Vec<Case>,
-        /// Actions behind the bullets.
+        /// Actions after the bullets.
         then: Vec<Action>,
     }
 }

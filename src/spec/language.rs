@@ -25,7 +25,7 @@ record! {
         max: Option<f64>,
         /// Only whole numbers.
         whole: bool,
-        /// The words that may stand behind it, or with which they begin.
+        /// The words that may follow it, or with which they begin.
         offers: Vec<String>,
     }
 }
@@ -35,17 +35,17 @@ record! {
     pub struct BlockWords {
         /// The words that it begins with, such as `PLANE SPATIAL`; for an M function its name, for one on texts, too.
         block: String,
-        /// What may follow; others are told if they look like one of them.
+        /// What may follow; others are reported if they look like one of them.
         follows: Vec<String>,
         /// Words of which none can be left out.
         needs: Vec<String>,
-        /// Lists of words of which exactly one stands there.
+        /// Lists of words of which exactly one must be given.
         one_of: Vec<String>,
-        /// Lists of words of which at least one stands there.
+        /// Lists of words of which at least one must be given.
         any_of: Vec<String>,
         /// Pairs of words that exclude each other.
         excludes: Vec<String>,
-        /// Pairs of words: where the first one stands, the second one is needed.
+        /// Pairs of words: with the first one, the second one is needed.
         asks: Vec<String>,
         /// The extension of the file that it names, or several, separated by blanks.
         file: Option<String>,
@@ -53,7 +53,7 @@ record! {
         nonzero: Vec<String>,
         /// Pairs of words: the number of the first one is less than that of the second one.
         below: Vec<String>,
-        /// Words behind which a number, a parameter or a text stands.
+        /// Words that are followed by a number, a parameter or a text.
         valued: Vec<String>,
         /// Words that are not the last ones.
         goes_on: Vec<String>,
@@ -61,7 +61,7 @@ record! {
         contains: Vec<String>,
         /// Words that mean nothing in it.
         never: Vec<String>,
-        /// The words that may stand behind an M function, and no others.
+        /// The words that may follow an M function, and no others.
         none_but: Vec<String>,
         /// Words one of which begins what the function does; without any of them it ends that.
         begun_by: Vec<String>,

@@ -16,7 +16,7 @@ record! {
 record! {
     /// How a control joins the lines of a printed block.
     pub struct BlockLayout {
-        /// What stands at the end of every line that the block goes on behind.
+        /// The sign at the end of every line that is continued.
         continuation: String,
         /// The manuals that print it.
         manuals: Vec<String>,
@@ -59,7 +59,7 @@ record! {
     /// Functions of the language, and cycles, that a control does not have.
     pub struct FunctionLacking {
         /// The words that they are printed with, such as `PATTERN DEF` or `CYCL DEF 251`;
-        /// what stands behind them does not matter.
+        /// what follows them does not matter.
         function: Vec<String>,
         /// How that is known.
         why: String,
@@ -140,7 +140,7 @@ impl Control {
         self.also.iter().any(|own| own.as_str() == name)
     }
 
-    /// Its id, behind it in brackets its other names.
+    /// Its id, followed in brackets by its other names.
     pub fn names(&self) -> String {
         let also: Vec<&str> = self.also.iter().map(Name::as_str).collect();
         match also.as_slice() {

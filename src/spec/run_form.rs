@@ -69,7 +69,7 @@ record! {
         body as "do": Body,
         /// Bullets under a step.
         choose: Vec<Case>,
-        /// Actions of a step behind the bullets.
+        /// Actions of a step after the bullets.
         then: Vec<Action>,
         /// Items of a section.
         items: Vec<Item>,
@@ -84,7 +84,7 @@ record! {
     }
 }
 
-/// What stands under `do`: actions for a step, items for a series.
+/// The content of `do`: actions for a step, items for a series.
 #[derive(Clone, Debug, Default)]
 pub struct Body {
     /// Actions.
@@ -185,7 +185,7 @@ pub struct Action {
     pub when: Option<Formula>,
     /// Arguments of a fragment or strategy.
     pub with: Entries<Formula>,
-    /// Where it stands.
+    /// Its place.
     pub place: crate::base::diag::Place,
 }
 

@@ -52,7 +52,7 @@ fn number_refusal(param: &Param, value: f64) -> Option<Refusal> {
 }
 
 /// Why the parameter refuses a number of a program whose unit has so many mm. The ranges of lengths and feeds are those
-/// of the manuals, in mm; a limit is told in the unit of the program.
+/// of the manuals, in mm; a limit is reported in the unit of the program.
 pub fn number_refusal_in(param: &Param, value: f64, unit: f64) -> Option<Refusal> {
     if unit == 1.0 || !param.is_measured() {
         return number_refusal(param, value);
@@ -116,7 +116,7 @@ fn fed(word: &str, text: &str) -> bool {
     value.is_some_and(|value| is_q(value) || parse(value).is_some())
 }
 
-/// The control shows `FAUTO` as `AUTO` behind the equals sign; `F AUTO` and `F MAX` are the same words.
+/// The control shows `FAUTO` as `AUTO` after the equals sign; `F AUTO` and `F MAX` are the same words.
 fn feed_word(word: &str, text: &str) -> bool {
     let short = word.strip_prefix('F').filter(|short| matches!(*short, "AUTO" | "MAX"));
     short.is_some_and(|short| text.strip_prefix('F').unwrap_or(text).trim_start() == short)
@@ -205,7 +205,7 @@ fn coordinate(param: &Param, text: &str) -> Option<Refusal> {
     }
 }
 
-/// `1/2/3`, with or without blanks; names of labels stand in quotation marks.
+/// `1/2/3`, with or without blanks; names of labels are in quotation marks.
 fn labels(param: &Param, text: &str) -> Option<Refusal> {
     let most = param.max_length.filter(|most| text.split('/').count() > *most as usize);
     most.map(Refusal::TooLong).or_else(|| labels_of(text).find_map(|label| number(param, label)))

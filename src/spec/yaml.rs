@@ -14,7 +14,7 @@ const MAX_DEPTH: usize = 64;
 /// A value with its place.
 #[derive(Clone, Debug)]
 pub struct Node {
-    /// Where it stands.
+    /// Its place.
     pub span: Span,
     /// What it is.
     pub kind: Kind,
@@ -36,7 +36,7 @@ pub enum Kind {
 pub struct Key {
     /// Its text.
     pub text: Arc<str>,
-    /// Where it stands.
+    /// Its place.
     pub span: Span,
 }
 

@@ -14,7 +14,7 @@ use super::leftover::{self, Leftover, Made};
 
 /// The bytes of the longest line that is taken: far more than any log or program that a case has.
 pub const LONGEST_LINE: usize = 16 << 20;
-/// How long a program that has closed its output may take to end by itself: how it ends is told.
+/// How long a program that has closed its output may take to end by itself: how it ends is reported.
 const ENDING: Duration = Duration::from_millis(50);
 
 /// A line with its end, and no more than one byte over the limit.
@@ -159,7 +159,7 @@ impl Answering {
         let (group, mut child) = leftover::make(|| command.spawn(), |child| Made::Group(child.id()))?;
         let (input, output) = (child.stdin.take(), child.stdout.take());
         let (ask, asked) = mpsc::channel::<String>();
-        // One answer may wait; whoever writes more waits too.
+        // One answer may wait; a program that writes more waits.
         let (tell, answers) = mpsc::sync_channel(1);
         // From here on whatever fails ends the program.
         let running = Running { child, group: Some(group), ask, answers };

@@ -1,4 +1,4 @@
-//! Which files there are: below a directory, beside a program, above it.
+//! Which files there are: below a directory, next to a program, above it.
 use std::collections::HashMap;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -49,7 +49,7 @@ fn look_into(
 /// The nearest of that name in the directory of a path or above it.
 pub fn nearest(path: &Path, name: &str) -> Option<PathBuf> {
     let whole = fs::canonicalize(path).or_else(|_| env::current_dir()).ok()?;
-    // Also what cannot be read: whoever asks shall see that.
+    // Also what cannot be read: the caller shall see that.
     whole.ancestors().map(|directory| directory.join(name)).find(|file| fs::symlink_metadata(file).is_ok())
 }
 
@@ -78,7 +78,7 @@ pub fn beside(path: &Path, extension: &str) -> Result<Vec<PathBuf>, Trouble> {
 }
 
 /// The one spelling of a path, whatever way it is given: its directory without links and detours. The file itself
-/// may be a link: what it names stands beside the link. Standard input (`-`) stays what it is.
+/// may be a link: what it names is next to the link. Standard input (`-`) stays what it is.
 pub fn spelled(path: &Path) -> PathBuf {
     if path == Path::new("-") {
         return path.to_owned();

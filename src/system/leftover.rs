@@ -1,8 +1,8 @@
-//! What stands beside its target until it is whole, programs that run for this one, and how both go away when the
-//! program is told to end.
+//! Files next to their targets until they are whole, programs that run for this one, and how both go away when the
+//! program is asked to end.
 //!
 //! Invariant: whatever a signal interrupts, nothing that was made here is left behind;
-//! who ended the program sees it end by that signal. For this, whoever puts something into a directory made
+//! the sender of the signal sees it end by that signal. For this, code that puts something into a directory made
 //! here, or takes it away, does so [undisturbed]: a directory that changes meanwhile cannot be removed.
 use std::path::{Path, PathBuf};
 use std::sync::{PoisonError, RwLock, RwLockWriteGuard};
@@ -30,7 +30,7 @@ impl Made {
     }
 
     fn remove(&self) {
-        // What cannot be taken away stays; there is nobody left to tell.
+        // What cannot be taken away stays; there is no one left to report it to.
         let _ = match self {
             Self::Path(path) if path.is_dir() => fs::remove_dir_all(path),
             Self::Path(path) => fs::remove_file(path),
@@ -84,13 +84,13 @@ fn kill_group(leader: u32) -> io::Result<()> {
     Ok(kill_process_group(group, Signal::KILL)?)
 }
 
-/// Groups of processes are nothing that all systems have; whoever started the process ends it.
+/// Groups of processes are nothing that all systems have; the code that started the process ends it.
 #[cfg(not(unix))]
 fn kill_group(_: u32) -> io::Result<()> {
     Ok(())
 }
 
-/// Whatever a signal of the limit on the size of files does, writing goes wrong then, and that is told.
+/// Whatever a signal of the limit on the size of files does, writing fails then, and that is reported.
 #[cfg(unix)]
 pub(super) fn outlive_limits() {
     use signal_hook::consts::SIGXFSZ;
@@ -101,7 +101,7 @@ pub(super) fn outlive_limits() {
 #[cfg(not(unix))]
 pub(super) fn outlive_limits() {}
 
-/// The signals by which a program is told to end, and those that end it if it does not hear them.
+/// The signals by which a program is asked to end, and those that end it if it does not hear them.
 #[cfg(unix)]
 const HEARD: [i32; 8] = {
     use signal_hook::consts::{SIGALRM, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2};
@@ -136,7 +136,7 @@ fn listen() {
     });
 }
 
-/// Signals that whoever started the program wants it to pass over, a bit each; none where that cannot be known.
+/// Signals that the parent process wants it to ignore, a bit each; none where that cannot be known.
 #[cfg(unix)]
 fn ignored() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();

@@ -1,7 +1,7 @@
 //! The outside world: files, the environment and the terminal.
 //!
 //! Invariant: nothing half-written is ever found under the name that was asked for. A file is written
-//! beside its target and renamed; a directory is filled beside its target and exchanged when whole. Nothing of that is
+//! next to its target and renamed; a directory is filled next to its target and exchanged when whole. Nothing of that is
 //! left behind, nor a program that was started, also when a signal ends this one.
 mod answering;
 mod folders;
@@ -109,7 +109,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Trouble> {
     read.map_err(|error| Trouble::new("io-read", path, &error))
 }
 
-/// The bytes of a file that nobody named: nothing else is read, as pipes may wait for ever and devices may have no end.
+/// The bytes of a file that no one named: nothing else is read, as pipes may wait for ever and devices may have no end.
 ///
 /// # Errors
 /// `io-read` if it is no file or cannot be read.
@@ -121,12 +121,12 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, Trouble> {
     read(path)
 }
 
-/// Whether something stands there that is no file.
+/// Whether something is there that is no file.
 pub fn is_no_file(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|known| !known.is_file())
 }
 
-/// How many bytes a file has, if it can be told.
+/// How many bytes a file has, if that is known.
 pub fn size(path: &Path) -> Option<u64> {
     fs::metadata(path).ok().map(|known| known.len())
 }
@@ -230,10 +230,10 @@ impl Drop for Staged {
 }
 
 impl Staged {
-    /// Begins a directory that will stand at `target`; what was built there before stays until then.
+    /// Begins a directory that will become `target`; what was built there before stays until then.
     ///
     /// # Errors
-    /// `io-foreign-directory` if something stands there that we did not write; `io-write`.
+    /// `io-foreign-directory` if something is there that we did not write; `io-write`.
     pub fn new(target: &Path) -> Result<Self, Trouble> {
         let trouble = |error: io::Error| Trouble::new("io-write", target, &error);
         let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
@@ -272,7 +272,7 @@ impl Staged {
     /// Puts the directory in its place, in exchange for what was built there before.
     ///
     /// # Errors
-    /// `io-write` if it cannot be moved; the old one then stands where it stood.
+    /// `io-write` if it cannot be moved; the old one then remains in its place.
     pub fn commit(self) -> Result<(), Trouble> {
         let exchanged = leftover::undisturbed(|| {
             let replaced = self.target.exists();

@@ -1,7 +1,7 @@
-//! Files that are written where they stand.
+//! Files that are rewritten in place.
 //!
 //! Invariant: a file is either the old one or whole, and stays the old one if it cannot be written, if it may not be
-//! changed, or if somebody else has changed it since it was read. What is written is beside it until then.
+//! changed, or if someone else has changed it since it was read. What is written is next to it until then.
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::{fs, iter};
@@ -17,7 +17,7 @@ const MOST_LINKS: usize = 40;
 /// What the bytes of a file come to.
 type Digest = [u8; 32];
 
-/// A file as it was read, which shows whether somebody has changed it since.
+/// A file as it was read, which shows whether someone has changed it since.
 #[derive(Debug)]
 pub struct Seen {
     path: PathBuf,
@@ -80,11 +80,11 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Trouble> {
     write_parts(path, None, iter::once(bytes))
 }
 
-/// Writes a file in parts that lie one behind the other. If they are made from a file that was read and this is it,
+/// Writes a file in parts that follow one another. If they are made from a file that was read and this is it,
 /// it must be as it was read until it is replaced.
 ///
 /// # Errors
-/// `io-write` if it cannot be written, `fix-file-changed` if somebody has changed it; the old file is then untouched.
+/// `io-write` if it cannot be written, `fix-file-changed` if someone has changed it; the old file is then untouched.
 pub fn write_parts<'p>(path: &Path, from: Option<&Seen>, parts: impl Iterator<Item = &'p [u8]>) -> Result<(), Trouble> {
     let from = from.filter(|from| from.is_at(path));
     match write_beside(path, from, parts) {
@@ -118,7 +118,7 @@ fn write_beside<'p>(path: &Path, from: Option<&Seen>, parts: impl Iterator<Item 
         keep_owner(file.as_file(), &known);
         file.as_file().set_permissions(known.permissions())?;
     }
-    // Nothing that takes time stands between this and the exchange.
+    // Nothing that takes time comes between this and the exchange.
     if let Some(from) = from
         && !from.is_unchanged(&target)?
     {

@@ -56,7 +56,7 @@ functions! {
     Int "INT" 1..=1 false,
     /// The amount.
     Abs "ABS" 1..=1 false,
-    /// The part behind the decimal point.
+    /// The part after the decimal point.
     Frac "FRAC" 1..=1 false,
     /// The opposite.
     Neg "NEG" 1..=1 false,

@@ -49,7 +49,7 @@ fn word(input: &str) -> IResult<&str, Token> {
     Ok((rest, QRef::parse(found).map_or_else(|| Token::Word(found.to_owned()), Token::Q)))
 }
 
-/// A function with its operand directly behind it, `SIN30` or `COSQ2`: the function.
+/// A function with its operand directly after it, `SIN30` or `COSQ2`: the function.
 fn closed_up(input: &str) -> IResult<&str, Token> {
     let (_, letters) = take_while1(|c: char| c.is_ascii_alphabetic()).parse(input)?;
     let digit = input.get(letters.len()..).is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));

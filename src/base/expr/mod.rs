@@ -15,7 +15,7 @@ pub use func::Func;
 pub use parser::{Dialect, Expr, ExprError, Node, parse};
 pub use value::{Value, atan2d, atand, cosd, sind, tand};
 
-/// Reads a formula as an NC program may contain it (the part behind `Q1 =`).
+/// Reads a formula as an NC program may contain it (the part after `Q1 =`).
 pub fn parse_formula(text: &str) -> Result<Expr, ExprError> {
     parse(text, Dialect::Program)
 }

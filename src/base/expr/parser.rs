@@ -16,7 +16,7 @@ const MAX_TOKENS: usize = 384;
 /// Which language is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dialect {
-    /// Formulas of NC programs: no comparisons, no names; functions may stand without brackets; decimal comma allowed.
+    /// Formulas of NC programs: no comparisons, no names; functions may be written without brackets; decimal comma allowed.
     Program,
     /// Expressions of specifications: the same with names, comparisons, `AND`, `OR`, `NOT`, `IF`, `MIN`, `MAX`.
     Spec,
@@ -27,7 +27,7 @@ pub enum Dialect {
 pub struct Expr {
     /// What it is.
     pub node: Node,
-    /// Where it is.
+    /// Its place.
     pub span: Span,
 }
 
@@ -58,7 +58,7 @@ pub struct ExprError {
     /// A kebab-case key for what was expected: `operand`, `operator`, `closing-bracket`, `known-function`,
     /// `less-nesting`, `character`, `arguments`, `in-spec-only`.
     pub expected: &'static str,
-    /// What stands there.
+    /// What is there.
     pub found: String,
 }
 
@@ -179,7 +179,7 @@ impl Parser<'_> {
         self.operand()
     }
 
-    /// An operand behind a sign or `NOT`: a sign binds weaker than a power and stronger than a product,
+    /// An operand after a sign or `NOT`: a sign binds weaker than a power and stronger than a product,
     /// `NOT` weaker than a comparison.
     fn nested(&mut self, start: usize, level: u8, wrap: impl FnOnce(Expr) -> Node) -> Result<Expr, ExprError> {
         self.depth += 1;

@@ -1,7 +1,7 @@
 //! Whether a choice has the value under which the run does what the choice says.
 //!
 //! Where a condition compares a parameter with a value (`Q341 = 1`), its name and the sentences of its
-//! cases tell what that value means. The choice whose texts have most of their words must have the value.
+//! cases say what that value means. The choice whose texts have most of their words must have the value.
 //! Words that stand for an order by themselves, such as `no` or `first`, are compared with the values, too.
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,7 +14,7 @@ const LETTERS: usize = 6;
 /// How much more a choice must share with a sentence than the one that has the value, in each language.
 const MARGIN: f64 = 0.25;
 
-/// Words of ids that stand in this order in every list of choices.
+/// Words of ids that are in this order in every list of choices.
 const ORDERS: [&[&str]; 6] = [
     &["no", "not"],
     &["minus", "plus"],
@@ -115,7 +115,7 @@ fn sentences(on: &OnControl, cycle: &Cycle, param: &Param, locales: &Locales, fo
                     None => words(&text(&format!("say-{id}")).unwrap_or_default()),
                 })
                 .collect();
-            // Only words that few of the choices have tell them apart.
+            // Only words that few of the choices have distinguish them.
             let share = |at: usize| -> f64 {
                 let common = choices[at].intersection(&said);
                 let weight = |word: &String| 1.0 / choices.iter().filter(|other| other.contains(word)).count() as f64;

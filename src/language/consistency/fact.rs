@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 pub(super) enum Kind {
     /// A number with its sign.
     Number,
-    /// A unit behind a number.
+    /// A unit after a number.
     Unit,
     /// A word of the code: `Q201`, `M140`, `FMAX`, `TOOL CALL`.
     Code,
@@ -30,10 +30,10 @@ impl Kind {
     }
 }
 
-/// Units that may stand behind a number, longest first.
+/// Units that may be after a number, longest first.
 const UNITS: [&str; 6] = ["mm/min", "mm/r", "m/min", "mm", "%", "°"];
 
-/// A degree sign is an ordinal behind such a small number in some languages.
+/// A degree sign is an ordinal after such a small number in some languages.
 const LARGEST_ORDINAL: f64 = 9.0;
 
 /// The roots of the words for absolute and incremental; they are the same in many languages.
@@ -68,7 +68,7 @@ pub(super) fn facts(raw: &str, language: &str) -> BTreeMap<Kind, Vec<String>> {
     facts
 }
 
-/// Takes the arguments out of the text; one that stands twice is one fact.
+/// Takes the arguments out of the text; one that occurs twice is one fact.
 fn arguments(raw: &str, facts: &mut BTreeMap<Kind, Vec<String>>) -> String {
     let mut text = String::with_capacity(raw.len());
     let mut rest = raw;
@@ -96,7 +96,7 @@ fn word(chars: &[char], from: usize, facts: &mut BTreeMap<Kind, Vec<String>>) ->
     let capitals = text.chars().take_while(|c| c.is_ascii_uppercase() || *c == '_').count();
     let rest = &text[capitals..];
     let is_code = capitals > 0 && !rest.is_empty() && rest.starts_with(|c: char| c.is_ascii_digit());
-    // Letters behind the digits are an ending of the language: `Q201:n`, `G54ssä`.
+    // Letters after the digits are an ending of the language: `Q201:n`, `G54ssä`.
     if is_code {
         let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
         facts.entry(Kind::Code).or_default().push(format!("{}{digits}", &text[..capitals]));

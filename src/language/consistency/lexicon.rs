@@ -1,6 +1,6 @@
 //! Whether the name of a parameter speaks of what the specification says that it measures.
 //!
-//! Each language lists the words that tell a quantity or a reference (`lexicon-angle`,
+//! Each language lists the words that name a quantity or a reference (`lexicon-angle`,
 //! `lexicon-absolute`), pieces of words separated by ` | `. A name that contains words of others and
 //! none of its own contradicts the specification. Invariant: a name without any such word says nothing.
 use std::collections::BTreeSet;

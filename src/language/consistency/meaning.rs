@@ -1,5 +1,5 @@
 //! What a specification means by an id: changes when a range, a unit, a choice, a condition or the actions of a
-//! step change, and so tells which texts must be read again.
+//! step change, and so says which texts must be read again.
 //!
 //! Invariant: wording, order of files and comments have no part in it.
 use std::collections::{BTreeMap, BTreeSet};

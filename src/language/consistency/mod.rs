@@ -1,7 +1,7 @@
 //! Whether the texts of all languages agree: with each other, and with the parameters that they name.
 //!
 //! Nothing is compared with a stored copy. A fact that a text states in one language, such as a number,
-//! unit, sign, word of the code or argument, must stand in it in the others as well; a label must
+//! unit, sign, word of the code or argument, must occur in it in the others as well; a label must
 //! not be that of another parameter; two choices of a parameter must not have changed places. Where
 //! languages disagree, the majority decides which text is reported.
 //! Invariant: judges texts, never changes or formats one.
@@ -137,7 +137,7 @@ fn compare(key: Key, all: &[Said], found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// What stands in the one list and not in the other, for a message.
+/// What is in the one list and not in the other, for a message.
 fn shown(own: &[String], other: &[String]) -> String {
     let mut rest = other.to_vec();
     let mut more = Vec::new();

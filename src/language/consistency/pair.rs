@@ -22,7 +22,7 @@ struct Corpus<'l> {
     texts: HashMap<String, Words>,
 }
 
-/// Message ids of texts that may stand in each other's place.
+/// Message ids of texts that may have been exchanged.
 fn pairs(catalogue: &Catalogue) -> BTreeSet<(String, String)> {
     let mut pairs = BTreeSet::new();
     let mut add = |ids: Vec<String>| {
@@ -99,7 +99,7 @@ impl<'l> Corpus<'l> {
     }
 }
 
-/// How often words of two languages stand in texts with the same id.
+/// How often words of two languages occur in texts with the same id.
 struct Table {
     one: HashMap<u32, f64>,
     other: HashMap<u32, f64>,
@@ -140,7 +140,7 @@ impl Table {
             return false;
         };
         let left_out = [(a1, a2), (b1, b2)];
-        // Only what tells the two apart says anything.
+        // Only words that distinguish the two count.
         let fit = |from: &Words, not: &Words, to: &Words, nor: &Words| -> f64 {
             let best = |word: &u32| {
                 to.difference(nor).map(|other| self.strength(*word, *other, &left_out)).fold(0.0, f64::max)

@@ -50,7 +50,7 @@ fn named(cycle: &Cycle, on: &OnControl, source: &Language) -> BTreeSet<String> {
     names
 }
 
-/// The Q parameters that stand in the formulas of the cycle and its fragments, as their files have them.
+/// The Q parameters that occur in the formulas of the cycle and its fragments, as their files have them.
 fn formulas(cycle: &Cycle, on: &OnControl) -> BTreeSet<String> {
     let mut used = BTreeSet::new();
     // Fragments may use further fragments; a name in a text is enough to look.

@@ -23,7 +23,7 @@ pub struct Request<'r> {
     pub number: Option<u32>,
 }
 
-/// The block of a cycle as its control prints it, a line ending behind each line.
+/// The block of a cycle as its control prints it, a line ending after each line.
 ///
 /// # Errors
 /// Every value that the cycle does not take, and every text that is missing.
@@ -199,7 +199,7 @@ pub fn as_printed(param: &Param, value: &str) -> String {
     words.join(" ")
 }
 
-/// A text as programs have it; one that stands in a parameter is its name.
+/// A text as programs have it; one that is held in a parameter is given as the parameter's name.
 fn in_quotation_marks(value: &str) -> Cow<'_, str> {
     let is_q = || QRef::parse(value).is_some_and(|q| q.kind == QKind::Qs);
     if value.starts_with('"') || is_q() { Cow::Borrowed(value) } else { Cow::Owned(format!("\"{value}\"")) }
@@ -239,7 +239,7 @@ fn print_block(text: &CycleText, number: Option<u32>, values: &Values) -> Result
     Ok(block)
 }
 
-/// What stands at the end of every line that the block goes on behind, in cycles of the manuals whose
+/// The sign at the end of every line that is continued, in cycles of the manuals whose
 /// controls print it.
 pub fn continuation<'o>(on: &'o OnControl, cycle: &Cycle) -> Option<&'o str> {
     let layout = on.control.block.as_ref()?;

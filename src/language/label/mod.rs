@@ -1,4 +1,4 @@
-//! NC labels and NC blocks: what a control prints behind `;`, and whole cycle definitions.
+//! NC labels and NC blocks: what a control prints after `;`, and whole cycle definitions.
 //!
 //! Invariant: a label is printed whole or refused, never cut; what a block looks like follows from
 //! the profile of the control and the form of the cycle.

@@ -285,7 +285,7 @@ impl Locales {
         Ok(audit)
     }
 
-    /// The lock file that accepts a translation as it stands.
+    /// The lock file that accepts a translation as it is.
     ///
     /// # Errors
     /// If the language or the source language was not loaded.

@@ -21,7 +21,7 @@ impl Collation {
         Self { order: collator(&locale, Strength::Tertiary), search: collator(&locale, Strength::Primary) }
     }
 
-    /// Whether `a` stands before or after `b` in a list.
+    /// Whether `a` comes before or after `b` in a list.
     pub fn compare(&self, a: &str, b: &str) -> Ordering {
         self.order.as_ref().map_or_else(|| a.cmp(b), |order| order.compare(a, b))
     }

@@ -51,7 +51,7 @@ pub struct LocaleError {
     pub key: String,
     /// Why.
     pub fault: Fault,
-    /// Where the text stands, if it exists.
+    /// Where the text is, if it exists.
     pub place: Option<Place>,
 }
 

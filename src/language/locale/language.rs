@@ -101,7 +101,7 @@ impl<'a> Scope<'a> {
     }
 }
 
-/// One variant of a text: where it stands, and for which scope.
+/// One variant of a text: where it is, and for which scope.
 #[derive(Clone, Debug)]
 pub(super) struct Form {
     pub(super) suffixes: Vec<Box<str>>,
@@ -114,7 +114,7 @@ pub(super) struct Form {
 }
 
 impl Form {
-    /// The suffixes as they stand behind the identifier.
+    /// The suffixes as written after the identifier.
     pub(super) fn suffix(&self) -> String {
         self.suffixes.iter().map(|suffix| format!("__{suffix}")).collect()
     }

@@ -1,6 +1,6 @@
 //! Reading the files of all languages: parsing, variants, duplicates, units and lists; pages of prose as they are.
 //!
-//! Invariant: a mistake costs the message it stands in, never the file, and each has its place.
+//! Invariant: a mistake costs the message it is in, never the file, and each has its place.
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
@@ -80,7 +80,7 @@ fn start(source: &Arc<Source>) -> Place {
     Place::new(source, Span::default())
 }
 
-/// Where a slice of the text that a resource owns stands.
+/// The place of a slice of the text that a resource owns.
 pub(super) fn span_in(text: &str, slice: &str) -> Span {
     let offset = (slice.as_ptr() as usize).saturating_sub(text.as_ptr() as usize).min(text.len());
     Span::new(offset, (offset + slice.len()).min(text.len()))

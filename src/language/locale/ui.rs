@@ -1,4 +1,4 @@
-//! The program's own texts, in the language of whoever runs it.
+//! The program's own texts, in the language of its user.
 //!
 //! These are the only texts that fall back to the source language. Invariant: something readable
 //! always comes out, even for a code that no file knows.

@@ -2,7 +2,7 @@
 //!
 //! Readers ask here with ids of the specification; scope and arguments are set up once for a cycle.
 //! Invariant: nothing here formats a page, and a text that is missing is never replaced: it is
-//! recorded as a fault, and whoever asked fails at the end.
+//! recorded as a fault, and the caller fails at the end.
 mod param;
 mod run;
 
@@ -137,7 +137,7 @@ impl<'a> CycleText<'a> {
         if diagnostic.place.is_none() {
             diagnostic.place = place.cloned();
         }
-        // The text is good for other controls; what it asks for stands in the profile of this one.
+        // The text is good for other controls; what it asks for is in the profile of this one.
         if diagnostic.code == "locale-missing-argument" {
             diagnostic = diagnostic.related("for-this-control", self.on.control.control.place.clone());
         }

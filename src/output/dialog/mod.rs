@@ -80,7 +80,7 @@ pub struct DialogField {
     pub effective: Option<String>,
     /// Whether it may be left out.
     pub optional: bool,
-    /// The value that stands there at first: that of the printed example.
+    /// The value shown at first: that of the printed example.
     pub example: Option<String>,
 }
 

@@ -13,7 +13,7 @@ use crate::spec::{Cycle, OnControl, Param};
 /// The name and version of the form.
 pub const FORMAT: &str = "ciklo-export/1";
 
-/// The kind of note that tells what the control checks.
+/// The kind of note that says what the control checks.
 const GUARD: &str = "guard";
 
 /// The export of a control in a language.
@@ -137,7 +137,7 @@ pub struct ExportedStep {
     pub number: usize,
     /// Its id.
     pub id: String,
-    /// Its text, a bullet a line behind it.
+    /// Its text, a bullet a line after it.
     pub text: String,
 }
 

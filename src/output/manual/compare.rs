@@ -97,7 +97,7 @@ pub(super) fn page(site: &Site, comparison: &Comparison) -> Result<String, Vec<D
     site.render("compare.html", context)
 }
 
-/// Puts a parameter into its row, or into a new one behind the row of the parameter before it.
+/// Puts a parameter into its row, or into a new one after the row of the parameter before it.
 fn place(rows: &mut Vec<ComparedView>, view: ParameterView, (at, of): (usize, usize), before: Option<usize>) -> usize {
     let row = rows.iter().position(|row| row.q == view.id).unwrap_or_else(|| {
         let row = before.map_or(0, |before| before + 1);

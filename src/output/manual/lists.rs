@@ -139,7 +139,7 @@ fn plain_link(href: String, name: String) -> LinkView {
     LinkView { href: Some(href), key: String::new(), number: 0, name, name_lang: None }
 }
 
-/// The letter below which a name stands; digits share a heading.
+/// The letter under which a name is listed; digits share a heading.
 fn letter(name: &str) -> String {
     match name.chars().find(|c| c.is_alphanumeric()) {
         Some(c) if c.is_alphabetic() => c.to_uppercase().collect(),

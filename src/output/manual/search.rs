@@ -80,7 +80,7 @@ pub(super) fn index(site: &Site, section: &Section) -> Result<String, Vec<Diagno
     Ok(format!("const cikloIndex = {json};\n"))
 }
 
-/// The text of the content of a page: what stands in `main`, without marks.
+/// The text of the content of a page: what is in `main`, without marks.
 fn content(html: &str) -> String {
     let inside =
         html.split_once("<main").and_then(|(_, rest)| rest.split_once("</main>")).map_or(html, |(main, _)| main);
@@ -97,6 +97,6 @@ fn content(html: &str) -> String {
             _ => {}
         }
     }
-    // Only these can stand in the pages; the rest of the characters are themselves.
+    // Only these can occur in the pages; the rest of the characters are themselves.
     out.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&")
 }

@@ -43,7 +43,7 @@ pub(super) struct TopicPage<'a> {
     pub(super) title: String,
     /// The file name of its page.
     pub(super) file: String,
-    /// What stands below the title, in Markdown.
+    /// What is below the title, in Markdown.
     pub(super) body: &'a str,
 }
 

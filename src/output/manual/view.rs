@@ -26,7 +26,7 @@ pub(super) struct PageView {
     pub(super) controls: Vec<SwitchView>,
     /// The page before.
     pub(super) previous: Option<LinkView>,
-    /// The page behind.
+    /// The next page.
     pub(super) next: Option<LinkView>,
 }
 

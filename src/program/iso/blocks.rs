@@ -270,7 +270,7 @@ impl Lowering<'_, '_> {
             return Err(Refusal::NoEquivalent(words.span()));
         }
         self.begin(block);
-        // Findings about the definition stand at its code.
+        // Findings about the definition are at its code.
         let home = std::mem::replace(&mut self.out.home, span);
         self.out.put(&key.to_string());
         self.out.home = home;

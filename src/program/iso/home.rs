@@ -1,6 +1,6 @@
 //! Where the text of a program that was written anew comes from.
 //!
-//! Invariant: pieces lie one behind the other and cover the text; a place inside of a piece that was copied has its
+//! Invariant: pieces follow one another and cover the text; a place inside of a piece that was copied has its
 //! exact place at home, any other place that of the block it was made from.
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ pub(super) struct Piece {
     pub(super) copied: bool,
 }
 
-/// Findings of the checker about how a program is written begin so; those of the program itself are told instead.
+/// Findings of the checker about how a program is written begin so; those of the program itself are reported instead.
 const SYNTAX: &str = "syntax-";
 /// The note about numbers that do not rise.
 const NUMBERS: &str = "block-numbers";
@@ -54,7 +54,7 @@ impl Lowered {
     /// The place of something that was copied; nothing for other places.
     pub fn exact(&self, span: Span) -> Option<Span> {
         let at = self.pieces.partition_point(|piece| piece.end <= span.start);
-        // An empty place may stand behind the last byte of a copy.
+        // An empty place may be after the last byte of a copy.
         let before = at.checked_sub(1).filter(|_| span.start == span.end);
         [Some(at), before].into_iter().flatten().find_map(|at| {
             let piece = self.pieces.get(at).filter(|piece| piece.copied)?;

@@ -1,6 +1,6 @@
 //! DIN/ISO in Klartext.
 //!
-//! Invariant: each block is read with the codes that act where it stands in the text: `G90` and `G91`, the plane, the
+//! Invariant: each block is read with the codes that act where it is in the text: `G90` and `G91`, the plane, the
 //! motion. That is also their order in the run, but for jumps; programs that change them differently on two ways to a
 //! label are read in the order of the text.
 use super::codes::Codes;
@@ -26,9 +26,9 @@ pub trait Labels {
 
 /// Why a block is not written.
 pub(super) enum Refusal {
-    /// Klartext has no equivalent of what stands there.
+    /// Klartext has no equivalent of what is there.
     NoEquivalent(Span),
-    /// No manual tells which cycle has the code.
+    /// No manual names the cycle of the code.
     UnknownCode(Span),
     /// A word that nothing in the block takes.
     Leftover(Span),
@@ -40,7 +40,7 @@ pub(super) enum Refusal {
 pub(super) type Written<T = ()> = Result<T, Refusal>;
 
 /// A DIN/ISO program in Klartext. Blocks that Klartext has no equivalent of are comments there, and blocks of DIN/ISO
-/// to whoever executes it.
+/// to its executor.
 pub fn to_klartext(program: &Program, codes: &Codes<'_>, labels: Option<&dyn Labels>) -> Lowered {
     let text = program.source().text();
     let eol = if text.contains("\r\n") { "\r\n" } else { "\n" };
@@ -145,7 +145,7 @@ impl Lowering<'_, '_> {
             Refusal::UnknownCode(span) => ("iso-unknown-code", *span),
             Refusal::NoDirection(span) => ("iso-no-direction", *span),
         };
-        // What cannot be read has been told already.
+        // What cannot be read has been reported already.
         if !matches!(block.kind, BlockKind::Unknown(_)) {
             let found = self.program.slice(span).trim().to_owned();
             let place = Place::new(self.program.source(), span);
@@ -178,7 +178,7 @@ impl Lowering<'_, '_> {
         self.out.put(self.eol);
     }
 
-    /// Puts the comment of a block behind its last line, or makes it a block of its own.
+    /// Puts the comment of a block after its last line, or makes it a block of its own.
     fn comment(&mut self, block: &Block, start: usize) {
         let remarks = match &block.kind {
             BlockKind::Iso(own) => own.remarks.as_slice(),

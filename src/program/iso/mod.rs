@@ -3,7 +3,7 @@
 //! [`to_klartext`] is the one place where DIN/ISO is understood: checker, engine and comparison read what it writes,
 //! and [`Lowered`] knows where everything in it comes from. [`to_iso`] writes Klartext in DIN/ISO. Both refuse block by
 //! block what the other language has no equivalent of. Invariant: a block is written in full or refused, never in part;
-//! which code is which cycle, and which word which field, stands in the specifications.
+//! which code is which cycle, and which word which field, is in the specifications.
 mod blocks;
 mod codes;
 mod home;

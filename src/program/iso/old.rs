@@ -1,6 +1,6 @@
 //! Cycles of the old form: their fields as words of DIN/ISO, and the words as fields.
 //!
-//! Invariant: which word is which field stands in the specification; nothing here knows a cycle.
+//! Invariant: which word is which field is in the specification; nothing here knows a cycle.
 use super::codes::{Coded, Codes};
 use super::lower::{Lowering, Written};
 use super::words::{AXES, PLAIN, Words};
@@ -9,7 +9,7 @@ use crate::program::fields;
 use crate::program::syntax::{Block, NamedWord, OldCycleLine, Program, Value, ValueKind};
 use crate::spec::{CycleKey, Field, IsoWord, Param, ParameterKind, Shape};
 
-/// What stands before a value where no language has been chosen for its word.
+/// What is written before a value where no language has been chosen for its word.
 const NO_LABEL: &str = "VALUE:";
 
 /// Writes the lines of a form.
@@ -228,7 +228,7 @@ fn joined(name: &str, value: &str) -> String {
     if name.len() > 1 { format!("{name} {value}") } else { format!("{name}{value}") }
 }
 
-/// Whether a value can stand behind a word of DIN/ISO: a number, a text, a path.
+/// Whether a value can follow a word of DIN/ISO: a number, a text, a path.
 fn is_entry(value: Value, text: &str) -> bool {
     !matches!(value.kind, ValueKind::Word) || text.starts_with(|c: char| c.is_ascii_alphabetic())
 }

@@ -129,7 +129,7 @@ impl Raising<'_, '_> {
         }
     }
 
-    /// What stands in a line of other languages, as a comment: nothing in a line that is a comment itself.
+    /// What is in a line of other languages, as a comment: nothing in a line that is a comment itself.
     fn foreign(&self, block: &Block) -> String {
         let content = self.program.content(block);
         let end = block.comment().map_or(content.end, |comment| comment.start.min(content.end));

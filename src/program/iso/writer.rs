@@ -31,7 +31,7 @@ impl<'t> Writer<'t> {
         }
     }
 
-    /// Adds what stands at a place.
+    /// Adds the text of a place.
     pub(super) fn copy(&mut self, span: Span) {
         let copied = self.from.get(span.start..span.end).unwrap_or_default();
         if copied.is_empty() {

@@ -92,7 +92,7 @@ fn klartext(writer: &mut Writer<'_>, take: &mut Take<'_>) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// The numbers of a DIN/ISO program, each as far behind the one before it as the second is behind the first, and the
+/// The numbers of a DIN/ISO program, numbered on with the step between the first two, and the
 /// columns of its cycles. The last block keeps its number.
 fn iso(writer: &mut Writer<'_>, take: &mut Take<'_>) -> ControlFlow<()> {
     let program = writer.program;
@@ -120,14 +120,14 @@ fn iso(writer: &mut Writer<'_>, take: &mut Take<'_>) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// The number behind the `N` of a block, and its digits; nothing if the block does not begin with it.
+/// The number after the `N` of a block, and its digits; nothing if the block does not begin with it.
 fn number_of(program: &Program, block: &Block) -> Option<(u32, Span)> {
     let number = block.number?;
     let text = program.slice(block.span);
     let rest = text.trim_start_matches([' ', '\t', '/', 'N', 'n']);
     let start = block.span.start + (text.len() - rest.len());
     let length = rest.bytes().take_while(u8::is_ascii_digit).count();
-    // Something else than blanks may stand before it.
+    // Something else than blanks may be before it.
     (length > 0).then(|| (number, Span::new(start, start + length)))
 }
 
@@ -177,7 +177,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Puts a block number where one stands.
+    /// Replaces a block number where there is one.
     fn number(&mut self, span: Span, number: u32) {
         let written = self.program.slice(span);
         let same = !(written.len() > 1 && written.starts_with('0')) && written.parse() == Ok(number);

@@ -1,6 +1,6 @@
 //! From physical lines to blocks: joins, cycles of many lines, and what to do with lines that no rule reads.
 //!
-//! Invariant: the blocks' spans lie one behind the other and cover the text; each line is looked at a
+//! Invariant: the blocks' spans follow one another and cover the text; each line is looked at a
 //! bounded number of times, whatever the text.
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -18,10 +18,10 @@ use crate::base::diag::{Source, Span};
 /// Bytes of a usual block.
 const USUAL: usize = 32;
 
-/// How many unreadable lines may stand between two parameters of one cycle.
+/// How many unreadable lines may be between two parameters of one cycle.
 const MAX_TORN: usize = 8;
 
-/// The code of the warning about text behind a tab.
+/// The code of the warning about text after a tab.
 pub(super) const REMARK: &str = "syntax-remark";
 
 /// The code of the warning about a line that only other languages have.
@@ -276,7 +276,7 @@ impl Assembler<'_> {
     }
 
     /// Whether content is what other languages and transfers have: a comment in brackets, or `%` alone; or the number
-    /// of a block and nothing behind it, as generators number their blank lines.
+    /// of a block and nothing after it, as generators number their blank lines.
     fn is_foreign(&self, content: Span) -> bool {
         let text = self.text.get(content.start..content.end).unwrap_or_default();
         text.starts_with('(') || text == "%" || (!text.is_empty() && text.bytes().all(|b| b.is_ascii_digit()))
@@ -318,7 +318,7 @@ impl Assembler<'_> {
 
     fn dangling(&mut self, line: &Line) {
         let end = line.comment.map_or(line.content.end, |comment| comment.end);
-        // The mark stands behind the comment or before it.
+        // The mark is after the comment or before it.
         let behind = |from: usize, to: usize| self.text.get(from..to)?.find('~').map(|at| from + at);
         let mark = behind(end, line.next).or_else(|| behind(line.content.end, end));
         let span = mark.map_or(Span::new(end, end), |mark| Span::new(mark, mark + 1));
@@ -338,7 +338,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// Reads a block's content; if that fails, once more without what stands behind its last tab.
+    /// Reads a block's content; if that fails, once more without what is after its last tab.
     fn read(&self, content: Span) -> (BlockKind, Option<Span>) {
         let error = match self.content(content) {
             Ok(kind) => return (kind, None),
@@ -415,7 +415,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// Whether a bracket stands open at the end of a part; nothing if it has none.
+    /// Whether a bracket is open at the end of a part; nothing if it has none.
     fn is_open(&self, start: usize, end: usize) -> Option<bool> {
         let part = self.text.as_bytes().get(start..end).unwrap_or_default();
         part.iter().rev().find(|b| matches!(b, b'(' | b')')).map(|last| *last == b'(')

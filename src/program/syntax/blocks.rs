@@ -81,7 +81,7 @@ pub(super) fn content(cursor: &mut Cursor<'_>, checker: &mut Checker<'_>) -> Rea
     }
 }
 
-/// A path with the axis of its first coordinate directly behind it, as in `LX+10`; the path and its length.
+/// A path with the axis of its first coordinate directly after it, as in `LX+10`; the path and its length.
 fn closed_up(word: &Word) -> Option<(Path, usize)> {
     let name = word.as_bytes();
     (1..name.len()).rev().find_map(|length| {
@@ -204,7 +204,7 @@ fn call(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
     Err(cursor.expected("call"))
 }
 
-/// `REP 6` or `REP 6/6`: the repetitions, and behind the bar those that are left.
+/// `REP 6` or `REP 6/6`: the repetitions, and after the bar those that are left.
 fn opt_repeat(cursor: &mut Cursor<'_>) -> Read<Option<Operand>> {
     cursor.blanks();
     let word = cursor.peek_name();
@@ -300,7 +300,7 @@ fn declare(cursor: &mut Cursor<'_>, word: Word) -> Read<BlockKind> {
     statements::declare_contour(cursor, word.span.start)
 }
 
-/// A parameter that can be set, with its place and the `=` behind it.
+/// A parameter that can be set, with its place and the `=` after it.
 fn target(cursor: &mut Cursor<'_>) -> Read<(QRef, Span)> {
     cursor.blanks();
     let start = cursor.at;

@@ -1,6 +1,6 @@
 //! What belongs to a cycle definition: its lines, as far as they go.
 //!
-//! Invariant: nothing is read here; what a line says is told by whoever has read it.
+//! Invariant: nothing is read here; the reader of a line says what is in it.
 use super::cycle;
 use super::lines::Line;
 use super::tree::{Parameter, SyntaxError};
@@ -44,7 +44,7 @@ impl CycleBody {
         Role::Parameter(Parameter { span, q, q_span, value, label })
     }
 
-    /// Whether a line `Qn=…` is a parameter of this cycle and not an assignment behind it.
+    /// Whether a line `Qn=…` is a parameter of this cycle and not an assignment after it.
     pub(super) fn accepts(&self, line: &Line, read: Option<&cycle::Assignment>) -> bool {
         let tight = read.is_none_or(|assignment| assignment.tight);
         match (line.number.is_some(), self.first.number.is_some()) {

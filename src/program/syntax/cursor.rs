@@ -99,7 +99,7 @@ impl<'t> Cursor<'t> {
     /// Passes blanks and the joints of lines.
     #[inline]
     pub(super) fn blanks(&mut self) {
-        // Most words follow directly or behind one blank.
+        // Most words follow directly or after one blank.
         self.at += usize::from(self.byte() == b' ');
         if !(self.byte().is_ascii_alphanumeric() || matches!(self.byte(), b'+' | b'-')) {
             self.more_blanks();
@@ -143,7 +143,7 @@ impl<'t> Cursor<'t> {
         self.at >= self.end
     }
 
-    /// What stands here, for an error: a word, a number or a character.
+    /// What was found here, for an error: a word, a number or a character.
     fn found(&self) -> Span {
         let start = self.at.min(self.end);
         let alike = |b: u8| b.is_ascii_alphanumeric() || b >= 0x80;
@@ -157,7 +157,7 @@ impl<'t> Cursor<'t> {
         Span::new(start, end)
     }
 
-    /// An error here: what stands here is not what is expected.
+    /// An error here: what was found is not what is expected.
     pub(super) fn expected(&self, expected: &'static str) -> SyntaxError {
         SyntaxError { code: "syntax-unexpected", span: self.found(), expected }
     }
@@ -202,7 +202,7 @@ impl<'t> Cursor<'t> {
         word
     }
 
-    /// The word here without the letters of a parameter behind it: `F` of `FQL5`, `X` of `XQ1`.
+    /// The word here without the letters of a parameter after it: `F` of `FQL5`, `X` of `XQ1`.
     pub(super) fn peek_name(&self) -> Word {
         let mut word = self.peek_word();
         if !self.byte_at(word.span.end).is_ascii_digit() {
@@ -220,7 +220,7 @@ impl<'t> Cursor<'t> {
         word
     }
 
-    /// Passes blanks and the keyword, if it stands here as a whole word.
+    /// Passes blanks and the keyword, if it is here as a whole word.
     pub(super) fn opt_keyword(&mut self, keyword: &[u8]) -> bool {
         self.blanks();
         // Most words that are asked for differ in their first letter.
@@ -241,7 +241,7 @@ impl<'t> Cursor<'t> {
         if self.opt_keyword(keyword.as_bytes()) { Ok(()) } else { Err(self.expected(keyword)) }
     }
 
-    /// Passes blanks and the mark, if it stands here.
+    /// Passes blanks and the mark, if it is here.
     pub(super) fn opt_mark(&mut self, mark: u8) -> bool {
         self.blanks();
         let hit = self.byte() == mark && self.at < self.end;
@@ -376,7 +376,7 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// What is left, as it stands, without blanks at its ends.
+    /// The rest as written, without blanks at its ends.
     pub(super) fn rest(&mut self) -> Span {
         let span = trim(self.bytes, Span::new(self.at, self.end));
         self.at = self.end;

@@ -112,7 +112,7 @@ fn inline_parameter(cursor: &Cursor<'_>) -> Option<usize> {
     (q.opt_q().is_some() && q.at == before.end).then_some(start)
 }
 
-/// What is left is a name; text behind a tab is none.
+/// What is left is a name; text after a tab is none.
 fn name(cursor: &mut Cursor<'_>) -> Read<Option<Span>> {
     cursor.blanks();
     let rest = cursor.text.get(cursor.at..cursor.end).unwrap_or_default();
@@ -156,7 +156,7 @@ fn words(cursor: &mut Cursor<'_>) -> Read<Vec<NamedWord>> {
         let here = *cursor;
         let word = word(cursor)?;
         let blanks = cursor.text.as_bytes().get(before..here.at).unwrap_or_default();
-        // A listing's remark stands behind a tab; only a field with its value attached goes on there.
+        // A listing's remark follows a tab; only a field with its value attached continues there.
         if !found.is_empty() && blanks.contains(&b'\t') && !reads_as_field(cursor.text, &word) {
             return Err(here.expected("end"));
         }
@@ -172,7 +172,7 @@ fn words(cursor: &mut Cursor<'_>) -> Read<Vec<NamedWord>> {
 }
 
 /// A label and its value with the letter of an axis between them, `KOT X: +30`, as the axis and the label: elsewhere
-/// the axis stands first (TNC 640, 001: 12706, 12708, 13733).
+/// the axis comes first (TNC 640, 001: 12706, 12708, 13733).
 fn axis_in_label(text: &str, word: &NamedWord) -> Option<[NamedWord; 2]> {
     let written = text.get(word.name.start..word.name.end)?.strip_suffix(':')?;
     let [.., blank, letter @ b'X'..=b'Z'] = written.as_bytes() else { return None };
@@ -211,7 +211,7 @@ fn word(cursor: &mut Cursor<'_>) -> Read<NamedWord> {
     Ok(NamedWord { span: Span::new(start, cursor.at.max(name.end)), name, value })
 }
 
-/// `1/2/3`: several numbers with bars are one value, behind a label without a colon also `1 /2 /3`.
+/// `1/2/3`: several numbers with bars are one value, after a label without a colon also `1 /2 /3`.
 fn number_or_list(cursor: &mut Cursor<'_>, first: Operand, apart: bool) -> Value {
     let mut end = first.span.end;
     loop {
@@ -262,7 +262,7 @@ fn name_part(cursor: &Cursor<'_>, start: usize) -> usize {
     cursor.end
 }
 
-/// A name: words up to a colon (included) or a value. The letter of an axis is a name of its own; behind a label at the
+/// A name: words up to a colon (included) or a value. The letter of an axis is a name of its own; after a label at the
 /// end of the line it is the value of the label.
 fn field_name(cursor: &mut Cursor<'_>) -> Read<Span> {
     let bytes = cursor.text.as_bytes();
@@ -276,7 +276,7 @@ fn field_name(cursor: &mut Cursor<'_>) -> Read<Span> {
         if tab || !starts || (end > start && value_at(cursor, part)) {
             break;
         }
-        // What stands behind the word for a program is its name, letters and digits as they come.
+        // What is after the word for a program is its name, letters and digits as they come.
         if end > start && is_program(cursor, Span::new(start, end)) {
             break;
         }
@@ -302,7 +302,7 @@ fn field_name(cursor: &mut Cursor<'_>) -> Read<Span> {
     Ok(Span::new(start, end))
 }
 
-/// Whether a word behind a label without a colon is its value: the letter of an axis that ends the line.
+/// Whether a word after a label without a colon is its value: the letter of an axis that ends the line.
 fn is_value_of_label(cursor: &Cursor<'_>, label: Span, word: Span) -> bool {
     let bytes = cursor.text.as_bytes();
     let last = skip_blanks(bytes, word.end, cursor.end) >= cursor.end;
@@ -376,7 +376,7 @@ pub(super) struct Assignment {
     pub(super) q: QRef,
     pub(super) q_span: Span,
     pub(super) value: Value,
-    /// Whether no blank stands before `=`, as controls print parameters.
+    /// Whether no blank precedes `=`, as controls print parameters.
     pub(super) tight: bool,
 }
 
@@ -439,7 +439,7 @@ fn parameter_value(cursor: &mut Cursor<'_>) -> Read<Value> {
     }
     cursor.at = word.span.end;
     let end = match word.as_bytes() {
-        // A feed per turn or per tooth has its number behind the word.
+        // A feed per turn or per tooth has its number after the word.
         b"FU" | b"FZ" if cursor.opt_operand().is_some() => cursor.at,
         b"F" if cursor.opt_keyword(b"AUTO") || cursor.opt_keyword(b"MAX") => cursor.at,
         _ => word.span.end,
@@ -448,7 +448,7 @@ fn parameter_value(cursor: &mut Cursor<'_>) -> Read<Value> {
     Ok(Value { span: Span::new(word.span.start, end), kind: ValueKind::Word })
 }
 
-/// The label in a comment: what stands behind `;`, up to a tab.
+/// The label in a comment: what is after `;`, up to a tab.
 pub(super) fn label(text: &str, comment: Span) -> Option<Span> {
     let bytes = text.as_bytes();
     let inside = trim(bytes, Span::new(comment.start + 1, comment.end));

@@ -61,7 +61,7 @@ pub struct Parameter {
     pub q_span: Span,
     /// The value.
     pub value: Value,
-    /// The label behind `;`, trimmed; absent if there is no `;` or nothing behind it.
+    /// The label after `;`, trimmed; absent if there is no `;` or nothing after it.
     pub label: Option<Span>,
 }
 
@@ -81,7 +81,7 @@ pub enum ValueKind {
     Number(f64),
     /// A parameter.
     Q {
-        /// Whether a minus stands before it.
+        /// Whether a minus precedes it.
         negative: bool,
         /// The parameter.
         q: QRef,

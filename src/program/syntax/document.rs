@@ -2,7 +2,7 @@
 //!
 //! The text is kept in pieces of some dozens of lines; each is a [`Program`] with places of its own. A piece begins
 //! with a block that no block before it can take as a part, so reading it alone gives what reading the whole gives.
-//! Invariant: the blocks of the pieces, one behind the other, are those of the whole text.
+//! Invariant: the blocks of the pieces, one after the other, are those of the whole text.
 use super::tree::{Block, BlockKind};
 use super::{Dialect, Program, cycle, iso, parse};
 use crate::base::diag::{Source, Span};
@@ -97,7 +97,7 @@ impl Document {
         let inside = range.start - start..range.end - start;
         old.get(inside.clone())?;
         old.replace_range(inside, text);
-        // What the change has made a part of the block before it, or of that behind it, is read with it.
+        // What the change has made a part of the block before it, or of that after it, is read with it.
         loop {
             let new = self.read(&old);
             let before = first.checked_sub(1).and_then(|at| self.pieces.get(at));
@@ -124,7 +124,7 @@ impl Document {
         }
     }
 
-    /// The dialect that the text begins with: its first line that is neither blank nor a comment tells.
+    /// The dialect that the text begins with: its first line that is neither blank nor a comment decides.
     fn dialect_of_head(&self) -> Dialect {
         let speaks = |line: &str| !line.trim_start().is_empty() && !line.trim_start().starts_with(';');
         let texts = || self.pieces.iter().map(|program| program.source().text());
@@ -153,7 +153,7 @@ impl Document {
         self.pieces.get(first..=last).unwrap_or_default().iter().map(|program| program.source().text()).collect()
     }
 
-    /// Reads a text and divides it, if it is long, where its blocks stand apart.
+    /// Reads a text and divides it, if it is long, between two of its blocks.
     fn read(&self, text: &str) -> Vec<Program> {
         if text.is_empty() {
             return Vec::new();
@@ -193,12 +193,12 @@ fn is_apart(program: &Program, before: &[Block], block: &Block) -> bool {
     is_apart_from(program, before, program, block)
 }
 
-/// Whether a block begins where no block before it looks further: with a number, or as a block of one line behind one
+/// Whether a block begins where no block before it looks further: with a number, or as a block of one line after one
 /// that is complete.
 fn is_apart_from(program: &Program, before: &[Block], own: &Program, block: &Block) -> bool {
     let text = own.slice(block.span);
     let known = match &block.kind {
-        // These may belong to what stands before them, or to the definition that they stand in.
+        // These may belong to what is before them, or to the definition that they are in.
         BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Unknown(_) => false,
         BlockKind::OldCycleLine(line) => line.line == 0,
         _ => !cycle::starts_parameter(text, Span::new(after_number(text), text.len())),
@@ -221,7 +221,7 @@ fn is_apart_from(program: &Program, before: &[Block], own: &Program, block: &Blo
     block.lines == 1 && complete && !text.contains('~') && behind.is_some_and(|text| !text.contains('~'))
 }
 
-/// Where the content of a block's text begins, if a number stands before it.
+/// Where the content of a block's text begins, if a number is before it.
 fn after_number(text: &str) -> usize {
     let mark = |c: char| c.is_ascii_digit() || c.is_whitespace() || matches!(c, '/' | 'N' | 'n' | '\u{feff}');
     text.len() - text.trim_start_matches(mark).len()

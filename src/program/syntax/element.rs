@@ -1,7 +1,7 @@
 //! Contour elements, read in full when they are first asked for.
 //!
 //! Programs of CAM systems are millions of them, and few readers look at every word. The parser checks each and keeps
-//! where it stands and an outline of it. Invariant: what is read later is what the parser accepted, and the outline
+//! where it is and an outline of it. Invariant: what is read later is what the parser accepted, and the outline
 //! says nothing that the words do not say.
 use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
@@ -18,7 +18,7 @@ use crate::base::diag::{Source, Span};
 pub struct Element {
     source: Arc<Source>,
     read: OnceLock<Box<Motion>>,
-    /// Where the words behind the name begin.
+    /// Where the words after the name begin.
     start: u32,
     /// How long they are.
     length: u8,
@@ -32,7 +32,7 @@ pub struct Element {
 /// Stands for M functions whose numbers are not kept.
 pub(super) const SEVERAL: u8 = u8::MAX;
 
-/// What the words of an element are, as far as it is kept beside the place where they stand.
+/// What the words of an element are, as far as it is kept together with their place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outline(u8);
 

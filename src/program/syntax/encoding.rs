@@ -105,7 +105,7 @@ fn guess(bytes: &[u8]) -> Charset {
         central += run.iter().filter(|byte| is_central(**byte, before, behind)).count();
         at += length;
     }
-    // Chinese stands in runs of pairs; letters with accents stand alone, and Cyrillic ones have no lower bytes.
+    // Chinese comes in runs of pairs; letters with accents come singly, and Cyrillic ones have no lower bytes.
     if runs > 0 && paired == runs && 2 * long >= runs && cyrillic < high {
         Charset::Gbk
     } else if 2 * long >= runs && 20 * cyrillic >= 19 * high {
@@ -117,7 +117,7 @@ fn guess(bytes: &[u8]) -> Charset {
     }
 }
 
-/// Whether a byte is a letter of Central Europe where it stands: the same byte is a mark, or stands at ends of words,
+/// Whether a byte is a letter of Central Europe where it is: the same byte is a mark, or is at ends of words,
 /// in the West (`È`, `£`, `¥`, `¹`, `³`, `Ø`).
 fn is_central(byte: u8, before: bool, behind: bool) -> bool {
     match byte {

@@ -90,9 +90,9 @@ pub enum Relation {
     Greater,
     /// FN 12, `LT`.
     Less,
-    /// FN 9, `IS UNDEFINED`; nothing stands right of it.
+    /// FN 9, `IS UNDEFINED`; no operand follows.
     Undefined,
-    /// FN 9, `IS DEFINED`; nothing stands right of it.
+    /// FN 9, `IS DEFINED`; no operand follows.
     Defined,
 }
 

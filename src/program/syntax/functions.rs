@@ -105,7 +105,7 @@ fn m_functions(kind: &BlockKind) -> Cow<'_, [MFunction]> {
     }
 }
 
-/// Local, permanent and text parameters, wherever in a block they stand.
+/// Local, permanent and text parameters, wherever they occur in a block.
 fn parameters(program: &Program, block: &Block, name: &mut impl FnMut(&str, Span)) {
     match &block.kind {
         BlockKind::Unknown(_) => {}

@@ -1,6 +1,6 @@
 //! Blocks of DIN/ISO programs.
 //!
-//! They stand in the same tree as those of Klartext: what both languages write alike is the same kind of block,
+//! They form the same tree as those of Klartext: what both languages write alike is the same kind of block,
 //! everything else is a block of words. Invariant: as for Klartext, nothing here knows what a cycle's number or
 //! parameter means; the codes of the language itself (motions, planes,
 //! labels) are told apart from those of cycles and no more.
@@ -32,8 +32,8 @@ impl Dialect {
 pub struct IsoBlock {
     /// What it is.
     pub kind: IsoKind,
-    /// Letters with their values in the order written. Behind `G`, `D` and `M` the value is the number of the code;
-    /// behind `P` the number of the parameter belongs to the name.
+    /// Letters with their values in the order written. After `G`, `D` and `M` the value is the number of the code;
+    /// after `P` the number of the parameter belongs to the name.
     pub words: Vec<NamedWord>,
     /// M functions; they are no words.
     pub functions: Vec<MFunction>,
@@ -167,7 +167,7 @@ pub(super) fn is_iso(text: &str, name: &str) -> bool {
     let first = text.lines().map(said).find(|line| !line.is_empty() && !line.starts_with(';')).unwrap_or_default();
     let foreign = |line: &&str| line.is_empty() || *line == "%" || line.starts_with(['(', ';']);
     if first.trim_end() == "%" || first.starts_with('(') {
-        // Marks of a transfer and sheets of a simulator stand before programs of both languages.
+        // Marks of a transfer and sheets of a simulator precede programs of both languages.
         let next = text.lines().map(str::trim).find(|line| !foreign(line)).unwrap_or_default();
         return !is_begin(next.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace()))
             && (first.starts_with('%') || of_kind);

@@ -20,7 +20,7 @@ fn group(code: u16) -> Option<u8> {
 /// The second of two codes of a block that exclude each other.
 pub(super) fn excluded(text: &str, block: &IsoBlock) -> Option<SyntaxError> {
     let codes = || block.words.iter().filter_map(|word| Some((word, code(text, word)?)));
-    // Between G90 and G91 stands what the first of them is for.
+    // What is written between G90 and G91 belongs to the first of them.
     let pair = block.words.windows(2).find_map(|pair| match pair {
         [one, other] => {
             let (first, second) = (code(text, one)?, code(text, other)?);
@@ -47,7 +47,7 @@ fn code(text: &str, word: &NamedWord) -> Option<u16> {
     }
 }
 
-/// A word that no block of its kind has: a number without a letter where all words have one, as behind a second decimal
+/// A word that no block of its kind has: a number without a letter where all words have one, as after a second decimal
 /// point, a second axis of a movement along one, or an operand more than a D function takes.
 pub(super) fn stray(text: &str, block: &IsoBlock) -> Option<Span> {
     let taken = match block.kind {
@@ -75,7 +75,7 @@ pub(super) fn stray(text: &str, block: &IsoBlock) -> Option<Span> {
     block.words.get(taken).map(|word| word.span)
 }
 
-/// The first text in brackets: comments of the controls stand behind a semicolon.
+/// The first text in brackets: comments of the controls are after a semicolon.
 pub(super) fn remark(blocks: &[Block]) -> Option<SyntaxError> {
     blocks.iter().find_map(|block| match &block.kind {
         BlockKind::Iso(own) => {

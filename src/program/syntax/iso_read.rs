@@ -1,7 +1,7 @@
 //! The reader of DIN/ISO: from physical lines to blocks.
 //!
-//! A block is a line; a cycle goes on in the lines behind it that are its Q parameters and have no number of their own,
-//! and `~` joins lines as in Klartext. Invariant: the blocks' spans lie one behind the other and cover the text, and
+//! A block is a line; a cycle goes on in the lines after it that are its Q parameters and have no number of their own,
+//! and `~` joins lines as in Klartext. Invariant: the blocks' spans follow one another and cover the text, and
 //! each line is looked at a bounded number of times, whatever the text.
 use std::sync::Arc;
 
@@ -150,7 +150,7 @@ impl<'t> Reader<'t> {
         self.push(&first, Span::new(first.start, end), lines, BlockKind::Empty);
     }
 
-    /// `N10` without a blank behind it is a number, too.
+    /// `N10` without a blank after it is a number, too.
     fn number(&self, line: &mut Line) {
         let written = self.text.get(line.content.start..line.content.end).unwrap_or_default();
         let Some(rest) = written.strip_prefix(['N', 'n']).filter(|_| line.number.is_none()) else { return };
@@ -170,7 +170,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Cuts off the `*` that ends the block, before the comment or behind it; whether there was one.
+    /// Cuts off the `*` that ends the block, before the comment or after it; whether there was one.
     fn without_end(&self, line: &mut Line) -> bool {
         let bytes = self.text.as_bytes();
         let mut ended = false;
@@ -230,7 +230,7 @@ impl<'t> Reader<'t> {
                     parameters.truncate(count);
                     errors.push(error);
                 }
-                // A comment behind several parameters belongs to none of them.
+                // A comment after several parameters belongs to none of them.
                 if let Some([own]) = parameters.get_mut(count..) {
                     own.label = line.comment.and_then(|comment| cycle::label(self.text, comment));
                 }

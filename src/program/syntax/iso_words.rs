@@ -1,6 +1,6 @@
 //! The words of a block of DIN/ISO.
 //!
-//! Invariant: what a word means is not known here beyond what its letter and number take behind them.
+//! Invariant: what a word means is not known here beyond what may follow its letter and number.
 use super::cursor::{Cursor, Read, trim};
 use super::iso::IsoBlock;
 use super::motion;
@@ -9,7 +9,7 @@ use super::tree::{Axis, Parameter, Value, ValueKind};
 use super::words::{from_operand, nameless, opt_value};
 use crate::base::diag::Span;
 
-/// D functions whose words are those of the language; of the others what stands behind the number
+/// D functions whose words are those of the language; of the others what is after the number
 /// is kept as it is printed.
 const WORDED: std::ops::RangeInclusive<u16> = 0..=14;
 /// The code that gives a tool its length and radius.
@@ -128,7 +128,7 @@ pub(super) fn word(cursor: &mut Cursor<'_>, block: &mut IsoBlock) -> Read<()> {
         }
     };
     cursor.at = start + length;
-    // Behind a label a comma is no decimal sign: `L1,0`. Behind G99 it is a length.
+    // After a label a comma is no decimal sign: `L1,0`. After G99 it is a length.
     let defines = |word: &NamedWord| {
         cursor.byte_at(word.name.start).eq_ignore_ascii_case(&b'G')
             && word.value.kind == ValueKind::Number(TOOL_DEFINITION)
@@ -139,7 +139,7 @@ pub(super) fn word(cursor: &mut Cursor<'_>, block: &mut IsoBlock) -> Read<()> {
         Some(value) => value,
         None => bare(cursor, letters.as_bytes())?,
     };
-    // Nothing stands directly behind its letter.
+    // No value follows its letter directly.
     let nothing = Value { span: Span::new(start + length, start + length), ..value };
     let value = if value.kind == ValueKind::Missing { nothing } else { value };
     let end = value.span.end;
@@ -171,7 +171,7 @@ fn label(cursor: &mut Cursor<'_>) -> Read<Option<Value>> {
     }
 }
 
-/// What stands behind a letter that is no number: `MAX` and `AUTO` behind a feed, a sign or nothing behind an axis.
+/// What follows a letter and is no number: `MAX` and `AUTO` after a feed, a sign or nothing after an axis.
 fn bare(cursor: &mut Cursor<'_>, letter: &[u8]) -> Read<Value> {
     let start = cursor.at;
     if letter.first() == Some(&b'F') {
@@ -221,7 +221,7 @@ fn entry(cursor: &mut Cursor<'_>) -> Read<Option<Value>> {
     Ok(Some(Value { span: Span::new(start, cursor.at), kind: ValueKind::Word }))
 }
 
-/// The name behind the code of a cycle: words up to a parameter or the end of the line.
+/// The name after the code of a cycle: words up to a parameter or the end of the line.
 fn cycle_name(cursor: &mut Cursor<'_>) -> Option<Span> {
     cursor.blanks();
     let rest = cursor.bytes.get(cursor.at..cursor.end).unwrap_or_default();
@@ -245,7 +245,7 @@ fn cycle_name(cursor: &mut Cursor<'_>) -> Option<Span> {
     Some(name)
 }
 
-/// `Q200=+2`, if it stands here.
+/// `Q200=+2`, if it is here.
 pub(super) fn opt_parameter(cursor: &mut Cursor<'_>) -> Read<Option<Parameter>> {
     cursor.blanks();
     let start = cursor.at;
@@ -270,7 +270,7 @@ pub(super) fn opt_parameter(cursor: &mut Cursor<'_>) -> Read<Option<Parameter>> 
             cursor.blanks();
             let word = cursor.peek_name();
             cursor.at = word.span.end;
-            // A feed per turn or per tooth has its number behind the word.
+            // A feed per turn or per tooth has its number after the word.
             let feed = matches!(word.as_bytes(), b"FU" | b"FZ") && cursor.opt_operand().is_some();
             let span = Span::new(word.span.start, if feed { cursor.at } else { word.span.end });
             cursor.at = if span.start < span.end { span.end } else { after };

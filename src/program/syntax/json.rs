@@ -42,7 +42,7 @@ impl<'p> Cycles<'p> {
 
 impl Serialize for Cycles<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        // Codes of cycles stand among the others.
+        // Codes of cycles are among the others.
         if codes(self.0).next().is_some() {
             return serializer.collect_seq(self.to_vec());
         }

@@ -1,6 +1,6 @@
 //! Physical lines and their outer parts: skip mark, block number, content, comment, joint.
 //!
-//! Invariant: a line belongs to no block yet; nothing is said of its content but where it stands.
+//! Invariant: a line belongs to no block yet; of its content only the place is known.
 use memchr::memchr2;
 
 use super::cursor::{skip_blanks, trim};
@@ -15,20 +15,20 @@ pub(super) struct Line {
     pub(super) next: usize,
     pub(super) skip: bool,
     pub(super) number: Option<u32>,
-    /// What stands between number and comment, trimmed, without a `~` at its end.
+    /// What is between number and comment, trimmed, without a `~` at its end.
     pub(super) content: Span,
     /// From `;` on, trimmed, without a `~` at its end.
     pub(super) comment: Option<Span>,
     /// Whether a `~` joins the next line.
     pub(super) joined: bool,
-    /// Whether it stands behind a comment: the next line may be text of the comment.
+    /// Whether it is after a comment: the next line may be text of the comment.
     pub(super) wraps: bool,
-    /// Whether another `~` stands before the one that joins, with nothing but blanks between them.
+    /// Whether another `~` is before the one that joins, with nothing but blanks between them.
     pub(super) twice: bool,
 }
 
 impl Line {
-    /// Whether nothing but blanks stands in it.
+    /// Whether it holds nothing but blanks.
     pub(super) fn is_blank(&self) -> bool {
         let empty = self.content.start == self.content.end && self.comment.is_none();
         empty && self.number.is_none() && !self.skip && !self.joined
@@ -99,7 +99,7 @@ fn skip_mark(bytes: &[u8], at: usize, end: usize, line: &mut Line) -> usize {
 
 /// Digits are a block number if a blank or the start of a block follows them, and not if they are all there is, with or
 /// without a joint. Some programs from elsewhere write `N` before them.
-/// Behind a skip mark the block may follow directly.
+/// After a skip mark the block may follow directly.
 fn block_number(bytes: &[u8], at: usize, end: usize, skipped: bool) -> Option<(u32, usize)> {
     let marked = matches!(bytes.get(at), Some(b'N' | b'n'));
     let at = at + usize::from(marked && at + 1 < end);
@@ -148,13 +148,13 @@ fn without_joint(bytes: &[u8], span: Span, never: bool) -> (Span, bool) {
     (trim(bytes, Span::new(span.start, span.end - 1)), true)
 }
 
-/// Whether one `~` stands at the end; more are an ornament.
+/// Whether one `~` is at the end; more are an ornament.
 fn ends_once(bytes: &[u8], span: Span) -> bool {
     let (before, once) = without_joint(bytes, span, false);
     once && !without_joint(bytes, before, false).1
 }
 
-/// The first `;` that stands in no text.
+/// The first `;` outside of quotation marks.
 fn comment_start(bytes: &[u8], span: Span) -> Option<usize> {
     let line = bytes.get(span.start..span.end)?;
     let (mut quoted, mut from) = (false, 0);

@@ -1,6 +1,6 @@
 //! Klartext and DIN/ISO programs: a lossless parser that never fails.
 //!
-//! [`parse`] divides a text into blocks; their spans lie one behind the other and cover it, so
+//! [`parse`] divides a text into blocks; their spans follow one another and cover it, so
 //! printing an untouched program gives the same text back, and [`encoding`] the same bytes. What no
 //! rule reads becomes a block of kind `unknown` with an error. Invariant: this module knows how
 //! blocks are written and no cycle: numbers, labels and names mean nothing here.
@@ -104,7 +104,7 @@ impl Program {
         self.source.text().get(span.start..span.end).unwrap_or_default()
     }
 
-    /// What a block says, without its number, its end and a comment behind it; the joints of its lines and comments
+    /// What a block says, without its number, its end and a comment after it; the joints of its lines and comments
     /// between them stay.
     pub fn content(&self, block: &Block) -> Span {
         match self.dialect {
@@ -113,7 +113,7 @@ impl Program {
         }
     }
 
-    /// The same program with what `each` writes into its blocks: where they stand in the program that this one was made
+    /// The same program with what `each` writes into its blocks: where they are in the program that this one was made
     /// from, and what could not be said here.
     pub fn with_blocks(mut self, each: &mut dyn FnMut(&mut Block)) -> Self {
         self.blocks.iter_mut().for_each(each);
@@ -125,7 +125,7 @@ impl Program {
         self.blocks.iter().map(|block| block.lines).sum()
     }
 
-    /// The lines that continue the comment of a block's first line: those behind what the block says.
+    /// The lines that continue the comment of a block's first line: those after what the block says.
     pub fn wrapped(&self, block: &Block) -> Option<Span> {
         let comment = block.comment().filter(|_| block.lines > 1)?;
         let said = match &block.kind {
@@ -143,7 +143,7 @@ impl Program {
         (said <= comment.start && rest.start < rest.end).then_some(rest)
     }
 
-    /// Text behind a tab that is no part of the block, as printed listings have it.
+    /// Text after a tab that is no part of the block, as printed listings have it.
     pub fn remark(&self, block: &Block) -> Option<Span> {
         let at = self.warnings.partition_point(|warning| warning.span.start < block.span.start);
         let own = self.warnings.get(at..)?.iter().take_while(|warning| warning.span.start < block.span.end);

@@ -175,7 +175,7 @@ pub(super) fn opt_function(cursor: &mut Cursor<'_>) -> Read<Option<MFunction>> {
         // Older controls and their posts print the word of a block without a function, the last of the block.
         return if cursor.done() { Ok(None) } else { Err(cursor.expected("number")) };
     };
-    // Posts that write a point behind every number write it here too: `M3.`
+    // Posts that write a point after every number write it here too: `M3.`
     if cursor.byte() == b'.' && !cursor.byte_at(cursor.at + 1).is_ascii_digit() {
         cursor.at += 1;
     }
@@ -234,7 +234,7 @@ pub(super) fn stop(cursor: &mut Cursor<'_>) -> Read<Vec<MFunction>> {
     functions(cursor)
 }
 
-/// The M function that retracts along the tool axis; a feed of its own may stand behind it.
+/// The M function that retracts along the tool axis; a feed of its own may follow it.
 const M_RETRACT: u16 = 140;
 
 /// M functions up to the end of the block.
@@ -271,7 +271,7 @@ pub(super) fn motion(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<()> {
     Ok(())
 }
 
-/// A word as controls write most of them: a letter with its number directly behind it. What it is, is the same as
+/// A word as controls write most of them: a letter with its number directly after it. What it is, is the same as
 /// [`motion_word`] finds, which tries everything.
 fn plain_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
     let digit = cursor.byte_at(cursor.at + 1).is_ascii_digit();
@@ -321,7 +321,7 @@ fn motion_word(cursor: &mut Cursor<'_>, motion: &mut Motion) -> Read<bool> {
         }
         b"M" => {
             let function = opt_function(cursor)?;
-            // Behind another one the number is missing.
+            // After another one the number is missing.
             if function.is_none() && !motion.functions.is_empty() {
                 return Err(cursor.expected("number"));
             }

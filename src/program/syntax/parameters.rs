@@ -99,7 +99,7 @@ impl Packed {
         (q, Span::new(from, from + usize::from(self.value_length)))
     }
 
-    /// The value, which stands at a place.
+    /// The value, which has a place.
     fn value(&self, value: Span) -> ValueKind {
         let [low, high] = self.content;
         match self.kind {
@@ -127,7 +127,7 @@ impl Packed {
     }
 }
 
-/// Where a parameter ends: with its value, or with the `=` behind its name.
+/// Where a parameter ends: with its value, or with the `=` after its name.
 fn end_of(q: Span, value: Span) -> usize {
     value.end.max(q.end + 1)
 }

@@ -19,7 +19,7 @@ pub(super) struct PlainElement {
     pub(super) next: usize,
     /// The block number.
     pub(super) number: Option<u32>,
-    /// Where the words behind the name stand.
+    /// Where the words after the name are.
     pub(super) words: Span,
     pub(super) path: PathCode,
     pub(super) outline: Outline,
@@ -30,10 +30,10 @@ pub(super) struct PlainElement {
 /// Digits of the longest block number that is read here.
 const MOST_DIGITS: usize = 9;
 
-/// M functions to which words behind them belong.
+/// M functions to which words after them belong.
 const WITH_WORDS: [u16; 8] = [94, 103, 112, 118, 124, 128, 138, 197];
 
-/// A place in the text; behind its end there is nothing but ends of lines.
+/// A place in the text; after its end there is nothing but ends of lines.
 #[derive(Clone, Copy)]
 struct Scan<'t> {
     bytes: &'t [u8],
@@ -46,7 +46,7 @@ impl Scan<'_> {
         self.behind(0)
     }
 
-    /// The byte so many behind this one.
+    /// The byte so many after this one.
     #[inline]
     fn behind(&self, by: usize) -> u8 {
         self.bytes.get(self.at + by).copied().unwrap_or(b'\n')
@@ -59,7 +59,7 @@ impl Scan<'_> {
         }
     }
 
-    /// Whether a word may end at the byte so many behind this one.
+    /// Whether a word may end at the byte so many after this one.
     #[inline]
     fn ends(&self, by: usize) -> bool {
         matches!(self.behind(by), b' ' | b'\n' | b'\r')
@@ -83,7 +83,7 @@ impl Scan<'_> {
         self.at - start
     }
 
-    /// Passes a number with or without a sign that ends a word, behind so many letters.
+    /// Passes a number with or without a sign that ends a word, after so many letters.
     #[inline]
     fn value(&mut self, letters: usize) -> Option<()> {
         self.at += letters;
@@ -327,7 +327,7 @@ pub(super) fn parameter(text: &str, start: usize) -> Option<(Line, Assignment, O
     Some((line, Assignment { span: content, q, q_span, value, tight: true }, label))
 }
 
-/// What stands behind a parameter: the comment, the label in it, whether a joint follows,
+/// What is after a parameter: the comment, the label in it, whether a joint follows,
 /// and where the next line begins.
 fn behind(scan: &mut Scan<'_>) -> Option<(Option<Span>, Option<Span>, bool, usize)> {
     match scan.byte() {

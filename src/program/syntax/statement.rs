@@ -1,4 +1,4 @@
-//! The nodes of blocks that are a name and words behind it.
+//! The nodes of blocks that are a name and words after it.
 //!
 //! Invariant: every word is kept with the place of its name and of its value; what it does is not known here.
 use super::tree::{Parameter, SyntaxError, Value};
@@ -10,7 +10,7 @@ use crate::base::expr::QRef;
 pub struct NamedWord {
     /// The whole word.
     pub span: Span,
-    /// The name as printed, a colon included; empty where only a value stands.
+    /// The name as printed, a colon included; empty where there is only a value.
     pub name: Span,
     /// The value.
     pub value: Value,
@@ -69,14 +69,14 @@ impl StatementKind {
     }
 }
 
-/// A block of words behind its name.
+/// A block of words after its name.
 #[derive(Clone, Debug)]
 pub struct Statement {
     /// What it is.
     pub kind: StatementKind,
     /// The words that name it: `PLANE SPATIAL`, `FN 14: ERROR`.
     pub head: Span,
-    /// The words behind it, in the order written.
+    /// The words after it, in the order written.
     pub words: Vec<NamedWord>,
 }
 
@@ -94,7 +94,7 @@ pub struct PatternDef {
 pub struct PatternItem {
     /// `POS1`.
     pub name: Span,
-    /// What stands between the brackets.
+    /// What is between the brackets.
     pub words: Vec<NamedWord>,
 }
 
@@ -144,6 +144,6 @@ pub struct TextFormula {
 pub struct TextCall {
     /// Its name.
     pub name: Span,
-    /// What stands between the brackets.
+    /// What is between the brackets.
     pub words: Vec<NamedWord>,
 }

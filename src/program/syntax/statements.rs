@@ -1,4 +1,4 @@
-//! Blocks that are a name and words behind it, and pattern definitions.
+//! Blocks that are a name and words after it, and pattern definitions.
 use super::cursor::{Cursor, Read};
 use super::statement::{NamedWord, PatternDef, PatternItem, Statement, StatementKind};
 use super::tree::{BlockKind, Value, ValueKind};
@@ -219,7 +219,7 @@ fn plane(cursor: &mut Cursor<'_>, start: usize) -> Read<BlockKind> {
         _ => return Err(cursor.expected("plane-form")),
     };
     cursor.at = form.span.end;
-    // A value behind the name of the form's own word: `ROT+30` is another word than the `ROT` of `TABLE ROT`.
+    // A value after the name of the form's own word: `ROT+30` is another word than the `ROT` of `TABLE ROT`.
     let words = words::closed(cursor, &[own, TILTING])?;
     Ok(statement(StatementKind::Plane, start, form.span.end, words))
 }
@@ -315,7 +315,7 @@ pub(super) fn opt_indirect(text: &str, content: Span) -> Option<BlockKind> {
     Some(statement(StatementKind::Indirect, start, head.end, vec![printed(&mut cursor).ok()?]))
 }
 
-/// `ERROR = L X+10 Q`: the block as it was written stands behind the sign.
+/// `ERROR = L X+10 Q`: the block as it was written follows the sign.
 fn refused(cursor: &mut Cursor<'_>, start: usize) -> Read<BlockKind> {
     let head = cursor.at;
     if !cursor.opt_mark(b'=') {
@@ -475,7 +475,7 @@ fn printed(cursor: &mut Cursor<'_>) -> Read<NamedWord> {
     Ok(words::nameless(Value { span, kind: ValueKind::Word }))
 }
 
-/// `SET UNDEFINED` behind a parameter.
+/// `SET UNDEFINED` after a parameter.
 pub(super) fn opt_undefined(cursor: &mut Cursor<'_>, start: usize) -> Option<BlockKind> {
     let mut ahead = *cursor;
     ahead.blanks();

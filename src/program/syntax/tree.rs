@@ -1,6 +1,6 @@
 //! The typed blocks of a program, with the place of everything in them.
 //!
-//! Invariant: the spans of a program's blocks, line ends included, lie one behind the other and cover
+//! Invariant: the spans of a program's blocks, line ends included, follow one another and cover
 //! its text; nothing here knows what a cycle's number or parameter means.
 pub use super::definition::{CallForm, CyclCall, CycleDef, CycleKeyword, OldCycleLine, Parameter, Value, ValueKind};
 use super::element::Element;
@@ -24,13 +24,13 @@ pub struct Block {
     pub number: Option<u32>,
     /// Whether `/` lets the operator skip the block.
     pub skip: bool,
-    /// Where its comment stands.
+    /// Where its comment is.
     pub(super) comment: Comment,
     /// What it says.
     pub kind: BlockKind,
 }
 
-/// The place of a comment, counted from the beginning of its block, as bytes that need no room beside them; empty if
+/// The place of a comment, counted from the beginning of its block, packed without padding; empty if
 /// there is none.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Comment {
@@ -82,7 +82,7 @@ impl Block {
         matches!(self.kind, BlockKind::Unknown(_))
     }
 
-    /// The same block, told to have no comment.
+    /// The same block, marked as having no comment.
     pub fn without_comment(self) -> Self {
         Self { comment: Comment::default(), ..self }
     }
@@ -134,7 +134,7 @@ pub enum BlockKind {
     CyclCall(Box<CyclCall>),
     /// `STOP`, with its M functions.
     Stop(Vec<MFunction>),
-    /// A block of words behind its name: `PLANE`, `FUNCTION`, `TRANS` …
+    /// A block of words after its name: `PLANE`, `FUNCTION`, `TRANS` …
     Statement(Box<Statement>),
     /// `PATTERN DEF`.
     PatternDef(Box<PatternDef>),
@@ -198,7 +198,7 @@ const fn formula_name(target: QRef) -> &'static str {
 pub struct SyntaxError {
     /// The code of the diagnostic.
     pub code: &'static str,
-    /// What stands there.
+    /// What is there.
     pub span: Span,
     /// A key for what was expected, or the very word in capitals.
     pub expected: &'static str,
@@ -220,7 +220,7 @@ pub enum Amount {
     Number(f64),
     /// A parameter.
     Q {
-        /// Whether a minus stands before it.
+        /// Whether a minus precedes it.
         negative: bool,
         /// The parameter.
         q: QRef,
@@ -232,7 +232,7 @@ pub enum Amount {
 /// Name and unit of `BEGIN PGM` and `END PGM`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frame {
-    /// The program's name; blanks may stand in it.
+    /// The program's name; it may contain blanks.
     pub name: Span,
     /// Whether the unit is INCH, not MM.
     pub inch: bool,
@@ -299,7 +299,7 @@ pub struct Coord {
     pub span: Span,
     /// The axis.
     pub axis: Axis,
-    /// Whether `I` stands before it.
+    /// Whether `I` precedes it.
     pub incremental: bool,
     /// Its value: mm (or inch) or degrees.
     pub value: Operand,
@@ -319,7 +319,7 @@ pub struct BlkForm {
 /// A tool.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ToolRef {
-    /// A number, with the step behind the point if there is one, or a parameter (`Q` or `QS`).
+    /// A number, with the step after the point if there is one, or a parameter (`Q` or `QS`).
     Number(Operand),
     /// A name, without its quotation marks.
     Name(Span),
@@ -457,7 +457,7 @@ pub struct MFunction {
     pub span: Span,
     /// Its number.
     pub number: u16,
-    /// What is written behind it: `MB MAX`, `LA10`.
+    /// What is written after it: `MB MAX`, `LA10`.
     pub with: Option<Span>,
 }
 

@@ -41,7 +41,7 @@ pub(super) fn each_cycle<'p>(blocks: &'p [Block], mut each: impl FnMut(CycleView
     let mut open = false;
     for (index, block) in blocks.iter().enumerate() {
         match &block.kind {
-            // Nothing that could be executed stands between the lines of one definition.
+            // Nothing that could be executed is between the lines of one definition.
             BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Unknown(_) => {}
             BlockKind::CycleDef(cycle) => {
                 open = false;
@@ -85,7 +85,7 @@ fn start(line: &OldCycleLine, index: usize, at: usize) -> CycleView<'_> {
     }
 }
 
-/// Adds a line to the definition before it, if it belongs there: lines may stand in any order, but
+/// Adds a line to the definition before it, if it belongs there: lines may be in any order, but
 /// line 0 begins a new definition.
 fn joins<'p>(view: &mut CycleView<'p>, line: &'p OldCycleLine, index: usize) -> bool {
     let CycleForm::Lines(lines) = &mut view.form else { return false };

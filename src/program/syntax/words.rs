@@ -1,13 +1,13 @@
 //! Words with values, read against the vocabulary of their block.
 //!
-//! Invariant: of two names that fit, the longer one is meant (`P1X`, not `P1`), and a letter behind a name that is no
+//! Invariant: of two names that fit, the longer one is meant (`P1X`, not `P1`), and a letter after a name that is no
 //! parameter makes it another word.
 use super::cursor::{Cursor, Read};
 use super::statement::NamedWord;
 use super::tree::{Amount, Operand, Value, ValueKind};
 use crate::base::diag::Span;
 
-/// What stands behind a name.
+/// What is after a name.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Takes {
     /// Nothing.
@@ -18,14 +18,14 @@ pub(super) enum Takes {
     Maybe,
     /// A sign.
     Sign,
-    /// A number, a parameter, a text or a name, also behind `=`.
+    /// A number, a parameter, a text or a name, also after `=`.
     Any,
 }
 
 /// The names that a block knows, in capitals, with what they take.
 pub(super) type Vocabulary = &'static [(&'static str, Takes)];
 
-/// A word of the vocabulary, if one stands here.
+/// A word of the vocabulary, if one is here.
 pub(super) fn opt_named(cursor: &mut Cursor<'_>, vocabulary: &[Vocabulary]) -> Read<Option<NamedWord>> {
     cursor.blanks();
     let start = cursor.at;
@@ -117,7 +117,7 @@ pub(super) fn from_operand(operand: Operand) -> Value {
     Value { span: operand.span, kind }
 }
 
-/// A number, a parameter of any kind or a text, if one stands here.
+/// A number, a parameter of any kind or a text, if one is here.
 pub(super) fn opt_value(cursor: &mut Cursor<'_>) -> Read<Option<Value>> {
     if let Some(text) = cursor.opt_text()? {
         return Ok(Some(Value { span: Span::new(text.start - 1, text.end + 1), kind: ValueKind::Text(text) }));

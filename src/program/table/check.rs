@@ -1,12 +1,12 @@
 //! What a control or a reader would object to in a table file.
 //!
-//! Invariant: only what a manual prints is asked for; a column that no manual describes is told and left alone.
+//! Invariant: only what a manual prints is asked for; a column that no manual describes is reported and not checked.
 use super::text::{self, Heading};
 use super::{Quantity, Table, TableKind, TableUnit, column, doubt};
 use crate::base::diag::{Diagnostic, Place, Severity, Source};
 use std::sync::Arc;
 
-/// Everything that can be said against a table: what cannot be read, columns that stand twice or that no manual
+/// Everything that can be said against a table: what cannot be read, columns that occur twice or that no manual
 /// describes, numbers out of their range, words that a column does not take, what is hardly meant.
 pub fn check(kind: TableKind, source: &Arc<Source>) -> Vec<Diagnostic> {
     let (table, mut found) = text::read(kind, source);
@@ -62,7 +62,7 @@ fn columns(table: &Table, source: &Arc<Source>) -> Vec<Diagnostic> {
             unknown.push((heading.name.as_str(), place));
         }
     }
-    // Tables of a control have dozens: told together, at the first.
+    // Tables of a control have dozens: reported as one finding, at the first.
     if let Some((_, place)) = unknown.first() {
         let names: Vec<&str> = unknown.iter().map(|(name, _)| *name).collect();
         let finding = Diagnostic::error("table-unknown-column", place.clone()).arg("column", names.join(", "));

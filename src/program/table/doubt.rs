@@ -21,7 +21,7 @@ struct Row<'t> {
     start: usize,
 }
 
-/// Tells everything of a table that is hardly meant.
+/// Reports everything in a table that is probably not intended.
 pub(super) fn told_of(table: &Table, source: &Arc<Source>, found: &mut Vec<Diagnostic>) {
     let mut doubts = Doubts { table, source, found };
     doubts.header();
@@ -179,7 +179,7 @@ impl Doubts<'_> {
             let measured = matches!(column.quantity, Quantity::Length | Quantity::Feed);
             let inch = table.unit == TableUnit::Inch && measured;
             let outside = table.kind.usual(column).is_some_and(|(least, most)| !(least..=most).contains(&number));
-            // What a control refuses is told already.
+            // What a control refuses is reported already.
             let refused = table.kind.range(column.name).is_some_and(|(least, most)| !(least..=most).contains(&number));
             if (outside && !inch && !refused) || (table.kind.is_whole(column) && number.fract() != 0.0) {
                 self.tell("value", span, args());
@@ -218,7 +218,7 @@ impl Doubts<'_> {
     }
 }
 
-/// Whether a number goes on behind the end of its column.
+/// Whether a number continues after the end of its column.
 fn is_astride(heading: &Heading, line: &str) -> bool {
     let end = heading.bytes(line).1;
     let before = line.get(..end).and_then(|text| text.chars().next_back());

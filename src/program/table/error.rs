@@ -82,7 +82,7 @@ impl TableError {
         Self::KeyColumn { file, row, column }
     }
 
-    /// The code of the diagnostic that tells it.
+    /// The code of its diagnostic.
     pub const fn code(&self) -> &'static str {
         match self {
             Self::NoTable { .. } => "table-missing",

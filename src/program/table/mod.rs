@@ -7,7 +7,7 @@
 //! [END]
 //! ```
 //!
-//! Invariant: a table that nobody changed gives back the very text it was read from; a change touches the
+//! Invariant: an unchanged table gives back the very text it was read from; a change touches the
 //! characters of its cell only. Numbers go in and out in mm, mm/min and degrees, whatever the table's unit.
 mod check;
 mod column;
@@ -85,7 +85,7 @@ impl Table {
         self.lines.iter().flat_map(|line| [line.text.as_str(), line.end.as_str()]).collect()
     }
 
-    /// The text of the file with every cell at the beginning of its column and no blanks behind the last one.
+    /// The text of the file with every cell at the beginning of its column and no blanks after the last one.
     pub fn laid_out(&self) -> String {
         let mut lines = self.lines.clone();
         for (_, at) in &self.rows {

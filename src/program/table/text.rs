@@ -163,7 +163,7 @@ pub(super) fn read(kind: TableKind, source: &Arc<Source>) -> (Option<Table>, Vec
     };
     let end = numbered.iter().skip(1).position(|(_, line)| line.text.trim() == "[END]").map(|at| at + 1);
     if end.is_none() {
-        // Behind what is there.
+        // After the existing text.
         let last = numbered.iter().rfind(|(_, line)| !line.text.trim().is_empty());
         let end = last.map_or(source.text().len(), |(start, line)| start + line.text.trim_end().len());
         reader.error("table-no-end", end, end, Vec::new());
@@ -191,7 +191,7 @@ fn described(lines: &[(usize, Line)]) -> Vec<bool> {
     lines.iter().map(is_it).collect()
 }
 
-/// `BEGIN`, a name and perhaps the unit; behind it may stand which version of the control wrote the file.
+/// `BEGIN`, a name and perhaps the unit; then perhaps which version of the control wrote the file.
 fn header(line: &str) -> Option<TableUnit> {
     let mut words = line.split_whitespace();
     let begins = words.next()? == "BEGIN";

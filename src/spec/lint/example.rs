@@ -52,7 +52,7 @@ fn named(cycle: &Cycle, name: &Name, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The parameter of a Q number or field id; a number behind a repeated field's id (`shift-2`) is left off.
+/// The parameter of a Q number or field id; a number after a repeated field's id (`shift-2`) is left off.
 fn find<'c>(cycle: &'c Cycle, name: &str) -> Option<&'c super::super::catalogue::Param> {
     if let Some(q) = QRef::parse(name) {
         return cycle.param(q);

@@ -26,7 +26,7 @@ fn params(on: &OnControl) -> impl Iterator<Item = (&Cycle, &Param)> {
     on.cycles.values().flat_map(|cycle| cycle.params.iter().map(move |param| (cycle, param)))
 }
 
-/// The most frequent key, how often it stands, and how often another one does.
+/// The most frequent key, how often it occurs, and how often another one does.
 fn usual<K: Ord + Clone>(uses: &BTreeMap<K, usize>) -> Option<(K, usize)> {
     uses.iter().max_by_key(|(_, count)| **count).map(|(key, count)| (key.clone(), *count))
 }

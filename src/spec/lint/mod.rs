@@ -53,7 +53,7 @@ fn slug(name: &Name, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Reports every name that stands twice in a list.
+/// Reports every name that occurs twice in a list.
 fn duplicates<'n>(names: impl IntoIterator<Item = &'n Name>, found: &mut Vec<Diagnostic>) {
     let mut seen: Vec<&Name> = Vec::new();
     for name in names {

@@ -2,7 +2,7 @@
 //! by program, cycle and rule.
 //!
 //! Invariants: nothing is judged here, the checker's findings are counted; what no specification describes is neither
-//! right nor wrong but out of the subset, and is told.
+//! right nor wrong but out of the subset, and is reported.
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;

@@ -11,7 +11,7 @@ use crate::program::syntax::{
     Statement as Worded, ToolCall, ToolRef, Value, ValueKind,
 };
 
-/// Kinds of blocks whose words are all known: no name stands in them outside of quotation marks.
+/// Kinds of blocks whose words are all known: they contain no name outside of quotation marks.
 const PLAIN: &[&str] = &[
     "blk-form",
     "tool-call",
@@ -45,7 +45,7 @@ const NAMELESS: &[&str] = &["PLANE", "TRANS", "LN", "APPR", "DEP", "FL", "FC", "
 pub struct Statement {
     /// In one spelling.
     pub text: String,
-    /// Where the block stands in its program.
+    /// Where the block is in its program.
     pub span: Span,
     /// Its first physical line, from 1.
     pub line: usize,
@@ -75,7 +75,7 @@ pub(super) fn each(program: &Program, against: &Against<'_>, mut take: impl FnMu
     }
 }
 
-/// The statements in some stretches of all, which lie one behind the other.
+/// The statements in some stretches of all, which follow one another.
 pub(super) fn those(program: &Program, against: &Against<'_>, stretches: &[Range<usize>]) -> Vec<Vec<Statement>> {
     let mut all = vec![Vec::new(); stretches.len()];
     if stretches.is_empty() {
@@ -99,7 +99,7 @@ fn speaks(block: &Block) -> bool {
     !matches!(block.kind, BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_))
 }
 
-/// Where words of the old form stand that name a field, and which.
+/// Where words of the old form are that name a field, and which.
 fn fields(program: &Program, against: &Against<'_>) -> Vec<(usize, usize)> {
     let facts = Facts::unrun(program, against);
     let mut fields = Vec::new();
@@ -154,7 +154,7 @@ impl<'p> Speller<'p> {
                 }
             }
             BlockKind::Statement(own) => self.statement(own),
-            // What Klartext has no equivalent of stands in a comment.
+            // What Klartext has no equivalent of is in a comment.
             BlockKind::Iso(_) => {
                 let said = block.comment().unwrap_or_else(|| self.program.content(block));
                 close_up(self.program.slice(said), &mut self.out);
@@ -333,7 +333,7 @@ impl<'p> Speller<'p> {
         self.out.extend(name.chars().map(|c| c.to_ascii_uppercase()));
     }
 
-    /// A blank, and the tokens that stand there.
+    /// A blank, and the tokens that are there.
     fn part(&mut self, span: Span) {
         self.out.push(' ');
         self.tokens_at(span);
@@ -460,7 +460,7 @@ fn is_point(text: &str) -> bool {
     matches!(bytes.first(), Some(b'.' | b',')) && bytes.get(1).is_some_and(u8::is_ascii_digit)
 }
 
-/// A word goes as far as its letters, but a parameter behind an axis is a word of its own: `XQ1`.
+/// A word goes as far as its letters, but a parameter after an axis is a word of its own: `XQ1`.
 fn word_length(text: &str) -> usize {
     let end = text.find(|c: char| !(c.is_alphabetic() || c == '_')).unwrap_or(text.len());
     let (word, behind) = text.split_at(end);
@@ -486,7 +486,7 @@ fn number_length(text: &str) -> usize {
     }
 }
 
-/// `007.50` as `7.5`, `,5` as `0.5`, `5.` as `5`: what stands before the point and behind it.
+/// `007.50` as `7.5`, `,5` as `0.5`, `5.` as `5`: what is before the point and after it.
 fn canonical(number: &str) -> (&str, &str) {
     let (whole, fraction) = number.split_once(['.', ',']).unwrap_or((number, ""));
     let (whole, fraction) = (whole.trim_start_matches('0'), fraction.trim_end_matches('0'));

@@ -2,7 +2,7 @@
 //!
 //! Equal ends are cut off; then what occurs once on both sides and in the same order holds the lists
 //! together, and each gap is treated alike. Small gaps without such a hold are solved exactly, large ones
-//! are told as one difference. Invariant: the time is bounded by the size of the lists, whatever they hold.
+//! are reported as one difference. Invariant: the time is bounded by the size of the lists, whatever they hold.
 use std::collections::HashMap;
 use std::ops::Range;
 

@@ -145,7 +145,7 @@ fn definition(cycle: &Cycle, values: &[(String, String)]) -> Result<String, Vec<
     Ok(text)
 }
 
-/// Compares what came out with what is expected; of sentences executed only an engine that tells them is asked.
+/// Compares what came out with what is expected; of sentences executed only an engine that reports them is asked.
 pub(super) fn judge(
     cycle: &Cycle,
     example: &Example,

@@ -53,7 +53,7 @@ impl Letter {
     }
 }
 
-/// A movement or pause of the cycle: its verb, coordinates, and what is beside them.
+/// A movement or pause of the cycle: its verb, its coordinates and its other values.
 #[derive(Clone, Debug)]
 struct Action {
     verb: String,
@@ -244,7 +244,7 @@ impl Expectation {
         }
     }
 
-    /// The same without movements, for engines that do not tell them.
+    /// The same without movements, for engines that do not report them.
     pub(super) fn without_moves(&self) -> Self {
         Self { actions: MOVES.map(|_| None), ..self.clone() }
     }

@@ -1,6 +1,6 @@
 //! Another engine put to the cases: asked by the protocol, judged like ours.
 //!
-//! Invariant: what it cannot tell (which sentences were executed) is not held against it; silence is, and one that
+//! Invariant: what it cannot report (which sentences were executed) is not held against it; silence is, and one that
 //! stays silent is not asked for ever.
 use super::case::{self, Prepared};
 use super::protocol::{Answer, CycleName, PROTOCOL, Request};
@@ -20,7 +20,7 @@ pub enum Silence {
 
 /// So many cases in a row an engine may be silent that has never answered.
 const NEVER: usize = 3;
-/// The same of one that has answered before: cases of one cycle, on which it may fail, stand together.
+/// The same of one that has answered before: cases of one cycle, on which it may fail, are kept together.
 const NO_MORE: usize = 12;
 
 /// Another engine: gets a line and gives a line.
@@ -54,7 +54,7 @@ impl Patience<'_> {
 }
 
 /// Puts every example on the controls (all of them, if the list is empty) to another engine. One that was silent too
-/// often in a row is not asked further: `engine-silent` tells how many cases are left.
+/// often in a row is not asked further: `engine-silent` says how many cases are left.
 pub fn run(world: &World<'_>, controls: &[&str], partner: &mut dyn Partner) -> (Report, Vec<Diagnostic>) {
     let (mut cases, mut found, mut cycles) = (Vec::new(), Vec::new(), Vec::<CycleReport>::new());
     let jobs = jobs(world, controls);

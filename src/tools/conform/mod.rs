@@ -1,7 +1,7 @@
 //! Conformance: the examples of the specifications executed by the engine.
 //!
 //! Each example is one case for each control that has the cycle; what it expects is compared with what the
-//! engine tells. Invariant: an expectation is never adapted to a result; what no example shows is reported.
+//! engine reports. Invariant: an expectation is never adapted to a result; what no example shows is reported.
 mod case;
 mod expect;
 mod foreign;

@@ -252,7 +252,7 @@ fn moved(kind: &EventKind) -> Option<Moved> {
 }
 
 impl Answer {
-    /// What it tells, in the form in which outcomes are compared; a word that is wrong is named.
+    /// What it reports, in the form in which outcomes are compared; a word that is wrong is named.
     pub(super) fn read(self, scene: &Scene) -> Result<Told, String> {
         let status = Status::by_word(&self.end).ok_or_else(|| format!("end: {}", self.end))?;
         let mut q = Vec::with_capacity(self.q.len());
@@ -296,7 +296,7 @@ fn content(value: &Value) -> Option<Content> {
     value.as_f64().map(Content::Number).or_else(|| value.as_str().map(|text| Content::Text(text.into())))
 }
 
-/// Coordinates by letter; one that is not told is none.
+/// Coordinates by letter; one that is missing is none.
 fn linear(by_letter: &BTreeMap<String, f64>) -> DVec3 {
     Axis::ALL.into_iter().fold(DVec3::NAN, |all, axis| {
         by_letter.get(&axis.letter().to_string()).map_or(all, |value| axis.with(all, *value))

@@ -1,6 +1,6 @@
 //! Functions of a program that the other control's manual does not show.
 //!
-//! Invariant: which control shows which function stands in its profile.
+//! Invariant: which control has which function is said by its profile.
 use std::collections::BTreeMap;
 
 use super::Writer;

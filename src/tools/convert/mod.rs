@@ -1,8 +1,8 @@
 //! Programs for another control: cycle definitions are rewritten as the other control has them.
 //!
 //! Cycles are known by their numbers, parameters by theirs. What the other control lacks goes, what it has in
-//! addition comes with the value that does the same, and each of it is told; a cycle that it does not have stays and
-//! is refused. Other blocks stay as they are; what of them the other control's manual does not show is told.
+//! addition comes with the value that does the same, and each is reported; a cycle that it does not have stays and
+//! is refused. Other blocks stay as they are; functions that the other control's manual does not show are reported.
 //! Invariants: a block that needs nothing keeps its bytes, and nothing is lost in silence.
 mod forms;
 mod functions;
@@ -70,12 +70,12 @@ pub fn convert(program: &Program, request: &Request<'_>) -> Conversion {
 pub enum Step {
     /// Something rewritten.
     Edit(Edit),
-    /// Something told.
+    /// A finding.
     Found(Diagnostic),
 }
 
-/// Rewrites a program and hands over what is rewritten and what is told, each in the order of the text: of a long
-/// program there is more to tell than there is text.
+/// Rewrites a program and hands over what is rewritten and what is reported, each in the order of the text: of a long
+/// program there are more findings than there is text.
 pub fn each(program: &Program, request: &Request<'_>, take: &mut dyn FnMut(Step)) {
     let facts = Facts::spoken(program, &request.from);
     let mut writer = Writer { program, facts: &facts, request, edits: Vec::new(), found: Vec::new() };
@@ -109,7 +109,7 @@ enum Teller {
     Functions,
 }
 
-/// Where a finding stands among all.
+/// The position of a finding among all.
 fn key(own: &Diagnostic, teller: Teller) -> (Option<(usize, usize)>, Teller) {
     (own.place.as_ref().map(|place| (place.span.start, place.span.end)), teller)
 }
@@ -137,7 +137,7 @@ impl<'a> Writer<'_, 'a> {
         let Known::Described(own) = definition.known else {
             return self.undescribed(definition);
         };
-        // What cannot be read is told by the parser and stays.
+        // What cannot be read is reported by the parser and stays.
         if definition.torn {
             return;
         }
@@ -229,7 +229,7 @@ impl<'a> Writer<'_, 'a> {
         self.found.push(added.arg("import", if import { "yes" } else { "no" }));
     }
 
-    /// Says that the other control needs a value that nobody knows.
+    /// Says that the other control needs a value that no one knows.
     fn no_value(&mut self, key: CycleKey, name: &str, span: Span) {
         let none = self.at("convert-no-value", Severity::Error, span).arg("parameter", name);
         self.found.push(none.arg("cycle", key.to_string()).arg("control", self.request.to.on.control.title.as_str()));

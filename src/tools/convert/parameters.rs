@@ -241,7 +241,7 @@ fn arrange(own: &Cycle, other: &Cycle, pieces: &mut [Piece<'_>]) {
     if shared.is_sorted() {
         return;
     }
-    // What the other control does not know stays behind what it stands behind.
+    // What the other control does not know keeps its place after the parameter before it.
     let mut last = 0;
     let mut keyed: Vec<(usize, usize)> = Vec::with_capacity(pieces.len());
     for (at, piece) in pieces.iter().enumerate() {
@@ -263,7 +263,7 @@ fn line_start(text: &str, at: usize) -> usize {
     text.get(..at).and_then(|before| before.rfind(['\n', '\r'])).map_or(0, |end| end + 1)
 }
 
-/// A piece with or without the sign that the block goes on behind its last line.
+/// A piece with or without the sign that the block continues after its last line.
 fn joined<'t>(piece: &'t str, goes_on: bool, style: &Style<'_>) -> Cow<'t, str> {
     let body = piece.trim_end_matches(['\n', '\r']);
     let end = piece.get(body.len()..).filter(|end| !end.is_empty()).unwrap_or(style.end);

@@ -1,7 +1,7 @@
 //! Programs in another language: names, labels and printed words of cycles are replaced, no other
 //! byte changes.
 //!
-//! Cycles and parameters are known by their numbers; what stands there is replaced only if it is the
+//! Cycles and parameters are known by their numbers; what is there is replaced only if it is the
 //! name or label of the same cycle or parameter in some language, so a programmer's own comments
 //! stay. A definition that a control wrote in a language that is not known here is read by its numbers
 //! alone ([`Speech::Foreign`]). Invariant: a block number, a blank, a tab, a `~` or a line end is never
@@ -32,9 +32,9 @@ pub struct Translation {
 pub struct Change {
     /// Its place in the old text.
     pub span: Span,
-    /// What stood there.
+    /// The old text.
     pub from: String,
-    /// What stands there now.
+    /// The new text.
     pub to: String,
 }
 
@@ -47,7 +47,7 @@ pub struct Replacement<'a> {
     pub to: &'a str,
 }
 
-/// What is told of a translation besides what is replaced.
+/// The findings of a translation, besides the replacements.
 #[derive(Debug, Default)]
 pub struct Told {
     /// As in [`Translation`].
@@ -62,9 +62,9 @@ pub fn translate(program: &Program, against: &Against<'_>, to: &str, encoding: E
     write(program, against, to, encoding, false)
 }
 
-/// As [`translate`], and whatever has the form of a label where one stands is one, in a language that is not known
+/// As [`translate`], and whatever has the form of a label in the place of a label is taken as one, in a language that is not known
 /// here or of an older software: cycles and parameters are known by their numbers anyway. A label of another
-/// parameter of the cycle stays, for it may tell of a mistake.
+/// parameter of the cycle stays, for it may report a mistake.
 pub fn relabel(program: &Program, against: &Against<'_>, to: &str, encoding: Encoding) -> Translation {
     write(program, against, to, encoding, true)
 }
@@ -119,7 +119,7 @@ pub fn replacing<'a, T>(
     };
     let mut all = std::iter::from_fn(of_next).flatten();
     let done = then(&mut all);
-    // What nobody has asked for is told all the same.
+    // What no one has asked for is reported all the same.
     all.for_each(drop);
     let mut diagnostics = writer.diagnostics;
     if let Some((first, count)) = foreign {
@@ -165,7 +165,7 @@ impl<'a> Writer<'_, 'a> {
         }
     }
 
-    /// Replaces what stands at `span` by the label, if it is one that is known.
+    /// Replaces the text of `span` by the label, if it is one that is known.
     fn replace(&mut self, span: Span, known: bool, label: Option<&'a ParamLabels>, parameter: &str, cycle: &str) {
         let from = self.facts.text(span);
         // What a parameter follows closed up ends at a mark that no label has; another label would run into it.
@@ -180,7 +180,7 @@ impl<'a> Writer<'_, 'a> {
             self.diagnostics.push(missing.arg("cycle", cycle));
             return;
         };
-        // Where the axis stands behind the word, the colon stands behind the axis: `KOT X: +15` (001: 13733).
+        // If the axis follows the word, the colon follows the axis: `KOT X: +15` (001: 13733).
         let to = match to.strip_suffix(':') {
             Some(word) if !from.ends_with(':') && behind.is_some_and(is_axis_with_colon) => word,
             _ => to,
