@@ -1,4 +1,4 @@
-# The command “certify” and what it tells.
+# The command “certify” and its messages.
 cli-certify = Tell how the programs of a post-processor come out, by program, cycle and rule
 cli-certify-path = NC programs, or folders with programs (.h, .i)
 cli-certify-program =

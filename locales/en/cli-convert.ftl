@@ -1,4 +1,4 @@
-# The command “convert” and what it tells.
+# The command “convert” and its messages.
 cli-convert = Rewrite programs for another control, or in DIN/ISO or Klartext
 cli-convert-file = NC programs; several only with --in-place
 cli-convert-from = Control that the programs were written for
@@ -38,8 +38,8 @@ diag-convert-value-refused = { $parameter } = { $value } of { $cycle } is not ac
 diag-convert-value-means-else = { $parameter } = { $value } of { $cycle } means something else on { $control }.
 diag-convert-field-lacking = The field { $parameter } of { $cycle } does not exist on { $control }; the definition stays as it is.
 diag-convert-form = { $cycle } becomes { $new }.
-diag-convert-form-stays = { $cycle } stays in its form: comments or other blocks stand between its lines.
-diag-convert-not-line-by-line = { $cycle } stays as it is: its parameters do not stand on lines of their own.
+diag-convert-form-stays = { $cycle } stays in its form: there are comments or other blocks between its lines.
+diag-convert-not-line-by-line = { $cycle } stays as it is: its parameters are not on lines of their own.
 diag-convert-function-not-shown =
     { $function } (used { $count ->
         [one] once

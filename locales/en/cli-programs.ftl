@@ -52,8 +52,8 @@ diag-config-value = { $key } needs something else here: { $expected }.
 diag-allow-without-reason = This comment takes back { $rule } without a reason, so it does not.
 diag-allow-unknown-rule = There is no rule “{ $rule }” to take back.
 diag-allow-unused = { $rule } is not found here; the comment can go.
-explain-allow-without-reason = A comment “; ciklo: allow RULE reason” takes back what a rule finds in the block that it stands behind, or, on a line of its own, in the block that follows. Without a reason it has no effect.
-explain-allow-unknown-rule = The word behind “allow” is no rule of the checker and no guard. ciklo explain lists all codes.
+explain-allow-without-reason = A comment “; ciklo: allow RULE reason” takes back what a rule finds in the block that it follows, or, on a line of its own, in the block that follows. Without a reason it has no effect.
+explain-allow-unknown-rule = The word after “allow” is no rule of the checker and no guard. ciklo explain lists all codes.
 explain-allow-unused = The comment takes nothing back: the rule finds nothing in the block that the comment speaks for, or not on this control.
 
 cli-translate-relabel = Take whatever has the form of a label for one, even in a language that is not known here
@@ -62,7 +62,7 @@ cli-translate-sources = { $count ->
         [one] Language of the labels, with the number of definitions: { $languages }.
        *[other] Languages of the labels, with the number of definitions: { $languages }.
     }
-cli-fmt = Lay out programs where they stand: numbers, columns, signs
+cli-fmt = Format programs in place: numbers, columns, signs
 cli-fmt-path = NC programs, or folders whose programs (.h, .i) are laid out; “-” reads standard input and writes standard output
 cli-fmt-check = Write nothing; name the programs that would change
 cli-examples-fmt =

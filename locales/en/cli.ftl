@@ -144,7 +144,7 @@ cli-translated = { $count ->
     }
 cli-run-status = The program { $status ->
         [done] came to its end
-        [stopped] stopped, and nobody continued it
+        [stopped] stopped, and was not continued
         [limit] reached a limit of the engine
         [unsupported] needs something that the engine cannot do
        *[error] ended with an error
@@ -160,7 +160,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
        *[other] {" "}({ $count } moves):
     } { $kind ->
         [rapid-in-material] Rapid traverse through { $amount } mm of material.
-        [spindle-stands] The spindle stands while the tool goes through { $amount } mm of material.
+        [spindle-stands] The spindle is not turning while the tool goes through { $amount } mm of material.
         [edges-too-short] Material is cut up to { $amount } mm above the tip, more than the cutting edges are long.
         [turns-together] Axes turn while the tool moves: what that removes is not known.
        *[no-radius] Tool { $amount } has no radius: what it removes is not known.
@@ -215,7 +215,7 @@ diag-usage = { $reason ->
         [unknown-command] There is no command { $subject }.
         [no-command] A command is missing.
         [missing-argument] This is missing: { $subject }.
-        [conflict] { $subject } does not go together with the other arguments, or stands twice.
+        [conflict] { $subject } cannot be combined with the other arguments, or is given twice.
         [too-many-values] { $subject } has too many values.
         [not-text] An argument is not valid text.
        *[other] The command line is wrong.

@@ -8,7 +8,7 @@ diag-approach-without-compensation =
     }
 diag-arc-in-unequal-scaling = { $cycle } scales the axes of this arc by different factors.
 diag-arc-too-narrow = The radius { $radius } on the inside of the contour is less than that of the tool, { $tool }.
-diag-arc-without-tangent = No contour element stands before this tangential arc.
+diag-arc-without-tangent = No contour element precedes this tangential arc.
 diag-arc-wrong =
     The arc cannot end here: { $what ->
         [radius] its radius is { $first }, and start and end are { $second } apart
@@ -16,15 +16,15 @@ diag-arc-wrong =
         [sense] its angle is { $first }, and DR turns the other way
        *[centre] its start is { $first } from the centre, its end { $second }
     }.
-diag-axis-twice = The axis { $axis } stands twice in this block.
-diag-behind-end = Blocks stand here behind END PGM.
+diag-axis-twice = Axis { $axis } is programmed twice in this block.
+diag-behind-end = Blocks after END PGM are not executed.
 diag-blank-wrong =
     { $what ->
         [again] The blank has a BLK FORM 0.1 before it already.
         [axis] { $axis } is missing here: a corner of the blank has three coordinates.
         [first] BLK FORM 0.2 has no BLK FORM 0.1 before it.
         [cylinder] The cylinder has no radius or diameter, or no length.
-        [second] BLK FORM 0.1 has no BLK FORM 0.2 behind it.
+        [second] BLK FORM 0.1 is not followed by BLK FORM 0.2.
         [tool] The blank names no tool axis.
        *[order] In the axis { $axis } the coordinate of the second corner of the blank is not greater than that of the first one.
     }
@@ -32,7 +32,7 @@ diag-block-numbers = The block number { $number } follows { $before }.
 diag-call-of-def-active-cycle = { $cycle } acts as soon as it is defined; it must not be called.
 diag-called-but-not-defined = A cycle is called here, but none is defined before.
 diag-called-program-in-other-unit = This program is in { $own }, the called program { $name } in { $other }.
-diag-called-program-missing = The program { $name } does not stand beside this one, where the control looks for it.
+diag-called-program-missing = The called program { $name } is not in the folder of this program, where the control looks for it.
 diag-centre-in-other-plane = The arc leads through another plane than the one in which its centre lies.
 diag-choice-not-offered = { $parameter }={ $value } is none of the choices: { $offered }.
 diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearance height { $parameter }={ $value } must lie above { $least }.
@@ -59,9 +59,9 @@ diag-contour-unnamed =
 diag-contour-wrong =
     { $cycle } cannot machine the contour like this: { $what ->
         [axis] it moves the tool axis { $word }
-        [approach] { $word } stands in it
-        [tool] { $word } stands in it
-        [call] { $word } stands in it
+        [approach] it contains { $word }
+        [tool] it contains { $word }
+        [call] it contains { $word }
         [path] the cycle does not read { $word }
         [first] its first point does not name both coordinates of the plane
         [uncompensated] it has neither RL nor RR
@@ -73,19 +73,19 @@ diag-contour-wrong =
 diag-coordinate-out-of-place = The coordinates do not fit { $path }.
 diag-corner-wrong =
     This corner cannot be machined: { $what ->
-        [twice] a rounding or chamfer stands before it already
+        [twice] the element before it is already a rounding or chamfer
         [arc] a chamfer lies between straight lines, and there is an arc
-        [first] no contour element stands before it
+        [first] no contour element precedes it
         [alone] no contour element follows it
-        [back] the line behind it leads back over the one before it
+        [back] the line after it runs back over the line before it
         [size] its radius or length is not positive
        *[long] it takes more than the shorter line has, { $least }
     }.
-diag-cutting-without-tool = The tool moves at feed here, but no tool call stands before.
+diag-cutting-without-tool = The tool moves at feed rate before any tool call.
 diag-cycle-line-alone = The line { $line } has no line { $head } before it.
-diag-cycle-line-empty = Nothing stands on the line { $line } of { $cycle }.
+diag-cycle-line-empty = Line { $line } of { $cycle } is empty.
 diag-cycle-line-missing = The line { $missing } is missing before { $line }.
-diag-cycle-line-twice = The line { $line } stands twice in this definition.
+diag-cycle-line-twice = Line { $line } is given twice in this definition.
 diag-cycle-not-covered =
     { $other ->
         [none] { $cycle } is not checked: the manuals of the { $control } that are known here do not treat such cycles.
@@ -97,7 +97,7 @@ diag-cycle-not-described =
        *[other] { $cycle } ({ $name }) is named by the manuals and not described: it is measured by the manual of the { $other }.
     }
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
-diag-datum-table-late = The datum shift before took its row from another table: SEL TABLE is to stand before it.
+diag-datum-table-late = The preceding datum shift took its row from another table: program SEL TABLE before it.
 diag-defined-but-never-called = { $cycle } is defined here and never called.
 diag-digitizing-wrong =
     { $what ->
@@ -113,39 +113,39 @@ diag-doubtful-value =
         [negative] the value is negative
        *[positive] the value is positive and leads away from the workpiece
     }.
-diag-duplicate-parameter = { $parameter } stands twice in { $cycle }.
+diag-duplicate-parameter = { $parameter } is given twice in { $cycle }.
 diag-empty-word = This { $word } has no value and does nothing.
 diag-feed-negative = The feed is negative here.
 diag-feed-zero = The feed is zero here.
-diag-field-word-missing = A value stands here without a word; the control shows it with one: { $shown }.
+diag-field-word-missing = The value has no word; the control shows it with one: { $shown }.
 diag-frame-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
 diag-free-contour-wrong =
     { $what ->
-        [label] A free contour cannot begin directly behind a label.
-        [again] CLSD+ stands here again before CLSD- has closed the contour.
+        [label] A free contour cannot begin directly after a label.
+        [again] CLSD+ is programmed again before CLSD- has closed the contour.
         [unbegun] CLSD- closes a contour here that no CLSD+ has begun.
         [unclosed] The contour that CLSD+ has begun ends here without CLSD-.
         [length] The length LEN is not positive.
-        [auxiliary] The distance D stands here without its auxiliary point (PDX, PDY).
-        [distance] The auxiliary point stands here without its distance D.
-        [selected] FSELECT stands behind no element of a free contour.
+        [auxiliary] The distance D has no auxiliary point (PDX, PDY).
+        [distance] The auxiliary point has no distance D.
+        [selected] FSELECT does not follow an element of a free contour.
         [solution] FSELECT takes the number of a solution, counted from 1.
         [fpol] The pole of a free contour has two coordinates.
-        [pole] Polar data stand here without a pole (FPOL).
+        [pole] Polar data need a pole (FPOL).
        *[open] The free contour is not determined: too little is known of its elements.
     }
 diag-function-misspelled = No control knows { $word } here; { $meant } may be meant.
 diag-function-not-on-control = The { $control } does not have { $function }.
-diag-functions-contradict = { $first } and { $second } stand in one block; only one of them can be meant.
+diag-functions-contradict = { $first } and { $second } are in one block; only one of them can be meant.
 diag-global-def-wrong =
     { $what ->
         [unknown] There is no GLOBAL DEF { $number }.
         [missing] GLOBAL DEF { $number } lacks { $parameter }.
         [foreign] GLOBAL DEF { $number } does not give { $parameter }.
-        [twice] { $parameter } stands twice in GLOBAL DEF { $number }.
-        [again] GLOBAL DEF { $number } stood before already, and no cycle has used its values.
-        [nothing] PREDEF stands for { $parameter } in { $value }, and no GLOBAL DEF gives it.
-        [behind] PREDEF stands for { $parameter } in { $value }, and the GLOBAL DEF that gives it stands behind.
+        [twice] { $parameter } is given twice in GLOBAL DEF { $number }.
+        [again] GLOBAL DEF { $number } was programmed before, and no cycle has used its values.
+        [nothing] { $parameter } is PREDEF in { $value }, and no GLOBAL DEF gives it.
+        [behind] { $parameter } is PREDEF in { $value }, and the GLOBAL DEF that gives it comes only later.
        *[value] No cycle takes { $parameter }={ $value }.
     }
 diag-guard = The control objects to these values.
@@ -162,7 +162,7 @@ diag-label-missing = The language “{ $language }” has no label for { $parame
 diag-label-not-encodable = “{ $label }” has the character “{ $character }”, which the file's encoding cannot write.
 diag-label-of-another-language = “{ $label }” is a label in another language ({ $language }); most of the program calls { $parameter } “{ $right }”.
 diag-label-of-another-parameter = “{ $label }” is the label of { $other }, not of { $parameter }.
-diag-label-twice = “{ $label }” stands at { $parameter } and at { $other }: one of them has another label.
+diag-label-twice = { $parameter } and { $other } both have the label “{ $label }”: one of them has another label.
 diag-label-undefined = No block sets the label { $label }.
 diag-labels-of-unknown-language =
     { $count ->
@@ -172,7 +172,7 @@ diag-labels-of-unknown-language =
 diag-languages-mixed = Most labels are in one language ({ $language }); the definitions in these lines are in another ({ $others }): { $lines }.
 diag-loop-endless = Nothing in the loop that this jump closes can end it.
 diag-machine-coordinates-compensated = Machine coordinates (M91, M92) are programmed here with radius compensation.
-diag-main-runs-into-subprogram = The main part runs into the subprogram { $label } here: neither M2 nor M30 stands before it.
+diag-main-runs-into-subprogram = The main part runs into the subprogram { $label } here: neither M2 nor M30 ends it.
 diag-measuring-height-below-floor = { $cycle } measures at { $parameter }={ $value }, below the floor that { $milling } leaves there, { $floor }.
 diag-metric-values-in-inch = The program is in inches, and { $value } looks like millimetres.
 diag-mirror-of-tool-axis = The tool axis { $axis } cannot be mirrored.
@@ -180,16 +180,16 @@ diag-misordered-parameter = In { $cycle } the control shows { $parameter } befor
 diag-missing-parameter = { $cycle } lacks { $parameter }.
 diag-modal-call-left-on =
     M89 still calls the cycle in this block, { $what ->
-        [beside] which moves to a place beside the blank
+        [beside] which moves to a position outside the blank
        *[again] so that the tool machines the last position once more
     }.
 diag-mode-wrong =
     { $what ->
         [milling] { $cycle } mills or drills, but FUNCTION MODE TURN is active here.
         [turning] { $cycle } turns, but FUNCTION MODE TURN is not active here.
-       *[data] { $cycle } stands here outside of turning mode.
+       *[data] { $cycle } is used outside of turning mode.
     }
-diag-name-of-another-cycle = “{ $name }” is the name of { $other }, but { $cycle } stands here.
+diag-name-of-another-cycle = “{ $name }” is the name of { $other }, but this is { $cycle }.
 diag-no-result =
     This formula has no result: { $why ->
         [division] it divides by zero
@@ -238,11 +238,11 @@ diag-pattern-wrong =
 diag-plane-incomplete = This PLANE lacks { $word }.
 diag-plane-not-positioned = STAY leaves the rotary axes where they are, and no block of the program moves one to the angles of this plane.
 diag-plane-not-reset = The program ends here with a tilted working plane.
-diag-position-after-contour = This is the first position behind { $cycle }, and it does not name both coordinates of the plane absolutely.
+diag-position-after-contour = This is the first position after { $cycle }, and it does not name both coordinates of the plane absolutely.
 diag-probe-while-turning = { $cycle } probes here while the spindle turns.
 diag-probed-axis-missing = { $direction } is probed, but the position does not name { $axis }.
 diag-program-begin-missing = The program does not begin with BEGIN PGM.
-diag-program-begin-twice = BEGIN PGM stands a second time here.
+diag-program-begin-twice = BEGIN PGM is programmed a second time.
 diag-program-calls-itself = The program calls itself: { $name }.
 diag-program-empty = The file holds no block.
 diag-program-end-missing =
@@ -253,13 +253,13 @@ diag-program-end-missing =
 diag-programs-call-in-circle = The program { $name } calls this one back, be it through others.
 diag-rapid-into-blank = The tool moves into the blank at rapid here: Z goes to { $value }, and the blank reaches up to { $top }.
 diag-repeat-count-wrong = A part of a program is repeated a whole number of times from 0 to 65534.
-diag-repeat-of-later-label = The label { $label } stands behind this repeat.
+diag-repeat-of-later-label = The label { $label } comes after this repeat.
 diag-reserved-parameter =
     { $parameter } is written here, but the control itself writes Q100 to Q199.
 diag-reset-order-wrong =
     { $what ->
-        [tilt] The tilted plane is reset here while the rotation that was switched on behind it is still active.
-       *[shift] The datum shift is reset here while the plane that was tilted behind it is still tilted.
+        [tilt] The tilted plane is reset here while the rotation that was switched on after it is still active.
+       *[shift] The datum shift is reset here while the plane that was tilted after it is still tilted.
     }
 diag-row-not-in-table =
     { $table ->
@@ -277,7 +277,7 @@ diag-speed-out-of-range =
        *[above] { $limit } is the greatest that the manuals let anybody enter
     }.
 diag-spindle-direction = { $cycle } needs a spindle that turns clockwise, and it turns counter-clockwise here.
-diag-spindle-off = Material is removed here while the spindle stands.
+diag-spindle-off = Material is removed while the spindle is not turning.
 diag-sql-handle-missing =
     { $what ->
         [ended] COMMIT or ROLLBACK has ended the transaction with the handle { $handle } before.
@@ -285,7 +285,7 @@ diag-sql-handle-missing =
     }
 diag-subprogram-end-alone = This LBL 0 ends no subprogram.
 diag-subprogram-recursive = The subprogram { $label } calls itself here.
-diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: no LBL 0 stands between them.
+diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: there is no LBL 0 between them.
 diag-subprogram-without-end = The subprogram { $label } comes to the end of the program without LBL 0.
 diag-tcpm-left-on =
     { $what ->
@@ -301,7 +301,7 @@ diag-text-for-number =
 diag-text-wrong =
     { $what ->
         [empty] The text of { $parameter } is empty.
-        [alone] “{ $found }” stands in the text of { $parameter } neither doubled nor before a letter.
+        [alone] “{ $found }” in the text of { $parameter } is neither doubled nor followed by a letter.
        *[character] { $parameter } takes no “{ $found }”.
     }
 diag-tool-axis-missing = This tool call names no tool axis, and none was named before.
@@ -312,7 +312,7 @@ diag-tool-axis-other =
     }
 diag-tool-definition-wrong =
     { $what ->
-        [zero] Tool 0 stands for no tool and cannot be defined.
+        [zero] Tool 0 is no tool and cannot be defined.
         [twice] Tool { $tool } is defined with other measures before already.
        *[behind] Tool { $tool } is defined here, and has been called before.
     }
@@ -333,7 +333,7 @@ diag-transfer-parameter-overwritten =
        *[call] { $parameter } belongs to { $cycle }, which is called later: the call takes the value that is written here.
     }
 diag-transformation-forbidden =
-    { $cycle } stands here although { $what ->
+    { $cycle } is used although { $what ->
         [datum-shift] a datum shift is active
         [rotation] a rotation is active
         [tcpm] M128 or FUNCTION TCPM is active
@@ -354,16 +354,16 @@ diag-turning-feed-unit =
        *[minute] { $parameter }={ $value } is a feed for a minute here, as M136 is not active.
     }
 diag-turning-system-missing = { $cycle } is called here, but since the tool call { $aligning } has not been defined.
-diag-two-signs = Two signs stand before the number; they are read as { $right }.
+diag-two-signs = The number has two signs; they are read as { $right }.
 diag-unknown-cycle = { $cycle } is a cycle of which no manual here speaks.
 diag-unknown-parameter = { $cycle } has no { $parameter } on this control.
 diag-unlike-elsewhere =
     { $what ->
         [missing] { $cycle } has { $parameter } on the { $control }, and here it is missing.
         [value] { $parameter }={ $value } in { $cycle } is a value that the { $control } refuses.
-        [twice] { $parameter } stands twice in { $cycle }.
+        [twice] { $parameter } is given twice in { $cycle }.
         [foreign] { $cycle } has no { $parameter } on the { $control }.
-        [order] { $parameter } stands behind { $before }; in { $cycle } on the { $control } it precedes it.
+        [order] { $parameter } comes after { $before }; in { $cycle } on the { $control } it precedes it.
         [label] “{ $label }” belongs to { $other } in { $cycle } on the { $control }, not to { $parameter }.
         [doubt] { $cycle } is doubtful: { $message }
         [alone] { $parameter }={ $value } in { $cycle } is a value that no cycle with this parameter takes.
@@ -376,26 +376,26 @@ diag-unreachable =
     }
 diag-value-without-sense = The value is { $value } here, which makes no sense.
 diag-word-missing = This block lacks { $word }.
-diag-word-twice = { $word } stands twice in this block.
+diag-word-twice = { $word } is programmed twice in this block.
 diag-word-wrong =
     { $what ->
         [below] { $word } is { $value }, which is too little.
         [above] { $word } is { $value }, which is too much.
         [whole] { $word } is { $value }, and takes whole numbers only.
-        [offers] Behind { $word } stands one of: { $value }.
+        [offers] { $word } is followed by one of: { $value }.
         [contradict] { $word } and { $value } exclude each other.
         [zero] { $word } must not all be 0.
         [not-below] { $word } must be less than { $value }.
-        [operator] “{ $word }” stands here for { $value }.
+        [operator] “{ $word }” is written instead of { $value }.
         [empty] The name is empty.
-        [value] Nothing stands behind { $word }.
+        [value] { $word } has no value.
         [place] { $word } has no place in this block.
         [line] The three points lie on one line and give no plane.
         [parallel] The two vectors are parallel and give no plane.
         [number] The text of { $word } is no number: “{ $value }”.
-        [beyond] { $word } is { $value }, which lies behind the end of the text.
+        [beyond] { $word } is { $value }, which is beyond the end of the text.
         [file] { $value } is no { $word } file.
-       *[tool] { $value } is no tool number: behind the point stands one digit.
+       *[tool] { $value } is no tool number: one digit follows the point.
     }
 diag-wrong-value-kind =
     { $parameter } of { $cycle } takes { $kind ->

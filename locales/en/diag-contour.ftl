@@ -8,6 +8,6 @@ diag-compensation-too-large = The tool radius of { NUMBER($radius, maximumFracti
 diag-contour-limit = The run ends: more than { NUMBER($limit) } events wait between two elements of a contour.
 diag-contour-missing = No element of a contour follows that the tool could approach.
 diag-rounding-impossible = A rounding or chamfer of { NUMBER($size, maximumFractionDigits: 4) } mm finds no place at this corner. A chamfer needs a straight line on both sides.
-diag-rounding-misplaced = RND and CHF need an element in the working plane directly before and behind them, and cannot begin a contour.
+diag-rounding-misplaced = RND and CHF need an element in the working plane directly before and after them, and cannot begin a contour.
 diag-tangent-missing = The tangential direction is unknown: an element of the contour must lead to this point, and the end of a tangential arc must not lie straight ahead of it.
 diag-unsupported-compensation = The engine does not execute this while radius compensation is active: { $word }

@@ -23,7 +23,7 @@ diag-locale-syntax =
         [closing-brace] a closing brace without an opening one
        *[no-expression] an expression is expected here
     }.
-diag-locale-isolation-mark = A directional isolation mark stands here; it must not reach NC programs.
+diag-locale-isolation-mark = The text contains a directional isolation mark, which must not reach NC programs.
 diag-locale-duplicate = “{ $key }” is defined twice; a message and a term of the same name count too.
 related-first-definition = first defined here
 diag-locale-variant = “{ $key }” is not a name with at most two suffixes, for a cycle and a control.

@@ -6,9 +6,9 @@ diag-spec-case-never-reached = This case is never reached: an earlier one takes 
 diag-spec-case-proves-nothing = The case { $name } does not say what it proves.
 diag-spec-duplicate-choice = The choice { $value } is offered twice.
 diag-spec-duplicate-cycle = { $cycle } ({ $name }) is described twice for one control.
-diag-spec-duplicate-key = The key { $key } stands twice.
-diag-spec-duplicate-name = The name { $name } stands twice.
-diag-spec-duplicate-parameter = { $q } stands twice in the cycle.
+diag-spec-duplicate-key = The key { $key } occurs twice.
+diag-spec-duplicate-name = The name { $name } occurs twice.
+diag-spec-duplicate-parameter = { $q } occurs twice in the cycle.
 diag-spec-empty-range = The range is empty: { $min } is greater than { $max }.
 diag-spec-example-out-of-range = The example value { $value } of { $name } is none that the parameter takes.
 diag-spec-expected = Expected { $expected }, found { $found }.
@@ -65,13 +65,13 @@ related-for-this-control = it is written for this control
 diag-spec-measure = In { $cycle } { $reason ->
         [different-quantities] two quantities are added or compared that are not of the same kind
         [coordinates-added] two coordinates are added
-        [distance-as-coordinate] a distance stands where a coordinate belongs
-        [coordinate-as-distance] a coordinate stands where a distance belongs
-        [not-a-feed] what is no feed stands for a feed
-        [not-a-length] what is no length stands for a position
-        [not-a-time] what is no time stands for a time
-        [not-a-speed] what is no spindle speed stands for one
-        [not-a-number] what has a unit stands where a number without unit belongs
+        [distance-as-coordinate] a distance is given where a coordinate belongs
+        [coordinate-as-distance] a coordinate is given where a distance belongs
+        [not-a-feed] a value that is no feed is given as a feed
+        [not-a-length] a value that is no length is given as a position
+        [not-a-time] a value that is no time is given as a time
+        [not-a-speed] a value that is no spindle speed is given as one
+        [not-a-number] a value with a unit is given where a number without unit belongs
         [bare-number] a length or feed is compared with a number that has no unit
-       *[not-an-angle] what is no angle stands for an angle
+       *[not-an-angle] a value that is no angle is given as an angle
     }.

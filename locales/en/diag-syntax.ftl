@@ -1,4 +1,4 @@
-### Texts of the parser's findings. $found is what stands there, $expected a key for what could stand there or a word of a program.
+### Texts of the parser's findings. $found is what was read, $expected a key for what could be written there or a word of a program.
 
 syntax-expected =
     { $expected ->
@@ -45,16 +45,16 @@ syntax-expected =
     }
 
 diag-syntax-unknown-block = No block begins with “{ $found }”.
-diag-syntax-unexpected = “{ $found }” cannot stand here; expected: { syntax-expected }.
+diag-syntax-unexpected = “{ $found }” is not allowed here; expected: { syntax-expected }.
 diag-syntax-incomplete = The block is incomplete; expected: { syntax-expected }.
 diag-syntax-unclosed-text = The text has no closing quotation mark: { $found }
-diag-syntax-formula = “{ $found }” cannot stand here in a formula; expected: { syntax-expected }.
-diag-syntax-remark = “{ $found }” stands behind a tab and belongs to no block; a control would refuse it. Comments begin with a semicolon.
+diag-syntax-formula = “{ $found }” is not allowed in a formula here; expected: { syntax-expected }.
+diag-syntax-remark = “{ $found }” follows a tab and belongs to no block; a control would refuse it. Comments begin with a semicolon.
 diag-syntax-dangling-continuation = The ~ announces a further line, but none that belongs to this block follows.
 diag-syntax-foreign-line = “{ $found }” is no block of this language; a control would refuse it. Comments begin with a semicolon.
 diag-syntax-spelling = “{ $found }” is not how controls spell it: { syntax-expected }.
-diag-syntax-undescribed = “{ $found }” stands in no manual of this control family; whether a control takes it is not known.
+diag-syntax-undescribed = “{ $found }” is not described in any manual of this control family; whether a control takes it is not known.
 diag-syntax-refused-block = A control could not read this block: { $found }
 diag-syntax-excluding-codes = “{ $found }” and another code of this block exclude each other.
-diag-syntax-iso-remark = Text in brackets is no comment on these controls: comments stand behind a semicolon.
-diag-syntax-doubled-continuation = A second ~ stands here: one joins the next line.
+diag-syntax-iso-remark = Text in brackets is no comment on these controls: comments follow a semicolon.
+diag-syntax-doubled-continuation = There is a second ~: one is enough to join the next line.

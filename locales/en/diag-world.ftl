@@ -3,23 +3,23 @@
 
 diag-scene-expected =
     { $expected ->
-        [mapping] A mapping of keys and values should stand here, not "{ $found }".
-        [list] A list should stand here, not "{ $found }".
-        [number] A number should stand here, not "{ $found }".
-        [text] A text should stand here, not "{ $found }".
-        [axis] The letter of an axis (X, Y or Z) should stand here, not "{ $found }".
-        [two-numbers] Two numbers should stand here, not "{ $found }".
-        [three-numbers] Three numbers should stand here, not "{ $found }".
-        [row-number] The number of a table row should stand here, not "{ $found }".
+        [mapping] Expected a mapping of keys and values, found "{ $found }".
+        [list] Expected a list, found "{ $found }".
+        [number] Expected a number, found "{ $found }".
+        [text] Expected a text, found "{ $found }".
+        [axis] Expected the letter of an axis (X, Y or Z), found "{ $found }".
+        [two-numbers] Expected two numbers, found "{ $found }".
+        [three-numbers] Expected three numbers, found "{ $found }".
+        [row-number] Expected the number of a table row, found "{ $found }".
         [unit] The unit is mm or inch, not "{ $found }".
-        [clock] A date and a time such as 2015-07-03T14:05:00 should stand here, not "{ $found }".
+        [clock] Expected a date and a time such as 2015-07-03T14:05:00, found "{ $found }".
         [datum-file] The name of a datum table ends in .D.
-        [rotary-axis] The letter of a rotary axis (A, B or C) should stand here, not "{ $found }".
+        [rotary-axis] Expected the letter of a rotary axis (A, B or C), found "{ $found }".
         [carried] What a rotary axis carries is workpiece or tool, not "{ $found }".
         [orientation] The orientation is fixed, two or any, not "{ $found }".
         [shaft] The shaft must be thinner than the ball; its diameter is { $found }.
         [measurements] 1, 2 or 3 measurements are possible, not "{ $found }".
-       *[solids] At least one solid should stand here.
+       *[solids] Expected at least one solid.
     }
 diag-scene-unknown-key = The key { $key } means nothing here; known are { $known }.
 diag-scene-missing-key = The key { $key } is missing.
@@ -43,7 +43,7 @@ diag-table-no-heading = The second line must name the columns, { $column } among
 diag-table-no-end = The line [END] is missing.
 diag-table-not-described = No manual describes tables of this kind: only the frame is looked at.
 diag-table-no-row-number = The row has no number: "{ $found }".
-diag-table-duplicate-row = The row { $row } stands twice.
+diag-table-duplicate-row = Row { $row } occurs twice.
 diag-table-bad-number = { $file }, row { $row }, column { $column }: "{ $found }" is not a number.
 diag-table-missing = There is no table { $file }.
 diag-table-no-row = The table { $file } has no row { $row }.
@@ -51,7 +51,7 @@ diag-table-no-column = The table { $file } has no column { $column }.
 diag-table-too-wide = { $file }, row { $row }: the value does not fit into column { $column }.
 diag-table-text-in-numbers = { $file }, row { $row }: column { $column } takes numbers only.
 diag-table-key-column = { $file }, row { $row }: the row number in column { $column } cannot be changed.
-diag-table-duplicate-column = The column { $column } stands twice.
+diag-table-duplicate-column = Column { $column } occurs twice.
 diag-table-unknown-column =
     { $count ->
         [one] No manual describes the column { $column } here: its cells are not checked.
@@ -62,13 +62,13 @@ diag-table-doubtful =
         [unit] The first line says neither MM nor INCH.
         [kind] The first line names a { $found } file, and this is a { $column } file.
         [column] The column { $column } is missing.
-        [order] The row { $row } stands behind the row { $found }.
-        [behind-end] What stands behind [END] is not read.
+        [order] Row { $row } comes after row { $found }.
+        [behind-end] What follows [END] is not read.
         [astride] Row { $row }: the number in column { $column } reaches into column { $found }.
         [empty] Row { $row }: column { $column } is empty.
         [corner] Row { $row }: R2 is greater than R.
         [same] Row { $row } is the same point as row { $found }.
-        [zero] Tool 0 stands for no tool; its { $column } is 0.
+        [zero] Tool 0 is no tool; its { $column } is 0.
         [less] In row { $row }, { $column } is less than { $found }.
        *[value] Row { $row }: “{ $found }” is hardly meant in column { $column }.
     }
