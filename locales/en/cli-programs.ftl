@@ -1,5 +1,6 @@
 # The command line: comparing, checking, mending and laying out programs.
 
+cli-check-fail-on = The least severe finding that makes the command end with 1: error (default), warning, note
 cli-compare = Prove that two programs are the same to a control, or show where they differ
 cli-compare-a = NC program
 cli-compare-b = NC program to compare it with
@@ -30,9 +31,16 @@ cli-check-fix = Mend what can be mended without changing what a program does: la
 cli-check-no-cache = Check every program again, even those that have not changed since the last time
 cli-check-format = Form of the output: text (default), json, sarif, github
 cli-checking = Programs
-cli-checked = { $files } programs checked, { $wrong ->
-        [0] none of them with errors.
-       *[other] { $wrong } of them with errors.
+cli-checked =
+    { $files ->
+        [one] { $files } program checked, { $wrong ->
+            [0] without errors.
+           *[other] with errors.
+        }
+       *[other] { $files } programs checked, { $wrong ->
+            [0] none of them with errors.
+           *[other] { $wrong } of them with errors.
+        }
     }
 cli-fixed = { $count ->
         [0] Nothing was mended.
@@ -40,12 +48,13 @@ cli-fixed = { $count ->
        *[other] { $count } labels were mended.
     }
 diag-check-no-control = The control of { $path } is not known: --control, or control in ciklo.toml.
+diag-check-no-programs = There are no programs in { $path }: nothing was checked.
 diag-check-no-table = “{ $path }” is no table: its extension is none of .T, .TP, .PR, .D and .PNT.
 diag-fix-no-file = Standard input cannot be mended: name a file.
 diag-fix-file-changed = { $path } was changed meanwhile by someone else; it is left as it is.
 diag-fix-changes-program = { $path } would not be the same program any more; it is left as it is.
 diag-config-syntax = This is not TOML.
-diag-config-unknown-key = There is no setting “{ $key }”; there are control, lang, rules and folder.
+diag-config-unknown-key = There is no setting “{ $key }”; there are control, lang, tables, fail-on, rules and folder.
 diag-config-unknown-rule = There is no rule “{ $key }”; “ciklo explain” lists them all.
 diag-config-unknown-word = { $expected } is nothing that { $key } can be.
 diag-config-value = { $key } needs something else here: { $expected }.

@@ -1,6 +1,7 @@
 # The command line: help, messages, and findings about files and words.
 
 cli-about = Specifications of CNC cycles as dialogs, NC blocks, manuals, program checks and an engine
+cli-explain-more = “ciklo explain { $code }” says what a finding means and what to do about it.
 cli-heading-usage = Usage:
 cli-heading-commands = Commands
 cli-heading-arguments = Arguments
@@ -92,8 +93,6 @@ cli-examples-plot =
     ciklo plot part.h --control tnc640 --view top --out path.svg
 cli-examples-conform =
     ciklo conform
-    ciklo conform --control tnc640 --cycle 200 --case three-infeeds
-    ciklo conform --cycle "TCH PROBE 412" --list
     ciklo conform --control tnc320 --format junit > conform.xml
     ciklo conform --engine "my-engine --jsonl" --time-limit 5
 cli-examples-coverage =

@@ -1,5 +1,6 @@
 # Komentorivi: ohjelmien vertailu, tarkastus, korjaus ja asettelu.
 
+cli-check-fail-on = Lievin havainto, jolla komento päättyy arvoon 1: error (oletus), warning, note
 cli-compare = Todista, että kaksi ohjelmaa ovat ohjaukselle samat, tai näytä erot
 cli-compare-a = NC-ohjelma
 cli-compare-b = NC-ohjelma, johon sitä verrataan
@@ -40,12 +41,13 @@ cli-fixed = { $count ->
        *[other] Korjattiin { $count } NC-tekstiä.
     }
 diag-check-no-control = Ohjelman { $path } ohjaus ei ole tiedossa: --control tai control tiedostossa ciklo.toml.
+diag-check-no-programs = Paikassa { $path } ei ole ohjelmia: mitään ei tarkastettu.
 diag-check-no-table = ”{ $path }” ei ole taulukko: sen tarkenne ei ole .T, .TP, .PR, .D eikä .PNT.
 diag-fix-no-file = Vakiosyötettä ei voi korjata: nimeä tiedosto.
 diag-fix-file-changed = Joku muu on muuttanut tiedostoa { $path } sillä välin; se jätetään ennalleen.
 diag-fix-changes-program = { $path } ei olisi enää sama ohjelma; se jätetään ennalleen.
 diag-config-syntax = Tämä ei ole TOML-muotoa.
-diag-config-unknown-key = Asetusta ”{ $key }” ei ole; asetukset ovat control, lang, rules ja folder.
+diag-config-unknown-key = Asetusta ”{ $key }” ei ole; asetukset ovat control, lang, tables, fail-on, rules ja folder.
 diag-config-unknown-rule = Sääntöä ”{ $key }” ei ole; ”ciklo explain” luettelee kaikki.
 diag-config-unknown-word = { $expected } ei kelpaa kohtaan { $key }.
 diag-config-value = Tässä { $key } vaatii jotakin muuta: { $expected }.

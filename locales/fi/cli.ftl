@@ -1,6 +1,7 @@
 # Komentorivi: ohje, ilmoitukset sekä tiedostoja ja sanoja koskevat havainnot.
 
 cli-about = CNC-työkiertojen kuvaukset dialogeina, NC-lauseina, käsikirjoina, ohjelmien tarkastuksena ja suorituksena
+cli-explain-more = ”ciklo explain { $code }” kertoo, mitä havainto tarkoittaa ja mitä sille voi tehdä.
 cli-heading-usage = Käyttö:
 cli-heading-commands = Komennot
 cli-heading-arguments = Argumentit
@@ -83,8 +84,6 @@ cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --envelope
 cli-examples-conform =
     ciklo conform
-    ciklo conform --control tnc640 --cycle 200 --case three-infeeds
-    ciklo conform --cycle "TCH PROBE 412" --list
     ciklo conform --control tnc320 --format junit > conform.xml
     ciklo conform --engine "my-engine --jsonl" --time-limit 5
 cli-examples-coverage =

@@ -1,5 +1,6 @@
 # La riga di comando: confrontare, verificare, correggere e impaginare i programmi.
 
+cli-check-fail-on = Il rilievo meno grave per cui il comando termina con 1: error (predefinito), warning, note
 cli-compare = Dimostra che due programmi sono uguali per un controllo numerico o mostra dove differiscono
 cli-compare-a = Programma NC
 cli-compare-b = Programma NC con cui confrontarlo
@@ -40,12 +41,13 @@ cli-fixed = { $count ->
        *[other] Corrette { $count } etichette.
     }
 diag-check-no-control = Il controllo numerico di { $path } non è noto: --control, oppure control in ciklo.toml.
+diag-check-no-programs = In { $path } non ci sono programmi: non è stato verificato nulla.
 diag-check-no-table = «{ $path }» non è una tabella: la sua estensione non è .T, .TP, .PR, .D o .PNT.
 diag-fix-no-file = L’ingresso standard non si può correggere: indicare un file.
 diag-fix-file-changed = { $path } è stato modificato nel frattempo da altri; resta com’è.
 diag-fix-changes-program = { $path } non sarebbe più lo stesso programma; resta com’è.
 diag-config-syntax = Questo non è TOML.
-diag-config-unknown-key = L’impostazione «{ $key }» non esiste; esistono control, lang, rules e folder.
+diag-config-unknown-key = L’impostazione «{ $key }» non esiste; esistono control, lang, tables, fail-on, rules e folder.
 diag-config-unknown-rule = La regola «{ $key }» non esiste; «ciklo explain» le elenca tutte.
 diag-config-unknown-word = { $expected } non può stare in { $key }.
 diag-config-value = Qui { $key } richiede altro: { $expected }.

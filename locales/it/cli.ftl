@@ -1,6 +1,7 @@
 # La riga di comando: guida, messaggi e rilievi su file e parole.
 
 cli-about = Specifiche di cicli CNC come dialoghi, blocchi NC, manuali, verifica ed esecuzione dei programmi
+cli-explain-more = «ciklo explain { $code }» dice che cosa significa un rilievo e come rimediare.
 cli-heading-usage = Uso:
 cli-heading-commands = Comandi
 cli-heading-arguments = Argomenti
@@ -83,8 +84,6 @@ cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --envelope
 cli-examples-conform =
     ciklo conform
-    ciklo conform --control tnc640 --cycle 200 --case three-infeeds
-    ciklo conform --cycle "TCH PROBE 412" --list
     ciklo conform --control tnc320 --format junit > conform.xml
     ciklo conform --engine "my-engine --jsonl" --time-limit 5
 cli-examples-coverage =

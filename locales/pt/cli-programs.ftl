@@ -1,5 +1,6 @@
 # A linha de comandos: comparar, verificar, corrigir e dispor programas.
 
+cli-check-fail-on = A mensagem menos grave com que o comando termina com 1: error (predefinição), warning, note
 cli-compare = Prova que dois programas são iguais para um comando numérico ou mostra em que diferem
 cli-compare-a = Programa NC
 cli-compare-b = Programa NC com que se compara
@@ -40,12 +41,13 @@ cli-fixed = { $count ->
        *[other] Corrigidas { $count } designações.
     }
 diag-check-no-control = O comando numérico de { $path } não é conhecido: --control, ou control em ciklo.toml.
+diag-check-no-programs = Em { $path } não há programas: nada foi verificado.
 diag-check-no-table = «{ $path }» não é uma tabela: a sua extensão não é .T, .TP, .PR, .D nem .PNT.
 diag-fix-no-file = A entrada padrão não pode ser corrigida: indique um ficheiro.
 diag-fix-file-changed = { $path } foi alterado entretanto por outrem; fica como está.
 diag-fix-changes-program = { $path } deixaria de ser o mesmo programa; fica como está.
 diag-config-syntax = Isto não é TOML.
-diag-config-unknown-key = Não há a definição «{ $key }»; há control, lang, rules e folder.
+diag-config-unknown-key = Não há a definição «{ $key }»; há control, lang, tables, fail-on, rules e folder.
 diag-config-unknown-rule = Não há a regra «{ $key }»; «ciklo explain» indica todas.
 diag-config-unknown-word = { $expected } não pode estar em { $key }.
 diag-config-value = Aqui { $key } precisa de outra coisa: { $expected }.

@@ -1,6 +1,7 @@
 # A linha de comandos: ajuda, mensagens e observações sobre ficheiros e palavras.
 
 cli-about = Especificações de ciclos CNC como diálogos, frases NC, manuais, verificação e execução de programas
+cli-explain-more = «ciklo explain { $code }» diz o que significa uma mensagem e o que fazer.
 cli-heading-usage = Utilização:
 cli-heading-commands = Comandos
 cli-heading-arguments = Argumentos
@@ -83,8 +84,6 @@ cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --envelope
 cli-examples-conform =
     ciklo conform
-    ciklo conform --control tnc640 --cycle 200 --case three-infeeds
-    ciklo conform --cycle "TCH PROBE 412" --list
     ciklo conform --control tnc320 --format junit > conform.xml
     ciklo conform --engine "my-engine --jsonl" --time-limit 5
 cli-examples-coverage =

@@ -1,5 +1,6 @@
 # Ukazna vrstica: primerjava, preverjanje, popravljanje in oblikovanje programov.
 
+cli-check-fail-on = Najblažja ugotovitev, pri kateri se ukaz konča z 1: error (privzeto), warning, note
 cli-compare = Dokaže, da sta programa za krmiljenje enaka, ali pokaže, v čem se razlikujeta
 cli-compare-a = NC-program
 cli-compare-b = NC-program, s katerim se primerja
@@ -46,12 +47,13 @@ cli-fixed = { $count ->
        *[other] Popravljenih je { $count } oznak.
     }
 diag-check-no-control = Krmiljenje za { $path } ni znano: --control ali control v ciklo.toml.
+diag-check-no-programs = V { $path } ni programov: nič ni bilo preverjeno.
 diag-check-no-table = »{ $path }« ni preglednica: njena končnica ni .T, .TP, .PR, .D ali .PNT.
 diag-fix-no-file = Standardnega vhoda ni mogoče popraviti: navedite datoteko.
 diag-fix-file-changed = { $path } je medtem spremenil nekdo drug; ostane, kakor je.
 diag-fix-changes-program = { $path } ne bi bil več isti program; ostane, kakor je.
 diag-config-syntax = To ni TOML.
-diag-config-unknown-key = Nastavitve »{ $key }« ni; na voljo so control, lang, rules in folder.
+diag-config-unknown-key = Nastavitve »{ $key }« ni; na voljo so control, lang, tables, fail-on, rules in folder.
 diag-config-unknown-rule = Pravila »{ $key }« ni; »ciklo explain« izpiše vsa.
 diag-config-unknown-word = { $expected } ni nič, kar bi { $key } lahko bil.
 diag-config-value = { $key } tu zahteva nekaj drugega: { $expected }.

@@ -1,6 +1,7 @@
 # Ukazna vrstica: pomoč, sporočila ter ugotovitve o datotekah in besedah.
 
 cli-about = Specifikacije CNC-ciklov kot pogovorna okna, NC-stavki, priročniki, preverjanje in izvajanje programov
+cli-explain-more = »ciklo explain { $code }« pove, kaj ugotovitev pomeni in kaj storiti.
 cli-heading-usage = Uporaba:
 cli-heading-commands = Ukazi
 cli-heading-arguments = Argumenti
@@ -83,8 +84,6 @@ cli-examples-run =
     ciklo run part.h --control tnc640 --scene part.scene.yaml --envelope
 cli-examples-conform =
     ciklo conform
-    ciklo conform --control tnc640 --cycle 200 --case three-infeeds
-    ciklo conform --cycle "TCH PROBE 412" --list
     ciklo conform --control tnc320 --format junit > conform.xml
     ciklo conform --engine "my-engine --jsonl" --time-limit 5
 cli-examples-coverage =

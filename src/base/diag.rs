@@ -174,6 +174,11 @@ impl Severity {
             Self::Error => "error",
         }
     }
+
+    /// The severity of that word.
+    pub fn from_word(word: &str) -> Option<Self> {
+        [Self::Note, Self::Warning, Self::Error].into_iter().find(|own| own.as_str() == word)
+    }
 }
 
 /// A value that a diagnostic's text can show.

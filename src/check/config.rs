@@ -42,6 +42,8 @@ pub struct Settings {
     pub language: Option<String>,
     /// The tables that its tools, presets and datums are in, as they are named.
     pub tables: Vec<String>,
+    /// The least severe finding with which a check fails.
+    pub fail_on: Option<Severity>,
     /// Severities by code; nothing for findings that are left out.
     pub rules: BTreeMap<String, Option<Severity>>,
 }
@@ -94,6 +96,7 @@ impl Config {
         for (_, own) in self.folders.iter().filter(|(pattern, _)| matches(pattern, &path)) {
             settings.control = own.control.clone().or(settings.control);
             settings.language = own.language.clone().or(settings.language);
+            settings.fail_on = own.fail_on.or(settings.fail_on);
             if !own.tables.is_empty() {
                 settings.tables.clone_from(&own.tables);
             }
@@ -143,6 +146,11 @@ impl Reader<'_> {
             let name = key.get_ref().as_ref();
             match name {
                 "control" => settings.control = self.word(name, value, self.controls),
+                "fail-on" => {
+                    settings.fail_on = self
+                        .word(name, value, &|word| Severity::from_word(word).is_some())
+                        .and_then(|word| Severity::from_word(&word));
+                }
                 "lang" => settings.language = self.word(name, value, self.languages),
                 "tables" => match value.get_ref() {
                     DeValue::Array(names) => {

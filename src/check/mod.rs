@@ -87,6 +87,9 @@ pub fn check_among(program: &Program, against: &Against<'_>, among: &dyn Among) 
 
 fn found_in(facts: &Facts<'_>) -> Vec<Diagnostic> {
     let (program, against) = (facts.program, &facts.against);
+    if let Some(finding) = rules::not_a_program(facts) {
+        return vec![finding];
+    }
     let mut found = program.diagnostics();
     for rule in RULES {
         (rule.run)(rule, facts, &mut found);

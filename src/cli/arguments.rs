@@ -6,11 +6,13 @@ use std::path::PathBuf;
 
 use clap::{Arg, ArgAction, ArgMatches, builder::PossibleValuesParser, value_parser};
 
+use crate::base::diag::Severity;
 use crate::language::locale::{Args, Ui};
 
 pub(super) const DATA: &str = "data";
 pub(super) const UI_LANGUAGE: &str = "ui-lang";
 const FORMAT: &str = "format";
+const FAIL_ON: &str = "fail-on";
 
 /// An option or positional argument with its help.
 pub(super) fn argument(ui: &Ui, name: &'static str, help: &str) -> Arg {
@@ -82,6 +84,17 @@ pub(super) fn format(ui: &Ui, formats: &'static [&'static str]) -> Arg {
     let arg = option(ui, FORMAT, "FORMAT").value_parser(PossibleValuesParser::new(formats));
     // What `clap` would say about possible values and the default is in English; the help says it.
     arg.default_values(formats.iter().take(1).copied()).hide_possible_values(true).hide_default_value(true)
+}
+
+/// `--fail-on LEVEL`.
+pub(super) fn fail_on(ui: &Ui) -> Arg {
+    let levels = PossibleValuesParser::new(["error", "warning", "note"]);
+    valued(ui, FAIL_ON, "LEVEL", "cli-check-fail-on").value_parser(levels).hide_possible_values(true)
+}
+
+/// The severity with which findings make the command fail, if one is asked for.
+pub(super) fn chosen_fail_on(matches: &ArgMatches) -> Option<Severity> {
+    matches.get_one::<String>(FAIL_ON).and_then(|word| Severity::from_word(word))
 }
 
 /// The chosen format.

@@ -5,18 +5,18 @@ use clap::ArgMatches;
 use serde::Serialize;
 
 use super::among::{Library, Shelf, Standing};
-use super::check::{Job, PROGRAMS};
+use super::check::{Job, PROGRAMS, no_programs};
 use super::progress::Progress;
 use super::session::{Session, json};
 use super::{Command, Failure, Outcome, arguments, cycle, program};
-use crate::base::diag::Diagnostic;
+use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Against, Facts, LabelBook, Settings, check_among};
 use crate::language::locale::{Args, Ui};
 use crate::system;
 use crate::tools::certify::{CycleReport, ProgramReport, RuleReport, Tally, Verdict};
 
 pub(super) const COMMAND: Command =
-    Command { name: "certify", usage: "PATH… --control CONTROL [--format FORMAT]", arguments: own, run };
+    Command { name: "certify", usage: "PATH… --control CONTROL [--fail-on LEVEL] [--format FORMAT]", arguments: own, run };
 
 /// The format of the document.
 const FORMAT: &str = "ciklo-certify/1";
@@ -25,6 +25,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
         arguments::words(ui, "file", "PATH", "cli-certify-path"),
         arguments::control(ui),
+        arguments::fail_on(ui),
         arguments::format(ui, &["text", "json"]),
     ]
 }
@@ -44,9 +45,12 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
     let labels = LabelBook::new(on, &locales);
     let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
-    let (mut jobs, mut troubles) = (Vec::new(), Vec::new());
+    let (mut jobs, mut empty, mut troubles) = (Vec::new(), Vec::new(), Vec::new());
     for name in arguments::all(matches, "file") {
         let (found, hidden) = system::files_below(Path::new(&name), &PROGRAMS);
+        if found.is_empty() && hidden.is_empty() {
+            empty.push(no_programs(&name));
+        }
         troubles.extend(hidden.into_iter().map(Diagnostic::from));
         let named = found == [PathBuf::from(&name)];
         jobs.extend(found.into_iter().map(|path| Job { path, on, settings: Settings::default(), named }));
@@ -54,7 +58,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let library = Library::new(jobs.iter().map(|job| job.path.clone()).collect());
     let shelf = Shelf::new(&[])?;
     let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), jobs.len());
-    let mut tally = Tally::default();
+    let mut tally = Tally::new(arguments::chosen_fail_on(matches).unwrap_or(Severity::Error));
     for job in &jobs {
         match program::understand(&job.path, &catalogue) {
             Ok(file) => {
@@ -87,11 +91,12 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     } else {
         tell(session, &on.control.title, &tally)?;
     }
+    empty.iter().for_each(|empty| session.output.complain(empty, &session.ui));
     let last = troubles.pop();
     troubles.iter().for_each(|trouble| session.output.complain(trouble, &session.ui));
     match last {
         Some(trouble) => Err(trouble.into()),
-        None => Ok(if verdict == Verdict::Fail { Outcome::Errors } else { Outcome::Clean }),
+        None => Ok(if verdict == Verdict::Fail || !empty.is_empty() { Outcome::Errors } else { Outcome::Clean }),
     }
 }
 

@@ -21,8 +21,8 @@ use crate::system;
 
 pub(super) const COMMAND: Command = Command {
     name: "check",
-    usage: "PATH… [--control CONTROL] [--lang LANG] [--config FILE] [--table FILE]… [--fix] [--no-cache] \
-            [--format FORMAT]",
+    usage: "PATH… [--control CONTROL] [--lang LANG] [--config FILE] [--table FILE]… [--fail-on LEVEL] [--fix] \
+            [--no-cache] [--format FORMAT]",
     arguments: own,
     run,
 };
@@ -41,6 +41,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::valued(ui, "lang", "LANG", "cli-check-lang"),
         arguments::valued(ui, "config", "FILE", "cli-check-config"),
         arguments::several(ui, "table", "FILE", "cli-check-table"),
+        arguments::fail_on(ui),
         arguments::switch(ui, "fix", "cli-check-fix"),
         arguments::switch(ui, "no-cache", "cli-check-no-cache"),
         arguments::format(ui, &["text", "json", "sarif", "github"]).help(ui.text("cli-check-format", &Args::new())),
@@ -57,14 +58,14 @@ pub(super) struct Job<'c> {
 }
 
 /// What came of it.
-type Checked = Result<(Vec<Diagnostic>, usize), Failure>;
+type Checked = Result<(Vec<Diagnostic>, usize, bool), Failure>;
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let readers: Vec<&Language> =
         [locales.language(session.ui.tag()).ok(), locales.source()].into_iter().flatten().collect();
-    let (jobs, mut troubles, named) = jobs(session, matches, &catalogue, &locales)?;
-    let fix = matches.get_flag("fix");
+    let Jobs { jobs, empty, mut troubles, tables: named } = jobs(session, matches, &catalogue, &locales)?;
+    let (fix, fail_on) = (matches.get_flag("fix"), arguments::chosen_fail_on(matches));
     // Other data than that of this program gives other findings.
     let cached = jobs.len() >= cache::LEAST && !fix && !matches.get_flag("no-cache") && session.data().is_none();
     let cache = if cached { Cache::open(session.ui.tag()) } else { None };
@@ -99,16 +100,20 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
             (found_in(job, &catalogue, &place, cache.as_ref())?, 0)
         };
         job.settings.apply(&mut found);
-        Ok((found, fixed))
+        let least = fail_on.or(job.settings.fail_on).unwrap_or(Severity::Error);
+        let fails = found.iter().any(|diagnostic| diagnostic.severity >= least);
+        Ok((found, fixed, fails))
     });
     drop(progress);
     if let Some(cache) = cache {
         cache.close();
     }
-    let (mut found, mut fixed, mut wrong) = (Vec::new(), 0, 0);
+    let mut fails = !empty.is_empty();
+    let (mut found, mut fixed, mut wrong) = (empty, 0, 0);
     for result in results {
         match result {
-            Ok((own, mended)) => {
+            Ok((own, mended, failed)) => {
+                fails |= failed;
                 fixed += mended;
                 wrong += usize::from(own.iter().any(|diagnostic| diagnostic.severity == Severity::Error));
                 found.extend(own);
@@ -122,21 +127,18 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     // Nothing was found only where everything could be read.
     let silent = found.is_empty() && troubled;
     let format = arguments::chosen_format(matches);
-    let errors = found.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
     match format {
         "sarif" => annotations::sarif(session, found)?,
         "github" => annotations::github(session, found)?,
         _ if silent => {}
-        _ => {
-            session.report(found, format)?;
-        }
+        _ => session.report(found, format)?,
     }
     if matches!(format, "text" | "github") {
         if fix {
             let line = session.ui.text("cli-fixed", &Args::new().number("count", fixed as f64));
             session.output.remark(&line);
         }
-        if jobs.len() > 1 {
+        if !jobs.is_empty() && !silent {
             let args = Args::new().number("files", jobs.len() as f64).number("wrong", wrong as f64);
             let line = session.ui.text("cli-checked", &args);
             session.output.remark(&line);
@@ -146,7 +148,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     troubles.iter().for_each(|trouble| session.output.complain(trouble, &session.ui));
     match last {
         Some(trouble) => Err(trouble.into()),
-        None => Ok(if errors { Outcome::Errors } else { Outcome::Clean }),
+        None => Ok(if fails { Outcome::Errors } else { Outcome::Clean }),
     }
 }
 
@@ -174,9 +176,22 @@ fn found_in(
     Ok(found)
 }
 
-/// The programs that are meant, each with its control and settings, what could not be found, and where tables are
-/// named.
-type Jobs<'c> = (Vec<Job<'c>>, Vec<Diagnostic>, BTreeMap<String, Place>);
+/// The programs that are meant.
+struct Jobs<'c> {
+    /// Each with its control and settings.
+    jobs: Vec<Job<'c>>,
+    /// What says that a folder has none.
+    empty: Vec<Diagnostic>,
+    /// What could not be found.
+    troubles: Vec<Diagnostic>,
+    /// Where tables are named.
+    tables: BTreeMap<String, Place>,
+}
+
+/// What says that nothing was checked of what a name stands for.
+pub(super) fn no_programs(name: &str) -> Diagnostic {
+    Diagnostic::global("check-no-programs").arg("path", name)
+}
 
 fn jobs<'c>(
     session: &Session,
@@ -192,9 +207,12 @@ fn jobs<'c>(
         read: BTreeMap::new(),
         tables: BTreeMap::new(),
     };
-    let (mut jobs, mut troubles) = (Vec::new(), Vec::new());
+    let (mut jobs, mut empty, mut troubles) = (Vec::new(), Vec::new(), Vec::new());
     for name in arguments::all(matches, "file") {
         let (paths, hidden) = system::files_below(Path::new(&name), &[&PROGRAMS[..], &TABLES[..]].concat());
+        if paths.is_empty() && hidden.is_empty() {
+            empty.push(no_programs(&name));
+        }
         troubles.extend(hidden.into_iter().map(Diagnostic::from));
         let single = paths == [PathBuf::from(&name)];
         for path in paths {
@@ -205,12 +223,12 @@ fn jobs<'c>(
                 Some(on) => jobs.push(Job { path, on, settings, named: single }),
                 None => {
                     troubles.push(Diagnostic::global("check-no-control").arg("path", path.display().to_string()));
-                    return Ok((jobs, troubles, configs.tables));
+                    return Ok(Jobs { jobs, empty, troubles, tables: configs.tables });
                 }
             }
         }
     }
-    Ok((jobs, troubles, configs.tables))
+    Ok(Jobs { jobs, empty, troubles, tables: configs.tables })
 }
 
 /// Files with settings, each read once.

@@ -72,7 +72,7 @@ fn absent(on: &OnControl, words: &str, is_it: &dyn Fn(&CycleKey) -> bool) -> Fai
 }
 
 /// Keyword (empty if only a number is given) and number.
-pub(super) fn parse(words: &str) -> Option<(String, u32)> {
+fn parse(words: &str) -> Option<(String, u32)> {
     let words = words.to_uppercase().replace(['-', '_'], " ");
     let mut words: Vec<&str> = words.split_whitespace().collect();
     let number = words.pop()?.parse().ok()?;

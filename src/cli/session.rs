@@ -153,8 +153,8 @@ impl<'s> Session<'s> {
     }
 
     /// Prints findings as the result of the command, in the order of files and places: as text with a
-    /// count at the end, or as JSON lines. Says whether there are errors.
-    pub(super) fn report(&mut self, mut found: Vec<Diagnostic>, format: &str) -> Result<bool, Failure> {
+    /// count at the end and the command that explains them, or as JSON lines.
+    pub(super) fn report(&mut self, mut found: Vec<Diagnostic>, format: &str) -> Result<(), Failure> {
         found.sort_by(|a, b| place_key(a).cmp(&place_key(b)));
         for diagnostic in &found {
             let text = match format {
@@ -170,8 +170,12 @@ impl<'s> Session<'s> {
             let args = args.number("notes", notes as f64);
             let line = self.ui.text("cli-summary", &args);
             self.output.remark(&line);
+            if let Some(worst) = found.iter().rev().max_by_key(|diagnostic| diagnostic.severity) {
+                let line = self.ui.text("cli-explain-more", &Args::new().text("code", worst.code));
+                self.output.remark(&line);
+            }
         }
-        Ok(errors > 0)
+        Ok(())
     }
 }
 

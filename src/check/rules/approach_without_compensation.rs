@@ -2,10 +2,10 @@
 //!
 //! Without RL or RR the tool centre runs on the contour. Where a program approaches with R0, its departures are left
 //! alone, but for one behind another departure in the text: that one has left the contour. Only said where compensation
-//! is certainly off.
+//! is certainly off. An approach perpendicular to the contour or on an arc of a given angle needs a side: an error.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
-use crate::program::syntax::{BlockKind, Compensation, IsoKind, Path};
+use crate::program::syntax::{Approach, BlockKind, Compensation, IsoKind, Path};
 
 /// The code of DIN/ISO for a tangential approach.
 const APPROACH: u16 = 26;
@@ -48,7 +48,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 _ => continue,
             };
             if wrong {
-                found.push(rule.at(facts, facts.content(block)).arg("what", what));
+                let sided = |form| matches!(form, Approach::Ln | Approach::Ct | Approach::Pln | Approach::Pct);
+                let refused = matches!(motion.path(), Path::Appr(form) if sided(form));
+                let severity = if refused { Severity::Error } else { rule.severity };
+                let finding = rule.at(facts, facts.content(block)).arg("what", what);
+                found.push(Diagnostic { severity, ..finding });
             }
         }
     }

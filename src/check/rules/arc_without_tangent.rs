@@ -11,7 +11,7 @@ use crate::check::facts::is_silent;
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{Axis, Block, BlockKind, Path};
 
-pub(super) const RULE: Rule = Rule { code: "arc-without-tangent", severity: Severity::Warning, run };
+pub(super) const RULE: Rule = Rule { code: "arc-without-tangent", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (index, block) in facts.shaped() {

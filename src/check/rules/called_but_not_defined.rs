@@ -27,8 +27,7 @@ fn patterns(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in facts.definitions.iter().filter(|own| own.calls_last()) {
         let before = facts.run.before(definition.view.first);
         if before.is_some_and(|modal| modal.pending == Pending::None) {
-            // The control may keep a cycle of the program before.
-            found.push(Diagnostic { severity: Severity::Warning, ..rule.at(facts, definition.view.head) });
+            found.push(rule.at(facts, definition.view.head));
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{BlockKind, Compensates, Path};
 
-pub(super) const RULE: Rule = Rule { code: "compensation-on-arc", severity: Severity::Warning, run };
+pub(super) const RULE: Rule = Rule { code: "compensation-on-arc", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (index, block) in facts.shaped() {

@@ -63,7 +63,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                         continue;
                     }
                     let finding = rule.at(facts, facts.content(block)).arg("what", what).arg("word", word);
-                    found.push(finding.arg("cycle", reader.key.to_string()));
+                    let severity = if what == "open" { Severity::Error } else { rule.severity };
+                    found.push(Diagnostic { severity, ..finding.arg("cycle", reader.key.to_string()) });
                 }
             }
         }

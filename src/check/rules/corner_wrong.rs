@@ -10,6 +10,9 @@ use crate::program::syntax::{Amount, Axis, Block, BlockKind, Element, Motion, Pa
 
 pub(super) const RULE: Rule = Rule { code: "corner-wrong", severity: Severity::Warning, run };
 
+/// The kinds that no control machines; of others it may make something.
+const REFUSED: [&str; 4] = ["arc", "first", "long", "twice"];
+
 /// How many blocks are looked back through for coordinates.
 const BACK: usize = 8;
 /// What a corner may be too large, mm or inch: coordinates are rounded.
@@ -32,12 +35,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             block.is_unread() && text.get(..4).is_some_and(|own| own.eq_ignore_ascii_case("APPR"))
         };
         if motion.path() == Path::Chf && before.first().is_some_and(begun) {
-            found.push(rule.at(facts, facts.content(block)).arg("what", "first").arg("least", Arg::Number(0.0)));
+            let finding = rule.at(facts, facts.content(block)).arg("what", "first").arg("least", Arg::Number(0.0));
+            found.push(Diagnostic { severity: Severity::Error, ..finding });
             continue;
         }
         if let Some((what, least)) = aside.or_else(|| wrong(motion, &before, behind)) {
             let finding = rule.at(facts, facts.content(block)).arg("what", what);
-            found.push(finding.arg("least", Arg::Number(libm::round(least * 1e4) / 1e4)));
+            let severity = if REFUSED.contains(&what) { Severity::Error } else { rule.severity };
+            let finding = finding.arg("least", Arg::Number(libm::round(least * 1e4) / 1e4));
+            found.push(Diagnostic { severity, ..finding });
         }
     }
 }

@@ -1,12 +1,12 @@
 //! An arc C, CR or CP that does not say which way round it goes.
 //!
-//! The manuals show DR in every such block. DIN/ISO has `G05` for the direction that was programmed last, so controls
-//! may take an arc without DR like that: a warning.
+//! The manuals show DR in every such block, and of two arcs through the same points it is the only word that tells them
+//! apart.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{BlockKind, Motion, Path};
 
-pub(super) const RULE: Rule = Rule { code: "direction-unsaid", severity: Severity::Warning, run };
+pub(super) const RULE: Rule = Rule { code: "direction-unsaid", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.turns {

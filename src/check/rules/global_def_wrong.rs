@@ -47,7 +47,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             };
             let finding = rule.at(facts, parameter.value.span).arg("what", what).arg("number", 0);
             let key: CycleKey = definition.key;
-            found.push(finding.arg("parameter", parameter.q.to_string()).arg("value", key.to_string()));
+            let finding = finding.arg("parameter", parameter.q.to_string()).arg("value", key.to_string());
+            let severity = if what == "nothing" { Severity::Error } else { rule.severity };
+            found.push(Diagnostic { severity, ..finding });
         }
     }
 }

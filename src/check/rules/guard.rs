@@ -17,8 +17,8 @@ use crate::spec::{Cycle, CycleKey, Outcome};
 
 pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, run };
 
-/// What guards ask of the tool that a call finds in the spindle. The tool table of the machine may have another one, so
-/// it is a warning.
+/// What guards ask of the tool that a call finds in the spindle: the one that the program defines, or that of the table
+/// which was given.
 fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(tools) = Tools::of(facts) else { return };
     let mut others: HashMap<CycleKey, Option<Other<'_>>> = HashMap::new();
@@ -53,7 +53,7 @@ fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
             let place = place(&facts.read(&kin), ready, &written).unwrap_or(own.view.head);
             if seen.insert((place.start, lasting(code))) {
-                let rule = Rule { code: lasting(code), severity: Severity::Warning, run: together };
+                let rule = Rule { code: lasting(code), severity: severity(ready), run: together };
                 let sentence = text::guard_sentence(on, cycle, code, facts.against.readers);
                 found.push(rule.at(facts, place).arg("message", sentence.unwrap_or_else(|| code.to_owned())));
             }
@@ -84,14 +84,18 @@ fn finding(
     written: &Written,
 ) -> Option<Diagnostic> {
     let code = ready.code.as_deref()?;
-    let severity = match ready.then {
-        Some(Outcome::Error) | None => Severity::Error,
-        Some(Outcome::Skip | Outcome::Warn | Outcome::Confirm) => Severity::Warning,
-    };
     let place = place(definition, ready, written).unwrap_or(definition.view.head);
-    let rule = Rule { code: lasting(code), severity, run: together };
+    let rule = Rule { code: lasting(code), severity: severity(ready), run: together };
     let sentence = text::guard_sentence(facts.against.on, cycle, code, facts.against.readers);
     Some(rule.at(facts, place).arg("message", sentence.unwrap_or_else(|| code.to_owned())))
+}
+
+/// How bad it is what a guard says.
+const fn severity(ready: &Ready) -> Severity {
+    match ready.then {
+        Some(Outcome::Error) | None => Severity::Error,
+        Some(Outcome::Skip | Outcome::Warn | Outcome::Confirm) => Severity::Warning,
+    }
 }
 
 /// The first parameter written that the guard reads, rather one that measures something than one that chooses, and one

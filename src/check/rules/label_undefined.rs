@@ -19,8 +19,12 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         let finding = rule.at(facts, own.span).arg("label", mark.to_string());
-        // What names a label in another way may mean one of another program.
-        let severity = if own.way == Way::Named { Severity::Warning } else { finding.severity };
+        // What names a label in another way may mean one of another program, but for a list of contours in a cycle.
+        let cycle = matches!(
+            facts.program.blocks().get(own.block).map(|block| &block.kind),
+            Some(BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_))
+        );
+        let severity = if own.way == Way::Named && !cycle { Severity::Warning } else { finding.severity };
         if own.way == Way::Named && list.replace(own.block) == Some(own.block) {
             continue;
         }

@@ -318,3 +318,5 @@ fn together(_: &Rule, _: &Facts<'_>, _: &mut Vec<Diagnostic>) {}
 
 /// The code of the rule whose findings have codes of their own.
 pub(super) const GUARD: &str = guard::RULE.code;
+
+pub(super) use not_a_program::whole as not_a_program;

@@ -6,7 +6,7 @@ use crate::check::{Facts, Pending, Rule};
 use crate::program::syntax::{CycleForm, ValueKind};
 use crate::spec::Combined;
 
-pub(super) const RULE: Rule = Rule { code: "pattern-combination", severity: Severity::Warning, run };
+pub(super) const RULE: Rule = Rule { code: "pattern-combination", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for pattern in &facts.definitions {

@@ -5,7 +5,7 @@ use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule, words};
 use crate::program::syntax::{BlockKind, StatementKind};
 
-pub(super) const RULE: Rule = Rule { code: "plane-incomplete", severity: Severity::Warning, run };
+pub(super) const RULE: Rule = Rule { code: "plane-incomplete", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (_, block) in facts.marked() {

@@ -4,7 +4,7 @@ use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::BlockKind;
 
-pub(super) const RULE: Rule = Rule { code: "program-empty", severity: Severity::Warning, run };
+pub(super) const RULE: Rule = Rule { code: "program-empty", severity: Severity::Error, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if facts.program.blocks().iter().all(|block| matches!(block.kind, BlockKind::Empty)) {

@@ -2,6 +2,7 @@
 //! without DR, a pattern without a coordinate or number, FN 16 without its target,
 //! a text function without what it reads.
 //!
+//! An approach or departure without its length, angle or radius is refused: an error; so is a chamfer without a length.
 //! A block of DIN/ISO that has no equivalent because something is missing in it is told with `iso-incomplete`.
 use std::collections::BTreeSet;
 
@@ -24,31 +25,17 @@ const PATTERNS: [(&str, &[&str]); 6] = [
     ("CIRC", &["X", "Y", "D", "NUM", "Z"]),
     ("PITCHCIRC", &["X", "Y", "D", "STEP", "NUM", "Z"]),
 ];
-/// The meaning of the field with the angles of a tilted plane, of which the manual wants all three (001: 6727).
-const ANGLES: &str = "tilting-angles";
-
-/// The first plane of a cycle that lacks an angle; said once a program, for a machine whose angles are those of its
-/// axes has as many as it has axes.
-fn angle(facts: &Facts<'_>) -> Option<(Span, &'static str)> {
-    facts.find_meaning(ANGLES, |_, angles| {
-        angles.filter(|item| !item.printed.is_empty()).find_map(|item| {
-            ["A", "B", "C"].into_iter().find(|axis| !item.printed.contains(axis)).map(|axis| (item.span, axis))
-        })
-    })
-}
-
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let mut tell = |span: Span, word: &str| found.push(rule.at(facts, span).arg("word", word));
     for (_, block) in facts.shaped() {
         if let BlockKind::Motion(motion) = &block.kind
             && let Some(word) = element(facts, block, motion)
         {
-            tell(facts.content(block), word);
+            let refused = matches!(motion.path(), Path::Appr(_) | Path::Dep(_) | Path::Chf);
+            let severity = if refused { Severity::Error } else { rule.severity };
+            found.push(Diagnostic { severity, ..rule.at(facts, facts.content(block)).arg("word", word) });
         }
     }
-    if let Some((span, axis)) = angle(facts) {
-        tell(span, axis);
-    }
+    let mut tell = |span: Span, word: &str| found.push(rule.at(facts, span).arg("word", word));
     for (_, block) in facts.marked() {
         if let BlockKind::Motion(motion) = &block.kind
             && motion.outline().has_odd_coords()

@@ -18,7 +18,7 @@ use crate::spec::{CycleKey, Known};
 pub enum Verdict {
     /// No error was found.
     Pass,
-    /// An error was found.
+    /// An error was found, or what else was asked to fail.
     Fail,
     /// No error was found, but not all of it could be judged.
     OutOfSubset,
@@ -94,31 +94,39 @@ fn word<S: serde::Serializer>(severity: &Severity, serializer: S) -> Result<S::O
 }
 
 /// What was seen so far.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Tally {
+    /// With what findings a program or definition fails.
+    least: Severity,
     programs: Vec<ProgramReport>,
     cycles: BTreeMap<CycleKey, (bool, usize, usize)>,
     /// Codes of DIN/ISO that no specification describes, and how often they come.
     codes: BTreeMap<u16, usize>,
-    rules: BTreeMap<&'static str, Rule>,
+    rules: BTreeMap<(&'static str, Severity), Rule>,
 }
 
 #[derive(Clone, Debug)]
 struct Rule {
-    severity: Severity,
     findings: usize,
     programs: BTreeSet<usize>,
     first: String,
 }
 
 impl Tally {
+    /// A tally of programs that fail with findings of a severity or worse ones.
+    pub fn new(least: Severity) -> Self {
+        let (programs, cycles, codes, rules) = Default::default();
+        Self { least, programs, cycles, codes, rules }
+    }
+
     /// Counts a program: what it consists of and what was found in it.
     pub fn add(&mut self, file: &str, facts: &Facts<'_>, found: &[Diagnostic]) {
         let at = self.programs.len();
         let count = |severity| found.iter().filter(|finding| finding.severity == severity).count();
         let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
         let mut judged = true;
-        let wrong = found.iter().filter(|finding| finding.severity == Severity::Error);
+        let fails = found.iter().any(|finding| finding.severity >= self.least);
+        let wrong = found.iter().filter(|finding| finding.severity >= self.least);
         let mut wrong: Vec<usize> = wrong.filter_map(|own| own.place.as_ref().map(|place| place.span.start)).collect();
         wrong.sort_unstable();
         for definition in &facts.definitions {
@@ -141,18 +149,16 @@ impl Tally {
         }
         for finding in found {
             let place = finding.place.as_ref().map(|place| place.start());
-            let rule = self.rules.entry(finding.code).or_insert_with(|| Rule {
-                severity: finding.severity,
+            let rule = self.rules.entry((finding.code, finding.severity)).or_insert_with(|| Rule {
                 findings: 0,
                 programs: BTreeSet::new(),
                 first: place.map_or_else(|| file.to_owned(), |at| format!("{file}:{}:{}", at.line, at.column)),
             });
-            rule.severity = rule.severity.max(finding.severity);
             rule.findings += 1;
             rule.programs.insert(at);
         }
         let blocks = facts.acting().count();
-        let verdict = Verdict::of(errors > 0, judged);
+        let verdict = Verdict::of(fails, judged);
         self.programs.push(ProgramReport { file: file.to_owned(), verdict, blocks, errors, warnings });
     }
 
@@ -183,13 +189,15 @@ impl Tally {
         self.cycles.iter().map(report).chain(coded).collect()
     }
 
-    /// The rules that found something, the worst first.
+    /// The rules that found something, once for each severity of their findings, the worst first.
     pub fn rules(&self) -> Vec<RuleReport> {
         let mut rules: Vec<_> = self.rules.iter().collect();
-        rules.sort_by_key(|(code, rule)| (std::cmp::Reverse(rule.severity), std::cmp::Reverse(rule.findings), **code));
-        let report = |(code, rule): (&&'static str, &Rule)| RuleReport {
+        rules.sort_by_key(|((code, severity), rule)| {
+            (std::cmp::Reverse(*severity), std::cmp::Reverse(rule.findings), *code)
+        });
+        let report = |((code, severity), rule): (&(&'static str, Severity), &Rule)| RuleReport {
             rule: (*code).to_owned(),
-            severity: rule.severity,
+            severity: *severity,
             findings: rule.findings,
             programs: rule.programs.len(),
             first: rule.first.clone(),
