@@ -11,7 +11,7 @@ use std::{env, fs};
 use ciklo::base::data;
 use ciklo::base::diag::{Diagnostic, Severity, Source};
 use ciklo::check::{
-    ALLOW_CODES, Against, Among, Called, Callee, Facts, LabelBook, RULES, Rows, ToolName, check, check_among, named,
+    ALLOW_CODES, Against, Called, Callee, Facts, LabelBook, Project, RULES, Rows, ToolName, check, check_in, named,
 };
 use ciklo::language::locale::{Locales, Ui};
 use ciklo::program::syntax::{Program, parse};
@@ -75,7 +75,7 @@ fn found_in(data: &Data, path: &Path) -> Vec<Diagnostic> {
     data.with(head(&text, "control:"), |against| {
         // Those that say so stand among the programs of `tests/check/beside`.
         if text.lines().next().is_some_and(|line| line.contains("beside")) {
-            check_among(&program, against, &Beside { against, own: stem(path) })
+            check_in(&program, against, &Beside { against, own: stem(path) })
         } else {
             check(&program, against)
         }
@@ -95,7 +95,7 @@ impl Beside<'_> {
     }
 }
 
-impl Among for Beside<'_> {
+impl Project for Beside<'_> {
     fn called(&self, name: &str) -> Called {
         let name = name.trim_end_matches(".H");
         let Some(program) = Self::read(name) else { return Called::Missing(Severity::Warning) };

@@ -21,7 +21,7 @@ pub(super) struct Listed<'f, 'a> {
 
 /// What a cycle wants of the contours that it machines.
 pub(super) fn wanted<'a>(definition: &Defined<'a>) -> Option<&'a ContourWanted> {
-    definition.kin()?.file.contour.as_ref()
+    definition.related_cycle()?.file.contour.as_ref()
 }
 
 /// The lists of contours of a program that cycles machine.

@@ -3,72 +3,38 @@
 //! [`Facts`] reads off a program what the rules need, once; each rule under `rules/` is one file with
 //! one code, registered in [`RULES`]. Invariant: a rule speaks only where it is certain. What depends
 //! on the run of the program (jumps, parameters calculated, machine data) keeps it silent.
+mod against;
 mod allow;
-mod among;
 mod blank;
 mod config;
 mod contours;
-mod definition;
+mod cycle;
 mod facts;
-mod fields;
 mod flow;
 mod guards;
-mod labels;
+mod program;
+mod rule;
 mod rules;
+mod speech;
 mod tools;
-mod unread;
-mod values;
-mod words;
 
+pub use against::Against;
 pub use allow::CODES as ALLOW_CODES;
-pub use among::{Among, Called, Callee, ProgramCall, Rows, ToolName, named};
 pub use config::{Config, Known, Settings};
-pub use definition::{Defined, Definition, Item};
-pub use facts::{Facts, Flow};
-pub use flow::{Aspect, CycleCall, Graph, Loaded, Mark, Modal, Pending, Run, Tri, Use, Way, circles};
-pub(crate) use labels::is_label;
-pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels, Speech, speech};
+pub(crate) use cycle::is_label;
+pub use cycle::{Aspect, CycleLabels, LabelBook, LanguageLabels, ParamLabels, Tri};
+pub use facts::Facts;
+pub use flow::{
+    Called, Callee, CycleCall, Graph, Loaded, Mark, Modal, Pending, ProgramCall, Project, Rows, Run, ToolName, Use,
+    Way, circles, named,
+};
+pub use program::{Defined, Definition, Flow, Item, Reading, Unread};
+pub use rule::Rule;
 pub use rules::RULES;
-pub use unread::Unread;
+pub use speech::{Speech, speech};
 
-use crate::base::diag::{Diagnostic, Place, Severity, Span};
-use crate::language::locale::Language;
+use crate::base::diag::Diagnostic;
 use crate::program::syntax::Program;
-use crate::spec::{Catalogue, OnControl};
-
-/// A rule of the checker.
-#[derive(Debug)]
-pub struct Rule {
-    /// The stable code of its findings.
-    pub code: &'static str,
-    /// How bad they are; guards of specifications have a severity each.
-    pub severity: Severity,
-    /// Looks for them.
-    run: fn(&Rule, &Facts<'_>, &mut Vec<Diagnostic>),
-}
-
-impl Rule {
-    /// A finding of this rule.
-    fn at(&self, facts: &Facts<'_>, span: Span) -> Diagnostic {
-        let place = Place::new(facts.program.source(), span);
-        Diagnostic { severity: self.severity, ..Diagnostic::error(self.code, place) }
-    }
-}
-
-/// What programs are checked against.
-#[derive(Clone, Copy)]
-pub struct Against<'a> {
-    /// All controls, to tell on which of them a cycle exists.
-    pub catalogue: &'a Catalogue,
-    /// The control that the program is for.
-    pub on: &'a OnControl,
-    /// Its labels in all languages.
-    pub labels: &'a LabelBook<'a>,
-    /// The language of the program's labels; found out from them if not given.
-    pub language: Option<&'a str>,
-    /// Languages for the sentences of guards, the first that has a sentence wins.
-    pub readers: &'a [&'a Language],
-}
 
 /// The language of a program's names and labels; nothing if none of them is known.
 pub fn language(program: &Program, against: &Against<'_>) -> Option<String> {
@@ -80,9 +46,9 @@ pub fn check(program: &Program, against: &Against<'_>) -> Vec<Diagnostic> {
     found_in(&Facts::of(program, against))
 }
 
-/// The same of a program that stands among others, which it calls, and tables.
-pub fn check_among(program: &Program, against: &Against<'_>, among: &dyn Among) -> Vec<Diagnostic> {
-    found_in(&Facts::among(program, against, Some(among)))
+/// The same of a program of a project: with the programs that it calls, and tables.
+pub fn check_in(program: &Program, against: &Against<'_>, project: &dyn Project) -> Vec<Diagnostic> {
+    found_in(&Facts::within(program, against, Some(project)))
 }
 
 fn found_in(facts: &Facts<'_>) -> Vec<Diagnostic> {

@@ -4,7 +4,7 @@
 //! Invariant: a tool that a parameter chooses, or that is defined in several ways, is not known.
 use std::collections::HashMap;
 
-use super::among::ToolKey;
+use super::flow::ToolKey;
 use super::{Facts, Loaded, ToolName};
 use crate::program::syntax::{Amount, BlockKind, Operand, ToolRef};
 use crate::spec::MM_PER_INCH;
@@ -29,7 +29,7 @@ impl Tools {
     /// The tools that are called and known; nothing where none is.
     pub(super) fn of(facts: &Facts<'_>) -> Option<Self> {
         let radii = defined(facts);
-        let listed = facts.among.filter(|among| among.knows_tools());
+        let listed = facts.project.filter(|project| project.knows_tools());
         if radii.is_empty() && listed.is_none() {
             return None;
         }

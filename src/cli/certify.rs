@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use serde::Serialize;
 
-use super::among::{Library, Shelf, Standing};
 use super::check::{Job, PROGRAMS, no_programs};
 use super::progress::Progress;
+use super::project::{Library, Shelf, Standing};
 use super::session::{Session, json};
 use super::{Command, Failure, Outcome, arguments, cycle, program};
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::{Against, Facts, LabelBook, Settings, check_among};
+use crate::check::{Against, Facts, LabelBook, Settings, check_in};
 use crate::language::locale::{Args, Ui};
 use crate::system;
 use crate::tools::certify::{CycleReport, ProgramReport, RuleReport, Tally, Verdict};
@@ -63,7 +63,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         match program::understand(&job.path, &catalogue) {
             Ok(file) => {
                 let place = Standing::new(&library, &shelf, job, &against);
-                let found = file.findings(check_among(&file.program, &against, &place));
+                let found = file.findings(check_in(&file.program, &against, &place));
                 tally.add(&job.path.display().to_string(), &Facts::of(&file.program, &against), &found);
             }
             Err(Failure::Trouble(trouble)) => troubles.push(*trouble),

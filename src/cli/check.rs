@@ -6,9 +6,9 @@ use std::sync::{Mutex, PoisonError};
 
 use clap::ArgMatches;
 
-use super::among::{Library, Shelf, Standing};
 use super::cache::{self, Cache};
 use super::progress::Progress;
+use super::project::{Library, Shelf, Standing};
 use super::session::Session;
 use super::{Command, Failure, Outcome, annotations, arguments, cycle, mend, program};
 use crate::base::diag::{Diagnostic, Place, Severity, Source};
@@ -168,7 +168,7 @@ fn found_in(
         return Ok(found);
     }
     let file = program::understood_bytes(&job.path, bytes, catalogue);
-    let found = file.findings(check::check_among(&file.program, against, place));
+    let found = file.findings(check::check_in(&file.program, against, place));
     // What other files say is not remembered.
     if let Some((cache, key)) = known.filter(|_| !place.asked()) {
         cache.keep(key, &found);

@@ -7,7 +7,7 @@ use std::path::Path;
 use super::Failure;
 use super::program::{self, Understood};
 use crate::base::diag::{Diagnostic, Edit, edited};
-use crate::check::{self, Against, Among, Settings};
+use crate::check::{self, Against, Project, Settings};
 use crate::system::{self, Seen};
 use crate::tools::compare;
 
@@ -43,7 +43,7 @@ impl<'p> Original<'p> {
 pub(super) fn file(
     path: &Path,
     against: &Against<'_>,
-    among: &dyn Among,
+    project: &dyn Project,
     settings: &Settings,
 ) -> Result<(Vec<Diagnostic>, usize), Failure> {
     if path == Path::new("-") {
@@ -53,7 +53,7 @@ pub(super) fn file(
     let seen = Seen::of(path, &bytes);
     let old = program::understood_bytes(path, bytes, against.catalogue);
     let encoding = old.encoding;
-    let mut found = old.findings(check::check_among(&old.program, against, among));
+    let mut found = old.findings(check::check_in(&old.program, against, project));
     // What is switched off is not mended either.
     settings.apply(&mut found);
     let writable = |edit: &&Edit| encoding.encode(&edit.text).is_ok();
@@ -68,7 +68,7 @@ pub(super) fn file(
     drop(old);
     let mended = program::understood(path, text, encoding, against.catalogue);
     original.store(&mended, against)?;
-    Ok((mended.findings(check::check_among(&mended.program, against, among)), edits.len()))
+    Ok((mended.findings(check::check_in(&mended.program, against, project)), edits.len()))
 }
 
 #[cfg(test)]

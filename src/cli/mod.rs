@@ -4,7 +4,7 @@
 //! (wrong words on the command line, a file that cannot be read or written). Whether somebody reads the result
 //! to its end changes none of them. Invariant: only this module and `system` touch files, environment and
 //! terminal, and no command holds knowledge that a library module could hold.
-mod among;
+
 mod annotations;
 mod arguments;
 mod block;
@@ -33,6 +33,7 @@ mod parse;
 mod plot;
 mod program;
 mod progress;
+mod project;
 mod run;
 mod schema;
 mod session;

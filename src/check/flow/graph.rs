@@ -4,10 +4,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::Span;
-use crate::check::facts::each_function;
-use crate::check::unread::names_end;
-use crate::check::{Definition, Facts};
-use crate::program::syntax::{Amount, Block, BlockKind, Label, LabelRef, Program, ValueKind};
+use crate::check::program::{Definition, Reading, names_end, stops};
+use crate::program::syntax::{Block, BlockKind, Label, LabelRef, Program, ValueKind};
 use crate::spec::ParameterKind;
 
 /// Which label: a number or a name.
@@ -83,11 +81,11 @@ pub struct Graph {
 }
 
 impl Graph {
-    pub(super) fn of(facts: &Facts<'_>) -> Self {
-        let program = facts.program;
+    pub(super) fn of(reading: &Reading<'_>) -> Self {
+        let program = reading.program;
         let mut graph = Self { leaders: vec![0], blocks: program.blocks().len(), ..Self::default() };
-        graph.contour_labels(facts);
-        for (index, block) in facts.marked() {
+        graph.contour_labels(reading);
+        for (index, block) in reading.marked() {
             match &block.kind {
                 BlockKind::Lbl(label) => match mark_of(program, label) {
                     Some(Mark::Number(0)) => graph.lead(index + 1),
@@ -130,14 +128,14 @@ impl Graph {
     }
 
     /// The labels that definitions list, by the last block of each definition.
-    fn contour_labels(&mut self, facts: &Facts<'_>) {
-        for definition in facts.definitions.iter().filter(|own| own.has_kind(ParameterKind::LabelList)) {
-            for item in &Definition::of(facts.program, &definition.as_kin()).items {
+    fn contour_labels(&mut self, reading: &Reading<'_>) {
+        for definition in reading.definitions.iter().filter(|own| own.has_kind(ParameterKind::LabelList)) {
+            for item in &Definition::of(reading.program, &definition.as_related_cycle()).items {
                 if item.param.is_none_or(|param| param.kind != ParameterKind::LabelList) {
                     continue;
                 }
                 let mut at = item.value_span.start;
-                for part in facts.text(item.value_span).split('/') {
+                for part in reading.text(item.value_span).split('/') {
                     // The joint of two lines is no part of a label.
                     let blank = |c: char| c.is_whitespace() || c == '~';
                     let name = part.trim_matches(blank);
@@ -206,120 +204,11 @@ impl Graph {
     }
 }
 
-/// Whether the program ends with the block.
-pub(in crate::check) fn stops(block: &Block) -> bool {
-    if matches!(&block.kind, BlockKind::Motion(motion) if !motion.has_functions()) {
-        return false;
-    }
-    let mut ends = matches!(block.kind, BlockKind::EndPgm(_));
-    each_function(block, |number| ends |= matches!(number, 2 | 30));
-    ends
-}
-
 /// Which label is named; nothing if a parameter chooses it.
 pub(super) fn mark_of(program: &Program, label: &LabelRef) -> Option<Mark> {
     match label.target {
         Label::Number(number) => Some(Mark::Number(number)),
         Label::Name(name) => Some(Mark::Name(program.slice(name).to_owned())),
         Label::Q(_) => None,
-    }
-}
-
-/// The parameters that a block reads, with their places.
-pub(in crate::check) fn reads(block: &Block, found: &mut Vec<(crate::base::expr::QRef, Span)>) {
-    let operand = |operand: &crate::program::syntax::Operand, found: &mut Vec<_>| {
-        if let Amount::Q { q, .. } = operand.amount {
-            found.push((q, operand.span));
-        }
-    };
-    match &block.kind {
-        BlockKind::Motion(motion) if motion.outline().has_parameters() => {
-            let motion = motion.words();
-            motion.coords.iter().for_each(|coord| operand(&coord.value, found));
-            motion.radius.iter().for_each(|radius| operand(radius, found));
-            motion.feed.iter().for_each(|feed| feed_reads(feed, found));
-        }
-        BlockKind::CyclCall(call) => {
-            if let crate::program::syntax::CallForm::Position(coords) = &call.form {
-                coords.iter().for_each(|coord| operand(&coord.value, found));
-            }
-        }
-        BlockKind::FnAssign(assign) => {
-            operand(&assign.a, found);
-            assign.b.iter().for_each(|b| operand(b, found));
-        }
-        BlockKind::FnJump(jump)
-            if !matches!(
-                jump.relation,
-                crate::program::syntax::Relation::Undefined | crate::program::syntax::Relation::Defined
-            ) =>
-        {
-            operand(&jump.a, found);
-            operand(&jump.b, found);
-        }
-        BlockKind::Formula(formula) => {
-            formula.expr.walk(&mut |expr| {
-                if let crate::base::expr::Node::Q(q) = expr.node {
-                    let start = formula.text.start;
-                    found.push((q, Span::new(start + expr.span.start, start + expr.span.end)));
-                }
-            });
-        }
-        BlockKind::TextFormula(formula) => {
-            for word in formula.calls.iter().flat_map(|call| &call.words) {
-                if let ValueKind::Q { q, .. } = word.value.kind {
-                    found.push((q, word.value.span));
-                }
-            }
-        }
-        BlockKind::CallLbl(call) => {
-            if let Label::Q(q) = call.label.target {
-                found.push((q, call.label.span));
-            }
-            call.repeat.iter().for_each(|times| operand(times, found));
-        }
-        BlockKind::ToolCall(call) => {
-            if let Some(crate::program::syntax::ToolRef::Number(number)) = &call.tool {
-                operand(number, found);
-            }
-            [&call.speed, &call.cutting_speed, &call.dl, &call.dr]
-                .into_iter()
-                .flatten()
-                .for_each(|own| operand(own, found));
-            call.feed.iter().for_each(|feed| feed_reads(feed, found));
-        }
-        BlockKind::CycleDef(cycle) => {
-            let mut any = false;
-            cycle.parameters.each_value(|_, value| any |= matches!(value, ValueKind::Q { .. }));
-            for parameter in cycle.parameters.iter().take_while(|_| any) {
-                if let ValueKind::Q { q, .. } = parameter.value.kind {
-                    found.push((q, parameter.value.span));
-                }
-            }
-        }
-        BlockKind::OldCycleLine(line) if line.keyword == crate::program::syntax::CycleKeyword::CyclDef => {
-            for word in &line.words {
-                if let ValueKind::Q { q, .. } = word.value.kind {
-                    found.push((q, word.value.span));
-                }
-            }
-        }
-        BlockKind::PatternDef(pattern) => {
-            for word in pattern.items.iter().flat_map(|item| &item.words) {
-                if let ValueKind::Q { q, .. } = word.value.kind {
-                    found.push((q, word.value.span));
-                }
-            }
-        }
-        _ => {}
-    }
-}
-
-fn feed_reads(feed: &crate::program::syntax::Feed, found: &mut Vec<(crate::base::expr::QRef, Span)>) {
-    use crate::program::syntax::FeedKind;
-    if let FeedKind::Value(operand) | FeedKind::PerRevolution(operand) | FeedKind::PerTooth(operand) = &feed.kind
-        && let Amount::Q { q, .. } = operand.amount
-    {
-        found.push((q, operand.span));
     }
 }

@@ -3,94 +3,10 @@
 //! Invariant: everything only ever becomes less certain when ways of the run meet, so that following them ends.
 use std::collections::{BTreeSet, HashMap};
 use std::hash::{BuildHasherDefault, Hasher};
+use std::sync::Arc;
 
-use crate::base::expr::{QKind, QRef};
-
-/// Whether something is so: no, yes, or nobody can tell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tri {
-    /// Certainly not.
-    No = 1,
-    /// Certainly.
-    Yes = 2,
-    /// On some ways, or it depends on what the program does not say.
-    Unknown = 3,
-}
-
-impl Tri {
-    /// The answer of what is known to be true or false.
-    pub fn of(known: Option<bool>) -> Self {
-        known.map_or(Self::Unknown, |known| if known { Self::Yes } else { Self::No })
-    }
-
-    /// True or false, if it is known.
-    pub fn known(self) -> Option<bool> {
-        match self {
-            Self::No => Some(false),
-            Self::Yes => Some(true),
-            Self::Unknown => None,
-        }
-    }
-}
-
-/// What is followed through the run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Aspect {
-    /// A tool call has named the tool axis.
-    Tool,
-    /// A spindle speed has been programmed.
-    Speed,
-    /// The spindle turns.
-    Spindle,
-    /// A feed has been programmed.
-    Feed,
-    /// A circle centre or pole has been set.
-    Pole,
-    /// Radius compensation is active.
-    Compensation,
-    /// The working plane is tilted.
-    Tilting,
-    /// A mirror image is active.
-    Mirroring,
-    /// A scaling factor is active.
-    Scaling,
-    /// Scaling by axes is active.
-    AxisScaling,
-    /// A datum shift is active.
-    DatumShift,
-    /// A rotation is active.
-    Rotation,
-    /// Turning mode.
-    Turning,
-    /// A pattern of points is there.
-    Pattern,
-    /// A contour has been named.
-    Contour,
-    /// The data that contour cycles share have been defined.
-    ContourData,
-    /// The control holds the tool tip in its place while rotary axes move (M128, TCPM).
-    Tcpm,
-    /// The spindle was told to turn counter-clockwise.
-    Counterclockwise,
-    /// The tool axis is another one than Z.
-    OtherAxis,
-    /// The tool has probed a workpiece.
-    Probed,
-    /// The tool has machined a workpiece.
-    Cut,
-    /// A program has been selected.
-    Selected,
-    /// A tool call has given a feed that is not 0.
-    ToolFeed,
-    /// A basic rotation is active.
-    BasicRotation,
-    /// A cycle has stopped the spindle, and nothing has started it since.
-    Stopped,
-    /// Feeds are those of a revolution (M136).
-    PerRevolution,
-    /// A cycle has aligned the turning system for the tool.
-    Aligned,
-}
+use crate::base::expr::{Env, EvalError, QKind, QRef, Value};
+use crate::check::cycle::{Aspect, Tri};
 
 /// The cycle that a call means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -255,6 +171,11 @@ impl State {
         self.numbers.insert(q, value);
     }
 
+    /// From here on a call means the definition of that index.
+    pub(super) fn pend(&mut self, index: usize) {
+        self.modal.pending = u32::try_from(index).map_or(Pending::Unknown, Pending::Definition);
+    }
+
     /// Both ways lead here.
     pub(super) fn join(&self, other: &Self) -> Self {
         let meet = |q: QRef| {
@@ -343,5 +264,30 @@ impl Touched {
         let mut yes = State::begin(true, true);
         yes.modal.aspects = all(Tri::Yes);
         [State::begin(true, true), yes]
+    }
+}
+
+/// The numbers of a state, and of parameters that are as good as written.
+pub(super) struct Values<'s>(pub(super) &'s State, pub(super) &'s [(QRef, f64)]);
+
+impl Env for Values<'_> {
+    fn slot(&self, _: usize) -> &Value {
+        // No name has a slot here, so nothing asks for one.
+        const NONE: &Value = &Value::Number(f64::NAN);
+        NONE
+    }
+
+    fn number(&self, q: QRef) -> Result<f64, EvalError> {
+        if let Some((_, number)) = self.1.iter().find(|(own, _)| *own == q) {
+            return Ok(*number);
+        }
+        match self.0.get(q) {
+            Known::Number(number) => Ok(number),
+            _ => Err(EvalError::Undefined(q)),
+        }
+    }
+
+    fn text(&self, q: QRef) -> Result<Arc<str>, EvalError> {
+        Err(EvalError::Undefined(q))
     }
 }

@@ -1,16 +1,13 @@
 //! What a block does to the state.
 //!
 //! Invariant: what is not known for certain to stay as it is, is forgotten.
-use std::sync::Arc;
-
-use super::effect::Effects;
-use super::state::{Aspect, Known, Loaded, Modal, Pending, State, Tri};
+use super::effects::Effects;
+use super::project::Callees;
+use super::state::{Known, Loaded, Modal, Pending, State, Values};
 use crate::base::diag::Span;
-use crate::base::expr::{Code, Env, EvalError, Expr, OnlyParameters, QKind, QRef, Value, compile};
-use crate::check::Facts;
-use crate::check::among::Callees;
-use crate::check::facts::each_function;
-use crate::check::unread::{Hides, hides};
+use crate::base::expr::{Code, EvalError, Expr, OnlyParameters, QKind, compile};
+use crate::check::cycle::{Aspect, Tri};
+use crate::check::program::{Hides, Reading, each_function, hides};
 use crate::program::syntax::{
     Amount, Axis, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, NamedWord, Operand,
     Path, Program, Statement, StatementKind, ValueKind,
@@ -26,8 +23,8 @@ pub(super) struct Steps<'f, 'a> {
 }
 
 impl<'f, 'a> Steps<'f, 'a> {
-    pub(super) fn new(facts: &'f Facts<'a>) -> Self {
-        Self { program: facts.program, effects: Effects::of(facts), callees: &facts.callees }
+    pub(super) fn new(reading: &'f Reading<'a>, callees: &'f Callees) -> Self {
+        Self { program: reading.program, effects: Effects::of(reading), callees }
     }
 
     /// What a call of the pending cycle leaves behind: its feed may stay, and a program may do what it does.
@@ -50,7 +47,7 @@ impl<'f, 'a> Steps<'f, 'a> {
         match state.modal.pending {
             Pending::Definition(index) if !self.callees.made.contains(&(index as usize)) => {}
             Pending::Definition(index) => match self.callees.cycles.get(&(index as usize)) {
-                Some(callee) => callee.through.apply(state),
+                Some(callee) => callee.effect.apply(state),
                 None => state.forget(),
             },
             Pending::Unknown => state.forget(),
@@ -246,7 +243,7 @@ impl<'f, 'a> Steps<'f, 'a> {
 
     fn program_called(&self, index: usize, state: &mut State) {
         match self.callees.blocks.get(&index) {
-            Some(callee) => callee.through.apply(state),
+            Some(callee) => callee.effect.apply(state),
             None => state.forget(),
         }
     }
@@ -505,34 +502,4 @@ fn assigned(assign: &FnAssign, state: &State) -> Known {
         _ => return Known::Unknown,
     };
     if result.is_finite() { Known::Number(result) } else { Known::Unknown }
-}
-
-/// The numbers of a state, and of parameters that are as good as written.
-pub(super) struct Values<'s>(pub(super) &'s State, pub(super) &'s [(QRef, f64)]);
-
-impl Env for Values<'_> {
-    fn slot(&self, _: usize) -> &Value {
-        // No name has a slot here, so nothing asks for one.
-        const NONE: &Value = &Value::Number(f64::NAN);
-        NONE
-    }
-
-    fn number(&self, q: QRef) -> Result<f64, EvalError> {
-        if let Some((_, number)) = self.1.iter().find(|(own, _)| *own == q) {
-            return Ok(*number);
-        }
-        match self.0.get(q) {
-            Known::Number(number) => Ok(number),
-            _ => Err(EvalError::Undefined(q)),
-        }
-    }
-
-    fn text(&self, q: QRef) -> Result<Arc<str>, EvalError> {
-        Err(EvalError::Undefined(q))
-    }
-}
-
-/// Which definition a call means, for those who ask the state.
-pub(super) fn pend(index: usize, state: &mut State) {
-    state.modal.pending = u32::try_from(index).map_or(Pending::Unknown, Pending::Definition);
 }

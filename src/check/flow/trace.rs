@@ -3,9 +3,10 @@
 //! Invariant: it ends where a decision is not certain, and after so many blocks.
 use std::collections::{BTreeMap, HashMap};
 
-use super::graph::{End, Graph, Way, reads};
+use super::graph::{End, Graph, Way};
 use super::state::{Known, State};
 use super::step::{Steps, value};
+use crate::check::program::reads;
 use crate::program::syntax::BlockKind;
 
 /// How many blocks it goes beyond four times those of the program.

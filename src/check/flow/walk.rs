@@ -5,12 +5,14 @@ use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, HashSet, VecDeque};
 
 use super::circles::circles;
-use super::graph::{End, Graph, Use, Way, reads, stops};
+use super::graph::{End, Graph, Use, Way};
+use super::run::{CycleCall, Outline, Run};
 use super::state::{Known, Modal, State, Touched};
 use super::step::Steps;
-use super::{CycleCall, Outline, Run, calls_in, trace};
+use super::trace;
 use crate::base::diag::Span;
 use crate::base::expr::QRef;
+use crate::check::program::{calls_in, reads, stops};
 use crate::program::syntax::{BlockKind, Motion, Path};
 
 /// How often a block may be looked at on average.

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::contours;
-use crate::check::facts::is_silent;
+use crate::check::program::is_silent;
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{Axis, Block, BlockKind, Path};
 

@@ -1,6 +1,6 @@
 //! Blocks behind END PGM, which the control does not execute.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::facts::is_silent;
+use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::BlockKind;
 

@@ -5,7 +5,7 @@
 //! Otherwise the call means the last cycle that is called, whatever was defined since. Silent where
 //! blocks are repeated, called or skipped, and behind cycles of which nothing is known.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::facts::is_silent;
+use crate::check::program::is_silent;
 use crate::check::{Defined, Facts, Rule};
 use crate::program::syntax::BlockKind;
 use crate::spec::TakesEffect;

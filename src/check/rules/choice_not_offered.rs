@@ -1,7 +1,7 @@
 //! A number that is none of the choices which the parameter offers.
 use super::together;
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::values::{each_refused, shown};
+use crate::check::program::{each_refused, shown};
 use crate::check::{Definition, Facts, Rule};
 use crate::spec::Refusal;
 

@@ -6,8 +6,8 @@
 //! out. Silent for points that a cycle does not probe, and where one of the two is a parameter.
 use super::together;
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::definition::with_meaning;
 use crate::check::guards::Written;
+use crate::check::program::with_meaning;
 use crate::check::{Definition, Facts, Rule};
 use crate::spec::{Cycle, Param};
 

@@ -10,7 +10,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{QKind, QRef};
 use crate::check::contours::{Listed, body, corners, ends, listed, wanted};
-use crate::check::flow::reads;
+use crate::check::program::reads;
 use crate::check::{Defined, Facts, Rule, Use, Way};
 use crate::program::syntax::{Axis, Block, BlockKind, Compensates, Motion, Path, StatementKind};
 use crate::spec::{ContourWanted, TakesEffect};

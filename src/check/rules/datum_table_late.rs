@@ -3,7 +3,7 @@
 //! SEL TABLE stands before the shift that takes its row from it (TNC 640, 001: 6373). Only said where no movement, call
 //! or label stands between the two, and where the program has selected no table before.
 use crate::base::diag::{Diagnostic, Place, Severity};
-use crate::check::definition::with_meaning;
+use crate::check::program::with_meaning;
 use crate::check::{Defined, Facts, Rule};
 use crate::program::syntax::{BlockKind, CycleKeyword};
 
@@ -37,5 +37,5 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// Whether a definition takes its values from a row.
 fn names_row(facts: &Facts<'_>, definition: &Defined<'_>) -> bool {
     let takes = definition.cycle().is_some_and(|cycle| with_meaning(cycle, ROW).is_some());
-    takes && facts.read(&definition.as_kin()).item(ROW).is_some_and(|item| item.value.is_some())
+    takes && facts.read(&definition.as_related_cycle()).item(ROW).is_some_and(|item| item.value.is_some())
 }

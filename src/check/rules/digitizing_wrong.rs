@@ -6,7 +6,7 @@
 //! repeated or called, a range is missing only if the program has none at all; silent in programs that call others or
 //! are parts of one.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::definition::with_meaning;
+use crate::check::program::with_meaning;
 use crate::check::{Defined, Definition, Facts, Item, Rule};
 use crate::program::syntax::{BlockKind, CycleForm, ValueKind};
 use crate::spec::{Cycle, Group};

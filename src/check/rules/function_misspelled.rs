@@ -4,7 +4,8 @@
 //! Which words those are is in the file of the language. Of other words nothing is said:
 //! newer software has more of them.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::{Facts, Rule, words};
+use crate::check::program::words;
+use crate::check::{Facts, Rule};
 use crate::program::syntax::BlockKind;
 
 pub(super) const RULE: Rule = Rule { code: "function-misspelled", severity: Severity::Warning, run };

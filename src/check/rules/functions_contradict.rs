@@ -4,7 +4,7 @@
 //! Functions that act at the end of the block, such as M5 and M9, may well stand beside those that act at its start.
 //! The end of the program, which stops the spindle and the coolant, contradicts what starts them.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::facts::each_function;
+use crate::check::program::each_function;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "functions-contradict", severity: Severity::Warning, run };

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use memchr::memmem;
 
 use crate::base::diag::{Diagnostic, Severity, Span};
-use crate::check::values::refused_by_all;
+use crate::check::program::refused_by_all;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{BlockKind, CycleForm, GlobalDef, ValueKind};
 use crate::spec::CycleKey;
@@ -88,7 +88,7 @@ fn one(rule: &Rule, facts: &Facts<'_>, own: &GlobalDef, found: &mut Vec<Diagnost
         } else {
             let offered = match parameter.value.kind {
                 ValueKind::Number(number) if !known.values.is_empty() => known.values.contains(&number),
-                ValueKind::Number(_) => refused_by_all(facts, parameter.q, &parameter, 1) != Some(true),
+                ValueKind::Number(_) => refused_by_all(facts, parameter.q, &parameter, None, 1) != Some(true),
                 ValueKind::Missing | ValueKind::Text(_) => false,
                 _ => true,
             };

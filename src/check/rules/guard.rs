@@ -7,11 +7,11 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::together;
 use super::unlike_elsewhere::Other;
-use crate::base::diag::{Diagnostic, Severity, Span};
-use crate::check::guards::{Ready, Written, read_as};
+use crate::base::diag::{Diagnostic, Severity};
+use crate::check::cycle::Ready;
+use crate::check::guards::{Written, place};
 use crate::check::tools::Tools;
-use crate::check::values::number;
-use crate::check::{Definition, Facts, Item, Pending, Rule};
+use crate::check::{Definition, Facts, Pending, Rule};
 use crate::language::text;
 use crate::spec::{Cycle, CycleKey, Outcome};
 
@@ -30,7 +30,7 @@ fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         };
         // Nobody here knows what the machine builder has made of a number.
-        let own = facts.definitions.get(index as usize).filter(|own| !own.torn && own.kin().is_some());
+        let own = facts.definitions.get(index as usize).filter(|own| !own.torn && own.related_cycle().is_some());
         let Some(own) = own else { continue };
         let kept = own.cycle().zip(own.kept);
         let (cycle, on, guards) = match kept {
@@ -43,15 +43,15 @@ fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if !guards.iter().any(|own| own.asks_tool) {
             continue;
         }
-        let kin = own.as_kin();
+        let related = own.as_related_cycle();
         let known = last.take().filter(|(own, _)| *own == index).map(|(_, written)| written);
-        let written = known.unwrap_or_else(|| Written::of(facts, &facts.read(&kin), cycle)).with(tool);
+        let written = known.unwrap_or_else(|| Written::of(facts, &facts.read(&related), cycle)).with(tool);
         for (at, ready) in guards.iter().enumerate().filter(|(_, own)| own.asks_tool) {
             let (Some(code), Some(true)) = (ready.code.as_deref(), written.holds(ready)) else { continue };
             if !told.insert((index, at)) {
                 continue;
             }
-            let place = place(&facts.read(&kin), ready, &written).unwrap_or(own.view.head);
+            let place = place(&facts.read(&related), ready, &written).unwrap_or(own.view.head);
             if seen.insert((place.start, lasting(code))) {
                 let rule = Rule { code: lasting(code), severity: severity(ready), run: together };
                 let sentence = text::guard_sentence(on, cycle, code, facts.against.readers);
@@ -96,22 +96,6 @@ const fn severity(ready: &Ready) -> Severity {
         Some(Outcome::Error) | None => Severity::Error,
         Some(Outcome::Skip | Outcome::Warn | Outcome::Confirm) => Severity::Warning,
     }
-}
-
-/// The first parameter written that the guard reads, rather one that measures something than one that chooses, and one
-/// that its last condition reads; of two with different signs the positive one.
-pub(super) fn place(definition: &Definition<'_>, ready: &Ready, written: &Written) -> Option<Span> {
-    let way = ready.way(written)?;
-    let reads = way.reads(written);
-    let rank = |item: &Item<'_>| {
-        let param = item.param?;
-        let q = read_as(param)?;
-        let side = reads.iter().position(|own| own.contains(&q))?;
-        let negative = way.is_product(side) && number(item).is_none_or(|number| number <= 0.0);
-        Some((!param.choices.is_empty(), side, negative))
-    };
-    let ranked = definition.items.iter().filter_map(|item| Some((rank(item)?, item)));
-    ranked.min_by_key(|(rank, _)| *rank).map(|(_, item)| item.span)
 }
 
 /// The code for as long as the program runs. There are as many as the specifications have guards.

@@ -1,7 +1,7 @@
 //! A label in another language than most labels of the program.
 use super::together;
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::labels::fold;
+use crate::check::cycle::fold;
 use crate::check::{Definition, Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "label-of-another-language", severity: Severity::Warning, run: together };

@@ -3,7 +3,7 @@
 //! Labels that no language has are left alone; machine builders and older software have their own.
 use super::together;
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::labels::fold;
+use crate::check::cycle::fold;
 use crate::check::{Definition, Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "label-of-another-parameter", severity: Severity::Warning, run: together };

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use super::together;
 use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::base::expr::QRef;
-use crate::check::labels::fold;
+use crate::check::cycle::fold;
 use crate::check::{CycleLabels, Definition, Facts, Item, Rule, is_label};
 use crate::program::syntax::CycleForm;
 use crate::spec::Known;

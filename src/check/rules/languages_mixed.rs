@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Place, Severity};
-use crate::check::labels::is_spoken;
+use crate::check::speech::is_spoken;
 use crate::check::{Facts, Rule, Speech, speech};
 
 pub(super) const RULE: Rule = Rule { code: "languages-mixed", severity: Severity::Note, run };

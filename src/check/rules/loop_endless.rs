@@ -7,7 +7,7 @@ use std::ops::RangeInclusive;
 
 use crate::base::diag::{Diagnostic, Severity};
 use crate::base::expr::{QKind, QRef};
-use crate::check::facts::each_function;
+use crate::check::program::each_function;
 use crate::check::{Facts, Rule, Use, Way};
 use crate::program::syntax::{
     Amount, Block, BlockKind, FnAssign, FnJump, FnOp, Operand, Relation, StatementKind, ValueKind,

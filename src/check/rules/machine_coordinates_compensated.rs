@@ -1,6 +1,6 @@
 //! A position in machine coordinates (M91, M92) while radius compensation is certainly active.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::facts::each_function;
+use crate::check::program::each_function;
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{BlockKind, Compensates};
 

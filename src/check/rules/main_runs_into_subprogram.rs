@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::contours::ends;
-use crate::check::facts::{each_function, is_silent};
+use crate::check::program::{each_function, is_silent};
 use crate::check::{Facts, Mark, Rule, Way};
 use crate::program::syntax::{Block, BlockKind};
 

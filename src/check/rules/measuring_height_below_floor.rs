@@ -8,9 +8,9 @@
 use std::collections::HashMap;
 
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::definition::with_meaning;
 use crate::check::guards::Written;
-use crate::check::values::bits;
+use crate::check::program::bits;
+use crate::check::program::with_meaning;
 use crate::check::{Definition, Facts, Rule};
 use crate::program::syntax::ValueKind;
 use crate::spec::{Cycle, Group, Known};

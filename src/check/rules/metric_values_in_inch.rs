@@ -5,7 +5,7 @@
 //! Every block with such a feed is told, and once there is one also those whose feed is too great for a movement that
 //! cuts, of which nobody can say whether it does. Feeds that stand for rapid traverse (9998 and more) are left alone.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
-use crate::check::definition::with_meaning;
+use crate::check::program::with_meaning;
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};
 use crate::program::syntax::{Amount, Axis, BlkForm, BlockKind, Compensates, CycleDef, Feed, FeedKind, ValueKind};
 use crate::spec::{Cycle, Group, Quantity};
@@ -47,7 +47,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.inch {
         return;
     }
-    let kin = |index: usize| facts.definition_at(index).and_then(Defined::kin);
+    let related = |index: usize| facts.definition_at(index).and_then(Defined::related_cycle);
     let mut feeds = Feeds::default();
     let mut corner: Option<(Span, f64)> = None;
     let (mut lowest, mut height) = (None, None);
@@ -65,8 +65,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 }
             }
             BlockKind::CycleDef(cycle) => {
-                feeds.of_cycle(kin(index), cycle);
-                feeds.found.extend(height.zip(kin(index)).and_then(|(height, kin)| too_deep(kin, cycle, height)));
+                feeds.of_cycle(related(index), cycle);
+                feeds
+                    .found
+                    .extend(height.zip(related(index)).and_then(|(height, related)| too_deep(related, cycle, height)));
             }
             BlockKind::ToolCall(call) => {
                 feeds.speed = match call.speed.map(|own| own.amount) {

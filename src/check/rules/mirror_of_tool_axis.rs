@@ -15,7 +15,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for definition in &facts.definitions {
         let mirrors = |own: &crate::spec::Param| own.is.as_str() == MIRRORED;
         let CycleForm::Lines(lines) = &definition.view.form else { continue };
-        if !definition.kin().is_some_and(|cycle| cycle.params.iter().any(mirrors)) {
+        if !definition.related_cycle().is_some_and(|cycle| cycle.params.iter().any(mirrors)) {
             continue;
         }
         let is_z =

@@ -7,8 +7,8 @@
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::blank::{AXES, Blank, is_unmoved};
 use crate::check::contours::moved;
-use crate::check::facts::each_function;
-use crate::check::flow::removes_material;
+use crate::check::cycle::removes_material;
+use crate::check::program::each_function;
 use crate::check::{Aspect, Defined, Facts, Modal, Pending, Rule, Tri};
 use crate::program::syntax::{Axis, BlockKind, Path};
 
@@ -63,6 +63,6 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// Whether a call means a cycle that machines, with the tool axis Z.
 fn machines(facts: &Facts<'_>, modal: Modal) -> bool {
     let Pending::Definition(index) = modal.pending else { return false };
-    let cycle = facts.definitions.get(index as usize).and_then(Defined::kin);
+    let cycle = facts.definitions.get(index as usize).and_then(Defined::related_cycle);
     cycle.is_some_and(removes_material) && modal.is(Aspect::OtherAxis) == Tri::No
 }

@@ -4,7 +4,7 @@
 //! FUNCTION MODE TURN and FUNCTION MODE MILL choose. Said once for each way; a machine may have other ways to choose,
 //! and what is not certain is left alone.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::flow::removes_material;
+use crate::check::cycle::removes_material;
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{BlockKind, StatementKind};
 use crate::spec::Group;
@@ -12,8 +12,8 @@ use crate::spec::Group;
 pub(super) const RULE: Rule = Rule { code: "mode-wrong", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let turns = |own: &Defined<'_>| own.kin().is_some_and(|cycle| cycle.file.group == Group::Turning);
-    let mills = |own: &Defined<'_>| own.kin().is_some_and(removes_material);
+    let turns = |own: &Defined<'_>| own.related_cycle().is_some_and(|cycle| cycle.file.group == Group::Turning);
+    let mills = |own: &Defined<'_>| own.related_cycle().is_some_and(removes_material);
     for (turning, what) in [(Tri::Yes, "milling"), (Tri::No, "turning")] {
         let calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Turning) == turning);
         let mut wrong = calls.filter_map(|call| {

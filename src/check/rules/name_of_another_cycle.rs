@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::labels::fold;
+use crate::check::cycle::fold;
 use crate::check::{Defined, Facts, Rule};
 use crate::spec::{CycleKey, Known};
 

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use crate::base::diag::{Diagnostic, Severity};
 use crate::base::expr::QKind;
-use crate::check::facts::each_function;
-use crate::check::flow::reads;
+use crate::check::program::each_function;
+use crate::check::program::reads;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{BlockKind, Label, StatementKind};
 

@@ -4,7 +4,7 @@
 //! told in inches.
 use super::together;
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::values::{each_refused, shown};
+use crate::check::program::{each_refused, shown};
 use crate::check::{Definition, Facts, Rule};
 use crate::spec::{ParameterKind, Refusal};
 

@@ -8,7 +8,7 @@ use std::cell::LazyCell;
 use super::together;
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::guards::Written;
-use crate::check::values::{number, shown};
+use crate::check::program::{number, shown};
 use crate::check::{Definition, Facts, Rule};
 use crate::spec::MM_PER_INCH;
 

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{QKind, QRef};
-use crate::check::flow::reads;
+use crate::check::program::reads;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Block, BlockKind, CycleForm, ValueKind};
 use crate::spec::{Keyword, Known};
@@ -41,7 +41,9 @@ fn foreign(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
         return Vec::new();
     };
     let unclear = |own: &crate::check::Defined<'_>| {
-        own.torn || matches!(own.known, Known::Builders) || own.key.keyword == Keyword::TchProbe && own.kin().is_none()
+        own.torn
+            || matches!(own.known, Known::Builders)
+            || own.key.keyword == Keyword::TchProbe && own.related_cycle().is_none()
     };
     let statement = || facts.marked().any(|(_, block)| matches!(block.kind, BlockKind::Statement(_)));
     if facts.flow.unread.may_assign() || facts.definitions.iter().any(unclear) || statement() {
@@ -57,7 +59,7 @@ fn foreign(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
     };
     let mut known: BTreeSet<QRef> = BTreeSet::new();
     for definition in &facts.definitions {
-        let of_cycle = definition.kin().into_iter().flat_map(|cycle| &cycle.file.results);
+        let of_cycle = definition.related_cycle().into_iter().flat_map(|cycle| &cycle.file.results);
         known.extend(of_cycle.filter_map(|result| result.q));
         let CycleForm::Lines(lines) = &definition.view.form else { continue };
         for value in lines.iter().flat_map(|line| &line.words).map(|word| word.value.kind) {
@@ -92,7 +94,7 @@ fn early(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
     }
     let mut results: BTreeMap<QRef, usize> = BTreeMap::new();
     for definition in &facts.definitions {
-        let of_cycle = definition.kin().into_iter().flat_map(|cycle| &cycle.file.results);
+        let of_cycle = definition.related_cycle().into_iter().flat_map(|cycle| &cycle.file.results);
         for q in of_cycle.filter_map(|result| result.q) {
             results.entry(q).or_insert(definition.view.first);
         }

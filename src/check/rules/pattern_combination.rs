@@ -10,12 +10,15 @@ pub(super) const RULE: Rule = Rule { code: "pattern-combination", severity: Seve
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for pattern in &facts.definitions {
-        let Some(combines) = pattern.kin().map(|cycle| &cycle.file.combines).filter(|own| !own.is_empty()) else {
+        let Some(combines) = pattern.related_cycle().map(|cycle| &cycle.file.combines).filter(|own| !own.is_empty())
+        else {
             continue;
         };
         let pending = facts.run.before(pattern.view.first).map(|modal| modal.pending);
         let Some(Pending::Definition(index)) = pending else { continue };
-        let Some(called) = facts.definitions.get(index as usize).filter(|own| own.kin().is_some()) else { continue };
+        let Some(called) = facts.definitions.get(index as usize).filter(|own| own.related_cycle().is_some()) else {
+            continue;
+        };
         let listed = combines.iter().find(|own| own.cycle == called.key.number);
         if listed.is_none_or(|own| excluded(&called.view.form, own)) {
             let finding = rule.at(facts, pattern.view.head).arg("cycle", pattern.key.to_string());

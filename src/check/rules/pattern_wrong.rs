@@ -6,7 +6,7 @@
 use std::collections::HashSet;
 
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::values::bits;
+use crate::check::program::bits;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Block, BlockKind, CallForm, FeedKind, NamedWord, PatternItem, ValueKind};
 

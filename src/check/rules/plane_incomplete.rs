@@ -2,7 +2,8 @@
 //!
 //! The words of each form are in the file of the language.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::{Facts, Rule, words};
+use crate::check::program::words;
+use crate::check::{Facts, Rule};
 use crate::program::syntax::{BlockKind, StatementKind};
 
 pub(super) const RULE: Rule = Rule { code: "plane-incomplete", severity: Severity::Error, run };

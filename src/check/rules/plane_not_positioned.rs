@@ -3,7 +3,7 @@
 //! PLANE with STAY only calculates the positions of the rotary axes; a block of its own is to take them there. Only said
 //! of whole programs that call no others, where material is removed later, and once a program.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::flow::removes_material;
+use crate::check::cycle::removes_material;
 use crate::check::{Defined, Facts, Pending, Rule};
 use crate::program::syntax::{Axis, Block, BlockKind, Motion, NamedWord, Path, StatementKind, ValueKind};
 
@@ -19,7 +19,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         BlockKind::Statement(own) => own.kind == StatementKind::Plane && !has(facts, block, "STAY"),
         _ => false,
     });
-    let works = |index: u32| facts.definitions.get(index as usize).and_then(Defined::kin).is_some_and(removes_material);
+    let works = |index: u32| {
+        facts.definitions.get(index as usize).and_then(Defined::related_cycle).is_some_and(removes_material)
+    };
     let cuts = facts.run.calls.iter().filter(|call| call.block > index).any(|call| match call.modal.pending {
         Pending::Definition(index) => works(index),
         _ => false,

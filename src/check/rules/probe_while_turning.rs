@@ -11,7 +11,7 @@ pub(super) const RULE: Rule = Rule { code: "probe-while-turning", severity: Seve
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let own = facts.definitions.iter().find(|own| {
         own.key.keyword == Keyword::TchProbe
-            && own.kin().is_some_and(|cycle| cycle.file.group != Group::ToolMeasurement)
+            && own.related_cycle().is_some_and(|cycle| cycle.file.group != Group::ToolMeasurement)
             && facts.run.before(own.view.first).is_some_and(|modal| modal.is(Aspect::Spindle) == Tri::Yes)
     });
     if let Some(own) = own {

@@ -2,7 +2,7 @@
 //!
 //! Only said where the call names no folder.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::among::name;
+use crate::check::flow::name;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::BlockKind;
 

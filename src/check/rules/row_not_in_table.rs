@@ -3,7 +3,7 @@
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`); of several datum tables it is the one that SEL
 //! TABLE selects before. Rows that parameters choose are only looked at where their value is certain.
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::values::number;
+use crate::check::program::number;
 use crate::check::{Defined, Facts, Rows, Rule};
 use crate::program::syntax::BlockKind;
 use crate::spec::Param;
@@ -15,7 +15,7 @@ const PRESET: &str = "preset-number";
 const DATUM: &str = "datum-row";
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let Some(among) = facts.among.filter(|among| among.knows_rows()) else { return };
+    let Some(project) = facts.project.filter(|project| project.knows_rows()) else { return };
     let names_row = |param: &Param| matches!(param.is.as_str(), PRESET | DATUM);
     let names_rows = |own: &&Defined<'_>| own.cycle().is_some_and(|cycle| cycle.params.iter().any(names_row));
     let selected = selections(facts);
@@ -32,7 +32,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 _ => continue,
             };
             let Some(row) = number(item) else { continue };
-            if among.has_row(rows, row) == Some(false) {
+            if project.has_row(rows, row) == Some(false) {
                 let table = if rows == Rows::Presets { "preset" } else { "datum" };
                 found.push(rule.at(facts, item.value_span).arg("row", Arg::Number(row)).arg("table", table));
             }

@@ -2,7 +2,7 @@
 //!
 //! Said once a program, of the M function that turns it the wrong way where it stands right before in the text.
 use crate::base::diag::{Diagnostic, Place, Severity, Span};
-use crate::check::facts::each_function;
+use crate::check::program::each_function;
 use crate::check::{Aspect, CycleCall, Facts, Pending, Rule, Tri};
 use crate::program::syntax::BlockKind;
 
@@ -16,7 +16,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let call = calls.find_map(|call| {
         let Pending::Definition(index) = call.modal.pending else { return None };
         let own = facts.definitions.get(index as usize)?;
-        own.kin().is_some_and(|cycle| cycle.file.clockwise_only).then_some((call, own))
+        own.related_cycle().is_some_and(|cycle| cycle.file.clockwise_only).then_some((call, own))
     });
     if let Some((call, own)) = call {
         let finding = |span| rule.at(facts, span).arg("cycle", own.key.to_string());

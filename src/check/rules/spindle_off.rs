@@ -4,7 +4,7 @@
 //! stops it (TNC 640, 001: 2581 and 2656); behind a tool call and M functions of the machine builder nobody knows.
 //! FUNCTION MODE TURN goes on with another spindle, which stands until it is turned on (TNC 640, 001: 7314-7321).
 use crate::base::diag::{Diagnostic, Severity, Span};
-use crate::check::flow::{removes_material, stops_spindle};
+use crate::check::cycle::{removes_material, stops_spindle};
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{BlockKind, Compensates};
 use crate::spec::Group;
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule { code: "spindle-off", severity: Severity::Wa
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Spindle) == Tri::No).filter(|call| {
         let Pending::Definition(index) = call.modal.pending else { return false };
-        let Some(cycle) = facts.definitions.get(index as usize).and_then(Defined::kin) else { return false };
+        let Some(cycle) = facts.definitions.get(index as usize).and_then(Defined::related_cycle) else { return false };
         // What has stopped the spindle itself also starts it.
         let again = call.modal.is(Aspect::Stopped) == Tri::Yes && stops_spindle(cycle);
         (removes_material(cycle) || cycle.file.group == Group::Turning) && !again

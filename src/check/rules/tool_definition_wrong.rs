@@ -5,7 +5,7 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::base::diag::{Diagnostic, Place, Severity, Span};
-use crate::check::values::bits;
+use crate::check::program::bits;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Amount, BlockKind, ToolDef, ToolRef};
 

@@ -11,7 +11,7 @@ use crate::program::syntax::{Amount, BlockKind, ToolRef};
 pub(super) const RULE: Rule = Rule { code: "tool-not-listed", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let Some(among) = facts.among else { return };
+    let Some(project) = facts.project else { return };
     let mut passed = HashSet::new();
     for block in facts.program.blocks() {
         let (tool, defined) = match &block.kind {
@@ -27,7 +27,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             Some(ToolRef::Name(name)) => ToolName::Name(facts.text(name).trim()),
             None => continue,
         };
-        if passed.insert(name.key()) && !defined && among.has_tool(name) == Some(false) {
+        if passed.insert(name.key()) && !defined && project.has_tool(name) == Some(false) {
             let shown = match name {
                 ToolName::Number(number) => number.to_string(),
                 ToolName::Name(name) => format!("\"{name}\""),

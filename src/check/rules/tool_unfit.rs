@@ -4,14 +4,14 @@
 //! A tool call must stand between them. Silent behind STOP, M0, M6 and M functions of the machine builder, where
 //! another tool may be put in by hand. Each is said once a program.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::flow::{probes, removes_material};
+use crate::check::cycle::{probes, removes_material};
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};
 
 pub(super) const RULE: Rule = Rule { code: "tool-unfit", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let probe = facts.definitions.iter().find(|own| {
-        own.kin().is_some_and(probes)
+        own.related_cycle().is_some_and(probes)
             && facts.run.before(own.view.first).is_some_and(|modal| modal.is(Aspect::Cut) == Tri::Yes)
     });
     if let Some(own) = probe {
@@ -22,7 +22,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let call = calls.find_map(|call| {
         let Pending::Definition(index) = call.modal.pending else { return None };
         let own = facts.definitions.get(index as usize)?;
-        own.kin().is_some_and(removes_material).then_some((call.span, own))
+        own.related_cycle().is_some_and(removes_material).then_some((call.span, own))
     });
     if let Some((span, own)) = call {
         found.push(rule.at(facts, span).arg("what", "mill").arg("cycle", own.key.to_string()));

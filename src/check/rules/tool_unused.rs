@@ -2,7 +2,7 @@
 //!
 //! Tool 0, which empties the spindle, and tools that a parameter names are left alone.
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::facts::is_silent;
+use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Amount, Block, BlockKind, ToolRef};
 

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use crate::base::diag::{Diagnostic, Place, Severity, Span};
 use crate::base::expr::{QKind, QRef};
-use crate::check::flow::reads;
+use crate::check::program::reads;
 use crate::check::{Aspect, Defined, Definition, Facts, Item, Pending, Rule, Tri};
 use crate::program::syntax::{Amount, BlockKind, ValueKind};
 use crate::spec::{Group, ParameterKind};
@@ -75,8 +75,8 @@ struct Written {
 
 impl Written {
     fn of(facts: &Facts<'_>, definition: &Defined<'_>) -> Self {
-        let kin = definition.as_kin();
-        let read = facts.read(&kin);
+        let related = definition.as_related_cycle();
+        let read = facts.read(&related);
         let own = read.items.iter().filter_map(|item| item.param?.q).collect();
         let passed = |item: &Item<'_>| match (item.param?.q?, item.value?.kind) {
             (own, ValueKind::Q { q, .. }) if own.number > RESERVED => Some(q),
@@ -90,7 +90,7 @@ impl Written {
 /// program has written it before and reads it later.
 fn overwritten(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let shared = |q: &QRef| q.kind == QKind::Q && (1..=RESERVED).contains(&q.number);
-    let contours = |own: &Defined<'_>| own.kin().is_some_and(|cycle| cycle.file.group == Group::Contours);
+    let contours = |own: &Defined<'_>| own.related_cycle().is_some_and(|cycle| cycle.file.group == Group::Contours);
     let wanted = |own: &&Defined<'_>| contours(own) || fills(own);
     let mut definitions = facts.definitions.iter().filter(wanted).peekable();
     if definitions.peek().is_none() {
@@ -101,8 +101,8 @@ fn overwritten(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut read = Vec::new();
     for (index, block) in facts.program.blocks().iter().enumerate() {
         if let Some(definition) = definitions.next_if(|own| own.view.first == index) {
-            let kin = definition.as_kin();
-            let read = facts.read(&kin);
+            let related = definition.as_related_cycle();
+            let read = facts.read(&related);
             if fills(definition) {
                 for (q, over) in filled(&read) {
                     let place = owned.remove(&q).filter(|(_, given)| *given);
@@ -151,7 +151,7 @@ const FILLS: &str = "ball-centre-and-status";
 const FILLED: u16 = 4;
 
 fn fills(definition: &Defined<'_>) -> bool {
-    definition.kin().is_some_and(|cycle| cycle.file.results.iter().any(|own| own.is.as_str() == FILLS))
+    definition.related_cycle().is_some_and(|cycle| cycle.file.results.iter().any(|own| own.is.as_str() == FILLS))
 }
 
 /// The parameters that such a definition does not name and fills, with the place of the one that it names.
@@ -172,7 +172,7 @@ fn is_blank(amount: Amount) -> bool {
 /// The parameters that the cycles of contours share, written while they are still to be called.
 fn shared(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let of_contours = |own: &&Defined<'_>| {
-        own.kin().is_some_and(|cycle| cycle.file.contour.as_ref().is_some_and(|wanted| wanted.closed))
+        own.related_cycle().is_some_and(|cycle| cycle.file.contour.as_ref().is_some_and(|wanted| wanted.closed))
     };
     let mut last: Option<(usize, &Defined<'_>)> = None;
     for call in &facts.run.calls {

@@ -29,14 +29,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(revolution) = call.modal.is(Aspect::PerRevolution).known() else { continue };
         let Some(definition) = facts.definitions.get(index as usize) else { continue };
-        if definition.kin().is_none_or(|cycle| cycle.file.group != Group::Turning) {
+        if definition.related_cycle().is_none_or(|cycle| cycle.file.group != Group::Turning) {
             continue;
         }
         if !seen.insert((index, revolution)) {
             continue;
         }
-        let kin = definition.as_kin();
-        for item in &facts.read(&kin).items {
+        let related = definition.as_related_cycle();
+        for item in &facts.read(&related).items {
             if item.param.is_none_or(|param| !FEEDS.contains(&param.is.as_str())) {
                 continue;
             }

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::flow::Deed;
+use crate::check::cycle::Effect;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, Tri};
 use crate::spec::Group;
 
@@ -20,11 +20,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let Loaded::By(tool) = call.modal.loaded else { continue };
         let certain = call.modal.is(Aspect::Aligned) == Tri::No && call.modal.is(Aspect::Turning) == Tri::Yes;
         let Some(definition) = facts.definitions.get(index as usize).filter(|_| certain) else { continue };
-        if definition.kin().is_none_or(|cycle| cycle.file.group != Group::Turning) {
+        if definition.related_cycle().is_none_or(|cycle| cycle.file.group != Group::Turning) {
             continue;
         }
         if aligning.is_none() {
-            let is_one = |own: &&Defined<'_>| own.kin().is_some_and(|cycle| Deed::of_cycle(cycle).aligns());
+            let is_one = |own: &&Defined<'_>| own.related_cycle().is_some_and(|cycle| Effect::of_cycle(cycle).aligns());
             aligning = facts.definitions.iter().find(is_one);
         }
         let Some(own) = aligning else { return };

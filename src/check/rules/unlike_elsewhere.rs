@@ -10,9 +10,10 @@ use std::collections::{HashMap, HashSet};
 use super::missing_parameter::gap;
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::base::expr::{QKind, QRef};
-use crate::check::guards::{self, Ready, Written};
-use crate::check::labels::fold;
-use crate::check::values::{refused, refused_by_all, shown};
+use crate::check::cycle::fold;
+use crate::check::cycle::{Ready, guards_of};
+use crate::check::guards::{Written, place};
+use crate::check::program::{refused, refused_by_all, shown};
 use crate::check::{Defined, Definition, Facts, Item, Rule};
 use crate::language::text;
 use crate::program::syntax::{CycleForm, ValueKind};
@@ -49,7 +50,7 @@ fn alone(rule: &Rule, facts: &Facts<'_>, own: &Defined<'_>, found: &mut Vec<Diag
             ValueKind::Q { negative, .. } => facts.known_at(parameter.value.span, negative),
             _ => None,
         };
-        if number.is_some() && refused_by_all(facts, parameter.q, &parameter, ENOUGH) == Some(true) {
+        if number.is_some() && refused_by_all(facts, parameter.q, &parameter, number, ENOUGH) == Some(true) {
             let finding = rule.at(facts, parameter.value.span).arg("what", "alone").arg("cycle", own.key.to_string());
             let finding = finding.arg("parameter", parameter.q.to_string()).arg("control", "");
             found.push(finding.arg("value", facts.text(parameter.value.span).trim()));
@@ -64,7 +65,7 @@ impl<'a> Other<'a> {
     /// The control with the highest id that describes the cycle.
     pub(super) fn of(facts: &Facts<'a>, key: CycleKey) -> Option<Self> {
         let (on, cycle) = facts.against.catalogue.describing(key)?;
-        Some(Self { on, cycle, guards: guards::of(on, cycle) })
+        Some(Self { on, cycle, guards: guards_of(on, cycle) })
     }
 
     fn compare(&self, rule: &Rule, facts: &Facts<'a>, own: &Defined<'a>, found: &mut Vec<Diagnostic>) {
@@ -118,7 +119,7 @@ impl<'a> Other<'a> {
         for ready in &self.guards {
             let (Some(code), Some(true)) = (&ready.code, written.holds(ready)) else { continue };
             let sentence = text::guard_sentence(self.on, self.cycle, code, facts.against.readers);
-            let place = super::guard::place(&read, ready, &written).unwrap_or(own.view.head);
+            let place = place(&read, ready, &written).unwrap_or(own.view.head);
             let what = if matches!(ready.then, Some(Outcome::Error) | None) { "guard" } else { "doubt" };
             found.push(tell(place, what).arg("message", sentence.unwrap_or_else(|| code.clone())));
         }

@@ -7,7 +7,7 @@
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity, Span};
-use crate::check::words::{self, Words};
+use crate::check::program::words::{self, Words};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{
     Approach, Axis, Block, BlockKind, CallForm, Element, NamedWord, Path, PatternDef, Statement, StatementKind,

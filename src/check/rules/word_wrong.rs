@@ -8,7 +8,7 @@ use memchr::memmem;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::base::expr::{QKind, QRef};
-use crate::check::words::{self, Words};
+use crate::check::program::words::{self, Words};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Amount, BlockKind, CallForm, FeedKind, FnOp, Operand, Path, ToolRef, misfitting};
 use crate::spec::WordLimit;

@@ -2,7 +2,7 @@
 //! does not offer, a fraction where a whole number is needed, nothing at all.
 use super::together;
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::values::{each_refused, kind, shown};
+use crate::check::program::{each_refused, kind, shown};
 use crate::check::{Definition, Facts, Item, Rule};
 use crate::spec::Refusal;
 

@@ -4,7 +4,7 @@
 //! another one in each language. Invariant: every written word is an item of the result.
 use std::borrow::Cow;
 
-use super::definition::{Item, capitals, index_of};
+use super::item::{Item, capitals, index_of};
 use crate::base::diag::Span;
 use crate::program::fields::{first, stands_on};
 use crate::program::syntax::{NamedWord, OldCycleLine, Program, ValueKind};
@@ -25,7 +25,7 @@ struct Fit<'a> {
 /// Reads the lines by the form that fits them best.
 ///
 /// Hands over the words, in the order written, and returns the fields that must be there and are not.
-pub(super) fn matching<'a>(
+pub(in crate::check) fn matching<'a>(
     program: &'a Program,
     cycle: &'a Cycle,
     lines: &[&'a OldCycleLine],

@@ -1,23 +1,21 @@
-//! What a program is checked among: the programs that it calls, and the tables that its rows and tools are in.
+//! The files that a program refers to: the programs that it calls, and the tables that its rows and tools are in.
 //!
-//! Invariant: nothing here knows files; who checks says what a name in a program means ([`Among`]). What cannot be told
+//! Invariant: nothing here knows files; who checks says what a name in a program means ([`Project`]). What is not known
 //! stays unknown and is passed over.
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::Against;
-use super::definition::{Defined, with_meaning};
-use super::facts::Facts;
-use super::flow::{self, Through};
-use super::values::bits;
+use super::call_effect::CallEffect;
 use crate::base::diag::{Severity, Span};
+use crate::check::Against;
+use crate::check::program::{Defined, Definition, Reading, bits, with_meaning};
 use crate::program::syntax::{BlockKind, Program, StatementKind, ValueKind};
 
 /// The meaning of a parameter that names a program.
 const PROGRAM: &str = "program-to-call";
 
-/// Says what stands around a program.
-pub trait Among: Sync {
+/// The files that a program refers to, as the caller of the checker knows them.
+pub trait Project: Sync {
     /// The program that a call names.
     fn called(&self, name: &str) -> Called;
     /// Whether the tool table has a tool; nothing if it is not known which table that is.
@@ -49,14 +47,14 @@ pub enum ToolName<'n> {
 
 /// What tells tools apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum ToolKey<'n> {
+pub(in crate::check) enum ToolKey<'n> {
     Number(u64),
     Name(&'n str),
 }
 
 impl<'n> ToolName<'n> {
     /// What tells it apart from other tools.
-    pub(super) fn key(self) -> ToolKey<'n> {
+    pub(in crate::check) fn key(self) -> ToolKey<'n> {
         match self {
             Self::Number(number) => ToolKey::Number(bits(number)),
             Self::Name(name) => ToolKey::Name(name),
@@ -94,18 +92,18 @@ pub enum Called {
 pub struct Callee {
     /// Whether its lengths are inches; nothing if it does not begin with BEGIN PGM.
     pub inch: Option<bool>,
-    pub(super) through: Through,
+    pub(super) effect: CallEffect,
 }
 
 impl Callee {
-    /// Reads off what a program does when it is called.
-    pub fn of(program: &Program, against: &Against<'_>, among: Option<&dyn Among>) -> Self {
-        Self { inch: inch(program), through: flow::through(&Facts::begun(program, against, among)) }
+    /// One with that effect.
+    pub(super) fn new(program: &Program, effect: CallEffect) -> Self {
+        Self { inch: inch(program), effect }
     }
 
     /// One that may do anything.
     pub fn anything(program: &Program) -> Self {
-        Self { inch: inch(program), through: Through::anything() }
+        Self::new(program, CallEffect::anything())
     }
 }
 
@@ -133,21 +131,21 @@ pub struct ProgramCall {
 
 /// The programs that a program calls by name, in the order of the text.
 pub fn named(program: &Program, against: &Against<'_>) -> Vec<String> {
-    let facts = Facts::begun(program, against, None);
-    facts.calls.iter().filter(|call| !call.read).map(|call| name(program, call.span).to_owned()).collect()
+    let calls = calls(&Reading::of(program, against), None);
+    calls.iter().filter(|call| !call.read).map(|call| name(program, call.span).to_owned()).collect()
 }
 
 /// A program's name as calls know it.
-pub(super) fn name(program: &Program, span: Span) -> &str {
+pub(in crate::check) fn name(program: &Program, span: Span) -> &str {
     program.slice(span).trim().trim_matches('"').trim()
 }
 
 /// The calls of a program with what is known of them.
-pub(super) fn calls(facts: &Facts<'_>) -> Vec<ProgramCall> {
-    let mut calls = places(facts);
-    if let Some(among) = facts.among {
+pub(in crate::check) fn calls(reading: &Reading<'_>, project: Option<&dyn Project>) -> Vec<ProgramCall> {
+    let mut calls = places(reading);
+    if let Some(project) = project {
         for call in &mut calls {
-            call.called = match among.called(name(facts.program, call.span)) {
+            call.called = match project.called(name(reading.program, call.span)) {
                 Called::Is { .. } if call.read => Called::Unknown,
                 called => called,
             };
@@ -158,11 +156,11 @@ pub(super) fn calls(facts: &Facts<'_>) -> Vec<ProgramCall> {
 
 /// Whether a definition makes a program a cycle.
 fn makes_cycle(definition: &Defined<'_>) -> bool {
-    definition.kin().is_some_and(|cycle| with_meaning(cycle, PROGRAM).is_some())
+    definition.related_cycle().is_some_and(|cycle| with_meaning(cycle, PROGRAM).is_some())
 }
 
-fn places(facts: &Facts<'_>) -> Vec<ProgramCall> {
-    let program = facts.program;
+fn places(reading: &Reading<'_>) -> Vec<ProgramCall> {
+    let program = reading.program;
     let mut calls = Vec::new();
     let mut push = |block, span, cycle, read| {
         calls.push(ProgramCall { block, span, cycle, read, called: Called::Unknown });
@@ -204,10 +202,9 @@ fn places(facts: &Facts<'_>) -> Vec<ProgramCall> {
     if let Some(Some(span)) = selected {
         selecting.into_iter().for_each(|index| push(index, span, None, false));
     }
-    for (index, definition) in facts.definitions.iter().enumerate().filter(|(_, own)| makes_cycle(own)) {
-        let kin = definition.as_kin();
-        let read = facts.read(&kin);
-        if let Some(item) = read.item(PROGRAM) {
+    for (index, definition) in reading.definitions.iter().enumerate().filter(|(_, own)| makes_cycle(own)) {
+        let related = definition.as_related_cycle();
+        if let Some(item) = Definition::of(program, &related).item(PROGRAM) {
             push(definition.view.first, item.value_span, Some(index), false);
         }
     }
@@ -216,7 +213,7 @@ fn places(facts: &Facts<'_>) -> Vec<ProgramCall> {
 
 /// The calls of which the callee is known.
 #[derive(Debug, Default)]
-pub(super) struct Callees {
+pub(in crate::check) struct Callees {
     /// By block.
     pub(super) blocks: BTreeMap<usize, Arc<Callee>>,
     /// By the definition that makes it a cycle.
@@ -226,10 +223,10 @@ pub(super) struct Callees {
 }
 
 impl Callees {
-    pub(super) fn of(facts: &Facts<'_>) -> Self {
-        let made = facts.definitions.iter().enumerate().filter(|(_, own)| makes_cycle(own)).map(|(index, _)| index);
+    pub(in crate::check) fn of(reading: &Reading<'_>, calls: &[ProgramCall]) -> Self {
+        let made = reading.definitions.iter().enumerate().filter(|(_, own)| makes_cycle(own)).map(|(index, _)| index);
         let mut known = Self { made: made.collect(), ..Self::default() };
-        for call in &facts.calls {
+        for call in calls {
             if let Called::Is { callee, round: false } = &call.called {
                 let (map, key) = match call.cycle {
                     Some(definition) => (&mut known.cycles, definition),
@@ -239,5 +236,16 @@ impl Callees {
             }
         }
         known
+    }
+    /// Whether the program has a call of one that may define or call cycles.
+    pub(in crate::check) fn leave_open(&self, reading: &Reading<'_>) -> bool {
+        reading.marked().any(|(index, block)| {
+            let calls = match &block.kind {
+                BlockKind::CallPgm(_) => true,
+                BlockKind::Statement(statement) => statement.kind == StatementKind::CallSelected,
+                _ => false,
+            };
+            calls && self.blocks.get(&index).is_none_or(|callee| callee.effect.calls_cycle)
+        })
     }
 }

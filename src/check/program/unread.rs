@@ -2,14 +2,13 @@
 //!
 //! The one place that tells: the word at its beginning says which kind of block it was to be, and such a block can hide
 //! no more than a block of its kind does. Invariant: a block of which the kind is not certain may do anything.
-use super::Flow;
-use super::facts::content;
+use super::blocks::content;
 use crate::base::expr::{QKind, QRef};
 use crate::program::syntax::{Block, BlockKind, IsoBlock, IsoKind, Program, ValueKind};
 
 /// What a block that cannot be read may do.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Hides {
+pub(in crate::check) enum Hides {
     /// A movement or M functions: position, compensation, feed, spindle, a call of the cycle.
     Movement,
     /// A tool: axis, speed, feed, the tool itself.
@@ -50,26 +49,13 @@ impl Unread {
     }
 }
 
-impl Flow {
-    /// Takes in what a block that cannot be read may do.
-    pub(super) fn hide(&mut self, program: &Program, block: &Block) {
-        self.opaque = true;
-        match hides(program, block) {
-            Hides::Movement => self.unread.movements = true,
-            Hides::Tool => self.unread.tools = true,
-            Hides::Assignment(_) => self.unread.assignments = true,
-            Hides::Anything => self.unread.anything = true,
-        }
-    }
-}
-
 /// The words that begin movements.
 const MOVEMENTS: [&str; 18] = [
     "L", "LP", "LN", "C", "CC", "CP", "CR", "CT", "CTP", "RND", "CHF", "APPR", "DEP", "FL", "FLT", "FC", "FCT", "FPOL",
 ];
 
 /// What a block that cannot be read may do.
-pub(super) fn hides(program: &Program, block: &Block) -> Hides {
+pub(in crate::check) fn hides(program: &Program, block: &Block) -> Hides {
     match &block.kind {
         BlockKind::Iso(own) => of_iso(program, own),
         BlockKind::Statement(_) => Hides::Anything,
@@ -153,7 +139,7 @@ fn parameter(text: &str) -> Option<QRef> {
 }
 
 /// Whether a movement or M functions that cannot be read name M2 or M30: the program was to end there.
-pub(super) fn names_end(program: &Program, block: &Block) -> bool {
+pub(in crate::check) fn names_end(program: &Program, block: &Block) -> bool {
     let text = first_line(program, block);
     let ends = |word: &str| ["M2", "M02", "M30"].iter().any(|own| own.eq_ignore_ascii_case(word));
     of_text(text) == Hides::Movement && text.split_ascii_whitespace().any(ends)

@@ -7,12 +7,10 @@ use std::borrow::Cow;
 use std::ops::Deref;
 
 use super::fields;
-use super::flow::Deed;
-use super::labels::{Kept, Tongues};
-use crate::base::diag::Span;
-use crate::base::expr::QRef;
-use crate::program::syntax::{CycleDef, CycleForm, CycleView, Parameter, Program, Value};
-use crate::spec::{Cycle, CycleKey, Group, Keyword, Known, Param, ParameterKind, Refusal, TakesEffect};
+use super::item::{Item, Place, capitals};
+use crate::check::cycle::{Effect, Kept, LabelLanguages};
+use crate::program::syntax::{CycleDef, CycleForm, CycleView, Parameter, Program};
+use crate::spec::{Cycle, CycleKey, Group, Keyword, Known, Param, ParameterKind, TakesEffect};
 
 /// A cycle definition and what the control knows of its cycle.
 #[derive(Clone)]
@@ -24,13 +22,13 @@ pub struct Defined<'a> {
     /// What the control knows of it.
     pub known: Known<'a>,
     /// The cycle as another control describes it, if this one does not.
-    pub(super) elsewhere: Option<&'a Cycle>,
+    pub(in crate::check) elsewhere: Option<&'a Cycle>,
     /// Whether a line of it cannot be read.
     pub torn: bool,
     /// What is kept of a described cycle.
-    pub(super) kept: Option<&'a Kept>,
+    pub(in crate::check) kept: Option<&'a Kept>,
     /// The languages whose name and labels it has letter by letter.
-    pub(super) usual: Tongues,
+    pub(in crate::check) usual: LabelLanguages,
 }
 
 /// A cycle definition with its values.
@@ -41,7 +39,7 @@ pub struct Definition<'a> {
     /// What a described cycle needs and the definition lacks.
     pub missing: Vec<&'a Param>,
     /// Whether every item is a parameter of the cycle and stands behind those that the cycle names before it.
-    pub(super) in_order: bool,
+    pub(in crate::check) in_order: bool,
 }
 
 impl<'a> Deref for Definition<'a> {
@@ -50,30 +48,6 @@ impl<'a> Deref for Definition<'a> {
     fn deref(&self) -> &Defined<'a> {
         self.own
     }
-}
-
-/// A parameter or field as written.
-pub struct Item<'a> {
-    /// Its specification, if the cycle is described and has it.
-    pub param: Option<&'a Param>,
-    /// How messages call it: `Q200`, `31.2 HEIGHT:`.
-    pub name: Cow<'a, str>,
-    /// All of it up to the end of the value.
-    pub span: Span,
-    /// The value's place.
-    pub value_span: Span,
-    /// The value in capitals as the specification's examples are written: `+60`, `X+60`, `#5`, `"AB"`.
-    pub printed: Cow<'a, str>,
-    /// The value, if it is a single one.
-    pub value: Option<Value>,
-    /// The number that the parameter written for it certainly has.
-    pub number: Option<f64>,
-    /// The printed label, or the printed word of an old-style field.
-    pub label: Option<Span>,
-    /// The place of its specification among the cycle's parameters.
-    pub index: Option<usize>,
-    /// Why its parameter refuses the value.
-    pub(super) refusal: Option<Refusal>,
 }
 
 impl<'a> Defined<'a> {
@@ -86,13 +60,13 @@ impl<'a> Defined<'a> {
     }
 
     /// The cycle, or what another control describes under its number: enough to tell what it is for.
-    pub fn kin(&self) -> Option<&'a Cycle> {
+    pub fn related_cycle(&self) -> Option<&'a Cycle> {
         self.cycle().or(self.elsewhere)
     }
 
     /// When the cycle acts, if that is known. All touch-probe cycles act when they are defined.
     pub fn takes_effect(&self) -> Option<TakesEffect> {
-        match (self.kin(), self.key.keyword) {
+        match (self.related_cycle(), self.key.keyword) {
             (Some(cycle), _) => Some(cycle.file.takes_effect),
             (None, Keyword::TchProbe) => Some(TakesEffect::OnDefinition),
             _ => None,
@@ -100,16 +74,16 @@ impl<'a> Defined<'a> {
     }
 
     /// Whether its cycle calls the one that was defined last.
-    pub(super) fn calls_last(&self) -> bool {
+    pub(in crate::check) fn calls_last(&self) -> bool {
         match (self.cycle().zip(self.kept), self.elsewhere) {
-            (Some((cycle, kept)), _) => kept.deed(cycle).calls_last(),
-            (None, Some(cycle)) => cycle.file.group == Group::Patterns && Deed::of_cycle(cycle).calls_last(),
+            (Some((cycle, kept)), _) => kept.effect(cycle).calls_last(),
+            (None, Some(cycle)) => cycle.file.group == Group::Patterns && Effect::of_cycle(cycle).calls_last(),
             (None, None) => false,
         }
     }
 
     /// The same definition, read as that of a cycle of another control.
-    pub(super) fn read_as(&self, cycle: &'a Cycle) -> Self {
+    pub(in crate::check) fn read_as(&self, cycle: &'a Cycle) -> Self {
         Self {
             view: self.view.clone(),
             key: self.key,
@@ -117,13 +91,13 @@ impl<'a> Defined<'a> {
             elsewhere: None,
             torn: self.torn,
             kept: None,
-            usual: Tongues::default(),
+            usual: LabelLanguages::default(),
         }
     }
 
     /// The same definition, read as that of the cycle of another control that it is like, if this one does not have the
     /// cycle.
-    pub(super) fn as_kin(&self) -> Cow<'_, Self> {
+    pub(in crate::check) fn as_related_cycle(&self) -> Cow<'_, Self> {
         match self.elsewhere {
             Some(cycle) => Cow::Owned(self.read_as(cycle)),
             None => Cow::Borrowed(self),
@@ -131,7 +105,7 @@ impl<'a> Defined<'a> {
     }
 
     /// Whether its cycle has a parameter of that kind.
-    pub(super) fn has_kind(&self, kind: ParameterKind) -> bool {
+    pub(in crate::check) fn has_kind(&self, kind: ParameterKind) -> bool {
         match (self.cycle(), self.elsewhere) {
             (Some(_), _) => self.kept.is_some_and(|kept| kept.has_kind(kind)),
             (None, Some(cycle)) => cycle.params.iter().any(|param| param.kind == kind),
@@ -142,17 +116,17 @@ impl<'a> Defined<'a> {
 
 impl<'a> Definition<'a> {
     /// Reads a definition, without what depends on the run.
-    pub(super) fn of(program: &'a Program, own: &'a Defined<'a>) -> Self {
+    pub(in crate::check) fn of(program: &'a Program, own: &'a Defined<'a>) -> Self {
         Self::begun(Vec::new(), program, own)
     }
 
-    /// The same with room for its items.
     /// What is written for the parameter that has a meaning.
-    pub(super) fn item(&self, meaning: &str) -> Option<&Item<'a>> {
+    pub(in crate::check) fn item(&self, meaning: &str) -> Option<&Item<'a>> {
         self.items.iter().find(|item| item.param.is_some_and(|param| param.is.as_str() == meaning))
     }
 
-    pub(super) fn begun(mut room: Vec<Item<'a>>, program: &'a Program, own: &'a Defined<'a>) -> Self {
+    /// The same with room for its items.
+    pub(in crate::check) fn begun(mut room: Vec<Item<'a>>, program: &'a Program, own: &'a Defined<'a>) -> Self {
         room.clear();
         let mut definition = Self { own, items: room, missing: Vec::new(), in_order: false };
         match (&own.view.form, own.cycle()) {
@@ -203,30 +177,8 @@ impl<'a> Definition<'a> {
 }
 
 /// The parameter of a cycle that has a meaning.
-pub(super) fn with_meaning<'c>(cycle: &'c Cycle, meaning: &str) -> Option<&'c Param> {
+pub(in crate::check) fn with_meaning<'c>(cycle: &'c Cycle, meaning: &str) -> Option<&'c Param> {
     cycle.params.iter().find(|param| param.is.as_str() == meaning)
-}
-
-/// Finds parameters in a cycle; most are written in its order.
-#[derive(Default)]
-pub(super) struct Place {
-    next: usize,
-}
-
-impl Place {
-    /// The place of the parameter among those of the cycle.
-    pub(super) fn of(&mut self, cycle: &Cycle, q: QRef) -> Option<usize> {
-        let is_next = cycle.params.get(self.next).is_some_and(|param| param.q == Some(q));
-        let found = if is_next { Some(self.next) } else { cycle.place_of(q) };
-        self.next = found.map_or(self.next, |at| at + 1);
-        found
-    }
-}
-
-/// A text in capitals.
-pub(super) fn capitals(text: &str) -> Cow<'_, str> {
-    let is_capital = |byte: &u8| byte.is_ascii() && !byte.is_ascii_lowercase();
-    if text.as_bytes().iter().all(is_capital) { Cow::Borrowed(text) } else { Cow::Owned(text.to_uppercase()) }
 }
 
 /// The parameter as messages call it: as it is written, if that is how controls write it.
@@ -234,14 +186,4 @@ fn name_of<'a>(program: &'a Program, parameter: &Parameter) -> Cow<'a, str> {
     let written = program.slice(parameter.q_span);
     let usual = matches!(written.as_bytes(), [b'Q', b'1'..=b'9', ..] | [b'Q', b'L' | b'R' | b'S', b'1'..=b'9', ..]);
     if usual { Cow::Borrowed(written) } else { Cow::Owned(parameter.q.to_string()) }
-}
-
-/// The place of a parameter in its cycle.
-pub(super) fn index_of(cycle: Option<&Cycle>, param: Option<&Param>) -> Option<usize> {
-    cycle?
-        .params
-        .iter()
-        .zip(0..)
-        .find(|(own, _)| param.is_some_and(|param| std::ptr::eq(*own, param)))
-        .map(|(_, at)| at)
 }

@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use super::check::Job;
 use super::{Failure, program};
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::{self, Against, Among, Called, Callee, Rows, ToolName};
+use crate::check::{self, Against, Called, Callee, Project, Rows, ToolName};
 use crate::program::table::{Table, TableKind};
 use crate::system::{self, Folder};
 
@@ -273,7 +273,7 @@ struct Inside<'l, 'a> {
     against: &'l Against<'a>,
 }
 
-impl Among for Inside<'_, '_> {
+impl Project for Inside<'_, '_> {
     fn called(&self, name: &str) -> Called {
         let Found::File(path) = self.library.file(self.path, name) else { return Called::Unknown };
         match self.library.on(self.against).callees.known(&path).flatten() {
@@ -362,7 +362,7 @@ impl<'s> Standing<'s> {
     }
 }
 
-impl Among for Standing<'_> {
+impl Project for Standing<'_> {
     fn called(&self, name: &str) -> Called {
         self.asked.store(true, Ordering::Relaxed);
         let path = match self.library.file(&self.path, name) {

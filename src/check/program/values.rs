@@ -3,14 +3,15 @@
 //! A value that is another parameter is refused only if its number is certain wherever the run comes from.
 use std::borrow::Cow;
 
-use super::definition::capitals;
-use super::{Definition, Facts, Item};
+use super::definition::Definition;
+use super::item::{Item, capitals};
+use super::reading::Reading;
 use crate::base::expr::{QKind, QRef};
 use crate::program::syntax::{Parameter, ValueKind};
 use crate::spec::{MM_PER_INCH, Param, ParameterKind, Refusal, number_refusal_in, refusal};
 
 /// Why the value is refused; `inch` tells whether lengths of the program are inches.
-pub(super) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
+pub(in crate::check) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
     let param = item.param?;
     let kind = kind(item, param);
     match item.value.map(|value| value.kind) {
@@ -57,7 +58,7 @@ fn is_plain(param: &Param, printed: &str) -> bool {
 
 /// What kind of value belongs where the parameter is written: of one that takes a number or a name, the Q parameter
 /// holds the number and the text parameter the name.
-pub(super) fn kind(item: &Item<'_>, param: &Param) -> ParameterKind {
+pub(in crate::check) fn kind(item: &Item<'_>, param: &Param) -> ParameterKind {
     match param.q_of_name() {
         Some(name) if item.name == name.to_string() => ParameterKind::Text,
         Some(_) => ParameterKind::Number,
@@ -83,7 +84,7 @@ fn single_signed(printed: &str) -> Cow<'_, str> {
 }
 
 /// How messages show a value: what is written, with the number that it certainly has.
-pub(super) fn shown(item: &Item<'_>) -> String {
+pub(in crate::check) fn shown(item: &Item<'_>) -> String {
     match item.number {
         Some(number) => format!("{} ({number})", item.printed),
         None => item.printed.to_string(),
@@ -91,13 +92,13 @@ pub(super) fn shown(item: &Item<'_>) -> String {
 }
 
 /// What tells numbers apart: equal ones have the same.
-pub(super) fn bits(number: f64) -> u64 {
+pub(in crate::check) fn bits(number: f64) -> u64 {
     // 0 has two signs.
     (number + 0.0).to_bits()
 }
 
 /// The number that is certainly written for a parameter.
-pub(super) fn number(item: &Item<'_>) -> Option<f64> {
+pub(in crate::check) fn number(item: &Item<'_>) -> Option<f64> {
     match item.value?.kind {
         ValueKind::Number(number) => Some(number),
         ValueKind::Q { .. } => item.number,
@@ -106,10 +107,16 @@ pub(super) fn number(item: &Item<'_>) -> Option<f64> {
 }
 
 /// Whether every cycle with that parameter refuses a value, those of this control or, if it describes none with it, of
-/// all. Nothing where fewer cycles than `least` have it.
-pub(super) fn refused_by_all(facts: &Facts<'_>, q: QRef, written: &Parameter, least: usize) -> Option<bool> {
-    let own = facts.against.on.cycles.values().filter_map(|cycle| cycle.written(q));
-    let all = facts.against.catalogue.controls.values().flat_map(|on| on.cycles.values());
+/// all; `number` is the certain number of a value that is a parameter. Nothing where fewer cycles than `least` have it.
+pub(in crate::check) fn refused_by_all(
+    reading: &Reading<'_>,
+    q: QRef,
+    written: &Parameter,
+    number: Option<f64>,
+    least: usize,
+) -> Option<bool> {
+    let own = reading.against.on.cycles.values().filter_map(|cycle| cycle.written(q));
+    let all = reading.against.catalogue.controls.values().flat_map(|on| on.cycles.values());
     let mut params: Vec<&Param> = own.collect();
     if params.is_empty() {
         params = all.filter_map(|cycle| cycle.written(q)).collect();
@@ -117,7 +124,7 @@ pub(super) fn refused_by_all(facts: &Facts<'_>, q: QRef, written: &Parameter, le
     if params.len() < least.max(1) {
         return None;
     }
-    let printed = facts.text(written.value.span);
+    let printed = reading.text(written.value.span);
     let refuses = |param: &&Param| {
         let item = Item {
             param: Some(param),
@@ -126,21 +133,18 @@ pub(super) fn refused_by_all(facts: &Facts<'_>, q: QRef, written: &Parameter, le
             value_span: written.value.span,
             printed: capitals(printed),
             value: Some(written.value),
-            number: match written.value.kind {
-                ValueKind::Q { negative, .. } => facts.known_at(written.value.span, negative),
-                _ => None,
-            },
+            number,
             label: None,
             index: None,
             refusal: None,
         };
-        refused(&item, facts.inch).is_some()
+        refused(&item, reading.inch).is_some()
     };
     Some(params.iter().all(refuses))
 }
 
 /// Runs through the values of a definition that are refused.
-pub(super) fn each_refused<'d, 'a>(
+pub(in crate::check) fn each_refused<'d, 'a>(
     definition: &'d Definition<'a>,
     mut tell: impl FnMut(&'d Item<'a>, &'a Param, &'d Refusal, String),
 ) {

@@ -3,32 +3,32 @@
 //! Invariant: only words and numbers as they are written are looked at; a parameter is no number here.
 use std::collections::BTreeMap;
 
-use super::Facts;
-use super::facts::each_function;
+use super::blocks::each_function;
+use super::reading::Reading;
 use crate::base::diag::Span;
 use crate::base::expr::QRef;
 use crate::program::syntax::{Block, BlockKind, MFunction, Statement, StatementKind};
 use crate::spec::BlockWords;
 
 /// The words of a block, or of an M function or a function on texts in one.
-pub(super) struct Words<'f> {
+pub(in crate::check) struct Words<'f> {
     /// What is known of such blocks; what is more special comes behind.
-    pub(super) known: Vec<&'f BlockWords>,
+    pub(in crate::check) known: Vec<&'f BlockWords>,
     /// Its words with their places.
     tokens: Vec<(&'f str, Span)>,
 }
 
 /// A word as it is written with what stands behind it.
-pub(super) struct Said<'f> {
+pub(in crate::check) struct Said<'f> {
     /// The value: a number or another word.
-    pub(super) value: &'f str,
+    pub(in crate::check) value: &'f str,
     /// The place of both.
-    pub(super) span: Span,
+    pub(in crate::check) span: Span,
 }
 
 impl Said<'_> {
     /// The number, if it is one.
-    pub(super) fn number(&self) -> Option<f64> {
+    pub(in crate::check) fn number(&self) -> Option<f64> {
         let digits = self.value.trim_start_matches(['+', '-']);
         let plain = digits.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b','));
         (plain && digits.bytes().any(|byte| byte.is_ascii_digit())).then_some(())?;
@@ -37,20 +37,20 @@ impl Said<'_> {
 }
 
 /// The M functions of which something is known.
-pub(super) fn functions(facts: &Facts<'_>) -> Vec<u16> {
+pub(in crate::check) fn functions(facts: &Reading<'_>) -> Vec<u16> {
     let number = |own: &BlockWords| own.block.strip_prefix('M').and_then(|own| own.parse().ok());
     facts.against.catalogue.blocks.iter().filter_map(number).collect()
 }
 
 /// Whether a block has one of them.
-pub(super) fn has_function(block: &Block, functions: &[u16]) -> bool {
+pub(in crate::check) fn has_function(block: &Block, functions: &[u16]) -> bool {
     let mut any = false;
     each_function(block, |number| any |= functions.contains(&number));
     any
 }
 
 /// The words of everything in a block of which something is known.
-pub(super) fn of<'f>(facts: &'f Facts<'_>, block: &'f Block) -> Vec<Words<'f>> {
+pub(in crate::check) fn of<'f>(facts: &'f Reading<'_>, block: &'f Block) -> Vec<Words<'f>> {
     let mut found = Vec::new();
     match &block.kind {
         BlockKind::Statement(own) => found.extend(statement(facts, block, own)),
@@ -75,7 +75,7 @@ pub(super) fn of<'f>(facts: &'f Facts<'_>, block: &'f Block) -> Vec<Words<'f>> {
 }
 
 /// The texts of text parameters that are given one text in the program, in one place.
-pub(super) fn texts<'f>(facts: &Facts<'f>) -> BTreeMap<QRef, &'f str> {
+pub(in crate::check) fn texts<'f>(facts: &Reading<'f>) -> BTreeMap<QRef, &'f str> {
     let mut found: BTreeMap<QRef, Option<&str>> = BTreeMap::new();
     for (_, block) in facts.marked() {
         let (target, text) = match &block.kind {
@@ -91,7 +91,7 @@ pub(super) fn texts<'f>(facts: &Facts<'f>) -> BTreeMap<QRef, &'f str> {
     found.into_iter().filter_map(|(q, text)| Some((q, text?))).collect()
 }
 
-fn known<'f>(facts: &'f Facts<'_>, is: impl Fn(&str) -> bool + 'f, span: Span) -> Option<Words<'f>> {
+fn known<'f>(facts: &'f Reading<'_>, is: impl Fn(&str) -> bool + 'f, span: Span) -> Option<Words<'f>> {
     let known: Vec<&BlockWords> = facts.against.catalogue.blocks.iter().filter(|own| is(&own.block)).collect();
     if known.is_empty() {
         return None;
@@ -99,7 +99,7 @@ fn known<'f>(facts: &'f Facts<'_>, is: impl Fn(&str) -> bool + 'f, span: Span) -
     Some(Words { known, tokens: tokens(facts.program.slice(span), span.start) })
 }
 
-fn statement<'f>(facts: &'f Facts<'_>, block: &Block, own: &Statement) -> Option<Words<'f>> {
+fn statement<'f>(facts: &'f Reading<'_>, block: &Block, own: &Statement) -> Option<Words<'f>> {
     let end = own.words.last().map_or(own.head.end, |word| word.span.end);
     let span = Span::new(own.head.start, end.max(facts.content(block).end.min(block.span.end)));
     if let StatementKind::Fn(number) = own.kind {
@@ -125,7 +125,7 @@ fn is_long_form(word: &str, written: &str) -> bool {
     word == "RELATIV" && written.eq_ignore_ascii_case("RELATIVE")
 }
 
-fn with_function<'f>(facts: &'f Facts<'_>, function: &MFunction) -> Option<Words<'f>> {
+fn with_function<'f>(facts: &'f Reading<'_>, function: &MFunction) -> Option<Words<'f>> {
     let number = function.number;
     known(facts, move |name| name.strip_prefix('M').and_then(|own| own.parse().ok()) == Some(number), function.span)
 }
@@ -163,12 +163,12 @@ fn tokens(text: &str, start: usize) -> Vec<(&str, Span)> {
 
 impl<'f> Words<'f> {
     /// Whether a word stands there.
-    pub(super) fn has(&self, word: &str) -> bool {
+    pub(in crate::check) fn has(&self, word: &str) -> bool {
         self.tokens.iter().any(|(token, _)| behind(token, word).is_some_and(is_value))
     }
 
     /// What is missing: a word of those that are needed, or one of a list. What says more about the block goes first.
-    pub(super) fn lacking(&self) -> Option<String> {
+    pub(in crate::check) fn lacking(&self) -> Option<String> {
         self.known.iter().rev().find_map(|known| {
             let needed = known.needs.iter().find(|word| !self.has(word)).cloned();
             let asked = |pair: &String| {
@@ -186,7 +186,7 @@ impl<'f> Words<'f> {
     }
 
     /// A word behind which nothing stands where something must, with its place.
-    pub(super) fn without_value(&self) -> Option<(&'f str, Span)> {
+    pub(in crate::check) fn without_value(&self) -> Option<(&'f str, Span)> {
         let stands = |at: usize| {
             let next = self.tokens.iter().skip(at + 1).find(|(token, _)| !matches!(*token, "=" | ":"));
             next.map(|(token, _)| token.trim_start_matches([':', '=']))
@@ -207,12 +207,12 @@ impl<'f> Words<'f> {
     }
 
     /// The words behind the first one.
-    pub(super) fn others(&self) -> impl Iterator<Item = (&'f str, Span)> {
+    pub(in crate::check) fn others(&self) -> impl Iterator<Item = (&'f str, Span)> {
         self.tokens.iter().skip(1).copied()
     }
 
     /// The numbers of words; nothing if one of them has none.
-    pub(super) fn numbers<const N: usize>(&self, words: &str) -> Option<[f64; N]> {
+    pub(in crate::check) fn numbers<const N: usize>(&self, words: &str) -> Option<[f64; N]> {
         let mut found = [0.0; N];
         let mut names = words.split(' ');
         for place in &mut found {
@@ -222,49 +222,49 @@ impl<'f> Words<'f> {
     }
 
     /// Whether it is a function that some word begins and that ends without any.
-    pub(super) fn is_begun_by_some(&self) -> bool {
+    pub(in crate::check) fn is_begun_by_some(&self) -> bool {
         self.known.iter().any(|known| !known.begun_by.is_empty())
     }
 
     /// Whether one of these words stands there.
-    pub(super) fn begins(&self) -> bool {
+    pub(in crate::check) fn begins(&self) -> bool {
         self.known.iter().any(|known| known.begun_by.iter().any(|word| self.has(word)))
     }
 
     /// The words of which one begins it.
-    pub(super) fn beginning(&self) -> Option<String> {
+    pub(in crate::check) fn beginning(&self) -> Option<String> {
         self.known.iter().find(|known| !known.begun_by.is_empty()).map(|known| known.begun_by.join(", "))
     }
 
     /// What the first of them is called that is known of the block.
-    pub(super) fn name(&self) -> Option<&'f str> {
+    pub(in crate::check) fn name(&self) -> Option<&'f str> {
         self.known.first().map(|known| known.block.as_str())
     }
 
     /// The text in quotation marks and its place.
-    pub(super) fn quoted(&self) -> Option<(&'f str, Span)> {
+    pub(in crate::check) fn quoted(&self) -> Option<(&'f str, Span)> {
         let is = |(token, _): &&(&str, Span)| token.starts_with('"');
         self.tokens.iter().find(is).map(|(token, span)| (token.trim_matches('"'), *span))
     }
 
     /// The last of its words, without quotation marks: the name of a file.
-    pub(super) fn last_name(&self) -> Option<(&'f str, Span)> {
+    pub(in crate::check) fn last_name(&self) -> Option<(&'f str, Span)> {
         self.tokens.last().map(|(token, span)| (token.trim_matches('"'), *span))
     }
 
     /// The first of all, to the end of the last one.
-    pub(super) fn span(&self) -> Span {
+    pub(in crate::check) fn span(&self) -> Span {
         let ends = self.tokens.first().zip(self.tokens.last());
         ends.map_or(Span::new(0, 0), |((_, first), (_, last))| Span::new(first.start, last.end))
     }
 
     /// The word at a place.
-    pub(super) fn at(&self, place: usize) -> Option<(&'f str, Span)> {
+    pub(in crate::check) fn at(&self, place: usize) -> Option<(&'f str, Span)> {
         self.tokens.get(place).copied()
     }
 
     /// A word each time that it stands there, with what is behind it.
-    pub(super) fn each<'w>(&'w self, word: &'w str) -> impl Iterator<Item = Said<'f>> + 'w {
+    pub(in crate::check) fn each<'w>(&'w self, word: &'w str) -> impl Iterator<Item = Said<'f>> + 'w {
         self.tokens.iter().enumerate().filter_map(move |(at, (token, span))| {
             let rest = behind(token, word).filter(|rest| is_value(rest) || word.ends_with('_'))?;
             let rest = rest.trim_start_matches([':', '=']);
