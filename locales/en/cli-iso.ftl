@@ -3,7 +3,7 @@
 cli-convert-to-iso = From Klartext to DIN/ISO
 cli-convert-to-klartext = From DIN/ISO to Klartext
 cli-convert-control = Control whose names and labels are written (default: the one whose cycles the program has)
-cli-convert-lang = Language of the names and labels (default: that of the control’s manual)
+cli-convert-lang = Language of the names and labels (default: that of the program’s own texts)
 
 diag-iso-no-equivalent = DIN/ISO has no equivalent of “{ $found }”; the block is left as a comment.
 diag-iso-no-code = No manual prints a DIN/ISO code of { $found }; the block is left as a comment.

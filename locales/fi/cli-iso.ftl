@@ -3,7 +3,7 @@
 cli-convert-to-iso = Klartext-kielestä DIN/ISO-kielelle
 cli-convert-to-klartext = DIN/ISO-kielestä Klartext-kielelle
 cli-convert-control = Ohjaus, jonka nimet ja NC-tekstit kirjoitetaan (oletus: se, jonka työkiertoja ohjelmassa on)
-cli-convert-lang = Nimien ja NC-tekstien kieli (oletus: ohjauksen käsikirjan kieli)
+cli-convert-lang = Nimien ja NC-tekstien kieli (oletus: ohjelman omien tekstien kieli)
 
 diag-iso-no-equivalent = DIN/ISO-kielessä ei ole vastinetta tälle: ”{ $found }”; lause jää kommentiksi.
 diag-iso-no-code = Mikään käsikirja ei mainitse DIN/ISO-koodia työkierrolle { $found }; lause jää kommentiksi.

@@ -3,7 +3,7 @@
 cli-convert-to-iso = Da Klartext a DIN/ISO
 cli-convert-to-klartext = Da DIN/ISO a Klartext
 cli-convert-control = Controllo di cui si scrivono i nomi e le etichette (predefinito: quello di cui il programma contiene i cicli)
-cli-convert-lang = Lingua dei nomi e delle etichette (predefinita: quella del manuale del controllo)
+cli-convert-lang = Lingua dei nomi e delle etichette (predefinita: quella dei testi del programma stesso)
 
 diag-iso-no-equivalent = In DIN/ISO non c’è equivalente di «{ $found }»; il blocco resta come commento.
 diag-iso-no-code = Nessun manuale riporta un codice DIN/ISO di { $found }; il blocco resta come commento.

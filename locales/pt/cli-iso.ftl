@@ -3,7 +3,7 @@
 cli-convert-to-iso = De Klartext para DIN/ISO
 cli-convert-to-klartext = De DIN/ISO para Klartext
 cli-convert-control = Comando cujos nomes e designações se escrevem (predefinição: aquele cujos ciclos o programa contém)
-cli-convert-lang = Idioma dos nomes e designações (predefinição: o do manual do comando)
+cli-convert-lang = Idioma dos nomes e das designações (predefinição: o dos textos do próprio programa)
 
 diag-iso-no-equivalent = Em DIN/ISO não há equivalente de «{ $found }»; a frase fica como comentário.
 diag-iso-no-code = Nenhum manual indica um código DIN/ISO de { $found }; a frase fica como comentário.

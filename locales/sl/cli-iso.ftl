@@ -3,7 +3,7 @@
 cli-convert-to-iso = Iz jezika Klartext v DIN/ISO
 cli-convert-to-klartext = Iz jezika DIN/ISO v Klartext
 cli-convert-control = Krmiljenje, katerega imena in oznake se zapišejo (privzeto: tisto, katerega cikle vsebuje program)
-cli-convert-lang = Jezik imen in oznak (privzeto: jezik priročnika krmiljenja)
+cli-convert-lang = Jezik imen in oznak (privzeto: jezik besedil samega programa)
 
 diag-iso-no-equivalent = DIN/ISO nima ustreznice za »{ $found }«; stavek ostane kot komentar.
 diag-iso-no-code = Noben priročnik ne navaja kode DIN/ISO za { $found }; stavek ostane kot komentar.

@@ -27,7 +27,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
-    let language = cycle::language_for(&locales, on, matches)?;
+    let language = cycle::language_for(&locales, on, &session.ui, matches)?;
     let (values, words): (Vec<String>, Vec<String>) =
         arguments::all(matches, "cycle").into_iter().partition(|word| word.contains('='));
     let cycle = cycle::find(on, &words.join(" "))?;

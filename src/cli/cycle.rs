@@ -6,7 +6,7 @@ use clap::ArgMatches;
 use super::Failure;
 use crate::base::diag::Diagnostic;
 use crate::check::{self, Against, LabelBook};
-use crate::language::locale::{Language, Locales};
+use crate::language::locale::{Language, Locales, Ui};
 use crate::program::syntax::Program;
 use crate::spec::{Catalogue, Cycle, CycleKey, Known, OnControl};
 
@@ -25,20 +25,23 @@ pub(super) fn controls(catalogue: &Catalogue, names: &[String]) -> Result<Vec<St
 
 /// The language with that tag.
 pub(super) fn language<'l>(locales: &'l Locales, tag: &str) -> Result<&'l Language, Failure> {
-    locales.language(tag).map_err(|_| {
+    locales.language(tag).or_else(|_| locales.language(&tag.to_lowercase())).map_err(|_| {
         let known: Vec<&str> = locales.tags().collect();
         Diagnostic::global("unknown-language").arg("language", tag).arg("known", known.join(", ")).into()
     })
 }
 
-/// The language of `--lang`; that of the control's manual without it.
+/// The language of `--lang`; without it that of the program's own texts, or of the control's manual if the data lack it.
 pub(super) fn language_for<'l>(
     locales: &'l Locales,
     on: &OnControl,
+    ui: &Ui,
     matches: &ArgMatches,
 ) -> Result<&'l Language, Failure> {
-    let tag = matches.get_one::<String>("lang").map_or(on.control.language.as_str(), String::as_str);
-    language(locales, tag)
+    match matches.get_one::<String>("lang") {
+        Some(tag) => language(locales, tag),
+        None => language(locales, ui.tag()).or_else(|_| language(locales, on.control.language.as_str())),
+    }
 }
 
 /// The cycle that words mean: `412`, `TCH PROBE 412`, `tch-probe-412`.

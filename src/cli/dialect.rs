@@ -85,7 +85,7 @@ pub(super) fn write(session: &mut Session, matches: &ArgMatches, path: &str) -> 
             None => cycle::likeliest(&file.program, &catalogue, &locales),
         };
         let Some(on) = on else { return Ok(Outcome::Clean) };
-        let language = cycle::language_for(&locales, on, matches)?.tag();
+        let language = cycle::language_for(&locales, on, &session.ui, matches)?.tag();
         let words = Words { on, book: LabelBook::new(on, &locales), language, encoding: file.encoding };
         let lowered = to_klartext(file.written(), &codes, Some(&words));
         (lowered.program.source().text().to_owned(), lowered.diagnostics)

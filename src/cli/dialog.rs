@@ -21,7 +21,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
-    let language = cycle::language_for(&locales, on, matches)?;
+    let language = cycle::language_for(&locales, on, &session.ui, matches)?;
     let cycle = cycle::find(on, &arguments::all(matches, "cycle").join(" "))?;
     let dialog = dialog::dialog(on, cycle, language).map_err(Failure::Data)?;
     let text = match arguments::chosen_format(matches) {

@@ -16,7 +16,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
-    let language = cycle::language_for(&locales, on, matches)?;
+    let language = cycle::language_for(&locales, on, &session.ui, matches)?;
     let export = export::export(on, language).map_err(Failure::Data)?;
     session.output.print(&session::json(&export)?)?;
     Ok(Outcome::Clean)

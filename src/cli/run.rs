@@ -53,7 +53,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
     let path = arguments::text(matches, "file");
     let file = program::understand(Path::new(&path), &catalogue)?;
-    let language = language(&file, &catalogue, &locales, on, matches)?;
+    let language = language(&file, &catalogue, &locales, on, &session.ui, matches)?;
     let neighbours = Neighbours::new(Path::new(&path), &catalogue);
     let files = session.files()?;
     let mut scene = scene(&arguments::text(matches, "scene"), &files)?;
@@ -114,22 +114,23 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     })
 }
 
-/// The language of the logs: that of `--lang`, or of the program's labels, or of the control's manual.
+/// The language of the logs: that of `--lang`, or of the program's labels, or of this program's own texts.
 fn language<'l>(
     file: &program::Understood,
     catalogue: &Catalogue,
     locales: &'l Locales,
     on: &OnControl,
+    ui: &Ui,
     matches: &ArgMatches,
 ) -> Result<&'l Language, Failure> {
     if matches.contains_id("lang") {
-        return cycle::language_for(locales, on, matches);
+        return cycle::language_for(locales, on, ui, matches);
     }
     let labels = LabelBook::new(on, locales);
     let against = Against { catalogue, on, labels: &labels, language: None, readers: &[] };
     match check::language(&file.program, &against) {
         Some(tag) => cycle::language(locales, &tag),
-        None => cycle::language_for(locales, on, matches),
+        None => cycle::language_for(locales, on, ui, matches),
     }
 }
 

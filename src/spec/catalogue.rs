@@ -414,7 +414,9 @@ impl Catalogue {
 
     /// The cycles of a control, by its id or another of its names.
     pub fn on(&self, control: &str) -> Option<&OnControl> {
-        self.controls.get(control).or_else(|| self.controls.values().find(|on| on.control.is_called(control)))
+        // Ids are written in small letters; titles of controls are not.
+        let control = control.to_lowercase();
+        self.controls.get(&*control).or_else(|| self.controls.values().find(|on| on.control.is_called(&control)))
     }
 }
 

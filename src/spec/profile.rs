@@ -135,9 +135,9 @@ record! {
 }
 
 impl Control {
-    /// Whether a name is one of its other names.
+    /// Whether a name is one of its other names, in whichever case.
     pub fn is_called(&self, name: &str) -> bool {
-        self.also.iter().any(|own| own.as_str() == name)
+        self.also.iter().any(|own| own.as_str().eq_ignore_ascii_case(name))
     }
 
     /// Its id, followed in brackets by its other names.

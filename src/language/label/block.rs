@@ -185,13 +185,15 @@ fn refused(name: &str, value: &str, param: &Param, refusal: &Refusal, text: &Cyc
     diagnostic.arg("name", name).arg("value", Arg::Text(value.to_owned())).arg("parameter", parameter)
 }
 
-/// A given value as the control shows it: with signs where the printed example has them, texts in
-/// quotation marks.
+/// A given value as the control shows it: with a decimal point, with signs where the printed example has them, texts
+/// in quotation marks.
 pub fn as_printed(param: &Param, value: &str) -> String {
     let example = param.example.as_deref().unwrap_or_default();
     if param.kind == ParameterKind::Text {
         return in_quotation_marks(value).into_owned();
     }
+    let pointed = with_point(param, value);
+    let value = &*pointed;
     if !example.contains(['+', '-']) {
         return value.to_owned();
     }
@@ -203,6 +205,15 @@ pub fn as_printed(param: &Param, value: &str) -> String {
 fn in_quotation_marks(value: &str) -> Cow<'_, str> {
     let is_q = || QRef::parse(value).is_some_and(|q| q.kind == QKind::Qs);
     if value.starts_with('"') || is_q() { Cow::Borrowed(value) } else { Cow::Owned(format!("\"{value}\"")) }
+}
+
+/// `-30,5` as `-30.5`: programs may have either sign, one block has one. Texts and lists of labels have commas of their
+/// own.
+fn with_point<'v>(param: &Param, value: &'v str) -> Cow<'v, str> {
+    if param.kind == ParameterKind::LabelList || value.contains('"') {
+        return Cow::Borrowed(value);
+    }
+    Cow::Owned(value.replace(',', "."))
 }
 
 /// `60` as `+60`, `X60` as `X+60`, `I45` as `I+45`; whatever has a sign or is no number stays.
