@@ -43,7 +43,6 @@ cli-run-envelope = Show what each probing cycle would do in the worst case, inst
 cli-plot = Draw the tool path and the part of a program as SVG
 cli-plot-view = From where to look: top, side, isometric (default)
 cli-plot-out = File for the drawing
-cli-plot-scene = Scene file: machine, tools, workpiece (default: no tool table, so that only the path is known)
 cli-conform = Execute the examples of the specifications
 cli-conform-engine = Put the examples to another engine, a command that speaks the protocol of docs/conform-protocol.md
 cli-conform-time-limit = How long it may take for a case (default: 10)
@@ -84,13 +83,14 @@ cli-examples-translate =
     ciklo translate part.h --to pt --control tnc426-430 --out peca.h
     ciklo translate teil.h --to en --relabel
 cli-examples-run =
+    ciklo run part.h --control tnc640
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
     ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
     ciklo run part.h --control tnc640 --scene part.scene.yaml --envelope
 cli-examples-plot =
-    ciklo plot part.h --control tnc640 --scene part.scene.yaml --out part.svg
-    ciklo plot part.h --control tnc640 --view top --out path.svg
+    ciklo plot part.h --control tnc640 --out part.svg
+    ciklo plot part.h --control tnc640 --scene part.scene.yaml --view top --out path.svg
 cli-examples-conform =
     ciklo conform
     ciklo conform --control tnc320 --format junit > conform.xml

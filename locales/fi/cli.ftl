@@ -78,6 +78,7 @@ cli-examples-translate =
     ciklo translate part.h --to pt --control tnc426-430 --out peca.h
     ciklo translate teil.h --to en --relabel
 cli-examples-run =
+    ciklo run part.h --control tnc640
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
     ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
@@ -234,12 +235,11 @@ diag-internal = Virhe itse ciklo-ohjelmassa: { $detail }.
 diag-locale-unknown-suffix = ”{ $name }” ei ole työkierto eikä ohjaus.
 diag-not-encodable = Merkkiä ”{ $sign }” ei voi kirjoittaa tämän tiedoston merkistöllä (Windows-1252).
 cli-examples-plot =
-    ciklo plot part.h --control tnc640 --scene part.scene.yaml --out part.svg
-    ciklo plot part.h --control tnc640 --view top --out path.svg
+    ciklo plot part.h --control tnc640 --out part.svg
+    ciklo plot part.h --control tnc640 --scene part.scene.yaml --view top --out path.svg
 cli-arg-resolution = Aihion sarakkeiden suurin väli, mm (oletus: kahdessadasosa suurimmasta ulottuvuudesta)
 cli-plot = Piirrä ohjelman työkalun rata ja kappale SVG-kuvana
 cli-plot-out = Piirroksen tiedosto
-cli-plot-scene = Asetelmatiedosto: kone, työkalut, työkappale (oletus: ei työkalutaulukkoa, joten vain rata tunnetaan)
 cli-plot-view = Katselusuunta: top, side, isometric (oletus)
 cli-run-stock = Valmiin kappaleen tiedosto (STL); koneistuksesta annetaan raportti
 cli-stock-depth = Suurin lastuamissyvyys: { $value } mm (rivi { $line })

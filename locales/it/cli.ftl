@@ -78,6 +78,7 @@ cli-examples-translate =
     ciklo translate part.h --to pt --control tnc426-430 --out peca.h
     ciklo translate teil.h --to en --relabel
 cli-examples-run =
+    ciklo run part.h --control tnc640
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
     ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
@@ -234,12 +235,11 @@ diag-internal = Errore interno di ciklo: { $detail }.
 diag-locale-unknown-suffix = «{ $name }» non è né un ciclo né un controllo numerico.
 diag-not-encodable = Il carattere «{ $sign }» non può essere scritto nella codifica di questo file (Windows-1252).
 cli-examples-plot =
-    ciklo plot part.h --control tnc640 --scene part.scene.yaml --out part.svg
-    ciklo plot part.h --control tnc640 --view top --out path.svg
+    ciklo plot part.h --control tnc640 --out part.svg
+    ciklo plot part.h --control tnc640 --scene part.scene.yaml --view top --out path.svg
 cli-arg-resolution = Distanza massima tra le colonne del pezzo grezzo, mm (predefinito: un duecentesimo della sua estensione massima)
 cli-plot = Disegna la traiettoria dell’utensile e il pezzo di un programma in formato SVG
 cli-plot-out = File per il disegno
-cli-plot-scene = File della scena: macchina, utensili, pezzo (predefinito: nessuna tabella utensili, quindi è nota solo la traiettoria)
 cli-plot-view = Direzione di vista: top, side, isometric (predefinita)
 cli-run-stock = File per il pezzo finito (STL); la lavorazione viene riassunta in un rapporto
 cli-stock-depth = Profondità di taglio massima: { $value } mm (riga { $line })

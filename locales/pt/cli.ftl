@@ -78,6 +78,7 @@ cli-examples-translate =
     ciklo translate part.h --to pt --control tnc426-430 --out peca.h
     ciklo translate teil.h --to en --relabel
 cli-examples-run =
+    ciklo run part.h --control tnc640
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
     ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
@@ -237,12 +238,11 @@ diag-internal = Erro interno do ciklo: { $detail }.
 diag-locale-unknown-suffix = «{ $name }» não é um ciclo nem um comando numérico.
 diag-not-encodable = O carácter «{ $sign }» não pode ser escrito na codificação deste ficheiro (Windows-1252).
 cli-examples-plot =
-    ciklo plot part.h --control tnc640 --scene part.scene.yaml --out part.svg
-    ciklo plot part.h --control tnc640 --view top --out path.svg
+    ciklo plot part.h --control tnc640 --out part.svg
+    ciklo plot part.h --control tnc640 --scene part.scene.yaml --view top --out path.svg
 cli-arg-resolution = Distância máxima entre as colunas do bloco, mm (predefinição: um ducentésimo da sua maior extensão)
 cli-plot = Desenhar a trajetória da ferramenta e a peça de um programa em SVG
 cli-plot-out = Ficheiro para o desenho
-cli-plot-scene = Ficheiro da cena: máquina, ferramentas, peça (predefinição: sem tabela de ferramentas, pelo que só se conhece a trajetória)
 cli-plot-view = Direção da vista: top, side, isometric (predefinição)
 cli-run-stock = Ficheiro para a peça acabada (STL); a maquinação é resumida num relatório
 cli-stock-depth = Maior profundidade de corte: { $value } mm (linha { $line })

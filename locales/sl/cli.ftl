@@ -78,6 +78,7 @@ cli-examples-translate =
     ciklo translate part.h --to pt --control tnc426-430 --out peca.h
     ciklo translate teil.h --to en --relabel
 cli-examples-run =
+    ciklo run part.h --control tnc640
     ciklo run part.h --control tnc640 --scene part.scene.yaml --out results
     ciklo run part.h --control tnc640 --scene part.scene.yaml --events
     ciklo run part.h --control tnc640 --scene part.scene.yaml --stock part.stl --resolution 0.2
@@ -258,12 +259,11 @@ diag-internal = Napaka v samem programu ciklo: { $detail }.
 diag-locale-unknown-suffix = »{ $name }« ni ne cikel ne krmiljenje.
 diag-not-encodable = Znaka »{ $sign }« ni mogoče zapisati v kodiranju te datoteke (Windows-1252).
 cli-examples-plot =
-    ciklo plot part.h --control tnc640 --scene part.scene.yaml --out part.svg
-    ciklo plot part.h --control tnc640 --view top --out path.svg
+    ciklo plot part.h --control tnc640 --out part.svg
+    ciklo plot part.h --control tnc640 --scene part.scene.yaml --view top --out path.svg
 cli-arg-resolution = Največja razdalja med stolpci surovca, mm (privzeto: dvestotina njegove največje razsežnosti)
 cli-plot = Nariši pot orodja in obdelovanec programa kot SVG
 cli-plot-out = Datoteka za risbo
-cli-plot-scene = Datoteka prizorišča: stroj, orodja, obdelovanec (privzeto: brez preglednice orodij, zato je znana le pot)
 cli-plot-view = Smer pogleda: top, side, isometric (privzeto)
 cli-run-stock = Datoteka za končani obdelovanec (STL); obdelava se povzame v poročilu
 cli-stock-depth = Največja globina reza: { $value } mm (vrstica { $line })

@@ -143,7 +143,7 @@ fn execute(
 ) -> Result<Execution, Failure> {
     let data = session.files()?;
     let locales = session.locales()?;
-    let scene = runs::scene(scene, &data)?;
+    let scene = runs::read_scene(scene, &data)?;
     // Logs of both are written in one language, so that labels do not decide.
     let texts = LogTexts::new(cycle::language(&locales, on.control.language.as_str())?, on.id(), &data);
     let mut traces = Vec::new();

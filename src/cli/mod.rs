@@ -35,6 +35,7 @@ mod program;
 mod progress;
 mod project;
 mod run;
+mod scene;
 mod schema;
 mod session;
 mod stock;
@@ -110,6 +111,7 @@ static COMMANDS: &[Command] = &[
     certify::COMMAND,
     run::COMMAND,
     plot::COMMAND,
+    scene::COMMAND,
     conform::COMMAND,
     coverage::COMMAND,
     lint::COMMAND,

@@ -6,17 +6,16 @@ use clap::builder::PossibleValuesParser;
 
 use super::neighbours::Neighbours;
 use super::session::Session;
-use super::{Command, Failure, Outcome, arguments, cycle, program, run, stock};
-use crate::base::diag::Source;
-use crate::engine::draw::{Track, View};
-use crate::engine::run::{Engine, NoTexts, Status};
-use crate::engine::scene::Scene;
+use super::{Command, Failure, Outcome, arguments, cycle, program, run, scene, stock};
+use crate::engine::draw::{PathGrid, Track, View};
+use crate::engine::run::{Engine, Status};
 use crate::language::locale::{Args, Ui};
 use crate::system;
+use crate::tools::conform::LogTexts;
 
 pub(super) const COMMAND: Command = Command {
     name: "plot",
-    usage: "FILE --control CONTROL --out FILE [--scene FILE] [--view VIEW] [--resolution MM]",
+    usage: "FILE --control CONTROL --out FILE [--scene FILE] [--tool-table FILE] [--view VIEW] [--resolution MM]",
     arguments: own,
     run: plot,
 };
@@ -30,41 +29,46 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::file(ui),
         arguments::control(ui),
         arguments::valued(ui, "out", "FILE", "cli-plot-out").required(true),
-        arguments::valued(ui, "scene", "FILE", "cli-plot-scene"),
+        arguments::valued(ui, "scene", "FILE", "cli-run-scene"),
+        scene::tool_table(ui),
         view,
         stock::resolution(ui),
     ]
 }
 
 fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
-    let catalogue = session.catalogue()?;
+    let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
     let path = arguments::text(matches, "file");
     let file = program::understand(Path::new(&path), &catalogue)?;
     let neighbours = Neighbours::new(Path::new(&path), &catalogue);
     let files = session.files()?;
-    let scene = match matches.get_one::<String>("scene") {
-        Some(path) => run::scene(path, &files)?,
-        None => Scene::parse(&Source::new("scene", "scene: 1\n"), &files).map_err(Failure::Data)?,
-    };
-    let engine = Engine::new(&file.program, on, &scene, &NoTexts).with_catalogue(&catalogue).with_programs(&neighbours);
-    let mut machining = stock::begin(&file, &scene, matches)?;
-    let mut track = Track::default();
+    let mut scene = run::scene_of(session, &file, on, &neighbours, matches)?;
+    run::selected(Path::new(&path), file.program.source().text(), &mut scene)?;
+    let language = cycle::language(&locales, session.ui.tag())?;
+    let texts = LogTexts::new(language, on.id(), &files);
+    let engine = Engine::new(&file.program, on, &scene, &texts).with_catalogue(&catalogue).with_programs(&neighbours);
+    let mut part = stock::begin_if_any(&file, &scene, matches)?;
+    let grid = PathGrid::new(&file.program, &scene);
+    let (mut track, mut failed) = (Track::default(), None);
     let result = engine.observe(&mut |event| {
-        machining.see(event);
-        track.see(event, machining.stock());
+        failed = run::failed(event).or(failed);
+        if let Some(machining) = &mut part {
+            machining.see(event);
+        }
+        track.see(event, &grid);
     });
-    let (part, _) = machining.finish();
+    let part = part.map(|machining| machining.finish().0);
+    if part.is_none() {
+        session.output.remark(&session.ui.text("cli-plot-no-blank", &Args::new()));
+    }
     let view = View::by_word(matches.get_one::<String>("view").map_or("isometric", String::as_str));
-    let drawing = track.draw(&part, view.unwrap_or(View::Isometric));
+    let drawing = track.draw(part.as_ref(), view.unwrap_or(View::Isometric));
     let out = arguments::text(matches, "out");
     system::write(Path::new(&out), drawing.as_bytes())?;
     let line = session.ui.text("cli-written", &Args::new().text("path", out));
     session.output.remark(&line);
-    if let Some(diagnostic) = result.diagnostic.clone().map(|diagnostic| file.at_home(diagnostic)) {
-        let diagnostic = &diagnostic;
-        session.output.complain(diagnostic, &session.ui);
-    }
+    run::fault(session, &file, on, &locales, &result, failed);
     neighbours.readable()?;
     Ok(match result.status {
         Status::Done | Status::Stopped => Outcome::Clean,

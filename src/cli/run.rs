@@ -6,10 +6,10 @@ use clap::ArgMatches;
 
 use super::neighbours::Neighbours;
 use super::session::Session;
-use super::{Command, Failure, Outcome, arguments, cycle, envelope, program, stock};
+use super::{Command, Failure, Outcome, arguments, cycle, envelope, program, scene, stock};
 use crate::base::diag::{Diagnostic, Source};
 use crate::check::{self, Against, LabelBook};
-use crate::engine::run::{Content, Engine, Event, EventKind, Status};
+use crate::engine::run::{Content, Engine, Event, EventKind, Outcome as Ended, Status};
 use crate::engine::scene::Scene;
 use crate::engine::stock::Watch;
 use crate::language::locale::{Args, Digits, Language, Locales, Ui};
@@ -21,7 +21,7 @@ use crate::tools::conform::LogTexts;
 
 pub(super) const COMMAND: Command = Command {
     name: "run",
-    usage: "FILE --control CONTROL --scene FILE [--tool-table FILE] [--out DIR] [--events] [--envelope] \
+    usage: "FILE --control CONTROL [--scene FILE] [--tool-table FILE] [--out DIR] [--events] [--envelope] \
             [--stock FILE] [--resolution MM] [--format FORMAT] [--skip-blocks] [--lang LANG]",
     arguments: own,
     run,
@@ -35,8 +35,8 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
         arguments::file(ui),
         arguments::control(ui),
-        arguments::valued(ui, "scene", "FILE", "cli-arg-scene").required(true),
-        arguments::valued(ui, "tool-table", "FILE", "cli-run-tool-table"),
+        arguments::valued(ui, "scene", "FILE", "cli-run-scene"),
+        scene::tool_table(ui),
         arguments::valued(ui, "out", "DIR", "cli-run-out"),
         arguments::switch(ui, "events", "cli-run-events"),
         of_part,
@@ -56,10 +56,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let language = language(&file, &catalogue, &locales, on, &session.ui, matches)?;
     let neighbours = Neighbours::new(Path::new(&path), &catalogue);
     let files = session.files()?;
-    let mut scene = scene(&arguments::text(matches, "scene"), &files)?;
-    if let Some(tools) = matches.get_one::<String>("tool-table") {
-        scene.tools = table(Path::new(tools), TableKind::Tool)?;
-    }
+    let mut scene = scene_of(session, &file, on, &neighbours, matches)?;
     selected(Path::new(&path), file.program.source().text(), &mut scene)?;
     let texts = LogTexts::new(language, on.id(), &files);
     let mut engine =
@@ -95,23 +92,41 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     // What was asked for as files is written, whatever became of standard output.
     teller.written?;
-    if let Some(diagnostic) = result.diagnostic.clone().map(|diagnostic| file.at_home(diagnostic)) {
-        let diagnostic = &diagnostic;
-        let sentence = result.fault.as_ref().filter(|fault| fault.of_cycle).and_then(|fault| {
-            let cycle = on.cycles.get(&teller.failed?)?;
-            let readers = [locales.language(session.ui.tag()).ok()?];
-            text::guard_sentence(on, cycle, &fault.code, &readers)
-        });
-        match sentence {
-            Some(sentence) => session.output.complain(&diagnostic.clone().arg("message", sentence), &session.ui),
-            None => session.output.complain(diagnostic, &session.ui),
-        }
-    }
+    fault(session, &file, on, &locales, &result, teller.failed);
     neighbours.readable()?;
     Ok(match result.status {
         Status::Done | Status::Stopped => Outcome::Clean,
         Status::Error | Status::Limit | Status::Unsupported => Outcome::Errors,
     })
+}
+
+/// Says why a run ended before its end, in the sentence of the specification where the cycle ended it.
+pub(super) fn fault(
+    session: &mut Session,
+    file: &program::Understood,
+    on: &OnControl,
+    locales: &Locales,
+    result: &Ended,
+    failed: Option<CycleKey>,
+) {
+    let Some(diagnostic) = result.diagnostic.clone().map(|diagnostic| file.at_home(diagnostic)) else { return };
+    let sentence = result.fault.as_ref().filter(|fault| fault.of_cycle).and_then(|fault| {
+        let cycle = on.cycles.get(&failed?)?;
+        let readers = [locales.language(session.ui.tag()).ok()?];
+        text::guard_sentence(on, cycle, &fault.code, &readers)
+    });
+    match sentence {
+        Some(sentence) => session.output.complain(&diagnostic.arg("message", sentence), &session.ui),
+        None => session.output.complain(&diagnostic, &session.ui),
+    }
+}
+
+/// The cycle that an event says to have ended with an error.
+pub(super) fn failed(event: &Event) -> Option<CycleKey> {
+    match &event.kind {
+        EventKind::Error { .. } => event.at.cycle.as_ref().map(|(key, _)| *key),
+        _ => None,
+    }
 }
 
 /// The language of the logs: that of `--lang`, or of the program's labels, or of this program's own texts.
@@ -134,19 +149,39 @@ fn language<'l>(
     }
 }
 
-pub(super) fn scene(path: &str, files: &[(String, String)]) -> Result<Scene, Failure> {
+/// The scene of `--scene`, with the tools of `--tool-table`; without it the one that the program lets guess.
+pub(super) fn scene_of(
+    session: &mut Session,
+    file: &program::Understood,
+    on: &OnControl,
+    neighbours: &Neighbours<'_>,
+    matches: &ArgMatches,
+) -> Result<Scene, Failure> {
+    let Some(path) = matches.get_one::<String>("scene") else {
+        return scene::assumed(session, file, on, neighbours, matches);
+    };
+    let files = session.files()?;
+    let mut scene = read_scene(path, &files)?;
+    if let Some(tools) = scene::tools(matches)? {
+        scene.tools = tools;
+    }
+    Ok(scene)
+}
+
+/// The scene in a file.
+pub(super) fn read_scene(path: &str, files: &[(String, String)]) -> Result<Scene, Failure> {
     let bytes = system::read(Path::new(path))?;
     let text = String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", path))?;
     Scene::parse(&Source::new(path, text), files).map_err(Failure::Data)
 }
 
-fn table(path: &Path, kind: TableKind) -> Result<Table, Failure> {
+pub(super) fn table(path: &Path, kind: TableKind) -> Result<Table, Failure> {
     let file = program::source(path)?;
     Table::parse(kind, &file.source).map_err(Failure::Data)
 }
 
 /// Adds the tables beside the program that the scene does not have, if the program selects any.
-fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
+pub(super) fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
     let text = text.to_uppercase();
     for (call, kind) in [("SEL TABLE", TableKind::Datum), ("SEL PATTERN", TableKind::Points)] {
         if !text.contains(call) {
@@ -174,9 +209,7 @@ struct Teller {
 
 impl Teller {
     fn tell(&mut self, event: &Event, output: &mut super::Output) {
-        if let EventKind::Error { .. } = &event.kind {
-            self.failed = event.at.cycle.as_ref().map(|(key, _)| *key);
-        }
+        self.failed = failed(event).or(self.failed);
         if !self.events {
             // What a definition hands over is known from the program; what a step sets is a result.
             let handed_over = matches!(&event.at.cycle, Some((_, None)));

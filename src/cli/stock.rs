@@ -8,7 +8,7 @@ use super::session::{self, Session};
 use super::{Failure, arguments};
 use crate::base::diag::Diagnostic;
 use crate::engine::scene::Scene;
-use crate::engine::stock::{Finding, Machining, Report, Stock};
+use crate::engine::stock::{Blank, Finding, Machining, Report, Stock, StockTrouble};
 use crate::language::locale::{Args, Digits, Ui};
 use crate::system;
 
@@ -48,6 +48,18 @@ pub(super) fn begin(file: &Understood, scene: &Scene, matches: &ArgMatches) -> R
     let program = &file.program;
     Machining::new(program, scene, resolution)
         .map_err(|trouble| file.at_home(trouble.diagnostic_in(program, scene)).into())
+}
+
+/// The same, or nothing where neither the scene nor the program has a blank.
+pub(super) fn begin_if_any(
+    file: &Understood,
+    scene: &Scene,
+    matches: &ArgMatches,
+) -> Result<Option<Machining>, Failure> {
+    match Blank::find(&file.program, scene) {
+        Err(StockTrouble::Missing) => Ok(None),
+        _ => begin(file, scene, matches).map(Some),
+    }
 }
 
 /// Writes the part and tells the report.

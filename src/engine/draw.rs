@@ -6,9 +6,12 @@ use std::fmt::Write as _;
 
 use glam::{DVec2, DVec3};
 
+use super::geometry::{Frame, WorkingPlane};
 use super::run::{Event, EventKind, MoveKind};
+use super::scene::Scene;
 use super::solid::Path;
-use super::stock::{Plateau, Stock};
+use super::stock::{Blank, Plateau, Stock};
+use crate::program::syntax::Program;
 
 /// From where the drawing looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +51,27 @@ impl View {
     }
 }
 
+/// From the machine to the coordinates of a drawing: main axis, secondary axis, tool axis, as the blank has them.
+#[derive(Clone, Copy, Debug)]
+pub struct PathGrid {
+    back: Frame,
+    plane: WorkingPlane,
+}
+
+impl PathGrid {
+    /// The grid of a run: that of its blank, or of the preset that is active at the start where there is none.
+    pub fn new(program: &Program, scene: &Scene) -> Self {
+        let blank = Blank::find(program, scene).ok();
+        let (frame, axis) = blank.map_or((scene.frame, scene.machine.spindle), |blank| (blank.frame, blank.axis));
+        Self { back: frame.inverse(), plane: WorkingPlane::of_tool_axis(axis) }
+    }
+
+    fn point(&self, machine: DVec3) -> DVec3 {
+        let own = self.back.point(machine);
+        self.plane.flat(own).extend(self.plane.tool.of(own))
+    }
+}
+
 /// A piece of the tool path.
 #[derive(Clone, Debug)]
 struct Stroke {
@@ -62,8 +86,8 @@ pub struct Track {
 }
 
 impl Track {
-    /// Takes an event; moves are drawn where the stock sees them.
-    pub fn see(&mut self, event: &Event, stock: &Stock) {
+    /// Takes an event; moves are drawn where the blank lies.
+    pub fn see(&mut self, event: &Event, grid: &PathGrid) {
         let EventKind::Move { kind, path, .. } = &event.kind else { return };
         let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
         let pieces = match path {
@@ -75,17 +99,19 @@ impl Track {
                 ((sweep.to_radians().abs() / angle).ceil() as usize).clamp(8, 100_000)
             }
         };
-        let points = (0..=pieces).map(|n| stock.to_grid(path.at(n as f64 / pieces as f64)));
+        let points = (0..=pieces).map(|n| grid.point(path.at(n as f64 / pieces as f64)));
         match self.strokes.last_mut().filter(|last| last.rapid == rapid) {
             Some(last) => last.points.extend(points.skip(1)),
             None => self.strokes.push(Stroke { rapid, points: points.collect() }),
         }
     }
 
-    /// The drawing.
-    pub fn draw(&self, stock: &Stock, view: View) -> String {
+    /// The drawing; without a part that of the path alone.
+    pub fn draw(&self, stock: Option<&Stock>, view: View) -> String {
         let mut sheet = Sheet { view, body: String::new(), min: DVec2::INFINITY, max: DVec2::NEG_INFINITY };
-        sheet.part(stock);
+        if let Some(stock) = stock {
+            sheet.part(stock);
+        }
         for rapid in [true, false] {
             let mut data = String::new();
             for stroke in self.strokes.iter().filter(|stroke| stroke.rapid == rapid) {

@@ -4,6 +4,7 @@
 //! exists, the machine can stand at the start), and anything unknown in it was an error with its place.
 mod answers;
 mod clock;
+pub mod guess;
 mod probe;
 mod rows;
 mod solid;

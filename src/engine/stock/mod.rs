@@ -285,11 +285,6 @@ impl Stock {
         self.grid.plane.tool
     }
 
-    /// A point of the machine in the coordinates of the grid.
-    pub fn to_grid(&self, machine: DVec3) -> DVec3 {
-        self.grid.point(machine)
-    }
-
     /// Where a column stands: main and secondary axis.
     pub fn place(&self, column: usize, row: usize) -> DVec2 {
         DVec2::new(self.grid.x(column), self.grid.y(row))

@@ -1,0 +1,314 @@
+//! A scene for programs that come without one: their tools with what they define themselves, their blank, a probe if
+//! they probe.
+//!
+//! Invariant: whatever the programs do not say is named as assumed; what comes out is the text of a scene file, which is
+//! read as any other.
+use std::fmt::Write as _;
+
+use glam::DVec3;
+
+use super::super::geometry::INCH;
+use crate::base::expr::QRef;
+use crate::program::syntax::{Amount, Axis, Block, BlockKind, CycleDef, CycleKeyword, Program, ToolRef, ValueKind};
+use crate::program::table::{Cell, Quantity, Table};
+use crate::spec::{CycleKey, Group, Keyword, OnControl};
+
+/// The radius of a tool of which nothing is known, mm.
+pub const RADIUS: f64 = 5.0;
+/// The length of such a tool, mm.
+pub const LENGTH: f64 = 100.0;
+/// The angle at which it plunges, if a cycle asks for one, degrees.
+pub const ANGLE: f64 = 5.0;
+/// The radius of the ball of a probe of which nothing is known, mm.
+pub const BALL: f64 = 2.0;
+/// How far above the blank the tool starts, mm.
+const ABOVE: f64 = 100.0;
+/// The meaning of the parameter that says how a cycle plunges; 0 is vertically.
+const PLUNGING: &str = "plunging-strategy";
+
+/// Where the data of a tool come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// `TOOL DEF` of the program.
+    Program,
+    /// A tool table.
+    Table,
+    /// Nothing is known.
+    Assumed,
+}
+
+/// A tool that is called.
+#[derive(Clone, Debug)]
+pub struct GuessedTool {
+    /// Its number; of one that is called by name, a free one.
+    pub number: f64,
+    /// The name by which it is called.
+    pub name: Option<String>,
+    /// Its length and radius, mm.
+    pub size: [f64; 2],
+    /// Whether it must plunge at an angle.
+    pub plunges: bool,
+    /// Whether it is a touch probe.
+    pub probes: bool,
+    /// Where length and radius come from.
+    pub origin: Origin,
+}
+
+/// What is guessed.
+#[derive(Clone, Debug, Default)]
+pub struct Guess {
+    /// The tools in the order of their first calls.
+    pub tools: Vec<GuessedTool>,
+    /// The lower and upper corner of the blank, mm.
+    pub blank: Option<[DVec3; 2]>,
+    /// Rotary axes that the programs move.
+    rotary: [bool; 3],
+    /// The rows of the tool table, as a scene writes them.
+    rows: Vec<(f64, String)>,
+}
+
+/// What a line of the text of a scene is about.
+#[derive(Clone, Copy, Debug)]
+pub enum Line<'g> {
+    /// The whole.
+    Head,
+    /// A tool.
+    Tool(&'g GuessedTool),
+    /// The touch probe.
+    Probe,
+    /// The blank.
+    Blank,
+}
+
+impl Guess {
+    /// What the programs, the first one with those that it calls, say of their world. `blank` is that of the first one;
+    /// tools of a table are as it has them.
+    pub fn of(on: &OnControl, programs: &[&Program], blank: Option<[DVec3; 2]>, table: Option<&Table>) -> Self {
+        let mut guess = Self { blank, ..Self::default() };
+        for program in programs {
+            guess.read(on, program, table);
+        }
+        let in_use = |guess: &Self, number: f64| guess.tools.iter().any(|tool| tool.number == number);
+        let mut free = 1.0;
+        for index in 0..guess.tools.len() {
+            if guess.tools.get(index).is_some_and(|tool| tool.number < 0.0) {
+                while in_use(&guess, free) || table.is_some_and(|table| table.has_row(free)) {
+                    free += 1.0;
+                }
+                if let Some(tool) = guess.tools.get_mut(index) {
+                    tool.number = free;
+                }
+            }
+        }
+        if let Some(table) = table {
+            guess.rows = guess.tools.iter().filter_map(|tool| Some((tool.number, row(table, tool.number)?))).collect();
+        }
+        guess
+    }
+
+    fn read(&mut self, on: &OnControl, program: &Program, table: Option<&Table>) {
+        let (mut unit, mut loaded) = (1.0, None);
+        for block in program.blocks() {
+            match &block.kind {
+                BlockKind::BeginPgm(frame) => unit = if frame.inch { INCH } else { 1.0 },
+                BlockKind::ToolCall(call) => {
+                    if let Some(tool) = call.tool {
+                        loaded = self.tool(program, tool, table);
+                    }
+                }
+                BlockKind::ToolDef(own) => {
+                    let size = [own.length, own.radius].map(|value| match value?.amount {
+                        Amount::Number(number) => Some(number * unit),
+                        Amount::Q { .. } | Amount::Text(_) => None,
+                    });
+                    if let (Some(index), [length, radius]) = (self.tool(program, own.tool, table), size)
+                        && let Some(tool) = self.tools.get_mut(index)
+                        && tool.origin != Origin::Table
+                    {
+                        let [old_length, old_radius] = tool.size;
+                        tool.size = [length.unwrap_or(old_length), radius.unwrap_or(old_radius)];
+                        if radius.is_some() {
+                            tool.origin = Origin::Program;
+                        }
+                    }
+                }
+                BlockKind::CycleDef(definition) => {
+                    if let Some(tool) = loaded.and_then(|index| self.tools.get_mut(index)) {
+                        tool.plunges |= plunges(on, definition);
+                        tool.probes |= probes(on, definition.keyword, definition.number);
+                    }
+                }
+                BlockKind::OldCycleLine(line) => {
+                    if let Some(tool) = loaded.and_then(|index| self.tools.get_mut(index)) {
+                        tool.probes |= probes(on, line.keyword, line.number);
+                    }
+                }
+                _ => self.turns(block),
+            }
+        }
+    }
+
+    /// The place of a tool among all, which is made if it is new; nothing of one that a parameter chooses.
+    fn tool(&mut self, program: &Program, tool: ToolRef, table: Option<&Table>) -> Option<usize> {
+        let (number, name) = match tool {
+            ToolRef::Number(operand) => match operand.amount {
+                Amount::Number(number) if number > 0.0 => (Some(number), None),
+                _ => return None,
+            },
+            ToolRef::Name(span) => {
+                let name = program.slice(span).trim();
+                let listed = table.and_then(|table| table.find("NAME", name).ok().flatten());
+                (listed, Some(name.to_owned()))
+            }
+        };
+        let known = self.tools.iter().position(|own| match &name {
+            Some(name) => own.name.as_deref() == Some(name),
+            None => number == Some(own.number),
+        });
+        if known.is_some() {
+            return known;
+        }
+        let listed = |column| table.zip(number).and_then(|(table, number)| table.number(number, column).ok().flatten());
+        let named = name.as_deref().and_then(diameter).map(|diameter| diameter / 2.0);
+        let has_row = table.zip(number).is_some_and(|(table, number)| table.has_row(number));
+        self.tools.push(GuessedTool {
+            number: number.unwrap_or(-1.0),
+            name,
+            size: [listed("L").unwrap_or(LENGTH), listed("R").or(named).unwrap_or(RADIUS)],
+            plunges: false,
+            probes: false,
+            origin: if has_row { Origin::Table } else { Origin::Assumed },
+        });
+        Some(self.tools.len() - 1)
+    }
+
+    fn turns(&mut self, block: &Block) {
+        let [a, b, c] = &mut self.rotary;
+        match &block.kind {
+            BlockKind::Motion(element) => {
+                for coord in &element.words().coords {
+                    *a |= coord.axis == Axis::A;
+                    *b |= coord.axis == Axis::B;
+                    *c |= coord.axis == Axis::C;
+                }
+            }
+            BlockKind::Statement(statement) => {
+                *a |= statement.kind == crate::program::syntax::StatementKind::Plane;
+            }
+            _ => {}
+        }
+    }
+
+    fn machine(&self) -> &'static str {
+        match self.rotary {
+            [false, false, false] => "mill-3-axis",
+            [false, false, true] => "mill-table-c",
+            _ => "mill-table-ac",
+        }
+    }
+
+    /// The text of a scene file; `remark` gives the comment on a line, without its sign.
+    pub fn to_yaml(&self, remark: &dyn Fn(Line<'_>) -> String) -> String {
+        let comment = |line| match remark(line) {
+            text if text.is_empty() => String::new(),
+            text => format!("  # {text}"),
+        };
+        let mut text = String::new();
+        remark(Line::Head).lines().for_each(|line| {
+            let _ = writeln!(text, "# {line}");
+        });
+        let _ = writeln!(text, "scene: 1\nunits: mm\nmachine: {}", self.machine());
+        if !self.tools.is_empty() {
+            text.push_str("tools:\n");
+        }
+        for tool in &self.tools {
+            let listed = self.rows.iter().find(|(number, _)| *number == tool.number);
+            let row = listed.map_or_else(|| tool.row(), |(_, row)| row.clone());
+            let _ = writeln!(text, "  - {{{row}}}{}", comment(Line::Tool(tool)));
+        }
+        if self.tools.iter().any(|tool| tool.probes) {
+            let ball = self.tools.iter().find(|tool| tool.probes && tool.origin != Origin::Assumed);
+            let ball = ball.map_or(BALL, |tool| tool.size[1]);
+            let _ = writeln!(text, "probe: {{NO: 1, ball_radius: {ball}}}{}", comment(Line::Probe));
+        }
+        let top = self.blank.map_or(0.0, |[_, max]| max.z);
+        let _ = writeln!(text, "start: {{X: 0, Y: 0, Z: {}}}", top + ABOVE);
+        if let Some([min, max]) = self.blank {
+            let corner = |p: DVec3| format!("[{}, {}, {}]", p.x, p.y, p.z);
+            let solid = format!("{{box: {{min: {}, max: {}}}}}", corner(min), corner(max));
+            let _ = writeln!(text, "stock: {solid}{}", comment(Line::Blank));
+            if self.tools.iter().any(|tool| tool.probes) {
+                let _ = writeln!(text, "parts:\n  - solid: {solid}");
+            }
+        }
+        text
+    }
+}
+
+impl GuessedTool {
+    /// Its row as a scene writes it.
+    fn row(&self) -> String {
+        let [length, radius] = self.size;
+        let radius = if self.probes && self.origin == Origin::Assumed { BALL } else { radius };
+        let name = self.name.as_ref().map(|name| format!(", NAME: {}", quoted(name))).unwrap_or_default();
+        let angle = if self.plunges { format!(", ANGLE: {ANGLE}") } else { String::new() };
+        let probe = if self.probes { ", TP_NO: 1" } else { "" };
+        format!("T: {}{name}, L: {length}, R: {radius}{angle}{probe}", self.number)
+    }
+}
+
+/// The diameter that a name such as `MILL_D10` says, mm.
+fn diameter(name: &str) -> Option<f64> {
+    let mut parts = name.split(|sign: char| !(sign.is_ascii_alphanumeric() || sign == '.'));
+    let of = |part: &str| part.strip_prefix(['D', 'd']).and_then(|rest| rest.parse::<f64>().ok());
+    parts.find_map(of).filter(|diameter| *diameter > 0.0 && diameter.is_finite())
+}
+
+/// The row of a table as a scene writes it; nothing if there is none.
+fn row(table: &Table, number: f64) -> Option<String> {
+    let mut cells = Vec::new();
+    for column in table.kind().columns() {
+        match (column.quantity, table.get(number, column.name).ok()?) {
+            (_, Cell::Empty) => {}
+            (Quantity::Text, Cell::Text(text)) => cells.push(format!("{}: {}", column.name, quoted(&text))),
+            (_, Cell::Number(value)) => cells.push(format!("{}: {value}", column.name)),
+            (_, Cell::Text(_)) => {}
+        }
+    }
+    (!cells.is_empty()).then(|| cells.join(", "))
+}
+
+fn quoted(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
+}
+
+/// Whether a definition plunges otherwise than vertically.
+fn plunges(on: &OnControl, definition: &CycleDef) -> bool {
+    let cycle = key(definition.keyword, definition.number).and_then(|key| on.cycles.get(&key));
+    let strategy: Option<QRef> =
+        cycle.and_then(|cycle| cycle.params.iter().find(|param| param.is.as_str() == PLUNGING)).and_then(|own| own.q);
+    let value =
+        |q| (0..definition.parameters.len()).filter_map(|at| definition.parameters.get(at)).find(|own| own.q == q);
+    strategy.and_then(value).is_some_and(|own| own.value.kind != ValueKind::Number(0.0))
+}
+
+/// Whether a cycle needs a touch probe for workpieces.
+fn probes(on: &OnControl, keyword: CycleKeyword, number: u32) -> bool {
+    let cycle = key(keyword, number).and_then(|key| on.cycles.get(&key));
+    keyword == CycleKeyword::TchProbe && cycle.is_some_and(|cycle| cycle.file.group != Group::ToolMeasurement)
+}
+
+fn key(keyword: CycleKeyword, number: u32) -> Option<CycleKey> {
+    Keyword::by_word(keyword.as_str()).map(|keyword| CycleKey::new(keyword, number))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::diameter;
+
+    #[test]
+    fn names_may_say_a_diameter() {
+        let found = ["MILL_D10", "D8.5", "DRILL d6 HSS", "NC_SPOT_DRILL", "D", "MILLD10"].map(diameter);
+        assert_eq!(found, [Some(10.0), Some(8.5), Some(6.0), None, None, None]);
+    }
+}
