@@ -15,8 +15,12 @@ use crate::language::locale::{Args, Ui};
 use crate::system;
 use crate::tools::certify::{CycleReport, ProgramReport, RuleReport, Tally, Verdict};
 
-pub(super) const COMMAND: Command =
-    Command { name: "certify", usage: "PATH… --control CONTROL [--fail-on LEVEL] [--format FORMAT]", arguments: own, run };
+pub(super) const COMMAND: Command = Command {
+    name: "certify",
+    usage: "PATH… --control CONTROL [--fail-on LEVEL] [--format FORMAT]",
+    arguments: own,
+    run,
+};
 
 /// The format of the document.
 const FORMAT: &str = "ciklo-certify/1";

@@ -18,8 +18,12 @@ use crate::spec::{self, Catalogue};
 use crate::system;
 use crate::tools::conform::{self, Verdict, World};
 
-pub(super) const COMMAND: Command =
-    Command { name: "lint", usage: "[--data DIR] [--format FORMAT] [--fail-on LEVEL] [--accept-translations]", arguments: own, run };
+pub(super) const COMMAND: Command = Command {
+    name: "lint",
+    usage: "[--data DIR] [--format FORMAT] [--fail-on LEVEL] [--accept-translations]",
+    arguments: own,
+    run,
+};
 
 const ACCEPT: &str = "accept-translations";
 

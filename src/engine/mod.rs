@@ -1,15 +1,21 @@
 //! The reference engine: the virtual world in which programs run.
 //!
 //! Invariant: nothing here prints, reads files or knows a cycle; worlds are built from texts that are handed in.
+mod contour;
+mod cycle;
 pub mod draw;
+mod flow;
 pub mod geometry;
 pub mod machine;
+mod motion;
 pub mod plan;
 mod read;
+mod report;
 pub mod run;
 pub mod scene;
 pub mod solid;
 pub mod sphere;
 pub mod stock;
+mod world;
 
 pub use crate::program::table;

@@ -1,69 +1,22 @@
 //! Blocks: what each kind does, and the M functions.
 //!
 //! Invariant: an M function that is not listed here is a fault, never ignored.
-use super::cycle::Exec;
-use super::fault::Fault;
-use super::motion::Speed;
 use super::program::After;
-use super::world::LOCKED;
 use super::{Content, Done, EventKind, Run};
 use crate::base::diag::Span;
 use crate::base::expr::{Env, EvalError, QKind, QRef, Value, atan2d, cosd, sind};
-use crate::engine::geometry::Axis as LinearAxis;
+use crate::engine::cycle::execute::Exec;
+use crate::engine::motion::axis::linear;
+use crate::engine::motion::functions::{Effect, effect};
+use crate::engine::motion::moves::Speed;
+use crate::engine::report::fault::Fault;
 use crate::engine::table::{Cell, TableKind};
+use crate::engine::world::state::LOCKED;
 use crate::program::syntax::{
-    Amount, Axis, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Operand, Path,
-    StatementKind, ToolCall, ToolDef, ToolRef,
+    Amount, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Operand, Path, StatementKind,
+    ToolCall, ToolDef, ToolRef,
 };
 use crate::spec::Transformation;
-
-/// What an M function does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Effect {
-    Stop,
-    End,
-    Spindle(i8),
-    Coolant(bool),
-    /// The spindle stands at the angle of the last orientation that was defined.
-    Orient,
-    SpindleAndCoolant(i8),
-    CallAlways,
-    CallOnce,
-    /// Coordinates of the block are machine coordinates.
-    MachineCoordinates,
-    /// The tool tip is held on the workpiece while rotary axes turn, or no longer.
-    HoldTip(bool),
-    /// The tool moves away from the workpiece along its axis.
-    Retract,
-    /// Corners of the block are gone round in another way.
-    Corner,
-    /// It changes nothing that events tell (tool change at the machine, display, look-ahead).
-    Nothing,
-}
-
-pub(super) fn effect(number: u16) -> Option<Effect> {
-    Some(match number {
-        0 | 1 => Effect::Stop,
-        2 | 30 => Effect::End,
-        3 => Effect::Spindle(1),
-        4 => Effect::Spindle(-1),
-        5 => Effect::Spindle(0),
-        8 => Effect::Coolant(true),
-        19 | 20 => Effect::Orient,
-        9 => Effect::Coolant(false),
-        13 => Effect::SpindleAndCoolant(1),
-        14 => Effect::SpindleAndCoolant(-1),
-        89 => Effect::CallAlways,
-        99 => Effect::CallOnce,
-        91 => Effect::MachineCoordinates,
-        97 | 98 => Effect::Corner,
-        140 => Effect::Retract,
-        128 => Effect::HoldTip(true),
-        129 => Effect::HoldTip(false),
-        6 | 90 | 101 | 102 | 107 | 108 | 120 | 127 | 137 => Effect::Nothing,
-        _ => return None,
-    })
-}
 
 /// Q parameters while a program's formula is evaluated: there are no other names.
 struct ProgramEnv<'p>(&'p super::Params);
@@ -85,7 +38,7 @@ impl Env for ProgramEnv<'_> {
 }
 
 impl<'e> Run<'_, 'e> {
-    pub(super) fn block(&mut self, block: &'e Block) -> Done<After> {
+    pub(in crate::engine) fn block(&mut self, block: &'e Block) -> Done<After> {
         if self.contour.is_under_way() {
             self.no_more_waits()?;
         }
@@ -154,13 +107,13 @@ impl<'e> Run<'_, 'e> {
         Ok(After::GoOn)
     }
 
-    pub(super) fn not_executed(&self, head: Span) -> Fault {
+    pub(in crate::engine) fn not_executed(&self, head: Span) -> Fault {
         let word = self.slice(head).split_ascii_whitespace().next().unwrap_or_default();
         Fault::unsupported("unsupported-block").arg("word", word)
     }
 
     /// The value of an operand.
-    pub(super) fn operand(&self, operand: &Operand) -> Result<f64, Fault> {
+    pub(in crate::engine) fn operand(&self, operand: &Operand) -> Result<f64, Fault> {
         match operand.amount {
             Amount::Number(number) => Ok(number),
             Amount::Q { negative, q } => {
@@ -172,7 +125,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// Gives a Q parameter a value, and tells it if that changes it.
-    pub(super) fn set(&mut self, q: QRef, value: Content) -> Result<(), Fault> {
+    pub(in crate::engine) fn set(&mut self, q: QRef, value: Content) -> Result<(), Fault> {
         let changed = self.params.set(q, &value).map_err(|error| match error {
             EvalError::Undefined(q) => Fault::program("no-such-parameter").arg("q", q.to_string()),
             other => other.into(),
@@ -184,7 +137,12 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// Sets a Q parameter of the run: where a field says where the result goes, there.
-    pub(super) fn set_of_cycle(&mut self, q: QRef, value: Content, exec: &mut Exec<'_, 'e>) -> Result<(), Fault> {
+    pub(in crate::engine) fn set_of_cycle(
+        &mut self,
+        q: QRef,
+        value: Content,
+        exec: &mut Exec<'_, 'e>,
+    ) -> Result<(), Fault> {
         if let (true, Content::Number(number)) = (exec.is_redirected(q), &value) {
             let Some(target) = exec.redirected(q, *number) else { return Ok(()) };
             return self.set(target, value);
@@ -432,15 +390,5 @@ impl<'e> Run<'_, 'e> {
             self.end_changes();
         }
         Ok(if ends { After::End } else { After::GoOn })
-    }
-}
-
-/// The linear axis of an axis word.
-pub(super) fn linear(axis: Axis) -> Result<LinearAxis, Fault> {
-    match axis {
-        Axis::X => Ok(LinearAxis::X),
-        Axis::Y => Ok(LinearAxis::Y),
-        Axis::Z => Ok(LinearAxis::Z),
-        other => Err(Fault::unsupported("unsupported-axis").arg("axis", other.name())),
     }
 }

@@ -3,78 +3,51 @@
 //! Cycles are executed from their plans, so a specification and its execution cannot differ. Invariant: knows no
 //! cycle by number, reads and writes no files, prints nothing; the same program, scene and control give the same
 //! events.
-mod act;
 mod align;
-mod approach;
 mod block;
 mod clear;
-mod code;
-mod contour;
-mod coordinates;
-mod cycle;
-mod define;
-mod element;
-mod envelope;
-mod event;
 mod face;
-mod fault;
-mod flow;
-mod json;
-mod log;
 mod measure;
-mod motion;
-mod outline;
-mod params;
-mod pattern;
-mod plane;
 mod plunge;
-mod probe;
 mod program;
-mod recall;
-mod series;
-mod spindle;
 mod strategy;
 mod stud;
-mod stylus;
-mod tcpm;
 mod thread;
-mod threads;
-mod tilt;
-mod told;
-mod trace;
-mod turn;
-mod unit;
-mod world;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use glam::DVec3;
 
-pub use coordinates::System;
-pub use envelope::{Ended, Envelope, FORMAT as ENVELOPE_FORMAT, Near, Obstacle, Touching};
-pub use event::{
+pub use super::flow::calls::program_key;
+pub use super::flow::params::Params;
+pub use super::report::envelope::{Ended, Envelope, FORMAT as ENVELOPE_FORMAT, Near, Obstacle, Touching};
+pub use super::report::event::{
     At, Content, Coordinates, Event, EventKind, FORMAT, FindingKind, MessageKind, MoveKind, Probing, Status, Threaded,
     Turned,
 };
-pub use fault::{CODES, Class, Fault};
-pub use flow::program_key;
-pub use params::Params;
-pub use told::Told;
-pub use trace::{Trace, Traced};
-pub use world::Tool;
+pub use super::report::fault::{CODES, Class, Fault};
+pub use super::report::foreign_outcome::Told;
+pub use super::report::trace::{Trace, Traced};
+pub use super::world::coordinates::System;
+pub use super::world::state::Tool;
 
+use super::contour::{outline, path as contour};
+use super::cycle::{execute as cycle, pattern, recall};
+use super::flow::calls as flow;
+use super::flow::code::Prepared;
+use super::flow::definition::Definition;
 use super::geometry::WorkingPlane;
+use super::motion::{moves as motion, probe};
 use super::plan::{self, Plan, Sentence};
+use super::report::{envelope, fault, threads};
 use super::scene::Scene;
 use super::solid::Path;
+use super::world::state::World;
+use super::world::stylus::OfMachine;
 use crate::base::diag::{Arg, Diagnostic, Place};
 use crate::program::syntax::Program;
 use crate::spec::{Catalogue, Cycle, CycleKey, OnControl};
-use code::Prepared;
-use define::Definition;
-use stylus::OfMachine;
-use world::World;
 
 /// Texts that a run needs for logs, in the language of the program.
 pub trait Texts {
@@ -167,17 +140,17 @@ pub struct Outcome {
 
 /// A program, a control and a world, ready to run.
 pub struct Engine<'e> {
-    program: &'e Program,
-    others: BTreeMap<String, &'e Program>,
-    around: Option<&'e dyn Programs>,
-    on: &'e OnControl,
-    scene: &'e Scene,
-    texts: &'e dyn Texts,
-    limits: Limits,
-    skip_blocks: bool,
-    envelope: bool,
+    pub(in crate::engine) program: &'e Program,
+    pub(in crate::engine) others: BTreeMap<String, &'e Program>,
+    pub(in crate::engine) around: Option<&'e dyn Programs>,
+    pub(in crate::engine) on: &'e OnControl,
+    pub(in crate::engine) scene: &'e Scene,
+    pub(in crate::engine) texts: &'e dyn Texts,
+    pub(in crate::engine) limits: Limits,
+    pub(in crate::engine) skip_blocks: bool,
+    pub(in crate::engine) envelope: bool,
     /// Other controls, for cycles that the manual of this one only names.
-    others_on: Vec<&'e OnControl>,
+    pub(in crate::engine) others_on: Vec<&'e OnControl>,
 }
 
 impl<'e> Engine<'e> {
@@ -271,7 +244,7 @@ impl<'e> Engine<'e> {
 
 /// Why execution leaves the straight way.
 #[derive(Clone, Debug)]
-enum Leave {
+pub(in crate::engine) enum Leave {
     /// With a fault.
     Fault(Fault),
     /// The program stopped and nobody continued it.
@@ -285,98 +258,98 @@ impl<F: Into<Fault>> From<F> for Leave {
 }
 
 /// What executing something gives.
-type Done<T = ()> = Result<T, Leave>;
+pub(in crate::engine) type Done<T = ()> = Result<T, Leave>;
 
 /// The spindle as the program set it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Spindle {
-    speed: f64,
-    direction: i8,
+pub(in crate::engine) struct Spindle {
+    pub(in crate::engine) speed: f64,
+    pub(in crate::engine) direction: i8,
 }
 
 /// A pole, or centre of circles.
 #[derive(Clone, Copy, Debug)]
-struct Pole {
+pub(in crate::engine) struct Pole {
     /// Program coordinates by axis.
-    at: DVec3,
+    pub(in crate::engine) at: DVec3,
     /// The plane of its two axes, where that is not the working plane.
-    plane: Option<WorkingPlane>,
+    pub(in crate::engine) plane: Option<WorkingPlane>,
 }
 
 /// Modal data of the program.
 #[derive(Clone, Copy, Debug, Default)]
-struct Modal {
+pub(in crate::engine) struct Modal {
     /// The feed of the last F word, mm/min.
-    feed: Option<f64>,
+    pub(in crate::engine) feed: Option<f64>,
     /// The feed of the tool call.
-    tool_feed: Option<f64>,
-    spindle: Spindle,
-    coolant: bool,
+    pub(in crate::engine) tool_feed: Option<f64>,
+    pub(in crate::engine) spindle: Spindle,
+    pub(in crate::engine) coolant: bool,
     /// The angle to which M19 and M20 orient the spindle.
-    orientation: f64,
+    pub(in crate::engine) orientation: f64,
     /// The pole.
-    pole: Option<Pole>,
+    pub(in crate::engine) pole: Option<Pole>,
     /// Whether every positioning block calls the last cycle (M89).
-    call_always: bool,
+    pub(in crate::engine) call_always: bool,
     /// Whether the last positioning block went at rapid traverse.
-    rapid: bool,
+    pub(in crate::engine) rapid: bool,
 }
 
 /// A run.
-struct Run<'r, 'e> {
-    engine: &'r Engine<'e>,
-    see: &'r mut dyn FnMut(&Event),
-    programs: Vec<Prepared<'e>>,
+pub(in crate::engine) struct Run<'r, 'e> {
+    pub(in crate::engine) engine: &'r Engine<'e>,
+    pub(in crate::engine) see: &'r mut dyn FnMut(&Event),
+    pub(in crate::engine) programs: Vec<Prepared<'e>>,
     /// Programs that were called, by name.
-    names: BTreeMap<String, usize>,
-    plans: BTreeMap<CycleKey, Arc<Plan>>,
-    world: World<'e>,
-    params: Params,
-    modal: Modal,
-    last_cycle: Option<Arc<Definition<'e>>>,
+    pub(in crate::engine) names: BTreeMap<String, usize>,
+    pub(in crate::engine) plans: BTreeMap<CycleKey, Arc<Plan>>,
+    pub(in crate::engine) world: World<'e>,
+    pub(in crate::engine) params: Params,
+    pub(in crate::engine) modal: Modal,
+    pub(in crate::engine) last_cycle: Option<Arc<Definition<'e>>>,
     /// How many cycles were defined.
-    definitions: u64,
+    pub(in crate::engine) definitions: u64,
     /// What the named values of a definition were when it was called last.
-    recall: Option<recall::Recall>,
+    pub(in crate::engine) recall: Option<recall::Recall>,
     /// The points of the last pattern definition or point table.
-    pattern: Option<pattern::Pattern>,
+    pub(in crate::engine) pattern: Option<pattern::Pattern>,
     /// Whether it was written in the program, and not read from a point table.
-    pattern_is_defined: bool,
+    pub(in crate::engine) pattern_is_defined: bool,
     /// Values of GLOBAL DEF by the parameter that takes them, with mm in the unit of their program.
-    predefined: BTreeMap<u16, (f64, f64)>,
+    pub(in crate::engine) predefined: BTreeMap<u16, (f64, f64)>,
     /// How high the tool is retracted on patterns.
-    retraction: pattern::Retraction,
-    flow: flow::Flow,
+    pub(in crate::engine) retraction: pattern::Retraction,
+    pub(in crate::engine) flow: flow::Flow,
     /// The contour that radius compensation, a rounding or an approach has begun.
-    contour: contour::Contour,
+    pub(in crate::engine) contour: contour::Contour,
     /// The event told last; its place is that of what is executed now.
-    event: Event,
+    pub(in crate::engine) event: Event,
     /// Guards that applied.
-    guards: BTreeSet<(CycleKey, Arc<str>)>,
+    pub(in crate::engine) guards: BTreeSet<(CycleKey, Arc<str>)>,
     /// By cycle: which sentences of its plan were executed.
-    executed: BTreeMap<CycleKey, Vec<bool>>,
-    logs: Vec<(String, String)>,
+    pub(in crate::engine) executed: BTreeMap<CycleKey, Vec<bool>>,
+    pub(in crate::engine) logs: Vec<(String, String)>,
     /// Logs shown on the screen.
-    screens: Vec<String>,
+    pub(in crate::engine) screens: Vec<String>,
     /// Nested executions of cycles.
-    inside: usize,
+    pub(in crate::engine) inside: usize,
     /// Moves of the tool so far.
-    moves: u64,
+    pub(in crate::engine) moves: u64,
     /// Whether a cycle is executed that probes.
-    probing: bool,
+    pub(in crate::engine) probing: bool,
     /// mm in the unit in which the cycle being executed calculates.
-    calculating_in: f64,
+    pub(in crate::engine) calculating_in: f64,
     /// What the cycle that is executed has written to tables: told when it ends well.
-    writing: Vec<Event>,
+    pub(in crate::engine) writing: Vec<Event>,
     /// What stops the probe.
-    touching: envelope::Touching,
+    pub(in crate::engine) touching: envelope::Touching,
     /// The ways of the cycle whose envelope is looked for.
-    recorder: Option<envelope::Recorder>,
-    envelopes: Vec<Envelope>,
+    pub(in crate::engine) recorder: Option<envelope::Recorder>,
+    pub(in crate::engine) envelopes: Vec<Envelope>,
     /// Memory for the next execution of a cycle.
-    spare: cycle::Spare,
+    pub(in crate::engine) spare: cycle::Spare,
     /// The threads that are being cut.
-    threads: threads::Threads,
+    pub(in crate::engine) threads: threads::Threads,
 }
 
 impl<'r, 'e> Run<'r, 'e> {
@@ -420,13 +393,13 @@ impl<'r, 'e> Run<'r, 'e> {
 
     /// Tells what happens here, unless it only happens in a rehearsal.
     #[inline]
-    fn tell(&mut self, kind: EventKind) {
+    pub(in crate::engine) fn tell(&mut self, kind: EventKind) {
         self.event.kind = kind;
         self.tell_it();
     }
 
     /// Tells the event that is there.
-    fn tell_it(&mut self) {
+    pub(in crate::engine) fn tell_it(&mut self) {
         if self.contour.holds_events() {
             self.contour.hold(self.event.clone());
         } else if self.touching == Touching::AsScene {
@@ -438,7 +411,15 @@ impl<'r, 'e> Run<'r, 'e> {
     }
 
     /// Tells a move; where one was told before, only its numbers change.
-    fn tell_move(&mut self, kind: MoveKind, from: DVec3, to: DVec3, machine: DVec3, feed: f64, path: Path) {
+    pub(in crate::engine) fn tell_move(
+        &mut self,
+        kind: MoveKind,
+        from: DVec3,
+        to: DVec3,
+        machine: DVec3,
+        feed: f64,
+        path: Path,
+    ) {
         match &mut self.event.kind {
             EventKind::Move { kind: a, from: b, to: c, machine: d, feed: e, path: f } => {
                 (*a, *b, *c, *d, *e, *f) = (kind, from, to, machine, feed, path);
@@ -449,14 +430,14 @@ impl<'r, 'e> Run<'r, 'e> {
     }
 
     /// Tells an event that has waited.
-    fn tell_later(&mut self, event: Event) {
+    pub(in crate::engine) fn tell_later(&mut self, event: Event) {
         let at = std::mem::replace(&mut self.event.at, event.at);
         self.tell(event.kind);
         self.event.at = at;
     }
 
     /// The plan of a cycle, compiled when it is needed first.
-    fn plan(&mut self, cycle: &Cycle, on: &OnControl) -> Done<Arc<Plan>> {
+    pub(in crate::engine) fn plan(&mut self, cycle: &Cycle, on: &OnControl) -> Done<Arc<Plan>> {
         if let Some(plan) = self.plans.get(&cycle.key) {
             return Ok(Arc::clone(plan));
         }
@@ -471,7 +452,7 @@ impl<'r, 'e> Run<'r, 'e> {
     }
 
     /// What was executed of the cycles.
-    fn shown(&mut self) -> Shown {
+    pub(in crate::engine) fn shown(&mut self) -> Shown {
         let of_plan = |(key, plan): (&CycleKey, &Arc<Plan>)| {
             let executed = self.executed.get(key).map_or(&[][..], Vec::as_slice);
             let shown = plan.sentences.iter().zip(executed).filter(|(_, shown)| **shown);
@@ -518,11 +499,11 @@ impl<'r, 'e> Run<'r, 'e> {
         }
     }
 
-    fn place(&self) -> Option<Place> {
+    pub(in crate::engine) fn place(&self) -> Option<Place> {
         self.place_of(self.flow.program, self.flow.block)
     }
 
-    fn place_of(&self, program: usize, block: usize) -> Option<Place> {
+    pub(in crate::engine) fn place_of(&self, program: usize, block: usize) -> Option<Place> {
         let prepared = self.programs.get(program)?;
         let block = prepared.block(block)?;
         let text = prepared.program.slice(block.span);

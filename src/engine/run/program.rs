@@ -3,16 +3,16 @@
 //! Invariant: every block is either executed, without effect by its nature, or a fault.
 use std::sync::Arc;
 
-use super::code::Prepared;
-use super::fault::Fault;
-use super::flow::{Call, program_key};
 use super::{Done, Run};
 use crate::base::expr::QKind;
+use crate::engine::flow::calls::{Call, program_key};
+use crate::engine::flow::code::Prepared;
+use crate::engine::report::fault::Fault;
 use crate::program::syntax::{Amount, Block, CallLbl, FnJump, Label, LabelRef, Operand};
 
 /// How it goes on after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum After {
+pub(in crate::engine) enum After {
     /// With the next block.
     GoOn,
     /// The program ends here.
@@ -21,13 +21,13 @@ pub(super) enum After {
 
 impl<'e> Run<'_, 'e> {
     /// Executes the program to its end.
-    pub(super) fn program(&mut self) -> Done {
+    pub(in crate::engine) fn program(&mut self) -> Done {
         self.blocks(0)?;
         self.end_contour()
     }
 
     /// Executes a program that a cycle calls, to its end.
-    pub(super) fn execute_program(&mut self, name: &str) -> Done {
+    pub(in crate::engine) fn execute_program(&mut self, name: &str) -> Done {
         let depth = self.flow.depth();
         let (at, inside, probing) = (self.event.at.clone(), self.inside, self.probing);
         self.call_program(name)?;
@@ -77,11 +77,11 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The text at a place of the program being executed.
-    pub(super) fn slice(&self, span: crate::base::diag::Span) -> &'e str {
+    pub(in crate::engine) fn slice(&self, span: crate::base::diag::Span) -> &'e str {
         self.programs.get(self.flow.program).map_or("", |prepared| prepared.program.slice(span))
     }
 
-    pub(super) fn label(&mut self, label: &LabelRef) -> Done {
+    pub(in crate::engine) fn label(&mut self, label: &LabelRef) -> Done {
         if label.target == Label::END {
             self.flow.return_from_subprogram();
         }
@@ -106,7 +106,7 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    pub(super) fn call_label(&mut self, call: &CallLbl) -> Done {
+    pub(in crate::engine) fn call_label(&mut self, call: &CallLbl) -> Done {
         let target = self.label_block(&call.label)?;
         match &call.repeat {
             Some(times) => {
@@ -120,7 +120,7 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    pub(super) fn call_program(&mut self, name: &str) -> Done {
+    pub(in crate::engine) fn call_program(&mut self, name: &str) -> Done {
         // A program call ends radius compensation.
         self.end_contour()?;
         let Some(program) = self.called(program_key(name)) else {
@@ -143,7 +143,7 @@ impl<'e> Run<'_, 'e> {
         Some(number)
     }
 
-    pub(super) fn jump(&mut self, jump: &FnJump) -> Done {
+    pub(in crate::engine) fn jump(&mut self, jump: &FnJump) -> Done {
         let is_text = |operand: &Operand| match operand.amount {
             Amount::Q { q, .. } => q.kind == QKind::Qs,
             Amount::Text(_) => true,
@@ -165,13 +165,13 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The operator's answer to a question; nothing if he does not answer.
-    pub(super) fn ask(&mut self, question: &str) -> Option<bool> {
+    pub(in crate::engine) fn ask(&mut self, question: &str) -> Option<bool> {
         let said = self.world.answers.next(question)?;
         Some(!matches!(said.to_ascii_lowercase().as_str(), "no" | "cancel" | "stop" | "false" | "0"))
     }
 
     /// Stops until the operator continues.
-    pub(super) fn stop(&mut self) -> Done {
+    pub(in crate::engine) fn stop(&mut self) -> Done {
         let answer = self.ask("stop");
         let id: Arc<str> = "stop".into();
         self.tell(super::EventKind::Message { kind: super::MessageKind::Stop, id, answer });

@@ -31,7 +31,7 @@ impl Wanted {
 }
 
 impl<'e> Run<'_, 'e> {
-    pub(super) fn strategy(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
+    pub(in crate::engine) fn strategy(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
         match call.strategy {
             Strategy::SetDatum => {
                 let wanted = self.wanted(call, exec)?;
@@ -160,18 +160,23 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// An argument that must be there.
-    pub(super) fn argument(call: &StrategyCall, index: usize) -> Result<&Calc, Fault> {
+    pub(in crate::engine) fn argument(call: &StrategyCall, index: usize) -> Result<&Calc, Fault> {
         let missing = || Fault::new(Class::Internal, "strategy-argument");
         call.with.get(index).and_then(Option::as_ref).ok_or_else(missing)
     }
 
     /// The number of an argument that must be there.
-    pub(super) fn given(&self, call: &StrategyCall, index: usize, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
+    pub(in crate::engine) fn given(
+        &self,
+        call: &StrategyCall,
+        index: usize,
+        exec: &Exec<'_, 'e>,
+    ) -> Result<f64, Fault> {
         self.number(Self::argument(call, index)?, exec)
     }
 
     /// The numbers of arguments from that index on.
-    pub(super) fn all_given<const N: usize>(
+    pub(in crate::engine) fn all_given<const N: usize>(
         &self,
         call: &StrategyCall,
         from: usize,
@@ -185,7 +190,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The feed that stands beside the strategy.
-    pub(super) fn feed_given(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
+    pub(in crate::engine) fn feed_given(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
         let missing = || Fault::new(Class::Internal, "strategy-argument");
         self.number(call.feed.as_ref().ok_or_else(missing)?, exec)
     }
@@ -255,7 +260,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// Whether the values of datum tables count from the machine datum and not from the preset.
-    pub(super) fn datums_of_machine(&self, exec: &Exec<'_, 'e>) -> bool {
+    pub(in crate::engine) fn datums_of_machine(&self, exec: &Exec<'_, 'e>) -> bool {
         self.machine_datum("datum-table-reference", exec) == Some(1.0)
     }
 }

@@ -1,0 +1,585 @@
+//! Executing plans: values in slots, guards, steps, choices.
+//!
+//! Invariant: a slot without a value is never read; an error in a named value shows only where it is needed.
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::base::expr::{Env, EvalError, QRef, Type, Value};
+use crate::engine::flow::definition::{Definition, FieldValue};
+use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Slot, Step};
+use crate::engine::report::event::MessageKind;
+use crate::engine::report::fault::{Class, Fault};
+use crate::engine::run::{Done, EventKind, Leave, Params, Run};
+use crate::engine::scene::{Orientation, ParameterValue};
+use crate::engine::world::state::Tables;
+use crate::engine::world::stylus::ProbeData;
+use crate::spec::{Moment, Outcome, Transformation};
+
+/// Cycles that call cycles go no deeper than this.
+const MAX_NESTED: usize = 8;
+
+/// What a slot holds.
+#[derive(Clone, Debug)]
+enum Cell {
+    Empty,
+    Value(Value),
+    /// Its value could not be calculated.
+    Failed(Box<Fault>),
+}
+
+/// Memory of executions that are over, for the next one.
+#[derive(Default)]
+pub(in crate::engine) struct Spare {
+    cells: Vec<Cell>,
+    sentences: Vec<bool>,
+}
+
+/// One execution of a plan.
+pub(in crate::engine) struct Exec<'d, 'e> {
+    pub(in crate::engine) definition: &'d Definition<'e>,
+    cells: Vec<Cell>,
+    pub(in crate::engine) lists: Vec<Vec<Value>>,
+    /// The position when the cycle began: main, minor, tool axis.
+    start: DVec3,
+    /// Values for parameters that no Q parameter of the program holds.
+    shadows: Vec<(QRef, f64)>,
+    /// Spindle and coolant as they were when the cycle began.
+    pub(in crate::engine) switched: (crate::engine::run::Spindle, bool),
+    /// The probe as it was when the cycle began.
+    probe: Option<ProbeData>,
+    /// Which sentences of the plan were executed.
+    sentences: Vec<bool>,
+    /// Whether known names change while the cycle runs.
+    changing: bool,
+    /// Whether the values of Q parameters are those of the program.
+    plain: bool,
+}
+
+/// What an expression of a plan sees.
+struct View<'v, 'd, 'e> {
+    exec: &'v Exec<'d, 'e>,
+    params: &'v Params,
+}
+
+impl Env for View<'_, '_, '_> {
+    fn slot(&self, slot: usize) -> &Value {
+        static NOTHING: Value = Value::Bool(false);
+        match self.exec.cells.get(slot) {
+            Some(Cell::Value(value)) => value,
+            _ => &NOTHING,
+        }
+    }
+
+    fn number(&self, q: QRef) -> Result<f64, EvalError> {
+        let (exec, plan) = (self.exec, self.exec.plan());
+        if exec.plain {
+            return self.params.number(q);
+        }
+        if let Some((_, value)) = plan.constants.iter().find(|(known, _)| *known == q) {
+            return Ok(*value);
+        }
+        if let Some(stands) = plan.stands_for.iter().find(|stands| stands.q == q) {
+            let Value::Number(value) = self.slot(stands.slot) else { return Err(EvalError::Undefined(q)) };
+            if !stands.names_it {
+                return Ok(*value);
+            }
+            if let Some((_, value)) = exec.shadows.iter().find(|(known, _)| *known == q) {
+                return Ok(*value);
+            }
+        }
+        Ok(exec.definition.read(q, self.params.number(q)?))
+    }
+
+    fn text(&self, q: QRef) -> Result<Arc<str>, EvalError> {
+        self.params.text(q)
+    }
+}
+
+impl<'d, 'e> Exec<'d, 'e> {
+    fn new(
+        definition: &'d Definition<'e>,
+        start: DVec3,
+        probe: Option<ProbeData>,
+        switched: (crate::engine::run::Spindle, bool),
+        Spare { mut cells, mut sentences }: Spare,
+    ) -> Self {
+        let plan = &definition.plan;
+        // Emptied in place: a call has many cells, and most of them have nothing to give back.
+        cells.truncate(plan.slots);
+        cells.iter_mut().filter(|cell| !matches!(cell, Cell::Empty)).for_each(|cell| *cell = Cell::Empty);
+        cells.resize(plan.slots, Cell::Empty);
+        sentences.clear();
+        sentences.resize(plan.sentences.len(), false);
+        Self {
+            definition,
+            cells,
+            lists: vec![Vec::new(); plan.lists],
+            start,
+            shadows: Vec::new(),
+            switched,
+            probe,
+            sentences,
+            plain: plan.constants.is_empty() && plan.stands_for.is_empty() && definition.unit == 1.0,
+            changing: plan.builtins.iter().any(|(_, builtin)| builtin.changes()),
+        }
+    }
+
+    /// The plan that is executed.
+    pub(in crate::engine) fn plan(&self) -> &'d Plan {
+        &self.definition.plan
+    }
+
+    fn show(&mut self, sentence: usize) {
+        if let Some(shown) = self.sentences.get_mut(sentence) {
+            *shown = true;
+        }
+    }
+
+    /// The same as [`Self::put`] of a number; most slots keep numbers for ever.
+    #[inline]
+    pub(in crate::engine) fn put_number(&mut self, slot: Slot, number: f64) {
+        match self.cells.get_mut(slot) {
+            Some(Cell::Value(Value::Number(kept))) => *kept = number,
+            _ => self.put(slot, Value::Number(number)),
+        }
+    }
+
+    pub(in crate::engine) fn put(&mut self, slot: Slot, value: Value) {
+        if let Some(cell) = self.cells.get_mut(slot) {
+            *cell = Cell::Value(value);
+        }
+    }
+
+    /// The number in a slot, if it is one.
+    pub(in crate::engine) fn number_in(&self, slot: Slot) -> Option<f64> {
+        match self.cells.get(slot) {
+            Some(Cell::Value(Value::Number(number))) => Some(*number),
+            _ => None,
+        }
+    }
+
+    fn fail(&mut self, slot: Slot, fault: Fault) {
+        if let Some(cell) = self.cells.get_mut(slot) {
+            *cell = Cell::Failed(Box::new(fault));
+        }
+    }
+
+    fn copy(&mut self, from: Slot, to: Slot) {
+        if let Some(Cell::Value(value)) = self.cells.get(from) {
+            let value = value.clone();
+            self.put(to, value);
+        }
+    }
+
+    /// A parameter that an old-style field names, written: the Q parameter of the program, if there is one.
+    pub(in crate::engine) fn redirected(&mut self, q: QRef, value: f64) -> Option<QRef> {
+        let plan = self.plan();
+        let stands = plan.stands_for.iter().find(|stands| stands.q == q && stands.names_it)?;
+        let (_, id) = plan.fields.iter().find(|(slot, _)| *slot == stands.slot)?;
+        self.shadows.retain(|(known, _)| *known != q);
+        self.shadows.push((q, value));
+        match self.definition.field(id) {
+            Some(FieldValue::Q(target)) => Some(*target),
+            _ => None,
+        }
+    }
+
+    /// Whether a parameter is written to where a field says.
+    pub(in crate::engine) fn is_redirected(&self, q: QRef) -> bool {
+        self.plan().stands_for.iter().any(|stands| stands.q == q && stands.names_it)
+    }
+}
+
+impl<'e> Run<'_, 'e> {
+    /// Calls the last call-active cycle.
+    pub(in crate::engine) fn call_last_cycle(&mut self) -> Done {
+        self.not_beside_contour("CYCL CALL")?;
+        let Some(definition) = self.last_cycle.clone() else { return Err(Fault::program("no-cycle-to-call").into()) };
+        self.execute(&definition)
+    }
+
+    /// The guards that look when the cycle is defined.
+    pub(in crate::engine) fn at_definition(&mut self, definition: &Definition<'e>) -> Done {
+        let plan = &definition.plan;
+        if !plan.guards.iter().any(|guard| guard.at == Moment::Definition) {
+            return Ok(());
+        }
+        self.in_unit_of(definition, |run| {
+            let mut exec = run.exec(definition);
+            run.prepare(&mut exec);
+            run.guards(&plan.guards, Moment::Definition, &mut exec).map(|_| ())
+        })
+    }
+
+    /// Executes a cycle; one that probes is rehearsed before, if its envelope is asked for.
+    pub(in crate::engine) fn execute(&mut self, definition: &Definition<'e>) -> Done {
+        if self.engine.envelope && definition.plan.probes && self.inside == 0 && self.recorder.is_none() {
+            return self.with_envelope(definition);
+        }
+        self.execute_in_scene(definition)
+    }
+
+    /// Executes a cycle in the scene, or as a rehearsal.
+    pub(in crate::engine) fn execute_in_scene(&mut self, definition: &Definition<'e>) -> Done {
+        self.in_unit_of(definition, |run| run.execute_plan(definition))
+    }
+
+    fn execute_plan(&mut self, definition: &Definition<'e>) -> Done {
+        if self.inside >= MAX_NESTED {
+            return Err(Fault::new(Class::Internal, "cycle-depth-limit").arg("limit", MAX_NESTED as f64).into());
+        }
+        let plan = &definition.plan;
+        let (outer_at, outer_probing) = (self.event.at.cycle.clone(), self.probing);
+        self.event.at.cycle = Some((definition.cycle.key, None));
+        let mut exec = self.exec(definition);
+        if !self.recall(&mut exec) {
+            self.prepare(&mut exec);
+            match self.guards(&plan.guards, Moment::Call, &mut exec)? {
+                Verdict::Skip => {
+                    self.event.at.cycle = outer_at;
+                    return Ok(());
+                }
+                Verdict::Told => {}
+                Verdict::GoOn => self.remember(&exec),
+            }
+        }
+        if plan.probes {
+            self.world.probe()?;
+        }
+        let radius = |(_, builtin): &(Slot, Builtin)| *builtin == Builtin::ToolRadius;
+        if plan.builtins.iter().any(radius) && self.world.system.plane_scale().is_none() {
+            return Err(Fault::program("arc-scaled-unequally").into());
+        }
+        self.probing |= plan.probes;
+        let tables = (self.inside == 0).then(|| self.world.tables());
+        self.inside += 1;
+        let ended = self.items(&plan.items, &mut exec);
+        self.executed(definition, &exec.sentences);
+        if let Some(tables) = tables {
+            self.conclude(&ended, tables);
+        }
+        self.spare = Spare { cells: exec.cells, sentences: exec.sentences };
+        ended?;
+        self.inside -= 1;
+        self.probing = outer_probing;
+        self.event.at.cycle = outer_at;
+        Ok(())
+    }
+
+    /// Tables keep what a cycle wrote if it came to its end, or to one that its specification names; otherwise they
+    /// are again what they were.
+    fn conclude(&mut self, ended: &Done, tables: Tables) {
+        let writing = std::mem::take(&mut self.writing);
+        match ended {
+            Err(Leave::Fault(fault)) if !fault.of_cycle => self.world.restore(tables),
+            Err(Leave::Stopped) => self.world.restore(tables),
+            _ => writing.into_iter().for_each(|event| self.tell_later(event)),
+        }
+    }
+
+    /// Adds the sentences that an execution has shown to those of the run.
+    fn executed(&mut self, definition: &Definition<'e>, sentences: &[bool]) {
+        let all = self.executed.entry(definition.cycle.key).or_insert_with(|| vec![false; sentences.len()]);
+        all.iter_mut().zip(sentences).for_each(|(known, shown)| *known |= shown);
+    }
+
+    fn exec<'d>(&mut self, definition: &'d Definition<'e>) -> Exec<'d, 'e> {
+        let switched = (self.modal.spindle, self.modal.coolant);
+        let spare = std::mem::take(&mut self.spare);
+        Exec::new(definition, self.to_program(self.world.here), self.world.probe_if_any(), switched, spare)
+    }
+
+    /// Main, minor and tool coordinates of a point given by axes.
+    pub(in crate::engine) fn in_plane(&self, axes: DVec3) -> DVec3 {
+        self.world.system.in_plane(axes)
+    }
+
+    fn prepare(&mut self, exec: &mut Exec<'_, 'e>) {
+        let plan = exec.plan();
+        for (slot, id) in &plan.fields {
+            let value = match exec.definition.field(id) {
+                None => continue,
+                Some(FieldValue::Number { value, length, .. }) => {
+                    Value::Number(if *length { exec.definition.in_run(*value) } else { *value })
+                }
+                Some(FieldValue::Q(q)) => Value::Number(f64::from(q.number)),
+                Some(FieldValue::Text(text)) => Value::Text(Arc::clone(text)),
+                Some(FieldValue::Direction(direction)) => Value::Point(self.in_plane(*direction)),
+                Some(FieldValue::Coords(coords)) => {
+                    let mut point = self.world.here;
+                    for coord in coords.iter().filter(|coord| !coord.rotary) {
+                        let from = if coord.incremental { coord.axis.of(self.world.here) } else { 0.0 };
+                        point = coord.axis.with(point, from + coord.value);
+                    }
+                    Value::Point(self.to_program(point))
+                }
+            };
+            exec.put(*slot, value);
+        }
+        for (slot, builtin) in &plan.builtins {
+            if let Builtin::MachinePoint(name) = builtin
+                && self.machine_point(name, exec).is_none()
+            {
+                let printed = exec.definition.on.datum(name).unwrap_or(name);
+                exec.fail(*slot, Fault::control("machine-parameter-missing").arg("name", printed));
+                continue;
+            }
+            let value = self.builtin(builtin, exec);
+            exec.put(*slot, value);
+        }
+        self.lets(&plan.lets, exec);
+    }
+
+    /// Gives the known names that change while a cycle runs their present values.
+    fn refresh(&self, exec: &mut Exec<'_, 'e>) {
+        if !exec.changing {
+            return;
+        }
+        for (slot, builtin) in exec.plan().builtins.iter().filter(|(_, builtin)| builtin.changes()) {
+            let value = self.builtin(builtin, exec);
+            exec.put(*slot, value);
+        }
+    }
+
+    fn builtin(&self, builtin: &Builtin, exec: &Exec<'_, 'e>) -> Value {
+        let world = &self.world;
+        let system = &world.system;
+        let unit = self.cycle_unit();
+        let tool = || world.tool().unwrap_or_default();
+        let probe = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of));
+        let length = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of) / unit);
+        match builtin {
+            Builtin::Here => Value::Point(self.to_program(world.here)),
+            Builtin::Start => Value::Point(exec.start),
+            // The tool is not scaled with the program.
+            Builtin::ToolRadius => Value::Number(tool().radius / system.plane_scale().unwrap_or(1.0) / unit),
+            Builtin::ToolLength => Value::Number(tool().length / unit),
+            Builtin::ToolAngle => Value::Number(tool().angle),
+            Builtin::ToolLcuts => Value::Number(tool().lcuts / system.depth_scale() / unit),
+            Builtin::ToolCornerRadius => {
+                Value::Number(tool().corner_radius / system.plane_scale().unwrap_or(1.0) / unit)
+            }
+            Builtin::ToolNumber => Value::Number(tool().number),
+            Builtin::ToolCalled => Value::Bool(world.tool().is_some()),
+            Builtin::ProbeSetUp => length(|probe| probe.set_up),
+            Builtin::ProbeFeed => length(|probe| probe.feed),
+            Builtin::ProbeFmax => length(|probe| probe.fmax),
+            Builtin::ProbeDist => length(|probe| probe.dist),
+            Builtin::ProbeBallRadius => length(|probe| probe.effective_radius),
+            Builtin::ProbeAngle => probe(|probe| probe.angle),
+            Builtin::ProbeTurns => Value::Bool(exec.probe.is_some_and(|probe| probe.orientation != Orientation::Fixed)),
+            Builtin::ProbeOffset => {
+                let offset = exec.probe.as_ref().map_or(DVec3::ZERO, |probe| world.calibrated_offset(probe));
+                Value::Point(self.to_program(offset))
+            }
+            Builtin::ProbeUp => Value::Point(system.in_plane(world.up())),
+            Builtin::FurtherAxis(index) => Value::Number(world.further_axes().nth(*index).unwrap_or(0.0)),
+            Builtin::ProbeMachineRapid => Value::Bool(exec.probe.is_some_and(|probe| probe.machine_rapid)),
+            Builtin::ActiveDatumShift => Value::Bool(system.datum() != DVec3::ZERO),
+            Builtin::ActiveRotation => Value::Bool(system.rotation() != 0.0),
+            Builtin::ActiveBasicRotation => Value::Bool(system.basic != DVec3::ZERO),
+            Builtin::ActiveMirror => Value::Bool(system.has(Transformation::Mirroring)),
+            Builtin::ActiveScaling => Value::Bool(system.has(Transformation::Scaling)),
+            Builtin::ActiveAxisScaling => Value::Bool(system.has(Transformation::AxisScaling)),
+            Builtin::ActiveTilting => Value::Bool(system.has(Transformation::Tilting)),
+            Builtin::ActiveReversed => Value::Bool(system.frame().mirrors()),
+            Builtin::ActiveAskew => Value::Bool(self.world.is_askew()),
+            Builtin::ActiveTcpm => Value::Bool(system.tip_held),
+            Builtin::ActiveTurning => Value::Bool(system.has(Transformation::Turning)),
+            Builtin::MachinePoint(name) => {
+                let point = self.machine_point(name, exec).unwrap_or(DVec3::ZERO);
+                Value::Point(self.to_program(system.back().point(point)))
+            }
+            Builtin::MachineLength(name) => Value::Number(self.machine_datum(name, exec).unwrap_or(0.0) / unit),
+            Builtin::Machine(name) => Value::Number(self.machine_datum(name, exec).unwrap_or(0.0)),
+            Builtin::Form(form) => Value::Bool(exec.definition.form == Some(*form)),
+            Builtin::Given(id) => Value::Bool(exec.definition.field(id).is_some()),
+        }
+    }
+
+    /// The value of a machine datum in the scene, by its neutral name.
+    pub(in crate::engine) fn machine_datum(&self, neutral: &str, exec: &Exec<'_, 'e>) -> Option<f64> {
+        let printed = exec.definition.on.datum(neutral)?;
+        self.world.machine_parameter(printed)
+    }
+
+    /// A place of the machine that a machine datum names, by its neutral name.
+    fn machine_point(&self, neutral: &str, exec: &Exec<'_, 'e>) -> Option<DVec3> {
+        match self.world.scene.machine_parameter(exec.definition.on.datum(neutral)?)? {
+            ParameterValue::List(list) => match list.as_slice() {
+                [x, y, z] => Some(DVec3::new(*x, *y, *z)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// Evaluates named values; one that fails says so when it is needed.
+    pub(in crate::engine) fn lets(&self, lets: &[Let], exec: &mut Exec<'_, 'e>) {
+        for named in lets {
+            if named.value.code.ty() == Type::Number {
+                match self.number(&named.value, exec) {
+                    Ok(number) => exec.put_number(named.slot, number),
+                    Err(fault) => exec.fail(named.slot, fault),
+                }
+                continue;
+            }
+            match self.value(&named.value, exec) {
+                Ok(value) => exec.put(named.slot, value),
+                Err(fault) => exec.fail(named.slot, fault),
+            }
+        }
+    }
+
+    fn needed(calc: &Calc, exec: &Exec<'_, 'e>) -> Result<(), Fault> {
+        for slot in &calc.needs {
+            match exec.cells.get(*slot) {
+                Some(Cell::Value(_)) => {}
+                Some(Cell::Failed(fault)) => return Err(Fault::clone(fault)),
+                _ => {
+                    let start = calc.place.start();
+                    let place = format!("{}:{}", calc.place.source.name(), start.line);
+                    return Err(Fault::new(Class::Internal, "value-not-bound").arg("place", place));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    pub(in crate::engine) fn value(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<Value, Fault> {
+        Self::needed(calc, exec)?;
+        Ok(calc.code.eval(&View { exec, params: &self.params })?)
+    }
+
+    pub(in crate::engine) fn number(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
+        // What most actions are given is a name that has its value.
+        if let Some(number) = calc.code.slot().and_then(|slot| exec.number_in(slot)) {
+            return Ok(number);
+        }
+        Self::needed(calc, exec)?;
+        Ok(calc.code.number(&View { exec, params: &self.params })?)
+    }
+
+    pub(in crate::engine) fn truth(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<bool, Fault> {
+        Self::needed(calc, exec)?;
+        Ok(calc.code.truth(&View { exec, params: &self.params })?)
+    }
+
+    /// A point: main, minor, tool axis.
+    pub(in crate::engine) fn point(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<DVec3, Fault> {
+        Self::needed(calc, exec)?;
+        Ok(calc.code.point(&View { exec, params: &self.params })?)
+    }
+
+    pub(in crate::engine) fn holds(&self, when: Option<&Calc>, exec: &Exec<'_, 'e>) -> Result<bool, Fault> {
+        when.map_or(Ok(true), |when| self.truth(when, exec))
+    }
+
+    pub(in crate::engine) fn guards(&mut self, guards: &[Guard], at: Moment, exec: &mut Exec<'_, 'e>) -> Done<Verdict> {
+        let mut verdict = Verdict::GoOn;
+        for guard in guards.iter().filter(|guard| guard.at == at) {
+            let off = |name: &Arc<str>| self.machine_datum(name, exec) == Some(0.0);
+            if guard.switched_off_by.as_ref().is_some_and(off) || !self.truth(&guard.when, exec)? {
+                continue;
+            }
+            self.guards.insert((exec.definition.cycle.key, Arc::clone(&guard.code)));
+            verdict = Verdict::Told;
+            let message = |run: &mut Self, kind, answer| {
+                run.tell(EventKind::Message { kind, id: Arc::clone(&guard.code), answer });
+            };
+            match guard.then {
+                Outcome::Error => return Err(Fault::of_cycle(&guard.code).into()),
+                Outcome::Skip => {
+                    message(self, MessageKind::Skip, None);
+                    return Ok(Verdict::Skip);
+                }
+                Outcome::Warn => message(self, MessageKind::Warning, None),
+                Outcome::Confirm => {
+                    let answer = self.ask(&guard.code).or_else(|| self.ask("confirm"));
+                    message(self, MessageKind::Confirm, answer);
+                    if answer != Some(true) {
+                        return Err(Leave::Stopped);
+                    }
+                }
+            }
+        }
+        Ok(verdict)
+    }
+
+    pub(in crate::engine) fn items(&mut self, items: &[Item], exec: &mut Exec<'_, 'e>) -> Done {
+        for item in items {
+            self.refresh(exec);
+            match item {
+                Item::Step(step) => self.step(step, exec)?,
+                Item::Group { when, items } => {
+                    if self.holds(when.as_ref(), exec)? {
+                        self.items(items, exec)?;
+                    }
+                }
+                Item::Each(series) => self.series(series, exec)?,
+            }
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, step: &Step, exec: &mut Exec<'_, 'e>) -> Done {
+        if !self.holds(step.when.as_ref(), exec)? {
+            return Ok(());
+        }
+        let key = exec.definition.cycle.key;
+        self.event.at.cycle = Some((key, Some(Arc::clone(&step.id))));
+        exec.show(step.sentence);
+        self.acts(&step.block, exec)
+    }
+
+    pub(in crate::engine) fn acts(&mut self, block: &Block, exec: &mut Exec<'_, 'e>) -> Done {
+        self.each_act(&block.first, exec)?;
+        self.choose(&block.choose, exec)?;
+        self.each_act(&block.then, exec)
+    }
+
+    fn choose(&mut self, cases: &[Case], exec: &mut Exec<'_, 'e>) -> Done {
+        self.refresh(exec);
+        for case in cases {
+            let mut all = true;
+            for (condition, negated) in &case.when {
+                all = self.truth(condition, exec)? != *negated;
+                if !all {
+                    break;
+                }
+            }
+            if !all {
+                continue;
+            }
+            if let Some(say) = case.say {
+                exec.show(say);
+            }
+            self.each_act(&case.acts, exec)?;
+            case.exports.iter().for_each(|(from, to)| exec.copy(*from, *to));
+            return Ok(());
+        }
+        Ok(())
+    }
+
+    fn each_act(&mut self, acts: &[Do], exec: &mut Exec<'_, 'e>) -> Done {
+        for action in acts {
+            self.refresh(exec);
+            if self.holds(action.when.as_ref(), exec)? {
+                self.act(&action.act, exec)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What guards decide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::engine) enum Verdict {
+    /// The cycle goes on: none of them applies.
+    GoOn,
+    /// It goes on after a message.
+    Told,
+    /// It is not executed.
+    Skip,
+}

@@ -1,0 +1,139 @@
+//! Programs prepared for running: labels found, formulas compiled, lines of old-style definitions joined.
+//!
+//! Invariant: done once for a program; running it looks nothing up by name.
+use std::collections::HashMap;
+
+use crate::base::expr::{self, Code};
+use crate::engine::geometry::INCH;
+use crate::engine::report::fault::Fault;
+use crate::program::syntax::{Block, BlockKind, CycleView, Formula, Label, Path, Program};
+
+/// What a label is known by.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+enum Key {
+    Number(u16),
+    Name(String),
+}
+
+/// A program ready to run.
+pub(in crate::engine) struct Prepared<'p> {
+    /// The program.
+    pub(in crate::engine) program: &'p Program,
+    /// Its definitions of cycles.
+    pub(in crate::engine) cycles: Vec<CycleView<'p>>,
+    /// By block: the index of the definition that begins there.
+    definitions: Vec<Option<usize>>,
+    /// By block: the compiled formula.
+    formulas: Vec<Option<Code>>,
+    /// By block: whether a rounding or chamfer follows directly.
+    rounded: Vec<bool>,
+    /// mm in its unit.
+    pub(in crate::engine) unit: f64,
+    /// The block of each label; nothing if the label stands twice.
+    labels: HashMap<Key, Option<usize>>,
+}
+
+impl<'p> Prepared<'p> {
+    pub(in crate::engine) fn new(program: &'p Program) -> Self {
+        let blocks = program.blocks();
+        let cycles = program.cycles();
+        let mut definitions = vec![None; blocks.len()];
+        for (index, view) in cycles.iter().enumerate() {
+            if let Some(cell) = definitions.get_mut(view.first) {
+                *cell = Some(index);
+            }
+        }
+        let formulas = blocks.iter().map(|block| formula(&block.kind)).collect();
+        let rounded = rounded(blocks);
+        let mut labels = HashMap::new();
+        for (index, block) in blocks.iter().enumerate() {
+            let BlockKind::Lbl(label) = &block.kind else { continue };
+            let Some(key) = key(program, label.target).filter(|key| *key != Key::Number(0)) else { continue };
+            labels.entry(key).and_modify(|block| *block = None).or_insert(Some(index));
+        }
+        let inch = blocks.iter().any(|block| matches!(&block.kind, BlockKind::BeginPgm(frame) if frame.inch));
+        let unit = if inch { INCH } else { 1.0 };
+        Self { program, cycles, definitions, formulas, rounded, unit, labels }
+    }
+
+    /// The block of that index.
+    pub(in crate::engine) fn block(&self, index: usize) -> Option<&'p Block> {
+        self.program.blocks().get(index)
+    }
+
+    /// The definition that begins at a block.
+    pub(in crate::engine) fn definition(&self, block: usize) -> Option<usize> {
+        self.definitions.get(block).copied().flatten()
+    }
+
+    /// Whether the corner at the end of a block is rounded or broken by the next one.
+    pub(in crate::engine) fn is_rounded(&self, block: usize) -> bool {
+        self.rounded.get(block).copied().unwrap_or(false)
+    }
+
+    /// The compiled formula of a block.
+    pub(in crate::engine) fn formula(&self, block: usize) -> Option<&Code> {
+        self.formulas.get(block)?.as_ref()
+    }
+
+    /// The block of a label; `text` is its name where a parameter gives it.
+    pub(in crate::engine) fn label(&self, label: Label, text: Option<&str>) -> Result<usize, Fault> {
+        let key = match (label, text) {
+            (Label::Q(_), Some(text)) => Some(Key::Name(text.to_owned())),
+            _ => key(self.program, label),
+        };
+        self.find(key)
+    }
+
+    /// The block of a numbered label.
+    pub(in crate::engine) fn numbered_label(&self, number: u16) -> Result<usize, Fault> {
+        self.find(Some(Key::Number(number)))
+    }
+
+    fn find(&self, key: Option<Key>) -> Result<usize, Fault> {
+        let shown = match &key {
+            Some(Key::Number(number)) => number.to_string(),
+            Some(Key::Name(name)) => name.clone(),
+            None => String::new(),
+        };
+        match key.and_then(|key| self.labels.get(&key)) {
+            Some(Some(block)) => Ok(*block),
+            Some(None) => Err(Fault::program("jump-target-twice").arg("label", shown)),
+            None => Err(Fault::program("jump-target-missing").arg("label", shown)),
+        }
+    }
+}
+
+fn key(program: &Program, label: Label) -> Option<Key> {
+    match label {
+        Label::Number(number) => Some(Key::Number(number)),
+        Label::Name(span) => Some(Key::Name(program.slice(span).to_owned())),
+        Label::Q(_) => None,
+    }
+}
+
+/// By block: whether a rounding or chamfer follows, but for comments and M functions.
+fn rounded(blocks: &[Block]) -> Vec<bool> {
+    let mut follows = false;
+    let mut rounded: Vec<bool> = blocks
+        .iter()
+        .rev()
+        .map(|block| {
+            let here = follows;
+            follows = match &block.kind {
+                BlockKind::Motion(motion) => matches!(motion.path, Path::Rnd | Path::Chf),
+                BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => follows,
+                _ => false,
+            };
+            here
+        })
+        .collect();
+    rounded.reverse();
+    rounded
+}
+
+fn formula(kind: &BlockKind) -> Option<Code> {
+    let BlockKind::Formula(formula) = kind else { return None };
+    let Formula { expr, .. } = &**formula;
+    expr::compile(expr, &expr::OnlyParameters).ok()
+}

@@ -1,0 +1,117 @@
+//! The Q parameters of a run.
+//!
+//! Invariant: a parameter that was never given a value has none; reading it is an error, not 0.
+use std::sync::Arc;
+
+use crate::base::expr::{EvalError, QKind, QRef};
+use crate::engine::report::event::Content;
+
+/// How many parameters of each family there are.
+const COUNT: usize = 2000;
+
+/// Values of Q parameters.
+#[derive(Clone, Debug)]
+pub struct Params {
+    numbers: [Vec<Option<f64>>; 3],
+    texts: Vec<Option<Arc<str>>>,
+    /// How often a value was given or taken.
+    changes: u64,
+}
+
+const fn family(kind: QKind) -> usize {
+    match kind {
+        QKind::Q | QKind::Qs => 0,
+        QKind::Ql => 1,
+        QKind::Qr => 2,
+    }
+}
+
+impl Params {
+    pub(in crate::engine) fn new() -> Self {
+        let none = || vec![None; COUNT];
+        Self { numbers: [none(), none(), none()], texts: vec![None; COUNT], changes: 0 }
+    }
+
+    /// The value of a number parameter.
+    ///
+    /// # Errors
+    /// It has no value, or is a text parameter.
+    pub fn number(&self, q: QRef) -> Result<f64, EvalError> {
+        if q.kind == QKind::Qs {
+            return Err(EvalError::Kind);
+        }
+        let values = self.numbers.get(family(q.kind)).and_then(|values| values.get(usize::from(q.number)));
+        values.copied().flatten().ok_or(EvalError::Undefined(q))
+    }
+
+    /// The value of a text parameter.
+    ///
+    /// # Errors
+    /// It has no value, or is a number parameter.
+    pub fn text(&self, q: QRef) -> Result<Arc<str>, EvalError> {
+        if q.kind != QKind::Qs {
+            return Err(EvalError::Kind);
+        }
+        self.texts.get(usize::from(q.number)).cloned().flatten().ok_or(EvalError::Undefined(q))
+    }
+
+    /// How often a value was given or taken: while that stays, all values are what they were.
+    pub(in crate::engine) const fn changes(&self) -> u64 {
+        self.changes
+    }
+
+    /// The parameter has no value any more.
+    pub(in crate::engine) fn forget(&mut self, q: QRef) {
+        self.changes += 1;
+        let number = usize::from(q.number);
+        if q.kind == QKind::Qs {
+            self.texts.get_mut(number).map(Option::take);
+        } else if let Some(values) = self.numbers.get_mut(family(q.kind)) {
+            values.get_mut(number).map(Option::take);
+        }
+    }
+
+    /// The value of a parameter of either kind.
+    pub fn get(&self, q: QRef) -> Option<Content> {
+        match q.kind {
+            QKind::Qs => self.text(q).ok().map(Content::Text),
+            _ => self.number(q).ok().map(Content::Number),
+        }
+    }
+
+    /// Gives a value. Whether it changed anything.
+    ///
+    /// # Errors
+    /// There is no such parameter, or the value is of the other kind.
+    pub(in crate::engine) fn set(&mut self, q: QRef, value: &Content) -> Result<bool, EvalError> {
+        let index = usize::from(q.number);
+        self.changes += 1;
+        match (q.kind, value) {
+            (QKind::Qs, Content::Text(text)) => {
+                let cell = self.texts.get_mut(index).ok_or(EvalError::Undefined(q))?;
+                let changed = cell.as_ref() != Some(text);
+                *cell = Some(Arc::clone(text));
+                Ok(changed)
+            }
+            (QKind::Q | QKind::Ql | QKind::Qr, Content::Number(number)) => {
+                let values = self.numbers.get_mut(family(q.kind)).and_then(|values| values.get_mut(index));
+                let cell = values.ok_or(EvalError::Undefined(q))?;
+                let changed = *cell != Some(*number);
+                *cell = Some(*number);
+                Ok(changed)
+            }
+            _ => Err(EvalError::Kind),
+        }
+    }
+
+    /// All number parameters of the family Q that have a value.
+    pub fn numbers(&self) -> impl Iterator<Item = (u16, f64)> + '_ {
+        let numbers = self.numbers.first().map_or(&[][..], Vec::as_slice);
+        (0..).zip(numbers).filter_map(|(number, value)| value.map(|value| (number, value)))
+    }
+
+    /// All text parameters that have a value.
+    pub fn texts(&self) -> impl Iterator<Item = (u16, &str)> + '_ {
+        (0..).zip(&self.texts).filter_map(|(number, value)| value.as_deref().map(|value| (number, value)))
+    }
+}
