@@ -1,0 +1,6 @@
+//! The command `ciklo` as users start it: arguments, files, streams, signals, other programs.
+mod cli;
+mod conform_protocol;
+mod files;
+mod hostile;
+mod processes;

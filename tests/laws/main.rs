@@ -1,0 +1,27 @@
+//! Laws of the engine over random legal input, and machining proved by the part that is left.
+//!
+//! `cargo test` draws the same cases everywhere; how to search for new ones is in `tests/support/cases.rs`.
+mod bad_geometry;
+#[path = "../support/built.rs"]
+mod built;
+#[path = "../support/cases.rs"]
+mod cases;
+mod contours;
+mod drilling;
+mod envelope;
+#[path = "../support/in_inches.rs"]
+mod in_inches;
+mod inch;
+mod machining;
+mod measuring;
+mod milling;
+mod patterns;
+mod probing;
+mod rotary;
+mod special_cycles;
+mod stock;
+mod stock_steps;
+mod tcpm;
+mod touch;
+mod transforms;
+mod worked;

@@ -1,0 +1,262 @@
+//! The milling programs that the manuals print, as `examples/` has them: each runs to its end on its blank and leaves the
+//! part that it intends, without a finding; what no manual's program needs yet is refused with its name.
+//!
+//! The parts are calculated here, column by column, from the drawings' dimensions.
+#![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
+use std::fs;
+use std::path::Path;
+
+use ciklo::base::diag::Source;
+use ciklo::engine::run::{Engine, NoTexts, Outcome, Status};
+use ciklo::engine::scene::Scene;
+use ciklo::engine::stock::{Machining, Report, Stock};
+use ciklo::program::syntax;
+use ciklo::spec::Catalogue;
+use glam::{DVec2, DVec3};
+
+/// Columns so near to an edge are not judged, mm.
+const EDGE: f64 = 0.02;
+/// What a height may be wrong, mm.
+const NEAR: f64 = 1e-6;
+
+struct Data {
+    files: ciklo::base::data::Files,
+    catalogue: Catalogue,
+}
+
+impl Data {
+    fn new() -> Self {
+        let files = ciklo::base::data::embedded();
+        let (catalogue, _) = Catalogue::load(&files);
+        Self { files, catalogue }
+    }
+
+    fn run(&self, text: &str, scene: &str) -> (Outcome, Option<(Stock, Report)>) {
+        let on = self.catalogue.on("tnc640").expect("a control");
+        let scene = Scene::parse(&Source::new("scene.yaml", scene), &self.files).expect("a scene");
+        let program = syntax::parse(&Source::new("WORKED.H", text));
+        let mut machining = Machining::new(&program, &scene, Some(0.7)).ok();
+        let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(&self.catalogue);
+        let outcome = engine.run(&mut |event| {
+            if let Some(machining) = &mut machining {
+                machining.see(&event);
+            }
+        });
+        (outcome, machining.map(Machining::finish))
+    }
+}
+
+/// The stretches of material of a column; nothing where it stands too near to an edge.
+type Column = Option<Vec<[f64; 2]>>;
+
+/// A program, where its tool stands at the end, and the part.
+struct Worked {
+    name: &'static str,
+    end: DVec3,
+    part: fn(DVec2) -> Column,
+}
+
+const fn at(x: f64, y: f64) -> DVec2 {
+    DVec2::new(x, y)
+}
+
+/// Through holes of a radius in a plate between two heights.
+fn holes(place: DVec2, centres: &[DVec2], radius: f64, plate: [f64; 2]) -> Column {
+    let far = centres.iter().map(|centre| centre.distance(place)).fold(f64::INFINITY, f64::min);
+    if (far - radius).abs() < EDGE {
+        return None;
+    }
+    Some(if far < radius { Vec::new() } else { vec![plate] })
+}
+
+/// The corners of four holes, drilled through from a surface that lies 10 mm lower.
+fn c200(place: DVec2) -> Column {
+    holes(place, &[at(10.0, 10.0), at(10.0, 90.0), at(90.0, 90.0), at(90.0, 10.0)], 3.0, [-20.0, -10.0])
+}
+
+const EIGHT: [DVec2; 8] = [
+    at(10.0, 10.0),
+    at(40.0, 30.0),
+    at(20.0, 55.0),
+    at(10.0, 90.0),
+    at(90.0, 90.0),
+    at(80.0, 65.0),
+    at(80.0, 30.0),
+    at(90.0, 10.0),
+];
+
+/// The tap is wider than the drill and than what the centre drill leaves.
+fn pattern(place: DVec2) -> Column {
+    holes(place, &EIGHT, 3.0, [-20.0, 0.0])
+}
+
+/// A stud of 90 by 80, a pocket of diameter 50 in it, two slots of 8 on a circle of diameter 70.
+fn c210(place: DVec2) -> Column {
+    let arm = place - at(50.0, 50.0);
+    let outside = (arm.x.abs() - 45.0).max(arm.y.abs() - 40.0);
+    let pocket = arm.length() - 25.0;
+    // The slots reach from 45 to 135 degrees and from 225 to 315: seen from above, the upper half is mirrored.
+    let upper = at(arm.x, arm.y.abs());
+    let angle = upper.y.atan2(upper.x).to_degrees();
+    let middle = if (45.0..=135.0).contains(&angle) {
+        (upper.length() - 35.0).abs()
+    } else {
+        let ends = [45.0_f64, 135.0].map(|end| at(end.to_radians().cos(), end.to_radians().sin()) * 35.0);
+        ends.iter().map(|end| end.distance(upper)).fold(f64::INFINITY, f64::min)
+    };
+    let slot = middle - 4.0;
+    if [outside, pocket, slot].iter().any(|distance| distance.abs() < EDGE) {
+        return None;
+    }
+    Some(vec![[
+        -40.0,
+        if outside > 0.0 || pocket < 0.0 {
+            -30.0
+        } else if slot < 0.0 {
+            -20.0
+        } else {
+            0.0
+        },
+    ]])
+}
+
+/// Ten holes on a circle of diameter 50, five on an arc of diameter 70: a point of 118 degrees ends at 15 mm.
+fn circles(place: DVec2) -> Column {
+    let on = |centre: DVec2, radius: f64, angle: f64| {
+        centre + at(angle.to_radians().cos(), angle.to_radians().sin()) * radius
+    };
+    let mut centres: Vec<DVec2> = (0..10).map(|n| on(at(30.0, 70.0), 25.0, 36.0 * f64::from(n))).collect();
+    centres.extend((0..5).map(|n| on(at(90.0, 25.0), 35.0, 90.0 + 30.0 * f64::from(n))));
+    let far = centres.iter().map(|centre| centre.distance(place)).fold(f64::INFINITY, f64::min);
+    if (far - 4.0).abs() < EDGE {
+        return None;
+    }
+    let slope = 1.0 / 59.0_f64.to_radians().tan();
+    Some(vec![[-40.0, if far < 4.0 { -15.0 + far * slope } else { 0.0 }]])
+}
+
+/// Everything above 35 is gone.
+fn c230(_: DVec2) -> Column {
+    Some(vec![[0.0, 35.0]])
+}
+
+/// Eight pentagons, from 30 to 60 mm away from the middle; the mill of radius 2 went once around each, on its way from
+/// the middle and back.
+fn coordinates(place: DVec2) -> Column {
+    let mut cut = false;
+    for turn in 0..8 {
+        let (s, c) = (f64::from(turn) * 45.0).to_radians().sin_cos();
+        let arm = place - at(65.0, 65.0);
+        let own = at(arm.x * c + arm.y * s, arm.y * c - arm.x * s);
+        // Outside of the pentagon, a band of the tool's diameter; from the middle to the side at X+30, a groove.
+        let beside = pentagon(own);
+        let groove = at(own.x - own.x.clamp(0.0, 28.0), own.y).length() - 2.0;
+        if beside.abs() < EDGE || (beside - 4.0).abs() < EDGE || groove.abs() < EDGE {
+            return None;
+        }
+        cut |= (beside > 0.0 && beside < 4.0) || groove < 0.0;
+    }
+    Some(vec![[-20.0, if cut { -5.0 } else { 0.0 }]])
+}
+
+/// The distance of a point from the pentagon of the contour, negative inside: corners at (30, ±10), (50, ±10) and
+/// (60, 0); the one at (30, 10) and the tip have a radius of 5.
+fn pentagon(point: DVec2) -> f64 {
+    let bend = 5.0 / 2.0_f64.sqrt();
+    let (tip, round) = (at(60.0 - 2.0 * bend, 0.0), at(35.0, 5.0));
+    let sides = [
+        (at(30.0, -10.0), at(30.0, 5.0)),
+        (at(35.0, 10.0), at(50.0, 10.0)),
+        (at(50.0, 10.0), at(60.0 - bend, bend)),
+        (at(60.0 - bend, -bend), at(50.0, -10.0)),
+        (at(50.0, -10.0), at(30.0, -10.0)),
+    ];
+    let far = |(a, b): &(DVec2, DVec2)| {
+        let way = *b - *a;
+        point.distance(*a + way * ((point - *a).dot(way) / way.length_squared()).clamp(0.0, 1.0))
+    };
+    let mut distance = sides.iter().map(far).fold(f64::INFINITY, f64::min);
+    let from_tip = point - tip;
+    if from_tip.x > from_tip.y.abs() {
+        distance = distance.min((from_tip.length() - 5.0).abs());
+    }
+    let from_round = point - round;
+    if from_round.x < 0.0 && from_round.y > 0.0 {
+        distance = distance.min((from_round.length() - 5.0).abs());
+    }
+    let slant = 60.0 - point.y.abs();
+    let inside = point.x > 30.0
+        && point.y.abs() < 10.0
+        && point.x < slant
+        && !(from_tip.x > from_tip.y.abs() && from_tip.length() > 5.0)
+        && !(from_round.x < 0.0 && from_round.y > 0.0 && from_round.length() > 5.0);
+    if inside { -distance } else { distance }
+}
+
+const WORKED: &[Worked] = &[
+    Worked { name: "c200", end: DVec3::new(90.0, 10.0, 250.0), part: c200 },
+    Worked { name: "pattern", end: DVec3::new(90.0, 10.0, 100.0), part: pattern },
+    Worked { name: "table", end: DVec3::new(20.0, 55.0, 100.0), part: pattern },
+    Worked { name: "c210", end: DVec3::new(50.0, 50.0, 250.0), part: c210 },
+    // The last hole: 35 mm from (90, 25) at 210 degrees.
+    Worked { name: "circles", end: DVec3::new(59.689_110_867_544_6, 7.5, 250.0), part: circles },
+    // The 25th line leads away from X+0 again; line and steps end a radius beside the surface and at its border.
+    Worked { name: "c230", end: DVec3::new(110.0, 90.0, 250.0), part: c230 },
+    Worked { name: "coordinates", end: DVec3::new(65.0, 65.0, 250.0), part: coordinates },
+];
+
+#[test]
+fn worked_programs_leave_their_parts() {
+    let data = Data::new();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    for worked in WORKED {
+        let read = |end: &str| fs::read_to_string(folder.join(format!("{}{end}", worked.name))).expect("an example");
+        let (outcome, part) = data.run(&read(".h"), &read(".scene.yaml"));
+        assert_eq!(outcome.status, Status::Done, "{}: {:?}", worked.name, outcome.fault);
+        assert!((outcome.position - worked.end).length() < NEAR, "{} ends at {}", worked.name, outcome.position);
+        let (stock, report) = part.expect("a blank");
+        assert!(report.findings.is_empty(), "{}: {:?}", worked.name, report.findings);
+        let (mut judged, mut all) = (0, 0);
+        let (columns, rows) = stock.size();
+        for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+            let place = stock.place(column, row);
+            all += 1;
+            let Some(wanted) = (worked.part)(place) else { continue };
+            judged += 1;
+            let found = stock.column(column, row);
+            let same = found.len() == wanted.len()
+                && found.iter().zip(&wanted).all(|(a, b)| (a[0] - b[0]).abs() < NEAR && (a[1] - b[1]).abs() < NEAR);
+            assert!(same, "{} at {place}: {found:?} is not {wanted:?}", worked.name);
+        }
+        assert!(judged * 10 >= all * 9, "{}: only {judged} of {all} columns were judged", worked.name);
+    }
+}
+
+/// Programs with contour cycles and cylinder surfaces stop where the first of them would move, and say so.
+#[test]
+fn contour_cycles_are_refused_by_name() {
+    let data = Data::new();
+    let text = include_str!("../manuals/001.txt");
+    for (name, code) in [
+        ("C20", "strategy-pending"),
+        ("C21", "strategy-pending"),
+        ("C25", "strategy-pending"),
+        ("C27", "strategy-pending"),
+        ("C28", "strategy-pending"),
+    ] {
+        let head = format!("BEGIN PGM {name} MM");
+        let blocks = text.lines().filter_map(|line| line.split_once('\t')).map(|(_, block)| block.trim_end());
+        let mut program = String::new();
+        for block in blocks.skip_while(|block| !block.ends_with(&head)) {
+            program += &format!("{block}\n");
+            if block.contains("END PGM") {
+                break;
+            }
+        }
+        assert!(program.lines().count() > 10, "{name}: {program}");
+        // Cylinder surfaces need a rotary table.
+        let (outcome, _) = data.run(&program, "scene: 1\nmachine: mill-table-ac\n");
+        let fault = outcome.fault.unwrap_or_else(|| panic!("{name} was executed"));
+        assert_eq!((&*fault.code, fault.class.status()), (code, outcome.status), "{name}: {fault:?}");
+    }
+}

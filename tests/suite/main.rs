@@ -1,0 +1,41 @@
+//! What the library does, module by module: mostly data beside this directory (`tests/check/`, `tests/syntax/` …)
+//! with a runner here. `UPDATE=1 cargo test --test suite` rewrites expectations; `git diff` shows what changed.
+//!
+//! One program, so that the library is linked once; a file is a module of tests.
+mod accord;
+mod blocks;
+#[path = "../support/built.rs"]
+mod built;
+#[path = "../support/cases.rs"]
+mod cases;
+mod check;
+mod compare;
+mod conform;
+mod convert;
+mod coverage;
+mod documents;
+mod engine;
+mod engine_plan;
+mod export;
+mod expr;
+mod habits;
+#[path = "../support/html.rs"]
+mod html;
+mod iso;
+mod layout;
+mod locale;
+mod logs;
+mod long;
+mod manual;
+mod manuals;
+#[path = "../support/mistakes.rs"]
+mod mistakes;
+mod plain_lines;
+mod presets;
+#[path = "../support/small.rs"]
+mod small;
+mod specs;
+mod syntax;
+mod tidy;
+mod translate;
+mod world;

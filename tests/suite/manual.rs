@@ -1,0 +1,256 @@
+//! The manual site: every page of the built data is valid HTML without a dead link, a few pages of a
+//! small catalogue are compared whole, and what is missing stops the build.
+//! `UPDATE=1 cargo test --test suite manual` rewrites the compared pages in `tests/small/site/`.
+use crate::html;
+use crate::small as catalogue;
+
+use std::collections::{BTreeMap, HashSet};
+use std::path::Path;
+use std::sync::{Mutex, OnceLock};
+
+use ciklo::base::data::{self, Files};
+use ciklo::base::diag::Diagnostic;
+use ciklo::language::locale::Locales;
+use ciklo::output::manual::{self, Request};
+use ciklo::spec::Catalogue;
+
+type Produced = BTreeMap<String, Vec<u8>>;
+
+fn build(files: &Files, languages: &[String]) -> Result<Produced, Vec<Diagnostic>> {
+    let (catalogue, _) = Catalogue::load(files);
+    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let produced = Mutex::new(Produced::new());
+    let sink = |path: &str, bytes: &[u8]| {
+        let before = produced.lock().expect("no thread panics").insert(path.to_owned(), bytes.to_vec());
+        assert!(before.is_none(), "{path} is written twice");
+        Ok(())
+    };
+    let request = Request { catalogue: &catalogue, locales: &locales, files, controls: &[], languages };
+    let built = manual::build(&request, &sink)?;
+    let produced = produced.into_inner().expect("no thread panics");
+    assert_eq!(built.files, produced.len());
+    assert_eq!(built.pages, produced.keys().filter(|path| path.ends_with(".html")).count());
+    Ok(produced)
+}
+
+/// The languages in which nothing is missing.
+fn complete(files: &Files) -> Vec<String> {
+    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let whole = |tag: &&str| locales.audit(tag).is_ok_and(|audit| audit.missing.is_empty());
+    locales.tags().filter(whole).map(str::to_owned).collect()
+}
+
+/// The site of all built data; made once for all tests that look at it.
+fn whole_site() -> &'static Produced {
+    static SITE: OnceLock<Produced> = OnceLock::new();
+    SITE.get_or_init(make_whole_site)
+}
+
+fn make_whole_site() -> Produced {
+    let files = data::embedded();
+    let languages = complete(&files);
+    assert!(languages.iter().any(|tag| tag == "en"), "the source language is complete");
+    build(&files, &languages).unwrap_or_else(|faults| {
+        let shown: Vec<String> = faults.iter().map(|fault| format!("{} {:?}", fault.code, fault.args)).collect();
+        panic!("{shown:#?}")
+    })
+}
+
+/// The small catalogue with the general texts and the templates.
+fn small() -> Files {
+    const GENERAL: [&str; 3] = ["locales/en/text.ftl", "locales/en/units.ftl", "locales/en/site.ftl"];
+    catalogue::files(|path| GENERAL.contains(&path) || path.starts_with("templates/"))
+}
+
+fn pages(site: &Produced) -> impl Iterator<Item = (&str, &str)> {
+    let text = |bytes| std::str::from_utf8(bytes).expect("pages are UTF-8");
+    site.iter().filter(|(path, _)| path.ends_with(".html")).map(move |(path, bytes)| (path.as_str(), text(bytes)))
+}
+
+#[test]
+fn every_page_is_valid_html_in_its_language_with_unique_ids() {
+    let site = whole_site();
+    for (path, text) in pages(site) {
+        let page = html::read(text);
+        assert!(page.errors.is_empty(), "{path}: {:?}", page.errors);
+        let ids: HashSet<&String> = page.ids.iter().collect();
+        assert_eq!(ids.len(), page.ids.len(), "{path}: {:?}", page.ids);
+        let language = path.split('/').nth(1).unwrap_or("en");
+        assert_eq!(page.lang, language, "{path}");
+        let scripts = page.elements.iter().filter(|name| *name == "script").count();
+        assert_eq!(scripts > 0, path.ends_with("/search.html"), "{path}: only searching needs a script");
+        assert!(!page.text.contains(['\u{2068}', '\u{2069}', '\u{2060}']), "{path}: a mark that nobody sees");
+        for name in ["main", "h1", "title"] {
+            assert_eq!(page.elements.iter().filter(|own| *own == name).count(), 1, "{path}: {name}");
+        }
+    }
+}
+
+#[test]
+fn every_link_leads_to_a_file_or_an_id_of_the_site() {
+    let site = whole_site();
+    let read: BTreeMap<&str, html::Page> = pages(site).map(|(path, text)| (path, html::read(text))).collect();
+    for (path, page) in &read {
+        for link in &page.links {
+            let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+            let target = resolve(path, file);
+            assert!(site.contains_key(&target), "{path}: {link}");
+            if !anchor.is_empty() {
+                assert!(read[target.as_str()].ids.iter().any(|id| id == anchor), "{path}: {link}");
+            }
+        }
+    }
+}
+
+fn resolve(from: &str, link: &str) -> String {
+    if link.is_empty() {
+        return from.to_owned();
+    }
+    let mut parts: Vec<&str> = from.split('/').collect();
+    parts.pop();
+    for part in link.split('/') {
+        match part {
+            ".." => assert!(parts.pop().is_some(), "{link} leaves the site"),
+            part => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
+#[test]
+fn every_page_can_be_reached_from_the_first_one() {
+    let site = whole_site();
+    let mut open = vec!["index.html".to_owned()];
+    let mut seen: HashSet<String> = open.iter().cloned().collect();
+    while let Some(path) = open.pop() {
+        let Some(bytes) = site.get(&path).filter(|_| path.ends_with(".html")) else { continue };
+        for link in html::read(&String::from_utf8_lossy(bytes)).links {
+            let target = resolve(&path, link.split('#').next().unwrap_or_default());
+            if seen.insert(target.clone()) {
+                open.push(target);
+            }
+        }
+    }
+    let lost: Vec<&String> = site.keys().filter(|path| !seen.contains(*path)).collect();
+    assert!(lost.is_empty(), "{lost:?}");
+}
+
+#[test]
+fn a_path_of_the_control_keeps_its_backslash() {
+    let site = whole_site();
+    let page = |name: &str| String::from_utf8_lossy(&site[name]).into_owned();
+    assert!(page("tnc640/en/tch-probe-421.html").contains(r"in the directory TNC:\.</"));
+    assert!(page("tnc426-430/en/tch-probe-421.html").contains(r"to RS232:\.</"));
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    let files = small();
+    let first = build(&files, &[]).expect("the small site is whole");
+    assert_eq!(first, build(&files, &[]).expect("the small site is whole"));
+}
+
+#[test]
+fn pages_of_the_small_catalogue_are_as_they_were() {
+    let site = build(&small(), &[]).expect("the small site is whole");
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/small/site");
+    let compared = [
+        "index.html",
+        "small/en/index.html",
+        "small/en/cycl-def-901.html",
+        "small/en/cycl-def-9.html",
+        "small/en/parameters.html",
+        "small/en/topic-pecking-basics.html",
+        "small/en/glossary.html",
+        "small/en/keywords.html",
+        "small/en/search-index.js",
+        "small/en/dialogs.json",
+    ];
+    for path in compared {
+        let file = directory.join(path.replace('/', "-"));
+        let produced = std::str::from_utf8(&site[path]).expect("it is UTF-8");
+        if std::env::var_os("UPDATE").is_some() {
+            std::fs::write(&file, produced).expect("the page can be written");
+        }
+        let kept = std::fs::read_to_string(&file).unwrap_or_default();
+        assert_eq!(produced, kept, "{path} differs; UPDATE=1 rewrites it");
+    }
+}
+
+#[test]
+fn a_missing_text_stops_the_build_and_all_of_them_are_told() {
+    let mut files = small();
+    for (path, text) in &mut files {
+        if path == "locales/en/small.ftl" {
+            *text = text.replace("choice-plain = Plain", "").replace("step-peck = The tool pecks.", "");
+        }
+    }
+    let faults = build(&files, &[]).expect_err("two texts are missing");
+    let keys: Vec<String> = faults.iter().map(|fault| format!("{} {:?}", fault.code, fault.get("key"))).collect();
+    assert_eq!(keys.len(), 2, "{keys:?}");
+    assert!(faults.iter().all(|fault| fault.code == "locale-missing-text" && fault.place.is_some()), "{keys:?}");
+}
+
+#[test]
+fn a_topic_without_a_page_or_a_title_stops_the_build() {
+    for (text, code) in [(None, "manual-topic-missing"), (Some("No title.\n"), "manual-topic-title")] {
+        let mut files = small();
+        match text {
+            None => files.retain(|(path, _)| !path.ends_with("pecking-basics.md")),
+            Some(text) => {
+                let page = files.iter_mut().find(|(path, _)| path.ends_with("pecking-basics.md")).expect("the page");
+                page.1 = text.to_owned();
+            }
+        }
+        let faults = build(&files, &[]).expect_err("the topic cannot be shown");
+        assert_eq!(faults.iter().map(|fault| fault.code).collect::<Vec<_>>(), [code]);
+        assert!(faults[0].place.is_some());
+    }
+}
+
+#[test]
+fn the_index_of_the_search_leads_from_one_form_of_a_word_to_all() {
+    let words = [
+        ("en", vec!["drill", "drills", "drilling"]),
+        ("fi", vec!["syvyys", "syvyyden", "syvyyteen"]),
+        ("it", vec!["foro", "fori"]),
+        ("pt", vec!["furo", "furos"]),
+        ("sl", vec!["vrtina", "vrtine", "vrtin"]),
+    ];
+    let site = whole_site();
+    for (tag, same) in words {
+        let script = std::str::from_utf8(&site[&format!("tnc640/{tag}/search-index.js")]).expect("it is UTF-8");
+        let json = script.strip_prefix("const cikloIndex = ").and_then(|rest| rest.strip_suffix(";\n"));
+        let index: serde_json::Value = serde_json::from_str(json.expect("one object")).expect("the object is JSON");
+        let list = |value: &serde_json::Value| value.as_array().expect("a list").clone();
+        let forms = list(&index["forms"]);
+        assert!(forms.windows(2).all(|pair| pair[0][0].as_str() < pair[1][0].as_str()), "{tag}: not in order");
+        let stem = |form: &str| forms.iter().find(|entry| entry[0] == form).map(|entry| entry[1].as_u64());
+        let stems: Vec<_> = same.iter().map(|form| stem(form).unwrap_or_else(|| panic!("{tag}: no {form}"))).collect();
+        assert!(stems.windows(2).all(|pair| pair[0] == pair[1]), "{tag}: {same:?} {stems:?}");
+        let drilling =
+            list(&index["pages"]).iter().position(|entry| entry[0] == "cycl-def-200.html").expect("its page");
+        let on = list(&index["stems"][stems[0].expect("a number") as usize]);
+        let pages: Vec<u64> = on.iter().step_by(2).filter_map(serde_json::Value::as_u64).collect();
+        assert!(pages.contains(&(drilling as u64)), "{tag}: {same:?} do not lead to the page of drilling");
+    }
+}
+
+#[test]
+fn a_template_that_uses_an_unknown_value_stops_the_build() {
+    let mut files = small();
+    for (path, text) in &mut files {
+        if path == "templates/cycle.html" {
+            *text = text.replace("words.purpose", "words.purpoise");
+        }
+    }
+    let faults = build(&files, &[]).expect_err("a word does not exist");
+    assert!(faults.iter().all(|fault| fault.code == "manual-template"), "{faults:?}");
+}
+
+#[test]
+fn what_is_not_there_cannot_be_asked_for() {
+    let files = small();
+    let faults = build(&files, &["xx".to_owned()]).expect_err("there is no such language");
+    assert_eq!(faults[0].code, "locale-unknown-language");
+}
