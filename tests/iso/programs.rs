@@ -27,6 +27,11 @@ fn tail() -> impl Strategy<Value = String> {
 const LINEAR: &[&str] = &["X", "Y", "Z", "A", "B", "C", "U", "V", "W"];
 const PLANE: &[&str] = &["X", "Y"];
 
+/// A number that is a radius after `R`: a bare `R0` is a word of its own, which switches the compensation off.
+fn radius() -> impl Strategy<Value = String> {
+    number().prop_map(|number| if number == "0" { "+0".to_owned() } else { number })
+}
+
 /// A block of Klartext that DIN/ISO has an equivalent of.
 pub(crate) fn block() -> impl Strategy<Value = String> {
     let direction = || proptest::sample::select(vec!["DR+", "DR-"]);
@@ -36,7 +41,7 @@ pub(crate) fn block() -> impl Strategy<Value = String> {
         1 => coordinates(PLANE).prop_map(|at| format!("CC{at}")),
         1 => Just("CC".to_owned()),
         1 => (coordinates(PLANE), direction(), tail()).prop_map(|(at, d, tail)| format!("C{at} {d}{tail}")),
-        1 => (coordinates(PLANE), number(), direction()).prop_map(|(at, r, d)| format!("CR{at} R{r} {d}")),
+        1 => (coordinates(PLANE), radius(), direction()).prop_map(|(at, r, d)| format!("CR{at} R{r} {d}")),
         1 => (coordinates(PLANE), tail()).prop_map(|(at, tail)| format!("CT{at}{tail}")),
         1 => (coordinates(&["PR", "PA", "Z"]), tail()).prop_map(|(at, tail)| format!("LP{at}{tail}")),
         1 => (coordinates(&["PA", "Z"]), direction()).prop_map(|(at, d)| format!("CP{at} {d}")),

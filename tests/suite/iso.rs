@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 use std::{env, fs};
 
 use ciklo::base::data::{self, Files};
@@ -31,6 +32,12 @@ struct Data {
 }
 
 impl Data {
+    /// Read once for all tests.
+    fn shared() -> &'static Self {
+        static DATA: LazyLock<Data> = LazyLock::new(Data::new);
+        &DATA
+    }
+
     fn new() -> Self {
         let files = data::embedded();
         let (catalogue, _) = Catalogue::load(&files);
@@ -83,7 +90,7 @@ fn told(finding: &Diagnostic) -> String {
 
 #[test]
 fn programs_are_told_in_klartext() {
-    let data = Data::new();
+    let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
     let mut wrong = Vec::new();
     for path in files("i") {
@@ -107,7 +114,7 @@ fn programs_are_told_in_klartext() {
 /// Lines before a program do not make it one of the other language, and none is lost.
 #[test]
 fn a_sheet_before_the_program_stays_there() {
-    let data = Data::new();
+    let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
     let text = "; setup\n\n( sheet ) ; 2\n0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\n2 L X+1 R0 FMAX\n( a note )\n3 END PGM A MM\n";
     let program = read("part.h", text);
@@ -125,7 +132,7 @@ fn a_sheet_before_the_program_stays_there() {
 /// Values with a point or a comma behind G99 are none of a label.
 #[test]
 fn lengths_of_tools_are_no_labels() {
-    let data = Data::new();
+    let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
     let text = "%A G71 *\nN10 G99 T2 L75. R0.0*\nN20 G99 T3 L75,5 R2,5*\nN30 L1,2*\nN40 M140 MB MAX F500*\nN99999999 %A G71 *\n";
     let lowered = to_klartext(&read("part.i", text), &codes, None);
@@ -137,7 +144,7 @@ fn lengths_of_tools_are_no_labels() {
 #[test]
 fn every_code_is_documented() {
     const HEAD: &str = "| code | cycle | words of its fields | source |\n|---|---|---|---|\n";
-    let data = Data::new();
+    let data = Data::shared();
     let mut rows = BTreeMap::<(u32, String), String>::new();
     for on in data.catalogue.controls.values() {
         for cycle in on.cycles.values() {
@@ -170,7 +177,7 @@ fn every_code_is_documented() {
 /// What the checker finds in the Klartext is told where it stands in the file.
 #[test]
 fn findings_stand_in_the_file() {
-    let data = Data::new();
+    let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
     let text = "%A G71 *\nN10 T1 G17 S1000 M3*\nN20 G200 Q200=2 Q201=-20 Q206=0 Q202=5 Q210=0 Q203=+0 Q204=50 Q211=0*\n\
                 N30 G79*\nN40 G201 Q200=+2 ;SET-UP CLEARANCE\nQ201=-15 ;DEPTH\nQ206=99999999\nQ208=200*\nN50 G26 R2*\nN60 G333*\n\
@@ -193,7 +200,7 @@ fn findings_stand_in_the_file() {
 /// Every place of the Klartext has its place in the file, and what was copied is there letter by letter.
 #[test]
 fn copies_know_where_they_come_from() {
-    let data = Data::new();
+    let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
     let mut copies = 0;
     for path in files("i") {
@@ -220,7 +227,7 @@ fn copies_know_where_they_come_from() {
 /// from it again.
 #[test]
 fn codes_of_the_manuals_are_those_of_cycles() {
-    let data = Data::new();
+    let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
     let list = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/iso/codes.txt")).expect("the list");
     let mut written = BTreeMap::<String, Vec<&str>>::new();
@@ -255,7 +262,7 @@ fn codes_of_the_manuals_are_those_of_cycles() {
 /// The blocks that the manuals print, by way of DIN/ISO, say the same; those that have no code are few and named.
 #[test]
 fn printed_blocks_come_back() {
-    let data = Data::new();
+    let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/printed");
     let (mut count, mut refused) = (0, BTreeMap::<String, usize>::new());
@@ -285,14 +292,23 @@ fn printed_blocks_come_back() {
     assert!(count > 250, "{count}");
 }
 
-/// A code without coordinates would only change what acts: blocks that are no more than that are told and left out.
+/// A code without coordinates would only change what acts, and an arc without radius is none: such blocks are reported
+/// and left out.
 #[test]
-fn blocks_without_coordinates_are_refused() {
-    let data = Data::new();
+fn blocks_without_coordinates_or_radius_are_refused() {
+    let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
-    for (line, refused) in
-        [("L", true), ("C DR+", true), ("CT M8", true), ("CP DR-", true), ("L M8", false), ("L R0 F100", false)]
-    {
+    for (line, refused) in [
+        ("L", true),
+        ("C DR+", true),
+        ("CT M8", true),
+        ("CP DR-", true),
+        ("L M8", false),
+        ("L R0 F100", false),
+        ("CR X+0 R0 DR+", true),
+        ("CR X+0 R+0 DR+", false),
+        ("CR X+0 R-0 DR+", false),
+    ] {
         let program = read("part.h", &format!("0 BEGIN PGM A MM\n1 CC X+0 Y+0\n2 {line}\n3 END PGM A MM\n"));
         let raised = to_iso(&program, &codes);
         assert_eq!(raised.diagnostics.len(), usize::from(refused), "{line}\n{}", raised.text);
@@ -338,7 +354,7 @@ fn functions_are_d_functions() {
         "FN 38: SEND /\"Q-Parameter Q1: %f Q23: %f\" / +Q1 / +Q23",
         "FN 38: SEND /\"done\"",
     ];
-    let data = Data::new();
+    let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
     for line in FUNCTIONS {
         let program = read("part.h", &format!("0 BEGIN PGM A MM\n1 {line}\n2 END PGM A MM\n"));
@@ -355,7 +371,7 @@ fn functions_are_d_functions() {
 /// The programs of the manuals that lie with their scenes in `examples/` come back whole.
 #[test]
 fn programs_of_the_manuals_come_back() {
-    let data = Data::new();
+    let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
     let mut count = 0;
     for entry in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples")).expect("the programs") {
@@ -413,7 +429,7 @@ impl Partner for ByWayOfIso<'_> {
 
 #[test]
 fn examples_do_the_same_by_way_of_iso() {
-    let data = Data::new();
+    let data = Data::shared();
     let world = World { catalogue: &data.catalogue, locales: &data.locales, files: &data.files };
     let mut partner = ByWayOfIso { data: &data, codes: Codes::new(&data.catalogue), executed: 0, refused: 0 };
     let _ = conform::run_foreign(&world, &["tnc640", "tnc320"], &mut partner);
@@ -424,7 +440,7 @@ fn examples_do_the_same_by_way_of_iso() {
 /// Long programs take no longer than their length.
 #[test]
 fn long_programs_are_told_in_linear_time() {
-    let data = Data::new();
+    let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
     for unit in [
         "G70\n",
@@ -441,14 +457,29 @@ fn long_programs_are_told_in_linear_time() {
     }
 }
 
+/// Cases that laws once failed on.
+#[test]
+fn these_programs_come_back() {
+    let codes = Codes::new(&Data::shared().catalogue);
+    for block in ["TCH PROBE 400 X ~\n Q263=+0 ;A ~\n Q264=+5", "CR X+0 R+0 DR-"] {
+        let program = read("part.h", &format!("0 BEGIN PGM A MM\n{block}\nEND PGM A MM\n"));
+        let (iso, back) = by_way_of_iso(&codes, &program).expect("nothing is refused");
+        assert_eq!(Data::shared().differences("tnc640", &program, &back), Vec::<String>::new(), "{iso}");
+    }
+    for blocks in ["N10 G03 X+1 R+5 *\nN20 G02 X+0 R0 *", "N10 G01 G91 G90 X+0 *"] {
+        let lowered = to_klartext(&read("part.i", &format!("%A G71 *\n{blocks}\nN99999999 %A G71 *\n")), &codes, None);
+        let (iso, back) = by_way_of_iso(&codes, &lowered.program).expect("nothing is refused");
+        assert_eq!(Data::shared().differences("tnc640", &lowered.program, &back), Vec::<String>::new(), "{iso}");
+    }
+}
+
 proptest! {
     #![proptest_config(crate::cases::config(300))]
 
     /// Klartext by way of DIN/ISO is the same program.
     #[test]
     fn klartext_comes_back(blocks in proptest::collection::vec(block(), 1..12), inch in any::<bool>()) {
-        thread_local! { static DATA: &'static Data = Box::leak(Box::new(Data::new())); }
-        let data = DATA.with(|data| *data);
+        let data = Data::shared();
         let codes = Codes::new(&data.catalogue);
         let unit = if inch { "INCH" } else { "MM" };
         let text = format!("0 BEGIN PGM A {unit}\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 BLK FORM 0.2 IX+100 Y+50 Z+0\n{}\nEND PGM A {unit}\n", blocks.join("\n"));
@@ -467,8 +498,7 @@ proptest! {
     /// DIN/ISO by way of Klartext is the same program: told in Klartext once more, it says the same.
     #[test]
     fn iso_comes_back(blocks in proptest::collection::vec(iso_block(), 1..12), inch in any::<bool>()) {
-        thread_local! { static DATA: &'static Data = Box::leak(Box::new(Data::new())); }
-        let data = DATA.with(|data| *data);
+        let data = Data::shared();
         let codes = Codes::new(&data.catalogue);
         let unit = if inch { "G70" } else { "G71" };
         let blocks = blocks.iter().filter(|block| !(inch && *block == "G71"));
@@ -496,8 +526,7 @@ proptest! {
         "G200 Q200=", "Q201=-5 ;DEPTH", "G83 P01 2", "G28", "G73 H", "G37 P01 1 P03 2", "( a", "G26 R5", "* - x", "~", "é", "N5 /G1", "M3", "S5 X1",
         "G55 P01 5 P02 X-", "G79:G01", "%:TAB:\"A\"", "%X", "G04", "G00 F5", "X1 ; c", "\"", "D16 x", "D18 Q1 ID5", "G30 X1", "G31 X1",
     ]), 0..12)) {
-        thread_local! { static DATA: &'static Data = Box::leak(Box::new(Data::new())); }
-        let data = DATA.with(|data| *data);
+        let data = Data::shared();
         let codes = Codes::new(&data.catalogue);
         let text = lines.join("\n");
         let lowered = to_klartext(&read("part.i", &text), &codes, None);
