@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use serde::Serialize;
 
-use super::check::{Job, PROGRAMS, no_programs};
+use super::jobs::{Job, no_programs};
+use super::program::PROGRAMS;
 use super::progress::Progress;
-use super::project::{Library, Shelf, Standing};
+use super::project::{CheckedProgram, Library, Tables};
 use super::session::{Session, json};
 use super::{Command, Failure, Outcome, arguments, cycle, program};
 use crate::base::diag::{Diagnostic, Severity};
@@ -60,14 +61,14 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         jobs.extend(found.into_iter().map(|path| Job { path, on, settings: Settings::default(), named }));
     }
     let library = Library::new(jobs.iter().map(|job| job.path.clone()).collect());
-    let shelf = Shelf::new(&[])?;
+    let tables = Tables::new(&[])?;
     let progress = Progress::new(session.ui.text("cli-checking", &Args::new()), jobs.len());
     let mut tally = Tally::new(arguments::chosen_fail_on(matches).unwrap_or(Severity::Error));
     for job in &jobs {
         match program::understand(&job.path, &catalogue) {
             Ok(file) => {
-                let place = Standing::new(&library, &shelf, job, &against);
-                let found = file.findings(check_in(&file.program, &against, &place));
+                let program = CheckedProgram::new(&library, &tables, job, &against);
+                let found = file.findings(check_in(&file.program, &against, &program));
                 tally.add(&job.path.display().to_string(), &Facts::of(&file.program, &against), &found);
             }
             Err(Failure::Trouble(trouble)) => troubles.push(*trouble),

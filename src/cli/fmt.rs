@@ -4,7 +4,7 @@ use std::path::Path;
 use clap::ArgMatches;
 
 use super::session::Session;
-use super::{Command, Failure, Outcome, arguments, check, mend, program};
+use super::{Command, Failure, Outcome, arguments, mend, program};
 use crate::base::diag::Diagnostic;
 use crate::check::{Against, LabelBook};
 use crate::language::locale::{Args, Ui};
@@ -26,7 +26,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
     let (mut count, mut troubles) = (0, Vec::new());
     for name in arguments::all(matches, "file") {
-        let extensions = [&check::PROGRAMS[..], &check::TABLES[..]].concat();
+        let extensions = [&program::PROGRAMS[..], &program::TABLES[..]].concat();
         let (paths, hidden) = system::files_below(Path::new(&name), &extensions);
         troubles.extend(hidden.into_iter().map(Diagnostic::from));
         for path in paths {

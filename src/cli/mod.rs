@@ -25,6 +25,7 @@ mod envelope;
 mod explain;
 mod export;
 mod fmt;
+mod jobs;
 mod lint;
 mod man;
 mod mend;

@@ -5,7 +5,7 @@ use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::check::PROGRAMS;
+use super::program::PROGRAMS;
 use super::{Failure, program};
 use crate::engine::run::{Programs, program_key};
 use crate::program::syntax::Program;

@@ -17,6 +17,11 @@ use crate::system::{self, Seen};
 /// An encoding in which a text is its own bytes.
 const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
 
+/// Extensions of the programs that are looked for in folders.
+pub(super) const PROGRAMS: [&str; 2] = ["h", "i"];
+/// Extensions of the tables that are looked for in folders.
+pub(super) const TABLES: [&str; 5] = ["t", "tp", "pr", "d", "pnt"];
+
 /// What is found in a file without any block.
 const EMPTY: &str = "program-empty";
 
@@ -128,7 +133,7 @@ pub(super) fn is_table(file: &Text) -> bool {
 /// The text of a table of a kind that no manual describes, such as those of pallets and of pockets: it begins with the
 /// name of a file, and its own name is none of a program.
 pub(super) fn other_table(path: &Path) -> Result<Option<Arc<Source>>, Failure> {
-    let is_program = |own: &std::ffi::OsStr| super::check::PROGRAMS.iter().any(|it| own.eq_ignore_ascii_case(it));
+    let is_program = |own: &std::ffi::OsStr| PROGRAMS.iter().any(|it| own.eq_ignore_ascii_case(it));
     if path.extension().is_none_or(is_program) {
         return Ok(None);
     }

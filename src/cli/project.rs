@@ -1,4 +1,4 @@
-//! The files around a program that is checked: the programs that it calls, and the tables that are named.
+//! The files that a checked program refers to: the programs that it calls, and the tables that are named.
 //!
 //! Invariant: a name means a file only where a control would find it: without a folder it stands beside the calling
 //! program; with folders it ends the path of a file that is checked, too.
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
-use super::check::Job;
+use super::jobs::Job;
 use super::{Failure, program};
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{self, Against, Called, Callee, Project, Rows, ToolName};
@@ -205,7 +205,7 @@ impl Library {
         if round {
             return Some(Callee::anything(&file.program));
         }
-        Some(Callee::of(&file.program, against, Some(&Inside { library: self, path, against })))
+        Some(Callee::of(&file.program, against, Some(&CalledProgram { library: self, path, against })))
     }
 
     /// The files that a program calls.
@@ -266,14 +266,14 @@ fn is_drive(part: &str, name: &str) -> bool {
     name.get(..part.len()).is_some_and(|head| head == part) && name.as_bytes().get(part.len()) == Some(&b':')
 }
 
-/// A called program with those around it.
-struct Inside<'l, 'a> {
+/// A called program with those that it may call.
+struct CalledProgram<'l, 'a> {
     library: &'l Library,
     path: &'l Path,
     against: &'l Against<'a>,
 }
 
-impl Project for Inside<'_, '_> {
+impl Project for CalledProgram<'_, '_> {
     fn called(&self, name: &str) -> Called {
         let Found::File(path) = self.library.file(self.path, name) else { return Called::Unknown };
         match self.library.on(self.against).callees.known(&path).flatten() {
@@ -292,18 +292,18 @@ impl Project for Inside<'_, '_> {
 }
 
 /// Tables, each read once.
-pub(super) struct Shelf {
+pub(super) struct Tables {
     tables: BTreeMap<String, Table>,
     /// Those that are for all programs.
     given: Vec<String>,
 }
 
-impl Shelf {
+impl Tables {
     /// With the tables that are for all programs.
     pub(super) fn new(given: &[String]) -> Result<Self, Failure> {
-        let mut shelf = Self { tables: BTreeMap::new(), given: given.to_vec() };
-        shelf.add(given)?;
-        Ok(shelf)
+        let mut tables = Self { tables: BTreeMap::new(), given: given.to_vec() };
+        tables.add(given)?;
+        Ok(tables)
     }
 
     /// Reads tables that were not read yet.
@@ -323,8 +323,8 @@ impl Shelf {
     }
 }
 
-/// A program that is checked, with what stands around it.
-pub(super) struct Standing<'s> {
+/// A program that is checked, with the files that it may refer to.
+pub(super) struct CheckedProgram<'s> {
     library: &'s Library,
     tables: Vec<&'s Table>,
     path: PathBuf,
@@ -335,10 +335,10 @@ pub(super) struct Standing<'s> {
     asked: AtomicBool,
 }
 
-impl<'s> Standing<'s> {
-    pub(super) fn new(library: &'s Library, shelf: &'s Shelf, job: &'s Job<'_>, against: &'s Against<'s>) -> Self {
-        let names = shelf.given.iter().chain(&job.settings.tables);
-        let tables = names.filter_map(|name| shelf.tables.get(name)).collect();
+impl<'s> CheckedProgram<'s> {
+    pub(super) fn new(library: &'s Library, tables: &'s Tables, job: &'s Job<'_>, against: &'s Against<'s>) -> Self {
+        let names = tables.given.iter().chain(&job.settings.tables);
+        let tables = names.filter_map(|name| tables.tables.get(name)).collect();
         let path = library.spelled(&job.path);
         Self { library, tables, path, whole: !job.named, against, asked: AtomicBool::new(false) }
     }
@@ -362,7 +362,7 @@ impl<'s> Standing<'s> {
     }
 }
 
-impl Project for Standing<'_> {
+impl Project for CheckedProgram<'_> {
     fn called(&self, name: &str) -> Called {
         self.asked.store(true, Ordering::Relaxed);
         let path = match self.library.file(&self.path, name) {
