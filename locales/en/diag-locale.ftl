@@ -38,7 +38,10 @@ diag-locale-term-value = The term “-{ $term }” has no variant “{ $value }�
 diag-locale-term-needs = The term “-{ $term }” must be given “{ $name }” here.
 diag-locale-cyclic = “{ $key }” contains itself.
 diag-locale-unknown-language = There are no files for the language “{ $language }”.
-diag-locale-missing-text = The language “{ $language }” has no text “{ $key }”.
+diag-locale-missing-text = The language “{ $language }” has no text “{ $key }”{ $file ->
+        [none] {""}.
+       *[other] ; it belongs in { $file }.
+    }
 diag-locale-missing-argument = The text “{ $key }” ({ $language }) uses “{ $name }”, which it is not given.
 diag-locale-function-failed =
     In the text “{ $key }” ({ $language }), { $name } cannot be carried out: { $reason ->

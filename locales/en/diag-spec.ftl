@@ -11,7 +11,22 @@ diag-spec-duplicate-name = The name { $name } occurs twice.
 diag-spec-duplicate-parameter = { $q } occurs twice in the cycle.
 diag-spec-empty-range = The range is empty: { $min } is greater than { $max }.
 diag-spec-example-out-of-range = The example value { $value } of { $name } is none that the parameter takes.
-diag-spec-expected = Expected { $expected }, found { $found }.
+diag-spec-expected = Expected { $expected ->
+        [mapping] keys with values
+        [list] a list
+        [number] a number
+        [whole-number] a whole number
+        [text] a text
+        [true-or-false] true or false
+        [q-parameter] a Q parameter
+        [axis] the letter of an axis
+        [action] an action
+        [one-verb] exactly one verb
+        [one-series] exactly one series
+        [cell] file, row, column and value
+        [end-word] done, stopped, error, limit or unsupported
+       *[other] { $expected }
+    }, found { $found }.
 diag-spec-expression = Not an expression: expected { $expected }, found "{ $found }".
 diag-spec-foreign-manual = Manual { $manual } is not a manual of { $control }.
 diag-spec-guard-keys = A guard needs code, when and then, or names a fragment with use.

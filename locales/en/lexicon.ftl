@@ -2,7 +2,8 @@
 lexicon-length = clearance | depth | coordinate | diameter | radius | width | height | distance | allowance | length | retraction | limit | size | pitch | shift | path | start | end | spacing | oversize | overrun | play | position | chamfer | offset | tolerance | infeed | centre | center | side | compensation | datum | point | undersize | edge | decrement | thickness | run-out | contour | reduction
 lexicon-angle = angle | angular | rotation | orientation | rotary | tilt
 lexicon-feed = feed
-lexicon-time = dwell | time
+lexicon-time = dwell | time | pause
+lexicon-place = at | in | on | above | below | before | after | between
 lexicon-speed = speed | revolution
 lexicon-count = number | threads | breaks | probings | points | cuts | lines
 lexicon-factor = factor | overlap | multipl

@@ -38,7 +38,10 @@ diag-locale-term-value = Termillä ”-{ $term }” ei ole muotoa ”{ $value }�
 diag-locale-term-needs = Termille ”-{ $term }” on annettava tässä ”{ $name }”.
 diag-locale-cyclic = ”{ $key }” sisältää itsensä.
 diag-locale-unknown-language = Kielelle ”{ $language }” ei ole tiedostoja.
-diag-locale-missing-text = Kielessä ”{ $language }” ei ole tekstiä ”{ $key }”.
+diag-locale-missing-text = Kielessä ”{ $language }” ei ole tekstiä ”{ $key }”{ $file ->
+        [none] {""}.
+       *[other] ; se kuuluu tiedostoon { $file }.
+    }
 diag-locale-missing-argument = Teksti ”{ $key }” ({ $language }) käyttää argumenttia ”{ $name }”, jota sille ei ole annettu.
 diag-locale-function-failed =
     Tekstissä ”{ $key }” ({ $language }) funktiota { $name } ei voi suorittaa: { $reason ->

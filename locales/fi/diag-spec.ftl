@@ -11,7 +11,22 @@ diag-spec-duplicate-name = Nimi { $name } on tässä kahdesti.
 diag-spec-duplicate-parameter = { $q } on työkierrossa kahdesti.
 diag-spec-empty-range = Alue on tyhjä: { $min } on suurempi kuin { $max }.
 diag-spec-example-out-of-range = Esimerkkiarvo { $value } ei kelpaa parametrille { $name }.
-diag-spec-expected = Odotettiin { $expected }, löytyi { $found }.
+diag-spec-expected = Odotettiin: { $expected ->
+        [mapping] avaimia ja arvoja
+        [list] luettelo
+        [number] luku
+        [whole-number] kokonaisluku
+        [text] teksti
+        [true-or-false] true tai false
+        [q-parameter] Q-parametri
+        [axis] akselin kirjain
+        [action] toiminto
+        [one-verb] täsmälleen yksi verbi
+        [one-series] täsmälleen yksi sarja
+        [cell] file, row, column ja value
+        [end-word] done, stopped, error, limit tai unsupported
+       *[other] { $expected }
+    }, löytyi: { $found }.
 diag-spec-expression = Tämä ei ole lauseke: odotettiin { $expected }, löytyi ”{ $found }”.
 diag-spec-foreign-manual = Käsikirja { $manual } ei ole ohjauksen { $control } käsikirja.
 diag-spec-guard-keys = Tarkastus tarvitsee avaimet code, when ja then, tai se nimeää osan avaimella use.

@@ -2,7 +2,8 @@
 lexicon-length = etäisyy | syvyy | koordina | koord. | halkaisija | säde | leveys | leveyden | korkeu | matka | työvara | pituu | vetäyty | raja | koko | mitta | nousu | siirto | siirtymä | rata | alku | alun | loppu | lopun | väli | ylitys | ajo | välys | sijainti | asema | viiste | toleranssi | keskip | sivu | korjaus | korjauks | kompens | perusp | piste | reuna | vähennys | paksuus | muoto | muodon | pienennys | epäkesko | varmuusraja
 lexicon-angle = kulma | kulman | kierto | suuntau | kääntö
 lexicon-feed = syöttö
-lexicon-time = odotusaika | aika | odotus
+lexicon-time = odotusaika | aika | odotus | tauko
+lexicon-place = -ssa | -ssä | -lla | -llä
 lexicon-speed = kierrosluku | nopeus | kierrosl
 lexicon-count = lukumäärä | lkm | numero | kierteitä | koskettu | pisteiden | lastujen
 lexicon-factor = kerroin | limitys | pintanormaali

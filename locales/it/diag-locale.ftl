@@ -38,7 +38,10 @@ diag-locale-term-value = Il termine «-{ $term }» non ha la forma «{ $value }�
 diag-locale-term-needs = Il termine «-{ $term }» richiede qui «{ $name }».
 diag-locale-cyclic = «{ $key }» contiene se stesso.
 diag-locale-unknown-language = Non ci sono file per la lingua «{ $language }».
-diag-locale-missing-text = La lingua «{ $language }» non ha il testo «{ $key }».
+diag-locale-missing-text = La lingua «{ $language }» non ha il testo «{ $key }»{ $file ->
+        [none] {""}.
+       *[other] ; il suo posto è in { $file }.
+    }
 diag-locale-missing-argument = Il testo «{ $key }» ({ $language }) usa «{ $name }», che non gli viene fornito.
 diag-locale-function-failed =
     Nel testo «{ $key }» ({ $language }) non è possibile eseguire { $name }: { $reason ->

@@ -11,7 +11,22 @@ diag-spec-duplicate-name = Il nome { $name } è presente due volte.
 diag-spec-duplicate-parameter = { $q } è presente due volte nel ciclo.
 diag-spec-empty-range = Il campo di immissione è vuoto: { $min } è maggiore di { $max }.
 diag-spec-example-out-of-range = Il valore di esempio { $value } di { $name } non è ammesso per il parametro.
-diag-spec-expected = Atteso: { $expected }, trovato: { $found }.
+diag-spec-expected = Atteso: { $expected ->
+        [mapping] chiavi con valori
+        [list] un elenco
+        [number] un numero
+        [whole-number] un numero intero
+        [text] un testo
+        [true-or-false] true o false
+        [q-parameter] un parametro Q
+        [axis] la lettera di un asse
+        [action] un’azione
+        [one-verb] esattamente un verbo
+        [one-series] esattamente una serie
+        [cell] file, row, column e value
+        [end-word] done, stopped, error, limit o unsupported
+       *[other] { $expected }
+    }, trovato: { $found }.
 diag-spec-expression = Non è un’espressione; atteso: { $expected }, trovato: «{ $found }».
 diag-spec-foreign-manual = Il manuale { $manual } non è un manuale del controllo { $control }.
 diag-spec-guard-keys = Una verifica richiede code, when e then, oppure indica un frammento con use.

@@ -2,7 +2,8 @@
 lexicon-length = distanza | prof | coordinata | diametro | raggio | larghezza | altezza | sovrametallo | lunghezza | ritrazione | limit | quota | grandezza | passo | spostamento | percorso | inizi | fine | final | oltrecorsa | gioco | posizione | smusso | offset | tolleranza | increment | centro | lato | laterale | correzione | origine | punto | spigolo | decremento | spessore | uscita | profilo | riduzione | eccentricità | corsa | partenza
 lexicon-angle = angol | rotazione | orientamento | rotativ
 lexicon-feed = avanzamento
-lexicon-time = sosta | tempo
+lexicon-time = sosta | tempo | pausa
+lexicon-place = a | ad | al | alla | all’ | in | nel | nella | su | sul | sulla | sopra | sotto | tra
 lexicon-speed = numero di giri | velocità
 lexicon-count = numero | n. | filetti | rotture | tastature | punti | tagli | righe
 lexicon-factor = fattore | sovrapposizione | moltiplica

@@ -38,7 +38,10 @@ diag-locale-term-value = O termo «-{ $term }» não tem a forma «{ $value }» 
 diag-locale-term-needs = O termo «-{ $term }» precisa aqui de «{ $name }».
 diag-locale-cyclic = «{ $key }» contém-se a si próprio.
 diag-locale-unknown-language = Não há ficheiros para o idioma «{ $language }».
-diag-locale-missing-text = O idioma «{ $language }» não tem o texto «{ $key }».
+diag-locale-missing-text = O idioma «{ $language }» não tem o texto «{ $key }»{ $file ->
+        [none] {""}.
+       *[other] ; o seu lugar é em { $file }.
+    }
 diag-locale-missing-argument = O texto «{ $key }» ({ $language }) usa «{ $name }», que não lhe é dado.
 diag-locale-function-failed =
     No texto «{ $key }» ({ $language }) não é possível executar { $name }: { $reason ->

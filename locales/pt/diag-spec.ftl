@@ -11,7 +11,22 @@ diag-spec-duplicate-name = O nome { $name } aparece duas vezes.
 diag-spec-duplicate-parameter = { $q } aparece duas vezes no ciclo.
 diag-spec-empty-range = O campo de introdução está vazio: { $min } é maior do que { $max }.
 diag-spec-example-out-of-range = O valor de exemplo { $value } de { $name } não é admitido pelo parâmetro.
-diag-spec-expected = Esperado: { $expected }, encontrado: { $found }.
+diag-spec-expected = Esperado: { $expected ->
+        [mapping] chaves com valores
+        [list] uma lista
+        [number] um número
+        [whole-number] um número inteiro
+        [text] um texto
+        [true-or-false] true ou false
+        [q-parameter] um parâmetro Q
+        [axis] a letra de um eixo
+        [action] uma ação
+        [one-verb] exatamente um verbo
+        [one-series] exatamente uma série
+        [cell] file, row, column e value
+        [end-word] done, stopped, error, limit ou unsupported
+       *[other] { $expected }
+    }, encontrado: { $found }.
 diag-spec-expression = Isto não é uma expressão: esperado: { $expected }, encontrado: «{ $found }».
 diag-spec-foreign-manual = O manual { $manual } não é um manual do comando { $control }.
 diag-spec-guard-keys = Uma verificação precisa de code, when e then, ou indica um fragmento com use.

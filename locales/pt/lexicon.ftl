@@ -3,7 +3,8 @@
 lexicon-length = distância | profundidade | coordenada | diâmetro | raio | largura | altura | medida | longitude | recuo | limite | tamanho | passo | deslocação | caminho | percurso | início | fim | inicial | final | posição | chanfre | desvio | tolerância | centro | lado | compensação | correção | ponto | aresta | redução | espessura | saída | contorno | folga | excentricidade | superfície
 lexicon-angle = ângulo | angular | rotação | orientação | rotativo | inclinação
 lexicon-feed = avanço
-lexicon-time = tempo
+lexicon-time = tempo | pausa | espera
+lexicon-place = a | à | ao | em | no | na | sobre | sob | entre
 lexicon-speed = rotações | velocidade
 lexicon-count = número | filetes | roturas | apalpações | pontos | cortes | linhas | passagens
 lexicon-factor = fator | sobreposição | multipl | normal à superf

@@ -38,7 +38,10 @@ diag-locale-term-value = Izraz »-{ $term }« nima oblike »{ $value }« za argu
 diag-locale-term-needs = Izraz »-{ $term }« tukaj potrebuje argument »{ $name }«.
 diag-locale-cyclic = »{ $key }« vsebuje samo sebe.
 diag-locale-unknown-language = Za jezik »{ $language }« ni datotek.
-diag-locale-missing-text = Jezik »{ $language }« nima besedila »{ $key }«.
+diag-locale-missing-text = Jezik »{ $language }« nima besedila »{ $key }«{ $file ->
+        [none] {""}.
+       *[other] ; spada v { $file }.
+    }
 diag-locale-missing-argument = Besedilo »{ $key }« ({ $language }) uporablja argument »{ $name }«, ki ni bil podan.
 diag-locale-function-failed =
     V besedilu »{ $key }« ({ $language }) funkcije { $name } ni mogoče izvesti: { $reason ->

@@ -11,7 +11,22 @@ diag-spec-duplicate-name = Ime { $name } je navedeno dvakrat.
 diag-spec-duplicate-parameter = Parameter { $q } je v ciklu naveden dvakrat.
 diag-spec-empty-range = Razpon je prazen: { $min } je večje od { $max }.
 diag-spec-example-out-of-range = Vrednosti { $value } iz primera parameter { $name } ne sprejme.
-diag-spec-expected = Pričakovano: { $expected }, najdeno: { $found }.
+diag-spec-expected = Pričakovano: { $expected ->
+        [mapping] ključi z vrednostmi
+        [list] seznam
+        [number] število
+        [whole-number] celo število
+        [text] besedilo
+        [true-or-false] true ali false
+        [q-parameter] Q-parameter
+        [axis] črka osi
+        [action] dejanje
+        [one-verb] natanko en glagol
+        [one-series] natanko eno zaporedje
+        [cell] file, row, column in value
+        [end-word] done, stopped, error, limit ali unsupported
+       *[other] { $expected }
+    }, najdeno: { $found }.
 diag-spec-expression = To ni izraz: pričakovano je { $expected }, najdeno »{ $found }«.
 diag-spec-foreign-manual = Priročnik { $manual } ni priročnik za krmiljenje { $control }.
 diag-spec-guard-keys = Preverjanje potrebuje ključe code, when in then ali pa s ključem use navede fragment.

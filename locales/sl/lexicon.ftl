@@ -2,7 +2,8 @@
 lexicon-length = razdalj | globin | koor | premer | polmer | širin | višin | nadmer | dolžin | odmik | mej | omejit | velikost | korak | zamik | pot | začet | kon | razmik | položaj | posnet | toleranc | primik | središč | sredin | stran | popravilo | kompenz | referenčn | ničeln | točk | rob | pojemanj | debelin | iztek | prekorač | dimenzij | mer | oddalj | vrednost | prekrivanj | povratek | zmanjšanj
 lexicon-angle = kot | rotac | orient | rot.
 lexicon-feed = pomik
-lexicon-time = čas
+lexicon-time = čas | premor | zadrž
+lexicon-place = na | v | pri | nad | pod | pred | po | med
 lexicon-speed = vrt.
 lexicon-count = številk | števil | štev | navojev | lomov | tipanj | točk | rezov | vrstic | povratek
 lexicon-factor = faktor | prekrivanj | pomnož

@@ -1,7 +1,7 @@
 //! `ciklo block`: the NC block of a cycle.
 use clap::{ArgMatches, value_parser};
 
-use super::session::Session;
+use super::session::{self, Session};
 use super::{Command, Failure, Outcome, arguments, cycle};
 use crate::language::label::{self, Request};
 use crate::language::locale::Ui;
@@ -43,7 +43,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         form: matches.get_one::<String>("form").map(String::as_str),
         number: matches.get_one::<u32>("number").copied(),
     };
-    let block = label::block(on, cycle, language, &request).map_err(Failure::Data)?;
+    let block = label::block(on, cycle, language, &request).map_err(session::in_texts(&locales))?;
     session.output.print(&block)?;
     Ok(Outcome::Clean)
 }

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use clap::ArgMatches;
 
 use super::progress::Progress;
-use super::session::Session;
+use super::session::{self, Session};
 use super::{Command, Failure, Outcome, arguments, cycle};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::{Args, Ui};
@@ -38,7 +38,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let staged = Staged::new(Path::new(out))?;
     let request =
         Request { catalogue: &catalogue, locales: &locales, files: &files, controls: &controls, languages: &languages };
-    let site = Site::new(&request).map_err(Failure::Data)?;
+    let site = Site::new(&request).map_err(session::in_texts(&locales))?;
     let progress = Progress::new(session.ui.text("cli-building", &Args::new()), site.pages());
     // A disk that is full is told once, not for each file that did not fit.
     let trouble: Mutex<Option<Diagnostic>> = Mutex::new(None);
@@ -56,7 +56,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     if let Some(diagnostic) = trouble.into_inner().ok().flatten() {
         return Err(diagnostic.into());
     }
-    let built = built.map_err(Failure::Data)?;
+    let built = built.map_err(session::in_texts(&locales))?;
     staged.commit()?;
     let index = Path::new(out).join("index.html").display().to_string();
     let args = Args::new().number("pages", built.pages as f64).number("files", built.files as f64);

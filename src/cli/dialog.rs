@@ -23,10 +23,10 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
     let language = cycle::language_for(&locales, on, &session.ui, matches)?;
     let cycle = cycle::find(on, &arguments::all(matches, "cycle").join(" "))?;
-    let dialog = dialog::dialog(on, cycle, language).map_err(Failure::Data)?;
+    let dialog = dialog::dialog(on, cycle, language).map_err(session::in_texts(&locales))?;
     let text = match arguments::chosen_format(matches) {
         "json" => session::json(&dialog)?,
-        _ => dialog::render(&dialog, language).map_err(Failure::Data)?,
+        _ => dialog::render(&dialog, language).map_err(session::in_texts(&locales))?,
     };
     session.output.print(&text)?;
     Ok(Outcome::Clean)

@@ -5,6 +5,7 @@ use super::session::Session;
 use super::{Command, Failure, Outcome, arguments};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::{Args, Ui};
+use crate::spec::Catalogue;
 
 pub(super) const COMMAND: Command = Command { name: "explain", usage: "[CODE]", arguments: own, run };
 
@@ -12,6 +13,9 @@ pub(super) const COMMAND: Command = Command { name: "explain", usage: "[CODE]", 
 const PREFIX: &str = "diag-";
 /// The sentences of the specifications' guards, whose codes the checker uses as well.
 const GUARD: &str = "guard-";
+
+/// Shown in a gap for which there is no word.
+const UNKNOWN: &str = "…";
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![arguments::argument(ui, "code", "cli-explain-code").value_name("CODE")]
@@ -36,10 +40,47 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         return Err(Diagnostic::global("unknown-code").arg("code", code.as_str()).into());
     }
     let (ui, prefix) = if guard { (&whole, GUARD) } else { (&session.ui, PREFIX) };
-    session.output.print(&format!("{code}\n  {}\n", ui.sketch(&format!("{prefix}{code}"))))?;
+    let data = session.catalogue()?;
+    let sentence = filled(&ui.sketch(&format!("{prefix}{code}")), &|name| gap(name, &data, &whole, &session.ui));
+    session.output.print(&format!("{code}\n  {sentence}\n"))?;
     let explained = if guard { "guard" } else { code.as_str() };
     if let Some(more) = session.ui.find(&format!("explain-{explained}"), &Args::new()) {
         session.output.print(&format!("\n{more}\n"))?;
     }
     Ok(Outcome::Clean)
+}
+
+/// A sentence with its gaps, `‹name›`, filled.
+fn filled(sentence: &str, gap: &dyn Fn(&str) -> String) -> String {
+    let mut text = String::with_capacity(sentence.len());
+    let mut rest = sentence;
+    while let Some((before, inside)) = rest.split_once('‹') {
+        let Some((name, after)) = inside.split_once('›') else { break };
+        text.push_str(before);
+        text.push_str(&gap(name));
+        rest = after;
+    }
+    text + rest
+}
+
+/// What a reader sees in a gap: a machine datum by the names that the controls print, a parameter by its name, anything
+/// else by a word for it, or dots.
+fn gap(name: &str, data: &Catalogue, whole: &Ui<'_>, ui: &Ui<'_>) -> String {
+    if let Some(datum) = name.strip_prefix("mp-") {
+        let printed = data.controls.values().flat_map(|on| &on.control.data.0);
+        let mut names: Vec<&str> =
+            printed.filter(|(own, _)| own.as_str() == datum).map(|(_, name)| &*name.text).collect();
+        names.sort_unstable();
+        names.dedup();
+        return if names.is_empty() { UNKNOWN.to_owned() } else { names.join(" / ") };
+    }
+    // A text that refers to another one has it in place.
+    if let Some(text) = whole.find(name, &Args::new()) {
+        return text;
+    }
+    let word = match name.strip_prefix("q-") {
+        Some(parameter) => whole.find(&format!("parameter-{parameter}"), &Args::new()),
+        None => ui.find(&format!("gap-{name}"), &Args::new()),
+    };
+    word.map_or_else(|| UNKNOWN.to_owned(), |word| format!("‹{word}›"))
 }

@@ -17,7 +17,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
     let language = cycle::language_for(&locales, on, &session.ui, matches)?;
-    let export = export::export(on, language).map_err(Failure::Data)?;
+    let export = export::export(on, language).map_err(session::in_texts(&locales))?;
     session.output.print(&session::json(&export)?)?;
     Ok(Outcome::Clean)
 }

@@ -11,7 +11,7 @@ use crate::check::{self, Against, LabelBook};
 use crate::engine::plan;
 use crate::language::consistency;
 use crate::language::label;
-use crate::language::locale::{Args, Language, LocaleError, Locales, SOURCE_LANGUAGE, Scope, Ui};
+use crate::language::locale::{Args, Language, LocaleError, Locales, NO_FILE, SOURCE_LANGUAGE, Scope, Ui};
 use crate::output::manual;
 use crate::program::syntax;
 use crate::spec::{self, Catalogue};
@@ -103,6 +103,7 @@ fn texts(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
                     Diagnostic::error("locale-missing-text", place.clone())
                         .arg("key", key)
                         .arg("language", source.tag())
+                        .arg("file", NO_FILE)
                 }));
             }
         }
@@ -218,6 +219,7 @@ fn pages(catalogue: &Catalogue, locales: &Locales, files: &[(String, String)], t
     }
     let request = manual::Request { catalogue, locales, files, controls: &[], languages: &[] };
     let mut found = manual::build(&request, &|_, _| Ok(())).err().unwrap_or_default();
+    locales.place_missing(&mut found);
     found.retain(|diagnostic| diagnostic.code != "locale-missing-text" || !missing.contains(&text(diagnostic)));
     found
 }

@@ -179,6 +179,14 @@ impl<'s> Session<'s> {
     }
 }
 
+/// Findings in texts; where one is missing, the place of the English text and the file in which it belongs are added.
+pub(super) fn in_texts(locales: &Locales) -> impl Fn(Vec<Diagnostic>) -> Failure {
+    |mut found| {
+        locales.place_missing(&mut found);
+        Failure::Data(found)
+    }
+}
+
 /// A document, for people to read too.
 pub(super) fn json(document: &impl serde::Serialize) -> Result<String, Failure> {
     let text = serde_json::to_string_pretty(document);

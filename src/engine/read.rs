@@ -30,7 +30,7 @@ impl<'r> Reader<'r> {
 
     /// Reports that something else was expected; `expected` is a word of the message's selector.
     pub(in crate::engine) fn expected(&mut self, node: &Node, expected: &'static str) {
-        let shown = node.text().map_or_else(|| node.kind_word().to_owned(), str::to_owned);
+        let shown = node.shown(self.source);
         self.report("scene-expected", node, vec![("expected", expected.into()), ("found", shown.into())]);
     }
 

@@ -26,7 +26,7 @@ impl Context<'_> {
 
     /// Reports that something else was expected.
     pub fn expected(&mut self, node: &Node, expected: &str) {
-        let shown = node.text().map_or_else(|| node.kind_word().to_owned(), str::to_owned);
+        let shown = node.shown(self.source);
         let place = self.place(node);
         self.found.push(Diagnostic::error("spec-expected", place).arg("expected", expected).arg("found", shown));
     }

@@ -68,7 +68,7 @@ pub(super) fn check(node: &Node, controls: &[&str], source: &Arc<Source>, found:
 fn check_names(list: &Node, controls: &[&str], source: &Arc<Source>, found: &mut Vec<Diagnostic>) {
     let place = || Place::new(source, list.span);
     if list.items().is_empty() {
-        let shown = list.text().unwrap_or(list.kind_word());
+        let shown = list.shown(source);
         found.push(Diagnostic::error("spec-expected", place()).arg("expected", "list").arg("found", shown));
     }
     for item in list.items() {

@@ -65,15 +65,20 @@ impl Node {
         }
     }
 
-    /// The word for what kind of value it is, as used in messages.
-    pub fn kind_word(&self) -> &'static str {
-        match self.kind {
-            Kind::Scalar(..) => "scalar",
-            Kind::List(_) => "list",
-            Kind::Map(_) => "mapping",
+    /// What messages show of it: its text, or the beginning of a list or mapping as the file has it.
+    pub fn shown(&self, source: &Source) -> String {
+        if let Some(text) = self.text() {
+            return text.to_owned();
         }
+        let written = source.text().get(self.span.start..self.span.end).unwrap_or_default().trim();
+        let line = written.lines().next().unwrap_or_default();
+        let short: String = line.chars().take(SHOWN).collect();
+        if short.len() < written.len() { format!("{short} …") } else { short }
     }
 }
+
+/// So many characters of a list or mapping are shown.
+const SHOWN: usize = 40;
 
 /// Characters to bytes: the parser counts characters, sources count bytes.
 struct Bytes(Option<Vec<usize>>);

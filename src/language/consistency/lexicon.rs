@@ -2,7 +2,8 @@
 //!
 //! Each language lists the words that name a quantity or a reference (`lexicon-angle`,
 //! `lexicon-absolute`), pieces of words separated by ` | `. A name that contains words of others and
-//! none of its own contradicts the specification. Invariant: a name without any such word says nothing.
+//! none of its own contradicts the specification. What a name says of a place (`lexicon-place`: "pause at half depth") is not
+//! what it measures. Invariant: a name without any such word says nothing.
 use std::collections::BTreeSet;
 
 use crate::base::diag::Diagnostic;
@@ -25,12 +26,15 @@ const QUANTITIES: [Quantity; 7] = [
     Quantity::Count,
     Quantity::Factor,
 ];
+/// The words that say where.
+const PLACE: &str = "place";
 const REFERENCES: [Reference; 2] = [Reference::Absolute, Reference::Incremental];
 
 /// Reports names that contradict the quantity or the reference of their parameter.
 pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Diagnostic>) {
     for language in locales.iter() {
         let quantities = lexicon(language, QUANTITIES.iter().map(|quantity| quantity.as_str()));
+        let places = listed(language, PLACE);
         let references = lexicon(language, REFERENCES.iter().map(|reference| reference.as_str()));
         let mut seen = BTreeSet::new();
         for on in catalogue.controls.values() {
@@ -39,7 +43,8 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
                     let kinds = (param.quantity.as_str(), param.reference.map(Reference::as_str));
                     let texts = Texts::of(language, (catalogue, on), cycle, param);
                     if !texts.explained && seen.insert((param.is.text.to_string(), texts.name.clone(), kinds)) {
-                        judge(&texts, param, kinds.0, &quantities, "accord-quantity", found);
+                        let measured = Texts { name: without_place(&texts.name, &places), ..texts.clone() };
+                        judge(&measured, param, kinds.0, &quantities, "accord-quantity", found);
                         if let Some(reference) = kinds.1 {
                             judge(&texts, param, reference, &references, "accord-reference", found);
                         }
@@ -51,15 +56,34 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
 }
 
 fn lexicon(language: &Language, kinds: impl Iterator<Item = &'static str>) -> Vec<Words> {
-    let words = |kind: &'static str| {
-        let list = language.plain(&format!("lexicon-{kind}"), &Scope::NONE).ok()?;
-        let words = list.split('|').map(|word| word.trim().to_lowercase()).filter(|word| !word.is_empty()).collect();
-        Some(Words { kind, words })
-    };
-    kinds.filter_map(words).collect()
+    let words = |kind| Words { kind, words: listed(language, kind) };
+    kinds.map(words).filter(|words| !words.words.is_empty()).collect()
+}
+
+/// The words of a language for one kind; none if it lists none.
+fn listed(language: &Language, kind: &str) -> Vec<String> {
+    let list = language.plain(&format!("lexicon-{kind}"), &Scope::NONE).unwrap_or_default();
+    list.split('|').map(|word| word.trim().to_lowercase()).filter(|word| !word.is_empty()).collect()
+}
+
+/// A name without what a word of place says, up to a colon or comma, and without words that end like one (`-ssa`). Its
+/// first word stays.
+fn without_place(name: &str, places: &[String]) -> String {
+    let mut kept: Vec<&str> = Vec::new();
+    let mut in_place = false;
+    for word in name.split_whitespace() {
+        let ends = |place: &String| place.strip_prefix('-').is_some_and(|ending| word.ends_with(ending));
+        in_place |= !kept.is_empty() && places.iter().any(|place| place == word);
+        if !in_place && (kept.is_empty() || !places.iter().any(ends)) {
+            kept.push(word);
+        }
+        in_place &= !word.ends_with([':', ',']);
+    }
+    kept.join(" ")
 }
 
 /// What a language says of a parameter.
+#[derive(Clone)]
 struct Texts<'l> {
     language: &'l Language,
     id: String,
@@ -109,4 +133,18 @@ fn judge(
         Some(place) => diagnostic.related("said-here", place),
         None => diagnostic,
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_place;
+
+    #[test]
+    fn a_place_is_not_what_is_measured() {
+        let places = ["at", "-ssä"].map(str::to_owned);
+        assert_eq!(without_place("pause at half depth", &places), "pause");
+        assert_eq!(without_place("tauko puolessa syvyydessä", &places), "tauko puolessa");
+        assert_eq!(without_place("at depth", &places), "at depth");
+        assert_eq!(without_place("probing at depth: coordinate", &places), "probing coordinate");
+    }
 }

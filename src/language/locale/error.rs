@@ -5,6 +5,9 @@ use std::fmt;
 
 use crate::base::diag::{Diagnostic, Place, Severity};
 
+/// The word of a message where it is not known in which file a text belongs.
+pub const NO_FILE: &str = "none";
+
 /// Why a text could not be made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
@@ -85,7 +88,9 @@ impl From<LocaleError> for Diagnostic {
                 diagnostic.arg("name", name)
             }
             Fault::FunctionFailed(name, reason) => diagnostic.arg("name", name).arg("reason", reason),
-            Fault::UnknownLanguage | Fault::MissingText | Fault::Cyclic | Fault::TooLong => diagnostic,
+            // Whoever knows the other languages says where it belongs.
+            Fault::MissingText => diagnostic.arg("file", NO_FILE),
+            Fault::UnknownLanguage | Fault::Cyclic | Fault::TooLong => diagnostic,
         }
     }
 }

@@ -307,6 +307,13 @@ impl Language {
         Some((pattern::sketch(self.pattern(form)?, &term), self.place(form)?))
     }
 
+    /// The place of a text, whatever its scope.
+    pub(super) fn place_of(&self, key: Key) -> Option<Place> {
+        let entry = self.entries.get(key.id)?;
+        let (_, forms) = entry.all().find(|(attribute, _)| *attribute == key.attribute)?;
+        self.place(forms.first()?)
+    }
+
     /// The messages to which other texts refer.
     pub fn referred(&self) -> HashSet<String> {
         let mut ids = HashSet::new();

@@ -23,12 +23,12 @@ use std::collections::BTreeMap;
 pub use args::Args;
 pub use audit::{Audit, Finding, Meanings};
 pub use collation::Collation;
-pub use error::{Fault, LocaleError};
+pub use error::{Fault, LocaleError, NO_FILE};
 pub use language::{Key, Language, Scope};
 pub use number::{Digits, Numbers};
 pub use ui::Ui;
 
-use crate::base::diag::Diagnostic;
+use crate::base::diag::{Arg, Diagnostic};
 
 /// The tag of the source language, which all others translate.
 pub const SOURCE_LANGUAGE: &str = "en";
@@ -72,5 +72,23 @@ impl Locales {
     /// The source language; nothing if its files are not among those loaded.
     pub fn source(&self) -> Option<&Language> {
         self.languages.get(SOURCE_LANGUAGE)
+    }
+
+    /// Gives findings about texts that a language lacks the place of the text in the source language, and the file in
+    /// which the missing one belongs.
+    pub fn place_missing(&self, found: &mut [Diagnostic]) {
+        for finding in found.iter_mut().filter(|finding| finding.code == Fault::MissingText.code()) {
+            let (Some(Arg::Text(language)), Some(Arg::Text(key))) = (finding.get("language"), finding.get("key"))
+            else {
+                continue;
+            };
+            let Some(place) = self.source().and_then(|source| source.place_of(Key::from(key))) else { continue };
+            let file = place.source.name().replacen(&format!("/{SOURCE_LANGUAGE}/"), &format!("/{language}/"), 1);
+            if language != SOURCE_LANGUAGE {
+                finding.args.retain(|(name, _)| *name != "file");
+                finding.args.push(("file", file.into()));
+                finding.place.get_or_insert(place);
+            }
+        }
     }
 }

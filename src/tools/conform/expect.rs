@@ -94,7 +94,7 @@ impl Reader<'_> {
     }
 
     fn expected(&mut self, node: &Node, expected: &'static str) {
-        let shown = node.text().map_or_else(|| node.kind_word().to_owned(), str::to_owned);
+        let shown = node.shown(self.source);
         let diagnostic = Diagnostic::error("spec-expected", self.place(node));
         self.found.push(diagnostic.arg("expected", expected).arg("found", shown));
     }
