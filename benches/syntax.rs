@@ -78,7 +78,7 @@ fn main() {
     let (locales, _) = Locales::load(files);
     let Some(on) = catalogue.on("tnc640") else { return };
     let labels = LabelBook::new(on, &locales);
-    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
     // Each text is parsed and checked once before anything is measured twice: memory that was given back is used again.
     let texts = || [("contour", contour(500_000)), ("cycles", repeated(CYCLES))];
     for (name, text) in texts() {

@@ -21,7 +21,7 @@ fuzz_target!(|text: &str| {
     });
     let Some(on) = catalogue.on("tnc640") else { return };
     let labels = BOOK.get_or_init(|| LabelBook::new(on, locales));
-    let against = Against { catalogue, on, labels, language: None, readers: &[] };
+    let against = Against { catalogue, on, labels, language: None, software: None, readers: &[] };
     for name in ["fuzz.h", "fuzz.i"] {
         let read = |text: &str| parse(&Source::new(name, text));
         let program = read(text);

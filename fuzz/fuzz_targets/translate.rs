@@ -30,7 +30,7 @@ fuzz_target!(|text: &str| {
     let data = loaded();
     let Some(on) = data.catalogue.on("tnc640") else { return };
     let labels = BOOK.get_or_init(|| LabelBook::new(on, &data.locales));
-    let against = Against { catalogue: &data.catalogue, on, labels, language: None, readers: &[] };
+    let against = Against { catalogue: &data.catalogue, on, labels, language: None, software: None, readers: &[] };
     let utf_8 = Encoding { charset: Charset::Utf8, bom: false };
     let program = |text: &str| parse(&Source::new("fuzz.h", text));
     for finding in check(&program(text), &against) {

@@ -24,7 +24,7 @@ cli-compare-executed = { $verdict ->
     }
 
 cli-check-path = NC programs, or folders whose programs (.h, .i) are checked; “-” reads standard input
-cli-check-control = Control of the programs (default: that of ciklo.toml)
+cli-check-control = Control of the programs, with its software version if it is known, such as tnc640@340590-05 (default: that of ciklo.toml)
 cli-check-config = File with settings (default: ciklo.toml in the folder of each program or above it)
 cli-check-table = Tool, preset or datum table whose rows the programs use
 cli-check-fix = Mend what can be mended without changing what a program does: labels

@@ -209,6 +209,7 @@ cli-conform-summary = { $pass } passed, { $fail } failed, { $out } out of subset
 cli-usage-hint = Perhaps { $suggestion }?
 cli-usage-help = See --help.
 
+diag-unknown-software = “{ $found }” is no software version: it is the number that the control shows, such as 340590-05.
 diag-usage = { $reason ->
         [no-value] { $subject } needs a value.
         [invalid-value] “{ $value }” is no value for { $subject }.

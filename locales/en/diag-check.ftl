@@ -177,7 +177,11 @@ diag-measuring-height-below-floor = { $cycle } measures at { $parameter }={ $val
 diag-metric-values-in-inch = The program is in inches, and { $value } looks like millimetres.
 diag-mirror-of-tool-axis = The tool axis { $axis } cannot be mirrored.
 diag-misordered-parameter = In { $cycle } the control shows { $parameter } before { $before }.
-diag-missing-parameter = { $cycle } lacks { $parameter }.
+diag-missing-parameter =
+    { $count ->
+        [one] { $cycle } lacks { $parameter }.
+       *[other] { $cycle } lacks the parameters { $parameter }.
+    }
 diag-modal-call-left-on =
     M89 still calls the cycle in this block, { $what ->
         [beside] which moves to a position outside the blank
@@ -199,6 +203,7 @@ diag-no-result =
 diag-no-table-open = FN 27 and FN 28 work on the table that FN 26 opened.
 diag-not-a-program = This file is no NC program.
 diag-number-does-not-exist = { $name } does not exist: the numbers go up to { $greatest }.
+diag-older-parameter-set = { $cycle } has the parameters of an earlier software version; the control adds { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } is too small: the least value is { $limit }.
@@ -218,6 +223,7 @@ diag-out-of-range-elsewhere =
                *[above] above
             } { $limit }.
     }
+diag-parameter-of-later-software = { $parameter } in { $cycle } needs a later software version than { $software }, which the manual describes.
 diag-parameter-unassigned =
     { $parameter } is read here, but nothing gives it a value before.
 diag-pattern-combination =
@@ -355,7 +361,11 @@ diag-turning-feed-unit =
     }
 diag-turning-system-missing = { $cycle } is called here, but since the tool call { $aligning } has not been defined.
 diag-two-signs = The number has two signs; they are read as { $right }.
-diag-unknown-cycle = { $cycle } is a cycle of which no manual here speaks.
+diag-unknown-cycle =
+    { $name ->
+        [none] { $cycle } is a cycle of which no manual here speaks.
+       *[other] { $cycle } ({ $name }) is a cycle of the first controls: it still runs, and its values are not checked.
+    }
 diag-unknown-parameter = { $cycle } has no { $parameter } on this control.
 diag-unlike-elsewhere =
     { $what ->

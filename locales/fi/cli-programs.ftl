@@ -24,7 +24,7 @@ cli-compare-executed = { $verdict ->
     }
 
 cli-check-path = NC-ohjelmat tai hakemistot, joiden ohjelmat (.h, .i) tarkastetaan; ”-” tarkoittaa vakiosyötettä
-cli-check-control = Ohjelmien ohjaus (oletus: ciklo.toml-tiedoston mukainen)
+cli-check-control = Ohjelmien ohjaus, tunnettaessa ohjelmistoversioineen, esimerkiksi tnc640@340590-05 (oletus: ciklo.toml-tiedoston mukainen)
 cli-check-config = Asetustiedosto (oletus: ciklo.toml kunkin ohjelman hakemistossa tai sen yläpuolella)
 cli-check-table = Työkalu-, peruspiste- tai nollapistetaulukko, jonka rivejä ohjelmat käyttävät
 cli-check-fix = Korjaa, minkä voi korjata muuttamatta ohjelman toimintaa: NC-tekstit

@@ -181,6 +181,7 @@ cli-conform-summary = Läpi { $pass }, virheellisiä { $fail }, ei tuettuja { $o
 cli-usage-hint = Tarkoititko: { $suggestion }?
 cli-usage-help = Katso --help.
 
+diag-unknown-software = ”{ $found }” ei ole ohjelmistoversio: se on ohjauksen näyttämä numero, esimerkiksi 340590-05.
 diag-usage = { $reason ->
         [no-value] Arvo puuttuu: { $subject }.
         [invalid-value] ”{ $value }” ei kelpaa arvoksi: { $subject }.

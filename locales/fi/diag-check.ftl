@@ -177,7 +177,11 @@ diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }
 diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää millimetriarvolta.
 diag-mirror-of-tool-axis = Työkaluakselia { $axis } ei voi peilata.
 diag-misordered-parameter = Työkierrossa { $cycle } ohjaus näyttää parametrin { $parameter } ennen parametria { $before }.
-diag-missing-parameter = Työkierrosta { $cycle } puuttuu { $parameter }.
+diag-missing-parameter =
+    { $count ->
+        [one] Työkierrosta { $cycle } puuttuu { $parameter }.
+       *[other] Työkierrosta { $cycle } puuttuvat { $parameter }.
+    }
 diag-modal-call-left-on =
     M89 kutsuu työkiertoa vielä tässä lauseessa, { $what ->
         [beside] joka ajaa aihion viereen
@@ -199,6 +203,7 @@ diag-no-result =
 diag-no-table-open = FN 27 ja FN 28 käsittelevät taulukkoa, jonka FN 26 on avannut.
 diag-not-a-program = Tämä tiedosto ei ole NC-ohjelma.
 diag-number-does-not-exist = { $name } ei ole olemassa: numerot päättyvät arvoon { $greatest }.
+diag-older-parameter-set = Työkierrossa { $cycle } on aiemman ohjelmistoversion parametrit; ohjaus lisää { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } on liian pieni: pienin arvo on { $limit }.
@@ -218,6 +223,7 @@ diag-out-of-range-elsewhere =
                *[above] suurempi
             } kuin { $limit }.
     }
+diag-parameter-of-later-software = { $parameter } työkierrossa { $cycle } vaatii uudemman ohjelmistoversion kuin { $software }, jonka käsikirja kuvaa.
 diag-parameter-unassigned =
     { $parameter } luetaan tässä, mutta sille ei ole sitä ennen annettu arvoa.
 diag-pattern-combination =
@@ -354,7 +360,11 @@ diag-turning-feed-unit =
     }
 diag-turning-system-missing = { $cycle } kutsutaan tässä, mutta työkierto { $aligning } on määrittelemättä työkalukutsun jälkeen.
 diag-two-signs = Luvun edessä on kaksi etumerkkiä; ne luetaan merkkinä { $right }.
-diag-unknown-cycle = { $cycle } on työkierto, josta mikään tässä käytetty käsikirja ei kerro.
+diag-unknown-cycle =
+    { $name ->
+        [none] { $cycle } on työkierto, josta mikään tässä käytetty käsikirja ei kerro.
+       *[other] { $cycle } ({ $name }) on ensimmäisten ohjausten työkierto: se toimii yhä, mutta sen arvoja ei tarkasteta.
+    }
 diag-unknown-parameter = Työkierrossa { $cycle } ei ole tässä ohjauksessa parametria { $parameter }.
 diag-unlike-elsewhere =
     { $what ->

@@ -24,7 +24,7 @@ cli-compare-executed = { $verdict ->
     }
 
 cli-check-path = Programmi NC, o cartelle di cui si verificano i programmi (.h, .i); «-» legge l’ingresso standard
-cli-check-control = Controllo numerico dei programmi (predefinito: quello di ciklo.toml)
+cli-check-control = Controllo numerico dei programmi, con la versione software se è nota, ad esempio tnc640@340590-05 (predefinito: quello di ciklo.toml)
 cli-check-config = File con le impostazioni (predefinito: ciklo.toml nella cartella di ogni programma o sopra di essa)
 cli-check-table = Tabella di utensili, preset o origini di cui i programmi usano le righe
 cli-check-fix = Corregge ciò che si può correggere senza cambiare quel che fa il programma: le etichette

@@ -181,6 +181,7 @@ cli-conform-summary = Riusciti: { $pass }, falliti: { $fail }, non supportati: {
 cli-usage-hint = Si intendeva { $suggestion }?
 cli-usage-help = Vedere --help.
 
+diag-unknown-software = «{ $found }» non è una versione software: è il numero che il controllo visualizza, ad esempio 340590-05.
 diag-usage = { $reason ->
         [no-value] { $subject } richiede un valore.
         [invalid-value] «{ $value }» non è un valore per { $subject }.

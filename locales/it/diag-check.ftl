@@ -177,7 +177,11 @@ diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value 
 diag-metric-values-in-inch = Il programma è in pollici e { $value } sembra espresso in millimetri.
 diag-mirror-of-tool-axis = L’asse utensile { $axis } non si può specchiare.
 diag-misordered-parameter = In { $cycle } il controllo visualizza { $parameter } prima di { $before }.
-diag-missing-parameter = In { $cycle } manca { $parameter }.
+diag-missing-parameter =
+    { $count ->
+        [one] In { $cycle } manca { $parameter }.
+       *[other] In { $cycle } mancano { $parameter }.
+    }
 diag-modal-call-left-on =
     { $what ->
         [beside] M89 chiama ancora il ciclo in questo blocco, che porta accanto al pezzo grezzo.
@@ -199,6 +203,7 @@ diag-no-result =
 diag-no-table-open = FN 27 e FN 28 lavorano sulla tabella aperta da FN 26.
 diag-not-a-program = Questo file non è un programma NC.
 diag-number-does-not-exist = { $name } non esiste: i numeri arrivano a { $greatest }.
+diag-older-parameter-set = { $cycle } ha i parametri di una versione software precedente; il controllo aggiunge { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } è troppo piccolo: il valore minimo è { $limit }.
@@ -218,6 +223,7 @@ diag-out-of-range-elsewhere =
                *[above] superiori a
             } { $limit }.
     }
+diag-parameter-of-later-software = { $parameter } in { $cycle } richiede una versione software successiva alla { $software }, quella descritta nel manuale.
 diag-parameter-unassigned =
     { $parameter } viene letto qui, ma prima nulla gli assegna un valore.
 diag-pattern-combination =
@@ -354,7 +360,11 @@ diag-turning-feed-unit =
     }
 diag-turning-system-missing = Qui viene chiamato { $cycle }, ma dopo la chiamata utensile { $aligning } non è stato definito.
 diag-two-signs = Davanti al numero ci sono due segni; vengono letti come { $right }.
-diag-unknown-cycle = { $cycle } è un ciclo di cui nessun manuale qui considerato parla.
+diag-unknown-cycle =
+    { $name ->
+        [none] { $cycle } è un ciclo di cui nessun manuale qui considerato parla.
+       *[other] { $cycle } ({ $name }) è un ciclo dei primi controlli: viene ancora eseguito, ma i suoi valori non vengono verificati.
+    }
 diag-unknown-parameter = Su questo controllo { $cycle } non ha il parametro { $parameter }.
 diag-unlike-elsewhere =
     { $what ->

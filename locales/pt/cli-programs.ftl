@@ -24,7 +24,7 @@ cli-compare-executed = { $verdict ->
     }
 
 cli-check-path = Programas NC, ou pastas cujos programas (.h, .i) são verificados; «-» lê a entrada padrão
-cli-check-control = Comando numérico dos programas (predefinição: o de ciklo.toml)
+cli-check-control = Comando numérico dos programas, com a versão de software se for conhecida, por exemplo tnc640@340590-05 (predefinição: o de ciklo.toml)
 cli-check-config = Ficheiro com definições (predefinição: ciklo.toml na pasta de cada programa ou acima dela)
 cli-check-table = Tabela de ferramentas, de pontos de referência ou de pontos zero cujas linhas os programas usam
 cli-check-fix = Corrige o que se pode corrigir sem mudar o que o programa faz: as designações

@@ -184,6 +184,7 @@ cli-conform-summary = Passaram: { $pass }, falharam: { $fail }, não suportados:
 cli-usage-hint = Queria dizer { $suggestion }?
 cli-usage-help = Ver --help.
 
+diag-unknown-software = «{ $found }» não é uma versão de software: é o número que o comando mostra, por exemplo 340590-05.
 diag-usage = { $reason ->
         [no-value] { $subject } precisa de um valor.
         [invalid-value] «{ $value }» não é um valor para { $subject }.

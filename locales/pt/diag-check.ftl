@@ -177,7 +177,11 @@ diag-measuring-height-below-floor = { $cycle } mede em { $parameter }={ $value }
 diag-metric-values-in-inch = O programa está em polegadas e { $value } parece estar em milímetros.
 diag-mirror-of-tool-axis = O eixo da ferramenta { $axis } não pode ser espelhado.
 diag-misordered-parameter = Em { $cycle }, o comando visualiza { $parameter } antes de { $before }.
-diag-missing-parameter = Em { $cycle } falta { $parameter }.
+diag-missing-parameter =
+    { $count ->
+        [one] Em { $cycle } falta { $parameter }.
+       *[other] Em { $cycle } faltam { $parameter }.
+    }
 diag-modal-call-left-on =
     M89 ainda chama o ciclo nesta frase, { $what ->
         [beside] que leva a um ponto ao lado do bloco
@@ -199,6 +203,7 @@ diag-no-result =
 diag-no-table-open = FN 27 e FN 28 trabalham na tabela que FN 26 abriu.
 diag-not-a-program = Este ficheiro não é um programa NC.
 diag-number-does-not-exist = { $name } não existe: os números vão até { $greatest }.
+diag-older-parameter-set = { $cycle } tem os parâmetros de uma versão de software anterior; o comando acrescenta { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } é demasiado pequeno: o valor mínimo é { $limit }.
@@ -218,6 +223,7 @@ diag-out-of-range-elsewhere =
                *[above] superiores a
             } { $limit }.
     }
+diag-parameter-of-later-software = { $parameter } em { $cycle } exige uma versão de software posterior à { $software }, que o manual descreve.
 diag-parameter-unassigned =
     { $parameter } é lido aqui, mas antes nada lhe atribui um valor.
 diag-pattern-combination =
@@ -354,7 +360,11 @@ diag-turning-feed-unit =
     }
 diag-turning-system-missing = { $cycle } é chamado aqui, mas depois da chamada da ferramenta { $aligning } não foi definido.
 diag-two-signs = Antes do número há dois sinais; são lidos como { $right }.
-diag-unknown-cycle = { $cycle } é um ciclo de que nenhum manual aqui considerado fala.
+diag-unknown-cycle =
+    { $name ->
+        [none] { $cycle } é um ciclo de que nenhum manual aqui considerado fala.
+       *[other] { $cycle } ({ $name }) é um ciclo dos primeiros comandos: ainda é executado, mas os seus valores não são verificados.
+    }
 diag-unknown-parameter = Neste comando, { $cycle } não tem o parâmetro { $parameter }.
 diag-unlike-elsewhere =
     { $what ->

@@ -28,7 +28,7 @@ cli-compare-executed = { $verdict ->
     }
 
 cli-check-path = NC-programi ali mape, katerih programi (.h, .i) se preverijo; »-« pomeni standardni vhod
-cli-check-control = Krmiljenje programov (privzeto: tisto iz ciklo.toml)
+cli-check-control = Krmiljenje programov, z različico programske opreme, če je znana, na primer tnc640@340590-05 (privzeto: tisto iz ciklo.toml)
 cli-check-config = Datoteka z nastavitvami (privzeto: ciklo.toml v mapi vsakega programa ali nad njo)
 cli-check-table = Preglednica orodij, referenčnih točk ali ničelnih točk, katere vrstice uporabljajo programi
 cli-check-fix = Popravi, kar je mogoče popraviti, ne da bi se delovanje programa spremenilo: oznake

@@ -203,6 +203,7 @@ cli-conform-summary = Uspešno: { $pass }, napake: { $fail }, ni podprto: { $out
 cli-usage-hint = Morda { $suggestion }?
 cli-usage-help = Glejte --help.
 
+diag-unknown-software = »{ $found }« ni različica programske opreme: to je številka, ki jo prikaže krmiljenje, na primer 340590-05.
 diag-usage = { $reason ->
         [no-value] { $subject } potrebuje vrednost.
         [invalid-value] »{ $value }« ni vrednost za { $subject }.

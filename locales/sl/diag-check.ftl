@@ -179,7 +179,13 @@ diag-measuring-height-below-floor = { $cycle } meri na višini { $parameter }={ 
 diag-metric-values-in-inch = Program je v palcih, { $value } pa je videti kot vrednost v milimetrih.
 diag-mirror-of-tool-axis = Orodne osi { $axis } ni mogoče zrcaliti.
 diag-misordered-parameter = V ciklu { $cycle } krmiljenje prikaže { $parameter } pred { $before }.
-diag-missing-parameter = V ciklu { $cycle } manjka { $parameter }.
+diag-missing-parameter =
+    { $count ->
+        [one] V ciklu { $cycle } manjka { $parameter }.
+        [two] V ciklu { $cycle } manjkata { $parameter }.
+        [few] V ciklu { $cycle } manjkajo { $parameter }.
+       *[other] V ciklu { $cycle } manjkajo { $parameter }.
+    }
 diag-modal-call-left-on =
     M89 v tem stavku še vedno prikliče cikel, { $what ->
         [beside] čeprav vodi na mesto ob surovcu
@@ -201,6 +207,7 @@ diag-no-result =
 diag-no-table-open = FN 27 in FN 28 delata s preglednico, ki jo je odprl FN 26.
 diag-not-a-program = Ta datoteka ni NC-program.
 diag-number-does-not-exist = { $name } ne obstaja: številke segajo do { $greatest }.
+diag-older-parameter-set = { $cycle } ima parametre starejše različice programske opreme; krmiljenje doda { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } je premajhno: najmanjša vrednost je { $limit }.
@@ -220,6 +227,7 @@ diag-out-of-range-elsewhere =
                *[above] nad
             } { $limit }.
     }
+diag-parameter-of-later-software = { $parameter } v ciklu { $cycle } zahteva novejšo različico programske opreme od { $software }, ki jo opisuje priročnik.
 diag-parameter-unassigned =
     { $parameter } se tu bere, pred tem pa mu nič ne določi vrednosti.
 diag-pattern-combination =
@@ -356,7 +364,11 @@ diag-turning-feed-unit =
     }
 diag-turning-system-missing = { $cycle } se tu prikliče, od priklica orodja naprej pa { $aligning } ni bil definiran.
 diag-two-signs = Pred številom sta dva predznaka; bereta se kot { $right }.
-diag-unknown-cycle = { $cycle } je cikel, ki ga ne omenja noben tu upoštevan priročnik.
+diag-unknown-cycle =
+    { $name ->
+        [none] { $cycle } je cikel, ki ga ne omenja noben tu upoštevan priročnik.
+       *[other] { $cycle } ({ $name }) je cikel prvih krmiljenj: še vedno se izvede, njegove vrednosti pa se ne preverijo.
+    }
 diag-unknown-parameter = Cikel { $cycle } na tem krmiljenju nima parametra { $parameter }.
 diag-unlike-elsewhere =
     { $what ->

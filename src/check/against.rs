@@ -14,6 +14,8 @@ pub struct Against<'a> {
     pub labels: &'a LabelBook<'a>,
     /// The language of the program's labels; found out from them if not given.
     pub language: Option<&'a str>,
+    /// The software version of the control, if it is known.
+    pub software: Option<&'a str>,
     /// Languages for the sentences of guards, the first that has a sentence wins.
     pub readers: &'a [&'a Language],
 }

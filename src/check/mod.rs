@@ -33,7 +33,9 @@ pub use rule::Rule;
 pub use rules::RULES;
 pub use speech::{Speech, speech};
 
-use crate::base::diag::Diagnostic;
+use std::collections::BTreeSet;
+
+use crate::base::diag::{Diagnostic, Severity};
 use crate::program::syntax::Program;
 
 /// The language of a program's names and labels; nothing if none of them is known.
@@ -80,10 +82,21 @@ fn found_in(facts: &Facts<'_>) -> Vec<Diagnostic> {
         room = definition.items;
     }
     allow::apply(program, against, &mut found);
+    once(&mut found);
     // Of findings at one place those of the parser come first, then those of rules in the order of their codes.
     let place = |own: &Diagnostic| own.place.as_ref().map(|place| (place.span.start, place.span.end));
     found.sort_by(|one, other| place(one).cmp(&place(other)).then_with(|| rank(one.code).cmp(&rank(other.code))));
     found
+}
+
+/// What a program that was written by a habit has in every block is one finding: the first.
+fn once(found: &mut Vec<Diagnostic>) {
+    let habit = |own: &Diagnostic| {
+        own.severity == Severity::Warning && ["syntax-spelling", "field-word-missing"].contains(&own.code)
+    };
+    found.sort_by_key(|own| own.place.as_ref().map(|place| place.span));
+    let mut told = BTreeSet::new();
+    found.retain(|own| !habit(own) || told.insert(own.code));
 }
 
 /// Lets the rules for definitions look at one.

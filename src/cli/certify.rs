@@ -47,9 +47,16 @@ struct Report<'r> {
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
-    let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
+    let (on, software) = cycle::control_and_software(&catalogue, &arguments::text(matches, "control"))?;
     let labels = LabelBook::new(on, &locales);
-    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+    let against = Against {
+        catalogue: &catalogue,
+        on,
+        labels: &labels,
+        language: None,
+        software: software.as_deref(),
+        readers: &[],
+    };
     let (mut jobs, mut empty, mut troubles) = (Vec::new(), Vec::new(), Vec::new());
     for name in arguments::all(matches, "file") {
         let (found, hidden) = system::files_below(Path::new(&name), &PROGRAMS);
@@ -58,7 +65,13 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         }
         troubles.extend(hidden.into_iter().map(Diagnostic::from));
         let named = found == [PathBuf::from(&name)];
-        jobs.extend(found.into_iter().map(|path| Job { path, on, settings: Settings::default(), named }));
+        jobs.extend(found.into_iter().map(|path| Job {
+            path,
+            on,
+            software: software.clone(),
+            settings: Settings::default(),
+            named,
+        }));
     }
     let library = Library::new(jobs.iter().map(|job| job.path.clone()).collect());
     let tables = Tables::new(&[])?;

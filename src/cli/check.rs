@@ -75,7 +75,17 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let results = all(&jobs, &progress, |job, books| {
         let labels = books.entry(job.on.id().to_owned()).or_insert_with(|| LabelBook::new(job.on, &locales));
         let language = job.settings.language.as_deref();
-        shared.check(job, &Against { catalogue: &catalogue, on: job.on, labels, language, readers: &readers })
+        shared.check(
+            job,
+            &Against {
+                catalogue: &catalogue,
+                on: job.on,
+                labels,
+                language,
+                software: job.software.as_deref(),
+                readers: &readers,
+            },
+        )
     });
     drop(progress);
     if let Some(cache) = cache {
@@ -165,7 +175,8 @@ impl Shared<'_> {
         let bytes = system::read(&job.path)?;
         // What was found without tables says nothing of a check with them.
         let cache = self.cache.filter(|_| !program.has_tables());
-        let known = cache.map(|cache| (cache, cache.key(&job.path, &bytes, job.on.id(), against.language)));
+        let control = format!("{}@{}", job.on.id(), job.software.as_deref().unwrap_or_default());
+        let known = cache.map(|cache| (cache, cache.key(&job.path, &bytes, &control, against.language)));
         if let Some(found) = known.and_then(|(cache, key)| cache.find(key, || program::source_of(&job.path, &bytes))) {
             return Ok(found);
         }

@@ -98,7 +98,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     };
     let Some(on) = on else { return Ok(Outcome::Clean) };
     let labels = LabelBook::new(on, &locales);
-    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
     let differences = compare::compare(&files[0].program, &files[1].program, &against);
     let execution = match matches.get_flag("execute") {
         true => Some(execute(session, &catalogue, on, &names, &files, &arguments::text(matches, "scene"))?),

@@ -84,7 +84,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         _ => Form::AsWritten,
     };
     let books = (LabelBook::new(from, &locales), LabelBook::new(to, &locales));
-    let against = |on, labels| Against { catalogue: &catalogue, on, labels, language: None, readers: &[] };
+    let against =
+        |on, labels| Against { catalogue: &catalogue, on, labels, language: None, software: None, readers: &[] };
     let (from, to) = (against(from, &books.0), against(to, &books.1));
     let work = Work { from, to, locales: &locales, form, matches };
     let (mut errors, mut troubles) = (false, Vec::new());

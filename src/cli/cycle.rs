@@ -8,7 +8,7 @@ use crate::base::diag::Diagnostic;
 use crate::check::{self, Against, LabelBook};
 use crate::language::locale::{Language, Locales, Ui};
 use crate::program::syntax::Program;
-use crate::spec::{Catalogue, Cycle, CycleKey, Known, OnControl};
+use crate::spec::{Catalogue, Cycle, CycleKey, Known, OnControl, software};
 
 /// The control of `--control`, by whichever of its names.
 pub(super) fn control<'c>(catalogue: &'c Catalogue, id: &str) -> Result<&'c OnControl, Failure> {
@@ -16,6 +16,19 @@ pub(super) fn control<'c>(catalogue: &'c Catalogue, id: &str) -> Result<&'c OnCo
         let known: Vec<String> = catalogue.controls.values().map(|on| on.control.names()).collect();
         Diagnostic::global("unknown-control").arg("control", id).arg("known", known.join(", ")).into()
     })
+}
+
+/// The control of `--control` with the software version after `@`, if there is one.
+pub(super) fn control_and_software<'c>(
+    catalogue: &'c Catalogue,
+    id: &str,
+) -> Result<(&'c OnControl, Option<String>), Failure> {
+    let Some((id, version)) = id.split_once('@') else { return control(catalogue, id).map(|on| (on, None)) };
+    let on = control(catalogue, id)?;
+    match software(version) {
+        Some(_) => Ok((on, Some(version.to_owned()))),
+        None => Err(Diagnostic::global("unknown-software").arg("found", version).into()),
+    }
 }
 
 /// The ids of the controls of several `--control`.
@@ -89,7 +102,7 @@ const FOREIGN: [&str; 4] = ["unknown-cycle", "cycle-not-on-control", "cycle-not-
 pub(super) fn likeliest<'c>(program: &Program, catalogue: &'c Catalogue, locales: &Locales) -> Option<&'c OnControl> {
     catalogue.controls.values().min_by_key(|on| {
         let labels = LabelBook::new(on, locales);
-        let against = Against { catalogue, on, labels: &labels, language: None, readers: &[] };
+        let against = Against { catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
         let found = check::check(program, &against);
         (found.iter().filter(|diagnostic| FOREIGN.contains(&diagnostic.code)).count(), found.len())
     })

@@ -23,7 +23,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     // Labels stay as they are, so any control can tell whether the program stays the same.
     let Some(on) = catalogue.controls.values().next() else { return Ok(Outcome::Clean) };
     let labels = LabelBook::new(on, &locales);
-    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
     let (mut count, mut troubles) = (0, Vec::new());
     for name in arguments::all(matches, "file") {
         let extensions = [&program::PROGRAMS[..], &program::TABLES[..]].concat();

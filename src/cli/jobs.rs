@@ -20,6 +20,8 @@ const CONFIG: &str = "ciklo.toml";
 pub(super) struct Job<'c> {
     pub(super) path: PathBuf,
     pub(super) on: &'c OnControl,
+    /// The software version of the control, if it is known.
+    pub(super) software: Option<String>,
     pub(super) settings: Settings,
     /// Whether it is named itself, not found in a folder.
     pub(super) named: bool,
@@ -49,7 +51,8 @@ pub(super) fn jobs<'c>(
     catalogue: &'c Catalogue,
     locales: &Locales,
 ) -> Result<Jobs<'c>, Failure> {
-    let asked = matches.get_one::<String>("control").map(|id| cycle::control(catalogue, id)).transpose()?;
+    let asked = matches.get_one::<String>("control");
+    let asked = asked.map(|id| cycle::control_and_software(catalogue, id)).transpose()?;
     let language = matches.get_one::<String>("lang").map(|tag| cycle::language(locales, tag)).transpose()?;
     let mut configs = Configs {
         given: matches.get_one::<String>("config").map(PathBuf::from),
@@ -68,9 +71,10 @@ pub(super) fn jobs<'c>(
         for path in paths {
             let mut settings = configs.of(&path, session, catalogue, locales)?;
             settings.language = language.map(|own| own.tag().to_owned()).or(settings.language);
-            let named = settings.control.as_deref().and_then(|id| catalogue.on(id));
-            match asked.or(named) {
-                Some(on) => jobs.push(Job { path, on, settings, named: single }),
+            let named = settings.control.as_deref();
+            let named = named.and_then(|id| cycle::control_and_software(catalogue, id).ok());
+            match asked.clone().or(named) {
+                Some((on, software)) => jobs.push(Job { path, on, software, settings, named: single }),
                 None => {
                     troubles.push(Diagnostic::global("check-no-control").arg("path", path.display().to_string()));
                     return Ok(Jobs { jobs, empty, troubles, tables: configs.tables });
@@ -146,7 +150,7 @@ fn config(
         locales.source().is_some_and(|language| language.has(key.as_str(), &Scope::NONE))
     };
     let rules = |code: &str| codes.contains(&code) || guard(code);
-    let controls = |id: &str| catalogue.on(id).is_some();
+    let controls = |id: &str| cycle::control_and_software(catalogue, id).is_ok();
     let languages = |tag: &str| locales.language(tag).is_ok();
     Config::parse(&Source::new(name, text), &rules, &controls, &languages).map_err(Failure::Data)
 }

@@ -162,7 +162,7 @@ fn printed(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
     let Some(source) = locales.source() else { return found };
     for on in catalogue.controls.values() {
         let labels = LabelBook::new(on, locales);
-        let against = Against { catalogue, on, labels: &labels, language: None, readers: &[source] };
+        let against = Against { catalogue, on, labels: &labels, language: None, software: None, readers: &[source] };
         for cycle in on.cycles.values() {
             for example in &cycle.file.nc_examples {
                 let Ok(block) = label::example(on, cycle, source, example) else { continue };

@@ -86,7 +86,8 @@ mod tests {
         let (locales, _) = Locales::load(files);
         let on = catalogue.on("tnc640").unwrap();
         let labels = LabelBook::new(on, &locales);
-        let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+        let against =
+            Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
         let scratch = tempfile::tempdir().unwrap();
         let path = scratch.path().join("a.h");
         let (old, new) = ("1 L X+5 FMAX\n", "1  L X+5 FMAX\n");

@@ -142,7 +142,7 @@ fn language<'l>(
         return cycle::language_for(locales, on, ui, matches);
     }
     let labels = LabelBook::new(on, locales);
-    let against = Against { catalogue, on, labels: &labels, language: None, readers: &[] };
+    let against = Against { catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
     match check::language(&file.program, &against) {
         Some(tag) => cycle::language(locales, &tag),
         None => cycle::language_for(locales, on, ui, matches),

@@ -47,8 +47,14 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     };
     let Some(on) = on else { return Ok(Outcome::Clean) };
     let labels = LabelBook::new(on, &locales);
-    let against =
-        Against { catalogue: &catalogue, on, labels: &labels, language: from.map(Language::tag), readers: &[] };
+    let against = Against {
+        catalogue: &catalogue,
+        on,
+        labels: &labels,
+        language: from.map(Language::tag),
+        software: None,
+        readers: &[],
+    };
     let relabel = matches.get_flag("relabel");
     let source = file.written().source();
     let out = matches.get_one::<String>("out").map(String::as_str);

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use super::decode::{Context, Decode, Name};
 use super::filter;
 use super::form::{Choice, CycleFile, Described, Dictionary, Fragment, Meaning, Parameter};
-use super::language::{BlockWords, Global, Tongue};
+use super::language::{BlockWords, Global, OldCycle, Tongue};
 use super::profile::{Control, Errata, Erratum, Named, Topic, Topics};
 use super::vocabulary::{Doubtful, Keyword, ParameterKind, Quantity, Reference, Shape};
 use super::yaml::{self, Node};
@@ -100,6 +100,8 @@ pub struct Param {
     pub neutral: Option<f64>,
     /// Its value in programs of older controls, where that is not the neutral one.
     pub imported: Option<f64>,
+    /// What the control adds for it to programs of an earlier software version; empty where that is not known.
+    pub added: Option<String>,
     /// The printed example value.
     pub example: Option<String>,
     /// Where it is in the file.
@@ -263,6 +265,8 @@ pub struct Catalogue {
     pub blocks: Vec<BlockWords>,
     /// What GLOBAL DEF gives.
     pub globals: Vec<Global>,
+    /// Cycles of the first controls, which the ones after them still carry out.
+    pub old_cycles: Vec<OldCycle>,
 }
 
 impl Catalogue {
@@ -348,6 +352,7 @@ impl Catalogue {
             let Some(tongue) = decode::<Tongue>(&file.source, &file.node, &mut found) else { continue };
             catalogue.blocks.extend(tongue.blocks.unwrap_or_default());
             catalogue.globals.extend(tongue.globals.unwrap_or_default());
+            catalogue.old_cycles.extend(tongue.old_cycles.unwrap_or_default());
         }
         for profile in &profiles {
             let on_control = load_control(profile, &files, &mut found);
@@ -568,6 +573,7 @@ fn resolve(
         effective: parameter.effective.clone(),
         neutral: parameter.neutral,
         imported: parameter.imported,
+        added: parameter.added.clone(),
         example: parameter.example.clone(),
         place: parameter.place.clone(),
     })

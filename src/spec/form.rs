@@ -131,6 +131,9 @@ record! {
         neutral: Option<f64>,
         /// Its value in programs of older controls that the control itself reads in, where that is not the neutral one.
         imported: Option<f64>,
+        /// What the control adds for it to programs of an earlier software version, which did not have it; empty where
+        /// that is not known.
+        added: Option<String>,
         /// Overrides the dictionary.
         kind: Option<ParameterKind>,
         /// Overrides the dictionary.

@@ -91,11 +91,23 @@ record! {
 }
 
 record! {
+    /// A cycle of the first controls, which the ones after them still carry out though their manuals no longer describe it.
+    pub struct OldCycle {
+        /// Its number.
+        number: u32,
+        /// Its English name.
+        name: String,
+    }
+}
+
+record! {
     /// The file of the language.
     pub struct Tongue {
         /// Its blocks.
         blocks: Option<Vec<BlockWords>>,
         /// What GLOBAL DEF gives.
         globals: Option<Vec<Global>>,
+        /// Cycles of the first controls.
+        old_cycles: Option<Vec<OldCycle>>,
     }
 }

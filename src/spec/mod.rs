@@ -18,10 +18,11 @@ mod yaml;
 pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Param};
 pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use form::*;
-pub use language::{BlockWords, Gives, Global, Tongue, WordLimit};
+pub use language::{BlockWords, Gives, Global, OldCycle, Tongue, WordLimit};
 pub use lint::{equals, lint};
 pub use profile::{
-    Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Topic, TopicOn, Topics, Transformation,
+    Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Since, Topic, TopicOn, Topics, Transformation,
+    software,
 };
 pub use run_form::*;
 pub use schema::schema;

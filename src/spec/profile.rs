@@ -2,6 +2,7 @@
 use super::decode::{Entries, Name, record, words};
 use super::form::ManualLines;
 use super::vocabulary::Keyword;
+use crate::base::expr::QRef;
 
 record! {
     /// The rules of NC labels on a control.
@@ -99,6 +100,20 @@ record! {
 }
 
 record! {
+    /// Parameters that a software version of the control added after the one that its manual describes.
+    pub struct Later {
+        /// The keyword of the cycles.
+        keyword: Keyword,
+        /// Their numbers.
+        cycles: Vec<u32>,
+        /// The parameters.
+        parameters: Vec<QRef>,
+        /// A software version that certainly has them; none if only a later one than the manual's is known to.
+        since: Option<String>,
+    }
+}
+
+record! {
     /// A control.
     pub struct Control {
         /// Its id, such as `tnc640`.
@@ -109,6 +124,10 @@ record! {
         title: String,
         /// The heads of the file names of its manuals.
         manuals: Vec<String>,
+        /// The software version that its manual describes, such as `340590-02`.
+        software: Option<String>,
+        /// What later versions added.
+        later: Vec<Later>,
         /// The language of its manual.
         language: Name,
         /// The rules of NC labels.
@@ -134,7 +153,49 @@ record! {
     }
 }
 
+/// A software version in its order: the number of the family without its last digit, which names the variant, and the
+/// number after the dash; nothing if the text is none.
+pub fn software(text: &str) -> Option<(u32, u32)> {
+    let (family, version) = text.trim().split_once('-')?;
+    let digits = |own: &str| own.bytes().all(|byte| byte.is_ascii_digit());
+    let variant = family.get(5..).filter(|own| digits(own) || matches!(*own, "x" | "X"))?;
+    let family = family.get(..5).filter(|own| digits(own))?;
+    (variant.len() == 1 && version.len() == 2 && digits(version)).then_some(())?;
+    Some((family.parse().ok()?, version.parse().ok()?))
+}
+
+/// What a software version knows of a parameter that the manual does not have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Since {
+    /// The version has it.
+    There,
+    /// A later version has it; which one the control has is not known.
+    Later,
+    /// The version does not have it.
+    NotYet,
+    /// No version is known to have it.
+    Never,
+}
+
 impl Control {
+    /// Whether the control has a parameter that its manual does not have, with a software version if one is given.
+    pub fn since(&self, keyword: Keyword, cycle: u32, q: QRef, version: Option<&str>) -> Since {
+        let own = self.software.as_deref().and_then(software);
+        let version = version.and_then(software);
+        let is_it =
+            |later: &&Later| later.keyword == keyword && later.cycles.contains(&cycle) && later.parameters.contains(&q);
+        let Some(later) = self.later.iter().find(is_it) else {
+            // What the manual describes is all that its version has.
+            return if version.is_some() && version <= own { Since::NotYet } else { Since::Never };
+        };
+        match (version, later.since.as_deref().and_then(software)) {
+            (None, _) => Since::Later,
+            (version, _) if version <= own => Since::NotYet,
+            (version, since) if since.is_none() || version >= since => Since::There,
+            _ => Since::Later,
+        }
+    }
+
     /// Whether a name is one of its other names, in whichever case.
     pub fn is_called(&self, name: &str) -> bool {
         self.also.iter().any(|own| own.as_str().eq_ignore_ascii_case(name))

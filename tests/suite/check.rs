@@ -35,7 +35,14 @@ impl Data {
         let on: &OnControl = self.catalogue.on(control).unwrap_or_else(|| panic!("no control {control}"));
         let labels = LabelBook::new(on, &self.locales);
         let readers = [self.locales.source().expect("English is there")];
-        then(&Against { catalogue: &self.catalogue, on, labels: &labels, language: None, readers: &readers })
+        then(&Against {
+            catalogue: &self.catalogue,
+            on,
+            labels: &labels,
+            language: None,
+            software: None,
+            readers: &readers,
+        })
     }
 
     fn check(&self, control: &str, program: &Program) -> Vec<Diagnostic> {

@@ -34,7 +34,7 @@ impl Data {
     fn with<T>(&self, control: &str, then: impl FnOnce(&Against<'_>) -> T) -> T {
         let on = self.catalogue.on(control).expect("the control");
         let labels = LabelBook::new(on, &self.locales);
-        then(&Against { catalogue: &self.catalogue, on, labels: &labels, language: None, readers: &[] })
+        then(&Against { catalogue: &self.catalogue, on, labels: &labels, language: None, software: None, readers: &[] })
     }
 
     fn same(&self, control: &str, a: &str, b: &str) -> bool {

@@ -25,7 +25,14 @@ impl Built {
 
     fn against<'a>(&'a self, books: &'a BTreeMap<&str, LabelBook<'a>>, control: &str) -> Against<'a> {
         let on = self.catalogue.on(control).expect("the control");
-        Against { catalogue: &self.catalogue, on, labels: &books[control], language: None, readers: &[] }
+        Against {
+            catalogue: &self.catalogue,
+            on,
+            labels: &books[control],
+            language: None,
+            software: None,
+            readers: &[],
+        }
     }
 
     fn convert(

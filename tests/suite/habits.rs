@@ -72,7 +72,7 @@ fn with_data(each: impl Fn(&Habit, &Against<'_>)) {
     let (locales, _) = Locales::load(files);
     let on = catalogue.on("tnc640").expect("the control");
     let labels = LabelBook::new(on, &locales);
-    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
     habits().iter().for_each(|habit| each(habit, &against));
 }
 

@@ -48,7 +48,7 @@ impl Data {
     fn with<T>(&self, control: &str, then: impl FnOnce(&Against<'_>) -> T) -> T {
         let on = self.catalogue.on(control).expect("the control");
         let labels = LabelBook::new(on, &self.locales);
-        then(&Against { catalogue: &self.catalogue, on, labels: &labels, language: None, readers: &[] })
+        then(&Against { catalogue: &self.catalogue, on, labels: &labels, language: None, software: None, readers: &[] })
     }
 
     /// The differences of two programs.

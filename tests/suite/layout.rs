@@ -44,7 +44,7 @@ fn a_layout_is_final_and_the_program_the_same() {
     let (locales, _) = Locales::load(files);
     let on = catalogue.on("tnc640").expect("the control");
     let labels = LabelBook::new(on, &locales);
-    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, readers: &[] };
+    let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
     let programs = programs();
     assert!(programs.len() > 100);
     for path in programs {

@@ -36,7 +36,7 @@ fn count_on(control: &str, code: &str, bodies: &[String]) -> Vec<usize> {
     let (catalogue, locales) = &*WORLD;
     let on = catalogue.on(control).expect("the control");
     let labels = LabelBook::new(on, locales);
-    let against = Against { catalogue, on, labels: &labels, language: None, readers: &[] };
+    let against = Against { catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
     let found = |body: &String| check(&program(body), &against).iter().filter(|own| own.code == code).count();
     bodies.iter().map(found).collect()
 }

@@ -128,7 +128,14 @@ impl Data {
         for (control, on) in ["tnc640", "tnc320", "itnc530", "tnc426-430"].map(|name| (name, self.catalogue.on(name))) {
             let on = on.expect("the control");
             let labels = LabelBook::new(on, &self.locales);
-            let against = Against { catalogue: &self.catalogue, on, labels: &labels, language: None, readers: &[] };
+            let against = Against {
+                catalogue: &self.catalogue,
+                on,
+                labels: &labels,
+                language: None,
+                software: None,
+                readers: &[],
+            };
             for fragment in fragments.iter().filter(|it| it.control == control && !it.abridged) {
                 let program = parse(&Source::new("printed.h", fragment.text()));
                 for finding in check(&program, &against).iter().filter(|it| !OF_EXCERPTS.contains(&it.code)) {

@@ -1,8 +1,10 @@
-//! A parameter or field that the cycle needs and the definition lacks.
+//! Parameters or fields that the cycle needs and the definition lacks: one finding for all that are missed at a place.
 //!
-//! Of the old form it is told where the field would stand, be it behind the gap that a lost line leaves.
+//! Of the old form it is told where the field would stand, be it behind the gap that a lost line leaves. What the
+//! control adds itself to programs of earlier versions is told apart (`older-parameter-set`).
 //!
 //! Silent where a line of the definition cannot be read: it may be the one that is missed.
+use super::older_parameter_set::added;
 use super::together;
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::{Definition, Facts, Rule};
@@ -12,9 +14,20 @@ use crate::spec::Param;
 pub(super) const RULE: Rule = Rule { code: "missing-parameter", severity: Severity::Error, run: together };
 
 pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagnostic>) {
-    for param in definition.missing.iter().filter(|_| !definition.torn) {
-        let finding = rule.at(facts, gap(definition, param)).arg("parameter", param.label_in(definition.key.number));
-        found.push(finding.arg("cycle", definition.key.to_string()));
+    if definition.torn {
+        return;
+    }
+    let mut missed: Vec<(Span, Vec<String>)> = Vec::new();
+    for param in definition.missing.iter().filter(|param| added(param).is_none()) {
+        let (place, name) = (gap(definition, param), param.label_in(definition.key.number));
+        match missed.iter_mut().find(|(own, _)| *own == place) {
+            Some((_, names)) => names.push(name),
+            None => missed.push((place, vec![name])),
+        }
+    }
+    for (place, names) in missed {
+        let finding = rule.at(facts, place).arg("parameter", names.join(", "));
+        found.push(finding.arg("count", names.len()).arg("cycle", definition.key.to_string()));
     }
 }
 

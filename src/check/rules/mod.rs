@@ -77,8 +77,10 @@ mod no_result;
 mod no_table_open;
 mod not_a_program;
 mod number_does_not_exist;
+mod older_parameter_set;
 mod out_of_range;
 mod out_of_range_elsewhere;
+mod parameter_of_later_software;
 mod parameter_unassigned;
 mod pattern_combination;
 mod pattern_missing;
@@ -224,8 +226,10 @@ pub const RULES: &[&Rule] = &[
     &no_table_open::RULE,
     &not_a_program::RULE,
     &number_does_not_exist::RULE,
+    &older_parameter_set::RULE,
     &out_of_range::RULE,
     &out_of_range_elsewhere::RULE,
+    &parameter_of_later_software::RULE,
     &parameter_unassigned::RULE,
     &pattern_combination::RULE,
     &pattern_missing::RULE,
@@ -303,8 +307,10 @@ pub(super) const OF_DEFINITIONS: &[(&Rule, Each)] = &[
     (&label_of_another_parameter::RULE, label_of_another_parameter::each),
     (&misordered_parameter::RULE, misordered_parameter::each),
     (&missing_parameter::RULE, missing_parameter::each),
+    (&older_parameter_set::RULE, older_parameter_set::each),
     (&out_of_range::RULE, out_of_range::each),
     (&out_of_range_elsewhere::RULE, out_of_range_elsewhere::each),
+    (&parameter_of_later_software::RULE, parameter_of_later_software::each),
     (&text_wrong::RULE, text_wrong::each),
     (&label_twice::RULE, label_twice::each),
     (&unknown_parameter::RULE, unknown_parameter::each),

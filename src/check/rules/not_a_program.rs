@@ -11,6 +11,8 @@ pub(super) const RULE: Rule = Rule { code: "not-a-program", severity: Severity::
 const LEAST: usize = 4;
 /// Of so many characters one may be a control character: a single stray byte makes no program unreadable.
 const STRAY: usize = 50;
+/// What editors and transfers leave in programs: tabs, form feeds, the ends of texts and files, the marks of serial lines.
+const LEFT: [char; 12] = ['\t', '\r', '\x0c', '\x1a', '\x02', '\x03', '\x04', '\x11', '\x12', '\x13', '\x14', '\x1b'];
 /// How many bytes of a file are looked at for control characters.
 const LOOKED_AT: usize = 1 << 16;
 
@@ -51,7 +53,7 @@ fn is_binary(text: &str) -> bool {
             continue;
         }
         all += line.chars().count();
-        stray += line.chars().filter(|own| own.is_control() && !matches!(own, '\t' | '\r' | '\x0c' | '\x1a')).count();
+        stray += line.chars().filter(|own| own.is_control() && !LEFT.contains(own)).count();
     }
     stray > 2 && stray * STRAY > all
 }

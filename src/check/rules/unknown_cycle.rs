@@ -4,7 +4,7 @@ use super::cycle_not_on_control::elsewhere;
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Defined, Facts, Rule};
 use crate::program::syntax::CycleForm;
-use crate::spec::{CycleKey, Keyword, Known};
+use crate::spec::{CycleKey, Keyword, Known, OldCycle};
 
 pub(super) const RULE: Rule = Rule { code: "unknown-cycle", severity: Severity::Warning, run };
 
@@ -15,7 +15,14 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         let covered = facts.against.on.covers(definition.key) && elsewhere(facts, definition.key).is_empty();
         if covered || has_other_keyword(facts, definition) {
-            found.push(rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string()));
+            let finding = rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string());
+            // Those of the first controls still run.
+            let is_it = |own: &&OldCycle| own.number == definition.key.number;
+            let old = facts.against.catalogue.old_cycles.iter().find(is_it);
+            let old = old.filter(|_| definition.key.keyword == Keyword::CyclDef);
+            let severity = if old.is_some() { Severity::Note } else { rule.severity };
+            let name = old.map_or("none", |own| own.name.as_str());
+            found.push(Diagnostic { severity, ..finding.arg("name", name) });
         }
     }
 }

@@ -7,7 +7,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet}
 use serde::Serialize;
 
 use super::ui::Ui;
-use crate::base::diag::{Diagnostic, Place, Severity};
+use crate::base::diag::{Arg, Diagnostic, Place, Severity};
 
 /// How many bytes of a line are shown before and after the stretch in question.
 const EDGE: usize = 160;
@@ -122,6 +122,9 @@ struct Line<'a> {
     severity: &'static str,
     code: &'static str,
     message: String,
+    /// The parameters that the finding names.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    parameters: Vec<&'a str>,
 }
 
 /// The diagnostic as one line of JSON, without a line end: lines and columns (in characters) from 1,
@@ -129,6 +132,10 @@ struct Line<'a> {
 pub fn to_json_line(diagnostic: &Diagnostic, ui: &Ui) -> String {
     let place = diagnostic.place.as_ref();
     let (start, end) = (place.map(Place::start), place.map(Place::end));
+    let parameters = match diagnostic.get("parameter") {
+        Some(Arg::Text(names)) if !names.is_empty() => names.split(", ").collect(),
+        _ => Vec::new(),
+    };
     let line = Line {
         file: place.map(|place| place.source.name()),
         line: start.map(|position| position.line),
@@ -138,6 +145,7 @@ pub fn to_json_line(diagnostic: &Diagnostic, ui: &Ui) -> String {
         severity: diagnostic.severity.as_str(),
         code: diagnostic.code,
         message: ui.diagnostic(diagnostic),
+        parameters,
     };
     serde_json::to_string(&line).unwrap_or_default()
 }

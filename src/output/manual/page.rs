@@ -49,7 +49,8 @@ impl Site<'_> {
         }
         text.push('\n');
         let Some(labels) = self.labels.get(section.on.id()) else { return text };
-        let against = Against { catalogue: self.catalogue, on: section.on, labels, language: None, readers: &[] };
+        let against =
+            Against { catalogue: self.catalogue, on: section.on, labels, language: None, software: None, readers: &[] };
         let program = syntax::parse(&Source::new("example", text));
         let encoding = Encoding { charset: Charset::Utf8, bom: false };
         translate::translate(&program, &against, section.language.tag(), encoding).text

@@ -241,15 +241,19 @@ impl Assembler<'_> {
 
     /// A block of one line or of several joined by `~`.
     fn joined(&mut self, first: Line) {
-        let (last, lines) = self.join(first);
+        let (mut last, mut lines) = self.join(first);
         let mut first = first;
         let written = first;
         first.comment = last.comment.or(first.comment);
-        let content = Span::new(first.content.start, last.content.end.max(first.content.start));
+        let mut content = Span::new(first.content.start, last.content.end.max(first.content.start));
         let (mut kind, mut remark) = self.read(content);
         if lines > 1 && self.is_wrapped(&written, &kind) {
             (kind, remark) = self.read(written.content);
             first.comment = written.comment;
+            // Where blocks have no numbers, a line that is a block is no comment.
+            if self.after_blanks(written.next).is_some_and(|(next, _)| !self.goes_on(&written, &next)) {
+                (last, lines, content) = (written, 1, written.content);
+            }
         }
         self.doubled(&written);
         if last.joined {
