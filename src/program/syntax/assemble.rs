@@ -7,11 +7,14 @@ use std::sync::Arc;
 
 use super::body::{CycleBody, Role};
 use super::cursor::{Cursor, Read, trim};
+use super::definition::Assignment;
 use super::element::Checker;
+use super::flow::Label;
 use super::lines::{Line, line_at};
 use super::path::Path;
 use super::statement::StatementKind;
-use super::tree::{Block, BlockKind, Comment, Label, Parameter, SyntaxError};
+use super::terms::{Parameter, SyntaxError};
+use super::tree::{Block, BlockKind, Comment};
 use super::{blocks, cycle, plain, statements};
 use crate::base::diag::{Source, Span};
 
@@ -554,7 +557,7 @@ impl Assembler<'_> {
         line.number.is_none() && line.comment.is_none() && in_words && !torn && !text.contains('=')
     }
 
-    fn parameter(&self, line: &Line) -> Read<cycle::Assignment> {
+    fn parameter(&self, line: &Line) -> Read<Assignment> {
         let read = |span| cycle::parameter(&mut Cursor::new(self.text, span));
         read(line.content).or_else(|error| match self.without_remark(line.content, &error) {
             Some((before, _)) => read(before).map_err(|_| error),

@@ -1,12 +1,12 @@
 //! The content of one block: which kind it is, and the kinds that are neither motions nor cycles.
 use super::cursor::{Cursor, Read, Word};
 use super::element::Checker;
+use super::flow::{CallLbl, FnAssign, FnJump, FnOp, Formula, Label, LabelRef, Relation};
 use super::path::{Approach, Path};
+use super::statement::Selection;
 use super::statement::TextFormula;
-use super::tree::{
-    Amount, Axis, BlockKind, CallLbl, Compensation, FnAssign, FnJump, FnOp, Formula, Frame, Label, LabelRef, Operand,
-    Relation, Selection, SyntaxError,
-};
+use super::terms::{Amount, Axis, Compensation, Frame, Operand, SyntaxError};
+use super::tree::BlockKind;
 use super::{cycle, motion, statements, texts};
 use crate::base::diag::Span;
 use crate::base::expr::{self, QKind, QRef};

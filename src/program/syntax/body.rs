@@ -1,9 +1,9 @@
 //! What belongs to a cycle definition: its lines, as far as they go.
 //!
 //! Invariant: nothing is read here; the reader of a line says what is in it.
-use super::cycle;
+use super::definition::Assignment;
 use super::lines::Line;
-use super::tree::{Parameter, SyntaxError};
+use super::terms::{Parameter, SyntaxError};
 use crate::base::diag::Span;
 
 /// A cycle definition in the making.
@@ -35,17 +35,17 @@ impl CycleBody {
     }
 
     /// What a line with a parameter is to the cycle.
-    pub(super) fn parameter(&mut self, line: &Line, own: cycle::Assignment, label: Option<Span>) -> Role {
+    pub(super) fn parameter(&mut self, line: &Line, own: Assignment, label: Option<Span>) -> Role {
         if !self.accepts(line, Some(&own)) {
             return Role::Ends;
         }
         self.loose &= !own.tight;
-        let cycle::Assignment { span, q, q_span, value, .. } = own;
+        let Assignment { span, q, q_span, value, .. } = own;
         Role::Parameter(Parameter { span, q, q_span, value, label })
     }
 
     /// Whether a line `Qn=…` is a parameter of this cycle and not an assignment after it.
-    pub(super) fn accepts(&self, line: &Line, read: Option<&cycle::Assignment>) -> bool {
+    pub(super) fn accepts(&self, line: &Line, read: Option<&Assignment>) -> bool {
         let tight = read.is_none_or(|assignment| assignment.tight);
         match (line.number.is_some(), self.first.number.is_some()) {
             // Only a listing that numbers every line has numbers here.
@@ -60,7 +60,7 @@ impl CycleBody {
                     || (self.loose
                         && !self.tilde
                         && line.comment.is_some()
-                        && read.is_some_and(cycle::Assignment::is_of_cycle))
+                        && read.is_some_and(Assignment::is_of_cycle))
             }
         }
     }

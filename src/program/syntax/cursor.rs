@@ -2,7 +2,7 @@
 //!
 //! The text of a block may run over several lines joined by `~`; the cursor passes over the joints as
 //! over blanks. Invariant: it never moves back, and every lexeme takes time in proportion to its length.
-use super::tree::{Amount, Operand, SyntaxError};
+use super::terms::{Amount, Operand, SyntaxError};
 use crate::base::diag::Span;
 use crate::base::expr::{QKind, QRef};
 

@@ -4,12 +4,13 @@
 //! printed and never decide anything.
 use super::SHORTEST_LABEL;
 use super::cursor::{Cursor, Read, skip_blanks, trim};
+use super::definition::{Assignment, CycleDef, CycleKeyword, OldCycleLine};
 use super::parameters::Parameters;
-use super::statement::{GlobalDef, NamedWord};
-use super::tree::{Axis, BlockKind, CycleDef, CycleKeyword, OldCycleLine, Operand, Parameter, Value, ValueKind};
+use super::statement::GlobalDef;
+use super::terms::{Axis, NamedWord, Operand, Parameter, Value, ValueKind};
+use super::tree::BlockKind;
 use super::words::from_operand;
 use crate::base::diag::Span;
-use crate::base::expr::{QKind, QRef};
 
 /// Whether a block's content starts like a cycle definition.
 pub(super) fn starts_definition(text: &str, content: Span) -> bool {
@@ -368,26 +369,6 @@ fn field_value(cursor: &mut Cursor<'_>, name: Span) -> Read<Value> {
 fn printed_end(cursor: &Cursor<'_>, at: usize) -> usize {
     let rest = cursor.text.as_bytes().get(at..cursor.end).unwrap_or_default();
     at + rest.iter().position(|b| matches!(b, b' ' | b'\t' | b'\r' | b'\n' | b'~' | b';')).unwrap_or(rest.len())
-}
-
-/// `Q200=2` without its label.
-pub(super) struct Assignment {
-    pub(super) span: Span,
-    pub(super) q: QRef,
-    pub(super) q_span: Span,
-    pub(super) value: Value,
-    /// Whether no blank precedes `=`, as controls print parameters.
-    pub(super) tight: bool,
-}
-
-/// Numbers of the parameters that only definitions of cycles have.
-const OF_CYCLES: std::ops::RangeInclusive<u16> = 200..=499;
-
-impl Assignment {
-    /// Whether its parameter is one that only definitions of cycles have.
-    pub(super) fn is_of_cycle(&self) -> bool {
-        self.q.kind == QKind::Q && OF_CYCLES.contains(&self.q.number)
-    }
 }
 
 /// Whether content starts like `Q200=`.

@@ -2,10 +2,9 @@
 //!
 //! Invariant: a parameter and a field are kept as they are printed; what they mean is not known here.
 use super::parameters::Parameters;
-use super::statement::NamedWord;
-use super::tree::{Coord, Feed, MFunction, SyntaxError};
+use super::terms::{Coord, Feed, MFunction, NamedWord, SyntaxError, Value};
 use crate::base::diag::Span;
-use crate::base::expr::QRef;
+use crate::base::expr::{QKind, QRef};
 
 /// The two families of cycles; the same number means different cycles in each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -50,52 +49,6 @@ pub struct CycleDef {
     pub errors: Vec<SyntaxError>,
 }
 
-/// A parameter of a cycle definition.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameter {
-    /// From `Q` to the end of the value.
-    pub span: Span,
-    /// The parameter.
-    pub q: QRef,
-    /// Its place.
-    pub q_span: Span,
-    /// The value.
-    pub value: Value,
-    /// The label after `;`, trimmed; absent if there is no `;` or nothing after it.
-    pub label: Option<Span>,
-}
-
-/// A value as printed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Value {
-    /// Its place; empty if it is missing.
-    pub span: Span,
-    /// What it is.
-    pub kind: ValueKind,
-}
-
-/// What a value is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ValueKind {
-    /// A number.
-    Number(f64),
-    /// A parameter.
-    Q {
-        /// Whether a minus precedes it.
-        negative: bool,
-        /// The parameter.
-        q: QRef,
-    },
-    /// A word such as `FAUTO` or `PREDEF`.
-    Word,
-    /// A text: its place without the quotation marks.
-    Text(Span),
-    /// A sign alone, the direction of `X-`: true for minus.
-    Sign(bool),
-    /// Nothing.
-    Missing,
-}
-
 /// One line `n.k` of a cycle definition of the old form.
 #[derive(Clone, Debug)]
 pub struct OldCycleLine {
@@ -135,4 +88,24 @@ pub enum CallForm {
     Pattern,
     /// `POS`: at a position.
     Position(Vec<Coord>),
+}
+
+/// `Q200=2` without its label.
+pub(super) struct Assignment {
+    pub(super) span: Span,
+    pub(super) q: QRef,
+    pub(super) q_span: Span,
+    pub(super) value: Value,
+    /// Whether no blank precedes `=`, as controls print parameters.
+    pub(super) tight: bool,
+}
+
+/// Numbers of the parameters that only definitions of cycles have.
+const OF_CYCLES: std::ops::RangeInclusive<u16> = 200..=499;
+
+impl Assignment {
+    /// Whether its parameter is one that only definitions of cycles have.
+    pub(super) fn is_of_cycle(&self) -> bool {
+        self.q.kind == QKind::Q && OF_CYCLES.contains(&self.q.number)
+    }
 }

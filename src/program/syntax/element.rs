@@ -10,7 +10,7 @@ use super::cursor::{Cursor, Read};
 use super::motion;
 use super::path::{Path, PathCode};
 use super::plain::PlainElement;
-use super::tree::{Amount, Axis, Compensation, Coord, FeedKind, MFunction, Motion, Operand};
+use super::terms::{Amount, Axis, Compensation, Coord, FeedKind, MFunction, Motion, Operand};
 use crate::base::diag::{Source, Span};
 
 /// A contour element or positioning; its words are those of the [`Motion`] that it stands for.

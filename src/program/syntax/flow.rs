@@ -1,7 +1,7 @@
 //! The nodes of labels, calls, conditional jumps and calculations with Q parameters.
 //!
 //! Invariant: a node says what is written; where a jump leads and what a parameter holds is not known here.
-use super::tree::{Amount, Operand};
+use super::terms::{Amount, Operand};
 use crate::base::diag::Span;
 use crate::base::expr::{Expr, QRef};
 

@@ -5,9 +5,12 @@
 use std::borrow::Cow;
 
 use super::Program;
+use super::definition::CallForm;
+use super::flow::Label;
 use super::path::{Approach, Path};
 use super::statement::{Statement, StatementKind};
-use super::tree::{Block, BlockKind, CallForm, FeedKind, Label, MFunction, ToolRef};
+use super::terms::{FeedKind, MFunction, ToolRef};
+use super::tree::{Block, BlockKind};
 use crate::base::diag::Span;
 use crate::base::expr::QKind;
 

@@ -4,8 +4,7 @@
 //! everything else is a block of words. Invariant: as for Klartext, nothing here knows what a cycle's number or
 //! parameter means; the codes of the language itself (motions, planes,
 //! labels) are told apart from those of cycles and no more.
-use super::statement::NamedWord;
-use super::tree::{MFunction, Parameter, SyntaxError};
+use super::terms::{MFunction, NamedWord, Parameter, SyntaxError};
 use crate::base::diag::Span;
 
 /// The language of a program.

@@ -2,8 +2,8 @@
 //!
 //! Invariant: blocks are only looked at, none is read here.
 use super::iso::{IsoBlock, IsoKind, is_path};
-use super::statement::NamedWord;
-use super::tree::{Axis, Block, BlockKind, SyntaxError, ValueKind};
+use super::terms::{Axis, NamedWord, SyntaxError, ValueKind};
+use super::tree::{Block, BlockKind};
 use crate::base::diag::Span;
 
 /// Codes of which a block has one: each says what the others of its group would say otherwise.

@@ -11,8 +11,8 @@ use super::element::Checker;
 use super::iso::{IsoBlock, IsoKind, is_of_language, is_path};
 use super::iso_words::{is_klartext, opt_parameter, word};
 use super::lines::{Line, line_at};
-use super::statement::NamedWord;
-use super::tree::{Axis, Block, BlockKind, Comment, Frame, Parameter, SyntaxError, ValueKind};
+use super::terms::{Axis, Frame, NamedWord, Parameter, SyntaxError, ValueKind};
+use super::tree::{Block, BlockKind, Comment};
 use super::{blocks, cycle, iso_doubts};
 use crate::base::diag::{Source, Span};
 

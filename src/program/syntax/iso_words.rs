@@ -4,8 +4,7 @@
 use super::cursor::{Cursor, Read, trim};
 use super::iso::IsoBlock;
 use super::motion;
-use super::statement::NamedWord;
-use super::tree::{Axis, Parameter, Value, ValueKind};
+use super::terms::{Axis, NamedWord, Parameter, Value, ValueKind};
 use super::words::{from_operand, nameless, opt_value};
 use crate::base::diag::Span;
 

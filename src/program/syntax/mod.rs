@@ -27,6 +27,7 @@ mod path;
 mod plain;
 mod statement;
 mod statements;
+mod terms;
 mod texts;
 mod tree;
 mod view;

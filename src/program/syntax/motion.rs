@@ -1,9 +1,9 @@
 //! Contour elements, tool blocks and the words that several blocks share: coordinates, feed, M functions.
 use super::cursor::{Cursor, Read};
+use super::definition::{CallForm, CyclCall};
 use super::path::Path;
-use super::tree::{
-    Axis, BlkForm, CallForm, Compensation, Coord, CyclCall, Feed, FeedKind, MFunction, Motion, Operand, ToolCall,
-    ToolDef, ToolRef,
+use super::terms::{
+    Axis, BlkForm, Compensation, Coord, Feed, FeedKind, MFunction, Motion, Operand, ToolCall, ToolDef, ToolRef,
 };
 use super::words::{self, Takes, Vocabulary};
 use crate::base::diag::Span;

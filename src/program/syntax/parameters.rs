@@ -1,7 +1,7 @@
 //! The parameters of a cycle definition in little room: long programs have millions of them.
 //!
 //! Invariant: what is given back is what was put in.
-use super::tree::{Parameter, Value, ValueKind};
+use super::terms::{Parameter, Value, ValueKind};
 use crate::base::diag::Span;
 use crate::base::expr::{QKind, QRef};
 

@@ -5,11 +5,11 @@
 use memchr::memchr3;
 
 use super::cursor::Cursor;
-use super::cycle::Assignment;
+use super::definition::Assignment;
 use super::element::{Compensates, Outline, SEVERAL, Sketch, axis_bit, is_odd, lacks_end, misfit};
 use super::lines::Line;
 use super::path::PathCode;
-use super::tree::{Axis, Value, ValueKind};
+use super::terms::{Axis, Value, ValueKind};
 use crate::base::diag::Span;
 use crate::base::expr::{QKind, QRef};
 

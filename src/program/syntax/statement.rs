@@ -1,20 +1,9 @@
 //! The nodes of blocks that are a name and words after it.
 //!
 //! Invariant: every word is kept with the place of its name and of its value; what it does is not known here.
-use super::tree::{Parameter, SyntaxError, Value};
+use super::terms::{NamedWord, Parameter, SyntaxError};
 use crate::base::diag::Span;
 use crate::base::expr::QRef;
-
-/// A word with its value: `SPA+30`, `TURN`, `X+60`, `HEIGHT: +90`, `#5`; of some only the value is printed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NamedWord {
-    /// The whole word.
-    pub span: Span,
-    /// The name as printed, a colon included; empty where there is only a value.
-    pub name: Span,
-    /// The value.
-    pub value: Value,
-}
 
 /// What a statement is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -146,4 +135,13 @@ pub struct TextCall {
     pub name: Span,
     /// What is between the brackets.
     pub words: Vec<NamedWord>,
+}
+
+/// `SEL TABLE` and its like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Selection {
+    /// `TABLE`, `PATTERN` …
+    pub what: Span,
+    /// The name, without quotation marks.
+    pub name: Span,
 }

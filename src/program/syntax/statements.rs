@@ -1,7 +1,8 @@
 //! Blocks that are a name and words after it, and pattern definitions.
 use super::cursor::{Cursor, Read};
-use super::statement::{NamedWord, PatternDef, PatternItem, Statement, StatementKind};
-use super::tree::{BlockKind, Value, ValueKind};
+use super::statement::{PatternDef, PatternItem, Statement, StatementKind};
+use super::terms::{NamedWord, Value, ValueKind};
+use super::tree::BlockKind;
 use super::words::{self, Takes, Vocabulary};
 use crate::base::diag::Span;
 

@@ -2,9 +2,10 @@
 //!
 //! A function on texts is read by its own words; for the formula around it, it is one operand.
 use super::cursor::{Cursor, Read};
-use super::statement::{ContourFormula, NamedWord, TextCall};
+use super::statement::{ContourFormula, TextCall};
 use super::statements::opt_contour_name;
-use super::tree::{BlockKind, SyntaxError};
+use super::terms::{NamedWord, SyntaxError};
+use super::tree::BlockKind;
 use super::words::{self, Takes, Vocabulary};
 use crate::base::diag::Span;
 

@@ -1,7 +1,8 @@
 //! Cycle definitions of both forms as one thing each.
 //!
 //! Invariant: a view borrows from the blocks and adds no knowledge but which lines belong together.
-use super::tree::{Block, BlockKind, CycleDef, CycleKeyword, OldCycleLine};
+use super::definition::{CycleDef, CycleKeyword, OldCycleLine};
+use super::tree::{Block, BlockKind};
 use crate::base::diag::Span;
 
 /// A cycle definition.

@@ -3,8 +3,7 @@
 //! Invariant: of two names that fit, the longer one is meant (`P1X`, not `P1`), and a letter after a name that is no
 //! parameter makes it another word.
 use super::cursor::{Cursor, Read};
-use super::statement::NamedWord;
-use super::tree::{Amount, Operand, Value, ValueKind};
+use super::terms::{Amount, NamedWord, Operand, Value, ValueKind};
 use crate::base::diag::Span;
 
 /// What is after a name.
