@@ -41,7 +41,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     let (ui, prefix) = if guard { (&whole, GUARD) } else { (&session.ui, PREFIX) };
     let data = session.catalogue()?;
-    let sentence = filled(&ui.sketch(&format!("{prefix}{code}")), &|name| gap(name, &data, &whole, &session.ui));
+    let (key, word) = (format!("{prefix}{code}"), |name: &str| gap(name, &data, &whole, &session.ui));
+    let sentence = ui.filled(&key, &word).unwrap_or_else(|| filled(&ui.sketch(&key), &word));
     session.output.print(&format!("{code}\n  {sentence}\n"))?;
     let explained = if guard { "guard" } else { code.as_str() };
     if let Some(more) = session.ui.find(&format!("explain-{explained}"), &Args::new()) {

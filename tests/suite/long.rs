@@ -166,8 +166,8 @@ fn parameters_of_one_definition_are_told_apart_quickly() {
     let falling = with("5 CYCL DEF 200 DRILLING\n", MANY, |at| format!("Q{}=1", order[at % order.len()]));
     let equal = with("5 CYCL DEF 200 DRILLING ~\nQ211=1\n", MANY, |_| "Q200=1".to_owned());
     assert_eq!(count("misordered-parameter", &[falling, equal]), [1, 1]);
-    let same = with("5 CYCL DEF 299 X\n", MANY, |at| format!("Q{at}=1 ;SAME LABEL"));
-    let other = with("5 CYCL DEF 299 X\n", MANY, |at| format!("Q{at}=1 ;LABEL {at:05}"));
+    let same = with("5 CYCL DEF 9999 X\n", MANY, |at| format!("Q{at}=1 ;SAME LABEL"));
+    let other = with("5 CYCL DEF 9999 X\n", MANY, |at| format!("Q{at}=1 ;LABEL {at:05}"));
     assert_eq!(count("label-twice", &[same, other]), [2 * (MANY - 1), 0]);
     let doubtful = with(DRILLING, MANY, |_| "Q202=0".to_owned());
     let called = format!("{}{}", with(DRILLING, MANY, |_| "Q211=0".to_owned()), "6 L X+1 M99\n".repeat(MANY));

@@ -295,6 +295,21 @@ impl Language {
         Some(pattern::sketch(self.pattern(self.find(key.into(), Scope::NONE)?)?, &|_| None))
     }
 
+    /// The text with words in place of its arguments. Each selection takes its default; nothing where a word will not do,
+    /// as in a function of a number.
+    pub fn filled<'k>(&self, key: impl Into<Key<'k>>, word: &dyn Fn(&str) -> String) -> Option<String> {
+        let key = key.into();
+        let found = self.pattern(self.find(key, Scope::NONE)?)?;
+        let mut names: Vec<&str> = Vec::new();
+        pattern::visit(found, &mut |node| {
+            if let pattern::Node::Shown(name) | pattern::Node::Chosen(name, _) = node {
+                names.push(name);
+            }
+        });
+        let args = names.into_iter().fold(Args::new(), |args, name| args.text(name, word(name)));
+        self.text(key, &Scope::NONE, &args).ok().map(Cow::into_owned)
+    }
+
     /// The text as its file has it, with the place: arguments as `‹name›`, terms filled in by their first
     /// form, and the default of each selection.
     pub fn raw(&self, key: Key, scope: Scope) -> Option<(String, Place)> {

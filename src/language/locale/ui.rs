@@ -81,6 +81,11 @@ impl<'l> Ui<'l> {
         languages.find_map(|language| language.sketch(key)).unwrap_or_else(|| key.to_owned())
     }
 
+    /// The same with words in place of arguments, if words will do.
+    pub fn filled(&self, key: &str, word: &dyn Fn(&str) -> String) -> Option<String> {
+        self.own.or(self.fallback)?.filled(key, word)
+    }
+
     /// The word for a severity.
     pub fn severity(&self, severity: Severity) -> String {
         self.text(&format!("severity-{}", severity.as_str()), &Args::new())
