@@ -5,7 +5,7 @@ use super::session::{self, Session};
 use super::{Command, Failure, Outcome, arguments, cycle};
 use crate::language::locale::{Args, Locales, Ui};
 use crate::spec::{Catalogue, CycleKey};
-use crate::tools::conform::{self, World};
+use crate::tools::conform::{self, Selection, World};
 use crate::tools::coverage::{self, CycleCoverage, Executed, LeftOut};
 
 pub(super) const COMMAND: Command =
@@ -60,7 +60,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
 
 /// Runs the examples to see what they leave out.
 fn executed(catalogue: &Catalogue, locales: &Locales, files: &[(String, String)]) -> Executed {
-    let (report, _) = conform::run(&World { catalogue, locales, files }, &[]);
+    let (report, _) = conform::run(&World { catalogue, locales, files }, &Selection::default());
     let mut executed = Executed::new();
     for cycle in report.cycles {
         let keys = catalogue.on(&cycle.control).into_iter().flat_map(|on| on.cycles.keys());

@@ -88,7 +88,7 @@ fn absent(on: &OnControl, words: &str, is_it: &dyn Fn(&CycleKey) -> bool) -> Fai
 }
 
 /// Keyword (empty if only a number is given) and number.
-fn parse(words: &str) -> Option<(String, u32)> {
+pub(super) fn parse(words: &str) -> Option<(String, u32)> {
     let words = words.to_uppercase().replace(['-', '_'], " ");
     let mut words: Vec<&str> = words.split_whitespace().collect();
     let number = words.pop()?.parse().ok()?;

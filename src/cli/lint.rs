@@ -16,7 +16,7 @@ use crate::output::manual;
 use crate::program::syntax;
 use crate::spec::{self, Catalogue};
 use crate::system;
-use crate::tools::conform::{self, Verdict, World};
+use crate::tools::conform::{self, Selection, Verdict, World};
 
 pub(super) const COMMAND: Command = Command {
     name: "lint",
@@ -184,7 +184,7 @@ fn printed(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
 
 /// Examples for the engine that do not come out as they say.
 fn examples(catalogue: &Catalogue, locales: &Locales, files: &[(String, String)]) -> Vec<Diagnostic> {
-    let (report, mut found) = conform::run(&World { catalogue, locales, files }, &[]);
+    let (report, mut found) = conform::run(&World { catalogue, locales, files }, &Selection::default());
     for case in &report.cases {
         let Verdict::Fail { mismatches } = &case.verdict else { continue };
         let cycle = catalogue.on(&case.control).and_then(|on| on.by_name(&case.cycle));

@@ -5,7 +5,7 @@ use ciklo::base::data::{self, Files};
 use ciklo::language::locale::Locales;
 use ciklo::spec::{Catalogue, Example, Kind};
 use ciklo::system::{Answering, NoAnswer};
-use ciklo::tools::conform::{self, Answer, Moved, Partner, Report, Silence, Verdict, World};
+use ciklo::tools::conform::{self, Answer, Moved, Partner, Report, Selection, Silence, Verdict, World};
 
 const CONTROL: &str = "tnc320";
 
@@ -54,7 +54,7 @@ fn put(data: &Data, spoil: fn(&mut Answer)) -> Report {
 
 fn put_on(data: &Data, control: &str, spoil: fn(&mut Answer)) -> Report {
     let (report, mistakes) =
-        conform::run_foreign(&data.world(), &[control], &mut Spoilt { world: data.world(), spoil });
+        conform::run_foreign(&data.world(), &Selection::of(&[control]), &mut Spoilt { world: data.world(), spoil });
     assert!(mistakes.is_empty());
     report
 }
@@ -62,7 +62,7 @@ fn put_on(data: &Data, control: &str, spoil: fn(&mut Answer)) -> Report {
 #[test]
 fn an_engine_that_is_right_passes_as_ours_does() {
     let data = Data::new();
-    let (ours, _) = conform::run(&data.world(), &[CONTROL]);
+    let (ours, _) = conform::run(&data.world(), &Selection::of(&[CONTROL]));
     let theirs = put(&data, |_| {});
     assert_eq!(ours.cases.len(), theirs.cases.len());
     for (one, other) in ours.cases.iter().zip(&theirs.cases) {
@@ -91,6 +91,47 @@ fn another_value(value: &mut serde_json::Value) {
         Some(number) => (number + 7.0).into(),
         None => "something else".into(),
     };
+}
+
+/// Whether a text has what only a reader of the source code would understand.
+fn is_internal(text: &str) -> bool {
+    ["NaN", "Some(", "None", "Text(", "Number(", "{ "].iter().any(|piece| text.contains(piece))
+}
+
+#[test]
+fn differences_are_told_in_the_notation_of_the_cases() {
+    let data = Data::new();
+    let chosen = Selection { controls: &["tnc640"], cycles: &[(None, 200), (None, 208)], cases: &[] };
+    let put = |spoil| conform::run_foreign(&data.world(), &chosen, &mut Spoilt { world: data.world(), spoil }).0;
+    let report = put(|answer| {
+        answer.position.clear();
+        answer.q.clear();
+        for moved in answer.moves.iter_mut().flatten() {
+            (moved.feed, moved.angle) = (None, None);
+            moved.to.remove("Z");
+        }
+    });
+    let mut lists = 0;
+    for case in &report.cases {
+        let Verdict::Fail { mismatches } = &case.verdict else { continue };
+        for found in mismatches {
+            assert!(!is_internal(&found.expected) && !is_internal(&found.found), "{}: {found:?}", case.case);
+            lists += usize::from(found.expected.starts_with('{'));
+        }
+    }
+    assert!(lists > 0);
+    // The first difference is named before the whole lists.
+    let report = put(|answer| answer.moves.iter_mut().for_each(|moves| moves.truncate(1)));
+    let differing = |case: &conform::CaseReport| match &case.verdict {
+        Verdict::Fail { mismatches } => {
+            let at = mismatches.iter().position(|found| found.what == "moves")?;
+            mismatches.get(at.checked_sub(1)?).map(|first| first.what.clone())
+        }
+        _ => None,
+    };
+    let firsts: Vec<String> = report.cases.iter().filter_map(differing).collect();
+    assert!(!firsts.is_empty() && firsts.iter().all(|first| first == "moves.2"), "{firsts:?}");
+    assert!(conform::junit(&report).contains("why: "));
 }
 
 /// What an expectation is called, how its names begin, and what makes the answer wrong.
@@ -170,7 +211,7 @@ impl Partner for Silent {
 #[test]
 fn silence_fails_the_case_and_not_the_run() {
     let data = Data::new();
-    let (report, _) = conform::run_foreign(&data.world(), &[CONTROL], &mut Silent(0));
+    let (report, _) = conform::run_foreign(&data.world(), &Selection::of(&[CONTROL]), &mut Silent(0));
     let found: Vec<&str> = report
         .cases
         .iter()

@@ -10,7 +10,7 @@ use ciklo::base::expr::QRef;
 use ciklo::engine::run::{Content, Engine, Event, EventKind, Outcome, Status};
 use ciklo::engine::scene::Scene;
 use ciklo::program::syntax;
-use ciklo::tools::conform::{self, LogTexts, Partner, Silence, World};
+use ciklo::tools::conform::{self, LogTexts, Partner, Selection, Silence, World};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -389,7 +389,7 @@ fn world() -> World<'static> {
 #[test]
 fn a_touch_that_fails_leaves_everything_as_it_was() {
     let mut failing = Failing::default();
-    let (report, _) = conform::run_foreign(&world(), &[], &mut failing);
+    let (report, _) = conform::run_foreign(&world(), &Selection::default(), &mut failing);
     assert!(report.cases.len() > 900);
     assert!(failing.wrong.is_empty(), "{} of {}:\n{}", failing.wrong.len(), failing.failed, failing.wrong.join("\n"));
     println!(

@@ -10,7 +10,7 @@ use ciklo::language::label;
 use ciklo::language::locale::Locales;
 use ciklo::output::dialog;
 use ciklo::spec::{Catalogue, schema};
-use ciklo::tools::conform::{self, World};
+use ciklo::tools::conform::{self, Selection, World};
 use serde_json::Value;
 
 fn page(name: &str) -> String {
@@ -115,7 +115,8 @@ fn the_conformance_report_is_described() {
     let files = data::embedded();
     let (catalogue, _) = Catalogue::load(&files);
     let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-    let (report, _) = conform::run(&World { catalogue: &catalogue, locales: &locales, files: &files }, &["itnc530"]);
+    let (report, _) =
+        conform::run(&World { catalogue: &catalogue, locales: &locales, files: &files }, &Selection::of(&["itnc530"]));
     let mut found = BTreeSet::new();
     keys(&serde_json::to_value(report).expect("it is JSON"), &mut found);
     assert_described(&found, "conform.md");

@@ -18,7 +18,7 @@ use ciklo::program::iso::{Codes, to_iso, to_klartext};
 use ciklo::program::syntax::{Dialect, Program, parse};
 use ciklo::spec::Catalogue;
 use ciklo::tools::compare::compare;
-use ciklo::tools::conform::{self, LogTexts, Partner, Request, Silence, World};
+use ciklo::tools::conform::{self, LogTexts, Partner, Request, Selection, Silence, World};
 use proptest::prelude::*;
 
 #[path = "../iso/programs.rs"]
@@ -432,7 +432,7 @@ fn examples_do_the_same_by_way_of_iso() {
     let data = Data::shared();
     let world = World { catalogue: &data.catalogue, locales: &data.locales, files: &data.files };
     let mut partner = ByWayOfIso { data: &data, codes: Codes::new(&data.catalogue), executed: 0, refused: 0 };
-    let _ = conform::run_foreign(&world, &["tnc640", "tnc320"], &mut partner);
+    let _ = conform::run_foreign(&world, &Selection::of(&["tnc640", "tnc320"]), &mut partner);
     println!("{} executed, {} refused", partner.executed, partner.refused);
     assert!(partner.executed > 10 * partner.refused, "{} executed, {} refused", partner.executed, partner.refused);
 }

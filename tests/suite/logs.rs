@@ -14,7 +14,7 @@ use ciklo::engine::scene::Scene;
 use ciklo::language::locale::Locales;
 use ciklo::program::syntax;
 use ciklo::spec::Catalogue;
-use ciklo::tools::conform::{self, LogTexts, Partner, Silence, World};
+use ciklo::tools::conform::{self, LogTexts, Partner, Selection, Silence, World};
 use serde_json::Value;
 
 struct Data {
@@ -92,7 +92,7 @@ fn written() -> &'static BTreeMap<String, Vec<Written>> {
     static WRITTEN: OnceLock<BTreeMap<String, Vec<Written>>> = OnceLock::new();
     WRITTEN.get_or_init(|| {
         let mut writing = Writing::default();
-        let (report, _) = conform::run_foreign(&world(), &[], &mut writing);
+        let (report, _) = conform::run_foreign(&world(), &Selection::default(), &mut writing);
         assert!(report.cases.len() > 900);
         writing.0
     })

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::expect::Expectation;
 use super::report::{CaseReport, Clause, Mismatch, Verdict};
-use super::{LogTexts, World};
+use super::{LogTexts, World, show};
 use crate::base::diag::{Diagnostic, Source};
 use crate::engine::plan::{self, Plan};
 use crate::engine::run::{Engine, Event, Outcome, Shown, Status};
@@ -54,6 +54,9 @@ pub(super) fn report(on: &OnControl, cycle: &Cycle, example: &Example, verdict: 
         cycle: cycle.name().to_owned(),
         case: example.name.as_str().to_owned(),
         proves: example.proves.iter().filter_map(clause).collect(),
+        why: example.why.clone(),
+        place: format!("{}:{}", example.place.source.name(), example.place.start().line),
+        manual: cycle.described.sources.iter().map(|of| format!("{}:{}", of.manual, of.lines)).collect(),
         verdict,
     }
 }
@@ -155,10 +158,7 @@ pub(super) fn judge(
     tells_sentences: bool,
 ) -> Verdict {
     if outcome.status == Status::Unsupported && !expected.wants_refusal() {
-        let reason = outcome.fault.as_ref().map_or_else(String::new, |fault| {
-            let args: Vec<String> = fault.args.iter().map(|(name, value)| format!("{name} {value:?}")).collect();
-            format!("{} {}", fault.code, args.join(", "))
-        });
+        let reason = outcome.fault.as_ref().map_or_else(|| Status::Unsupported.as_str().to_owned(), show::fault);
         return Verdict::OutOfSubset { reason };
     }
     let mut mismatches = expected.compare(cycle.key, outcome, events);

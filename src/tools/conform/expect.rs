@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::report::Mismatch;
+use super::show;
 use crate::base::diag::{Diagnostic, Place, Source};
 use crate::base::expr::{QKind, QRef};
 use crate::engine::geometry::{Axis, RotaryAxis};
@@ -31,7 +32,7 @@ struct CellWanted {
 
 /// An axis of a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Letter {
+pub(super) enum Letter {
     Linear(Axis),
     Rotary(RotaryAxis),
 }
@@ -45,7 +46,7 @@ impl Letter {
         }
     }
 
-    const fn letter(self) -> char {
+    pub(super) const fn letter(self) -> char {
         match self {
             Self::Linear(axis) => axis.letter(),
             Self::Rotary(axis) => axis.letter(),
@@ -55,11 +56,11 @@ impl Letter {
 
 /// A movement or pause of the cycle: its verb, its coordinates and its other values.
 #[derive(Clone, Debug)]
-struct Action {
-    verb: String,
-    coords: Vec<(Letter, f64)>,
-    amount: Option<f64>,
-    feed: Option<f64>,
+pub(super) struct Action {
+    pub(super) verb: String,
+    pub(super) coords: Vec<(Letter, f64)>,
+    pub(super) amount: Option<f64>,
+    pub(super) feed: Option<f64>,
 }
 
 /// What a case expects.
@@ -264,10 +265,8 @@ impl Expectation {
         let none = Vec::new();
         let errors = self.errors.as_ref().unwrap_or(&none);
         if errors != &codes {
-            let args = outcome.fault.iter().flat_map(|fault| &fault.args);
-            let args: Vec<String> = args.map(|(name, value)| format!("{name} {value:?}")).collect();
-            let shown = format!("{} ({})", codes.join(", "), args.join(", "));
-            differs.push(Mismatch::new("errors", errors.join(", "), shown));
+            let found = outcome.fault.as_ref().map_or_else(show::nothing, show::fault);
+            differs.push(Mismatch::new("errors", show::list(errors), found));
         }
         self.compare_messages(events, &mut differs);
         for (q, wanted) in &self.q {
@@ -279,7 +278,8 @@ impl Expectation {
         for (axis, wanted) in &self.position {
             let found = axis.of(outcome.position, outcome.angles);
             if !self.near(*wanted, found) {
-                differs.push(Mismatch::new(format!("position.{}", axis.letter()), wanted, found));
+                let what = format!("position.{}", axis.letter());
+                differs.push(Mismatch::new(what, wanted, show::number(found)));
             }
         }
         self.compare_tables(events, &mut differs);
@@ -305,7 +305,7 @@ impl Expectation {
             (Wanted::Text(a), Some(Content::Text(b))) => (**a == **b, b.to_string()),
             (Wanted::Number(a), Some(Content::Text(b))) => (a.to_string() == **b, b.to_string()),
             (_, Some(Content::Number(b))) => (false, b.to_string()),
-            (_, None) => (false, "nothing".to_owned()),
+            (_, None) => (false, show::nothing()),
         };
         if !same {
             let expected = match wanted {
@@ -326,7 +326,7 @@ impl Expectation {
             })
             .collect();
         if messages != &told {
-            differs.push(Mismatch::new("messages", messages.join(", "), told.join(", ")));
+            differs.push(Mismatch::new("messages", show::list(messages), show::list(&told)));
         }
     }
 
@@ -349,16 +349,25 @@ impl Expectation {
         let told: Vec<&EventKind> = of_cycle(key, events).filter(|kind| verb(kind).is_some()).collect();
         for (what, wanted) in MOVES.iter().zip(&self.actions) {
             let Some(wanted) = wanted else { continue };
-            if (*what == MOVES[0] && wanted.len() != told.len()) || wanted.len() > told.len() {
-                let list = told.iter().map(|kind| show(kind)).collect::<Vec<_>>().join("; ");
-                differs.push(Mismatch::new(*what, wanted.len(), format!("{}: {list}", told.len())));
-                continue;
+            let skipped = if *what == MOVES[2] { told.len().saturating_sub(wanted.len()) } else { 0 };
+            let found = told.get(skipped..).unwrap_or_default();
+            let whole = *what == MOVES[0];
+            let several = if whole { wanted.len() != found.len() } else { wanted.len() > found.len() };
+            let pairs = wanted.len().max(if whole { found.len() } else { 0 });
+            let differing = (0..pairs).filter(|index| match (wanted.get(*index), found.get(*index)) {
+                (Some(action), Some(kind)) => !self.same(action, kind),
+                _ => true,
+            });
+            // Behind the first difference of lists that are not equally long everything may be shifted.
+            for index in differing.take(if several { 1 } else { pairs }) {
+                let expected = wanted.get(index).map_or_else(show::nothing, show::action);
+                let found = found.get(index).map_or_else(show::nothing, |kind| show::event(kind));
+                differs.push(Mismatch::new(format!("{what}.{}", index + 1), expected, found));
             }
-            let skipped = if *what == MOVES[2] { told.len() - wanted.len() } else { 0 };
-            for (index, (action, kind)) in wanted.iter().zip(told.iter().skip(skipped)).enumerate() {
-                if !self.same(action, kind) {
-                    differs.push(Mismatch::new(format!("{what}.{}", index + 1), format!("{action:?}"), show(kind)));
-                }
+            if several {
+                let expected: Vec<String> = wanted.iter().map(show::action).collect();
+                let found: Vec<String> = told.iter().map(|kind| show::event(kind)).collect();
+                differs.push(Mismatch::new(*what, show::lines(&expected), show::lines(&found)));
             }
         }
     }
@@ -367,7 +376,7 @@ impl Expectation {
         let Some(wanted) = &self.spindle else { return };
         let told: Vec<String> = of_cycle(key, events).filter_map(spindle_words).collect();
         if *wanted != told {
-            differs.push(Mismatch::new("spindle", wanted.join(", "), told.join(", ")));
+            differs.push(Mismatch::new("spindle", show::list(wanted), show::list(&told)));
         }
     }
 
@@ -414,7 +423,7 @@ pub(super) fn spindle_words(kind: &EventKind) -> Option<String> {
 }
 
 /// The verb of an event that cases list.
-const fn verb(kind: &EventKind) -> Option<&'static str> {
+pub(super) const fn verb(kind: &EventKind) -> Option<&'static str> {
     match kind {
         EventKind::Move { kind: MoveKind::Rapid, .. } => Some("rapid"),
         EventKind::Move { kind: MoveKind::Feed, .. } => Some("feed"),
@@ -423,20 +432,5 @@ const fn verb(kind: &EventKind) -> Option<&'static str> {
         EventKind::Dwell(_) => Some("dwell"),
         EventKind::Probe(_) => Some("probe"),
         _ => None,
-    }
-}
-
-fn show(kind: &EventKind) -> String {
-    match kind {
-        EventKind::Move { to, feed, .. } => {
-            format!("{} X{} Y{} Z{} F{feed}", verb(kind).unwrap_or_default(), to.x, to.y, to.z)
-        }
-        EventKind::Turn { axes, .. } => {
-            let ends = axes.iter().map(|axis| format!(" {}{}", axis.axis.letter(), axis.to));
-            format!("turn{}", ends.collect::<String>())
-        }
-        EventKind::Dwell(seconds) => format!("dwell {seconds}"),
-        EventKind::Probe(probing) => format!("probe {:?}", probing.contact),
-        other => other.name().to_owned(),
     }
 }

@@ -4,7 +4,7 @@
 //! stays silent is not asked for ever.
 use super::case::{self, Prepared};
 use super::protocol::{Answer, CycleName, PROTOCOL, Request};
-use super::{CaseReport, CycleReport, FORMAT, Job, Mismatch, Report, Verdict, World, jobs};
+use super::{CaseReport, CycleReport, Job, Mismatch, Report, Selection, Verdict, World, jobs};
 use crate::base::diag::{Diagnostic, dedupe};
 
 /// Why an engine gave no answer.
@@ -25,6 +25,11 @@ const NO_MORE: usize = 12;
 
 /// Another engine: gets a line and gives a line.
 pub trait Partner {
+    /// What reports call it.
+    fn name(&self) -> &str {
+        "another engine"
+    }
+
     /// The answer to a request.
     ///
     /// # Errors
@@ -53,11 +58,11 @@ impl Patience<'_> {
     }
 }
 
-/// Puts every example on the controls (all of them, if the list is empty) to another engine. One that was silent too
+/// Puts the examples chosen to another engine. One that was silent too
 /// often in a row is not asked further: `engine-silent` says how many cases are left.
-pub fn run(world: &World<'_>, controls: &[&str], partner: &mut dyn Partner) -> (Report, Vec<Diagnostic>) {
+pub fn run(world: &World<'_>, chosen: &Selection<'_>, partner: &mut dyn Partner) -> (Report, Vec<Diagnostic>) {
     let (mut cases, mut found, mut cycles) = (Vec::new(), Vec::new(), Vec::<CycleReport>::new());
-    let jobs = jobs(world, controls);
+    let jobs = jobs(world, chosen);
     let mut partner = Patience { partner, answered: false, silent: 0 };
     for (id, job) in (1..).zip(&jobs) {
         if partner.is_over() {
@@ -74,7 +79,7 @@ pub fn run(world: &World<'_>, controls: &[&str], partner: &mut dyn Partner) -> (
         cases.push(report);
     }
     dedupe(&mut found);
-    (Report { format: FORMAT, cases, cycles }, found)
+    (Report::new(partner.partner.name(), cases, cycles), found)
 }
 
 fn execute(world: &World<'_>, job: &Job<'_>, id: u64, partner: &mut Patience<'_>) -> (CaseReport, Vec<Diagnostic>) {

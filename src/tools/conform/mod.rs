@@ -7,6 +7,7 @@ mod expect;
 mod foreign;
 mod protocol;
 mod report;
+mod show;
 mod texts;
 
 use std::collections::BTreeMap;
@@ -15,7 +16,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 pub use foreign::{Partner, Silence, run as run_foreign};
 pub use protocol::{Answer, CellWritten, CycleName, Moved, PROTOCOL, Request, serve};
-pub use report::{CaseReport, Clause, CycleReport, FORMAT, Mismatch, Report, Verdict, junit};
+pub use report::{CaseReport, Clause, CycleReport, FORMAT, Mismatch, Report, Summary, Verdict, junit};
 pub use texts::LogTexts;
 
 use crate::base::diag::{Diagnostic, Source, dedupe};
@@ -24,7 +25,7 @@ use crate::engine::plan;
 use crate::engine::run::Shown;
 use crate::engine::scene::Scene;
 use crate::language::locale::Locales;
-use crate::spec::{Catalogue, Cycle, CycleKey, Example, OnControl};
+use crate::spec::{Catalogue, Cycle, CycleKey, Example, Keyword, OnControl};
 
 /// What conformance works on.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +36,42 @@ pub struct World<'w> {
     pub locales: &'w Locales,
     /// All data files: machines and templates of logs are among them.
     pub files: &'w [(String, String)],
+}
+
+/// What reports call the engine of this library.
+const OURS: &str = "ciklo";
+
+/// Which cases are executed: those that each list allows; an empty list allows all.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Selection<'s> {
+    /// Controls by their ids.
+    pub controls: &'s [&'s str],
+    /// Cycles by their numbers, with the keyword where it matters.
+    pub cycles: &'s [(Option<Keyword>, u32)],
+    /// Names of cases.
+    pub cases: &'s [&'s str],
+}
+
+impl<'s> Selection<'s> {
+    /// All cases of these controls.
+    pub fn of(controls: &'s [&'s str]) -> Self {
+        Self { controls, ..Self::default() }
+    }
+
+    fn has_control(&self, on: &OnControl) -> bool {
+        self.controls.is_empty() || self.controls.contains(&on.id())
+    }
+
+    fn has_cycle(&self, cycle: &Cycle) -> bool {
+        let is_it = |(keyword, number): &(Option<Keyword>, u32)| {
+            cycle.key.number == *number && keyword.is_none_or(|keyword| keyword == cycle.key.keyword)
+        };
+        self.cycles.is_empty() || self.cycles.iter().any(is_it)
+    }
+
+    fn has_case(&self, example: &Example) -> bool {
+        self.cases.is_empty() || self.cases.contains(&example.name.as_str())
+    }
 }
 
 /// An example on a control.
@@ -50,11 +87,9 @@ impl Job<'_> {
     }
 }
 
-/// Runs every example on the controls (all of them, if the list is empty). Mistakes in the examples themselves come
-/// back as diagnostics.
-pub fn run(world: &World<'_>, controls: &[&str]) -> (Report, Vec<Diagnostic>) {
-    let chosen = |on: &&OnControl| controls.is_empty() || controls.contains(&on.id());
-    let jobs = jobs(world, controls);
+/// Runs the examples chosen. Mistakes in the examples themselves come back as diagnostics.
+pub fn run(world: &World<'_>, chosen: &Selection<'_>) -> (Report, Vec<Diagnostic>) {
+    let jobs = jobs(world, chosen);
     let results = execute(world, &jobs);
     let mut shown: BTreeMap<(String, CycleKey), Shown> = BTreeMap::new();
     let (mut cases, mut found) = (Vec::new(), Vec::new());
@@ -69,14 +104,21 @@ pub fn run(world: &World<'_>, controls: &[&str]) -> (Report, Vec<Diagnostic>) {
         }
     }
     let mut cycles = Vec::new();
-    for on in world.catalogue.controls.values().filter(chosen) {
-        for cycle in on.cycles.values() {
+    if !chosen.cases.is_empty() {
+        // Of a cycle that shows some of its cases only, nothing can be said about what no case shows.
+        let mut seen: Vec<CycleReport> = cases.iter().map(CycleReport::unseen).collect();
+        seen.dedup_by(|a, b| a.control == b.control && a.keyword == b.keyword && a.number == b.number);
+        dedupe(&mut found);
+        return (Report::new(OURS, cases, seen), found);
+    }
+    for on in world.catalogue.controls.values().filter(|on| chosen.has_control(on)) {
+        for cycle in on.cycles.values().filter(|cycle| chosen.has_cycle(cycle)) {
             let seen = shown.remove(&(on.id().to_owned(), cycle.key)).unwrap_or_default();
             cycles.push(cycle_report(on, cycle, &seen));
         }
     }
     dedupe(&mut found);
-    (Report { format: FORMAT, cases, cycles }, found)
+    (Report::new(OURS, cases, cycles), found)
 }
 
 /// An example on a control as what it executes.
@@ -102,16 +144,23 @@ pub fn executed<'w>(world: &World<'w>, controls: &[&str]) -> Vec<Executed<'w>> {
         let case::Prepared { program, scene, .. } = case::prepare(world, on, cycle, example).ok()?;
         Some(Executed { on, cycle, name: example.name.as_str(), program, scene })
     };
-    jobs(world, controls).into_iter().filter(|job| job.example.skip.is_none()).filter_map(ready).collect()
+    let jobs = jobs(world, &Selection::of(controls)).into_iter();
+    jobs.filter(|job| job.example.skip.is_none()).filter_map(ready).collect()
 }
 
-/// The examples on the controls, or on all of them if the list is empty.
-fn jobs<'w>(world: &World<'w>, controls: &[&str]) -> Vec<Job<'w>> {
-    let chosen = |on: &&OnControl| controls.is_empty() || controls.contains(&on.id());
+/// The examples chosen, without executing them: each with an empty verdict, `skipped`.
+pub fn listed(world: &World<'_>, chosen: &Selection<'_>) -> Vec<CaseReport> {
+    let nothing = || Verdict::Skipped { reason: String::new() };
+    jobs(world, chosen).iter().map(|job| job.report(nothing())).collect()
+}
+
+/// The examples chosen.
+fn jobs<'w>(world: &World<'w>, chosen: &Selection<'_>) -> Vec<Job<'w>> {
     let mut jobs = Vec::new();
-    for on in world.catalogue.controls.values().filter(chosen) {
-        for cycle in on.cycles.values() {
-            jobs.extend(cycle.file.examples.iter().map(|example| Job { on, cycle, example }));
+    for on in world.catalogue.controls.values().filter(|on| chosen.has_control(on)) {
+        for cycle in on.cycles.values().filter(|cycle| chosen.has_cycle(cycle)) {
+            let examples = cycle.file.examples.iter().filter(|example| chosen.has_case(example));
+            jobs.extend(examples.map(|example| Job { on, cycle, example }));
         }
     }
     jobs

@@ -11,13 +11,46 @@ pub const FORMAT: &str = "ciklo-conform/1";
 pub struct Report {
     /// `ciklo-conform/1`.
     pub format: &'static str,
+    /// Who was tested with what, and how it went.
+    pub summary: Summary,
     /// The cases by control, cycle and order of the file.
     pub cases: Vec<CaseReport>,
     /// What the cases showed of each cycle.
     pub cycles: Vec<CycleReport>,
 }
 
+/// The head of a report.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// The engine: `ciklo`, or the command of another one.
+    pub engine: String,
+    /// The version of the program whose specifications hold the cases.
+    pub suite_version: &'static str,
+    /// How many cases passed.
+    pub pass: usize,
+    /// How many failed.
+    pub fail: usize,
+    /// How many the engine cannot execute.
+    pub out_of_subset: usize,
+    /// How many the specifications leave out.
+    pub skipped: usize,
+}
+
 impl Report {
+    /// The report of an engine.
+    pub(super) fn new(engine: &str, cases: Vec<CaseReport>, cycles: Vec<CycleReport>) -> Self {
+        let count = |wanted: fn(&Verdict) -> bool| cases.iter().filter(|case| wanted(&case.verdict)).count();
+        let summary = Summary {
+            engine: engine.to_owned(),
+            suite_version: env!("CARGO_PKG_VERSION"),
+            pass: count(|verdict| matches!(verdict, Verdict::Pass)),
+            fail: count(|verdict| matches!(verdict, Verdict::Fail { .. })),
+            out_of_subset: count(|verdict| matches!(verdict, Verdict::OutOfSubset { .. })),
+            skipped: count(|verdict| matches!(verdict, Verdict::Skipped { .. })),
+        };
+        Self { format: FORMAT, summary, cases, cycles }
+    }
+
     /// How many cases have that verdict.
     pub fn count(&self, wanted: fn(&Verdict) -> bool) -> usize {
         self.cases.iter().filter(|case| wanted(&case.verdict)).count()
@@ -25,7 +58,7 @@ impl Report {
 
     /// Whether no case fails.
     pub fn is_clean(&self) -> bool {
-        self.count(|verdict| matches!(verdict, Verdict::Fail { .. })) == 0
+        self.summary.fail == 0
     }
 }
 
@@ -44,9 +77,24 @@ pub struct CaseReport {
     pub case: String,
     /// What it proves.
     pub proves: Vec<Clause>,
+    /// Where its expected values come from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub why: Option<String>,
+    /// Its place in the specification, `file:line`.
+    pub place: String,
+    /// Where the manual of the control describes the cycle, `manual:lines`.
+    pub manual: Vec<String>,
     /// What came out.
     #[serde(flatten)]
     pub verdict: Verdict,
+}
+
+impl CaseReport {
+    /// What it proves, in words: `step drill, parameter Q200`.
+    pub fn clauses(&self) -> String {
+        let clauses: Vec<String> = self.proves.iter().map(|clause| format!("{} {}", clause.kind, clause.id)).collect();
+        clauses.join(", ")
+    }
 }
 
 /// A clause of a specification.
@@ -161,7 +209,15 @@ fn escape(text: &str) -> String {
 
 /// The report as JUnit XML: a suite a control, a class a cycle.
 pub fn junit(report: &Report) -> String {
-    let mut xml = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n");
+    let of = &report.summary;
+    let mut xml = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" \
+         skipped=\"{}\">\n",
+        escape(&format!("{FORMAT} {}, {}", of.suite_version, of.engine)),
+        report.cases.len(),
+        of.fail,
+        of.skipped + of.out_of_subset,
+    );
     let mut controls: Vec<&str> = report.cases.iter().map(|case| case.control.as_str()).collect();
     controls.dedup();
     for control in controls {
@@ -189,12 +245,21 @@ fn junit_case(case: &CaseReport) -> String {
     match &case.verdict {
         Verdict::Pass => format!("{head}/>\n"),
         Verdict::Fail { mismatches } => {
-            let lines: Vec<String> = mismatches
+            let mut lines: Vec<String> = mismatches
                 .iter()
                 .map(|found| format!("{}: expected {}, found {}", found.what, found.expected, found.found))
                 .collect();
-            let message = escape(&lines.join("\n"));
-            format!("{head}>\n      <failure message=\"mismatch\">{message}</failure>\n    </testcase>\n")
+            if !case.proves.is_empty() {
+                lines.push(format!("proves: {}", case.clauses()));
+            }
+            lines.push(format!("case: {}", case.place));
+            if !case.manual.is_empty() {
+                lines.push(format!("manual: {}", case.manual.join("; ")));
+            }
+            lines.extend(case.why.iter().map(|why| format!("why: {why}")));
+            let first = mismatches.first().map_or("mismatch", |found| found.what.as_str());
+            let (message, text) = (escape(first), escape(&lines.join("\n")));
+            format!("{head}>\n      <failure message=\"{message}\">{text}</failure>\n    </testcase>\n")
         }
         Verdict::OutOfSubset { reason } | Verdict::Skipped { reason } => {
             format!("{head}>\n      <skipped message=\"{}\"/>\n    </testcase>\n", escape(reason))

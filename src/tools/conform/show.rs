@@ -1,0 +1,101 @@
+//! What a case expects and what came out, in the notation of the cases themselves.
+//!
+//! Invariant: what was not given is left out, so that nothing of the inside of this program is ever shown: no name of a
+//! type, no number that is none.
+use super::expect::{Action, verb};
+use crate::base::diag::Arg;
+use crate::engine::geometry::Axis;
+use crate::engine::run::{EventKind, Fault, MoveKind};
+
+/// The word for a value, a list or a movement that is missing.
+const NOTHING: &str = "nothing";
+
+/// The word for what is missing.
+pub(super) fn nothing() -> String {
+    NOTHING.to_owned()
+}
+
+/// A number; the word for what is missing if it is none.
+pub(super) fn number(value: f64) -> String {
+    if value.is_nan() { nothing() } else { value.to_string() }
+}
+
+/// Codes or words in a row.
+pub(super) fn list(items: &[impl AsRef<str>]) -> String {
+    let items: Vec<&str> = items.iter().map(AsRef::as_ref).collect();
+    if items.is_empty() { nothing() } else { items.join(", ") }
+}
+
+/// Movements, a line each.
+pub(super) fn lines(items: &[String]) -> String {
+    if items.is_empty() { nothing() } else { items.join("\n") }
+}
+
+/// The code of a fault and what decided.
+pub(super) fn fault(fault: &Fault) -> String {
+    let value = |value: &Arg| match value {
+        Arg::Text(text) => text.clone(),
+        Arg::Number(value) => number(*value),
+    };
+    let args: Vec<String> = fault.args.iter().map(|(name, of)| format!("{name} {}", value(of))).collect();
+    if args.is_empty() { fault.code.to_string() } else { format!("{} ({})", fault.code, args.join(", ")) }
+}
+
+/// A movement or pause that a case expects.
+pub(super) fn action(action: &Action) -> String {
+    let coords = action.coords.iter().map(|(axis, value)| (axis.letter(), *value));
+    written(&action.verb, coords, action.amount, action.feed)
+}
+
+/// A movement or pause of an engine.
+pub(super) fn event(kind: &EventKind) -> String {
+    let word = verb(kind).unwrap_or_else(|| kind.name());
+    let linear = |point: glam::DVec3| Axis::ALL.map(|axis| (axis.letter(), axis.of(point)));
+    match kind {
+        EventKind::Move { kind: MoveKind::Rapid, to, .. } => written(word, linear(*to), None, None),
+        EventKind::Move { kind: MoveKind::Arc { angle, .. }, to, feed, .. } => {
+            written(word, linear(*to), Some(*angle), Some(*feed))
+        }
+        EventKind::Move { to, feed, .. } => written(word, linear(*to), None, Some(*feed)),
+        EventKind::Turn { axes, feed, rapid, .. } => {
+            let ends = axes.iter().map(|turned| (turned.axis.letter(), turned.to));
+            written(word, ends, None, (!rapid).then_some(*feed))
+        }
+        EventKind::Dwell(seconds) => written(word, [], Some(*seconds), None),
+        EventKind::Probe(probing) => {
+            let touched = probing.contact.map_or(glam::DVec3::NAN, |(touched, _)| touched);
+            written(word, linear(touched), None, None)
+        }
+        _ => word.to_owned(),
+    }
+}
+
+fn written(
+    verb: &str,
+    coords: impl IntoIterator<Item = (char, f64)>,
+    amount: Option<f64>,
+    feed: Option<f64>,
+) -> String {
+    let (amount, feed) = (amount.filter(|value| !value.is_nan()), feed.filter(|value| !value.is_nan()));
+    if verb == "dwell" {
+        return format!("{{dwell: {}}}", amount.map_or_else(nothing, number));
+    }
+    let coords = coords.into_iter().filter(|(_, value)| !value.is_nan());
+    let coords: Vec<String> = coords.map(|(letter, value)| format!("{letter}: {value}")).collect();
+    let angle = amount.map(|angle| format!(", angle: {angle}")).unwrap_or_default();
+    let at = feed.map(|feed| format!(", at: {feed}")).unwrap_or_default();
+    format!("{{{verb}: {{{}}}{angle}{at}}}", coords.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_missing_is_left_out() {
+        assert_eq!(written("rapid", [('X', f64::NAN), ('Z', 2.5)], None, Some(f64::NAN)), "{rapid: {Z: 2.5}}");
+        assert_eq!(written("arc", [('X', 1.0)], Some(60.0), Some(150.0)), "{arc: {X: 1}, angle: 60, at: 150}");
+        assert_eq!(written("dwell", [], Some(f64::NAN), None), "{dwell: nothing}");
+        assert_eq!(list(&Vec::<String>::new()), "nothing");
+    }
+}
