@@ -8,6 +8,7 @@ mod flow;
 pub mod geometry;
 pub mod machine;
 mod motion;
+mod params;
 pub mod plan;
 mod read;
 mod report;

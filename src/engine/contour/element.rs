@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-7;
 
 /// What an element is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::engine) enum Shape {
+pub(crate) enum Shape {
     /// A straight line.
     Line,
     /// An arc: its centre and its angle, counter-clockwise positive.
@@ -24,10 +24,10 @@ pub(in crate::engine) enum Shape {
 
 /// A line or an arc with a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::engine) struct Element {
-    pub(in crate::engine) from: DVec2,
-    pub(in crate::engine) to: DVec2,
-    pub(in crate::engine) shape: Shape,
+pub(crate) struct Element {
+    pub(crate) from: DVec2,
+    pub(crate) to: DVec2,
+    pub(crate) shape: Shape,
 }
 
 /// Where an element lies, without its ends.
@@ -40,15 +40,15 @@ enum Curve {
 /// Where two elements beside their contour meet, and how much of each is cut off there: mm of a line, degrees of an
 /// arc; negative where they go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::engine) struct Meeting {
-    pub(in crate::engine) point: DVec2,
-    pub(in crate::engine) before: f64,
-    pub(in crate::engine) behind: f64,
+pub(crate) struct Meeting {
+    pub(crate) point: DVec2,
+    pub(crate) before: f64,
+    pub(crate) behind: f64,
 }
 
 /// How the tool gets round a corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::engine) enum Corner {
+pub(crate) enum Corner {
     /// Both elements meet.
     Meet(Meeting),
     /// From the end of the one to the beginning of the other on an arc about the corner.
@@ -59,7 +59,7 @@ pub(in crate::engine) enum Corner {
 
 /// How a corner is to be gone round, beside the usual way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::engine) enum Manner {
+pub(crate) enum Manner {
     /// Outside on an arc, inside through the intersection.
     #[default]
     Usual,
@@ -70,33 +70,33 @@ pub(in crate::engine) enum Manner {
 }
 
 /// The point, turned about a centre.
-pub(in crate::engine) fn turned(point: DVec2, centre: DVec2, angle: f64) -> DVec2 {
+pub(crate) fn turned(point: DVec2, centre: DVec2, angle: f64) -> DVec2 {
     let (c, s, arm) = (cosd(angle), sind(angle), point - centre);
     centre + DVec2::new(arm.x * c - arm.y * s, arm.x * s + arm.y * c)
 }
 
 /// The angle from one arm to another one in a direction of rotation, from 0 to less than 360 degrees.
-pub(in crate::engine) fn turn_between(from: DVec2, to: DVec2, direction: f64) -> f64 {
+pub(crate) fn turn_between(from: DVec2, to: DVec2, direction: f64) -> f64 {
     ((atan2d(to.y, to.x) - atan2d(from.y, from.x)) * direction).rem_euclid(360.0)
 }
 
 /// The length of a vector.
-pub(in crate::engine) fn length(v: DVec2) -> f64 {
+pub(crate) fn length(v: DVec2) -> f64 {
     libm::hypot(v.x, v.y)
 }
 
 /// The unit vector of a direction; nothing if it has none.
-pub(in crate::engine) fn direction(v: DVec2) -> Option<DVec2> {
+pub(crate) fn direction(v: DVec2) -> Option<DVec2> {
     let length = length(v);
     (length > 0.0).then(|| v / length)
 }
 
 impl Element {
-    pub(in crate::engine) const fn line(from: DVec2, to: DVec2) -> Self {
+    pub(crate) const fn line(from: DVec2, to: DVec2) -> Self {
         Self { from, to, shape: Shape::Line }
     }
 
-    pub(in crate::engine) const fn arc(from: DVec2, to: DVec2, centre: DVec2, sweep: f64) -> Self {
+    pub(crate) const fn arc(from: DVec2, to: DVec2, centre: DVec2, sweep: f64) -> Self {
         Self { from, to, shape: Shape::Arc { centre, sweep } }
     }
 
@@ -110,27 +110,27 @@ impl Element {
     }
 
     /// The direction of travel at the beginning.
-    pub(in crate::engine) fn heading_at_start(&self) -> DVec2 {
+    pub(crate) fn heading_at_start(&self) -> DVec2 {
         self.heading(self.from)
     }
 
     /// The direction of travel at the end.
-    pub(in crate::engine) fn heading_at_end(&self) -> DVec2 {
+    pub(crate) fn heading_at_end(&self) -> DVec2 {
         self.heading(self.to)
     }
 
     /// Beside its beginning.
-    pub(in crate::engine) fn start_beside(&self, offset: f64) -> DVec2 {
+    pub(crate) fn start_beside(&self, offset: f64) -> DVec2 {
         self.from + left_of(self.heading_at_start()) * offset
     }
 
     /// Beside its end.
-    pub(in crate::engine) fn end_beside(&self, offset: f64) -> DVec2 {
+    pub(crate) fn end_beside(&self, offset: f64) -> DVec2 {
         self.to + left_of(self.heading_at_end()) * offset
     }
 
     /// Its extent: mm of a line, degrees of an arc.
-    pub(in crate::engine) fn extent(&self) -> f64 {
+    pub(crate) fn extent(&self) -> f64 {
         match self.shape {
             Shape::Line => length(self.to - self.from),
             Shape::Arc { sweep, .. } => sweep.abs(),
@@ -138,7 +138,7 @@ impl Element {
     }
 
     /// The radius of an arc beside it; negative if the arc is too narrow for that. A line has none.
-    pub(in crate::engine) fn radius_beside(&self, offset: f64, at: DVec2) -> Option<f64> {
+    pub(crate) fn radius_beside(&self, offset: f64, at: DVec2) -> Option<f64> {
         match self.shape {
             Shape::Line => None,
             Shape::Arc { centre, sweep } => Some(length(at - centre) - offset * sweep.signum()),
@@ -146,7 +146,7 @@ impl Element {
     }
 
     /// Whether the arc is too narrow for an offset.
-    pub(in crate::engine) fn is_too_narrow(&self, offset: f64) -> bool {
+    pub(crate) fn is_too_narrow(&self, offset: f64) -> bool {
         [self.from, self.to].iter().any(|at| self.radius_beside(offset, *at).is_some_and(|radius| radius < -ROUNDING))
     }
 
@@ -226,7 +226,7 @@ impl Element {
 
     /// The path beside it from one point to another one, with what they cut off it; nothing where nothing is left and
     /// the tool would have to go back.
-    pub(in crate::engine) fn path(&self, start: DVec2, end: DVec2, cut: f64) -> Option<Self> {
+    pub(crate) fn path(&self, start: DVec2, end: DVec2, cut: f64) -> Option<Self> {
         let left = self.extent() - cut;
         if left < -ROUNDING {
             return None;
@@ -313,7 +313,7 @@ fn outside(before: &Element, behind: &Element, offset: f64) -> Option<Meeting> {
 }
 
 /// How a tool that runs beside both elements gets from one to the other; nothing where it is too large for the corner.
-pub(in crate::engine) fn corner(before: &Element, behind: &Element, offset: f64, manner: Manner) -> Option<Corner> {
+pub(crate) fn corner(before: &Element, behind: &Element, offset: f64, manner: Manner) -> Option<Corner> {
     let at = |point: DVec2| Corner::Meet(Meeting { point, before: 0.0, behind: 0.0 });
     if offset == 0.0 {
         return Some(at(before.to));
@@ -336,11 +336,7 @@ pub(in crate::engine) fn corner(before: &Element, behind: &Element, offset: f64,
 
 /// A corner rounded with a radius: the two elements and the arc between them, if there is a corner.
 /// Nothing where the arc finds no place.
-pub(in crate::engine) fn rounded(
-    before: &Element,
-    behind: &Element,
-    radius: f64,
-) -> Option<(Element, Option<Element>, Element)> {
+pub(crate) fn rounded(before: &Element, behind: &Element, radius: f64) -> Option<(Element, Option<Element>, Element)> {
     let (bend, straight_on) = bend(before, behind);
     if straight_on || radius == 0.0 {
         return Some((*before, None, *behind));
@@ -357,11 +353,7 @@ pub(in crate::engine) fn rounded(
 }
 
 /// A corner of two lines broken by a chamfer that takes so much off each. Nothing where it finds no place.
-pub(in crate::engine) fn broken(
-    before: &Element,
-    behind: &Element,
-    leg: f64,
-) -> Option<(Element, Option<Element>, Element)> {
+pub(crate) fn broken(before: &Element, behind: &Element, leg: f64) -> Option<(Element, Option<Element>, Element)> {
     let lines = before.shape == Shape::Line && behind.shape == Shape::Line;
     if !lines || leg > before.extent() + ROUNDING || leg > behind.extent() + ROUNDING {
         return None;
@@ -376,7 +368,7 @@ pub(in crate::engine) fn broken(
 
 /// The arc that goes on from a direction and ends at a point: its centre and angle. Nothing if that point lies straight
 /// ahead or straight behind.
-pub(in crate::engine) fn tangential(from: DVec2, heading: DVec2, to: DVec2) -> Option<(DVec2, f64)> {
+pub(crate) fn tangential(from: DVec2, heading: DVec2, to: DVec2) -> Option<(DVec2, f64)> {
     let chord = to - from;
     let (aside, ahead) = (heading.perp_dot(chord), heading.dot(chord));
     if aside.abs() <= STRAIGHT_ON * length(chord) {

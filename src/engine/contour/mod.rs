@@ -1,5 +1,8 @@
-//! Contours: elements, the path of the tool beside them, and the ways to them and away from them.
-pub(in crate::engine) mod approach;
-pub(in crate::engine) mod element;
-pub(in crate::engine) mod outline;
-pub(in crate::engine) mod path;
+//! Contours: elements, the path of the tool beside them, the ways to them and away from them, closed outlines.
+//!
+//! Start reading at [`path`] (radius compensation, roundings, chamfers); [`element`] has the geometry. Invariant: moves
+//! the tool by the drives alone; knows blocks of movement, and neither parameters nor cycles.
+pub(crate) mod approach;
+pub(crate) mod element;
+pub(crate) mod outline;
+pub(crate) mod path;

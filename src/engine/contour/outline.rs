@@ -5,32 +5,33 @@
 use glam::{DVec2, DVec3};
 
 use crate::base::expr::{cosd, sind};
+use crate::engine::motion::drives::Drives;
 use crate::engine::motion::moves::Speed;
+use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
-use crate::engine::run::{Done, Run};
 
 /// Where a figure lies in the working plane.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::engine) struct Place {
+pub(crate) struct Place {
     /// Its centre.
-    pub(in crate::engine) centre: DVec2,
+    pub(crate) centre: DVec2,
     /// The direction of its first axis, degrees.
-    pub(in crate::engine) rotation: f64,
+    pub(crate) rotation: f64,
 }
 
 impl Place {
-    pub(in crate::engine) fn new(centre: DVec3, rotation: f64) -> Self {
+    pub(crate) fn new(centre: DVec3, rotation: f64) -> Self {
         Self { centre: centre.truncate(), rotation }
     }
 
     /// The point of the working plane that the figure has there.
-    pub(in crate::engine) fn at(&self, point: DVec2) -> DVec2 {
+    pub(crate) fn at(&self, point: DVec2) -> DVec2 {
         let (c, s) = (cosd(self.rotation), sind(self.rotation));
         self.centre + DVec2::new(point.x * c - point.y * s, point.x * s + point.y * c)
     }
 
     /// The point of the figure that lies there in the working plane.
-    pub(in crate::engine) fn back(&self, point: DVec2) -> DVec2 {
+    pub(crate) fn back(&self, point: DVec2) -> DVec2 {
         let (c, s) = (cosd(self.rotation), sind(self.rotation));
         let arm = point - self.centre;
         DVec2::new(arm.x * c + arm.y * s, arm.y * c - arm.x * s)
@@ -55,27 +56,27 @@ impl Leg {
 
 /// A closed path.
 #[derive(Clone, Debug)]
-pub(in crate::engine) struct Outline {
+pub(crate) struct Outline {
     /// Where it begins and ends.
-    pub(in crate::engine) start: DVec2,
+    pub(crate) start: DVec2,
     /// The direction of travel at its beginning.
-    pub(in crate::engine) heading: DVec2,
+    pub(crate) heading: DVec2,
     legs: Vec<Leg>,
 }
 
 /// A quarter turn to the left.
-pub(in crate::engine) fn left_of(direction: DVec2) -> DVec2 {
+pub(crate) fn left_of(direction: DVec2) -> DVec2 {
     DVec2::new(-direction.y, direction.x)
 }
 
 /// The unit vector of an angle in degrees.
-pub(in crate::engine) fn unit(angle: f64) -> DVec2 {
+pub(crate) fn unit(angle: f64) -> DVec2 {
     DVec2::new(cosd(angle), sind(angle))
 }
 
 impl Outline {
     /// A rectangle with half its sides and round corners; it begins in the middle of its right side.
-    pub(in crate::engine) fn rectangle(half: DVec2, corner: f64) -> Self {
+    pub(crate) fn rectangle(half: DVec2, corner: f64) -> Self {
         let (a, b, c) = (half.x, half.y, corner);
         let (m, n) = (a - c, b - c);
         let mut legs = vec![Leg::Line(DVec2::new(a, n))];
@@ -95,13 +96,13 @@ impl Outline {
     }
 
     /// A circle; it begins on its right.
-    pub(in crate::engine) fn circle(radius: f64) -> Self {
+    pub(crate) fn circle(radius: f64) -> Self {
         let start = DVec2::new(radius, 0.0);
         Self { start, heading: DVec2::Y, legs: vec![Leg::Arc(DVec2::ZERO, start, 1.0)] }
     }
 
     /// A slot between two half circles; it begins at its left end.
-    pub(in crate::engine) fn slot(reach: f64, radius: f64) -> Self {
+    pub(crate) fn slot(reach: f64, radius: f64) -> Self {
         let (left, right) = (DVec2::new(-reach, 0.0), DVec2::new(reach, 0.0));
         let (up, out) = (DVec2::new(0.0, radius), DVec2::new(radius, 0.0));
         Self {
@@ -119,7 +120,7 @@ impl Outline {
 
     /// A slot along a circle between two half circles; it begins at the end of the first half circle. The opening
     /// angle is positive; from 360 degrees on it is a whole ring.
-    pub(in crate::engine) fn band(radius: f64, begin: f64, opening: f64, half: f64) -> Self {
+    pub(crate) fn band(radius: f64, begin: f64, opening: f64, half: f64) -> Self {
         let first = unit(begin);
         let last = if opening >= 360.0 { first } else { unit(begin + opening) };
         let start = first * radius - left_of(first) * half;
@@ -137,7 +138,7 @@ impl Outline {
     }
 
     /// The same path in the other direction if that is clockwise.
-    pub(in crate::engine) fn towards(self, direction: f64) -> Self {
+    pub(crate) fn towards(self, direction: f64) -> Self {
         if direction > 0.0 {
             return self;
         }
@@ -156,47 +157,47 @@ impl Outline {
 
 /// A quarter circle by which the tool joins an outline or leaves it.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::engine) struct Tangent {
+pub(crate) struct Tangent {
     /// Its centre.
     centre: DVec2,
     /// Where the tool begins to join.
-    pub(in crate::engine) before: DVec2,
+    pub(crate) before: DVec2,
     /// Where it has left.
-    pub(in crate::engine) after: DVec2,
+    pub(crate) after: DVec2,
     /// Counter-clockwise if positive.
     direction: f64,
 }
 
 impl Tangent {
     /// On the left of the direction of travel if `left` is positive.
-    pub(in crate::engine) fn at(outline: &Outline, radius: f64, left: f64) -> Self {
+    pub(crate) fn at(outline: &Outline, radius: f64, left: f64) -> Self {
         let centre = outline.start + left_of(outline.heading) * (radius * left);
         let arm = outline.heading * radius;
         Self { centre, before: centre - arm, after: centre + arm, direction: left }
     }
 }
 
-impl Run<'_, '_> {
+impl Drives<'_, '_> {
     /// Straight to a point of the figure at the present height.
-    pub(in crate::engine) fn mill_to(&mut self, place: &Place, to: DVec2, feed: f64) -> Done {
+    pub(crate) fn mill_to(&mut self, place: &Place, to: DVec2, feed: f64) -> Done {
         let height = self.in_plane(self.world.here).z;
         self.mill_to_height(place, to, height, feed)
     }
 
     /// Straight to a point of the figure at a height.
-    pub(in crate::engine) fn mill_to_height(&mut self, place: &Place, to: DVec2, height: f64, feed: f64) -> Done {
+    pub(crate) fn mill_to_height(&mut self, place: &Place, to: DVec2, height: f64, feed: f64) -> Done {
         let to = self.world.system.axes(place.at(to).extend(height));
         self.straight_to(to, None, Speed::of_feed(feed))
     }
 
     /// Straight along the tool axis.
-    pub(in crate::engine) fn mill_down(&mut self, height: f64, feed: f64) -> Done {
+    pub(crate) fn mill_down(&mut self, height: f64, feed: f64) -> Done {
         let to = self.in_plane(self.world.here).truncate().extend(height);
         self.straight_to(self.world.system.axes(to), None, Speed::of_feed(feed))
     }
 
     /// On an arc to a point of the figure at a height.
-    pub(in crate::engine) fn mill_around(
+    pub(crate) fn mill_around(
         &mut self,
         place: &Place,
         (centre, to): (DVec2, DVec2),
@@ -211,7 +212,7 @@ impl Run<'_, '_> {
     }
 
     /// Once around; the tool stands at the beginning of the outline.
-    pub(in crate::engine) fn mill_outline(&mut self, place: &Place, outline: &Outline, feed: f64) -> Done {
+    pub(crate) fn mill_outline(&mut self, place: &Place, outline: &Outline, feed: f64) -> Done {
         let height = self.in_plane(self.world.here).z;
         for leg in &outline.legs {
             match leg {
@@ -225,26 +226,20 @@ impl Run<'_, '_> {
     }
 
     /// Joins an outline on a quarter circle.
-    pub(in crate::engine) fn mill_join(
-        &mut self,
-        place: &Place,
-        tangent: &Tangent,
-        outline: &Outline,
-        feed: f64,
-    ) -> Done {
+    pub(crate) fn mill_join(&mut self, place: &Place, tangent: &Tangent, outline: &Outline, feed: f64) -> Done {
         let height = self.in_plane(self.world.here).z;
         self.mill_to(place, tangent.before, feed)?;
         self.mill_around(place, (tangent.centre, outline.start), height, tangent.direction, feed)
     }
 
     /// Leaves an outline on a quarter circle.
-    pub(in crate::engine) fn mill_leave(&mut self, place: &Place, tangent: &Tangent, feed: f64) -> Done {
+    pub(crate) fn mill_leave(&mut self, place: &Place, tangent: &Tangent, feed: f64) -> Done {
         let height = self.in_plane(self.world.here).z;
         self.mill_around(place, (tangent.centre, tangent.after), height, tangent.direction, feed)
     }
 
     /// The fault of a figure that no path of this tool makes.
-    pub(in crate::engine) fn shape_impossible(&self, least: f64, found: f64) -> Fault {
+    pub(crate) fn shape_impossible(&self, least: f64, found: f64) -> Fault {
         Fault::control("shape-impossible").arg("least", least).arg("found", found)
     }
 }

@@ -8,13 +8,15 @@ use std::collections::VecDeque;
 
 use glam::{DVec2, DVec3};
 
-use crate::engine::contour::approach::{Lead, Leg};
+use crate::engine::contour::approach::{Form, Lead, Leg};
 use crate::engine::contour::element::{Corner, Element, Manner, Shape, broken, corner, direction, rounded};
-use crate::engine::motion::axis::linear;
+use crate::engine::motion::drives::Drives;
 use crate::engine::motion::moves::Speed;
+use crate::engine::report::ending::{Done, Leave};
 use crate::engine::report::event::{At, Event};
 use crate::engine::report::fault::{Class, Fault};
-use crate::engine::run::{Done, Run};
+use crate::engine::report::reporter::Reporter;
+use crate::engine::world::state::World;
 use crate::program::syntax::{Axis, Compensation, Motion};
 
 /// More than that does not wait behind an element.
@@ -24,7 +26,7 @@ const NO_RADIUS: f64 = 1e-9;
 
 /// What comes at a corner.
 #[derive(Clone, Copy, Debug)]
-enum Break {
+pub(crate) enum Break {
     Rounding(f64),
     Chamfer(f64),
 }
@@ -37,6 +39,15 @@ struct Between {
     at: At,
     /// How much waited before it.
     waiting: usize,
+}
+
+/// The block that gives an element of a contour.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BlockPlace {
+    /// Its program and index.
+    pub(crate) block: (usize, usize),
+    /// Whether a rounding or chamfer follows directly.
+    pub(crate) is_rounded: bool,
 }
 
 /// What is known of a piece of a contour before its end is.
@@ -78,14 +89,14 @@ enum Waiting {
 
 /// The end of the last move in the working plane and the direction there.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::engine) enum Last {
+pub(crate) enum Last {
     Line(DVec2, DVec2),
     Heading(DVec2, DVec2),
 }
 
 /// The contour under way.
 #[derive(Clone, Debug, Default)]
-pub(in crate::engine) struct Contour {
+pub(crate) struct Contour {
     /// + the tool is to the left of the contour, - to the right, 0 on it.
     side: i8,
     /// The programmed position, while the tool is somewhere else.
@@ -99,45 +110,81 @@ pub(in crate::engine) struct Contour {
     between: Option<Box<Between>>,
     /// Whether what waited is executed just now.
     releasing: bool,
-    pub(in crate::engine) last: Option<Last>,
+    pub(crate) last: Option<Last>,
     /// The block of a contour whose execution failed.
     blamed: Option<(usize, usize)>,
 }
 
 impl Contour {
-    /// + the tool is to the left of the contour, - to the right, 0 on it.
-    pub(in crate::engine) const fn side(&self) -> i8 {
-        self.side
-    }
-
     /// Whether compensation is in effect or something waits.
-    pub(in crate::engine) const fn is_under_way(&self) -> bool {
+    pub(crate) const fn is_under_way(&self) -> bool {
         self.side != 0 || self.piece.is_some()
     }
 
-    /// Whether a move that the contour does not make itself would come out of turn.
-    pub(in crate::engine) const fn is_disturbed(&self) -> bool {
-        self.is_under_way() && !self.releasing
-    }
-
-    /// Whether events wait until the element before them is executed.
-    pub(in crate::engine) const fn holds_events(&self) -> bool {
-        self.piece.is_some() && !self.releasing
-    }
-
-    /// An event waits.
-    pub(in crate::engine) fn hold(&mut self, event: Event) {
-        self.waiting.push_back(Waiting::Event(Box::new(event)));
-    }
-
     /// The block that is to blame for a fault, by program and index.
-    pub(in crate::engine) const fn blamed(&self) -> Option<(usize, usize)> {
+    pub(crate) const fn blamed(&self) -> Option<(usize, usize)> {
         self.blamed
     }
 
-    /// The contour ends with the run: what waited to be told.
-    pub(in crate::engine) fn abandon(&mut self) -> Vec<Event> {
+    /// Nothing goes on tangentially from here.
+    pub(crate) fn forget(&mut self) {
+        self.last = None;
+    }
+
+    /// Remembers a straight move, for the direction at its end.
+    pub(crate) fn passed(&mut self, from: DVec2, to: DVec2) {
+        if from != to {
+            self.last = Some(Last::Line(from, to));
+        }
+    }
+
+    /// A corner between the element that waits and the next one can be rounded or broken here.
+    pub(crate) fn has_corner(&self) -> Result<(), Fault> {
+        let is_element = |piece: &Piece| matches!(piece.kind, Kind::Element(_));
+        let waits = self.piece.as_ref().is_some_and(|piece| is_element(piece));
+        let plunged = self.waiting.iter().any(|waiting| matches!(waiting, Waiting::Plunge { .. }));
+        if !waits || plunged || self.between.is_some() { Err(Fault::program("rounding-misplaced")) } else { Ok(()) }
+    }
+
+    /// That corner is rounded or broken.
+    pub(crate) fn break_corner(&mut self, drives: &mut Drives<'_, '_>, what: Break, speed: Result<Speed, Fault>) {
+        self.gather(drives);
+        let (at, waiting) = (drives.report.at().clone(), self.waiting.len());
+        self.between = Some(Box::new(Between { what, speed, at, waiting }));
+    }
+
+    /// + blocks along one axis are longer by the tool radius, - shorter: as a block says, or as before.
+    pub(crate) const fn lengthened(&mut self, compensation: Option<Compensation>) -> i8 {
+        match compensation {
+            Some(Compensation::Longer) => self.along = 1,
+            Some(Compensation::Shorter) => self.along = -1,
+            Some(_) => self.along = 0,
+            None => {}
+        }
+        self.along
+    }
+
+    /// After a block along one axis: the programmed position, and where the tool is.
+    pub(crate) const fn went_along(&mut self, nominal: DVec3, here: DVec3) {
+        self.beside = Some((nominal, here));
+    }
+
+    /// What the drives have reported since waits in its order.
+    fn gather(&mut self, drives: &mut Drives<'_, '_>) {
+        self.waiting.extend(drives.report.take_held().map(|event| Waiting::Event(Box::new(event))));
+    }
+
+    /// Tells the drives what may not be executed beside this contour, and whether events wait for it.
+    const fn interlock(&self, drives: &mut Drives<'_, '_>) {
+        drives.beside_contour = self.is_under_way() && !self.releasing;
+        drives.report.hold(self.piece.is_some() && !self.releasing);
+    }
+
+    /// The contour ends with the run: what waited to be reported.
+    pub(crate) fn abandon(&mut self, drives: &mut Drives<'_, '_>) -> Vec<Event> {
+        self.gather(drives);
         self.piece = None;
+        self.interlock(drives);
         let waiting = std::mem::take(&mut self.waiting);
         let events = waiting.into_iter().filter_map(|waiting| match waiting {
             Waiting::Event(event) => Some(*event),
@@ -146,204 +193,170 @@ impl Contour {
         events.collect()
     }
 
-    /// Nothing goes on tangentially from here.
-    pub(in crate::engine) fn forget(&mut self) {
-        self.last = None;
-    }
-
-    /// Remembers a straight move, for the direction at its end.
-    pub(in crate::engine) fn passed(&mut self, from: DVec2, to: DVec2) {
-        if from != to {
-            self.last = Some(Last::Line(from, to));
-        }
-    }
-}
-
-impl Run<'_, '_> {
     /// The programmed position: that of the contour while the tool runs beside it.
-    pub(in crate::engine) fn programmed(&self) -> DVec3 {
-        match self.contour {
+    pub(crate) fn programmed(&self, world: &World<'_>) -> DVec3 {
+        match *self {
             Contour { nominal: Some(nominal), .. } => nominal,
             // Whatever else has moved the tool since counts.
-            Contour { beside: Some((nominal, here)), .. } if here == self.world.here => nominal,
-            _ => self.world.here,
+            Contour { beside: Some((nominal, here)), .. } if here == world.here => nominal,
+            _ => world.here,
         }
     }
 
     /// Whether a block belongs to a contour that waits, or begins one.
-    pub(in crate::engine) fn is_in_contour(&self, motion: &Motion) -> bool {
-        self.contour.is_under_way() || side_of(motion).is_some_and(|side| side != 0) || self.is_rounded_next()
-    }
-
-    fn is_rounded_next(&self) -> bool {
-        self.programs.get(self.flow.program).is_some_and(|prepared| prepared.is_rounded(self.flow.block))
-    }
-
-    /// A fault if something that cannot be executed beside a contour comes while compensation is in effect.
-    pub(in crate::engine) fn not_beside_contour(&self, word: impl Into<String>) -> Done {
-        if !self.contour.is_disturbed() {
-            return Ok(());
-        }
-        Err(Fault::unsupported("unsupported-compensation").arg("word", word.into()).into())
+    pub(crate) fn takes(&self, motion: &Motion, place: BlockPlace) -> bool {
+        self.is_under_way() || side_of(motion).is_some_and(|side| side != 0) || place.is_rounded
     }
 
     /// The side of a block: that of its word, or as before.
-    pub(in crate::engine) fn side(&self, motion: &Motion) -> i8 {
-        side_of(motion).unwrap_or(self.contour.side)
+    pub(crate) fn side_of(&self, motion: &Motion) -> i8 {
+        side_of(motion).unwrap_or(self.side)
     }
 
     /// How far the tool runs to the left of the contour, mm of the program.
-    pub(in crate::engine) fn offset(&self, side: i8) -> Result<f64, Fault> {
+    pub(crate) fn offset(&self, world: &World<'_>, side: i8) -> Result<f64, Fault> {
         if side == 0 {
             return Ok(0.0);
         }
-        let scale = self.world.system.plane_scale().ok_or_else(|| Fault::program("arc-scaled-unequally"))?;
-        let radius = self.world.tool().map_or(0.0, |tool| tool.radius) / scale;
+        let scale = world.system.plane_scale().ok_or_else(|| Fault::program("arc-scaled-unequally"))?;
+        let radius = world.tool().map_or(0.0, |tool| tool.radius) / scale;
         Ok(if radius.abs() < NO_RADIUS { 0.0 } else { radius * f64::from(side) })
     }
 
-    /// A block that positions one axis: with `R+` the way is longer by the tool radius, with `R-` shorter.
-    pub(in crate::engine) fn along_axis(
+    /// A straight block of a contour. Nothing is left of the old contour where it ends.
+    pub(crate) fn line(
         &mut self,
+        drives: &mut Drives<'_, '_>,
         motion: &Motion,
-        in_machine: bool,
+        place: BlockPlace,
+        to: DVec3,
         speed: Result<Speed, Fault>,
     ) -> Done {
-        match motion.compensation {
-            Some(Compensation::Longer) => self.contour.along = 1,
-            Some(Compensation::Shorter) => self.contour.along = -1,
-            Some(_) => self.contour.along = 0,
-            None => {}
-        }
-        let axis = motion.coords.first().and_then(|coord| linear(coord.axis).ok());
-        let Some(axis) = axis.filter(|_| !in_machine) else { return self.line(motion, in_machine, speed) };
-        if self.contour.along != 0 {
-            self.not_beside_contour("R+, R-")?;
-        }
-        if self.is_in_contour(motion) {
-            return self.line(motion, in_machine, speed);
-        }
-        let from = self.programmed();
-        let nominal = self.target(&motion.coords, from)?;
-        let way = axis.of(nominal - from);
-        let radius = self.offset(1)? * f64::from(self.contour.along);
-        let tool = self.world.system.plane.tool;
-        // Along its own axis the tool has no radius, and no way has no end.
-        let longer = if axis == tool || way == 0.0 { 0.0 } else { radius * way.signum() };
-        let to = axis.with(self.world.here, axis.of(nominal) + longer);
-        self.contour.forget();
-        self.straight_to(to, None, speed)?;
-        self.contour.beside = Some((nominal, self.world.here));
-        Ok(())
-    }
-
-    /// A straight block of a contour. Nothing is left of the old contour where it ends.
-    pub(in crate::engine) fn contour_line(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
-        let side = self.side(motion);
-        let plane = self.world.system.plane;
-        match (self.contour.side, side) {
+        let side = self.side_of(motion);
+        let plane = drives.world.system.plane;
+        match (self.side, side) {
             (0, 0) => {}
             (0, _) => {
-                self.end_contour()?;
+                self.end(drives)?;
                 let lead = Lead::straight();
-                return self.begin_contour(side, lead, to, motion, speed);
+                return self.begin(drives, side, lead, to, motion, place, speed);
             }
-            (_, 0) => return self.leave_contour(motion, to, speed),
+            (_, 0) => return self.leave_straight(drives, motion, to, speed),
             (old, new) if old != new => return Err(Fault::program("compensation-side").into()),
             _ => {}
         }
-        let from = self.programmed();
+        let from = self.programmed(&drives.world);
         let (start, end) = (plane.flat(from), plane.flat(to));
         if start == end {
-            return self.contour_plunge(plane.tool.of(from), to, speed);
+            return self.plunge(drives, plane.tool.of(from), to, speed);
         }
-        self.contour_element(Element::line(start, end), to, motion, speed)
+        self.element(drives, Element::line(start, end), to, motion, place, speed)
     }
 
     /// An arc of a contour; `sweep` is its signed angle.
-    pub(in crate::engine) fn contour_arc(
+    pub(crate) fn arc(
         &mut self,
-        centre: DVec3,
+        drives: &mut Drives<'_, '_>,
+        (centre, sweep): (DVec3, f64),
         to: DVec3,
-        sweep: f64,
         motion: &Motion,
+        place: BlockPlace,
         speed: Result<Speed, Fault>,
     ) -> Done {
-        if self.side(motion) != self.contour.side {
+        if self.side_of(motion) != self.side {
             return Err(Fault::program("compensation-begin").into());
         }
-        let plane = self.world.system.plane;
-        let from = plane.flat(self.programmed());
-        self.contour_element(Element::arc(from, plane.flat(to), plane.flat(centre), sweep), to, motion, speed)
+        let plane = drives.world.system.plane;
+        let from = plane.flat(self.programmed(&drives.world));
+        self.element(drives, Element::arc(from, plane.flat(to), plane.flat(centre), sweep), to, motion, place, speed)
     }
 
     /// A block that moves only along the tool axis, or not at all.
-    fn contour_plunge(&mut self, from: f64, to: DVec3, speed: Result<Speed, Fault>) -> Done {
-        let height = self.world.system.plane.tool.of(to);
+    fn plunge(&mut self, drives: &mut Drives<'_, '_>, from: f64, to: DVec3, speed: Result<Speed, Fault>) -> Done {
+        let height = drives.world.system.plane.tool.of(to);
         if from == height {
             return Ok(());
         }
-        if self.contour.piece.is_none() {
-            self.end_contour()?;
-            return self.straight_to(to, None, speed);
+        if self.piece.is_none() {
+            self.end(drives)?;
+            return drives.straight_to(to, None, speed);
         }
-        if self.contour.between.is_some() {
+        if self.between.is_some() {
             return Err(Fault::program("rounding-misplaced").into());
         }
-        self.contour.nominal = Some(to);
-        let at = self.event.at.clone();
-        self.contour.waiting.push_back(Waiting::Plunge { height, speed, at });
+        self.nominal = Some(to);
+        let at = drives.report.at().clone();
+        self.gather(drives);
+        self.waiting.push_back(Waiting::Plunge { height, speed, at });
         Ok(())
     }
 
-    fn piece(&self, kind: Kind, offset: f64, height: f64, speed: Result<Speed, Fault>) -> Piece {
-        let block = (self.flow.program, self.flow.block);
+    fn piece(report: &Reporter<'_>, kind: Kind, offset: f64, height: f64, place: BlockPlace) -> Piece {
         let (start, cut, manner) = (DVec2::ZERO, 0.0, Manner::Usual);
-        Piece { kind, offset, start, cut, height, manner, speed, at: self.event.at.clone(), block }
+        let speed = Ok(Speed::Rapid);
+        Piece { kind, offset, start, cut, height, manner, speed, at: report.at().clone(), block: place.block }
     }
 
     /// The way to a contour waits for its first element.
-    pub(in crate::engine) fn begin_contour(
+    pub(crate) fn begin(
         &mut self,
+        drives: &mut Drives<'_, '_>,
         side: i8,
         lead: Lead,
         to: DVec3,
         motion: &Motion,
+        place: BlockPlace,
         speed: Result<Speed, Fault>,
     ) -> Done {
-        let offset = self.offset(side)?;
-        let piece = self.piece(Kind::Lead(lead), offset, self.world.system.plane.tool.of(to), speed);
-        self.contour.side = side;
-        self.contour.nominal = Some(to);
-        self.contour.last = None;
-        self.contour.piece = Some(Box::new(Piece { manner: manner(motion), ..piece }));
+        let offset = self.offset(&drives.world, side)?;
+        let piece = Self::piece(&drives.report, Kind::Lead(lead), offset, drives.world.system.plane.tool.of(to), place);
+        self.side = side;
+        self.nominal = Some(to);
+        self.last = None;
+        self.piece = Some(Box::new(Piece { manner: manner(motion), speed, ..piece }));
+        self.interlock(drives);
         Ok(())
     }
 
     /// An element follows.
-    fn contour_element(&mut self, element: Element, to: DVec3, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
-        let offset = self.offset(self.contour.side)?;
-        let plane = self.world.system.plane;
-        self.contour.nominal = Some(to);
-        self.contour.last = Some(Last::Heading(element.heading_at_end(), element.to));
-        let mut next = self.piece(Kind::Element(element), offset, plane.tool.of(to), speed);
-        next.manner = manner(motion);
-        if self.contour.piece.is_none() {
-            next.start = plane.flat(self.world.here);
+    fn element(
+        &mut self,
+        drives: &mut Drives<'_, '_>,
+        element: Element,
+        to: DVec3,
+        motion: &Motion,
+        place: BlockPlace,
+        speed: Result<Speed, Fault>,
+    ) -> Done {
+        let offset = self.offset(&drives.world, self.side)?;
+        let plane = drives.world.system.plane;
+        self.nominal = Some(to);
+        self.last = Some(Last::Heading(element.heading_at_end(), element.to));
+        let mut next = Self::piece(&drives.report, Kind::Element(element), offset, plane.tool.of(to), place);
+        (next.manner, next.speed) = (manner(motion), speed);
+        if self.piece.is_none() {
+            next.start = plane.flat(drives.world.here);
         }
-        match self.contour.between.take() {
-            Some(between) => self.broken_corner(*between, element, next)?,
-            None => self.follow(next)?,
+        match self.between.take() {
+            Some(between) => self.broken_corner(drives, *between, element, next, place)?,
+            None => self.follow(drives, next)?,
         }
-        if self.contour.side == 0 && !self.is_rounded_next() {
-            self.end_contour()?;
+        if self.side == 0 && !place.is_rounded {
+            self.end(drives)?;
         }
         Ok(())
     }
 
     /// A rounding or chamfer comes between the element that waits and the next one.
-    fn broken_corner(&mut self, between: Between, element: Element, next: Piece) -> Done {
-        let Some(mut before) = self.contour.piece.take() else {
+    fn broken_corner(
+        &mut self,
+        drives: &mut Drives<'_, '_>,
+        between: Between,
+        element: Element,
+        next: Piece,
+        place: BlockPlace,
+    ) -> Done {
+        let Some(mut before) = self.piece.take() else {
             return Err(Fault::program("rounding-misplaced").into());
         };
         let Kind::Element(first) = before.kind else { return Err(Fault::program("rounding-misplaced").into()) };
@@ -356,30 +369,31 @@ impl Run<'_, '_> {
         };
         before.kind = Kind::Element(first);
         let height = before.height;
-        self.contour.piece = Some(before);
-        let later = self.contour.waiting.split_off(between.waiting.min(self.contour.waiting.len()));
+        self.piece = Some(before);
+        self.gather(drives);
+        let later = self.waiting.split_off(between.waiting.min(self.waiting.len()));
         if let Some(corner) = corner {
             let at = between.at;
-            let piece = self.piece(Kind::Element(corner), next.offset, height, between.speed);
-            self.follow(Piece { at, ..piece })?;
+            let piece = Self::piece(&drives.report, Kind::Element(corner), next.offset, height, place);
+            self.follow(drives, Piece { at, speed: between.speed, ..piece })?;
         }
-        self.contour.waiting.extend(later);
-        self.follow(Piece { kind: Kind::Element(last), ..next })
+        self.waiting.extend(later);
+        self.follow(drives, Piece { kind: Kind::Element(last), ..next })
     }
 
     /// The next piece follows, so the one that waits can be executed.
-    fn follow(&mut self, mut next: Piece) -> Done {
+    fn follow(&mut self, drives: &mut Drives<'_, '_>, mut next: Piece) -> Done {
         let Kind::Element(element) = next.kind else { return Ok(()) };
         if element.is_too_narrow(next.offset) {
             return Err(self.too_large(next.block, next.offset));
         }
-        if let Some(piece) = self.contour.piece.take() {
+        if let Some(piece) = self.piece.take() {
             let (block, offset) = (piece.block, piece.offset);
             match piece.kind {
                 Kind::Lead(_) => {
                     let (start, heading) = (element.start_beside(next.offset), element.heading_at_start());
                     next.start = start;
-                    self.execute_piece(*piece, start, 0.0, Some(heading), None)?;
+                    self.execute_piece(drives, *piece, start, 0.0, Some(heading), None)?;
                 }
                 Kind::Element(before) => {
                     let corner = corner(&before, &element, offset, piece.manner);
@@ -394,141 +408,174 @@ impl Run<'_, '_> {
                             (before.end_beside(offset), 0.0, Some((next.start, around)))
                         }
                     };
-                    self.execute_piece(*piece, end, cut, None, link)?;
+                    self.execute_piece(drives, *piece, end, cut, None, link)?;
                 }
             }
         }
-        self.contour.piece = Some(Box::new(next));
+        self.piece = Some(Box::new(next));
+        self.interlock(drives);
         Ok(())
     }
 
     /// Executes a piece, what waits behind it, and the way round the corner: to a point, on an arc about another one.
     fn execute_piece(
         &mut self,
+        drives: &mut Drives<'_, '_>,
         piece: Piece,
         end: DVec2,
         cut: f64,
         heading: Option<DVec2>,
         link: Option<(DVec2, Option<DVec2>)>,
     ) -> Done {
-        let at = std::mem::replace(&mut self.event.at, piece.at.clone());
-        self.contour.releasing = true;
-        let plane = self.world.system.plane;
+        let at = std::mem::replace(drives.report.at_mut(), piece.at.clone());
+        self.releasing = true;
+        self.gather(drives);
+        self.interlock(drives);
+        let plane = drives.world.system.plane;
         let done = match &piece.kind {
-            Kind::Element(element) => self.run_element(element, &piece, end, cut),
-            Kind::Lead(lead) => self.run_lead(lead, &piece, end, heading),
+            Kind::Element(element) => self.run_element(drives, element, &piece, end, cut),
+            Kind::Lead(lead) => self.run_lead(drives, lead, &piece, end, heading),
         };
         if let Err(fault) = done {
-            self.contour.blamed = Some(piece.block);
+            self.blamed = Some(piece.block);
             return Err(fault);
         }
-        for waiting in std::mem::take(&mut self.contour.waiting) {
+        for waiting in std::mem::take(&mut self.waiting) {
             match waiting {
-                Waiting::Event(event) => self.tell_later(*event),
+                Waiting::Event(event) => drives.report.report_waiting(*event),
                 Waiting::Plunge { height, speed, at } => {
-                    self.event.at = at;
-                    self.straight_to(plane.tool.with(self.world.here, height), None, speed)?;
+                    *drives.report.at_mut() = at;
+                    drives.straight_to(plane.tool.with(drives.world.here, height), None, speed)?;
                 }
             }
         }
         if let Some((to, around)) = link {
-            self.event.at = piece.at;
-            let height = plane.tool.of(self.world.here);
+            *drives.report.at_mut() = piece.at;
+            let height = plane.tool.of(drives.world.here);
             let to = plane.lift(to, height);
             match around {
                 Some(centre) => {
-                    self.arc_to(plane.lift(centre, height), to, -piece.offset.signum(), None, piece.speed)?;
+                    drives.arc_to(plane.lift(centre, height), to, -piece.offset.signum(), None, piece.speed)?;
                 }
-                None => self.straight_to(to, None, piece.speed)?,
+                None => drives.straight_to(to, None, piece.speed)?,
             }
         }
-        self.event.at = at;
-        self.contour.releasing = false;
+        *drives.report.at_mut() = at;
+        self.releasing = false;
+        self.interlock(drives);
         Ok(())
     }
 
-    fn run_element(&mut self, element: &Element, piece: &Piece, end: DVec2, cut: f64) -> Done {
-        let plane = self.world.system.plane;
+    fn run_element(
+        &mut self,
+        drives: &mut Drives<'_, '_>,
+        element: &Element,
+        piece: &Piece,
+        end: DVec2,
+        cut: f64,
+    ) -> Done {
+        let plane = drives.world.system.plane;
         let path = element.path(piece.start, end, piece.cut + cut);
         let Some(path) = path else { return Err(self.too_large(piece.block, piece.offset)) };
-        self.leg(&Leg::of(&path), plane.tool.of(self.world.here), piece.height, piece.speed.clone())
+        leg(drives, &Leg::of(&path), plane.tool.of(drives.world.here), piece.height, piece.speed.clone())
     }
 
-    fn run_lead(&mut self, lead: &Lead, piece: &Piece, end: DVec2, heading: Option<DVec2>) -> Done {
-        let plane = self.world.system.plane;
-        let from = self.world.here;
-        let (aside, legs) = lead.legs(plane.flat(from), end, heading, self.contour.side)?;
+    fn run_lead(
+        &mut self,
+        drives: &mut Drives<'_, '_>,
+        lead: &Lead,
+        piece: &Piece,
+        end: DVec2,
+        heading: Option<DVec2>,
+    ) -> Done {
+        let plane = drives.world.system.plane;
+        let from = drives.world.here;
+        let (aside, legs) = lead.legs(plane.flat(from), end, heading, self.side)?;
         if let (Some(to), Some(before)) = (aside, lead.speed_before()) {
-            self.straight_to(plane.lift(to, plane.tool.of(from)), None, before)?;
-            self.straight_to(plane.tool.with(self.world.here, piece.height), None, piece.speed.clone())?;
+            drives.straight_to(plane.lift(to, plane.tool.of(from)), None, before)?;
+            drives.straight_to(plane.tool.with(drives.world.here, piece.height), None, piece.speed.clone())?;
         }
-        for leg in legs {
-            self.leg(&leg, plane.tool.of(self.world.here), piece.height, piece.speed.clone())?;
+        for piece_of_way in legs {
+            leg(drives, &piece_of_way, plane.tool.of(drives.world.here), piece.height, piece.speed.clone())?;
         }
         Ok(())
     }
 
-    /// Runs a line or arc, and to a height at the same time.
-    pub(in crate::engine) fn leg(&mut self, leg: &Leg, from: f64, height: f64, speed: Result<Speed, Fault>) -> Done {
-        let plane = self.world.system.plane;
-        match *leg {
-            Leg::Line(to) => self.straight_to(plane.lift(to, height), None, speed),
-            Leg::Arc { centre, to, sweep } if sweep == 0.0 || to == centre => {
-                self.straight_to(plane.lift(to, height), None, speed)
-            }
-            Leg::Arc { centre, to, sweep } => {
-                let (centre, to) = (plane.lift(centre, from), plane.lift(to, height));
-                self.arc_to(centre, to, sweep.signum(), Some(sweep), speed)
-            }
-        }
-    }
-
-    fn too_large(&mut self, block: (usize, usize), offset: f64) -> crate::engine::run::Leave {
-        self.contour.blamed = Some(block);
+    fn too_large(&mut self, block: (usize, usize), offset: f64) -> Leave {
+        self.blamed = Some(block);
         Fault::control("compensation-too-large").arg("radius", offset.abs()).into()
     }
 
     /// Executes what waits: the tool ends beside the end of the contour. Compensation ends.
-    pub(in crate::engine) fn end_contour(&mut self) -> Done {
-        if let Some(piece) = self.contour.piece.take() {
-            if self.contour.between.is_some() {
+    pub(crate) fn end(&mut self, drives: &mut Drives<'_, '_>) -> Done {
+        if let Some(piece) = self.piece.take() {
+            if self.between.is_some() {
                 return Err(Fault::program("rounding-misplaced").into());
             }
             let end = match &piece.kind {
                 Kind::Element(element) => element.end_beside(piece.offset),
                 Kind::Lead(_) => {
-                    self.contour.blamed = Some(piece.block);
+                    self.blamed = Some(piece.block);
                     return Err(Fault::program("contour-missing").into());
                 }
             };
-            self.execute_piece(*piece, end, 0.0, None, None)?;
+            self.execute_piece(drives, *piece, end, 0.0, None, None)?;
         }
-        self.contour.side = 0;
-        self.contour.nominal = None;
+        self.side = 0;
+        self.nominal = None;
+        self.interlock(drives);
         Ok(())
     }
 
     /// Compensation ends, and the tool goes straight to a point. Of a block that moves only along the tool axis, the
     /// tool stays beside the contour.
-    fn leave_contour(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
-        self.end_contour()?;
-        let plane = self.world.system.plane;
+    fn leave_straight(
+        &mut self,
+        drives: &mut Drives<'_, '_>,
+        motion: &Motion,
+        to: DVec3,
+        speed: Result<Speed, Fault>,
+    ) -> Done {
+        self.end(drives)?;
+        let plane = drives.world.system.plane;
         let tool = match plane.tool.letter() {
             'X' => Axis::X,
             'Y' => Axis::Y,
             _ => Axis::Z,
         };
         let in_plane = motion.coords.iter().any(|coord| coord.axis != tool);
-        let to = if in_plane { to } else { plane.tool.with(self.world.here, plane.tool.of(to)) };
-        let from = plane.flat(self.world.here);
-        self.contour.passed(from, plane.flat(to));
-        self.straight_to(to, None, speed)
+        let to = if in_plane { to } else { plane.tool.with(drives.world.here, plane.tool.of(to)) };
+        let from = plane.flat(drives.world.here);
+        self.passed(from, plane.flat(to));
+        drives.straight_to(to, None, speed)
+    }
+
+    /// The contour ends, and the tool leaves it in a form of `DEP`; `along` is the direction at its end.
+    pub(crate) fn leave_by(
+        &mut self,
+        drives: &mut Drives<'_, '_>,
+        form: Form,
+        along: DVec2,
+        to: DVec3,
+        speed: Result<Speed, Fault>,
+    ) -> Done {
+        let side = self.side;
+        self.end(drives)?;
+        let plane = drives.world.system.plane;
+        let (from, height) = (plane.flat(drives.world.here), plane.tool.of(drives.world.here));
+        let legs = form.legs_away(from, plane.flat(to), along, side)?;
+        for piece_of_way in &legs {
+            leg(drives, piece_of_way, height, height, speed.clone())?;
+        }
+        self.forget();
+        // A height that is programmed, too, is reached last.
+        drives.straight_to(plane.tool.with(drives.world.here, plane.tool.of(to)), None, speed)
     }
 
     /// The direction at the end of the contour so far.
-    pub(in crate::engine) fn heading(&self) -> Result<DVec2, Fault> {
-        let here = self.world.system.plane.flat(self.programmed());
-        let heading = match self.contour.last {
+    pub(crate) fn heading(&self, world: &World<'_>) -> Result<DVec2, Fault> {
+        let here = world.system.plane.flat(self.programmed(world));
+        let heading = match self.last {
             Some(Last::Line(from, to)) if to == here => direction(to - from),
             Some(Last::Heading(heading, to)) if to == here => Some(heading),
             _ => None,
@@ -537,39 +584,31 @@ impl Run<'_, '_> {
     }
 
     /// Remembers an arc that is executed at once, for the direction at its end.
-    pub(in crate::engine) fn passed_arc(&mut self, from: DVec2, to: DVec2, centre: DVec2, sweep: f64) {
-        self.contour.last = Some(Last::Heading(Element::arc(from, to, centre, sweep).heading_at_end(), to));
-    }
-
-    /// `RND` and `CHF`: they change the corner between the element that waits and the next one.
-    pub(in crate::engine) fn rounding(&mut self, motion: &Motion, chamfer: bool) -> Done {
-        let is_element = |piece: &Piece| matches!(piece.kind, Kind::Element(_));
-        let waits = self.contour.piece.as_ref().is_some_and(|piece| is_element(piece));
-        let plunged = self.contour.waiting.iter().any(|waiting| matches!(waiting, Waiting::Plunge { .. }));
-        if !waits || plunged || self.contour.between.is_some() {
-            return Err(Fault::program("rounding-misplaced").into());
-        }
-        let Some(size) = &motion.radius else { return Err(Fault::program("radius-missing").into()) };
-        let size = self.operand(size)? * self.unit();
-        if size < 0.0 {
-            return Err(Fault::program("rounding-impossible").arg("size", size).into());
-        }
-        // Its feed holds for the corner only.
-        let feed = self.modal.feed;
-        let speed = self.speed(motion.feed.as_ref());
-        self.modal.feed = feed;
-        let what = if chamfer { Break::Chamfer(size) } else { Break::Rounding(size) };
-        self.contour.between =
-            Some(Box::new(Between { what, speed, at: self.event.at.clone(), waiting: self.contour.waiting.len() }));
-        Ok(())
+    pub(crate) fn passed_arc(&mut self, from: DVec2, to: DVec2, centre: DVec2, sweep: f64) {
+        self.last = Some(Last::Heading(Element::arc(from, to, centre, sweep).heading_at_end(), to));
     }
 
     /// A fault if more waits behind an element than may.
-    pub(in crate::engine) fn no_more_waits(&self) -> Done {
-        if self.contour.waiting.len() <= MOST_WAITING {
+    pub(crate) fn no_more_waits(&self, report: &Reporter<'_>) -> Done {
+        if self.waiting.len() + report.held() <= MOST_WAITING {
             return Ok(());
         }
         Err(Fault::new(Class::Limit, "contour-limit").arg("limit", MOST_WAITING as f64).into())
+    }
+}
+
+/// Runs a line or arc, and to a height at the same time.
+pub(crate) fn leg(drives: &mut Drives<'_, '_>, leg: &Leg, from: f64, height: f64, speed: Result<Speed, Fault>) -> Done {
+    let plane = drives.world.system.plane;
+    match *leg {
+        Leg::Line(to) => drives.straight_to(plane.lift(to, height), None, speed),
+        Leg::Arc { centre, to, sweep } if sweep == 0.0 || to == centre => {
+            drives.straight_to(plane.lift(to, height), None, speed)
+        }
+        Leg::Arc { centre, to, sweep } => {
+            let (centre, to) = (plane.lift(centre, from), plane.lift(to, height));
+            drives.arc_to(centre, to, sweep.signum(), Some(sweep), speed)
+        }
     }
 }
 

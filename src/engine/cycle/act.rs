@@ -6,30 +6,36 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use crate::base::expr::{QKind, QRef, Value};
-use crate::engine::cycle::execute::{Exec, Verdict};
+use crate::engine::cycle::execute::Verdict;
 use crate::engine::flow::definition::{FieldCoord, FieldValue};
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
 use crate::engine::geometry::{Axis, FitError, fit_circle};
 use crate::engine::motion::moves::Speed;
+use crate::engine::params::Content;
 use crate::engine::plan::{Act, Builtin, Calc, Cancel, Cooling, Fitted, Inlined, Slot, SpindleTurn, Target, Transform};
+use crate::engine::report::ending::Done;
+use crate::engine::report::ending::Leave;
+use crate::engine::report::event::Event;
+use crate::engine::report::event::EventKind;
 use crate::engine::report::event::MessageKind;
 use crate::engine::report::fault::{Class, Fault};
-use crate::engine::run::{Content, Done, Event, EventKind, Leave, Run};
 use crate::engine::sphere::fit_sphere;
 use crate::engine::table::{Cell, TableKind};
 use crate::engine::world::state::LOCKED;
 use crate::spec::{Moment, Transformation};
 
 impl<'e> Run<'_, 'e> {
-    pub(in crate::engine) fn act(&mut self, act: &Act, exec: &mut Exec<'_, 'e>) -> Done {
+    pub(crate) fn act(&mut self, act: &Act, exec: &mut Exec<'_, 'e>) -> Done {
         match act {
             Act::Rapid(target) => {
                 let to = self.target_of(target, exec)?;
-                self.straight_to(to, None, Ok(Speed::Rapid))
+                self.drives.straight_to(to, None, Ok(Speed::Rapid))
             }
             Act::Feed(target, feed) => {
                 let to = self.target_of(target, exec)?;
-                let feed = self.number(feed, exec)? * self.cycle_unit();
-                self.straight_to(to, None, Speed::of_feed(feed))
+                let feed = self.number(feed, exec)? * self.drives.cycle_unit();
+                self.drives.straight_to(to, None, Speed::of_feed(feed))
             }
             Act::Arc { centre, to, direction, feed } => self.arc_act(centre, to, direction, feed.as_ref(), exec),
             Act::Synchronized { tool, pitch, speed_factor } => {
@@ -38,7 +44,7 @@ impl<'e> Run<'_, 'e> {
             Act::Dwell(seconds) => {
                 let seconds = self.number(seconds, exec)?;
                 if seconds > 0.0 {
-                    self.tell(EventKind::Dwell(seconds));
+                    self.drives.report.report(EventKind::Dwell(seconds));
                 }
                 Ok(())
             }
@@ -46,9 +52,9 @@ impl<'e> Run<'_, 'e> {
                 self.knows_tool_axis(exec)?;
                 let towards = self.point(towards, exec)?;
                 let turned = turned.as_ref().map(|turned| self.number(turned, exec)).transpose()?;
-                let centre = self.probe(self.to_mm(towards), turned)?;
+                let centre = self.drives.probe(self.drives.to_mm(towards), turned)?;
                 if let Some(slot) = into {
-                    exec.put(*slot, Value::Point(self.to_program(centre)));
+                    exec.put(*slot, Value::Point(self.drives.to_program(centre)));
                 }
                 Ok(())
             }
@@ -108,7 +114,7 @@ impl<'e> Run<'_, 'e> {
                 self.write_cell(TableKind::Tool, number, "TL", &Cell::Text(LOCKED.to_owned()))
             }
             Act::Spindle(turn) => {
-                self.spindle(match turn {
+                self.drives.spindle(match turn {
                     SpindleTurn::Clockwise => 1,
                     SpindleTurn::CounterClockwise => -1,
                     SpindleTurn::Stop => 0,
@@ -117,22 +123,26 @@ impl<'e> Run<'_, 'e> {
             }
             Act::Orient(angle) => {
                 let angle = self.number(angle, exec)?;
-                if let Some(probe) = self.world.probe_if_any().filter(|_| self.probing) {
-                    self.world.spindle_turned = angle - probe.angle;
+                if let Some(probe) = self.drives.world.probe_if_any().filter(|_| self.drives.probing) {
+                    self.drives.world.spindle_turned = angle - probe.angle;
                 }
-                self.orient(angle);
+                self.drives.orient(angle);
                 Ok(())
             }
             Act::Coolant(cooling) => {
-                self.coolant(*cooling == Cooling::On);
+                self.drives.coolant(*cooling == Cooling::On);
                 Ok(())
             }
             Act::Fail(code) => {
-                self.guards.insert((exec.definition.cycle.key, Arc::clone(code)));
+                self.records.guards.insert((exec.definition.cycle.key, Arc::clone(code)));
                 Err(Fault::of_cycle(code).into())
             }
             Act::Message(id) => {
-                self.tell(EventKind::Message { kind: MessageKind::Note, id: Arc::clone(id), answer: None });
+                self.drives.report.report(EventKind::Message {
+                    kind: MessageKind::Note,
+                    id: Arc::clone(id),
+                    answer: None,
+                });
                 Ok(())
             }
             Act::Ask { id, into } => self.ask_act(id, *into, exec),
@@ -147,9 +157,9 @@ impl<'e> Run<'_, 'e> {
 
     /// While the tip is held, the tool may stand askew to the working plane: a cycle that does not ask how it stands
     /// would probe at another place than it believes.
-    pub(in crate::engine) fn knows_tool_axis(&self, exec: &Exec<'_, 'e>) -> Result<(), Fault> {
+    pub(crate) fn knows_tool_axis(&self, exec: &Exec<'_, 'e>) -> Result<(), Fault> {
         let asks = || exec.plan().builtins.iter().any(|(_, builtin)| *builtin == Builtin::ProbeUp);
-        if self.world.system.tip_held && self.world.is_askew() && !asks() {
+        if self.drives.world.system.tip_held && self.drives.world.is_askew() && !asks() {
             return Err(Fault::unsupported("unsupported-tcpm").arg("cycle", exec.definition.cycle.key.to_string()));
         }
         Ok(())
@@ -158,13 +168,13 @@ impl<'e> Run<'_, 'e> {
     /// The target of a move, by axes and in mm.
     fn target_of(&self, target: &Target, exec: &Exec<'_, 'e>) -> Result<DVec3, Fault> {
         match target {
-            Target::Point(point) => Ok(self.to_mm(self.point(point, exec)?)),
+            Target::Point(point) => Ok(self.drives.to_mm(self.point(point, exec)?)),
             Target::Axes(values) => {
-                let plane = self.world.system.plane;
-                let mut to = self.world.here;
+                let plane = self.drives.world.system.plane;
+                let mut to = self.drives.world.here;
                 for (axis, calc) in [plane.main, plane.secondary, plane.tool].into_iter().zip(values) {
                     if let Some(calc) = calc {
-                        to = self.with_mm(axis, to, self.number(calc, exec)?);
+                        to = self.drives.with_mm(axis, to, self.number(calc, exec)?);
                     }
                 }
                 Ok(to)
@@ -180,18 +190,18 @@ impl<'e> Run<'_, 'e> {
         feed: Option<&Calc>,
         exec: &Exec<'_, 'e>,
     ) -> Done {
-        let centre = self.world.system.axes(self.point(centre, exec)?) * self.cycle_unit();
-        let to = self.to_mm(self.point(to, exec)?);
+        let centre = self.drives.world.system.axes(self.point(centre, exec)?) * self.drives.cycle_unit();
+        let to = self.drives.to_mm(self.point(to, exec)?);
         let direction = self.number(direction, exec)?;
         let speed = match feed {
-            Some(feed) => Speed::of_feed(self.number(feed, exec)? * self.cycle_unit()),
+            Some(feed) => Speed::of_feed(self.number(feed, exec)? * self.drives.cycle_unit()),
             None => Ok(Speed::Rapid),
         };
-        let near = (to - self.world.here).length() == 0.0;
+        let near = (to - self.drives.world.here).length() == 0.0;
         if near || direction == 0.0 {
-            return self.straight_to(to, None, speed);
+            return self.drives.straight_to(to, None, speed);
         }
-        self.arc_to(centre, to, direction.signum(), None, speed)
+        self.drives.arc_to(centre, to, direction.signum(), None, speed)
     }
 
     fn inlined(&mut self, inlined: &Inlined, exec: &mut Exec<'_, 'e>) -> Done {
@@ -204,7 +214,7 @@ impl<'e> Run<'_, 'e> {
 
     fn ask_act(&mut self, id: &Arc<str>, into: Option<Slot>, exec: &mut Exec<'_, 'e>) -> Done {
         let answer = self.ask(id);
-        self.tell(EventKind::Message { kind: MessageKind::Question, id: Arc::clone(id), answer });
+        self.drives.report.report(EventKind::Message { kind: MessageKind::Question, id: Arc::clone(id), answer });
         match (answer, into) {
             (Some(agreed), Some(slot)) => {
                 exec.put(slot, Value::Bool(agreed));
@@ -255,13 +265,13 @@ impl<'e> Run<'_, 'e> {
     fn transform(&mut self, transform: &Transform, exec: &Exec<'_, 'e>) -> Done {
         match transform {
             Transform::Cancel(ended) if ended.contains(&Cancel::RadiusCompensation) => self.end_contour()?,
-            _ => self.not_beside_contour(exec.definition.cycle.key.to_string())?,
+            _ => self.drives.not_beside_contour(exec.definition.cycle.key.to_string())?,
         }
-        let before = self.world.system.told();
+        let before = self.drives.world.system.told();
         match transform {
             Transform::DatumShift(id) => {
                 if let Some(FieldValue::Coords(coords)) = exec.definition.field(id) {
-                    let system = &mut self.world.system;
+                    let system = &mut self.drives.world.system;
                     let shift = shifted(system.datum(), coords, false);
                     system.angle_shift = shifted(system.angle_shift, coords, true);
                     system.set_datum(shift);
@@ -269,12 +279,12 @@ impl<'e> Run<'_, 'e> {
             }
             Transform::DatumRow(id) => {
                 if let Some(FieldValue::Number { value: row, .. }) = exec.definition.field(id) {
-                    let table = self.world.table(TableKind::Datum)?;
+                    let table = self.drives.world.table(TableKind::Datum)?;
                     let number = |column| table.number(*row, column).map(Option::unwrap_or_default);
                     let shift = DVec3::new(number("X")?, number("Y")?, number("Z")?);
                     let angles = DVec3::new(number("A")?, number("B")?, number("C")?);
                     let of_machine = self.datums_of_machine(exec);
-                    let system = &mut self.world.system;
+                    let system = &mut self.drives.world.system;
                     if of_machine {
                         system.angle_shift = angles - system.angles;
                         system.set_datum(system.around_datum().0.inverse().point(shift));
@@ -286,8 +296,8 @@ impl<'e> Run<'_, 'e> {
             }
             Transform::Rotation(id) => {
                 if let Some(FieldValue::Number { value, incremental, .. }) = exec.definition.field(id) {
-                    let from = if *incremental { self.world.system.rotation() } else { 0.0 };
-                    self.world.system.set_rotation(from + value);
+                    let from = if *incremental { self.drives.world.system.rotation() } else { 0.0 };
+                    self.drives.world.system.set_rotation(from + value);
                 }
             }
             Transform::Mirroring(id) => {
@@ -298,12 +308,12 @@ impl<'e> Run<'_, 'e> {
                         *signs = axis.axis.with(*signs, -1.0);
                     }
                 }
-                self.world.system.set_mirror(linear, rotary);
+                self.drives.world.system.set_mirror(linear, rotary);
             }
             Transform::Scaling(id) => {
                 if let Some(FieldValue::Number { value, .. }) = exec.definition.field(id) {
                     let factor = factor(*value)?;
-                    self.world.system.set_scale(factor);
+                    self.drives.world.system.set_scale(factor);
                 }
             }
             Transform::AxisScaling(factors, centre) => {
@@ -315,102 +325,76 @@ impl<'e> Run<'_, 'e> {
                 for axis in Axis::ALL {
                     factor(axis.of(factors))?;
                 }
-                self.world.system.set_axis_scale(factors, about);
+                self.drives.world.system.set_axis_scale(factors, about);
             }
             Transform::Tilting(id) => {
                 let angles = match exec.definition.field(id) {
                     Some(FieldValue::Coords(coords)) => {
-                        shifted(self.world.system.tilt().unwrap_or_default(), coords, true)
+                        shifted(self.drives.world.system.tilt().unwrap_or_default(), coords, true)
                     }
                     _ => DVec3::ZERO,
                 };
-                self.world.carry_system();
-                self.world.system.set_tilt(angles);
+                self.drives.world.carry_system();
+                self.drives.world.system.set_tilt(angles);
             }
             Transform::Preset(row) => {
                 let row = self.number(row, exec)?;
-                let preset = self.world.preset(row)?;
-                self.world.system.set_preset(row, preset);
+                let preset = self.drives.world.preset(row)?;
+                self.drives.world.system.set_preset(row, preset);
             }
             Transform::Cancel(ended) => {
                 for cancel in ended {
                     match cancel {
                         Cancel::DatumShift => {
-                            self.world.system.angle_shift = DVec3::ZERO;
-                            self.world.system.set_datum(DVec3::ZERO);
+                            self.drives.world.system.angle_shift = DVec3::ZERO;
+                            self.drives.world.system.set_datum(DVec3::ZERO);
                         }
-                        Cancel::Rotation => self.world.system.set_rotation(0.0),
+                        Cancel::Rotation => self.drives.world.system.set_rotation(0.0),
                         // Done before anything changes.
                         Cancel::RadiusCompensation => {}
                         Cancel::Mirroring => {
-                            self.ends(Transformation::Mirroring);
-                            self.world.system.set_mirror(DVec3::ONE, DVec3::ONE);
+                            self.drives.ends(Transformation::Mirroring);
+                            self.drives.world.system.set_mirror(DVec3::ONE, DVec3::ONE);
                         }
                         Cancel::Scaling => {
-                            self.ends(Transformation::Scaling);
-                            self.world.system.set_scale(1.0);
+                            self.drives.ends(Transformation::Scaling);
+                            self.drives.world.system.set_scale(1.0);
                         }
                         Cancel::AxisScaling => {
-                            self.ends(Transformation::AxisScaling);
-                            self.world.system.set_axis_scale(DVec3::ONE, DVec3::ZERO);
+                            self.drives.ends(Transformation::AxisScaling);
+                            self.drives.world.system.set_axis_scale(DVec3::ONE, DVec3::ZERO);
                         }
                     }
                 }
             }
         }
-        self.transformed(before);
+        self.drives.transformed(before);
         Ok(())
-    }
-
-    /// What programs change in the coordinate system ends with them.
-    pub(in crate::engine) fn end_changes(&mut self) {
-        let before = self.world.system.told();
-        self.world.system.unexecuted.clear();
-        if self.world.system.end_changes() {
-            self.transformed(before);
-        }
-    }
-
-    fn ends(&mut self, transformation: Transformation) {
-        self.world.system.unexecuted.remove(&transformation);
-    }
-
-    /// After a change of the system: program coordinates follow, and the change is told.
-    pub(in crate::engine) fn transformed(&mut self, before: crate::engine::run::Coordinates) {
-        if self.world.system.tip_held {
-            // Where the rotary axes have the coordinate 0 may have changed, too.
-            self.world.carry_system();
-        }
-        let now = self.world.system.told();
-        if now != before {
-            self.world.renew();
-            self.tell(EventKind::Transform(now));
-        }
     }
 
     /// The column of a word: `main`, `minor` and `tool` are the axes of the working plane.
     fn column(&self, word: &str) -> String {
-        self.world.system.axis_of_word(word).map_or_else(|| word.to_owned(), |axis| axis.letter().to_string())
+        self.drives.world.system.axis_of_word(word).map_or_else(|| word.to_owned(), |axis| axis.letter().to_string())
     }
 
     fn read_table(&self, table: TableKind, row: &Calc, column: &str, into: Slot, exec: &mut Exec<'_, 'e>) -> Done {
         let row = self.number(row, exec)?;
         let column = self.column(column);
-        let value = self.world.table(table)?.number(row, &column)?;
-        exec.put(into, Value::Number(value.unwrap_or_default() / self.unit_of(table, &column)));
+        let value = self.drives.world.table(table)?.number(row, &column)?;
+        exec.put(into, Value::Number(value.unwrap_or_default() / self.drives.unit_of(table, &column)));
         Ok(())
     }
 
     fn write_table(&mut self, kind: TableKind, row: f64, column: &str, value: f64, add: bool) -> Done {
         let column = self.column(column);
-        let old = if add { self.world.table(kind)?.number(row, &column)?.unwrap_or_default() } else { 0.0 };
-        let unit = self.unit_of(kind, &column);
+        let old = if add { self.drives.world.table(kind)?.number(row, &column)?.unwrap_or_default() } else { 0.0 };
+        let unit = self.drives.unit_of(kind, &column);
         self.write_cell(kind, row, &column, &Cell::Number(old + value * unit))
     }
 
     /// Writes a cell and tells it. Rows of the tool table must be there; others are added.
-    pub(in crate::engine) fn write_cell(&mut self, kind: TableKind, row: f64, column: &str, cell: &Cell) -> Done {
-        let table = self.world.table_to_write(kind)?;
+    pub(crate) fn write_cell(&mut self, kind: TableKind, row: f64, column: &str, cell: &Cell) -> Done {
+        let table = self.drives.world.table_to_write(kind)?;
         if kind != TableKind::Tool {
             table.add_row(row)?;
         }
@@ -422,10 +406,10 @@ impl<'e> Run<'_, 'e> {
             Cell::Empty => Content::Text("".into()),
         };
         let kind = EventKind::Table { file, row, column: column.to_owned(), value };
-        if self.inside > 0 {
-            self.writing.push(Event { at: self.event.at.clone(), kind });
+        if self.cycles.inside > 0 {
+            self.cycles.writing.push(Event { at: self.drives.report.at().clone(), kind });
         } else {
-            self.tell(kind);
+            self.drives.report.report(kind);
         }
         Ok(())
     }

@@ -5,12 +5,17 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::base::expr::{Env, EvalError, QRef, Type, Value};
+use crate::base::expr::{Type, Value};
 use crate::engine::flow::definition::{Definition, FieldValue};
-use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Plan, Slot, Step};
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::memory::Spare;
+use crate::engine::flow::state::Run;
+use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Slot, Step};
+use crate::engine::report::ending::Done;
+use crate::engine::report::ending::Leave;
+use crate::engine::report::event::EventKind;
 use crate::engine::report::event::MessageKind;
 use crate::engine::report::fault::{Class, Fault};
-use crate::engine::run::{Done, EventKind, Leave, Params, Run};
 use crate::engine::scene::{Orientation, ParameterValue};
 use crate::engine::world::state::Tables;
 use crate::engine::world::stylus::ProbeData;
@@ -19,188 +24,16 @@ use crate::spec::{Moment, Outcome, Transformation};
 /// Cycles that call cycles go no deeper than this.
 const MAX_NESTED: usize = 8;
 
-/// What a slot holds.
-#[derive(Clone, Debug)]
-enum Cell {
-    Empty,
-    Value(Value),
-    /// Its value could not be calculated.
-    Failed(Box<Fault>),
-}
-
-/// Memory of executions that are over, for the next one.
-#[derive(Default)]
-pub(in crate::engine) struct Spare {
-    cells: Vec<Cell>,
-    sentences: Vec<bool>,
-}
-
-/// One execution of a plan.
-pub(in crate::engine) struct Exec<'d, 'e> {
-    pub(in crate::engine) definition: &'d Definition<'e>,
-    cells: Vec<Cell>,
-    pub(in crate::engine) lists: Vec<Vec<Value>>,
-    /// The position when the cycle began: main, minor, tool axis.
-    start: DVec3,
-    /// Values for parameters that no Q parameter of the program holds.
-    shadows: Vec<(QRef, f64)>,
-    /// Spindle and coolant as they were when the cycle began.
-    pub(in crate::engine) switched: (crate::engine::run::Spindle, bool),
-    /// The probe as it was when the cycle began.
-    probe: Option<ProbeData>,
-    /// Which sentences of the plan were executed.
-    sentences: Vec<bool>,
-    /// Whether known names change while the cycle runs.
-    changing: bool,
-    /// Whether the values of Q parameters are those of the program.
-    plain: bool,
-}
-
-/// What an expression of a plan sees.
-struct View<'v, 'd, 'e> {
-    exec: &'v Exec<'d, 'e>,
-    params: &'v Params,
-}
-
-impl Env for View<'_, '_, '_> {
-    fn slot(&self, slot: usize) -> &Value {
-        static NOTHING: Value = Value::Bool(false);
-        match self.exec.cells.get(slot) {
-            Some(Cell::Value(value)) => value,
-            _ => &NOTHING,
-        }
-    }
-
-    fn number(&self, q: QRef) -> Result<f64, EvalError> {
-        let (exec, plan) = (self.exec, self.exec.plan());
-        if exec.plain {
-            return self.params.number(q);
-        }
-        if let Some((_, value)) = plan.constants.iter().find(|(known, _)| *known == q) {
-            return Ok(*value);
-        }
-        if let Some(stands) = plan.stands_for.iter().find(|stands| stands.q == q) {
-            let Value::Number(value) = self.slot(stands.slot) else { return Err(EvalError::Undefined(q)) };
-            if !stands.names_it {
-                return Ok(*value);
-            }
-            if let Some((_, value)) = exec.shadows.iter().find(|(known, _)| *known == q) {
-                return Ok(*value);
-            }
-        }
-        Ok(exec.definition.read(q, self.params.number(q)?))
-    }
-
-    fn text(&self, q: QRef) -> Result<Arc<str>, EvalError> {
-        self.params.text(q)
-    }
-}
-
-impl<'d, 'e> Exec<'d, 'e> {
-    fn new(
-        definition: &'d Definition<'e>,
-        start: DVec3,
-        probe: Option<ProbeData>,
-        switched: (crate::engine::run::Spindle, bool),
-        Spare { mut cells, mut sentences }: Spare,
-    ) -> Self {
-        let plan = &definition.plan;
-        // Emptied in place: a call has many cells, and most of them have nothing to give back.
-        cells.truncate(plan.slots);
-        cells.iter_mut().filter(|cell| !matches!(cell, Cell::Empty)).for_each(|cell| *cell = Cell::Empty);
-        cells.resize(plan.slots, Cell::Empty);
-        sentences.clear();
-        sentences.resize(plan.sentences.len(), false);
-        Self {
-            definition,
-            cells,
-            lists: vec![Vec::new(); plan.lists],
-            start,
-            shadows: Vec::new(),
-            switched,
-            probe,
-            sentences,
-            plain: plan.constants.is_empty() && plan.stands_for.is_empty() && definition.unit == 1.0,
-            changing: plan.builtins.iter().any(|(_, builtin)| builtin.changes()),
-        }
-    }
-
-    /// The plan that is executed.
-    pub(in crate::engine) fn plan(&self) -> &'d Plan {
-        &self.definition.plan
-    }
-
-    fn show(&mut self, sentence: usize) {
-        if let Some(shown) = self.sentences.get_mut(sentence) {
-            *shown = true;
-        }
-    }
-
-    /// The same as [`Self::put`] of a number; most slots keep numbers for ever.
-    #[inline]
-    pub(in crate::engine) fn put_number(&mut self, slot: Slot, number: f64) {
-        match self.cells.get_mut(slot) {
-            Some(Cell::Value(Value::Number(kept))) => *kept = number,
-            _ => self.put(slot, Value::Number(number)),
-        }
-    }
-
-    pub(in crate::engine) fn put(&mut self, slot: Slot, value: Value) {
-        if let Some(cell) = self.cells.get_mut(slot) {
-            *cell = Cell::Value(value);
-        }
-    }
-
-    /// The number in a slot, if it is one.
-    pub(in crate::engine) fn number_in(&self, slot: Slot) -> Option<f64> {
-        match self.cells.get(slot) {
-            Some(Cell::Value(Value::Number(number))) => Some(*number),
-            _ => None,
-        }
-    }
-
-    fn fail(&mut self, slot: Slot, fault: Fault) {
-        if let Some(cell) = self.cells.get_mut(slot) {
-            *cell = Cell::Failed(Box::new(fault));
-        }
-    }
-
-    fn copy(&mut self, from: Slot, to: Slot) {
-        if let Some(Cell::Value(value)) = self.cells.get(from) {
-            let value = value.clone();
-            self.put(to, value);
-        }
-    }
-
-    /// A parameter that an old-style field names, written: the Q parameter of the program, if there is one.
-    pub(in crate::engine) fn redirected(&mut self, q: QRef, value: f64) -> Option<QRef> {
-        let plan = self.plan();
-        let stands = plan.stands_for.iter().find(|stands| stands.q == q && stands.names_it)?;
-        let (_, id) = plan.fields.iter().find(|(slot, _)| *slot == stands.slot)?;
-        self.shadows.retain(|(known, _)| *known != q);
-        self.shadows.push((q, value));
-        match self.definition.field(id) {
-            Some(FieldValue::Q(target)) => Some(*target),
-            _ => None,
-        }
-    }
-
-    /// Whether a parameter is written to where a field says.
-    pub(in crate::engine) fn is_redirected(&self, q: QRef) -> bool {
-        self.plan().stands_for.iter().any(|stands| stands.q == q && stands.names_it)
-    }
-}
-
 impl<'e> Run<'_, 'e> {
     /// Calls the last call-active cycle.
-    pub(in crate::engine) fn call_last_cycle(&mut self) -> Done {
-        self.not_beside_contour("CYCL CALL")?;
-        let Some(definition) = self.last_cycle.clone() else { return Err(Fault::program("no-cycle-to-call").into()) };
+    pub(crate) fn call_last_cycle(&mut self) -> Done {
+        self.drives.not_beside_contour("CYCL CALL")?;
+        let Some(definition) = self.cycles.last.clone() else { return Err(Fault::program("no-cycle-to-call").into()) };
         self.execute(&definition)
     }
 
     /// The guards that look when the cycle is defined.
-    pub(in crate::engine) fn at_definition(&mut self, definition: &Definition<'e>) -> Done {
+    pub(crate) fn at_definition(&mut self, definition: &Definition<'e>) -> Done {
         let plan = &definition.plan;
         if !plan.guards.iter().any(|guard| guard.at == Moment::Definition) {
             return Ok(());
@@ -213,86 +46,88 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// Executes a cycle; one that probes is rehearsed before, if its envelope is asked for.
-    pub(in crate::engine) fn execute(&mut self, definition: &Definition<'e>) -> Done {
-        if self.engine.envelope && definition.plan.probes && self.inside == 0 && self.recorder.is_none() {
+    pub(crate) fn execute(&mut self, definition: &Definition<'e>) -> Done {
+        if self.settings.envelope && definition.plan.probes && self.cycles.inside == 0 && self.drives.recorder.is_none()
+        {
             return self.with_envelope(definition);
         }
         self.execute_in_scene(definition)
     }
 
     /// Executes a cycle in the scene, or as a rehearsal.
-    pub(in crate::engine) fn execute_in_scene(&mut self, definition: &Definition<'e>) -> Done {
+    pub(crate) fn execute_in_scene(&mut self, definition: &Definition<'e>) -> Done {
         self.in_unit_of(definition, |run| run.execute_plan(definition))
     }
 
     fn execute_plan(&mut self, definition: &Definition<'e>) -> Done {
-        if self.inside >= MAX_NESTED {
+        if self.cycles.inside >= MAX_NESTED {
             return Err(Fault::new(Class::Internal, "cycle-depth-limit").arg("limit", MAX_NESTED as f64).into());
         }
         let plan = &definition.plan;
-        let (outer_at, outer_probing) = (self.event.at.cycle.clone(), self.probing);
-        self.event.at.cycle = Some((definition.cycle.key, None));
+        let (outer_at, outer_probing) = (self.drives.report.at().cycle.clone(), self.drives.probing);
+        self.drives.report.at_mut().cycle = Some((definition.cycle.key, None));
         let mut exec = self.exec(definition);
-        if !self.recall(&mut exec) {
+        if !self.memory.recall(&self.params, &mut exec) {
             self.prepare(&mut exec);
             match self.guards(&plan.guards, Moment::Call, &mut exec)? {
                 Verdict::Skip => {
-                    self.event.at.cycle = outer_at;
+                    self.drives.report.at_mut().cycle = outer_at;
                     return Ok(());
                 }
                 Verdict::Told => {}
-                Verdict::GoOn => self.remember(&exec),
+                Verdict::GoOn => self.memory.remember(&self.params, &exec),
             }
         }
         if plan.probes {
-            self.world.probe()?;
+            self.drives.world.probe()?;
         }
         let radius = |(_, builtin): &(Slot, Builtin)| *builtin == Builtin::ToolRadius;
-        if plan.builtins.iter().any(radius) && self.world.system.plane_scale().is_none() {
+        if plan.builtins.iter().any(radius) && self.drives.world.system.plane_scale().is_none() {
             return Err(Fault::program("arc-scaled-unequally").into());
         }
-        self.probing |= plan.probes;
-        let tables = (self.inside == 0).then(|| self.world.tables());
-        self.inside += 1;
+        self.drives.probing |= plan.probes;
+        let tables = (self.cycles.inside == 0).then(|| self.drives.world.tables());
+        self.cycles.inside += 1;
         let ended = self.items(&plan.items, &mut exec);
         self.executed(definition, &exec.sentences);
         if let Some(tables) = tables {
             self.conclude(&ended, tables);
         }
-        self.spare = Spare { cells: exec.cells, sentences: exec.sentences };
+        self.memory.spare = Spare { cells: exec.cells, sentences: exec.sentences };
         ended?;
-        self.inside -= 1;
-        self.probing = outer_probing;
-        self.event.at.cycle = outer_at;
+        self.cycles.inside -= 1;
+        self.drives.probing = outer_probing;
+        self.drives.report.at_mut().cycle = outer_at;
         Ok(())
     }
 
     /// Tables keep what a cycle wrote if it came to its end, or to one that its specification names; otherwise they
     /// are again what they were.
     fn conclude(&mut self, ended: &Done, tables: Tables) {
-        let writing = std::mem::take(&mut self.writing);
+        let writing = std::mem::take(&mut self.cycles.writing);
         match ended {
-            Err(Leave::Fault(fault)) if !fault.of_cycle => self.world.restore(tables),
-            Err(Leave::Stopped) => self.world.restore(tables),
-            _ => writing.into_iter().for_each(|event| self.tell_later(event)),
+            Err(Leave::Fault(fault)) if !fault.of_cycle => self.drives.world.restore(tables),
+            Err(Leave::Stopped) => self.drives.world.restore(tables),
+            _ => writing.into_iter().for_each(|event| self.drives.report.report_waiting(event)),
         }
     }
 
     /// Adds the sentences that an execution has shown to those of the run.
     fn executed(&mut self, definition: &Definition<'e>, sentences: &[bool]) {
-        let all = self.executed.entry(definition.cycle.key).or_insert_with(|| vec![false; sentences.len()]);
+        let all = self.records.executed.entry(definition.cycle.key).or_insert_with(|| vec![false; sentences.len()]);
         all.iter_mut().zip(sentences).for_each(|(known, shown)| *known |= shown);
     }
 
     fn exec<'d>(&mut self, definition: &'d Definition<'e>) -> Exec<'d, 'e> {
-        let switched = (self.modal.spindle, self.modal.coolant);
-        let spare = std::mem::take(&mut self.spare);
-        Exec::new(definition, self.to_program(self.world.here), self.world.probe_if_any(), switched, spare)
-    }
-
-    /// Main, minor and tool coordinates of a point given by axes.
-    pub(in crate::engine) fn in_plane(&self, axes: DVec3) -> DVec3 {
-        self.world.system.in_plane(axes)
+        let switched = self.drives.switched;
+        let spare = std::mem::take(&mut self.memory.spare);
+        Exec::new(
+            definition,
+            self.drives.to_program(self.drives.world.here),
+            self.drives.world.probe_if_any(),
+            switched,
+            spare,
+        )
     }
 
     fn prepare(&mut self, exec: &mut Exec<'_, 'e>) {
@@ -305,14 +140,14 @@ impl<'e> Run<'_, 'e> {
                 }
                 Some(FieldValue::Q(q)) => Value::Number(f64::from(q.number)),
                 Some(FieldValue::Text(text)) => Value::Text(Arc::clone(text)),
-                Some(FieldValue::Direction(direction)) => Value::Point(self.in_plane(*direction)),
+                Some(FieldValue::Direction(direction)) => Value::Point(self.drives.in_plane(*direction)),
                 Some(FieldValue::Coords(coords)) => {
-                    let mut point = self.world.here;
+                    let mut point = self.drives.world.here;
                     for coord in coords.iter().filter(|coord| !coord.rotary) {
-                        let from = if coord.incremental { coord.axis.of(self.world.here) } else { 0.0 };
+                        let from = if coord.incremental { coord.axis.of(self.drives.world.here) } else { 0.0 };
                         point = coord.axis.with(point, from + coord.value);
                     }
-                    Value::Point(self.to_program(point))
+                    Value::Point(self.drives.to_program(point))
                 }
             };
             exec.put(*slot, value);
@@ -343,14 +178,14 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn builtin(&self, builtin: &Builtin, exec: &Exec<'_, 'e>) -> Value {
-        let world = &self.world;
+        let world = &self.drives.world;
         let system = &world.system;
-        let unit = self.cycle_unit();
+        let unit = self.drives.cycle_unit();
         let tool = || world.tool().unwrap_or_default();
         let probe = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of));
         let length = |of: fn(&ProbeData) -> f64| Value::Number(exec.probe.as_ref().map_or(0.0, of) / unit);
         match builtin {
-            Builtin::Here => Value::Point(self.to_program(world.here)),
+            Builtin::Here => Value::Point(self.drives.to_program(world.here)),
             Builtin::Start => Value::Point(exec.start),
             // The tool is not scaled with the program.
             Builtin::ToolRadius => Value::Number(tool().radius / system.plane_scale().unwrap_or(1.0) / unit),
@@ -371,7 +206,7 @@ impl<'e> Run<'_, 'e> {
             Builtin::ProbeTurns => Value::Bool(exec.probe.is_some_and(|probe| probe.orientation != Orientation::Fixed)),
             Builtin::ProbeOffset => {
                 let offset = exec.probe.as_ref().map_or(DVec3::ZERO, |probe| world.calibrated_offset(probe));
-                Value::Point(self.to_program(offset))
+                Value::Point(self.drives.to_program(offset))
             }
             Builtin::ProbeUp => Value::Point(system.in_plane(world.up())),
             Builtin::FurtherAxis(index) => Value::Number(world.further_axes().nth(*index).unwrap_or(0.0)),
@@ -384,12 +219,12 @@ impl<'e> Run<'_, 'e> {
             Builtin::ActiveAxisScaling => Value::Bool(system.has(Transformation::AxisScaling)),
             Builtin::ActiveTilting => Value::Bool(system.has(Transformation::Tilting)),
             Builtin::ActiveReversed => Value::Bool(system.frame().mirrors()),
-            Builtin::ActiveAskew => Value::Bool(self.world.is_askew()),
+            Builtin::ActiveAskew => Value::Bool(self.drives.world.is_askew()),
             Builtin::ActiveTcpm => Value::Bool(system.tip_held),
             Builtin::ActiveTurning => Value::Bool(system.has(Transformation::Turning)),
             Builtin::MachinePoint(name) => {
                 let point = self.machine_point(name, exec).unwrap_or(DVec3::ZERO);
-                Value::Point(self.to_program(system.back().point(point)))
+                Value::Point(self.drives.to_program(system.back().point(point)))
             }
             Builtin::MachineLength(name) => Value::Number(self.machine_datum(name, exec).unwrap_or(0.0) / unit),
             Builtin::Machine(name) => Value::Number(self.machine_datum(name, exec).unwrap_or(0.0)),
@@ -399,14 +234,14 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The value of a machine datum in the scene, by its neutral name.
-    pub(in crate::engine) fn machine_datum(&self, neutral: &str, exec: &Exec<'_, 'e>) -> Option<f64> {
+    pub(crate) fn machine_datum(&self, neutral: &str, exec: &Exec<'_, 'e>) -> Option<f64> {
         let printed = exec.definition.on.datum(neutral)?;
-        self.world.machine_parameter(printed)
+        self.drives.world.machine_parameter(printed)
     }
 
     /// A place of the machine that a machine datum names, by its neutral name.
     fn machine_point(&self, neutral: &str, exec: &Exec<'_, 'e>) -> Option<DVec3> {
-        match self.world.scene.machine_parameter(exec.definition.on.datum(neutral)?)? {
+        match self.drives.world.scene.machine_parameter(exec.definition.on.datum(neutral)?)? {
             ParameterValue::List(list) => match list.as_slice() {
                 [x, y, z] => Some(DVec3::new(*x, *y, *z)),
                 _ => None,
@@ -416,7 +251,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// Evaluates named values; one that fails says so when it is needed.
-    pub(in crate::engine) fn lets(&self, lets: &[Let], exec: &mut Exec<'_, 'e>) {
+    pub(crate) fn lets(&self, lets: &[Let], exec: &mut Exec<'_, 'e>) {
         for named in lets {
             if named.value.code.ty() == Type::Number {
                 match self.number(&named.value, exec) {
@@ -432,61 +267,17 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    fn needed(calc: &Calc, exec: &Exec<'_, 'e>) -> Result<(), Fault> {
-        for slot in &calc.needs {
-            match exec.cells.get(*slot) {
-                Some(Cell::Value(_)) => {}
-                Some(Cell::Failed(fault)) => return Err(Fault::clone(fault)),
-                _ => {
-                    let start = calc.place.start();
-                    let place = format!("{}:{}", calc.place.source.name(), start.line);
-                    return Err(Fault::new(Class::Internal, "value-not-bound").arg("place", place));
-                }
-            }
-        }
-        Ok(())
-    }
-
-    pub(in crate::engine) fn value(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<Value, Fault> {
-        Self::needed(calc, exec)?;
-        Ok(calc.code.eval(&View { exec, params: &self.params })?)
-    }
-
-    pub(in crate::engine) fn number(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
-        // What most actions are given is a name that has its value.
-        if let Some(number) = calc.code.slot().and_then(|slot| exec.number_in(slot)) {
-            return Ok(number);
-        }
-        Self::needed(calc, exec)?;
-        Ok(calc.code.number(&View { exec, params: &self.params })?)
-    }
-
-    pub(in crate::engine) fn truth(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<bool, Fault> {
-        Self::needed(calc, exec)?;
-        Ok(calc.code.truth(&View { exec, params: &self.params })?)
-    }
-
-    /// A point: main, minor, tool axis.
-    pub(in crate::engine) fn point(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<DVec3, Fault> {
-        Self::needed(calc, exec)?;
-        Ok(calc.code.point(&View { exec, params: &self.params })?)
-    }
-
-    pub(in crate::engine) fn holds(&self, when: Option<&Calc>, exec: &Exec<'_, 'e>) -> Result<bool, Fault> {
-        when.map_or(Ok(true), |when| self.truth(when, exec))
-    }
-
-    pub(in crate::engine) fn guards(&mut self, guards: &[Guard], at: Moment, exec: &mut Exec<'_, 'e>) -> Done<Verdict> {
+    pub(crate) fn guards(&mut self, guards: &[Guard], at: Moment, exec: &mut Exec<'_, 'e>) -> Done<Verdict> {
         let mut verdict = Verdict::GoOn;
         for guard in guards.iter().filter(|guard| guard.at == at) {
             let off = |name: &Arc<str>| self.machine_datum(name, exec) == Some(0.0);
             if guard.switched_off_by.as_ref().is_some_and(off) || !self.truth(&guard.when, exec)? {
                 continue;
             }
-            self.guards.insert((exec.definition.cycle.key, Arc::clone(&guard.code)));
+            self.records.guards.insert((exec.definition.cycle.key, Arc::clone(&guard.code)));
             verdict = Verdict::Told;
             let message = |run: &mut Self, kind, answer| {
-                run.tell(EventKind::Message { kind, id: Arc::clone(&guard.code), answer });
+                run.drives.report.report(EventKind::Message { kind, id: Arc::clone(&guard.code), answer });
             };
             match guard.then {
                 Outcome::Error => return Err(Fault::of_cycle(&guard.code).into()),
@@ -507,7 +298,7 @@ impl<'e> Run<'_, 'e> {
         Ok(verdict)
     }
 
-    pub(in crate::engine) fn items(&mut self, items: &[Item], exec: &mut Exec<'_, 'e>) -> Done {
+    pub(crate) fn items(&mut self, items: &[Item], exec: &mut Exec<'_, 'e>) -> Done {
         for item in items {
             self.refresh(exec);
             match item {
@@ -528,12 +319,12 @@ impl<'e> Run<'_, 'e> {
             return Ok(());
         }
         let key = exec.definition.cycle.key;
-        self.event.at.cycle = Some((key, Some(Arc::clone(&step.id))));
+        self.drives.report.at_mut().cycle = Some((key, Some(Arc::clone(&step.id))));
         exec.show(step.sentence);
         self.acts(&step.block, exec)
     }
 
-    pub(in crate::engine) fn acts(&mut self, block: &Block, exec: &mut Exec<'_, 'e>) -> Done {
+    pub(crate) fn acts(&mut self, block: &Block, exec: &mut Exec<'_, 'e>) -> Done {
         self.each_act(&block.first, exec)?;
         self.choose(&block.choose, exec)?;
         self.each_act(&block.then, exec)
@@ -571,11 +362,41 @@ impl<'e> Run<'_, 'e> {
         }
         Ok(())
     }
+
+    /// Does something with a cycle in the unit in which it calculates.
+    fn in_unit_of<T>(&mut self, definition: &Definition<'e>, work: impl FnOnce(&mut Self) -> T) -> T {
+        let outer = std::mem::replace(&mut self.drives.cycle_unit, definition.calculates_in());
+        let done = work(self);
+        self.drives.cycle_unit = outer;
+        done
+    }
+
+    pub(crate) fn value(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<Value, Fault> {
+        exec.value(calc, &self.params)
+    }
+
+    #[inline]
+    pub(crate) fn number(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
+        exec.number(calc, &self.params)
+    }
+
+    /// A point: main, minor, tool axis.
+    pub(crate) fn point(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<DVec3, Fault> {
+        exec.point(calc, &self.params)
+    }
+
+    fn truth(&self, calc: &Calc, exec: &Exec<'_, 'e>) -> Result<bool, Fault> {
+        exec.truth(calc, &self.params)
+    }
+
+    pub(super) fn holds(&self, when: Option<&Calc>, exec: &Exec<'_, 'e>) -> Result<bool, Fault> {
+        exec.holds(when, &self.params)
+    }
 }
 
 /// What guards decide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::engine) enum Verdict {
+pub(crate) enum Verdict {
     /// The cycle goes on: none of them applies.
     GoOn,
     /// It goes on after a message.

@@ -8,9 +8,11 @@ use minijinja::{Environment, UndefinedBehavior};
 
 use crate::base::diag::Arg;
 use crate::base::expr::Value;
-use crate::engine::cycle::execute::Exec;
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
+use crate::engine::report::ending::Done;
+use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::{Class, Fault};
-use crate::engine::run::{Done, EventKind, Run};
 
 /// How a template asks for a word.
 const TEXT: &str = "text[\"";
@@ -24,13 +26,7 @@ type Templates = Vec<(String, String)>;
 
 impl<'e> Run<'_, 'e> {
     /// Writes a log: into the file of the cycle, behind what is there, or on the screen.
-    pub(in crate::engine) fn log(
-        &mut self,
-        name: &str,
-        screen: bool,
-        values: &[(Arc<str>, Value)],
-        exec: &Exec<'_, 'e>,
-    ) -> Done {
+    pub(crate) fn log(&mut self, name: &str, screen: bool, values: &[(Arc<str>, Value)], exec: &Exec<'_, 'e>) -> Done {
         let cycle = exec.definition.cycle;
         let name = if name == OF_CYCLE { cycle.name() } else { name };
         let (extension, templates) = self.templates(name)?;
@@ -50,17 +46,17 @@ impl<'e> Run<'_, 'e> {
         // The engine of templates drops the last line end.
         text.push('\n');
         if screen {
-            self.screens.push(text.clone());
-            self.tell(EventKind::Log { file: None, text });
+            self.records.screens.push(text.clone());
+            self.drives.report.report(EventKind::Log { file: None, text });
             return Ok(());
         }
         let ending = if extension == "txt" { "TXT" } else { &extension };
         let file = format!("TCHPR{}.{ending}", cycle.key.number);
-        match self.logs.iter_mut().find(|(known, _)| *known == file) {
+        match self.records.logs.iter_mut().find(|(known, _)| *known == file) {
             Some((_, all)) => all.push_str(&text),
-            None => self.logs.push((file.clone(), text.clone())),
+            None => self.records.logs.push((file.clone(), text.clone())),
         }
-        self.tell(EventKind::Log { file: Some(file), text });
+        self.drives.report.report(EventKind::Log { file: Some(file), text });
         Ok(())
     }
 
@@ -68,7 +64,7 @@ impl<'e> Run<'_, 'e> {
     fn templates(&self, name: &str) -> Result<(String, Templates), Fault> {
         let template = |name: &str| {
             let missing = || Fault::new(Class::Internal, "log-template").arg("name", name);
-            self.engine.texts.template(name).ok_or_else(missing)
+            self.settings.texts.template(name).ok_or_else(missing)
         };
         let (extension, text) = template(name)?;
         let mut found = vec![(format!("{name}.{extension}"), text)];
@@ -102,16 +98,16 @@ impl<'e> Run<'_, 'e> {
         }
         let results = cycle.file.results.iter().filter_map(|result| result.q).map(|q| q.to_string());
         context.insert("results".to_owned(), results.collect::<Vec<_>>().into());
-        let clock = self.world.scene.clock;
+        let clock = self.drives.world.scene.clock;
         context.insert("date".to_owned(), format!("{:02}-{:02}-{:04}", clock.day, clock.month, clock.year).into());
         context.insert("time".to_owned(), format!("{}:{:02}:{:02}", clock.hour, clock.minute, clock.second).into());
-        context.insert("program".to_owned(), (*self.event.at.program).into());
+        context.insert("program".to_owned(), (*self.drives.report.at().program).into());
         let mut words: BTreeMap<String, minijinja::Value> = BTreeMap::new();
         let asked = templates.iter().flat_map(|(_, template)| template.split(TEXT).skip(1));
         for part in asked {
             let Some((id, _)) = part.split_once('"') else { continue };
             let arguments = [("cycle", Arg::from(cycle.key.number.to_string()))];
-            let text = self.engine.texts.message(id, &arguments).map_err(|diagnostic| {
+            let text = self.settings.texts.message(id, &arguments).map_err(|diagnostic| {
                 Fault::new(Class::Internal, "log-text").arg("name", id).arg("reason", diagnostic.code)
             })?;
             words.insert(id.to_owned(), text.into());

@@ -1,7 +1,11 @@
-//! Execution of a cycle from its plan: values, guards, steps, series, patterns, logs.
+//! Execution of a cycle from its plan: values, guards, steps, series, patterns, logs, rehearsals.
+//!
+//! Start reading at [`execute`] (guards, steps, choices), then `act` (what each verb does). Invariant: knows plans and no
+//! blocks; no cycle is known by its number. Whoever is executed here does not know whether it is rehearsed.
 mod act;
-pub(in crate::engine) mod execute;
+mod execute;
+mod functions;
 mod log;
-pub(in crate::engine) mod pattern;
-pub(in crate::engine) mod recall;
+mod pattern;
+mod rehearsal;
 mod series;

@@ -6,14 +6,16 @@
 use glam::DVec3;
 
 use crate::base::expr::{QRef, cosd, sind};
+use crate::engine::flow::state::Pattern;
+use crate::engine::flow::state::Retraction;
+use crate::engine::flow::state::Run;
 use crate::engine::geometry::Axis;
 use crate::engine::motion::moves::Speed;
+use crate::engine::params::Content;
+use crate::engine::report::ending::Done;
+use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::{Class, Fault};
-use crate::engine::run::{Content, Done, EventKind, Run};
 use crate::program::syntax::{Block, Coord, Feed, FeedKind, GlobalDef, ValueKind};
-
-/// Points by main, minor and tool axis.
-pub(in crate::engine) type Pattern = Vec<DVec3>;
 
 /// The meanings of parameters that have to do with where a cycle is called.
 const SURFACE: &str = "surface-coordinate";
@@ -28,18 +30,6 @@ const MAX_POINTS: f64 = 100_000.0;
 /// The words of patterns; longer ones first.
 const WORDS: [&str; 15] =
     ["START", "NUMX", "NUMY", "ROTX", "ROTY", "STEP", "NUM", "ROT", "END", "DX", "DY", "X", "Y", "Z", "D"];
-
-/// How high the tool is retracted on a pattern.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::engine) enum Retraction {
-    /// To the greater of the two heights below, as a program says that says nothing.
-    #[default]
-    Greater,
-    /// To the second set-up clearance.
-    Second,
-    /// To where the tool was when the pattern was called.
-    Start,
-}
 
 /// The values of one pattern by word.
 struct Values(Vec<(&'static str, f64)>);
@@ -82,22 +72,8 @@ fn unreadable(found: &str) -> Fault {
 }
 
 impl<'e> Run<'_, 'e> {
-    /// A number or Q parameter as it is written.
-    pub(in crate::engine) fn written_number(&self, text: &str) -> Result<f64, Fault> {
-        let text = text.trim();
-        let (sign, bare) = match text.strip_prefix('-') {
-            Some(rest) => (-1.0, rest.trim()),
-            None => (1.0, text.strip_prefix('+').unwrap_or(text).trim()),
-        };
-        if let Some(q) = QRef::parse(bare) {
-            return Ok(sign * self.params.number(q)?);
-        }
-        let number = bare.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite());
-        number.map(|number| sign * number).ok_or_else(|| Fault::program("value-missing"))
-    }
-
     /// `PATTERN DEF`: its text without comments, in capitals.
-    pub(in crate::engine) fn define_pattern(&mut self, block: &Block) -> Done {
+    pub(crate) fn define_pattern(&mut self, block: &Block) -> Done {
         let text = self.uncommented(block);
         let body = text.find("DEF").and_then(|at| text.get(at + 3..)).unwrap_or_default();
         self.pattern_axis()?;
@@ -116,13 +92,13 @@ impl<'e> Run<'_, 'e> {
         if positions > MOST_POSITIONS {
             return Err(Fault::program("pattern-too-long").arg("count", positions).arg("limit", MOST_POSITIONS).into());
         }
-        (self.pattern, self.pattern_is_defined) = (Some(points), true);
+        (self.patterns.points, self.patterns.is_defined) = (Some(points), true);
         Ok(())
     }
 
     /// The manual allows pattern definitions with the tool axis Z only.
     fn pattern_axis(&self) -> Result<(), Fault> {
-        let tool = self.world.system.plane.tool;
+        let tool = self.drives.world.system.plane.tool;
         if tool == Axis::Z {
             return Ok(());
         }
@@ -143,33 +119,33 @@ impl<'e> Run<'_, 'e> {
             let number = written.strip_prefix(word).unwrap_or_default();
             let value = self.written_number(number).map_err(|_| unreadable(written))?;
             let length = matches!(word, "X" | "Y" | "Z" | "D" | "DX" | "DY");
-            values.push((word, if length { value * self.unit() } else { value }));
+            values.push((word, if length { value * self.drives.unit() } else { value }));
         }
         Ok(Values(values))
     }
 
     /// `SEL PATTERN`: the points of a table that are not hidden.
-    pub(in crate::engine) fn select_pattern(&mut self, name: &str) -> Done {
-        let table = self.world.scene.points.iter().find(|table| table.is_named(name));
+    pub(crate) fn select_pattern(&mut self, name: &str) -> Done {
+        let table = self.drives.world.scene.points.iter().find(|table| table.is_named(name));
         let table = table.ok_or_else(|| Fault::program("pattern-missing").arg("name", name))?;
         let mut points = Pattern::new();
         for row in table.rows() {
             let number = |column| table.number(row, column).map(Option::unwrap_or_default);
             let hidden = table.text(row, "FADE")?.trim().to_ascii_uppercase();
             if !matches!(hidden.as_str(), "Y" | "YES" | "1") {
-                points.push(self.in_plane(DVec3::new(number("X")?, number("Y")?, number("Z")?)));
+                points.push(self.drives.in_plane(DVec3::new(number("X")?, number("Y")?, number("Z")?)));
             }
         }
-        (self.pattern, self.pattern_is_defined) = (Some(points), false);
+        (self.patterns.points, self.patterns.is_defined) = (Some(points), false);
         Ok(())
     }
 
     /// `CYCL CALL PAT`: on every point; between two of them the tool goes to the greater of the height at the call and
     /// the second set-up clearance of the cycle, unless the program chooses one of them.
-    pub(in crate::engine) fn call_on_pattern(&mut self, feed: Option<&Feed>) -> Done {
+    pub(crate) fn call_on_pattern(&mut self, feed: Option<&Feed>) -> Done {
         let missing = || Fault::program("pattern-missing").arg("name", "none");
-        let points = self.pattern.clone().ok_or_else(missing)?;
-        if self.pattern_is_defined {
+        let points = self.patterns.points.clone().ok_or_else(missing)?;
+        if self.patterns.is_defined {
             self.pattern_axis()?;
         }
         // The manual excludes rapid traverse between the points by this word.
@@ -177,12 +153,12 @@ impl<'e> Run<'_, 'e> {
             return Err(Fault::program("word-not-offered").arg("word", "FMAX").into());
         }
         let speed = self.speed(feed);
-        let called_at = self.in_plane(self.world.here).z;
+        let called_at = self.drives.in_plane(self.drives.world.here).z;
         for point in points {
             let height = self.height_on_pattern(point, called_at);
             self.lift_to(height)?;
             self.call_shifted(point, speed.clone())?;
-            if self.retraction != Retraction::Greater {
+            if self.patterns.retraction != Retraction::Greater {
                 self.lift_to(height)?;
             }
         }
@@ -193,7 +169,7 @@ impl<'e> Run<'_, 'e> {
     fn height_on_pattern(&self, point: DVec3, called_at: f64) -> f64 {
         let (surface, clearances) = self.call_heights();
         let second = clearances.map(|(first, second)| surface + point.z + if second == 0.0 { first } else { second });
-        match (self.retraction, second) {
+        match (self.patterns.retraction, second) {
             (Retraction::Start, _) | (_, None) => called_at,
             (Retraction::Second, Some(second)) => second,
             (Retraction::Greater, Some(second)) => called_at.max(second),
@@ -201,15 +177,15 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn lift_to(&mut self, height: f64) -> Done {
-        let here = self.in_plane(self.world.here);
+        let here = self.drives.in_plane(self.drives.world.here);
         if here.z < height { self.go_in_plane(here.truncate().extend(height), Ok(Speed::Rapid)) } else { Ok(()) }
     }
 
     /// `CYCL CALL POS`: below the surface the tool goes to the clearance first. The coordinate of the tool axis shifts
     /// the surface.
-    pub(in crate::engine) fn call_at(&mut self, coords: &[Coord], feed: Option<&Feed>) -> Done {
+    pub(crate) fn call_at(&mut self, coords: &[Coord], feed: Option<&Feed>) -> Done {
         let speed = self.speed_for_once(feed);
-        let now = self.world.here;
+        let now = self.drives.world.here;
         let mut to = now;
         let mut given = [false; 3];
         for coord in coords {
@@ -220,7 +196,7 @@ impl<'e> Run<'_, 'e> {
         if given != [true; 3] {
             return Err(Fault::program("position-incomplete").into());
         }
-        let (point, here) = (self.in_plane(to), self.in_plane(now));
+        let (point, here) = (self.drives.in_plane(to), self.drives.in_plane(now));
         let (surface, clearances) = self.call_heights();
         if let Some((first, second)) = clearances {
             let surface = surface + point.z;
@@ -252,21 +228,21 @@ impl<'e> Run<'_, 'e> {
 
     /// mm in the unit in which the last cycle was defined.
     fn unit_of_last(&self) -> f64 {
-        self.last_cycle.as_ref().map_or(1.0, |definition| definition.unit)
+        self.cycles.last.as_ref().map_or(1.0, |definition| definition.unit)
     }
 
     /// The parameter of the last cycle with that meaning.
     fn called_parameter(&self, is: &str) -> Option<QRef> {
-        self.last_cycle.as_ref()?.cycle.params.iter().find(|param| param.is.as_str() == is)?.q
+        self.cycles.last.as_ref()?.cycle.params.iter().find(|param| param.is.as_str() == is)?.q
     }
 
     fn go_in_plane(&mut self, to: DVec3, speed: Result<Speed, Fault>) -> Done {
-        self.straight_to(self.world.system.axes(to), None, speed)
+        self.drives.straight_to(self.drives.world.system.axes(to), None, speed)
     }
 
     /// Over the point in the working plane, and the cycle there.
     fn call_shifted(&mut self, point: DVec3, speed: Result<Speed, Fault>) -> Done {
-        let here = self.in_plane(self.world.here);
+        let here = self.drives.in_plane(self.drives.world.here);
         self.go_in_plane(point.truncate().extend(here.z), speed)?;
         if let Some(surface) = self.called_parameter(SURFACE) {
             let before = self.params.number(surface)?;
@@ -275,7 +251,7 @@ impl<'e> Run<'_, 'e> {
             self.params.set(surface, &Content::Number(before))?;
             return done;
         }
-        let shift = self.world.system.axes(point);
+        let shift = self.drives.world.system.axes(point);
         self.shift_to_point(shift);
         let done = self.call_last_cycle();
         self.shift_to_point(DVec3::ZERO);
@@ -283,14 +259,14 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn shift_to_point(&mut self, by: DVec3) {
-        self.world.system.set_point(by);
-        self.world.renew();
-        let told = self.world.system.told();
-        self.tell(EventKind::Transform(told));
+        self.drives.world.system.set_point(by);
+        self.drives.world.renew();
+        let told = self.drives.world.system.told();
+        self.drives.report.report(EventKind::Transform(told));
     }
 
     /// `GLOBAL DEF`: values for parameters that say PREDEF, and how the tool is retracted on patterns.
-    pub(in crate::engine) fn predefine(&mut self, values: &GlobalDef) -> Done {
+    pub(crate) fn predefine(&mut self, values: &GlobalDef) -> Done {
         if let Some(error) = values.errors.first() {
             let found = self.slice(error.span).trim().to_owned();
             return Err(Fault::program("block-unreadable").arg("found", found).into());
@@ -301,7 +277,7 @@ impl<'e> Run<'_, 'e> {
             }
             let value = self.number_of(&parameter.value)?;
             if values.number == POSITIONING {
-                self.retraction = match value {
+                self.patterns.retraction = match value {
                     0.0 => Retraction::Second,
                     1.0 => Retraction::Start,
                     _ => {
@@ -310,7 +286,7 @@ impl<'e> Run<'_, 'e> {
                     }
                 };
             }
-            self.predefined.insert(parameter.q.number, (value, self.unit()));
+            self.cycles.predefined.insert(parameter.q.number, (value, self.drives.unit()));
         }
         Ok(())
     }

@@ -2,10 +2,11 @@
 //!
 //! Invariant: every series ends; one that would not is a fault before anything moves.
 use crate::base::expr::Value;
-use crate::engine::cycle::execute::Exec;
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
 use crate::engine::plan::{Series, SeriesKind, Slot};
+use crate::engine::report::ending::Done;
 use crate::engine::report::fault::{Class, Fault};
-use crate::engine::run::{Done, Run};
 
 /// Below this, in mm, the rest of a way is rounding and no infeed of its own.
 const NO_INFEED: f64 = 1e-9;
@@ -79,7 +80,7 @@ fn infeeds(from: f64, to: f64, by: f64, less: f64, least: f64, limit: u32) -> Re
 
 impl<'e> Run<'_, 'e> {
     fn members(&self, kind: &SeriesKind, exec: &Exec<'_, 'e>) -> Result<Members, Fault> {
-        let limit = self.engine.limits.members;
+        let limit = self.settings.limits.members;
         let count = |number: f64| {
             if number > f64::from(limit) {
                 return Err(Fault::new(Class::Limit, "series-limit").arg("limit", f64::from(limit)));
@@ -107,7 +108,7 @@ impl<'e> Run<'_, 'e> {
         })
     }
 
-    pub(in crate::engine) fn series(&mut self, series: &Series, exec: &mut Exec<'_, 'e>) -> Done {
+    pub(crate) fn series(&mut self, series: &Series, exec: &mut Exec<'_, 'e>) -> Done {
         if !self.holds(series.when.as_ref(), exec)? {
             return Ok(());
         }

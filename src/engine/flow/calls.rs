@@ -1,15 +1,18 @@
-//! Where a run is: the block, the calls that led there, the repeats under way, and the limits.
+//! Programs, and where a run is in them: the block, the calls that led there, the repeats under way, and the limits.
 //!
 //! Invariant: every way back (jump, repeat, call) is counted, so a run always ends.
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use crate::base::diag::Place;
 use crate::engine::flow::code::Prepared;
+use crate::engine::flow::settings::{Limits, Settings};
+use crate::engine::report::ending::Done;
 use crate::engine::report::fault::{Class, Fault};
-use crate::engine::run::{Done, Limits};
 
 /// What a call returns from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::engine) enum Call {
+pub(crate) enum Call {
     /// The subprogram that begins at this block.
     Subprogram(usize),
     /// A whole program.
@@ -24,14 +27,17 @@ struct Frame {
     call: Call,
 }
 
-/// Where a run is.
-pub(in crate::engine) struct Flow {
+/// The programs of a run, and where it is.
+pub(crate) struct Calls<'e> {
+    programs: Vec<Prepared<'e>>,
+    /// Programs that were called, by name.
+    names: BTreeMap<String, usize>,
     /// The program being executed.
-    pub(in crate::engine) program: usize,
+    pub(crate) program: usize,
     /// The block being executed.
-    pub(in crate::engine) block: usize,
+    pub(crate) block: usize,
     /// The block after it.
-    pub(in crate::engine) next: usize,
+    pub(crate) next: usize,
     frames: Vec<Frame>,
     /// By program and block: how many repeats are left.
     repeats: Vec<Vec<Option<u32>>>,
@@ -45,21 +51,58 @@ pub fn program_key(name: &str) -> String {
     last.strip_suffix(".H").map_or_else(|| last.clone(), str::to_owned)
 }
 
-impl Flow {
-    pub(in crate::engine) fn new(program: &Prepared<'_>) -> Self {
-        let mut flow =
-            Self { program: 0, block: 0, next: 0, frames: Vec::new(), repeats: Vec::new(), blocks: 0, jumps: 0 };
-        flow.add(program);
-        flow
+impl<'e> Calls<'e> {
+    pub(crate) fn new(program: Prepared<'e>) -> Self {
+        let mut calls = Self {
+            programs: Vec::new(),
+            names: BTreeMap::new(),
+            program: 0,
+            block: 0,
+            next: 0,
+            frames: Vec::new(),
+            repeats: Vec::new(),
+            blocks: 0,
+            jumps: 0,
+        };
+        calls.add(program);
+        calls
     }
 
-    /// Takes in another program, which is numbered next.
-    pub(in crate::engine) fn add(&mut self, program: &Prepared<'_>) {
+    /// Takes in another program. Its number.
+    fn add(&mut self, program: Prepared<'e>) -> usize {
         self.repeats.push(vec![None; program.program.blocks().len()]);
+        self.programs.push(program);
+        self.programs.len() - 1
+    }
+
+    /// The number of a program that is called, which is looked for at its first call.
+    pub(crate) fn called(&mut self, key: String, settings: &Settings<'e>) -> Option<usize> {
+        if let Some(known) = self.names.get(&key) {
+            return Some(*known);
+        }
+        let given = settings.others.get(&key).copied();
+        let number = self.add(Prepared::new(given.or_else(|| settings.around?.program(&key))?));
+        self.names.insert(key, number);
+        Some(number)
+    }
+
+    /// The program being executed.
+    pub(crate) fn here(&self) -> Option<&Prepared<'e>> {
+        self.programs.get(self.program)
+    }
+
+    /// The place of a block in the text of its program.
+    pub(crate) fn place_of(&self, program: usize, block: usize) -> Option<Place> {
+        let prepared = self.programs.get(program)?;
+        let block = prepared.block(block)?;
+        let text = prepared.program.slice(block.span);
+        // Line ends and blanks are no part of what is shown.
+        let start = block.span.start + (text.len() - text.trim_start().len());
+        Some(Place::new(prepared.program.source(), start..(block.span.start + text.trim_end().len()).max(start)))
     }
 
     /// Goes on to the next block.
-    pub(in crate::engine) fn advance(&mut self, limits: &Limits) -> Done {
+    pub(crate) fn advance(&mut self, limits: &Limits) -> Done {
         self.block = self.next;
         self.next = self.block + 1;
         self.blocks += 1;
@@ -70,7 +113,7 @@ impl Flow {
     }
 
     /// Goes to a block of the same program.
-    pub(in crate::engine) fn jump(&mut self, block: usize, limits: &Limits) -> Done {
+    pub(crate) fn jump(&mut self, block: usize, limits: &Limits) -> Done {
         self.jumps += 1;
         if self.jumps > limits.jumps {
             return Err(Fault::new(Class::Limit, "jump-limit").arg("limit", limits.jumps as f64).into());
@@ -80,7 +123,7 @@ impl Flow {
     }
 
     /// Repeats the part from a label to here `times` times.
-    pub(in crate::engine) fn repeat(&mut self, label: usize, times: u32, limits: &Limits) -> Done {
+    pub(crate) fn repeat(&mut self, label: usize, times: u32, limits: &Limits) -> Done {
         let Some(left) = self.repeats.get_mut(self.program).and_then(|blocks| blocks.get_mut(self.block)) else {
             return Ok(());
         };
@@ -94,7 +137,7 @@ impl Flow {
     }
 
     /// Calls a subprogram or program.
-    pub(in crate::engine) fn call(&mut self, program: usize, block: usize, call: Call, limits: &Limits) -> Done {
+    pub(crate) fn call(&mut self, program: usize, block: usize, call: Call, limits: &Limits) -> Done {
         let same = |frame: &Frame| match (frame.call, call) {
             (Call::Subprogram(a), Call::Subprogram(b)) => a == b && frame.program == program,
             _ => false,
@@ -113,14 +156,14 @@ impl Flow {
     }
 
     /// Returns from the subprogram; nothing happens where none was called.
-    pub(in crate::engine) fn return_from_subprogram(&mut self) {
+    pub(crate) fn return_from_subprogram(&mut self) {
         if let Some(Frame { call: Call::Subprogram(_), .. }) = self.frames.last() {
             self.pop();
         }
     }
 
     /// Returns from the program, with all its subprograms. Whether there was a caller.
-    pub(in crate::engine) fn return_from_program(&mut self) -> bool {
+    pub(crate) fn return_from_program(&mut self) -> bool {
         while let Some(frame) = self.frames.last().copied() {
             self.pop();
             if frame.call == Call::Program {
@@ -131,7 +174,7 @@ impl Flow {
     }
 
     /// How many calls are under way.
-    pub(in crate::engine) fn depth(&self) -> usize {
+    pub(crate) fn depth(&self) -> usize {
         self.frames.len()
     }
 
@@ -144,12 +187,12 @@ impl Flow {
     }
 
     /// Where the calls under way were made, the innermost first.
-    pub(in crate::engine) fn calls(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.frames.iter().rev().map(|frame| (frame.program, frame.block))
+    pub(crate) fn places(&self) -> impl Iterator<Item = Place> + '_ {
+        self.frames.iter().rev().filter_map(|frame| self.place_of(frame.program, frame.block))
     }
 
     /// The program's name for events.
-    pub(in crate::engine) fn program_name(&self, programs: &[Prepared<'_>]) -> Arc<str> {
-        programs.get(self.program).map_or("", |prepared| prepared.program.source().name()).into()
+    pub(crate) fn program_name(&self) -> Arc<str> {
+        self.here().map_or("", |prepared| prepared.program.source().name()).into()
     }
 }

@@ -16,11 +16,11 @@ enum Key {
 }
 
 /// A program ready to run.
-pub(in crate::engine) struct Prepared<'p> {
+pub(crate) struct Prepared<'p> {
     /// The program.
-    pub(in crate::engine) program: &'p Program,
+    pub(crate) program: &'p Program,
     /// Its definitions of cycles.
-    pub(in crate::engine) cycles: Vec<CycleView<'p>>,
+    pub(crate) cycles: Vec<CycleView<'p>>,
     /// By block: the index of the definition that begins there.
     definitions: Vec<Option<usize>>,
     /// By block: the compiled formula.
@@ -28,13 +28,13 @@ pub(in crate::engine) struct Prepared<'p> {
     /// By block: whether a rounding or chamfer follows directly.
     rounded: Vec<bool>,
     /// mm in its unit.
-    pub(in crate::engine) unit: f64,
+    pub(crate) unit: f64,
     /// The block of each label; nothing if the label stands twice.
     labels: HashMap<Key, Option<usize>>,
 }
 
 impl<'p> Prepared<'p> {
-    pub(in crate::engine) fn new(program: &'p Program) -> Self {
+    pub(crate) fn new(program: &'p Program) -> Self {
         let blocks = program.blocks();
         let cycles = program.cycles();
         let mut definitions = vec![None; blocks.len()];
@@ -57,27 +57,27 @@ impl<'p> Prepared<'p> {
     }
 
     /// The block of that index.
-    pub(in crate::engine) fn block(&self, index: usize) -> Option<&'p Block> {
+    pub(crate) fn block(&self, index: usize) -> Option<&'p Block> {
         self.program.blocks().get(index)
     }
 
     /// The definition that begins at a block.
-    pub(in crate::engine) fn definition(&self, block: usize) -> Option<usize> {
+    pub(crate) fn definition(&self, block: usize) -> Option<usize> {
         self.definitions.get(block).copied().flatten()
     }
 
     /// Whether the corner at the end of a block is rounded or broken by the next one.
-    pub(in crate::engine) fn is_rounded(&self, block: usize) -> bool {
+    pub(crate) fn is_rounded(&self, block: usize) -> bool {
         self.rounded.get(block).copied().unwrap_or(false)
     }
 
     /// The compiled formula of a block.
-    pub(in crate::engine) fn formula(&self, block: usize) -> Option<&Code> {
+    pub(crate) fn formula(&self, block: usize) -> Option<&Code> {
         self.formulas.get(block)?.as_ref()
     }
 
     /// The block of a label; `text` is its name where a parameter gives it.
-    pub(in crate::engine) fn label(&self, label: Label, text: Option<&str>) -> Result<usize, Fault> {
+    pub(crate) fn label(&self, label: Label, text: Option<&str>) -> Result<usize, Fault> {
         let key = match (label, text) {
             (Label::Q(_), Some(text)) => Some(Key::Name(text.to_owned())),
             _ => key(self.program, label),
@@ -86,7 +86,7 @@ impl<'p> Prepared<'p> {
     }
 
     /// The block of a numbered label.
-    pub(in crate::engine) fn numbered_label(&self, number: u16) -> Result<usize, Fault> {
+    pub(crate) fn numbered_label(&self, number: u16) -> Result<usize, Fault> {
         self.find(Some(Key::Number(number)))
     }
 

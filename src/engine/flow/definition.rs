@@ -1,42 +1,40 @@
-//! Definitions of cycles: values of parameters and old-style fields, guards, and when the cycle acts.
+//! A cycle as a program has defined it: its plan, its old-style fields, its unit.
 //!
-//! Invariant: the values of new-form parameters are the program's Q parameters; fields of the old form belong to
-//! the definition.
+//! A cycle that probes calculates in the unit of the program, as its results are in it; any other one in mm. Invariant:
+//! lengths are converted where values leave the program or a cycle and where they come back, and nowhere else; in
+//! programs in mm no number changes by that.
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::base::expr::{QKind, QRef};
+use crate::base::expr::QRef;
 use crate::engine::geometry::Axis as LinearAxis;
-use crate::engine::motion::axis::linear;
-use crate::engine::motion::axis::rotary;
-use crate::engine::motion::moves::RAPID_FEED;
 use crate::engine::plan::Plan;
-use crate::engine::report::fault::{Class, Fault};
-use crate::engine::run::{Content, Done, Run};
-use crate::program::fields::{self, first, stands_on};
-use crate::program::syntax::{
-    Axis, CycleDef, CycleForm, CycleView, NamedWord, OldCycleLine, Parameter, Value, ValueKind,
-};
-use crate::spec::{
-    self, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect, Transformation,
-};
+use crate::spec::{Cycle, CycleKey, Keyword, OnControl};
+
+/// The steps to which lengths are rounded that come from inches, a mm.
+const STEPS: f64 = 1e10;
+
+/// mm in the unit in which the run of a cycle calculates that was defined in that unit.
+fn calculated_in(plan: &Plan, key: CycleKey, unit: f64) -> f64 {
+    if plan.probes || key.keyword == Keyword::TchProbe { unit } else { 1.0 }
+}
 
 /// A coordinate of an old-style field.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::engine) struct FieldCoord {
+pub(crate) struct FieldCoord {
     /// The axis; of a rotary one, the linear axis that it turns about.
-    pub(in crate::engine) axis: LinearAxis,
+    pub(crate) axis: LinearAxis,
     /// Whether it is the rotary axis.
-    pub(in crate::engine) rotary: bool,
+    pub(crate) rotary: bool,
     /// mm, or degrees.
-    pub(in crate::engine) value: f64,
-    pub(in crate::engine) incremental: bool,
+    pub(crate) value: f64,
+    pub(crate) incremental: bool,
 }
 
 /// The value of an old-style field.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::engine) enum FieldValue {
+pub(crate) enum FieldValue {
     /// A number; whether it counts from what is in effect, and whether it is a length or feed in
     /// the unit of the program.
     Number { value: f64, incremental: bool, length: bool },
@@ -52,420 +50,59 @@ pub(in crate::engine) enum FieldValue {
 
 /// A cycle as it was defined.
 #[derive(Clone, Debug)]
-pub(in crate::engine) struct Definition<'e> {
+pub(crate) struct Definition<'e> {
     /// The definitions of a run are numbered.
-    pub(in crate::engine) id: u64,
-    pub(in crate::engine) cycle: &'e Cycle,
+    pub(crate) id: u64,
+    pub(crate) cycle: &'e Cycle,
     /// The control whose manual describes it.
-    pub(in crate::engine) on: &'e OnControl,
-    pub(in crate::engine) plan: Arc<Plan>,
+    pub(crate) on: &'e OnControl,
+    pub(crate) plan: Arc<Plan>,
     /// mm in the unit of the program that defines it.
-    pub(in crate::engine) unit: f64,
+    pub(crate) unit: f64,
     /// The form, if the cycle has several.
-    pub(in crate::engine) form: Option<usize>,
+    pub(crate) form: Option<usize>,
     /// Values of old-style fields by their ids.
-    pub(in crate::engine) fields: Vec<(Arc<str>, FieldValue)>,
-}
-
-/// The values of a definition that are not Q parameters.
-struct Values {
-    form: Option<usize>,
-    fields: Vec<(Arc<str>, FieldValue)>,
+    pub(crate) fields: Vec<(Arc<str>, FieldValue)>,
 }
 
 impl Definition<'_> {
     /// The value of a field.
-    pub(in crate::engine) fn field(&self, id: &str) -> Option<&FieldValue> {
+    pub(crate) fn field(&self, id: &str) -> Option<&FieldValue> {
         self.fields.iter().find(|(known, _)| **known == *id).map(|(_, value)| value)
     }
 }
 
-impl<'e> Run<'_, 'e> {
-    /// The definition that begins at the block being executed.
-    pub(in crate::engine) fn definition_here(&self) -> Option<usize> {
-        self.programs.get(self.flow.program)?.definition(self.flow.block)
+impl Definition<'_> {
+    /// A length or feed of the program as the run of the cycle calculates with it. What was a round number of mm before
+    /// the program wrote it in inches is one again: guards compare sizes.
+    pub(crate) fn in_run(&self, value: f64) -> f64 {
+        Self::scaled(value, self.scale())
     }
 
-    /// Executes the definition that begins here.
-    pub(in crate::engine) fn define_here(&mut self) -> Done {
-        let Some(index) = self.definition_here() else { return Ok(()) };
-        let Some(view) = self.programs.get(self.flow.program).and_then(|program| program.cycles.get(index).cloned())
-        else {
-            return Ok(());
-        };
-        self.flow.next = view.last + 1;
-        let key = fields::key(view.keyword, view.number);
-        self.event.at.cycle = Some((key, None));
-        let known = self.known(key);
-        if known.is_err() && self.transformation(key).is_some() {
-            return self.activate(key, &view);
-        }
-        let (cycle, on) = known?;
-        let plan = self.plan(cycle, on)?;
-        let definition = match view.form {
-            CycleForm::Parameters(parameters) => self.parameters(parameters, cycle)?,
-            CycleForm::Lines(lines) => self.lines(cycle, &lines)?,
-        };
-        let Values { form, fields } = definition;
-        let unit = self.unit();
-        self.definitions += 1;
-        let definition = Definition { id: self.definitions, cycle, on, plan, unit, form, fields };
-        self.at_definition(&definition)?;
-        if cycle.file.takes_effect == TakesEffect::OnDefinition {
-            return self.execute(&definition);
-        }
-        self.modal.call_always = false;
-        self.last_cycle = Some(Arc::new(definition));
-        Ok(())
+    /// The same for the value of a Q parameter.
+    pub(crate) fn read(&self, q: QRef, value: f64) -> f64 {
+        Self::scaled(value, self.scale_of(q))
     }
 
-    /// The description of a cycle, and the control that it is for. A cycle that this control's manual only names is
-    /// taken from another control.
-    fn known(&self, key: CycleKey) -> Result<(&'e Cycle, &'e OnControl), Fault> {
-        let on = self.engine.on;
-        let about = |fault: Fault| fault.arg("cycle", key.to_string()).arg("control", on.id());
-        match on.known(key) {
-            Known::Described(cycle) => Ok((cycle, on)),
-            Known::Named(_) => {
-                let others = self.engine.others_on.iter();
-                let described = |other: &&'e OnControl| other.cycles.get(&key).map(|cycle| (cycle, *other));
-                let found = others.clone().find_map(described);
-                found.ok_or_else(|| about(Fault::unsupported("unsupported-cycle")))
-            }
-            Known::Builders => Err(about(Fault::unsupported("unsupported-cycle"))),
-            Known::Unknown => Err(about(Fault::unsupported("cycle-unknown"))),
-        }
+    fn scaled(value: f64, scale: f64) -> f64 {
+        if scale == 1.0 { value } else { libm::round(value * scale * STEPS) / STEPS }
     }
 
-    /// What the definition of a cycle brings into effect that the engine does not execute, whether a specification
-    /// describes it or not, on any control: a manual that does not name a transformation has no other one of that
-    /// number.
-    fn transformation(&self, key: CycleKey) -> Option<Transformation> {
-        let all = std::iter::once(&self.engine.on).chain(&self.engine.others_on);
-        all.into_iter().find_map(|on| on.named(key).and_then(|named| named.activates))
+    fn scale(&self) -> f64 {
+        if self.unit == 1.0 {
+            return 1.0;
+        }
+        self.unit / calculated_in(&self.plan, self.cycle.key, self.unit)
     }
 
-    /// A transformation that the engine only knows to be in effect: no values behind the first line, or neutral
-    /// ones, end it.
-    fn activate(&mut self, key: CycleKey, view: &CycleView<'_>) -> Done {
-        let Some(transformation) = self.transformation(key) else { return Ok(()) };
-        let neutral = match transformation {
-            Transformation::Scaling | Transformation::AxisScaling => 1.0,
-            Transformation::Mirroring | Transformation::Turning => f64::NAN,
-            Transformation::Tilting => 0.0,
-        };
-        let mut acts = false;
-        if let CycleForm::Lines(lines) = &view.form {
-            // A feed, a clearance or a centre beside the values of the axes does not make it act.
-            let by_axis = transformation != Transformation::Scaling;
-            for word in lines.iter().flat_map(|line| &line.words) {
-                let name = self.slice(word.name).trim().to_ascii_uppercase();
-                if !by_axis || axis_of(&name).is_some() {
-                    acts |= match word.value.kind {
-                        ValueKind::Number(_) | ValueKind::Q { .. } => self.number_of(&word.value)? != neutral,
-                        _ => true,
-                    };
-                }
-            }
-        }
-        let active = &mut self.world.system.unexecuted;
-        if acts {
-            active.insert(transformation)
-        } else {
-            active.remove(&transformation)
-        };
-        Ok(())
+    /// What the value of a Q parameter is multiplied with.
+    pub(crate) fn scale_of(&self, q: QRef) -> f64 {
+        let scale = self.scale();
+        if scale == 1.0 || !self.plan.measures.contains(&q) { 1.0 } else { scale }
     }
 
-    fn parameters(&mut self, written: &CycleDef, cycle: &Cycle) -> Done<Values> {
-        if let Some(error) = written.errors.first() {
-            let found = self.slice(error.span).trim().to_owned();
-            return Err(Fault::program("block-unreadable").arg("found", found).into());
-        }
-        if cycle.is_old_style() {
-            let fault =
-                Fault::program("field-missing").arg("field", cycle.params.first().map_or("", |p| p.is.as_str()));
-            return Err(fault.arg("cycle", cycle.key.to_string()).into());
-        }
-        // A fault that names a parameter, such as one without a value, means that one.
-        let of_cycle = |fault: Fault, q: QRef| {
-            let named = fault.args.iter().any(|(name, _)| *name == "q");
-            let fault = if named { fault } else { fault.arg("q", q.to_string()) };
-            fault.arg("cycle", cycle.key.to_string())
-        };
-        // One in addition to all that the cycle has may be a later version's: the program need not be wrong.
-        let has = |q: QRef| written.parameters.iter().any(|own| own.q == q);
-        let mut needed = cycle.params.iter().filter_map(|param| Some((param.q?, param.q_of_name())));
-        let whole = needed.all(|(q, name)| has(q) || name.is_some_and(has));
-        for parameter in &written.parameters {
-            if cycle.written(parameter.q).is_none() {
-                let fault = match whole {
-                    true => Fault::unsupported("parameter-in-addition"),
-                    false => Fault::program("parameter-unknown"),
-                };
-                return Err(of_cycle(fault, parameter.q).into());
-            }
-        }
-        for param in &cycle.params {
-            let Some(q) = param.q else { continue };
-            let is_it = |parameter: &Parameter| parameter.q == q || param.q_of_name() == Some(parameter.q);
-            let found = written.parameters.iter().rev().find(is_it);
-            let content = match found {
-                Some(parameter) => self.parameter_value(param, &parameter).map_err(|fault| of_cycle(fault, q))?,
-                None => match param.neutral {
-                    Some(neutral) => Content::Number(neutral),
-                    None => return Err(of_cycle(Fault::program("parameter-missing"), q).into()),
-                },
-            };
-            self.give(param, q, content)?;
-        }
-        Ok(Values { form: None, fields: Vec::new() })
+    /// mm in the unit in which the run of the cycle calculates.
+    pub(crate) fn calculates_in(&self) -> f64 {
+        calculated_in(&self.plan, self.cycle.key, self.unit)
     }
-
-    /// Writes a transfer parameter. The name of a tool goes into the text parameter of the same number, and its
-    /// number where one belongs.
-    fn give(&mut self, param: &Param, q: QRef, content: Content) -> Done {
-        if let (Content::Text(name), ParameterKind::NumberOrName) = (&content, param.kind) {
-            let number = self.world.tool_named(name)?;
-            self.set(QRef { kind: QKind::Qs, number: q.number }, content)?;
-            let Some(number) = number else {
-                // A number from before would mean another tool.
-                self.params.forget(q);
-                return Ok(());
-            };
-            return Ok(self.set(q, Content::Number(number))?);
-        }
-        Ok(self.set(q, content)?)
-    }
-
-    fn parameter_value(&self, param: &Param, parameter: &Parameter) -> Result<Content, Fault> {
-        let value = &parameter.value;
-        let textual = parameter.q.kind == QKind::Qs;
-        let content = match value.kind {
-            ValueKind::Text(span) if textual => Content::Text(self.slice(span).into()),
-            ValueKind::Q { q, negative: false } if q.kind == QKind::Qs && textual => {
-                Content::Text(self.params.text(q)?)
-            }
-            ValueKind::Word => Content::Number(self.word_value(param, value)?),
-            ValueKind::Missing => return Err(Fault::program("value-missing")),
-            _ => Content::Number(self.number_of(value)?),
-        };
-        match &content {
-            Content::Number(_) if textual => Err(Fault::program("text-or-number")),
-            Content::Number(number)
-                if !matches!(value.kind, ValueKind::Word)
-                    && spec::number_refusal_in(param, *number, self.unit()).is_some() =>
-            {
-                Err(Fault::program("parameter-out-of-range").arg("value", *number))
-            }
-            _ => Ok(content),
-        }
-    }
-
-    /// The number of a value that is not a word.
-    pub(in crate::engine) fn number_of(&self, value: &Value) -> Result<f64, Fault> {
-        match value.kind {
-            ValueKind::Number(number) => Ok(number),
-            ValueKind::Q { negative, q } => {
-                let number = self.params.number(q)?;
-                Ok(if negative { -number } else { number })
-            }
-            _ => Err(Fault::program("text-or-number")),
-        }
-    }
-
-    /// The number that a word stands for at the moment of the definition.
-    fn word_value(&self, param: &Param, value: &Value) -> Result<f64, Fault> {
-        let written = self.slice(value.span).trim().to_ascii_uppercase();
-        let letters = written.bytes().take_while(u8::is_ascii_alphabetic).count();
-        // The letter of a Q parameter is no part of the word.
-        let letters = if written.get(..2).is_some_and(|word| matches!(word, "FU" | "FZ")) { 2 } else { letters };
-        let (word, number) = written.split_at(letters);
-        // Controls show the word without its letter: `Q207= AUTO`.
-        let word = match (word, number.trim()) {
-            ("AUTO", _) | ("F", "AUTO") => "FAUTO",
-            ("MAX", _) | ("F", "MAX") => "FMAX",
-            _ => word,
-        };
-        if !param.words.iter().any(|known| known == word) {
-            return Err(Fault::program("word-not-offered").arg("word", word));
-        }
-        let speed = self.modal.spindle.speed;
-        match word {
-            "FAUTO" => {
-                self.modal.tool_feed.map(|feed| feed / self.unit()).ok_or_else(|| Fault::program("feed-missing"))
-            }
-            "FMAX" => Ok(RAPID_FEED),
-            "FU" => Ok(self.written_number(number)? * speed),
-            "FZ" => Ok(self.written_number(number)? * speed * self.world.tool().map_or(0.0, |tool| tool.teeth)),
-            "PREDEF" => {
-                let known = param.q.and_then(|q| self.predefined.get(&q.number));
-                let (value, unit) = known.copied().ok_or_else(|| Fault::program("value-not-predefined"))?;
-                // A program called by another one may be in the other unit.
-                let value =
-                    if unit == self.unit() || !param.is_measured() { value } else { value * unit / self.unit() };
-                match spec::number_refusal_in(param, value, self.unit()) {
-                    None => Ok(value),
-                    Some(_) => Err(Fault::program("parameter-out-of-range").arg("value", value)),
-                }
-            }
-            _ => Err(Fault::program("word-not-offered").arg("word", word)),
-        }
-    }
-
-    fn lines(&self, cycle: &Cycle, lines: &[&OldCycleLine]) -> Done<Values> {
-        let unreadable = |found: &str| {
-            let fault = Fault::program("field-unknown").arg("found", found.trim());
-            fault.arg("cycle", cycle.key.to_string())
-        };
-        if !cycle.is_old_style() {
-            return Err(unreadable(lines.first().map_or("", |line| self.slice(line.head))).into());
-        }
-        let mut first_misfit = None;
-        for form in 0..cycle.file.forms.len() {
-            match self.fields_of_form(cycle, form, lines)? {
-                Ok(fields) => {
-                    let known = |id: &str| fields.iter().any(|(field, _)| **field == *id);
-                    let missing = cycle.fields(form).find(|(_, field)| !field.optional && !known(field.id.as_str()));
-                    if let Some((_, field)) = missing {
-                        let fault = Fault::program("field-missing").arg("field", field.id.as_str());
-                        return Err(fault.arg("cycle", cycle.key.to_string()).into());
-                    }
-                    return Ok(Values { form: Some(form), fields });
-                }
-                Err(misfit) => first_misfit = first_misfit.or(Some(misfit)),
-            }
-        }
-        Err(unreadable(first_misfit.map_or("", |word: NamedWord| self.slice(word.span))).into())
-    }
-
-    /// The fields of the lines as that form reads them, or the first word that it cannot.
-    #[expect(clippy::type_complexity, reason = "the inner error is the word that does not fit")]
-    fn fields_of_form(
-        &self,
-        cycle: &Cycle,
-        form: usize,
-        lines: &[&OldCycleLine],
-    ) -> Result<Result<Vec<(Arc<str>, FieldValue)>, NamedWord>, Fault> {
-        let mut fields: Vec<(Arc<str>, FieldValue)> = Vec::new();
-        let Some(prepared) = self.programs.get(self.flow.program) else { return Ok(Ok(fields)) };
-        for line in lines {
-            let mut expected: Vec<(&Param, &spec::Field)> =
-                cycle.fields(form).filter(|(_, field)| stands_on(field, line)).collect();
-            let mut words = line.words.as_slice();
-            while let Some(word) = words.first() {
-                let found = first(prepared.program, expected.iter().map(|(_, field)| *field), words);
-                let own = found.and_then(|(at, count)| expected.drain(..=at).next_back().zip(Some(count)));
-                let Some(((param, field), count)) = own else { return Ok(Err(*word)) };
-                let (own, rest) = words.split_at(count.min(words.len()));
-                for word in own {
-                    if !is_valued(word, self.slice(word.value.span).trim(), param, field) {
-                        return Ok(Err(*word));
-                    }
-                    let value = self.field_value(word, param, field)?;
-                    match (fields.iter_mut().find(|(id, _)| *id == field.id.text), value) {
-                        (Some((_, FieldValue::Coords(all))), FieldValue::Coords(more)) => all.extend(more),
-                        (Some(_), _) => return Ok(Err(*word)),
-                        (None, value) => fields.push((Arc::clone(&field.id.text), value)),
-                    }
-                }
-                words = rest;
-            }
-        }
-        Ok(Ok(fields))
-    }
-
-    fn field_value(&self, word: &NamedWord, param: &Param, field: &spec::Field) -> Result<FieldValue, Fault> {
-        let name = self.slice(word.name).trim().to_ascii_uppercase();
-        let out_of_range = || Fault::program("parameter-out-of-range").arg("q", field.id.as_str());
-        let in_range = |value: f64| {
-            let refusal = spec::number_refusal_in(param, value, self.unit());
-            if refusal.is_none() { Ok(value) } else { Err(out_of_range().arg("value", value)) }
-        };
-        let value = self.slice(word.value.span).trim();
-        match (field.shape, word.value.kind) {
-            _ if is_direction(param, field) => {
-                let printed = if field.shape == Shape::Labelled { value.to_ascii_uppercase() } else { name };
-                let axis = axis_of(printed.trim_end_matches(['+', '-']));
-                let (axis, _) = axis.ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
-                Ok(FieldValue::Direction(linear(axis)?.unit() * if value.ends_with('-') { -1.0 } else { 1.0 }))
-            }
-            (Shape::Axes, _) => {
-                let (axis, _) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
-                let turns = rotary(axis);
-                let axis = turns.map_or_else(|| linear(axis), |rotary| Ok(rotary.0))?;
-                Ok(FieldValue::Coords(vec![FieldCoord {
-                    axis,
-                    rotary: turns.is_some(),
-                    value: 0.0,
-                    incremental: false,
-                }]))
-            }
-            (Shape::Centre, _) => {
-                let letter = name.strip_prefix("CC").unwrap_or(&name);
-                let (axis, _) = axis_of(letter).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
-                let value = in_range(self.number_of(&word.value)?)? * self.unit();
-                Ok(FieldValue::Coords(vec![FieldCoord {
-                    axis: linear(axis)?,
-                    rotary: false,
-                    value,
-                    incremental: false,
-                }]))
-            }
-            (_, ValueKind::Text(inner)) if is_textual(param) => Ok(FieldValue::Text(self.slice(inner).into())),
-            _ if is_textual(param) => match spec::refusal(param, value) {
-                None => Ok(FieldValue::Text(value.into())),
-                Some(_) => Err(out_of_range().arg("value", value)),
-            },
-            (Shape::Q, ValueKind::Q { q, .. }) => Ok(FieldValue::Q(q)),
-            (Shape::Position | Shape::AxisCoordinate, _) => {
-                let (axis, incremental) = axis_of(&name).ok_or_else(|| Fault::new(Class::Internal, "field-unknown"))?;
-                let value = in_range(self.number_of(&word.value)?)?;
-                let turns = rotary(axis);
-                let axis = turns.map_or_else(|| linear(axis), |rotary| Ok(rotary.0))?;
-                let length = turns.is_none() && !matches!(param.quantity, Quantity::Factor | Quantity::Angle);
-                let value = if length { value * self.unit() } else { value };
-                Ok(FieldValue::Coords(vec![FieldCoord { axis, rotary: turns.is_some(), value, incremental }]))
-            }
-            _ => {
-                let incremental = field.word.as_deref().is_some_and(|wanted| name != wanted);
-                let length = param.is_measured();
-                Ok(FieldValue::Number { value: in_range(self.number_of(&word.value)?)?, incremental, length })
-            }
-        }
-    }
-}
-
-/// Whether the value of a word, printed like that, is one that the field can hold.
-fn is_valued(word: &NamedWord, printed: &str, param: &Param, field: &spec::Field) -> bool {
-    match field.shape {
-        Shape::Labelled if is_direction(param, field) || is_textual(param) => {
-            let printed = if is_textual(param) { printed.to_owned() } else { printed.to_ascii_uppercase() };
-            spec::refusal(param, &printed) != Some(spec::Refusal::Kind)
-        }
-        Shape::Labelled | Shape::Word | Shape::Row => {
-            matches!(word.value.kind, ValueKind::Number(_) | ValueKind::Q { .. })
-        }
-        Shape::Q | Shape::AxisDirection | Shape::Position | Shape::AxisCoordinate | Shape::Axes | Shape::Centre => true,
-    }
-}
-
-/// Whether a field is an axis, with a sign or without.
-fn is_direction(param: &Param, field: &spec::Field) -> bool {
-    field.shape == Shape::AxisDirection || matches!(param.kind, ParameterKind::Axis | ParameterKind::AxisDirection)
-}
-
-/// Whether a field keeps what is printed.
-fn is_textual(param: &Param) -> bool {
-    matches!(param.kind, ParameterKind::Text | ParameterKind::LabelList)
-}
-
-/// The axis of a word such as `X` or `IX`, and whether it is incremental.
-fn axis_of(name: &str) -> Option<(Axis, bool)> {
-    let (letters, incremental) = match name.strip_prefix('I') {
-        Some(rest) => (rest, true),
-        None => (name, false),
-    };
-    let axis = Axis::by_name(letters.as_bytes()).filter(|axis| !matches!(axis, Axis::Pr | Axis::Pa))?;
-    Some((axis, incremental))
 }

@@ -3,9 +3,11 @@
 //! Invariant: a machine is data; it knows no position, no tool and no workpiece.
 mod course;
 mod rotary;
+mod tool;
 
 pub use course::{Course, Straight};
 pub use rotary::{Carried, RotaryMachineAxis};
+pub use tool::Tool;
 
 use super::geometry::Axis;
 use super::read::Reader;

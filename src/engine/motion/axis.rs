@@ -4,7 +4,7 @@ use crate::engine::report::fault::Fault;
 use crate::program::syntax::Axis;
 
 /// The linear axis of an axis word.
-pub(in crate::engine) fn linear(axis: Axis) -> Result<LinearAxis, Fault> {
+pub(crate) fn linear(axis: Axis) -> Result<LinearAxis, Fault> {
     match axis {
         Axis::X => Ok(LinearAxis::X),
         Axis::Y => Ok(LinearAxis::Y),
@@ -14,7 +14,7 @@ pub(in crate::engine) fn linear(axis: Axis) -> Result<LinearAxis, Fault> {
 }
 
 /// The rotary axis of an axis word.
-pub(in crate::engine) const fn rotary(axis: Axis) -> Option<RotaryAxis> {
+pub(crate) const fn rotary(axis: Axis) -> Option<RotaryAxis> {
     match axis {
         Axis::A => RotaryAxis::from_letter('A'),
         Axis::B => RotaryAxis::from_letter('B'),

@@ -4,7 +4,7 @@
 
 /// What an M function does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::engine) enum Effect {
+pub(crate) enum Effect {
     Stop,
     End,
     Spindle(i8),
@@ -26,7 +26,7 @@ pub(in crate::engine) enum Effect {
     Nothing,
 }
 
-pub(in crate::engine) fn effect(number: u16) -> Option<Effect> {
+pub(crate) fn effect(number: u16) -> Option<Effect> {
     Some(match number {
         0 | 1 => Effect::Stop,
         2 | 30 => Effect::End,

@@ -1,10 +1,14 @@
-//! Movements of the machine: lines, arcs, rotary axes, the spindle, and probing.
-pub(in crate::engine) mod axis;
-pub(in crate::engine) mod functions;
-pub(in crate::engine) mod moves;
-pub(in crate::engine) mod plane;
-pub(in crate::engine) mod probe;
-pub(in crate::engine) mod spindle;
-pub(in crate::engine) mod tcpm;
-pub(in crate::engine) mod tilt;
-pub(in crate::engine) mod turn;
+//! Movements of the machine: lines, arcs, rotary axes, the spindle, probing.
+//!
+//! Start reading at [`drives`], then [`moves`]. Invariant: knows no program, no Q parameter and no cycle; what is wanted
+//! comes as coordinates and speeds, in mm. A movement that cannot be executed exactly is a fault.
+pub(crate) mod axis;
+pub(crate) mod drives;
+pub(crate) mod functions;
+pub(crate) mod moves;
+pub(crate) mod probe;
+mod spindle;
+mod tcpm;
+pub(crate) mod tilt;
+mod turn;
+mod unit;

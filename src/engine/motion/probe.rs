@@ -4,11 +4,15 @@
 //! is the scene's. Points here are given by axis.
 use glam::DVec3;
 
+use crate::engine::motion::drives::Drives;
+use crate::engine::report::ending::Done;
+use crate::engine::report::envelope::Touching;
+use crate::engine::report::event::EventKind;
 use crate::engine::report::event::{MoveKind, Probing};
 use crate::engine::report::fault::{Class, Fault};
-use crate::engine::run::{Done, EventKind, Run, Touching};
 use crate::engine::scene::Orientation;
 use crate::engine::solid::{Contact, Path};
+use crate::engine::world::state::Pressed;
 use crate::engine::world::stylus::ProbeData;
 
 /// Angles that differ by less, in degrees, are the same orientation.
@@ -21,7 +25,7 @@ const PUSHES: usize = 16;
 
 /// A movement of the ball towards the workpiece.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::engine) struct Approach {
+pub(crate) struct Approach {
     /// Its direction in program coordinates, of length 1.
     pub direction: DVec3,
     /// How far it goes at most, mm.
@@ -32,7 +36,7 @@ pub(in crate::engine) struct Approach {
 
 /// Where such a movement ended.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::engine) struct Stop {
+pub(crate) struct Stop {
     /// The tool tip in machine coordinates.
     pub tip: DVec3,
     /// The ball centre in program coordinates as the control knows it.
@@ -41,22 +45,11 @@ pub(in crate::engine) struct Stop {
     pub touched: bool,
 }
 
-/// The probe where it stopped after touching, until it moves.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::engine) struct Pressed {
-    /// Where the movement began: the tool tip in machine coordinates.
-    pub from: DVec3,
-    /// Its direction in the machine.
-    pub direction: DVec3,
-    /// How far the ball went on after touching, mm.
-    pub depth: f64,
-}
-
-impl Run<'_, '_> {
+impl Drives<'_, '_> {
     /// Probes towards a point (program coordinates) and returns to the start of the probing. The ball centre at
     /// contact in program coordinates. `turned` is by how much the spindle is turned from the calibration angle;
     /// without it a probe that is tracked is turned into the direction.
-    pub(in crate::engine) fn probe(&mut self, towards: DVec3, turned: Option<f64>) -> Done<DVec3> {
+    pub(crate) fn probe(&mut self, towards: DVec3, turned: Option<f64>) -> Done<DVec3> {
         self.not_beside_contour("TCH PROBE")?;
         let probe = self.world.probe()?;
         let from = self.world.here + self.world.up() * probe.effective_radius;
@@ -86,25 +79,25 @@ impl Run<'_, '_> {
     }
 
     /// Turns the spindle so far from the angle at which the probe was calibrated, if it can turn.
-    pub(in crate::engine) fn orient_probe(&mut self, probe: &ProbeData, turned: f64) {
+    pub(crate) fn orient_probe(&mut self, probe: &ProbeData, turned: f64) {
         let way = (turned - self.world.spindle_turned).rem_euclid(360.0);
         if probe.orientation == Orientation::Fixed || way.min(360.0 - way) < SAME_ANGLE {
             return;
         }
         self.world.spindle_turned = turned;
         let orient = Some((probe.angle + turned).rem_euclid(360.0));
-        self.tell(EventKind::Spindle { tool: None, direction: 0, speed: 0.0, orient });
+        self.report.report(EventKind::Spindle { tool: None, direction: 0, speed: 0.0, orient });
     }
 
     /// Moves towards the workpiece until the probe triggers or the path ends, and tells it. The tool stays where it is.
-    pub(in crate::engine) fn approach(&mut self, probe: &ProbeData, approach: &Approach) -> Done<Stop> {
+    pub(crate) fn approach(&mut self, probe: &ProbeData, approach: &Approach) -> Done<Stop> {
         let frame = *self.world.system.frame();
         let from = self.world.here + self.world.up() * probe.effective_radius;
         let target = from + approach.direction * approach.path;
         let start = self.world.ball_centre(self.world.machine, probe);
         let way = frame.vector(approach.direction);
         self.note_way(&Path::line(self.world.machine, self.world.machine + way * approach.path), true);
-        let found = match self.touching {
+        let found = match self.touching() {
             Touching::AsScene => self.found(probe, approach.path, start, way)?,
             Touching::AtOnce => Some((self.world.machine, start + way * probe.ball_radius, 0.0)),
             Touching::AtEnd => {
@@ -119,7 +112,7 @@ impl Run<'_, '_> {
         let back = *self.world.system.back();
         let centre = back.point(self.world.believed_centre(tip, probe));
         let contact = found.map(|(_, point, _)| (back.point(point), centre));
-        self.tell(EventKind::Probe(Probing { from, target, contact, feed: approach.feed }));
+        self.report.report(EventKind::Probe(Probing { from, target, contact, feed: approach.feed }));
         let pressed = |(_, _, depth)| Pressed { from: self.world.machine, direction: way, depth };
         self.world.pressed = found.map(pressed);
         Ok(Stop { tip, centre, touched: found.is_some() })
@@ -181,7 +174,7 @@ impl Run<'_, '_> {
             let feed = self.world.scene.machine.rapid_feed(machine - stopped);
             let (from, swung) = (self.world.to_program(stopped), self.world.swung());
             let path = Path::line(stopped + swung, machine + swung);
-            self.tell(EventKind::Move { kind: MoveKind::Rapid, from, to: here, machine, feed, path });
+            self.report.report(EventKind::Move { kind: MoveKind::Rapid, from, to: here, machine, feed, path });
         }
     }
 }

@@ -1,41 +1,12 @@
-//! Holding the tool tip on the workpiece while rotary axes turn: `M128` and `M129`,
-//! `FUNCTION TCPM` and `FUNCTION RESET TCPM`.
+//! Holding the tool tip on the workpiece while rotary axes turn.
 //!
-//! Invariant: while it is held, the system is part of the workpiece and the control reckons with how the tool stands; a
-//! word that asks for more is a fault, never ignored.
-use crate::engine::report::fault::Fault;
-use crate::engine::run::{Done, Run};
-use crate::program::syntax::{Statement, ValueKind};
+//! Invariant: while it is held, the system is part of the workpiece and the control reckons with how the tool stands.
+use super::drives::Drives;
+use crate::engine::report::ending::Done;
 
-/// What `FUNCTION TCPM` may ask for: the feed is that of the tip, coordinates of rotary axes are positions,
-/// and these turn evenly.
-const HOLDS: [&str; 7] = ["F", "TCP", "AXIS", "POS", "PATHCTRL", "REFPNT", "TIP-TIP"];
-
-impl Run<'_, '_> {
-    /// `FUNCTION` blocks, but for those that switch the mode.
-    pub(in crate::engine) fn function(&mut self, statement: &Statement) -> Done {
-        let head = self.slice(statement.head).to_ascii_uppercase();
-        let what = head.split_ascii_whitespace().nth(1).unwrap_or_default();
-        let mut words =
-            statement.words.iter().map(|word| (self.slice(word.name).to_ascii_uppercase(), word.value.kind));
-        match what {
-            "TCPM" => {
-                let known = |(name, value): &(String, ValueKind)| {
-                    HOLDS.contains(&name.as_str()) && (*value == ValueKind::Missing || name == "F")
-                };
-                if let Some((word, _)) = words.find(|word| !known(word)) {
-                    let word = format!("FUNCTION TCPM {word}");
-                    return Err(Fault::unsupported("unsupported-block").arg("word", word).into());
-                }
-                self.hold_tip(true)
-            }
-            "RESET" if words.all(|(name, _)| name == "TCPM") => self.hold_tip(false),
-            _ => Err(self.not_executed(statement.head).into()),
-        }
-    }
-
+impl Drives<'_, '_> {
     /// From here on the tip is held, or no longer: the machine stays where it is.
-    pub(in crate::engine) fn hold_tip(&mut self, held: bool) -> Done {
+    pub(crate) fn hold_tip(&mut self, held: bool) -> Done {
         self.not_beside_contour(if held { "M128" } else { "M129" })?;
         let before = self.world.system.told();
         self.world.system.set_tip_held(held);

@@ -4,19 +4,28 @@
 //! plane that the axes cannot reach is a fault.
 use glam::DVec3;
 
-use crate::base::expr::{Value, atan2d};
-use crate::engine::cycle::execute::Exec;
+use crate::base::expr::atan2d;
 use crate::engine::geometry::RotaryAxis;
 use crate::engine::machine::{Carried, RotaryMachineAxis};
+use crate::engine::motion::drives::Drives;
 use crate::engine::motion::moves::Speed;
-use crate::engine::plan::StrategyCall;
+use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
-use crate::engine::run::{Done, Run};
 
 /// Directions that differ by less are the same.
 const SAME: f64 = 1e-9;
 /// A direction whose part along another one is less stands at right angles to it.
 const STRAIGHT: f64 = 1e-6;
+
+/// Parts of a direction below this are rounding: the axis does not move.
+const STILL: f64 = 1e-9;
+
+/// How far the tool is retracted before the axes turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Back {
+    By(f64),
+    ToLimit,
+}
 
 /// The direction about which an axis turns what it carries, right-handed for growing coordinates.
 fn about(axis: &RotaryMachineAxis) -> DVec3 {
@@ -52,21 +61,9 @@ fn meet(a: DVec3, p: DVec3, b: DVec3, q: DVec3) -> Vec<(f64, f64)> {
         .collect()
 }
 
-impl<'e> Run<'_, 'e> {
-    /// Where the rotary axes must stand: the tool at right angles to the tilted plane, in program coordinates.
-    pub(in crate::engine) fn compute_rotary_positions(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
-        let found = match self.world.system.tilt() {
-            Some(_) => self.rotary_positions()?,
-            None => DVec3::ZERO,
-        };
-        for (slot, axis) in call.results.iter().zip(RotaryAxis::ALL) {
-            exec.put(*slot, Value::Number(axis.of(found)));
-        }
-        Ok(())
-    }
-
+impl Drives<'_, '_> {
     /// Where the rotary axes must stand for the tilted plane, in program coordinates.
-    pub(in crate::engine) fn rotary_positions(&self) -> Result<DVec3, Fault> {
+    pub(crate) fn rotary_positions(&self) -> Result<DVec3, Fault> {
         let (system, machine) = (&self.world.system, &self.world.scene.machine);
         let datum = system.angle_datum();
         let tool = machine.spindle.unit();
@@ -106,16 +103,50 @@ impl<'e> Run<'_, 'e> {
 
     /// Whether the spindle stands at right angles to the rotary axis on which the workpiece is clamped;
     /// not where there is none.
-    pub(in crate::engine) fn spindle_is_across(&self) -> bool {
+    pub(crate) fn spindle_is_across(&self) -> bool {
         let (world, machine) = (&self.world, &self.world.scene.machine);
         let spindle = machine.head(world.angles).vector(machine.spindle.unit()).normalize();
         let clamped = machine.rotary.iter().rev().find(|axis| axis.carries == Carried::Workpiece);
         clamped.is_some_and(|axis| machine.turning(axis, world.angles).direction.dot(spindle).abs() < STRAIGHT)
     }
 
-    /// Turns the axes; a point that far before the tip keeps its place on the workpiece, and the tool returns to it.
-    pub(in crate::engine) fn position_rotary_axes(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
-        let [a, b, c, feed, clearance] = self.all_given(call, 0, exec)?;
-        self.turn_about_point(DVec3::new(a, b, c), clearance, Speed::of_feed(feed))
+    /// Positions of all rotary axes of the machine, in program coordinates, as targets.
+    pub(crate) fn turns_in_program(&self, to: DVec3) -> Vec<(RotaryAxis, f64)> {
+        let wanted = to * self.world.system.mirror().1 + self.world.system.angle_datum();
+        let of_machine = |axis: &RotaryMachineAxis| (axis.axis, axis.axis.of(wanted));
+        self.world.scene.machine.rotary.iter().map(of_machine).collect()
+    }
+
+    /// Turns the axes; the point that far before the tip keeps its place on the workpiece, and the tool returns to it.
+    pub(crate) fn turn_about_point(&mut self, to: DVec3, distance: f64, speed: Result<Speed, Fault>) -> Done {
+        let turns = self.turns_in_program(to);
+        let machine = &self.world.scene.machine;
+        let direction = machine.head(self.world.angles).vector(machine.spindle.unit());
+        let system = &self.world.system;
+        let held = self.world.here - system.back().vector(direction).normalize() * distance;
+        let to = held + system.plane.tool.unit() * distance;
+        self.turn_to(&turns, speed.clone())?;
+        self.straight_to(to, None, speed)
+    }
+
+    /// Back along the tool, as far as the axes go if it shall be the greatest way.
+    pub(crate) fn retract_before_turning(&mut self, back: Back) -> Done {
+        let machine = &self.world.scene.machine;
+        let along = machine.head(self.world.angles).vector(machine.spindle.unit()).normalize();
+        let here = self.world.machine;
+        let way = match back {
+            Back::By(way) => way,
+            Back::ToLimit => machine
+                .axes
+                .iter()
+                .filter(|axis| axis.axis.of(along).abs() > STILL)
+                .map(|axis| {
+                    let part = axis.axis.of(along);
+                    (if part > 0.0 { axis.max } else { axis.min } - axis.axis.of(here)) / part
+                })
+                .fold(f64::INFINITY, f64::min),
+        };
+        let to = here + along * way.max(0.0);
+        self.straight_to(self.world.to_program(to), Some(to), Ok(Speed::Rapid))
     }
 }

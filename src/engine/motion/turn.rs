@@ -6,10 +6,12 @@ use glam::DVec3;
 
 use crate::engine::geometry::RotaryAxis;
 use crate::engine::machine::{Carried, Course, RotaryMachineAxis, Straight};
+use crate::engine::motion::drives::Drives;
 use crate::engine::motion::moves::{SAME, Speed};
+use crate::engine::report::ending::Done;
+use crate::engine::report::event::EventKind;
 use crate::engine::report::event::{MoveKind, Turned};
 use crate::engine::report::fault::Fault;
-use crate::engine::run::{Done, EventKind, Run};
 use crate::engine::solid::{Contact, Path as BallPath, SolidError};
 
 /// A ball centre nearer to the axis, in mm, does not move when it turns.
@@ -17,15 +19,15 @@ const ON_AXIS: f64 = 1e-9;
 /// While the tool tip is held, the linear axes may leave their range by less than this, in mm, between its ends.
 const AT_LIMIT: f64 = 1e-3;
 
-impl Run<'_, '_> {
+impl Drives<'_, '_> {
     /// A rotary axis of the machine.
-    pub(in crate::engine) fn rotary_axis(&self, axis: RotaryAxis) -> Result<&RotaryMachineAxis, Fault> {
+    pub(crate) fn rotary_axis(&self, axis: RotaryAxis) -> Result<&RotaryMachineAxis, Fault> {
         let missing = || Fault::control("rotary-axis-missing").arg("axis", axis.letter().to_string());
         self.world.scene.machine.rotary(axis).ok_or_else(missing)
     }
 
     /// Whether axes can turn to these machine coordinates.
-    pub(in crate::engine) fn can_turn(&self, to: &[(RotaryAxis, f64)]) -> Result<(), Fault> {
+    pub(crate) fn can_turn(&self, to: &[(RotaryAxis, f64)]) -> Result<(), Fault> {
         for (axis, _) in to {
             self.rotary_axis(*axis)?;
         }
@@ -34,14 +36,14 @@ impl Run<'_, '_> {
     }
 
     /// Turns axes to machine coordinates.
-    pub(in crate::engine) fn turn_to(&mut self, to: &[(RotaryAxis, f64)], speed: Result<Speed, Fault>) -> Done {
+    pub(crate) fn turn_to(&mut self, to: &[(RotaryAxis, f64)], speed: Result<Speed, Fault>) -> Done {
         self.turn_and_go(to, self.world.here, None, speed)
     }
 
     /// Turns axes to machine coordinates while the tool goes to a point of the program, as it is before they turn;
     /// `machine` gives it in machine coordinates where that is what is programmed.
     /// A tip that is held goes straight on the workpiece.
-    pub(in crate::engine) fn turn_and_go(
+    pub(crate) fn turn_and_go(
         &mut self,
         turns: &[(RotaryAxis, f64)],
         to: DVec3,
@@ -79,13 +81,13 @@ impl Run<'_, '_> {
                 Speed::Feed(feed) => (MoveKind::Feed, feed),
             };
             self.world.pressed = None;
-            self.tell(EventKind::Move { kind, from: self.world.here, to, machine: end, feed, path });
+            self.report.report(EventKind::Move { kind, from: self.world.here, to, machine: end, feed, path });
             (self.world.here, self.world.machine) = (to, end);
         }
         let turned = self.turned(&moving, after, speed, moves || held);
         let told = self.world.system.told();
         self.world.turn(after);
-        self.tell(turned);
+        self.report.report(turned);
         self.transformed(told);
         if held && machine.is_none() {
             // Whatever turns, that is where it stays.

@@ -1,21 +1,13 @@
-//! What a probing cycle would do in the worst case, found out before it moves.
+//! What a probing cycle would do in the worst case: heights, ways, what it comes near to.
 //!
-//! A cycle that probes is rehearsed twice: as if everything were touched at once, and as if it were touched at the very
-//! end of each probing path. Both leave the machine as it was; then the cycle is executed in the scene as usual.
-//! Invariant: nothing here knows what a cycle does; all comes from the paths of the interpreter.
-use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
-
+//! Invariant: nothing here executes anything or knows what a cycle does; all comes from the ways that it is given.
 use glam::DVec3;
 use serde::Serialize;
 
-use crate::engine::flow::definition::Definition;
+use super::event::At;
 use crate::engine::geometry::{Axis, Frame};
-use crate::engine::report::fault::Class;
-use crate::engine::run::{At, Done, Leave, Modal, Params, Run};
 use crate::engine::scene::Scene;
 use crate::engine::solid::{Body, Path, Shape, SolidError};
-use crate::engine::world::state::World;
 use crate::spec::CycleKey;
 
 /// The name and version of the JSON form.
@@ -107,144 +99,64 @@ pub struct Envelope {
 
 /// A way of the probe.
 #[derive(Clone, Debug)]
-struct Leg {
+pub(crate) struct Way {
     /// The tip, in machine coordinates.
-    tip: Path,
+    pub(crate) tip: Path,
     /// The ball centre, as the parts see it.
-    ball: Path,
-    probing: bool,
+    pub(crate) ball: Path,
+    pub(crate) probing: bool,
 }
 
 /// The ways of one run of a cycle.
 #[derive(Clone, Debug, Default)]
-pub(in crate::engine) struct Recorder(Vec<Leg>);
+pub(crate) struct Recorder(Vec<Way>);
 
-/// The run as it was before a cycle.
-struct Before<'e> {
-    world: World<'e>,
-    params: Params,
-    modal: Modal,
-    at: At,
-    guards: BTreeSet<(CycleKey, Arc<str>)>,
-    executed: BTreeMap<CycleKey, Vec<bool>>,
-    logs: (usize, usize),
-    moves: u64,
-    inside: usize,
-    probing: bool,
+impl Recorder {
+    pub(crate) fn note(&mut self, way: Way) {
+        self.0.push(way);
+    }
+
+    pub(crate) fn into_ways(self) -> Vec<Way> {
+        self.0
+    }
 }
 
-impl<'e> Run<'_, 'e> {
-    fn kept(&self) -> Before<'e> {
-        Before {
-            world: self.world.clone(),
-            params: self.params.clone(),
-            modal: self.modal,
-            at: self.event.at.clone(),
-            guards: self.guards.clone(),
-            executed: self.executed.clone(),
-            logs: (self.logs.len(), self.screens.len()),
-            moves: self.moves,
-            inside: self.inside,
-            probing: self.probing,
-        }
-    }
+/// How things are when a cycle begins.
+pub(crate) struct Begin<'b> {
+    pub(crate) scene: &'b Scene,
+    /// The place of the call.
+    pub(crate) at: &'b At,
+    /// From the machine to program coordinates.
+    pub(crate) back: Frame,
+    /// The tool axis.
+    pub(crate) tool: Axis,
+    /// The true radius of the ball.
+    pub(crate) ball_radius: f64,
+}
 
-    fn return_to(&mut self, before: &Before<'e>) {
-        self.world = before.world.clone();
-        self.params.clone_from(&before.params);
-        // What was kept belongs to values that were never given.
-        self.recall = None;
-        self.modal = before.modal;
-        self.event.at.clone_from(&before.at);
-        self.guards.clone_from(&before.guards);
-        self.executed.clone_from(&before.executed);
-        self.logs.truncate(before.logs.0);
-        self.screens.truncate(before.logs.1);
-        (self.moves, self.inside, self.probing) = (before.moves, before.inside, before.probing);
-        self.writing.clear();
-    }
-
-    /// Rehearses a cycle that probes, executes it and notes its envelope. Where it fails in the scene and not in both
-    /// rehearsals, the program goes on from where a rehearsal ended, as if the cycle had found nothing.
-    pub(in crate::engine) fn with_envelope(&mut self, definition: &Definition<'e>) -> Done {
-        let before = self.kept();
-        let (mut legs, mut ends, mut stood, mut probings) = (Vec::new(), Vec::new(), None, 0);
-        for touching in [Touching::AtOnce, Touching::AtEnd, Touching::AsScene] {
-            (self.touching, self.recorder) = (touching, Some(Recorder::default()));
-            let ended = self.execute_in_scene(definition);
-            let own = self.recorder.take().unwrap_or_default().0;
-            probings = probings.max(own.iter().filter(|leg| leg.probing).count());
-            legs.extend(own);
-            let error = match &ended {
-                Err(Leave::Fault(fault)) => Some(fault.code.to_string()),
-                _ => None,
-            };
-            ends.push(Ended { touching, error });
-            if touching == Touching::AsScene {
-                let envelope = self.envelope(definition, &before, &legs, probings, ends);
-                self.envelopes.push(envelope);
-                return match (ended, stood) {
-                    (Err(Leave::Fault(fault)), Some(machine)) if fault.class != Class::Limit => {
-                        self.return_to(&before);
-                        self.world.machine = machine;
-                        self.world.renew();
-                        Ok(())
-                    }
-                    (ended, _) => ended,
-                };
-            }
-            stood = ended.is_ok().then_some(self.world.machine).or(stood);
-            self.return_to(&before);
-        }
-        Ok(())
-    }
-
-    /// Notes a way of the tip in machine coordinates, if somebody wants to know.
-    pub(in crate::engine) fn note_way(&mut self, tip: &Path, probing: bool) {
-        let Some(recorder) = &mut self.recorder else { return };
-        let Some(probe) = self.world.probe_if_any() else { return };
-        let lift = self.world.ball_centre(DVec3::ZERO, &probe);
-        let ball = match *tip {
-            Path::Line { from, to } => Path::line(from + lift, to + lift),
-            Path::Arc { centre, axis, from, sweep, rise } => {
-                Path::Arc { centre: centre + lift, axis, from: from + lift, sweep, rise }
-            }
-        };
-        recorder.0.push(Leg { tip: self.world.path_of_tip(tip), ball: self.world.path_at_parts(&ball), probing });
-    }
-
-    fn envelope(
-        &self,
-        definition: &Definition<'e>,
-        before: &Before<'e>,
-        legs: &[Leg],
-        probings: usize,
-        ends: Vec<Ended>,
-    ) -> Envelope {
-        let system = &before.world.system;
-        let (back, tool) = (*system.back(), system.plane.tool);
-        let heights = || {
-            let ends = legs.iter().flat_map(|leg| [leg.tip.at(0.0), leg.tip.at(1.0)]);
-            ends.map(|end| tool.of(back.point(end)))
-        };
-        let longest = legs.iter().filter(|leg| leg.probing).map(|leg| leg.tip.length()).reduce(f64::max);
-        let radius = self.world.probe().map_or(0.0, |probe| probe.ball_radius);
-        let key = definition.cycle.key;
-        Envelope {
-            line: before.at.line,
-            block: before.at.block,
-            keyword: key.keyword.as_str(),
-            number: key.number,
-            axis: tool.letter(),
-            lowest: heights().reduce(f64::min).map(exact),
-            highest: heights().reduce(f64::max).map(exact),
-            travelled: travelled(legs, &back, tool),
-            probings,
-            longest_probing: longest.map(exact),
-            near: obstacles(before.world.scene).into_iter().map(|it| near(it, radius, legs, &back)).collect(),
-            ends,
-            key: Some(key),
-        }
+/// The envelope of a cycle with those ways, which probes so often at most.
+pub(crate) fn envelope(begin: &Begin<'_>, key: CycleKey, ways: &[Way], probings: usize, ends: Vec<Ended>) -> Envelope {
+    let (back, tool) = (begin.back, begin.tool);
+    let heights = || {
+        let ends = ways.iter().flat_map(|way| [way.tip.at(0.0), way.tip.at(1.0)]);
+        ends.map(|end| tool.of(back.point(end)))
+    };
+    let longest = ways.iter().filter(|way| way.probing).map(|way| way.tip.length()).reduce(f64::max);
+    let near_to = |it| near(it, begin.ball_radius, ways, &back);
+    Envelope {
+        line: begin.at.line,
+        block: begin.at.block,
+        keyword: key.keyword.as_str(),
+        number: key.number,
+        axis: tool.letter(),
+        lowest: heights().reduce(f64::min).map(exact),
+        highest: heights().reduce(f64::max).map(exact),
+        travelled: travelled(ways, &back, tool),
+        probings,
+        longest_probing: longest.map(exact),
+        near: obstacles(begin.scene).into_iter().map(near_to).collect(),
+        ends,
+        key: Some(key),
     }
 }
 
@@ -254,12 +166,12 @@ fn exact(length: f64) -> f64 {
 }
 
 /// The heights of moves across, from above, each once.
-fn travelled(legs: &[Leg], back: &Frame, tool: Axis) -> Vec<f64> {
+fn travelled(ways: &[Way], back: &Frame, tool: Axis) -> Vec<f64> {
     let mut heights: Vec<f64> = Vec::new();
-    for leg in legs.iter().filter(|leg| !leg.probing) {
-        let (from, to) = (back.point(leg.tip.at(0.0)), back.point(leg.tip.at(1.0)));
+    for way in ways.iter().filter(|way| !way.probing) {
+        let (from, to) = (back.point(way.tip.at(0.0)), back.point(way.tip.at(1.0)));
         let across = tool.with(to - from, 0.0).length();
-        if across > ACROSS || leg.tip.length() > (to - from).length() + ACROSS {
+        if across > ACROSS || way.tip.length() > (to - from).length() + ACROSS {
             heights.extend([tool.of(from), tool.of(to)].map(exact));
         }
     }
@@ -283,31 +195,31 @@ fn obstacles(scene: &Scene) -> Vec<(Obstacle, Result<Body, SolidError>)> {
     all
 }
 
-fn near((to, body): (Obstacle, Result<Body, SolidError>), radius: f64, legs: &[Leg], back: &Frame) -> Near {
-    let found = body.as_ref().ok().and_then(|body| nearest(body, radius, legs).ok().flatten());
-    let reaches = |leg: &Leg| {
-        body.as_ref().is_ok_and(|body| matches!(body.first_contact_on(radius, &leg.ball), Ok(Some(_)) | Err(_)))
+fn near((to, body): (Obstacle, Result<Body, SolidError>), radius: f64, ways: &[Way], back: &Frame) -> Near {
+    let found = body.as_ref().ok().and_then(|body| nearest(body, radius, ways).ok().flatten());
+    let reaches = |way: &Way| {
+        body.as_ref().is_ok_and(|body| matches!(body.first_contact_on(radius, &way.ball), Ok(Some(_)) | Err(_)))
     };
     Near {
         to,
         distance: found.map(|(distance, _)| libm::round(distance / STEP) * STEP).map(exact),
         tip: found.map(|(_, tip)| back.point(tip).to_array().map(exact)),
-        probed: legs.iter().filter(|leg| leg.probing).any(reaches),
+        probed: ways.iter().filter(|way| way.probing).any(reaches),
     }
 }
 
 /// The least distance of the ball on its ways without probing, and where the tip is then in machine coordinates.
-fn nearest(body: &Body, radius: f64, legs: &[Leg]) -> Result<Option<(f64, DVec3)>, SolidError> {
+fn nearest(body: &Body, radius: f64, ways: &[Way]) -> Result<Option<(f64, DVec3)>, SolidError> {
     let mut best: Option<(f64, DVec3)> = None;
-    for leg in legs.iter().filter(|leg| !leg.probing) {
+    for way in ways.iter().filter(|way| !way.probing) {
         for t in [0.0, 1.0] {
-            let Some(end) = body.nearest(leg.ball.at(t))? else { return Ok(None) };
+            let Some(end) = body.nearest(way.ball.at(t))? else { return Ok(None) };
             if best.is_none_or(|(distance, _)| end.distance < distance) {
-                best = Some((end.distance, leg.tip.at(t)));
+                best = Some((end.distance, way.tip.at(t)));
             }
         }
         if let Some((distance, _)) = best.filter(|(distance, _)| *distance > radius)
-            && let Some(found) = nearer(body, radius, distance - STEP, leg)?
+            && let Some(found) = nearer(body, radius, distance - STEP, way)?
         {
             best = Some(found);
         }
@@ -317,9 +229,9 @@ fn nearest(body: &Body, radius: f64, legs: &[Leg]) -> Result<Option<(f64, DVec3)
 
 /// The least distance of the ball centre on a way if it is below `high`, not below the radius of the ball. A ball of
 /// any greater radius than that distance would touch.
-fn nearer(body: &Body, radius: f64, high: f64, leg: &Leg) -> Result<Option<(f64, DVec3)>, SolidError> {
+fn nearer(body: &Body, radius: f64, high: f64, way: &Way) -> Result<Option<(f64, DVec3)>, SolidError> {
     let touches = |radius: f64| -> Result<Option<DVec3>, SolidError> {
-        Ok(body.first_contact_on(radius, &leg.ball)?.map(|contact| leg.tip.at(contact.t)))
+        Ok(body.first_contact_on(radius, &way.ball)?.map(|contact| way.tip.at(contact.t)))
     };
     let (mut low, mut high) = (radius, high.max(radius));
     let Some(mut tip) = touches(high)? else { return Ok(None) };

@@ -8,9 +8,10 @@ use glam::DVec3;
 
 use crate::base::expr::QRef;
 use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
+use crate::engine::machine::Tool;
+use crate::engine::params::Content;
 use crate::engine::report::fault::Fault;
 use crate::engine::solid::Path;
-use crate::engine::world::state::Tool;
 use crate::spec::CycleKey;
 
 /// The version of the JSON form.
@@ -184,7 +185,7 @@ pub enum MessageKind {
 }
 
 impl MessageKind {
-    pub(in crate::engine) const fn as_str(self) -> &'static str {
+    pub(crate) const fn as_str(self) -> &'static str {
         match self {
             Self::Note => "note",
             Self::Warning => "warning",
@@ -194,15 +195,6 @@ impl MessageKind {
             Self::Stop => "stop",
         }
     }
-}
-
-/// The value that a Q parameter or a cell of a table gets.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Content {
-    /// A number.
-    Number(f64),
-    /// A text.
-    Text(Arc<str>),
 }
 
 /// How a run ended.

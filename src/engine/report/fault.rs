@@ -156,28 +156,28 @@ pub struct Fault {
 }
 
 impl Fault {
-    pub(in crate::engine) const fn new(class: Class, code: &'static str) -> Self {
+    pub(crate) const fn new(class: Class, code: &'static str) -> Self {
         Self { class, code: Cow::Borrowed(code), of_cycle: false, args: Vec::new() }
     }
 
-    pub(in crate::engine) const fn program(code: &'static str) -> Self {
+    pub(crate) const fn program(code: &'static str) -> Self {
         Self::new(Class::Program, code)
     }
 
-    pub(in crate::engine) const fn control(code: &'static str) -> Self {
+    pub(crate) const fn control(code: &'static str) -> Self {
         Self::new(Class::Control, code)
     }
 
-    pub(in crate::engine) const fn unsupported(code: &'static str) -> Self {
+    pub(crate) const fn unsupported(code: &'static str) -> Self {
         Self::new(Class::Unsupported, code)
     }
 
     /// A fault with a code of a specification.
-    pub(in crate::engine) fn of_cycle(code: &str) -> Self {
+    pub(crate) fn of_cycle(code: &str) -> Self {
         Self { class: Class::Control, code: Cow::Owned(code.to_owned()), of_cycle: true, args: Vec::new() }
     }
 
-    pub(in crate::engine) fn arg(mut self, name: &'static str, value: impl Into<Arg>) -> Self {
+    pub(crate) fn arg(mut self, name: &'static str, value: impl Into<Arg>) -> Self {
         self.args.push((name, value.into()));
         self
     }

@@ -7,14 +7,16 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::base::expr::QRef;
-use crate::engine::report::event::{At, Content, Event, EventKind, MessageKind, Status};
+use crate::engine::params::{Content, Params};
+use crate::engine::report::event::{At, Event, EventKind, MessageKind, Status};
 use crate::engine::report::fault::{Class, Fault};
-use crate::engine::run::{Outcome, Params, Shown};
+use crate::engine::report::outcome::Outcome;
+use crate::engine::report::outcome::Shown;
 use crate::spec::CycleKey;
 
 /// What another engine tells of a run.
 #[derive(Clone, Debug)]
-pub struct Told {
+pub struct ForeignOutcome {
     /// How it ended.
     pub status: Status,
     /// The code of the error that ended it.
@@ -35,7 +37,7 @@ pub struct Told {
     pub actions: Vec<EventKind>,
 }
 
-impl Told {
+impl ForeignOutcome {
     /// The outcome and the events of a run in which that cycle was executed.
     pub fn outcome(self, key: CycleKey) -> (Outcome, Vec<Event>) {
         let at = At { cycle: Some((key, None)), ..At::default() };

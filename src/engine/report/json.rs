@@ -6,7 +6,8 @@ use serde_json::Value;
 
 use crate::base::diag::Arg;
 use crate::engine::geometry::{Axis, RotaryAxis};
-use crate::engine::report::event::{Content, Coordinates, Event, EventKind, MoveKind, Threaded, Turned};
+use crate::engine::params::Content;
+use crate::engine::report::event::{Coordinates, Event, EventKind, MoveKind, Threaded, Turned};
 use crate::engine::report::fault::Class;
 
 /// A number as JSON has it: no negative zero.

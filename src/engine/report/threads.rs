@@ -44,7 +44,7 @@ enum Helix {
 
 /// What was seen so far.
 #[derive(Clone, Debug, Default)]
-pub(in crate::engine) struct Threads {
+pub(crate) struct Threads {
     radius: f64,
     axis: DVec3,
     turning: i8,
@@ -59,7 +59,7 @@ pub(in crate::engine) struct Threads {
 
 impl Threads {
     /// Takes an event before it is told. The thread that it ends.
-    pub(in crate::engine) fn see(&mut self, event: &Event) -> Option<Event> {
+    pub(crate) fn see(&mut self, event: &Event) -> Option<Event> {
         match &event.kind {
             EventKind::Move { kind: MoveKind::Feed, from, to, feed, path, .. } => {
                 self.helix = None;

@@ -4,14 +4,15 @@
 //! the values that it is given.
 use glam::DVec2;
 
-use super::cycle::Exec;
-use super::fault::Fault;
-use super::motion::Speed;
-use super::{Done, Run};
 use crate::base::expr::{Value, atan2d};
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
 use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
 use crate::engine::machine::Carried;
+use crate::engine::motion::moves::Speed;
 use crate::engine::plan::StrategyCall;
+use crate::engine::report::ending::Done;
+use crate::engine::report::fault::Fault;
 use crate::engine::table::{Cell, TableKind};
 
 /// Points that are nearer to each other, in mm, determine no direction: a tenth of what controls take as input.
@@ -215,8 +216,8 @@ impl<'e> Run<'_, 'e> {
     /// The display of a rotary axis shows 0 where it stands.
     pub(super) fn zero_display(&mut self, axis: RotaryAxis) {
         let before = self.world.system.told();
-        let system = &mut self.world.system;
-        let zero = axis.of(self.world.angles) - axis.of(system.angle_shift);
+        let system = &mut self.drives.world.system;
+        let zero = axis.of(self.drives.world.angles) - axis.of(system.angle_shift);
         system.angles = axis.with(system.angles, zero);
         self.transformed(before);
     }

@@ -2,13 +2,14 @@
 //!
 //! Invariant: an M function that is not listed here is a fault, never ignored.
 use super::program::After;
-use super::{Content, Done, EventKind, Run};
 use crate::base::diag::Span;
 use crate::base::expr::{Env, EvalError, QKind, QRef, Value, atan2d, cosd, sind};
-use crate::engine::cycle::execute::Exec;
+use crate::engine::flow::state::Run;
 use crate::engine::motion::axis::linear;
 use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::Speed;
+use crate::engine::params::Content;
+use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
 use crate::engine::table::{Cell, TableKind};
 use crate::engine::world::state::LOCKED;
@@ -38,9 +39,9 @@ impl Env for ProgramEnv<'_> {
 }
 
 impl<'e> Run<'_, 'e> {
-    pub(in crate::engine) fn block(&mut self, block: &'e Block) -> Done<After> {
+    pub(crate) fn block(&mut self, block: &'e Block) -> Done<After> {
         if self.contour.is_under_way() {
-            self.no_more_waits()?;
+            self.contour.no_more_waits(&self.drives.report)?;
         }
         match &block.kind {
             BlockKind::Empty
@@ -80,8 +81,8 @@ impl<'e> Run<'_, 'e> {
                 self.stop()?;
                 return self.after(functions, false);
             }
-            BlockKind::Statement(statement) if self.contour.is_disturbed() => {
-                self.not_beside_contour(self.slice(statement.head).trim())?;
+            BlockKind::Statement(statement) if self.drives.beside_contour => {
+                self.drives.not_beside_contour(self.slice(statement.head).trim())?;
             }
             BlockKind::Statement(_) if self.switches_mode(block) => {}
             BlockKind::Statement(statement) if statement.kind == StatementKind::Function => self.function(statement)?,
@@ -105,52 +106,6 @@ impl<'e> Run<'_, 'e> {
             _ => {}
         }
         Ok(After::GoOn)
-    }
-
-    pub(in crate::engine) fn not_executed(&self, head: Span) -> Fault {
-        let word = self.slice(head).split_ascii_whitespace().next().unwrap_or_default();
-        Fault::unsupported("unsupported-block").arg("word", word)
-    }
-
-    /// The value of an operand.
-    pub(in crate::engine) fn operand(&self, operand: &Operand) -> Result<f64, Fault> {
-        match operand.amount {
-            Amount::Number(number) => Ok(number),
-            Amount::Q { negative, q } => {
-                let value = self.params.number(q)?;
-                Ok(if negative { -value } else { value })
-            }
-            Amount::Text(_) => Err(Fault::unsupported("unsupported-block").arg("word", self.slice(operand.span))),
-        }
-    }
-
-    /// Gives a Q parameter a value, and tells it if that changes it.
-    pub(in crate::engine) fn set(&mut self, q: QRef, value: Content) -> Result<(), Fault> {
-        let changed = self.params.set(q, &value).map_err(|error| match error {
-            EvalError::Undefined(q) => Fault::program("no-such-parameter").arg("q", q.to_string()),
-            other => other.into(),
-        })?;
-        if changed {
-            self.tell(EventKind::Set { q, value });
-        }
-        Ok(())
-    }
-
-    /// Sets a Q parameter of the run: where a field says where the result goes, there.
-    pub(in crate::engine) fn set_of_cycle(
-        &mut self,
-        q: QRef,
-        value: Content,
-        exec: &mut Exec<'_, 'e>,
-    ) -> Result<(), Fault> {
-        if let (true, Content::Number(number)) = (exec.is_redirected(q), &value) {
-            let Some(target) = exec.redirected(q, *number) else { return Ok(()) };
-            return self.set(target, value);
-        }
-        match (value, exec.definition.scale_of(q)) {
-            (Content::Number(number), scale) if scale != 1.0 => self.set(q, Content::Number(number / scale)),
-            (value, _) => self.set(q, value),
-        }
     }
 
     fn assign(&mut self, assign: &FnAssign) -> Done {
@@ -177,7 +132,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn formula(&mut self, target: QRef) -> Done {
-        let code = self.programs.get(self.flow.program).and_then(|prepared| prepared.formula(self.flow.block));
+        let code = self.calls.here().and_then(|prepared| prepared.formula(self.calls.block));
         let Some(code) = code else { return Err(EvalError::Kind.into()) };
         let value = match (target.kind, code.eval(&ProgramEnv(&self.params))?) {
             (QKind::Qs, Value::Text(text)) => Content::Text(text),
@@ -196,7 +151,7 @@ impl<'e> Run<'_, 'e> {
             .take(3)
             .map(str::to_ascii_uppercase)
             .collect();
-        let active = &mut self.world.system.unexecuted;
+        let active = &mut self.drives.world.system.unexecuted;
         match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
             ["FUNCTION", "MODE", "TURN"] => active.insert(Transformation::Turning),
             ["FUNCTION", "MODE", "MILL"] => active.remove(&Transformation::Turning),
@@ -212,11 +167,11 @@ impl<'e> Run<'_, 'e> {
         if !what.eq_ignore_ascii_case("TABLE") {
             return Err(Fault::unsupported("unsupported-block").arg("word", format!("SEL {what}")).into());
         }
-        Ok(self.world.select_datum_table(name)?)
+        Ok(self.drives.world.select_datum_table(name)?)
     }
 
     fn tool_number(&self, tool: &ToolRef) -> Result<f64, Fault> {
-        let named = |name: &str| match self.world.tool_named(name)? {
+        let named = |name: &str| match self.drives.world.tool_named(name)? {
             Some(number) => Ok(number),
             None => Err(Fault::program("tool-not-in-table").arg("tool", name)),
         };
@@ -230,45 +185,47 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn tool_call(&mut self, call: &ToolCall) -> Done {
-        self.not_beside_contour("TOOL CALL")?;
-        let before = self.modal.spindle;
+        self.drives.not_beside_contour("TOOL CALL")?;
+        let before = self.drives.switched.spindle;
         if call.cutting_speed.is_some() {
             return Err(Fault::unsupported("unsupported-block").arg("word", "TOOL CALL VC").into());
         }
         if let Some(axis) = call.axis {
-            self.world.system.set_plane(linear(axis)?);
-            self.world.renew();
+            self.drives.world.system.set_plane(linear(axis)?);
+            self.drives.world.renew();
         }
         if let Some(tool) = &call.tool {
             let number = self.tool_number(tool)?;
             let delta = |value: &Option<Operand>| {
-                value.as_ref().map_or(Ok(0.0), |value| Ok::<_, Fault>(self.operand(value)? * self.unit()))
+                value.as_ref().map_or(Ok(0.0), |value| Ok::<_, Fault>(self.operand(value)? * self.drives.unit()))
             };
             let (delta_radius, delta_length) = (delta(&call.dr)?, delta(&call.dl)?);
-            let table = self.world.table(TableKind::Tool)?;
-            if self.world.has_tools() && !table.has_row(number) {
+            let table = self.drives.world.table(TableKind::Tool)?;
+            if self.drives.world.has_tools() && !table.has_row(number) {
                 return Err(Fault::program("tool-not-in-table").arg("tool", number).into());
             }
-            if self.world.has_tools() && table.text(number, "TL")? == LOCKED {
+            if self.drives.world.has_tools() && table.text(number, "TL")? == LOCKED {
                 return Err(Fault::control("tool-locked").arg("tool", number).into());
             }
-            let mut tool = self.world.tool_data(number, delta_radius, delta_length)?;
+            let mut tool = self.drives.world.tool_data(number, delta_radius, delta_length)?;
             tool.corner += delta(&call.dr2)?;
-            self.world.take_tool(tool);
+            self.drives.world.take_tool(tool);
         }
         if let Some(speed) = &call.speed {
-            self.modal.spindle.speed = self.operand(speed)?;
+            self.drives.switched.spindle.speed = self.operand(speed)?;
         }
         if let Some(feed) = &call.feed {
             let turns = match feed.kind {
                 FeedKind::Value(_) => 1.0,
-                FeedKind::PerRevolution(_) => self.modal.spindle.speed,
-                FeedKind::PerTooth(_) => self.modal.spindle.speed * self.world.tool().map_or(0.0, |tool| tool.teeth),
+                FeedKind::PerRevolution(_) => self.drives.switched.spindle.speed,
+                FeedKind::PerTooth(_) => {
+                    self.drives.switched.spindle.speed * self.drives.world.tool().map_or(0.0, |tool| tool.teeth)
+                }
                 FeedKind::Max | FeedKind::Auto => 0.0,
             };
             match feed.kind {
                 FeedKind::Value(value) | FeedKind::PerRevolution(value) | FeedKind::PerTooth(value) => {
-                    let value = self.operand(&value)? * self.unit() * turns;
+                    let value = self.operand(&value)? * self.drives.unit() * turns;
                     (self.modal.feed, self.modal.tool_feed) = (Some(value), Some(value));
                 }
                 FeedKind::Max | FeedKind::Auto => {
@@ -276,10 +233,10 @@ impl<'e> Run<'_, 'e> {
                 }
             }
         }
-        let called = call.tool.as_ref().and(self.world.tool());
-        let turns_otherwise = self.modal.spindle != before && before.direction != 0;
+        let called = call.tool.as_ref().and(self.drives.world.tool());
+        let turns_otherwise = self.drives.switched.spindle != before && before.direction != 0;
         if called.is_some() || turns_otherwise {
-            self.tell_spindle(called.map(|tool| (tool, self.world.system.plane.tool)));
+            self.drives.report_spindle(called.map(|tool| (tool, self.drives.world.system.plane.tool)));
         }
         Ok(())
     }
@@ -289,8 +246,8 @@ impl<'e> Run<'_, 'e> {
         let number = self.tool_number(&definition.tool)?;
         for (column, value) in [("L", &definition.length), ("R", &definition.radius)] {
             let Some(value) = value else { continue };
-            let value = self.operand(value)? * self.unit();
-            if let Some(table) = self.world.tools_of_program() {
+            let value = self.operand(value)? * self.drives.unit();
+            if let Some(table) = self.drives.world.tools_of_program() {
                 table.add_row(number)?;
                 table.set(number, column, &Cell::Number(value))?;
             }
@@ -315,13 +272,13 @@ impl<'e> Run<'_, 'e> {
             match effect {
                 Effect::Retract if retracts => self.retract(function)?,
                 Effect::Retract => return Err(self.no_function(function).into()),
-                Effect::Spindle(direction) if direction != 0 => self.spindle(direction),
-                Effect::Coolant(true) => self.coolant(true),
-                Effect::HoldTip(true) => self.hold_tip(true)?,
-                Effect::Orient => self.orient(self.modal.orientation),
+                Effect::Spindle(direction) if direction != 0 => self.drives.spindle(direction),
+                Effect::Coolant(true) => self.drives.coolant(true),
+                Effect::HoldTip(true) => self.drives.hold_tip(true)?,
+                Effect::Orient => self.drives.orient(self.drives.switched.orientation),
                 Effect::SpindleAndCoolant(direction) => {
-                    self.spindle(direction);
-                    self.coolant(true);
+                    self.drives.spindle(direction);
+                    self.drives.coolant(true);
                 }
                 _ => {}
             }
@@ -336,25 +293,25 @@ impl<'e> Run<'_, 'e> {
     /// `M140 MB50`, `M140 MB MAX`: away from the workpiece at rapid traverse, by a length or to the end of the tool
     /// axis. Only where the tool stands along an axis of the machine.
     fn retract(&mut self, function: &MFunction) -> Done {
-        let leans = self.world.system.is_on_workpiece() || self.world.head.is_some();
+        let leans = self.drives.world.system.is_on_workpiece() || self.drives.world.head.is_some();
         let length = function.with.map(|with| self.slice(with).to_ascii_uppercase());
         let length = length.as_deref().and_then(|with| with.trim().strip_prefix("MB")).map(str::trim);
-        let tool = self.world.system.plane.tool;
+        let tool = self.drives.world.system.plane.tool;
         let (Some(length), false, false) = (length, leans, self.contour.is_under_way()) else {
             return Err(self.no_function(function).into());
         };
-        let now = tool.of(self.world.machine);
+        let now = tool.of(self.drives.world.machine);
         let to = if length == "MAX" {
-            let axes = &self.world.scene.machine.axes;
+            let axes = &self.drives.world.scene.machine.axes;
             axes.iter().find(|axis| axis.axis == tool).map_or(now, |axis| axis.max.max(now))
         } else {
             match length.replace(',', ".").parse::<f64>() {
-                Ok(length) => now + length * self.unit(),
+                Ok(length) => now + length * self.drives.unit(),
                 Err(_) => return Err(self.no_function(function).into()),
             }
         };
-        let end = tool.with(self.world.machine, to);
-        self.turn_and_go(&[], self.world.to_program(end), Some(end), Ok(Speed::Rapid))
+        let end = tool.with(self.drives.world.machine, to);
+        self.drives.turn_and_go(&[], self.drives.world.to_program(end), Some(end), Ok(Speed::Rapid))
     }
 
     /// M functions that act at the end of their block, and the call of the last cycle.
@@ -374,20 +331,20 @@ impl<'e> Run<'_, 'e> {
         if ends {
             self.end_contour()?;
         }
-        if has(Effect::Spindle(0)) || (ends && self.modal.spindle.direction != 0) {
-            self.spindle(0);
+        if has(Effect::Spindle(0)) || (ends && self.drives.switched.spindle.direction != 0) {
+            self.drives.spindle(0);
         }
-        if has(Effect::Coolant(false)) || (ends && self.modal.coolant) {
-            self.coolant(false);
+        if has(Effect::Coolant(false)) || (ends && self.drives.switched.coolant) {
+            self.drives.coolant(false);
         }
         if has(Effect::HoldTip(false)) {
-            self.hold_tip(false)?;
+            self.drives.hold_tip(false)?;
         }
         if has(Effect::Stop) {
             self.stop()?;
         }
         if ends {
-            self.end_changes();
+            self.drives.end_changes();
         }
         Ok(if ends { After::End } else { After::GoOn })
     }

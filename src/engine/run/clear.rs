@@ -4,11 +4,12 @@
 //! middle, then outlines that grow by equal steps. What no path can make is a fault.
 use glam::{DVec2, DVec3};
 
-use super::cycle::Exec;
-use super::fault::{Class, Fault};
-use super::outline::{Outline, Place, Tangent, left_of, unit};
-use super::{Done, Run};
+use crate::engine::contour::outline::{Outline, Place, Tangent, left_of, unit};
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
 use crate::engine::plan::StrategyCall;
+use crate::engine::report::ending::Done;
+use crate::engine::report::fault::{Class, Fault};
 
 /// What calculation may add to a whole number of steps, and to a size.
 const SPARE: f64 = 1e-9;
@@ -220,7 +221,8 @@ impl<'e> Run<'_, 'e> {
         }
         let outline = work.outline(0.0);
         self.mill_outline(place, &outline, *feed)?;
-        self.mill_leave(place, &work.tangent(&outline, step.min(self.tool_radius()) / 2.0), *feed)
+        let tangent = work.tangent(&outline, step.min(self.tool_radius()) / 2.0);
+        self.mill_leave(place, &tangent, *feed)
     }
 
     /// To and fro along the core, to where the outlines begin.

@@ -4,11 +4,12 @@
 use glam::DVec3;
 
 use super::clear::MAX_OUTLINES;
-use super::cycle::Exec;
-use super::fault::{Class, Fault};
-use super::motion::Speed;
-use super::{Done, Run};
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
+use crate::engine::motion::moves::Speed;
 use crate::engine::plan::StrategyCall;
+use crate::engine::report::ending::Done;
+use crate::engine::report::fault::{Class, Fault};
 
 /// The mode in which all lines of a level have the same direction.
 const SAME_DIRECTION: f64 = 2.0;
@@ -55,6 +56,6 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn face_to(&mut self, to: DVec3, feed: f64) -> Done {
-        self.straight_to(self.world.system.axes(to), None, Speed::of_feed(feed))
+        self.drives.straight_to(self.drives.world.system.axes(to), None, Speed::of_feed(feed))
     }
 }

@@ -4,14 +4,15 @@
 //! Invariant: one value or one movement at a time; which cycle asks is not known here.
 use glam::{DMat3, DVec3};
 
-use super::cycle::Exec;
-use super::fault::Fault;
-use super::motion::Speed;
-use super::probe::Approach;
-use super::{Done, Run};
 use crate::base::expr::{Value, atan2d};
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
 use crate::engine::geometry::Axis;
+use crate::engine::motion::moves::Speed;
+use crate::engine::motion::probe::Approach;
 use crate::engine::plan::StrategyCall;
+use crate::engine::report::ending::Done;
+use crate::engine::report::fault::Fault;
 use crate::engine::table::{Cell, TableKind};
 
 /// Three points lie on a line if the triangle that they span is flatter than this, as a sine.
@@ -50,7 +51,11 @@ impl<'e> Run<'_, 'e> {
                     self.world.machine = stop.tip;
                     self.world.renew();
                 }
-                Err(super::Leave::Fault(fault)) if silent && fault.code == "probe-deflected" => status = 2.0,
+                Err(crate::engine::report::ending::Leave::Fault(fault))
+                    if silent && fault.code == "probe-deflected" =>
+                {
+                    status = 2.0
+                }
                 Err(leave) => return Err(leave),
             }
         }
@@ -68,7 +73,7 @@ impl<'e> Run<'_, 'e> {
         let Some(pressed) = self.world.pressed else { return Ok(()) };
         let way = (self.world.machine - pressed.from).dot(pressed.direction);
         let to = self.world.machine - pressed.direction * path.clamp(0.0, way.max(0.0));
-        self.straight_to(self.world.to_program(to), Some(to), Ok(Speed::Rapid))
+        self.drives.straight_to(self.drives.world.to_program(to), Some(to), Ok(Speed::Rapid))
     }
 
     /// The angles of the plane through three points: those of its sections along the axes, those of rotary axes A and B

@@ -3,12 +3,13 @@
 //! Invariant: one level at a time, from one height to another; which cycle plunges is not known here.
 use glam::DVec3;
 
-use super::cycle::Exec;
-use super::fault::{Class, Fault};
-use super::motion::Speed;
-use super::{Done, Run};
 use crate::base::expr::{cosd, sind, tand};
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
+use crate::engine::motion::moves::Speed;
 use crate::engine::plan::StrategyCall;
+use crate::engine::report::ending::Done;
+use crate::engine::report::fault::{Class, Fault};
 
 /// More turns or strokes for one level than this are refused.
 const MAX_PASSES: f64 = 10_000.0;

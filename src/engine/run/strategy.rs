@@ -3,12 +3,14 @@
 //! Invariant: each does one thing with the values that it is given; none knows which cycle asked for it.
 use glam::DVec3;
 
-use super::cycle::Exec;
-use super::fault::{Class, Fault};
-use super::{Done, EventKind, Run};
 use crate::base::expr::Value;
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
 use crate::engine::geometry::{Axis, Frame};
 use crate::engine::plan::{Calc, Strategy, StrategyCall};
+use crate::engine::report::ending::Done;
+use crate::engine::report::event::EventKind;
+use crate::engine::report::fault::{Class, Fault};
 use crate::engine::scene::Preset;
 use crate::engine::table::{Cell, TableKind};
 
@@ -31,7 +33,7 @@ impl Wanted {
 }
 
 impl<'e> Run<'_, 'e> {
-    pub(in crate::engine) fn strategy(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
+    pub(crate) fn strategy(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
         match call.strategy {
             Strategy::SetDatum => {
                 let wanted = self.wanted(call, exec)?;
@@ -97,7 +99,7 @@ impl<'e> Run<'_, 'e> {
             Strategy::DepartThreadTangentially => self.depart_thread_tangentially(call, exec),
             Strategy::CountersinkOnCircle => self.countersink_on_circle(call, exec),
             Strategy::ReverseSpindle => {
-                let direction = -self.modal.spindle.direction;
+                let direction = -self.switched.spindle.direction;
                 self.spindle(direction);
                 Ok(())
             }
@@ -120,7 +122,7 @@ impl<'e> Run<'_, 'e> {
                 self.execute_program(&name)
             }
             Strategy::KeepOrientationAngle => {
-                self.modal.orientation = self.given(call, 0, exec)?;
+                self.switched.orientation = self.given(call, 0, exec)?;
                 Ok(())
             }
             Strategy::KeepTolerance => {
@@ -131,7 +133,7 @@ impl<'e> Run<'_, 'e> {
                     }
                 }
                 let given = call.with.first().is_some_and(Option::is_some);
-                self.tell(EventKind::Tolerance(given.then_some(values)));
+                self.report.report(EventKind::Tolerance(given.then_some(values)));
                 Ok(())
             }
             Strategy::ToleranceBand => {
@@ -160,23 +162,18 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// An argument that must be there.
-    pub(in crate::engine) fn argument(call: &StrategyCall, index: usize) -> Result<&Calc, Fault> {
+    pub(crate) fn argument(call: &StrategyCall, index: usize) -> Result<&Calc, Fault> {
         let missing = || Fault::new(Class::Internal, "strategy-argument");
         call.with.get(index).and_then(Option::as_ref).ok_or_else(missing)
     }
 
     /// The number of an argument that must be there.
-    pub(in crate::engine) fn given(
-        &self,
-        call: &StrategyCall,
-        index: usize,
-        exec: &Exec<'_, 'e>,
-    ) -> Result<f64, Fault> {
+    pub(crate) fn given(&self, call: &StrategyCall, index: usize, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
         self.number(Self::argument(call, index)?, exec)
     }
 
     /// The numbers of arguments from that index on.
-    pub(in crate::engine) fn all_given<const N: usize>(
+    pub(crate) fn all_given<const N: usize>(
         &self,
         call: &StrategyCall,
         from: usize,
@@ -190,7 +187,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The feed that stands beside the strategy.
-    pub(in crate::engine) fn feed_given(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
+    pub(crate) fn feed_given(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
         let missing = || Fault::new(Class::Internal, "strategy-argument");
         self.number(call.feed.as_ref().ok_or_else(missing)?, exec)
     }
@@ -260,7 +257,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// Whether the values of datum tables count from the machine datum and not from the preset.
-    pub(in crate::engine) fn datums_of_machine(&self, exec: &Exec<'_, 'e>) -> bool {
+    pub(crate) fn datums_of_machine(&self, exec: &Exec<'_, 'e>) -> bool {
         self.machine_datum("datum-table-reference", exec) == Some(1.0)
     }
 }

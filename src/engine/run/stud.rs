@@ -4,12 +4,13 @@
 use glam::DVec2;
 
 use super::clear::MAX_OUTLINES;
-use super::cycle::Exec;
-use super::fault::{Class, Fault};
-use super::outline::{Outline, Place, Tangent, left_of};
-use super::{Done, Run};
 use crate::base::expr::atan2d;
+use crate::engine::contour::outline::{Outline, Place, Tangent, left_of};
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
 use crate::engine::plan::StrategyCall;
+use crate::engine::report::ending::Done;
+use crate::engine::report::fault::{Class, Fault};
 
 /// What calculation may add to a whole number of laps.
 const SPARE: f64 = 1e-9;

@@ -5,12 +5,13 @@
 //! cutting edge at the thread: the tool centre goes slower inside and faster outside.
 use glam::DVec2;
 
-use super::cycle::Exec;
-use super::fault::{Class, Fault};
-use super::motion::Speed;
-use super::outline::Place;
-use super::{Done, Run};
+use crate::engine::contour::outline::Place;
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
+use crate::engine::motion::moves::Speed;
 use crate::engine::plan::StrategyCall;
+use crate::engine::report::ending::Done;
+use crate::engine::report::fault::{Class, Fault};
 
 /// What calculation may add to a whole number of turns.
 const SPARE: f64 = 1e-9;

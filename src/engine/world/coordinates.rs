@@ -58,7 +58,7 @@ pub struct System {
 }
 
 impl System {
-    pub(in crate::engine) fn new(plane: WorkingPlane) -> Self {
+    pub(crate) fn new(plane: WorkingPlane) -> Self {
         Self {
             preset: 0.0,
             origin: DVec3::ZERO,
@@ -167,13 +167,13 @@ impl System {
         self.angles + self.angle_shift
     }
 
-    pub(in crate::engine) fn set_preset(&mut self, row: f64, preset: Preset) {
+    pub(crate) fn set_preset(&mut self, row: f64, preset: Preset) {
         (self.preset, self.origin, self.basic, self.angles) = (row, preset.origin, preset.basic, preset.angles);
         self.rebuild();
     }
 
     /// Moves the preset that is in effect.
-    pub(in crate::engine) fn set_origin(&mut self, origin: DVec3) {
+    pub(crate) fn set_origin(&mut self, origin: DVec3) {
         self.origin = origin;
         self.rebuild();
     }
@@ -183,58 +183,58 @@ impl System {
         self.plane.tool.of(self.basic)
     }
 
-    pub(in crate::engine) fn set_basic_rotation(&mut self, degrees: f64) {
+    pub(crate) fn set_basic_rotation(&mut self, degrees: f64) {
         self.basic = self.plane.tool.with(self.basic, degrees);
         self.rebuild();
     }
 
-    pub(in crate::engine) fn set_plane(&mut self, axis: Axis) {
+    pub(crate) fn set_plane(&mut self, axis: Axis) {
         self.plane = WorkingPlane::of_tool_axis(axis);
         self.rebuild();
     }
 
-    pub(in crate::engine) fn set_datum(&mut self, by: DVec3) {
+    pub(crate) fn set_datum(&mut self, by: DVec3) {
         self.change(Change::Shift(by), by == DVec3::ZERO);
     }
 
-    pub(in crate::engine) fn set_rotation(&mut self, angle: f64) {
+    pub(crate) fn set_rotation(&mut self, angle: f64) {
         self.change(Change::Rotate(angle), angle == 0.0);
     }
 
     /// Mirrors axes: those of -1; with all of them 1 nothing is mirrored.
-    pub(in crate::engine) fn set_mirror(&mut self, linear: DVec3, rotary: DVec3) {
+    pub(crate) fn set_mirror(&mut self, linear: DVec3, rotary: DVec3) {
         self.change(Change::Mirror(linear, rotary), linear == DVec3::ONE && rotary == DVec3::ONE);
     }
 
-    pub(in crate::engine) fn set_scale(&mut self, factor: f64) {
+    pub(crate) fn set_scale(&mut self, factor: f64) {
         self.change(Change::Scale(factor), factor == 1.0);
     }
 
-    pub(in crate::engine) fn set_axis_scale(&mut self, factors: DVec3, about: DVec3) {
+    pub(crate) fn set_axis_scale(&mut self, factors: DVec3, about: DVec3) {
         self.change(Change::ScaleAxes(factors, about), factors == DVec3::ONE);
     }
 
-    pub(in crate::engine) fn set_tilt(&mut self, angles: DVec3) {
+    pub(crate) fn set_tilt(&mut self, angles: DVec3) {
         self.change(Change::Tilt(angles), angles == DVec3::ZERO);
     }
 
     /// An additional datum shift while a cycle is executed at a point of a pattern.
-    pub(in crate::engine) fn set_point(&mut self, by: DVec3) {
+    pub(crate) fn set_point(&mut self, by: DVec3) {
         self.change(Change::Point(by), by == DVec3::ZERO);
     }
 
-    pub(in crate::engine) fn set_tip_held(&mut self, held: bool) {
+    pub(crate) fn set_tip_held(&mut self, held: bool) {
         self.tip_held = held;
         self.rebuild();
     }
 
-    pub(in crate::engine) fn set_table(&mut self, table: Frame) {
+    pub(crate) fn set_table(&mut self, table: Frame) {
         self.table = table;
         self.rebuild();
     }
 
     /// Ends everything that programs change on top of the preset. Whether there was anything.
-    pub(in crate::engine) fn end_changes(&mut self) -> bool {
+    pub(crate) fn end_changes(&mut self) -> bool {
         let any = !self.changes.is_empty() || self.angle_shift != DVec3::ZERO || self.tip_held;
         self.changes.clear();
         self.tip_held = false;

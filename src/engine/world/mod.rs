@@ -2,6 +2,6 @@
 //!
 //! Start reading at [`state`]. Invariant: nothing moves by itself here and nothing is reported; who moves the machine
 //! is `engine::motion`.
-pub(in crate::engine) mod coordinates;
-pub(in crate::engine) mod state;
-pub(in crate::engine) mod stylus;
+pub(crate) mod coordinates;
+pub(crate) mod state;
+pub(crate) mod stylus;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
-use crate::engine::motion::probe::Pressed;
+use crate::engine::machine::Tool;
 use crate::engine::report::fault::Fault;
 use crate::engine::scene::{Answers, Preset, Scene};
 use crate::engine::solid::Path as BallPath;
@@ -17,33 +17,17 @@ use crate::engine::world::coordinates::System;
 use crate::engine::world::stylus::{OfMachine, ProbeData};
 
 /// The word that locks a tool in the column TL.
-pub(in crate::engine) const LOCKED: &str = "L";
+pub(crate) const LOCKED: &str = "L";
 
-/// The tool in the spindle.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Tool {
-    /// Its number.
-    pub number: f64,
-    /// Radius with all oversizes, mm.
-    pub radius: f64,
-    /// Length with all oversizes, mm.
-    pub length: f64,
-    /// Radius of the corner between end and side with all oversizes, mm: 0 of a flat end, the radius of a ball.
-    pub corner: f64,
-    /// Angle of the point, degrees; 0 of tools that have none.
-    pub point: f64,
-    /// Greatest plunging angle, degrees; 0 if none is known.
-    pub angle: f64,
-    /// Length of the cutting edges, mm; 0 if none is known.
-    pub lcuts: f64,
-    /// Radius of the edge at the bottom (R2), mm.
-    pub corner_radius: f64,
-    /// Number of teeth; 0 if none is known.
-    pub teeth: f64,
-    /// The row of the probe table that belongs to it, if it is a touch probe.
-    pub probe: Option<f64>,
-    /// The oversizes of the tool call: radius and length, mm.
-    pub deltas: (f64, f64),
+/// The probe where it stopped after touching, until it moves.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pressed {
+    /// Where the movement began: the tool tip in machine coordinates.
+    pub from: DVec3,
+    /// Its direction in the machine.
+    pub direction: DVec3,
+    /// How far the ball went on after touching, mm.
+    pub depth: f64,
 }
 
 /// Tables, and which were written.
@@ -55,11 +39,11 @@ struct Kept {
 }
 
 /// The tables at a moment, to return to.
-pub(in crate::engine) struct Tables(Arc<Kept>);
+pub(crate) struct Tables(Arc<Kept>);
 
 /// The virtual machine.
 #[derive(Clone)]
-pub(in crate::engine) struct World<'s> {
+pub(crate) struct World<'s> {
     /// The scene.
     pub scene: &'s Scene,
     /// The coordinate system.
@@ -74,17 +58,17 @@ pub(in crate::engine) struct World<'s> {
     /// nothing while it stands as at the start.
     parts: Option<Frame>,
     /// How the head is turned, if it does not stand at 0.
-    pub(in crate::engine) head: Option<Frame>,
+    pub(crate) head: Option<Frame>,
     /// How far the spindle is turned from the angle at which the probe was calibrated, degrees.
     pub spindle_turned: f64,
     /// How many triggers there were that the scene lets scatter.
-    pub(in crate::engine) triggered: usize,
+    pub(crate) triggered: usize,
     /// The probe where it stopped after touching, until it moves.
-    pub(in crate::engine) pressed: Option<Pressed>,
+    pub(crate) pressed: Option<Pressed>,
     /// Whether the machine has all linear axes.
     all_axes: bool,
     /// What machine parameters say of touch probes.
-    pub(in crate::engine) of_machine: OfMachine,
+    pub(crate) of_machine: OfMachine,
     /// What the operator will say.
     pub answers: Answers,
     tool: Option<Tool>,
@@ -96,7 +80,7 @@ pub(in crate::engine) struct World<'s> {
 }
 
 impl<'s> World<'s> {
-    pub(in crate::engine) fn new(scene: &'s Scene, of_machine: OfMachine) -> Result<Self, TableError> {
+    pub(crate) fn new(scene: &'s Scene, of_machine: OfMachine) -> Result<Self, TableError> {
         let mut tables = BTreeMap::new();
         for (kind, table) in
             [(TableKind::Tool, &scene.tools), (TableKind::Probe, &scene.probes), (TableKind::Preset, &scene.presets)]
@@ -135,23 +119,23 @@ impl<'s> World<'s> {
     }
 
     /// Program coordinates follow a change of the system; the machine stays where it is.
-    pub(in crate::engine) fn renew(&mut self) {
+    pub(crate) fn renew(&mut self) {
         self.here = self.to_program(self.machine);
     }
 
     /// Program coordinates of a position of the linear axes, given by the tool tip while the head stands at 0.
-    pub(in crate::engine) fn to_program(&self, machine: DVec3) -> DVec3 {
+    pub(crate) fn to_program(&self, machine: DVec3) -> DVec3 {
         self.system.back().point(machine + self.swung())
     }
 
     /// The way back from [`World::to_program`].
-    pub(in crate::engine) fn to_machine(&self, program: DVec3) -> DVec3 {
+    pub(crate) fn to_machine(&self, program: DVec3) -> DVec3 {
         self.system.frame().point(program) - self.swung()
     }
 
     /// By how much the head, as it is turned, has moved the tool tip; nothing where the control goes on as if it stood
     /// at 0.
-    pub(in crate::engine) fn swung(&self) -> DVec3 {
+    pub(crate) fn swung(&self) -> DVec3 {
         match self.head {
             Some(head) if self.system.is_on_workpiece() => self.swing(&head),
             _ => DVec3::ZERO,
@@ -159,24 +143,24 @@ impl<'s> World<'s> {
     }
 
     /// By how much a head that is turned so moves the tool tip.
-    pub(in crate::engine) fn swing(&self, head: &Frame) -> DVec3 {
+    pub(crate) fn swing(&self, head: &Frame) -> DVec3 {
         let up = self.to_pivot();
         up - head.vector(up)
     }
 
     /// From the tool tip to the point about which the head turns, while it stands at 0.
-    pub(in crate::engine) fn to_pivot(&self) -> DVec3 {
+    pub(crate) fn to_pivot(&self) -> DVec3 {
         let length = self.tool.map_or(0.0, |tool| tool.length) + self.scene.machine.pivot;
         self.system.plane.tool.unit() * length
     }
 
     /// A preset of the table.
-    pub(in crate::engine) fn preset(&self, row: f64) -> Result<Preset, TableError> {
+    pub(crate) fn preset(&self, row: f64) -> Result<Preset, TableError> {
         Preset::of_row(self.table(TableKind::Preset)?, row)
     }
 
     /// The rotary axes get new coordinates.
-    pub(in crate::engine) fn turn(&mut self, angles: DVec3) {
+    pub(crate) fn turn(&mut self, angles: DVec3) {
         self.angles = angles;
         let machine = &self.scene.machine;
         let (table, at_start) = (machine.table(angles), machine.table(self.scene.start_angles));
@@ -186,7 +170,7 @@ impl<'s> World<'s> {
     }
 
     /// A system on the workpiece goes with the table.
-    pub(in crate::engine) fn carry_system(&mut self) {
+    pub(crate) fn carry_system(&mut self) {
         let table = self.carried(self.angles);
         if self.system.table != table {
             self.system.set_table(table);
@@ -197,44 +181,44 @@ impl<'s> World<'s> {
     }
 
     /// Where the table puts the workpiece when the rotary axes stand there.
-    pub(in crate::engine) fn carried(&self, angles: DVec3) -> Frame {
+    pub(crate) fn carried(&self, angles: DVec3) -> Frame {
         let machine = &self.scene.machine;
         machine.table(angles).of(machine.table(self.system.angle_datum()).inverse())
     }
 
     /// The tables as they are now.
-    pub(in crate::engine) fn tables(&self) -> Tables {
+    pub(crate) fn tables(&self) -> Tables {
         Tables(Arc::clone(&self.kept))
     }
 
     /// Makes the tables again what they were.
-    pub(in crate::engine) fn restore(&mut self, tables: Tables) {
+    pub(crate) fn restore(&mut self, tables: Tables) {
         self.kept = tables.0;
         self.probe.take();
     }
 
     /// A point of the machine as the parts see it, that is where it was relative to them at the start.
-    pub(in crate::engine) fn at_parts(&self, point: DVec3) -> DVec3 {
+    pub(crate) fn at_parts(&self, point: DVec3) -> DVec3 {
         self.parts.map_or(point, |parts| parts.point(point))
     }
 
     /// The direction of a vector of the machine as the parts see it.
-    pub(in crate::engine) fn along_parts(&self, vector: DVec3) -> DVec3 {
+    pub(crate) fn along_parts(&self, vector: DVec3) -> DVec3 {
         self.parts.map_or(vector, |parts| parts.vector(vector))
     }
 
     /// The way back from [`World::along_parts`].
-    pub(in crate::engine) fn vector_off_parts(&self, vector: DVec3) -> DVec3 {
+    pub(crate) fn vector_off_parts(&self, vector: DVec3) -> DVec3 {
         self.parts.map_or(vector, |parts| parts.inverse().vector(vector))
     }
 
     /// The way back from [`World::at_parts`].
-    pub(in crate::engine) fn off_parts(&self, point: DVec3) -> DVec3 {
+    pub(crate) fn off_parts(&self, point: DVec3) -> DVec3 {
         self.parts.map_or(point, |parts| parts.inverse().point(point))
     }
 
     /// A path of the ball as the parts see it.
-    pub(in crate::engine) fn path_at_parts(&self, path: &BallPath) -> BallPath {
+    pub(crate) fn path_at_parts(&self, path: &BallPath) -> BallPath {
         match *path {
             BallPath::Line { from, to } => BallPath::line(self.at_parts(from), self.at_parts(to)),
             BallPath::Arc { centre, axis, from, sweep, rise } => BallPath::Arc {
@@ -248,13 +232,13 @@ impl<'s> World<'s> {
     }
 
     /// The path of the tool tip, of a path of the linear axes.
-    pub(in crate::engine) fn path_of_tip(&self, path: &BallPath) -> BallPath {
+    pub(crate) fn path_of_tip(&self, path: &BallPath) -> BallPath {
         let swung = self.swung();
         if swung == DVec3::ZERO { *path } else { path.moved(swung) }
     }
 
     /// The table of a kind; of datum tables the active one.
-    pub(in crate::engine) fn table(&self, kind: TableKind) -> Result<&Table, TableError> {
+    pub(crate) fn table(&self, kind: TableKind) -> Result<&Table, TableError> {
         let table = match kind {
             TableKind::Points => None,
             TableKind::Datum => self.kept.datums.get(self.datum),
@@ -264,7 +248,7 @@ impl<'s> World<'s> {
     }
 
     /// The table of a kind, to be written; it counts as written from now on.
-    pub(in crate::engine) fn table_to_write(&mut self, kind: TableKind) -> Result<&mut Table, TableError> {
+    pub(crate) fn table_to_write(&mut self, kind: TableKind) -> Result<&mut Table, TableError> {
         let Kept { tables, datums, written } = Arc::make_mut(&mut self.kept);
         let table = match kind {
             TableKind::Points => None,
@@ -281,20 +265,20 @@ impl<'s> World<'s> {
     }
 
     /// A table that the program itself fills: it does not count as written.
-    pub(in crate::engine) fn tools_of_program(&mut self) -> Option<&mut Table> {
+    pub(crate) fn tools_of_program(&mut self) -> Option<&mut Table> {
         self.probe.take();
         Arc::make_mut(&mut self.kept).tables.get_mut(&TableKind::Tool).map(Arc::make_mut)
     }
 
     /// Makes a datum table the active one.
-    pub(in crate::engine) fn select_datum_table(&mut self, name: &str) -> Result<(), TableError> {
+    pub(crate) fn select_datum_table(&mut self, name: &str) -> Result<(), TableError> {
         let found = self.kept.datums.iter().position(|table| table.is_named(name));
         self.datum = found.ok_or_else(|| TableError::NoTable { file: name.to_owned() })?;
         Ok(())
     }
 
     /// Names and texts of the tables that were written.
-    pub(in crate::engine) fn written(&self) -> Vec<(String, String)> {
+    pub(crate) fn written(&self) -> Vec<(String, String)> {
         let all = self.kept.tables.values().chain(&self.kept.datums);
         let text =
             |file: &String| all.clone().find(|table| table.file() == file).map(|table| (file.clone(), table.to_text()));
@@ -302,22 +286,17 @@ impl<'s> World<'s> {
     }
 
     /// The number of the tool of a name.
-    pub(in crate::engine) fn tool_named(&self, name: &str) -> Result<Option<f64>, TableError> {
+    pub(crate) fn tool_named(&self, name: &str) -> Result<Option<f64>, TableError> {
         self.table(TableKind::Tool)?.find("NAME", name)
     }
 
     /// Whether tool calls are checked against the table.
-    pub(in crate::engine) fn has_tools(&self) -> bool {
+    pub(crate) fn has_tools(&self) -> bool {
         self.table(TableKind::Tool).is_ok_and(|table| table.rows().next().is_some())
     }
 
     /// The data of a tool with the oversizes of a tool call.
-    pub(in crate::engine) fn tool_data(
-        &self,
-        number: f64,
-        delta_radius: f64,
-        delta_length: f64,
-    ) -> Result<Tool, TableError> {
+    pub(crate) fn tool_data(&self, number: f64, delta_radius: f64, delta_length: f64) -> Result<Tool, TableError> {
         let table = self.table(TableKind::Tool)?;
         if !self.has_tools() {
             let deltas = (delta_radius, delta_length);
@@ -340,12 +319,12 @@ impl<'s> World<'s> {
     }
 
     /// The tool, once one was called.
-    pub(in crate::engine) const fn tool(&self) -> Option<Tool> {
+    pub(crate) const fn tool(&self) -> Option<Tool> {
         self.tool
     }
 
     /// Puts a tool into the spindle.
-    pub(in crate::engine) fn take_tool(&mut self, tool: Tool) {
+    pub(crate) fn take_tool(&mut self, tool: Tool) {
         self.tool = Some(tool);
         (self.spindle_turned, self.pressed) = (0.0, None);
         self.probe.take();
@@ -356,7 +335,7 @@ impl<'s> World<'s> {
 
     /// The tool in the spindle gets the data that its row has now. The spindle stays where it is, so a new length
     /// moves the tip.
-    pub(in crate::engine) fn renew_tool(&mut self) -> Result<(), TableError> {
+    pub(crate) fn renew_tool(&mut self) -> Result<(), TableError> {
         let Some(old) = self.tool else { return Ok(()) };
         let new = self.tool_data(old.number, old.deltas.0, old.deltas.1)?;
         let tool = self.system.plane.tool.unit();
@@ -372,27 +351,27 @@ impl<'s> World<'s> {
 
     /// The touch probe that a probing cycle uses now. Where no tool has a row of the probe table, the tool in
     /// the spindle is taken for the scene's probe.
-    pub(in crate::engine) fn probe(&self) -> Result<ProbeData, Fault> {
+    pub(crate) fn probe(&self) -> Result<ProbeData, Fault> {
         self.probe.get_or_init(|| self.read_probe()).clone()
     }
 
     /// The same, if there is one.
-    pub(in crate::engine) fn probe_if_any(&self) -> Option<ProbeData> {
+    pub(crate) fn probe_if_any(&self) -> Option<ProbeData> {
         self.probe.get_or_init(|| self.read_probe()).as_ref().ok().copied()
     }
 
     /// The point about which the head turns when the tool tip is there, in machine coordinates.
-    pub(in crate::engine) fn pivot(&self, tip: DVec3) -> DVec3 {
+    pub(crate) fn pivot(&self, tip: DVec3) -> DVec3 {
         tip + self.to_pivot()
     }
 
     /// The number that a machine parameter has in the scene, by the name that the control prints.
-    pub(in crate::engine) fn machine_parameter(&self, printed: &str) -> Option<f64> {
+    pub(crate) fn machine_parameter(&self, printed: &str) -> Option<f64> {
         self.scene.machine_number(printed)
     }
 
     /// An error where a position in machine coordinates takes an axis beyond its limits.
-    pub(in crate::engine) fn within_limits(&self, machine: DVec3) -> Result<(), Fault> {
+    pub(crate) fn within_limits(&self, machine: DVec3) -> Result<(), Fault> {
         if self.scene.machine.beyond_limits(machine).is_none() {
             return Ok(());
         }
@@ -400,7 +379,7 @@ impl<'s> World<'s> {
     }
 
     /// The first axis that a position in machine coordinates takes beyond its limits.
-    pub(in crate::engine) fn beyond_limits(&self, machine: DVec3) -> Option<Fault> {
+    pub(crate) fn beyond_limits(&self, machine: DVec3) -> Option<Fault> {
         let axis = self.scene.machine.beyond_limits(machine)?;
         let letter = axis.axis.letter().to_string();
         let fault = Fault::control("axis-limit").arg("axis", letter).arg("found", axis.axis.of(machine));
@@ -408,7 +387,7 @@ impl<'s> World<'s> {
     }
 
     /// The first rotary axis that angles in machine coordinates take beyond its limits.
-    pub(in crate::engine) fn turned_too_far(&self, angles: DVec3) -> Option<Fault> {
+    pub(crate) fn turned_too_far(&self, angles: DVec3) -> Option<Fault> {
         let axis = self.scene.machine.turned_too_far(angles)?;
         let (min, max) = axis.limits?;
         let letter = axis.axis.letter().to_string();
@@ -417,22 +396,22 @@ impl<'s> World<'s> {
     }
 
     /// The rotary axes in program coordinates.
-    pub(in crate::engine) fn program_angles(&self) -> DVec3 {
+    pub(crate) fn program_angles(&self) -> DVec3 {
         (self.angles - self.system.angle_datum()) * self.system.mirror().1
     }
 
     /// The rotary axis that turns about a parallel of the tool axis.
-    pub(in crate::engine) fn table_axis(&self) -> RotaryAxis {
+    pub(crate) fn table_axis(&self) -> RotaryAxis {
         RotaryAxis(self.system.plane.tool)
     }
 
     /// Whether the machine has all linear axes.
-    pub(in crate::engine) const fn has_all_axes(&self) -> bool {
+    pub(crate) const fn has_all_axes(&self) -> bool {
         self.all_axes
     }
 
     /// The axes of the machine that a program can move.
-    pub(in crate::engine) fn has_axis(&self, axis: Axis) -> bool {
+    pub(crate) fn has_axis(&self, axis: Axis) -> bool {
         self.scene.machine.axis(axis).is_some()
     }
 }

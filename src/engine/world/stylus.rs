@@ -6,10 +6,11 @@ use glam::{DVec2, DVec3};
 
 use crate::base::expr::{atan2d, cosd, sind};
 use crate::engine::geometry::RotaryAxis;
+use crate::engine::machine::Tool;
 use crate::engine::report::fault::Fault;
 use crate::engine::scene::{Orientation, PreTravel, Scene, Shaft};
 use crate::engine::table::{TableError, TableKind};
-use crate::engine::world::state::{Tool, World};
+use crate::engine::world::state::World;
 use crate::spec::OnControl;
 
 /// The word of the probe table for pre-positioning at the machine's rapid rate (TNC 320 manual, line 545).
@@ -25,7 +26,7 @@ const STRAIGHT: f64 = 2e-5;
 
 /// What machine parameters of the scene say of every touch probe, on controls that have it there and not in a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(in crate::engine) struct OfMachine {
+pub(crate) struct OfMachine {
     set_up: Option<f64>,
     feed: Option<f64>,
     fmax: Option<f64>,
@@ -36,7 +37,7 @@ pub(in crate::engine) struct OfMachine {
 }
 
 impl OfMachine {
-    pub(in crate::engine) fn new(on: &OnControl, scene: &Scene) -> Self {
+    pub(crate) fn new(on: &OnControl, scene: &Scene) -> Self {
         let value = |neutral: &str, column: &str| {
             let printed = on.datum(neutral).filter(|printed| *printed != column)?;
             scene.machine_number(printed)
@@ -55,7 +56,7 @@ impl OfMachine {
 
 /// The touch probe in use: what the control knows of it and what it really is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::engine) struct ProbeData {
+pub(crate) struct ProbeData {
     /// Its row in the probe table.
     pub row: f64,
     /// Distance kept from the touch point, mm.
@@ -98,7 +99,7 @@ pub(in crate::engine) struct ProbeData {
 impl World<'_> {
     /// The touch probe that a probing cycle uses now. Where no tool has a row of the probe table, the tool in
     /// the spindle is taken for the scene's probe.
-    pub(in crate::engine) fn read_probe(&self) -> Result<ProbeData, Fault> {
+    pub(crate) fn read_probe(&self) -> Result<ProbeData, Fault> {
         let missing = || Fault::control("probe-missing");
         let tool = self.tool().ok_or_else(missing)?;
         let truth = self.scene.probe.as_ref().ok_or_else(missing)?;
@@ -168,7 +169,7 @@ impl World<'_> {
     }
 
     /// Whether the tool in the spindle is known to be a touch probe.
-    pub(in crate::engine) fn holds_probe(&self) -> bool {
+    pub(crate) fn holds_probe(&self) -> bool {
         self.tool().is_some_and(|tool| tool.probe.is_some())
     }
 
@@ -183,7 +184,7 @@ impl World<'_> {
     }
 
     /// Whether the tool does not stand at right angles to the working plane, in a system that is part of the workpiece.
-    pub(in crate::engine) fn is_askew(&self) -> bool {
+    pub(crate) fn is_askew(&self) -> bool {
         let wanted = self.system.frame().vector(self.system.plane.tool.unit()).normalize_or_zero();
         self.system.is_on_workpiece() && (wanted - self.tool_axis()).length() > STRAIGHT
     }
@@ -196,14 +197,14 @@ impl World<'_> {
 
     /// The direction from the tool tip to the ball centre as the control believes it, in program coordinates: that of
     /// the tool axis, unless the control holds the tip and reckons with how the tool stands.
-    pub(in crate::engine) fn up(&self) -> DVec3 {
+    pub(crate) fn up(&self) -> DVec3 {
         let system = &self.system;
         if system.tip_held { system.back().vector(self.tool_axis()) } else { system.plane.tool.unit() }
     }
 
     /// The true centre of the ball, in machine coordinates, when the tool tip is believed to be there. A head that is
     /// turned takes the ball with it.
-    pub(in crate::engine) fn ball_centre(&self, tip: DVec3, probe: &ProbeData) -> DVec3 {
+    pub(crate) fn ball_centre(&self, tip: DVec3, probe: &ProbeData) -> DVec3 {
         let arm = self.arm(probe);
         let Some(head) = self.head else { return tip + arm };
         let pivot = self.pivot(tip);
@@ -211,7 +212,7 @@ impl World<'_> {
     }
 
     /// From the tool tip to the true centre of the ball in the machine, while the head stands at 0.
-    pub(in crate::engine) fn arm(&self, probe: &ProbeData) -> DVec3 {
+    pub(crate) fn arm(&self, probe: &ProbeData) -> DVec3 {
         self.straight_up() * (probe.ball_radius + probe.shorter) + self.turned(probe.offset)
     }
 
@@ -223,13 +224,13 @@ impl World<'_> {
     }
 
     /// The axis of the shaft as it is while the head stands at 0.
-    pub(in crate::engine) fn shaft_of_straight_head(&self, shaft: Shaft) -> DVec3 {
+    pub(crate) fn shaft_of_straight_head(&self, shaft: Shaft) -> DVec3 {
         self.straight_up() * (shaft.length - shaft.radius).max(0.0)
     }
 
     /// Where the control believes the ball centre to be with the tool tip where it is. It adds the calibrated offset to
     /// where the spindle is; of a head that is turned it knows in a tilted plane and while it holds the tip.
-    pub(in crate::engine) fn believed_centre(&self, tip: DVec3, probe: &ProbeData) -> DVec3 {
+    pub(crate) fn believed_centre(&self, tip: DVec3, probe: &ProbeData) -> DVec3 {
         let up = self.system.frame().vector(self.up());
         tip + self.swung() + up * probe.effective_radius + self.calibrated_offset_in_machine(probe)
     }
@@ -243,13 +244,13 @@ impl World<'_> {
     }
 
     /// The calibrated offset as the spindle has turned it, in program coordinates.
-    pub(in crate::engine) fn calibrated_offset(&self, probe: &ProbeData) -> DVec3 {
+    pub(crate) fn calibrated_offset(&self, probe: &ProbeData) -> DVec3 {
         self.system.back().vector(self.calibrated_offset_in_machine(probe))
     }
 
     /// The axis of the shaft in the machine, from the centre of the ball to the centre of its
     /// upper end, which is round.
-    pub(in crate::engine) fn shaft_axis(&self, shaft: Shaft) -> DVec3 {
+    pub(crate) fn shaft_axis(&self, shaft: Shaft) -> DVec3 {
         let straight = self.shaft_of_straight_head(shaft);
         self.head.map_or(straight, |head| head.vector(straight))
     }
@@ -261,14 +262,14 @@ impl World<'_> {
 
     /// How far a surface pushes the ball in until the probe triggers; the direction of the machine, of length 1,
     /// leads into the material.
-    pub(in crate::engine) fn pre_travel(&self, probe: &ProbeData, direction: DVec3) -> f64 {
+    pub(crate) fn pre_travel(&self, probe: &ProbeData, direction: DVec3) -> f64 {
         let (plane, direction) = (self.system.plane, self.in_spindle(direction));
         let flat = plane.flat(direction);
         probe.pre_travel.towards(atan2d(flat.y, flat.x) - self.spindle_turned, plane.tool.of(direction))
     }
 
     /// By how much a trigger comes too late, the next time.
-    pub(in crate::engine) fn scatter(&mut self) -> f64 {
+    pub(crate) fn scatter(&mut self) -> f64 {
         let Some(probe) = &self.scene.probe else { return 0.0 };
         if probe.scatter.is_empty() {
             return 0.0;
@@ -280,13 +281,13 @@ impl World<'_> {
 
     /// The angle by which the spindle must turn the probe from its calibration angle before it probes in a direction
     /// of the machine; nothing where it stays as it is.
-    pub(in crate::engine) fn tracked(&self, probe: &ProbeData, direction: DVec3) -> Option<f64> {
+    pub(crate) fn tracked(&self, probe: &ProbeData, direction: DVec3) -> Option<f64> {
         let flat = self.system.plane.flat(self.in_spindle(direction));
         (probe.track && flat.length() > f64::EPSILON).then(|| atan2d(flat.y, flat.x))
     }
 
     /// Rotary axes, in the order of their letters, that the machine has: their program coordinates.
-    pub(in crate::engine) fn further_axes(&self) -> impl Iterator<Item = f64> + '_ {
+    pub(crate) fn further_axes(&self) -> impl Iterator<Item = f64> + '_ {
         let angles = self.program_angles();
         let has = |axis: &RotaryAxis| self.scene.machine.rotary(*axis).is_some();
         RotaryAxis::ALL.into_iter().filter(has).map(move |axis| axis.of(angles))

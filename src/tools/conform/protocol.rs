@@ -13,7 +13,9 @@ use super::{LogTexts, World};
 use crate::base::diag::Source;
 use crate::base::expr::QRef;
 use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
-use crate::engine::run::{Content, Engine, Event, EventKind, MoveKind, Outcome, Probing, Status, Told, Turned};
+use crate::engine::run::{
+    Content, Engine, Event, EventKind, ForeignOutcome, MoveKind, Outcome, Probing, Status, Turned,
+};
 use crate::engine::scene::Scene;
 use crate::engine::solid::Path;
 use crate::program::syntax;
@@ -253,7 +255,7 @@ fn moved(kind: &EventKind) -> Option<Moved> {
 
 impl Answer {
     /// What it reports, in the form in which outcomes are compared; a word that is wrong is named.
-    pub(super) fn read(self, scene: &Scene) -> Result<Told, String> {
+    pub(super) fn read(self, scene: &Scene) -> Result<ForeignOutcome, String> {
         let status = Status::by_word(&self.end).ok_or_else(|| format!("end: {}", self.end))?;
         let mut q = Vec::with_capacity(self.q.len());
         for (name, value) in &self.q {
@@ -275,7 +277,17 @@ impl Answer {
         }
         let error = (!self.errors.is_empty()).then(|| self.errors.join(", "));
         let (position, angles) = (linear(&self.position), rotary(&self.position));
-        Ok(Told { status, error, q, position, angles, messages: self.messages, cells, logs: self.logs, actions })
+        Ok(ForeignOutcome {
+            status,
+            error,
+            q,
+            position,
+            angles,
+            messages: self.messages,
+            cells,
+            logs: self.logs,
+            actions,
+        })
     }
 }
 

@@ -1,13 +1,21 @@
-//! The Q parameters of a run.
+//! The Q parameters of a run: their values.
 //!
 //! Invariant: a parameter that was never given a value has none; reading it is an error, not 0.
 use std::sync::Arc;
 
 use crate::base::expr::{EvalError, QKind, QRef};
-use crate::engine::report::event::Content;
 
 /// How many parameters of each family there are.
 const COUNT: usize = 2000;
+
+/// The value that a Q parameter or a cell of a table gets.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Content {
+    /// A number.
+    Number(f64),
+    /// A text.
+    Text(Arc<str>),
+}
 
 /// Values of Q parameters.
 #[derive(Clone, Debug)]
@@ -27,7 +35,7 @@ const fn family(kind: QKind) -> usize {
 }
 
 impl Params {
-    pub(in crate::engine) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let none = || vec![None; COUNT];
         Self { numbers: [none(), none(), none()], texts: vec![None; COUNT], changes: 0 }
     }
@@ -56,12 +64,12 @@ impl Params {
     }
 
     /// How often a value was given or taken: while that stays, all values are what they were.
-    pub(in crate::engine) const fn changes(&self) -> u64 {
+    pub(crate) const fn changes(&self) -> u64 {
         self.changes
     }
 
     /// The parameter has no value any more.
-    pub(in crate::engine) fn forget(&mut self, q: QRef) {
+    pub(crate) fn forget(&mut self, q: QRef) {
         self.changes += 1;
         let number = usize::from(q.number);
         if q.kind == QKind::Qs {
@@ -83,7 +91,7 @@ impl Params {
     ///
     /// # Errors
     /// There is no such parameter, or the value is of the other kind.
-    pub(in crate::engine) fn set(&mut self, q: QRef, value: &Content) -> Result<bool, EvalError> {
+    pub(crate) fn set(&mut self, q: QRef, value: &Content) -> Result<bool, EvalError> {
         let index = usize::from(q.number);
         self.changes += 1;
         match (q.kind, value) {

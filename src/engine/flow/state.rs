@@ -1,0 +1,204 @@
+//! A run: a program under execution with all that belongs to it.
+//!
+//! Its parts know nothing of each other: the drives move the machine, the contour holds back what the next element
+//! decides, calls know where the program is, parameters have values. What needs several of them is written for the run:
+//! values and calls of programs here in `flow`, execution of plans in `engine::cycle`, blocks in `engine::run`.
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::calls::Calls;
+use super::code::Prepared;
+use super::definition::Definition;
+use super::memory::Memory;
+use super::settings::Settings;
+use crate::engine::contour::path::Contour;
+use crate::engine::geometry::WorkingPlane;
+use crate::engine::motion::drives::Drives;
+use crate::engine::params::Params;
+use crate::engine::plan::{self, Plan};
+use crate::engine::report::ending::Done;
+use crate::engine::report::envelope::Envelope;
+use crate::engine::report::event::Event;
+use crate::engine::report::fault::{Class, Fault};
+use crate::engine::report::outcome::Shown;
+use crate::spec::{Cycle, CycleKey, OnControl};
+
+/// A pole, or centre of circles.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pole {
+    /// Program coordinates by axis.
+    pub(crate) at: DVec3,
+    /// The plane of its two axes, where that is not the working plane.
+    pub(crate) plane: Option<WorkingPlane>,
+}
+
+/// Modal data of the program.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Modal {
+    /// The feed of the last F word, mm/min.
+    pub(crate) feed: Option<f64>,
+    /// The feed of the tool call.
+    pub(crate) tool_feed: Option<f64>,
+    /// The pole.
+    pub(crate) pole: Option<Pole>,
+    /// Whether every positioning block calls the last cycle (M89).
+    pub(crate) call_always: bool,
+    /// Whether the last positioning block went at rapid traverse.
+    pub(crate) rapid: bool,
+}
+
+/// Points by main, minor and tool axis.
+pub(crate) type Pattern = Vec<DVec3>;
+
+/// How high the tool is retracted on a pattern.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Retraction {
+    /// To the greater of the two heights below, as a program says that says nothing.
+    #[default]
+    Greater,
+    /// To the second set-up clearance.
+    Second,
+    /// To where the tool was when the pattern was called.
+    Start,
+}
+
+/// Where cycles are called by `CYCL CALL PAT`.
+#[derive(Default)]
+pub(crate) struct Patterns {
+    /// The points of the last pattern definition or point table.
+    pub(crate) points: Option<Pattern>,
+    /// Whether it was written in the program, and not read from a point table.
+    pub(crate) is_defined: bool,
+    /// How high the tool is retracted on patterns.
+    pub(crate) retraction: Retraction,
+}
+
+/// The cycles of a run: what is defined, and what is executed.
+#[derive(Default)]
+pub(crate) struct Cycles<'e> {
+    /// The cycle that a call executes.
+    pub(crate) last: Option<Arc<Definition<'e>>>,
+    /// How many cycles were defined.
+    pub(crate) definitions: u64,
+    /// Values of GLOBAL DEF by the parameter that takes them, with mm in the unit of their program.
+    pub(crate) predefined: BTreeMap<u16, (f64, f64)>,
+    /// Nested executions.
+    pub(crate) inside: usize,
+    /// What the cycle that is executed has written to tables: reported when it ends well.
+    pub(crate) writing: Vec<Event>,
+    plans: BTreeMap<CycleKey, Arc<Plan>>,
+}
+
+impl Cycles<'_> {
+    /// The plan of a cycle, compiled when it is needed first.
+    pub(crate) fn plan(&mut self, cycle: &Cycle, on: &OnControl) -> Done<Arc<Plan>> {
+        if let Some(plan) = self.plans.get(&cycle.key) {
+            return Ok(Arc::clone(plan));
+        }
+        let (plan, mistakes) = plan::compile(cycle, on);
+        if let Some(mistake) = mistakes.first() {
+            let fault = Fault::new(Class::Internal, "plan-mistake").arg("reason", mistake.code);
+            return Err(fault.arg("cycle", cycle.key.to_string()).into());
+        }
+        let plan = Arc::new(plan);
+        self.plans.insert(cycle.key, Arc::clone(&plan));
+        Ok(plan)
+    }
+}
+
+/// What a run leaves beside its events.
+#[derive(Default)]
+pub(crate) struct Records {
+    /// Guards that applied.
+    pub(crate) guards: BTreeSet<(CycleKey, Arc<str>)>,
+    /// By cycle: which sentences of its plan were executed.
+    pub(crate) executed: BTreeMap<CycleKey, Vec<bool>>,
+    /// Names and texts of logs.
+    pub(crate) logs: Vec<(String, String)>,
+    /// Logs shown on the screen.
+    pub(crate) screens: Vec<String>,
+    pub(crate) envelopes: Vec<Envelope>,
+}
+
+/// Executes blocks until the calls that deep have returned, or to the end. Cycles call programs, and execute no blocks
+/// themselves.
+pub(crate) type Blocks<'r, 'e> = fn(&mut Run<'r, 'e>, usize) -> Done;
+
+/// A run.
+pub(crate) struct Run<'r, 'e> {
+    pub(crate) settings: &'r Settings<'e>,
+    /// The programs, and where they are executed.
+    pub(crate) calls: Calls<'e>,
+    pub(crate) blocks: Blocks<'r, 'e>,
+    pub(crate) params: Params,
+    pub(crate) modal: Modal,
+    pub(crate) drives: Drives<'r, 'e>,
+    /// The contour that radius compensation, a rounding or an approach has begun.
+    pub(crate) contour: Contour,
+    pub(crate) cycles: Cycles<'e>,
+    pub(crate) patterns: Patterns,
+    pub(crate) records: Records,
+    pub(crate) memory: Memory,
+}
+
+impl<'r, 'e> Run<'r, 'e> {
+    pub(crate) fn new(
+        settings: &'r Settings<'e>,
+        program: Prepared<'e>,
+        drives: Drives<'r, 'e>,
+        blocks: Blocks<'r, 'e>,
+    ) -> Self {
+        Self {
+            settings,
+            calls: Calls::new(program),
+            blocks,
+            params: Params::new(),
+            modal: Modal::default(),
+            drives,
+            contour: Contour::default(),
+            cycles: Cycles::default(),
+            patterns: Patterns::default(),
+            records: Records::default(),
+            memory: Memory::default(),
+        }
+    }
+
+    /// Executes what waits of the contour: the tool ends beside its end.
+    pub(crate) fn end_contour(&mut self) -> Done {
+        self.contour.end(&mut self.drives)
+    }
+
+    /// The programmed position: that of the contour while the tool runs beside it.
+    pub(crate) fn programmed(&self) -> DVec3 {
+        self.contour.programmed(&self.drives.world)
+    }
+
+    /// What was executed of the cycles.
+    pub(crate) fn shown(&mut self) -> Shown {
+        let of_plan = |(key, plan): (&CycleKey, &Arc<Plan>)| {
+            let executed = self.records.executed.get(key).map_or(&[][..], Vec::as_slice);
+            let shown = plan.sentences.iter().zip(executed).filter(|(_, shown)| **shown);
+            shown.map(|(sentence, _)| (*key, sentence.clone())).collect::<Vec<_>>()
+        };
+        let sentences = self.cycles.plans.iter().flat_map(of_plan).collect();
+        Shown { sentences, guards: std::mem::take(&mut self.records.guards) }
+    }
+}
+
+/// Most of what is done in a run is done by the drives.
+impl<'r, 'e> Deref for Run<'r, 'e> {
+    type Target = Drives<'r, 'e>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.drives
+    }
+}
+
+impl DerefMut for Run<'_, '_> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.drives
+    }
+}
