@@ -8,3 +8,7 @@ cli-conform-place = tapaus: { $text }
 cli-conform-manual = käsikirja (tiedosto:rivit): { $text }
 cli-conform-lists = { $what }: odotettiin { $expected } (vasemmalla), saatiin { $found } (oikealla)
 diag-conform-no-case = Yhtään tapausta ei valittu: ”ciklo conform --list” luettelee kaikki tapaukset.
+cli-lint-only = Vain tätä työkiertoa koskeva, ilman sivuja ja kielten vertailua; voidaan toistaa
+cli-lint-summary = Laske kunkin tiedoston havainnot ja näytä seuraavat kaksikymmentä
+cli-lint-narrow = Sivut ja kielten vertailu jätettiin pois (--only).
+cli-lint-file = { $path }: virheitä { $errors }, muita { $others }

@@ -8,3 +8,7 @@ cli-conform-place = caso: { $text }
 cli-conform-manual = manuale (file:righe): { $text }
 cli-conform-lists = { $what }: attesi { $expected } (a sinistra), trovati { $found } (a destra)
 diag-conform-no-case = Nessun caso corrisponde alla scelta: «ciklo conform --list» elenca tutti i casi.
+cli-lint-only = Solo ciò che riguarda questo ciclo, senza le pagine e il confronto tra le lingue; ripetibile
+cli-lint-summary = Conta le segnalazioni di ogni file e mostra le prossime venti
+cli-lint-narrow = Le pagine e il confronto tra le lingue sono stati tralasciati (--only).
+cli-lint-file = { $path }: errori { $errors }, altri { $others }

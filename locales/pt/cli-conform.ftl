@@ -8,3 +8,7 @@ cli-conform-place = caso: { $text }
 cli-conform-manual = manual (ficheiro:linhas): { $text }
 cli-conform-lists = { $what }: esperados { $expected } (à esquerda), obtidos { $found } (à direita)
 diag-conform-no-case = Nenhum caso corresponde à escolha: «ciklo conform --list» mostra todos os casos.
+cli-lint-only = Só o que diz respeito a este ciclo, sem as páginas e a comparação dos idiomas; pode repetir-se
+cli-lint-summary = Conta as indicações de cada ficheiro e mostra as próximas vinte
+cli-lint-narrow = As páginas e a comparação dos idiomas foram omitidas (--only).
+cli-lint-file = { $path }: erros { $errors }, outros { $others }

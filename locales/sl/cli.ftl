@@ -95,6 +95,8 @@ cli-examples-coverage =
 cli-examples-lint =
     ciklo lint
     ciklo lint --data . --format json
+    ciklo lint --only 200
+    ciklo lint --summary
     ciklo lint --accept-translations
 cli-examples-schema =
     ciklo schema > cycle.schema.json

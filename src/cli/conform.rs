@@ -45,7 +45,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let files = session.files()?;
     let controls = cycle::controls(&catalogue, &arguments::all(matches, "control"))?;
     let controls: Vec<&str> = controls.iter().map(String::as_str).collect();
-    let cycles = cycles(matches)?;
+    let cycles = cycles(&arguments::all(matches, "cycle"))?;
     let names = arguments::all(matches, "case");
     let cases: Vec<&str> = names.iter().map(String::as_str).collect();
     let chosen = Selection { controls: &controls, cycles: &cycles, cases: &cases };
@@ -82,15 +82,15 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     Ok(if wrong || !report.is_clean() { Outcome::Errors } else { Outcome::Clean })
 }
 
-/// The cycles of `--cycle`, by number alone or with the keyword.
-fn cycles(matches: &ArgMatches) -> Result<Vec<(Option<Keyword>, u32)>, Failure> {
+/// The cycles that words name, by number alone or with the keyword.
+pub(super) fn cycles(words: &[String]) -> Result<Vec<(Option<Keyword>, u32)>, Failure> {
     let known = |words: &String| {
         let (keyword, number) = cycle::parse(words)?;
         let found = Keyword::by_word(&keyword);
         (keyword.is_empty() || found.is_some()).then_some((found, number))
     };
     let read = |words| known(words).ok_or_else(|| Diagnostic::global("cycle-name").arg("cycle", words.as_str()).into());
-    arguments::all(matches, "cycle").iter().map(read).collect()
+    words.iter().map(read).collect()
 }
 
 /// The cases by name, with what each proves, not executed.

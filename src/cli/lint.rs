@@ -5,33 +5,38 @@ use std::path::Path;
 use clap::ArgMatches;
 
 use super::session::Session;
-use super::{Command, Failure, Outcome, arguments, session};
+use super::{Command, Failure, Outcome, arguments, conform as conform_cmd, consequences, session};
 use crate::base::diag::{Diagnostic, Severity, Source};
 use crate::check::{self, Against, LabelBook};
 use crate::engine::plan;
 use crate::language::consistency;
 use crate::language::label;
+use crate::language::locale::render::render;
 use crate::language::locale::{Args, Language, LocaleError, Locales, NO_FILE, SOURCE_LANGUAGE, Scope, Ui};
 use crate::output::manual;
 use crate::program::syntax;
-use crate::spec::{self, Catalogue};
+use crate::spec::{self, Catalogue, Keyword};
 use crate::system;
-use crate::tools::conform::{self, Selection, Verdict, World};
+use crate::tools::conform::{self, Selection, World};
 
 pub(super) const COMMAND: Command = Command {
     name: "lint",
-    usage: "[--data DIR] [--format FORMAT] [--fail-on LEVEL] [--accept-translations]",
+    usage: "[--data DIR] [--only CYCLE]… [--summary] [--format FORMAT] [--fail-on LEVEL] [--accept-translations]",
     arguments: own,
     run,
 };
 
+/// So many findings follow the counts of a summary.
+const NEXT: usize = 20;
 const ACCEPT: &str = "accept-translations";
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     vec![
         arguments::format(ui, &["text", "json"]),
         arguments::fail_on(ui),
-        arguments::switch(ui, ACCEPT, "cli-lint-accept"),
+        arguments::several(ui, "only", "CYCLE", "cli-lint-only"),
+        arguments::switch(ui, "summary", "cli-lint-summary"),
+        arguments::switch(ui, ACCEPT, "cli-lint-accept").conflicts_with_all(["only", "summary"]),
     ]
 }
 
@@ -48,16 +53,50 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     found.extend(languages(&catalogue, &locales)?);
     found.extend(texts(&catalogue, &locales));
     found.extend(languages_of_controls(&catalogue, &locales));
-    found.extend(label::check(&catalogue, &locales));
-    found.extend(consistency::check(&catalogue, &locales));
-    found.extend(printed(&catalogue, &locales));
-    found.extend(examples(&catalogue, &locales, &files));
-    let site = pages(&catalogue, &locales, &files, &found);
-    found.extend(site);
+    let only = conform_cmd::cycles(&arguments::all(matches, "only"))?;
+    found.extend(examples(&catalogue, &locales, &files, &only));
+    if only.is_empty() {
+        found.extend(label::check(&catalogue, &locales));
+        found.extend(consistency::check(&catalogue, &locales));
+        found.extend(printed(&catalogue, &locales));
+        let site = pages(&catalogue, &locales, &files, &found);
+        found.extend(site);
+    } else {
+        let chosen = Selection { cycles: &only, ..Selection::default() };
+        consequences::only(&mut found, &catalogue, &|cycle| chosen.has_cycle(cycle), &spec_files(&files, &only));
+        let line = session.ui.text("cli-lint-narrow", &Args::new());
+        session.output.remark(&line);
+    }
+    consequences::without_uses(&mut found);
     let least = arguments::chosen_fail_on(matches).unwrap_or(Severity::Error);
     let fails = found.iter().any(|diagnostic| diagnostic.severity >= least);
+    if matches.get_flag("summary") {
+        return summary(session, found).map(|()| if fails { Outcome::Errors } else { Outcome::Clean });
+    }
     session.report(found, arguments::chosen_format(matches))?;
     Ok(if fails { Outcome::Errors } else { Outcome::Clean })
+}
+
+/// Counts by file, then the first findings.
+fn summary(session: &mut Session, mut found: Vec<Diagnostic>) -> Result<(), Failure> {
+    found.sort_by(|a, b| (b.severity, session::place_key(a)).cmp(&(a.severity, session::place_key(b))));
+    let counts = consequences::by_file(&found, &session.ui);
+    session.output.print(&counts)?;
+    for diagnostic in found.iter().take(NEXT) {
+        session.output.print(&format!("\n{}", render(diagnostic, &session.ui, false)))?;
+    }
+    session.totals(&found);
+    Ok(())
+}
+
+/// The files that hold, by their names, the specifications of cycles: one that cannot be read has no cycle.
+fn spec_files(files: &[(String, String)], only: &[(Option<Keyword>, u32)]) -> Vec<String> {
+    let names = files.iter().map(|(path, _)| path).filter(|path| path.starts_with("cycle-specs/"));
+    let is_one = |path: &&String| {
+        let file = path.rsplit('/').next().unwrap_or_default();
+        only.iter().any(|(_, number)| file.strip_prefix(&number.to_string()).is_some_and(|rest| rest.starts_with('-')))
+    };
+    names.filter(is_one).cloned().collect()
 }
 
 /// Writes down that every translation is good as it stands, in the working copy given or in the
@@ -99,12 +138,14 @@ fn texts(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
                 let scope = Scope::new(cycle.name(), on.id());
                 let place = &cycle.file.name.place;
                 let keys = spec::texts(cycle, on).into_iter().map(|text| text.key());
-                found.extend(keys.filter(|key| !source.has(key, &scope)).map(|key| {
-                    Diagnostic::error("locale-missing-text", place.clone())
-                        .arg("key", key)
-                        .arg("language", source.tag())
-                        .arg("file", NO_FILE)
-                }));
+                for key in keys.filter(|key| !source.has(key, &scope)) {
+                    // No other language can be compared with a text that the source lacks.
+                    for language in locales.iter().filter(|language| !language.has(&key, &scope)) {
+                        let missing = Diagnostic::error("locale-missing-text", place.clone());
+                        let missing = missing.arg("key", key.as_str()).arg("language", language.tag());
+                        found.push(missing.arg("file", NO_FILE));
+                    }
+                }
             }
         }
     }
@@ -183,10 +224,16 @@ fn printed(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
 }
 
 /// Examples for the engine that do not come out as they say.
-fn examples(catalogue: &Catalogue, locales: &Locales, files: &[(String, String)]) -> Vec<Diagnostic> {
-    let (report, mut found) = conform::run(&World { catalogue, locales, files }, &Selection::default());
+fn examples(
+    catalogue: &Catalogue,
+    locales: &Locales,
+    files: &[(String, String)],
+    only: &[(Option<Keyword>, u32)],
+) -> Vec<Diagnostic> {
+    let chosen = Selection { cycles: only, ..Selection::default() };
+    let (report, mut found) = conform::run(&World { catalogue, locales, files }, &chosen);
     for case in &report.cases {
-        let Verdict::Fail { mismatches } = &case.verdict else { continue };
+        let mismatches = consequences::causes(case);
         let cycle = catalogue.on(&case.control).and_then(|on| on.by_name(&case.cycle));
         let place =
             cycle.and_then(|cycle| cycle.file.examples.iter().find(|example| example.name.as_str() == case.case));

@@ -16,6 +16,7 @@ mod check;
 mod compare;
 mod completions;
 mod conform;
+mod consequences;
 mod convert;
 mod coverage;
 mod cycle;

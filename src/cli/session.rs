@@ -163,19 +163,23 @@ impl<'s> Session<'s> {
             };
             self.output.print(&text)?;
         }
-        let count = |severity| found.iter().filter(|diagnostic| diagnostic.severity == severity).count();
-        let (errors, warnings, notes) = (count(Severity::Error), count(Severity::Warning), count(Severity::Note));
         if format != "json" {
-            let args = Args::new().number("errors", errors as f64).number("warnings", warnings as f64);
-            let args = args.number("notes", notes as f64);
-            let line = self.ui.text("cli-summary", &args);
-            self.output.remark(&line);
-            if let Some(worst) = found.iter().rev().max_by_key(|diagnostic| diagnostic.severity) {
-                let line = self.ui.text("cli-explain-more", &Args::new().text("code", worst.code));
-                self.output.remark(&line);
-            }
+            self.totals(&found);
         }
         Ok(())
+    }
+
+    /// Says how many findings there are, and how more is learnt of the worst one.
+    pub(super) fn totals(&mut self, found: &[Diagnostic]) {
+        let count = |severity| found.iter().filter(|diagnostic| diagnostic.severity == severity).count();
+        let (errors, warnings, notes) = (count(Severity::Error), count(Severity::Warning), count(Severity::Note));
+        let args = Args::new().number("errors", errors as f64).number("warnings", warnings as f64);
+        let line = self.ui.text("cli-summary", &args.number("notes", notes as f64));
+        self.output.remark(&line);
+        if let Some(worst) = found.iter().rev().max_by_key(|diagnostic| diagnostic.severity) {
+            let line = self.ui.text("cli-explain-more", &Args::new().text("code", worst.code));
+            self.output.remark(&line);
+        }
     }
 }
 

@@ -62,7 +62,8 @@ impl<'s> Selection<'s> {
         self.controls.is_empty() || self.controls.contains(&on.id())
     }
 
-    fn has_cycle(&self, cycle: &Cycle) -> bool {
+    /// Whether a cycle is one of them.
+    pub fn has_cycle(&self, cycle: &Cycle) -> bool {
         let is_it = |(keyword, number): &(Option<Keyword>, u32)| {
             cycle.key.number == *number && keyword.is_none_or(|keyword| keyword == cycle.key.keyword)
         };
