@@ -146,7 +146,7 @@ fn cases() {
     for file in files {
         let text = std::fs::read_to_string(&file).unwrap();
         let mut actual = String::new();
-        for line in text.lines().filter(|line| line.starts_with("$ ") || line.starts_with('#')) {
+        for line in own(&text) {
             let _ = writeln!(actual, "{line}");
             if let Some(command) = line.strip_prefix("$ ") {
                 case(command, &mut actual);
@@ -154,6 +154,19 @@ fn cases() {
         }
         stored(&file, &actual);
     }
+}
+
+/// The lines of a file that are not output: commands, and remarks, which follow an empty line or another remark.
+fn own(text: &str) -> Vec<&str> {
+    let (mut own, mut begins) = (Vec::new(), true);
+    for line in text.lines() {
+        let is_remark = begins && line.starts_with('#');
+        if is_remark || line.starts_with("$ ") {
+            own.push(line);
+        }
+        begins = is_remark || line.is_empty();
+    }
+    own
 }
 
 fn case(line: &str, actual: &mut String) {
