@@ -3,8 +3,9 @@
 //! A diagnostic is data: a stable code, a severity, a place and arguments. Its text is made from the
 //! locale files at the edge of the program, never here. Invariant: this module knows no language and
 //! no rule.
+use std::borrow::Cow;
 use std::fmt;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// A stretch of bytes in a source, end exclusive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -39,8 +40,8 @@ pub struct Position {
 
 /// A text with the name of the file it came from.
 pub struct Source {
-    name: String,
-    text: String,
+    name: Cow<'static, str>,
+    text: Cow<'static, str>,
     lines: OnceLock<Lines>,
 }
 
@@ -68,6 +69,11 @@ fn starts(text: &str, from: usize, to: usize) -> impl Iterator<Item = usize> + '
 impl Source {
     /// A source with the given display name; lines end at `\n`, `\r\n` or a lone `\r`.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Arc<Self> {
+        Arc::new(Self { name: name.into().into(), text: text.into().into(), lines: OnceLock::new() })
+    }
+
+    /// The same of a file that is a part of the program.
+    pub fn embedded(name: &'static str, text: &'static str) -> Arc<Self> {
         Arc::new(Self { name: name.into(), text: text.into(), lines: OnceLock::new() })
     }
 
@@ -305,4 +311,22 @@ pub fn dedupe(found: &mut Vec<Diagnostic>) {
         let place = diagnostic.place.as_ref().map(|place| (place.source.name().to_owned(), place.span));
         seen.insert((diagnostic.code, place, format!("{:?}", diagnostic.args)))
     });
+}
+
+/// Mistakes that are found while something else is asked for; all clones share them.
+#[derive(Clone, Debug, Default)]
+pub struct Mistakes(Arc<Mutex<Vec<Diagnostic>>>);
+
+impl Mistakes {
+    /// Adds some.
+    pub fn extend(&self, found: Vec<Diagnostic>) {
+        if !found.is_empty() {
+            self.0.lock().unwrap_or_else(PoisonError::into_inner).extend(found);
+        }
+    }
+
+    /// All that were found so far.
+    pub fn take(&self) -> Vec<Diagnostic> {
+        std::mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    }
 }

@@ -3,6 +3,7 @@
 //!
 //! Invariant: knows no cycle, no block of a program and no language. Start with [`diag`].
 pub mod data;
+pub mod demand;
 pub mod diag;
 pub mod expr;
 pub mod parallel;

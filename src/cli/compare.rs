@@ -141,7 +141,7 @@ fn execute(
     files: &[program::Understood; 2],
     scene: &str,
 ) -> Result<Execution, Failure> {
-    let data = session.files()?;
+    let data = session.engine_files()?;
     let locales = session.locales()?;
     let scene = runs::read_scene(scene, &data)?;
     // Logs of both are written in one language, so that labels do not decide.

@@ -41,7 +41,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 }
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
-    let (catalogue, locales) = (session.catalogue()?, session.locales()?);
+    let (catalogue, locales) = (session.whole_catalogue()?, session.whole_locales()?);
     let files = session.files()?;
     let controls = cycle::controls(&catalogue, &arguments::all(matches, "control"))?;
     let controls: Vec<&str> = controls.iter().map(String::as_str).collect();

@@ -63,7 +63,7 @@ pub(super) fn find<'c>(on: &'c OnControl, words: &str) -> Result<&'c Cycle, Fail
         return Err(Diagnostic::global("cycle-name").arg("cycle", words).into());
     };
     let is_it = |key: &CycleKey| key.number == number && (keyword.is_empty() || key.keyword.as_str() == keyword);
-    let found: Vec<&Cycle> = on.cycles.values().filter(|cycle| is_it(&cycle.key)).collect();
+    let found: Vec<&Cycle> = on.cycles.keys().filter(|key| is_it(key)).filter_map(|key| on.cycles.get(key)).collect();
     match found.as_slice() {
         [cycle] => Ok(cycle),
         [] => Err(absent(on, words, &is_it)),

@@ -168,5 +168,6 @@ fn carry_out(ui: &Ui, output: &mut Output, matches: &ArgMatches) -> Result<Outco
     let Some(command) = COMMANDS.iter().find(|command| command.name == name) else { return Ok(Outcome::Clean) };
     let data = matches.get_one::<std::path::PathBuf>(arguments::DATA);
     let mut session = Session::new(*ui, output, data.map(std::path::PathBuf::as_path));
-    (command.run)(&mut session, own)
+    let outcome = (command.run)(&mut session, own);
+    session.sound().and(outcome)
 }

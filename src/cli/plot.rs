@@ -42,7 +42,7 @@ fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure>
     let path = arguments::text(matches, "file");
     let file = program::understand(Path::new(&path), &catalogue)?;
     let neighbours = Neighbours::new(Path::new(&path), &catalogue);
-    let files = session.files()?;
+    let files = session.engine_files()?;
     let mut scene = run::scene_of(session, &file, on, &neighbours, matches)?;
     run::selected(Path::new(&path), file.program.source().text(), &mut scene)?;
     let language = cycle::language(&locales, session.ui.tag())?;

@@ -55,7 +55,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let file = program::understand(Path::new(&path), &catalogue)?;
     let language = language(&file, &catalogue, &locales, on, &session.ui, matches)?;
     let neighbours = Neighbours::new(Path::new(&path), &catalogue);
-    let files = session.files()?;
+    let files = session.engine_files()?;
     let mut scene = scene_of(session, &file, on, &neighbours, matches)?;
     selected(Path::new(&path), file.program.source().text(), &mut scene)?;
     let texts = LogTexts::new(language, on.id(), &files);
@@ -160,7 +160,7 @@ pub(super) fn scene_of(
     let Some(path) = matches.get_one::<String>("scene") else {
         return scene::assumed(session, file, on, neighbours, matches);
     };
-    let files = session.files()?;
+    let files = session.engine_files()?;
     let mut scene = read_scene(path, &files)?;
     if let Some(tools) = scene::tools(matches)? {
         scene.tools = tools;

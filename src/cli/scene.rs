@@ -53,7 +53,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let path = arguments::text(matches, "file");
     let file = program::understand(Path::new(&path), &catalogue)?;
     let neighbours = Neighbours::new(Path::new(&path), &catalogue);
-    let files = session.files()?;
+    let files = session.engine_files()?;
     let guess = guess(&file, on, &neighbours, tools(matches)?.as_ref(), &files)?;
     let ui = session.ui;
     let name = |line: Line<'_>| remark(line, &path, &ui);
@@ -78,7 +78,7 @@ pub(super) fn assumed(
     neighbours: &Neighbours<'_>,
     matches: &ArgMatches,
 ) -> Result<Scene, Failure> {
-    let files = session.files()?;
+    let files = session.engine_files()?;
     let table = tools(matches)?;
     let guess = guess(file, on, neighbours, table.as_ref(), &files)?;
     let text = guess.to_yaml(&|_| String::new());

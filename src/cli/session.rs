@@ -2,14 +2,14 @@
 //!
 //! Invariant: standard output carries the result and nothing else; everything about how it went goes
 //! to standard error.
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::io::{self, BufWriter, StdoutLock, Write as _};
 use std::path::Path;
 use std::rc::Rc;
 
 use super::Failure;
-use crate::base::data::{self, Files};
-use crate::base::diag::{Diagnostic, Severity};
+use crate::base::data::{self, Files, Prepared};
+use crate::base::diag::{Diagnostic, Mistakes, Severity};
 use crate::language::locale::render::{render, to_json_line};
 use crate::language::locale::{Args, Locales, Ui};
 use crate::spec::Catalogue;
@@ -17,11 +17,16 @@ use crate::system;
 
 /// The directories of a working copy that hold data.
 const TOPS: [&str; 3] = ["cycle-specs", "locales", "templates"];
+/// Where the files are that the engine needs.
+const OF_ENGINE: [&str; 2] = ["cycle-specs/machines/", "templates/logs/"];
 /// Files of a language that the program's own texts are in.
 const INTERFACE: [&str; 5] = ["diag-", "explain-", "cli", "interface", "units"];
 
 /// The program's own texts, in all languages.
 pub(super) fn interface() -> Locales {
+    if let Some(data) = data::prepared() {
+        return Locales::open(data);
+    }
     let files = data::embedded();
     let own = files.iter().filter(|(path, _)| {
         path.rsplit('/').next().is_some_and(|name| INTERFACE.iter().any(|prefix| name.starts_with(prefix)))
@@ -102,11 +107,13 @@ pub(super) struct Session<'s> {
     pub(super) output: &'s mut Output,
     data: Option<&'s Path>,
     files: OnceCell<Rc<Files>>,
+    /// What is found in data while the command reads them.
+    mistakes: RefCell<Vec<Mistakes>>,
 }
 
 impl<'s> Session<'s> {
     pub(super) fn new(ui: Ui<'s>, output: &'s mut Output, data: Option<&'s Path>) -> Self {
-        Self { ui, output, data, files: OnceCell::new() }
+        Self { ui, output, data, files: OnceCell::new(), mistakes: RefCell::default() }
     }
 
     /// The directory of the working copy, if one is used instead of the embedded data.
@@ -126,16 +133,50 @@ impl<'s> Session<'s> {
         Ok(Rc::clone(self.files.get_or_init(|| Rc::new(files))))
     }
 
-    /// The catalogue, which must be without mistakes.
+    /// The files that the engine needs: machines and the templates of logs.
+    pub(super) fn engine_files(&self) -> Result<Rc<Files>, Failure> {
+        let Some(data) = self.prepared() else { return self.files() };
+        let files = OF_ENGINE.iter().flat_map(|prefix| data.below(prefix));
+        Ok(Rc::new(files.map(|(path, text)| (path.to_owned(), text.to_owned())).collect()))
+    }
+
+    /// The embedded files as they were prepared, if they are what everything is made from.
+    fn prepared(&self) -> Option<&'static Prepared> {
+        data::prepared().filter(|_| self.data.is_none())
+    }
+
+    /// The catalogue: of the embedded files, which were checked when they were made, what is asked for; of a working
+    /// copy all, which must be without mistakes.
     pub(super) fn catalogue(&self) -> Result<Catalogue, Failure> {
+        let Some(data) = self.prepared() else { return self.whole_catalogue() };
+        let catalogue = Catalogue::open(data);
+        self.mistakes.borrow_mut().push(catalogue.mistakes.clone());
+        Ok(catalogue)
+    }
+
+    /// The languages, in the same way.
+    pub(super) fn locales(&self) -> Result<Locales, Failure> {
+        let Some(data) = self.prepared() else { return self.whole_locales() };
+        let locales = Locales::open(data);
+        self.mistakes.borrow_mut().push(locales.mistakes().clone());
+        Ok(locales)
+    }
+
+    /// The whole catalogue, which must be without mistakes.
+    pub(super) fn whole_catalogue(&self) -> Result<Catalogue, Failure> {
         let (catalogue, found) = Catalogue::load(&self.files()?);
         sound(found).map(|()| catalogue)
     }
 
-    /// The languages, which must be without mistakes.
-    pub(super) fn locales(&self) -> Result<Locales, Failure> {
+    /// All texts of the languages, which must be without mistakes.
+    pub(super) fn whole_locales(&self) -> Result<Locales, Failure> {
         let (locales, found) = Locales::load(self.files()?.iter().map(|(path, text)| (path, text)));
         sound(found).map(|()| locales)
+    }
+
+    /// Whether the data that the command has read were without mistakes.
+    pub(super) fn sound(&self) -> Result<(), Failure> {
+        sound(self.mistakes.borrow().iter().flat_map(Mistakes::take).collect())
     }
 
     /// Prints a document, for people to read too, as it is made.

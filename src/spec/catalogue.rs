@@ -1,18 +1,16 @@
-//! The catalogue: every cycle of every control, resolved from the files.
+//! The catalogue: every cycle of every control, resolved from the files; see [`load`](super::load) for how.
 //!
-//! Stages: read trees → filter for a control → decode → resolve meanings and `like`. What each file
-//! means together with the others is checked in `check`.
+//! Invariant: whoever reads it cannot tell whether all files were read at once or each when it was asked for.
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::decode::{Context, Decode, Name};
-use super::filter;
-use super::form::{Choice, CycleFile, Described, Dictionary, Fragment, Meaning, Parameter};
-use super::language::{BlockWords, Global, OldCycle, Tongue};
-use super::profile::{Control, Errata, Erratum, Named, Topic, Topics};
+use super::decode::Name;
+use super::form::{Choice, CycleFile, Described, Fragment, Meaning};
+use super::language::{BlockWords, Global, OldCycle};
+use super::profile::{Control, Erratum, Named, Topic};
 use super::vocabulary::{Doubtful, Keyword, ParameterKind, Quantity, Reference, Shape};
-use super::yaml::{self, Node};
-use crate::base::diag::{Diagnostic, Place, Source, dedupe};
+use crate::base::demand::{Deferred, OnDemand};
+use crate::base::diag::{Mistakes, Place};
 use crate::base::expr::{QKind, QRef};
 
 /// The key of a cycle: how it is written and its number.
@@ -200,17 +198,32 @@ pub enum Known<'c> {
     Unknown,
 }
 
+/// What is known of a cycle without reading its file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Outline {
+    /// Its name, the base of its message ids.
+    pub name: String,
+    /// The cycle whose run it has.
+    pub like: Option<String>,
+    /// Its DIN/ISO codes, each with the index of the form that it stands for.
+    pub codes: Vec<(Option<usize>, String)>,
+    /// The Q parameters that its definition has.
+    pub parameters: Vec<QRef>,
+}
+
 /// All cycles of one control.
 #[derive(Clone, Debug)]
 pub struct OnControl {
     /// The control.
     pub control: Control,
     /// Its cycles by key.
-    pub cycles: BTreeMap<CycleKey, Cycle>,
+    pub cycles: OnDemand<CycleKey, Cycle>,
+    /// What each of them is, in a few words.
+    pub outlines: BTreeMap<CycleKey, Outline>,
     /// The fragments by name.
-    pub fragments: BTreeMap<String, Fragment>,
+    pub fragments: OnDemand<String, Fragment>,
     /// The dictionary.
-    pub meanings: BTreeMap<String, Meaning>,
+    pub meanings: Arc<OnDemand<String, Meaning>>,
 }
 
 impl OnControl {
@@ -243,7 +256,21 @@ impl OnControl {
 
     /// The cycle of that name.
     pub fn by_name(&self, name: &str) -> Option<&Cycle> {
-        self.cycles.values().find(|cycle| cycle.name() == name)
+        let (key, _) = self.outlines.iter().find(|(_, outline)| outline.name == name)?;
+        self.cycles.get(key)
+    }
+
+    /// What each cycle has that writes a parameter under that Q number.
+    pub fn all_written(&self, q: QRef) -> impl Iterator<Item = &Param> {
+        let has = move |outline: &Outline| outline.parameters.iter().any(|own| own.number == q.number);
+        let keys = self.outlines.iter().filter(move |(_, outline)| has(outline)).map(|(key, _)| key);
+        keys.filter_map(move |key| self.cycles.get(key)?.written(q))
+    }
+
+    /// The cycle that has the run of the one of that name.
+    pub fn follower_of(&self, name: &str) -> Option<&Cycle> {
+        let (key, _) = self.outlines.iter().find(|(_, outline)| outline.like.as_deref() == Some(name))?;
+        self.cycles.get(key)
     }
 
     /// The printed name of a machine datum.
@@ -252,21 +279,42 @@ impl OnControl {
     }
 }
 
+/// What is printed for all parameters that mean the same and are of the same kind, on any control.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PrintedRange {
+    /// What they mean.
+    pub meaning: String,
+    /// What kind of entry.
+    pub kind: ParameterKind,
+    /// What they measure.
+    pub quantity: Quantity,
+    /// Whether they are fields of old-style lines.
+    pub field: bool,
+    /// The widest range of those that have both ends.
+    pub range: Option<(f64, f64)>,
+    /// The greatest value of any.
+    pub greatest: Option<f64>,
+}
+
 /// Everything that the files say.
 #[derive(Clone, Debug, Default)]
 pub struct Catalogue {
     /// The controls, by id in alphabetical order.
-    pub controls: BTreeMap<String, OnControl>,
+    pub controls: OnDemand<String, OnControl>,
     /// The errata.
-    pub errata: Vec<Erratum>,
+    pub errata: Deferred<Vec<Erratum>>,
     /// The topics, in the order of the overview.
-    pub topics: Vec<Topic>,
+    pub topics: Deferred<Vec<Topic>>,
     /// Blocks of the language that are no cycles; those with more words come after those with fewer.
-    pub blocks: Vec<BlockWords>,
+    pub blocks: Deferred<Vec<BlockWords>>,
     /// What GLOBAL DEF gives.
-    pub globals: Vec<Global>,
+    pub globals: Deferred<Vec<Global>>,
     /// Cycles of the first controls, which the ones after them still carry out.
-    pub old_cycles: Vec<OldCycle>,
+    pub old_cycles: Deferred<Vec<OldCycle>>,
+    /// The ranges of all parameters.
+    pub ranges: Deferred<Vec<PrintedRange>>,
+    /// What was found in files that were read when they were asked for.
+    pub mistakes: Mistakes,
 }
 
 impl Catalogue {
@@ -277,95 +325,6 @@ impl Catalogue {
             Known::Described(cycle) => Some((on, cycle)),
             _ => None,
         })
-    }
-}
-
-struct File {
-    source: Arc<Source>,
-    node: Node,
-}
-
-/// Files by the folder that says what they are.
-#[derive(Default)]
-struct Files {
-    controls: Vec<File>,
-    dictionary: Vec<File>,
-    fragments: Vec<File>,
-    cycles: Vec<File>,
-    errata: Vec<File>,
-    topics: Vec<File>,
-    language: Vec<File>,
-}
-
-fn sort_files(files: &[(String, String)], found: &mut Vec<Diagnostic>) -> Files {
-    let mut sorted = Files::default();
-    for (path, text) in files {
-        let Some(rest) = path.strip_prefix("cycle-specs/") else { continue };
-        if !rest.ends_with(".yaml") || rest.starts_with("machines/") {
-            continue;
-        }
-        let source = Source::new(path.clone(), text.clone());
-        let Some(node) = yaml::read(&source, found) else { continue };
-        let list = match rest.split_once('/') {
-            None if rest == "topics.yaml" => &mut sorted.topics,
-            None if rest == "language.yaml" => &mut sorted.language,
-            None => &mut sorted.errata,
-            Some(("controls", _)) => &mut sorted.controls,
-            Some(("parameters", _)) => &mut sorted.dictionary,
-            Some(("fragments", _)) => &mut sorted.fragments,
-            Some(_) => &mut sorted.cycles,
-        };
-        list.push(File { source, node });
-    }
-    sorted
-}
-
-fn decode<T: Decode>(source: &Arc<Source>, node: &Node, found: &mut Vec<Diagnostic>) -> Option<T> {
-    T::decode(node, &mut Context { source, found })
-}
-
-impl Catalogue {
-    /// Reads all files, given as path and text with paths such as `cycle-specs/drilling/200-drilling.yaml`.
-    /// Every mistake of every file is reported; what could be read is there all the same.
-    pub fn load(files: &[(String, String)]) -> (Self, Vec<Diagnostic>) {
-        let mut found = Vec::new();
-        let files = sort_files(files, &mut found);
-        let profiles: Vec<Control> =
-            files.controls.iter().filter_map(|file| decode(&file.source, &file.node, &mut found)).collect();
-        let ids: Vec<&str> = profiles.iter().map(|profile| profile.control.as_str()).collect();
-        for file in files.dictionary.iter().chain(&files.fragments).chain(&files.cycles) {
-            filter::check(&file.node, &ids, &file.source, &mut found);
-        }
-        let mut catalogue = Self::default();
-        for file in &files.errata {
-            catalogue.errata.extend(
-                decode::<Errata>(&file.source, &file.node, &mut found)
-                    .and_then(|errata| errata.errata)
-                    .unwrap_or_default(),
-            );
-        }
-        for file in &files.topics {
-            let topics = decode::<Topics>(&file.source, &file.node, &mut found).and_then(|topics| topics.topics);
-            catalogue.topics.extend(topics.unwrap_or_default());
-        }
-        for file in &files.language {
-            let Some(tongue) = decode::<Tongue>(&file.source, &file.node, &mut found) else { continue };
-            catalogue.blocks.extend(tongue.blocks.unwrap_or_default());
-            catalogue.globals.extend(tongue.globals.unwrap_or_default());
-            catalogue.old_cycles.extend(tongue.old_cycles.unwrap_or_default());
-        }
-        for profile in &profiles {
-            let on_control = load_control(profile, &files, &mut found);
-            if let Some(first) = catalogue.controls.insert(profile.control.text.to_string(), on_control) {
-                found.push(
-                    Diagnostic::error("spec-duplicate-name", profile.control.place.clone())
-                        .arg("name", profile.control.as_str())
-                        .related("first-place", first.control.control.place.clone()),
-                );
-            }
-        }
-        dedupe(&mut found);
-        (catalogue, found)
     }
 
     /// Whether the errata explain what a parameter does otherwise than in other cycles.
@@ -406,15 +365,21 @@ impl Catalogue {
         if of_cycle.is_some() || param.field.is_some() {
             return of_cycle;
         }
-        let alike =
-            |other: &&Param| other.field.is_none() && other.kind == param.kind && other.quantity == param.quantity;
-        let all =
-            || self.controls.values().flat_map(|on| on.cycles.values()).flat_map(|cycle| &cycle.params).filter(alike);
-        let range = |own: &Param| Some((own.min?, own.max?, None));
-        let meant = all().filter(|other| other.is.as_str() == param.is.as_str()).filter_map(range).reduce(wider);
+        let alike = |other: &&PrintedRange| {
+            !other.field && other.kind == param.kind && other.quantity == param.quantity
+        };
+        let all = || self.ranges.iter().filter(alike);
+        let range = |own: &PrintedRange| own.range.map(|(least, greatest)| (least, greatest, None));
+        let meant = all().filter(|other| other.meaning == param.is.as_str()).filter_map(range).reduce(wider);
         let measures = matches!(param.quantity, Quantity::Length | Quantity::Feed | Quantity::Angle | Quantity::Time);
         let plain = measures && param.kind == ParameterKind::Number && param.choices.is_empty();
         meant.or_else(|| all().filter(|_| plain).filter_map(range).reduce(wider))
+    }
+
+    /// The greatest value that any manual prints for a parameter that measures this.
+    pub fn greatest(&self, quantity: Quantity) -> Option<f64> {
+        let own = self.ranges.iter().filter(|range| range.quantity == quantity);
+        own.filter_map(|range| range.greatest).max_by(f64::total_cmp)
     }
 
     /// The cycles of a control, by its id or another of its names.
@@ -425,183 +390,3 @@ impl Catalogue {
     }
 }
 
-fn load_control(profile: &Control, files: &Files, found: &mut Vec<Diagnostic>) -> OnControl {
-    let id = profile.control.as_str();
-    let mut on = OnControl {
-        control: profile.clone(),
-        cycles: BTreeMap::new(),
-        fragments: BTreeMap::new(),
-        meanings: BTreeMap::new(),
-    };
-    for file in &files.dictionary {
-        let Some(dictionary) = decode::<Dictionary>(&file.source, &filter::for_control(&file.node, id), found) else {
-            continue;
-        };
-        for (name, meaning) in dictionary.parameters.0 {
-            if on.meanings.insert(name.text.to_string(), meaning).is_some() {
-                found.push(Diagnostic::error("spec-duplicate-name", name.place.clone()).arg("name", name.as_str()));
-            }
-        }
-    }
-    for file in &files.fragments {
-        let Some(fragment) = decode::<Fragment>(&file.source, &filter::for_control(&file.node, id), found) else {
-            continue;
-        };
-        let name = fragment.fragment.clone();
-        if on.fragments.insert(name.text.to_string(), fragment).is_some() {
-            found.push(Diagnostic::error("spec-duplicate-name", name.place).arg("name", &*name.text));
-        }
-    }
-    for file in &files.cycles {
-        load_cycle(file, id, &mut on, found);
-    }
-    share_runs(&mut on, found);
-    on
-}
-
-fn load_cycle(file: &File, control: &str, on: &mut OnControl, found: &mut Vec<Diagnostic>) {
-    let filtered = filter::for_control(&file.node, control);
-    let listed = filtered.get("controls").map_or(&[][..], Node::items);
-    if !listed.iter().any(|item| item.get("control").and_then(Node::text) == Some(control)) {
-        // Read all the same, so that a file which no control describes is still checked.
-        let nobody = !listed.iter().any(|item| item.get("control").is_some());
-        if nobody {
-            decode::<CycleFile>(&file.source, &filtered, found);
-        }
-        return;
-    }
-    let Some(cycle) = decode::<CycleFile>(&file.source, &filtered, found) else { return };
-    let Some(described) = cycle.controls.iter().find(|d| d.control.as_str() == control).cloned() else { return };
-    let key = CycleKey::new(cycle.keyword, cycle.cycle);
-    let mut params = Vec::new();
-    for parameter in &cycle.parameters {
-        params.extend(resolve(parameter, None, &on.meanings, found));
-    }
-    for (form, lines) in cycle.forms.iter().enumerate().map(|(index, form)| (index, &form.lines)) {
-        for line in lines {
-            for field in &line.fields {
-                params.extend(resolve(field, Some((form, line.line, line.repeat)), &on.meanings, found));
-            }
-        }
-    }
-    let iso =
-        cycle.iso.iter().chain(cycle.forms.iter().flat_map(|form| &form.iso)).map(|iso| iso.code.clone()).collect();
-    let lacking = lacking(&file.node, &params);
-    let entry = Cycle { key, control: control.into(), described, params, lacking, iso, file: cycle };
-    let place = entry.file.name.place.clone();
-    let same_name = on.by_name(entry.name()).map(|other| other.file.name.place.clone());
-    if let Some(first) = same_name.or_else(|| on.cycles.get(&key).map(|other| other.file.name.place.clone())) {
-        found.push(
-            Diagnostic::error("spec-duplicate-cycle", place)
-                .arg("cycle", key.to_string())
-                .arg("name", entry.name())
-                .related("first-place", first),
-        );
-        return;
-    }
-    on.cycles.insert(key, entry);
-}
-
-/// Parameters of the unfiltered file that this control lacks, with their neutral values.
-fn lacking(node: &Node, params: &[Param]) -> Vec<(QRef, f64)> {
-    let listed = node.get("parameters").map_or(&[][..], Node::items);
-    let mut result: Vec<(QRef, f64)> = Vec::new();
-    for item in listed {
-        let q = item.get("q").and_then(Node::text).and_then(QRef::parse);
-        let neutral = item.get("neutral").and_then(Node::text).and_then(|text| text.parse().ok());
-        if let (Some(q), Some(neutral)) = (q, neutral)
-            && !params.iter().any(|param| param.q == Some(q))
-            && !result.iter().any(|(known, _)| *known == q)
-        {
-            result.push((q, neutral));
-        }
-    }
-    result
-}
-
-fn resolve(
-    parameter: &Parameter,
-    line: Option<(usize, u32, bool)>,
-    meanings: &BTreeMap<String, Meaning>,
-    found: &mut Vec<Diagnostic>,
-) -> Option<Param> {
-    let Some(meaning) = meanings.get(parameter.is.as_str()) else {
-        let place = parameter.is.place.clone();
-        found.push(Diagnostic::error("spec-unknown-meaning", place).arg("name", parameter.is.as_str()));
-        return None;
-    };
-    let ranges = parameter.ranges.as_ref().unwrap_or(&meaning.ranges);
-    let words = parameter.words.as_ref().unwrap_or(&meaning.words);
-    let field = line.and_then(|(form, line, repeat)| {
-        Some(Field {
-            form,
-            line,
-            repeat,
-            id: parameter.id.clone()?,
-            shape: parameter.shape?,
-            word: parameter.word.clone(),
-            incremental: parameter.incremental,
-            optional: parameter.optional,
-            stands_for: parameter.stands_for,
-        })
-    });
-    if field.is_none() && (line.is_some() || parameter.q.is_none()) {
-        let key = if line.is_none() {
-            "q"
-        } else if parameter.id.is_none() {
-            "id"
-        } else {
-            "shape"
-        };
-        found.push(Diagnostic::error("spec-missing-key", parameter.is.place.clone()).arg("key", key));
-        return None;
-    }
-    Some(Param {
-        q: parameter.q,
-        field,
-        is: parameter.is.clone(),
-        kind: parameter.kind.or(meaning.kind).unwrap_or(ParameterKind::Number),
-        quantity: parameter.quantity.or(meaning.quantity).unwrap_or(Quantity::None),
-        reference: parameter.reference.or(meaning.reference),
-        min: ranges.first().and_then(|range| range.min),
-        max: ranges.first().and_then(|range| range.max),
-        max_length: ranges.first().and_then(|range| range.max_length),
-        words: words.iter().map(|word| word.word.clone()).collect(),
-        choices: parameter.choices.as_ref().unwrap_or(&meaning.choices).clone(),
-        doubtful: parameter.doubtful.as_ref().unwrap_or(&meaning.doubtful).clone(),
-        characters: meaning.characters.clone(),
-        effective: parameter.effective.clone(),
-        neutral: parameter.neutral,
-        imported: parameter.imported,
-        added: parameter.added.clone(),
-        example: parameter.example.clone(),
-        place: parameter.place.clone(),
-    })
-}
-
-/// Gives every cycle with `like` the run of the cycle that it names.
-fn share_runs(on: &mut OnControl, found: &mut Vec<Diagnostic>) {
-    let followers: Vec<CycleKey> =
-        on.cycles.values().filter(|cycle| cycle.file.like.is_some()).map(|cycle| cycle.key).collect();
-    for key in followers {
-        let Some(like) = on.cycles.get(&key).and_then(|cycle| cycle.file.like.clone()) else { continue };
-        let Some(model) = on.by_name(like.as_str()).filter(|model| model.file.like.is_none()).cloned() else {
-            found.push(Diagnostic::error("spec-unknown-cycle-name", like.place.clone()).arg("name", like.as_str()));
-            continue;
-        };
-        if let Some(cycle) = on.cycles.get_mut(&key) {
-            let own = &mut cycle.file;
-            own.lets = model.file.lets;
-            own.conditions = model.file.conditions;
-            own.guards.extend(model.file.guards);
-            own.doubts.extend(model.file.doubts);
-            own.run = model.file.run;
-            if own.results.is_empty() {
-                own.results = model.file.results;
-            }
-            if own.tables.is_empty() {
-                own.tables = model.file.tables;
-            }
-        }
-    }
-}

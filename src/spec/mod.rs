@@ -5,17 +5,23 @@ mod catalogue;
 mod decode;
 mod filter;
 mod form;
+mod index;
 mod language;
 mod lint;
+mod load;
+mod prepared;
 mod profile;
 mod run_form;
 mod schema;
 mod texts;
+mod tree;
 mod value;
 mod vocabulary;
 mod yaml;
 
-pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Param};
+pub use catalogue::{
+    Catalogue, Cycle, CycleKey, Field, Known, OnControl, Outline, Param, PrintedRange,
+};
 pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use form::*;
 pub use language::{BlockWords, Gives, Global, OldCycle, Tongue, WordLimit};

@@ -54,7 +54,7 @@ fn collect(root: &Path, directory: &Path, files: &mut Vec<(String, String)>) {
 }
 
 fn small_cycle(data: &Data, number: u32) -> &Cycle {
-    &data.on("small").cycles[&CycleKey::new(Keyword::CyclDef, number)]
+    data.on("small").cycles.get(&CycleKey::new(Keyword::CyclDef, number)).expect("a cycle")
 }
 
 fn block(number: u32, values: &[(&str, &str)], first: Option<u32>) -> Result<String, Vec<String>> {
@@ -107,7 +107,7 @@ fn block_of_640(number: u32, keyword: Keyword, values: &[(&str, &str)]) -> Resul
     let values: Vec<(String, String)> = values.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
     let request = Request { values: &values, ..Request::default() };
     let language = data.locales.language("en").expect("English is there");
-    let result = label::block(on, &on.cycles[&CycleKey::new(keyword, number)], language, &request);
+    let result = label::block(on, on.cycles.get(&CycleKey::new(keyword, number)).expect("a cycle"), language, &request);
     result.map_err(|faults| faults.iter().map(|fault| fault.code.to_owned()).collect())
 }
 

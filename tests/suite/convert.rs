@@ -97,7 +97,7 @@ fn the_other_control_finds_its_own_definition() {
     let books = data.books();
     let (mut converted, mut refused) = (0, 0);
     for (from, to) in pairs(data) {
-        let (own, other) = (&data.catalogue.controls[from], data.against(&books, to));
+        let (own, other) = (data.catalogue.controls.get(from).expect("a control"), data.against(&books, to));
         for cycle in own.cycles.values() {
             let Some(text) = data.definition(own, cycle) else { continue };
             let conversion = data.convert(&books, (from, to), Form::AsWritten, &text);
@@ -133,7 +133,7 @@ fn the_other_control_finds_its_own_definition() {
 fn cycles_that_a_manual_does_not_treat_are_not_denied() {
     let data = built();
     let books = data.books();
-    let own = &data.catalogue.controls["tnc640"];
+    let own = data.catalogue.controls.get("tnc640").expect("a control");
     let definition = |name: &str| data.definition(own, own.by_name(name).expect("the cycle")).expect("its block");
     let drilling = definition("drilling");
     for (to, expected) in [
@@ -157,7 +157,7 @@ fn what_lost_nothing_comes_back() {
     let books = data.books();
     let mut came_back = 0;
     for (from, to) in pairs(data) {
-        let (own, against) = (&data.catalogue.controls[from], data.against(&books, from));
+        let (own, against) = (data.catalogue.controls.get(from).expect("a control"), data.against(&books, from));
         for cycle in own.cycles.values() {
             let Some(text) = data.definition(own, cycle) else { continue };
             let there = data.convert(&books, (from, to), Form::AsWritten, &text);
@@ -197,7 +197,7 @@ fn everything_between_definitions_keeps_its_bytes() {
 fn older_programs_get_what_the_control_writes_when_it_reads_them() {
     let data = built();
     let books = data.books();
-    let own = &data.catalogue.controls["tnc426-430"];
+    let own = data.catalogue.controls.get("tnc426-430").expect("a control");
     let cycle = own.by_name("datum-inside-circle").expect("the cycle");
     let text = data.definition(own, cycle).expect("its block");
     let there = data.convert(&books, ("tnc426-430", "tnc640"), Form::AsWritten, &text);
@@ -314,7 +314,7 @@ fn functions_that_a_manual_does_not_show_are_told() {
                 _ => None,
             })
             .collect();
-        let profile = &data.catalogue.controls[to].control.functions;
+        let profile = &data.catalogue.controls.get(to).expect("a control").control.functions;
         for name in &used {
             let shown = profile.iter().find(|shown| shown.function.contains(name));
             let expected = match shown {

@@ -1,7 +1,9 @@
 //! Plans: the registry test over all embedded specifications, and runs with mistakes beside what must be
 //! said of them (`tests/engine/plan/`, in the form of `support/mistakes.rs`).
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
+use ciklo::base::demand::OnDemand;
 use ciklo::engine::plan;
 use ciklo::spec::{Catalogue, OnControl, Quantity};
 
@@ -23,8 +25,8 @@ fn every_mistake_of_a_run_is_found_at_its_place() {
 /// The catalogue with those cycles only that have a parameter of that meaning and a run that the engine executes.
 fn with_meaning(catalogue: &Catalogue, meaning: &str) -> Catalogue {
     let mut reduced = Catalogue { errata: catalogue.errata.clone(), ..Catalogue::default() };
-    for (id, on) in &catalogue.controls {
-        let cycles: BTreeMap<_, _> = on
+    for (id, on) in catalogue.controls.iter() {
+        let cycles: OnDemand<_, _> = on
             .cycles
             .iter()
             .filter(|(_, cycle)| cycle.params.iter().any(|param| param.is.as_str() == meaning))
@@ -36,7 +38,8 @@ fn with_meaning(catalogue: &Catalogue, meaning: &str) -> Catalogue {
                 control: on.control.clone(),
                 cycles,
                 fragments: on.fragments.clone(),
-                meanings: BTreeMap::new(),
+                outlines: BTreeMap::new(),
+                meanings: Arc::default(),
             };
             reduced.controls.insert(id.clone(), own);
         }

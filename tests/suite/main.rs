@@ -30,6 +30,7 @@ mod manual;
 mod manuals;
 #[path = "../support/mistakes.rs"]
 mod mistakes;
+mod on_demand;
 mod plain_lines;
 mod presets;
 #[path = "../support/small.rs"]

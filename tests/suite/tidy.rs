@@ -8,11 +8,12 @@ use std::path::{Path, PathBuf};
 /// A module never uses one that stands below it.
 const LAYERS: &[(&str, &[&str])] = &[
     ("base::data", &[]),
+    ("base::demand", &[]),
     ("base::diag", &[]),
     ("base::parallel", &[]),
     ("base::expr", &["base::diag"]),
-    ("spec", &["base::diag", "base::expr"]),
-    ("language::locale", &["base::diag"]),
+    ("spec", &["base::data", "base::demand", "base::diag", "base::expr"]),
+    ("language::locale", &["base::data", "base::demand", "base::diag"]),
     ("language::text", &["base::diag", "base::expr", "spec", "language::locale"]),
     ("language::label", &["base::diag", "base::expr", "spec", "language::locale", "language::text"]),
     ("language::consistency", &["base::diag", "spec", "language::locale", "language::text"]),

@@ -10,17 +10,19 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use super::effect::Effect;
 use super::guard::{Ready, guards_of};
 use crate::language::locale::{Language, Locales};
-use crate::language::text::{CycleText, Vocabulary};
+use crate::language::text::{self, CycleText, Vocabulary};
 use crate::spec::{Catalogue, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape};
 
 /// The labels of a control, put together when a cycle is first asked for.
 pub struct LabelBook<'a> {
     on: &'a OnControl,
     locales: &'a Locales,
-    cycles: BTreeMap<CycleKey, Kept>,
+    cycles: BTreeMap<CycleKey, (usize, OnceLock<Kept>)>,
     limits: OnceLock<Limits>,
     /// The cycles by their names.
     names: OnceLock<BTreeMap<String, Vec<CycleKey>>>,
+    /// The names of cycles on whatever control.
+    names_anywhere: Mutex<BTreeMap<CycleKey, Arc<[String]>>>,
     /// Labels of cycles that only other controls describe.
     elsewhere: Mutex<BTreeMap<CycleKey, Arc<CycleLabels>>>,
 }
@@ -101,11 +103,6 @@ impl ParamLabels {
         self.folded.iter().any(|own| own == printed)
     }
 
-    /// Whether one of its forms, as [`fold`] leaves them, is such.
-    pub(in crate::check) fn any_folded(&self, is: impl Fn(&str) -> bool) -> bool {
-        self.folded.iter().any(|own| is(own))
-    }
-
     /// Whether a label made ready by [`fold`] is this one.
     pub(in crate::check) fn matches_folded(&self, printed: &str) -> bool {
         self.folded.iter().any(|own| own == printed)
@@ -149,9 +146,8 @@ fn folded(label: &str) -> String {
 impl<'a> LabelBook<'a> {
     /// The labels of a control in all languages that are loaded.
     pub fn new(on: &'a OnControl, locales: &'a Locales) -> Self {
-        let kept = |(place, (key, cycle)): (usize, (&CycleKey, &Cycle))| (*key, Kept::of(place, cycle));
-        let cycles = on.cycles.iter().enumerate().map(kept).collect();
-        Self { on, locales, cycles, limits: OnceLock::new(), names: OnceLock::new(), elsewhere: Mutex::default() }
+        let cycles = on.cycles.keys().enumerate().map(|(place, key)| (*key, (place, OnceLock::new()))).collect();
+        Self { on, locales, cycles, limits: OnceLock::new(), names: OnceLock::new(), names_anywhere: Mutex::default(), elsewhere: Mutex::default() }
     }
 
     /// The tags of its languages, in the order in which cycles have them.
@@ -161,13 +157,14 @@ impl<'a> LabelBook<'a> {
 
     /// The labels of a cycle; nothing if the control does not describe it.
     pub fn cycle(&self, key: CycleKey) -> Option<&CycleLabels> {
-        let cycle = self.on.cycles.get(&key)?;
-        Some(self.labels_of(cycle, self.cycles.get(&key)?))
+        Some(self.labels_of(self.on.cycles.get(&key)?, self.kept(key)?))
     }
 
     /// What is kept of a cycle that the control describes.
     pub(in crate::check) fn kept(&self, key: CycleKey) -> Option<&Kept> {
-        self.cycles.get(&key)
+        let (place, kept) = self.cycles.get(&key)?;
+        let cycle = self.on.cycles.get(&key)?;
+        Some(kept.get_or_init(|| Kept::of(*place, cycle)))
     }
 
     /// The labels of a cycle of which that is kept.
@@ -188,15 +185,33 @@ impl<'a> LabelBook<'a> {
     pub(in crate::check) fn named(&self, name: &str) -> &[CycleKey] {
         let names = self.names.get_or_init(|| {
             let mut names: BTreeMap<String, Vec<CycleKey>> = BTreeMap::new();
-            for (key, cycle) in &self.on.cycles {
-                let Some(kept) = self.cycles.get(key) else { continue };
-                for own in self.labels_of(cycle, kept).languages.iter().flat_map(|language| &language.name.folded) {
-                    names.entry(own.clone()).or_default().push(*key);
+            for (key, outline) in &self.on.outlines {
+                for own in self.names_on(self.on, &outline.name) {
+                    names.entry(own).or_default().push(*key);
                 }
             }
             names
         });
         names.get(name).map_or(&[], Vec::as_slice)
+    }
+
+    /// The names of a cycle in all languages, made ready by [`fold`], as the control with the highest id has them;
+    /// nothing if no control describes it.
+    pub(in crate::check) fn names_anywhere(&self, catalogue: &Catalogue, key: CycleKey) -> Option<Arc<[String]>> {
+        let mut known = self.names_anywhere.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(names) = known.get(&key) {
+            return Some(Arc::clone(names));
+        }
+        let mut controls = catalogue.controls.values().rev();
+        let (on, outline) = controls.find_map(|on| Some((on, on.outlines.get(&key)?)))?;
+        let names: Arc<[String]> = self.names_on(on, &outline.name).into();
+        known.insert(key, Arc::clone(&names));
+        Some(names)
+    }
+
+    fn names_on(&self, on: &OnControl, cycle: &str) -> Vec<String> {
+        let printed = self.locales.iter().flat_map(|language| text::nc_names(on, cycle, language));
+        printed.filter(|name| !name.is_empty()).map(|name| fold(&name).into_owned()).collect()
     }
 
     /// Its guards.
@@ -207,11 +222,7 @@ impl<'a> LabelBook<'a> {
     /// The greatest values that any manual prints.
     pub(in crate::check) fn limits(&self, catalogue: &Catalogue) -> &Limits {
         self.limits.get_or_init(|| {
-            let all = || catalogue.controls.values().flat_map(|on| on.cycles.values()).flat_map(|cycle| &cycle.params);
-            let greatest = |quantity| {
-                let own = all().filter(|param| param.quantity == quantity).filter_map(|param| param.max);
-                own.max_by(f64::total_cmp)
-            };
+            let greatest = |quantity| catalogue.greatest(quantity);
             Limits { speed: greatest(Quantity::Speed), feed: greatest(Quantity::Feed) }
         })
     }

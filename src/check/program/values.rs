@@ -115,11 +115,9 @@ pub(in crate::check) fn refused_by_all(
     number: Option<f64>,
     least: usize,
 ) -> Option<bool> {
-    let own = reading.against.on.cycles.values().filter_map(|cycle| cycle.written(q));
-    let all = reading.against.catalogue.controls.values().flat_map(|on| on.cycles.values());
-    let mut params: Vec<&Param> = own.collect();
+    let mut params: Vec<&Param> = reading.against.on.all_written(q).collect();
     if params.is_empty() {
-        params = all.filter_map(|cycle| cycle.written(q)).collect();
+        params = reading.against.catalogue.controls.values().flat_map(|on| on.all_written(q)).collect();
     }
     if params.len() < least.max(1) {
         return None;

@@ -51,10 +51,9 @@ fn part_of_another(facts: &Facts<'_>, definition: &Defined<'_>, folded: &str) ->
     if folded.chars().count() < LEAST || has_name(facts, definition.key, touches) {
         return None;
     }
-    let others = facts.against.on.cycles.values();
-    let having = others.filter(|other| {
-        other.key.keyword == own.key.keyword && has_name(facts, other.key, |name| name.contains(folded))
-    });
+    let others = facts.against.on.cycles.keys().filter(|other| other.keyword == own.key.keyword);
+    let having = others.filter(|other| has_name(facts, **other, |name| name.contains(folded)));
+    let having = having.filter_map(|other| facts.against.on.cycles.get(other));
     let mut first = None;
     for other in having {
         let before = *first.get_or_insert(other);
@@ -84,7 +83,6 @@ fn has_name(facts: &Facts<'_>, key: CycleKey, is: impl Fn(&str) -> bool) -> bool
     if against.on.named(key).is_some_and(|named| is(&fold(&named.name))) {
         return true;
     }
-    let Some((on, cycle)) = against.catalogue.describing(key) else { return false };
-    let labels = against.labels.labels_elsewhere(on, cycle);
-    labels.languages.iter().any(|language| language.name.any_folded(&is))
+    let names = against.labels.names_anywhere(against.catalogue, key);
+    names.is_some_and(|names| names.iter().any(|name| is(name)))
 }

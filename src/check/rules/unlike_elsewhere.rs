@@ -129,11 +129,11 @@ impl<'a> Other<'a> {
     /// Whether a parameter that the cycle does not have belongs to another one, or stands before one that it has.
     fn is_foreign(&self, facts: &Facts<'_>, item: &Item<'_>, amid: bool) -> bool {
         let Some(q) = QRef::parse(&item.name).filter(|q| matches!(q.kind, QKind::Q | QKind::Qs)) else { return false };
-        let mut cycles = facts.against.catalogue.controls.values().flat_map(|on| on.cycles.values());
-        let has = cycles.clone().filter(|own| own.key == self.cycle.key).any(|own| own.written(q).is_some());
+        let controls = || facts.against.catalogue.controls.values();
+        let has = controls().filter_map(|on| on.cycles.get(&self.cycle.key)).any(|own| own.written(q).is_some());
         // What newer software adds has a number above those of the cycle.
         let older = self.cycle.params.iter().filter_map(|param| param.q).any(|own| q.number < own.number);
-        !has && (amid || older) && cycles.any(|own| own.written(q).is_some())
+        !has && (amid || older) && controls().any(|on| on.all_written(q).next().is_some())
     }
 
     /// Labels of another parameter of the cycle, in whatever language.

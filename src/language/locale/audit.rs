@@ -137,7 +137,7 @@ struct Text<'l> {
 
 fn texts(language: &Language) -> Vec<Text<'_>> {
     let mut texts = Vec::new();
-    for (id, entry) in &language.entries {
+    for (id, entry) in language.entries.iter() {
         for (attribute, forms) in entry.all() {
             // The attributes of a term are its grammar, a language's own business.
             if id.starts_with('-') && attribute.is_some() {

@@ -16,7 +16,7 @@ use crate::base::diag::Diagnostic;
 /// Reports the mistakes of the language.
 pub(super) fn language(language: &Language, diagnostics: &mut Vec<Diagnostic>) {
     let mut check = Check { language, terms: terms(language), diagnostics };
-    let sorted: BTreeMap<&String, &Entry> = language.entries.iter().collect();
+    let sorted: BTreeMap<&str, &Entry> = language.entries.iter().collect();
     for entry in sorted.values() {
         for form in entry.all().flat_map(|(_, forms)| forms) {
             if let Some(pattern) = language.pattern(form) {
@@ -24,7 +24,7 @@ pub(super) fn language(language: &Language, diagnostics: &mut Vec<Diagnostic>) {
             }
         }
     }
-    check.cycles(sorted.keys().map(|id| id.as_str()));
+    check.cycles(sorted.keys().copied());
 }
 
 /// What a term takes: variables that it shows, and such that it only chooses by, with their keys in
@@ -37,7 +37,7 @@ struct Takes<'l> {
 
 fn terms(language: &Language) -> HashMap<&str, Takes<'_>> {
     let mut terms = HashMap::new();
-    for (id, entry) in &language.entries {
+    for (id, entry) in language.entries.iter() {
         let Some(name) = id.strip_prefix('-') else { continue };
         let takes: &mut Takes = terms.entry(name).or_default();
         for pattern in entry.value.iter().filter_map(|form| language.pattern(form)) {

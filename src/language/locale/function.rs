@@ -37,6 +37,19 @@ pub(super) struct Forms {
     pub(super) lists: HashMap<String, ListForm>,
 }
 
+impl Forms {
+    /// Those of a language before its units and lists are read.
+    pub(super) fn of(tag: &str) -> Self {
+        Self { numbers: Numbers::of(tag), units: HashMap::new(), lists: HashMap::new() }
+    }
+}
+
+impl Default for Forms {
+    fn default() -> Self {
+        Self { numbers: Numbers::plain(), units: HashMap::new(), lists: HashMap::new() }
+    }
+}
+
 #[derive(Default)]
 struct Slate {
     forms: Option<Arc<Forms>>,

@@ -2,13 +2,13 @@
 //!
 //! Look-ups are compiled when the files are read: a text is found with one hash and a comparison a
 //! variant, and text without placeables is handed out without formatting. References inside a text
-//! see the same variants; a bundle is made for each combination of a cycle and a control that some
-//! referenced message distinguishes, when it is first needed. Invariant: what comes out is either the
+//! see the same variants; a bundle with what a text refers to is made for each combination of a cycle and a
+//! control that this distinguishes, when it is first needed. Invariant: what comes out is either the
 //! whole text or an error.
 use std::borrow::Cow;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::fmt;
-use std::sync::{Arc, PoisonError, RwLock};
+use std::sync::{Arc, OnceLock, PoisonError, RwLock};
 
 use fluent::concurrent::FluentBundle;
 use fluent::resolver::ResolverError;
@@ -20,10 +20,12 @@ use unic_langid::LanguageIdentifier;
 use super::args::Args;
 use super::audit::Lock;
 use super::collation::Collation;
+use super::entries::Entries;
 use super::error::{Fault, LocaleError};
 use super::function::{self, Forms};
 use super::number::{Digits, Numbers};
 use super::pattern;
+use crate::base::demand::Deferred;
 use crate::base::diag::{Place, Source, Span};
 
 type Bundle = FluentBundle<Arc<FluentResource>>;
@@ -102,10 +104,13 @@ impl<'a> Scope<'a> {
 }
 
 /// One variant of a text: where it is, and for which scope.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) struct Form {
     pub(super) suffixes: Vec<Box<str>>,
-    pub(super) file: usize,
+    pub(super) source: Arc<Source>,
+    /// What the file, or a part of it, was parsed to.
+    pub(super) resource: Arc<FluentResource>,
+    /// The index of the message there.
     pub(super) entry: usize,
     pub(super) attribute: Option<usize>,
     /// Whether references to other messages or terms must be resolved.
@@ -121,7 +126,7 @@ impl Form {
 }
 
 /// All variants of a message or term (whose identifier begins with `-`).
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(super) struct Entry {
     pub(super) value: Vec<Form>,
     pub(super) attributes: Vec<(Box<str>, Vec<Form>)>,
@@ -149,60 +154,52 @@ impl Entry {
     }
 }
 
-/// A Fluent file, parsed.
-pub(super) struct File {
-    pub(super) source: Arc<Source>,
-    pub(super) resource: Arc<FluentResource>,
-}
-
 /// What the files of a language say; see `load`.
 pub(super) struct Parts {
     pub(super) tag: String,
     pub(super) id: LanguageIdentifier,
-    pub(super) files: Vec<File>,
-    pub(super) entries: HashMap<String, Entry>,
-    /// Suffixes of messages and terms to which others refer.
-    pub(super) distinguished: HashSet<Box<str>>,
-    pub(super) forms: Forms,
-    pub(super) lock: Option<Lock>,
+    pub(super) entries: Entries,
+    pub(super) forms: Deferred<Arc<Forms>>,
+    pub(super) lock: Deferred<Option<Lock>>,
     /// Pages of prose by topic.
-    pub(super) topics: BTreeMap<String, Arc<Source>>,
+    pub(super) topics: Deferred<BTreeMap<String, Arc<Source>>>,
 }
 
-type Overlay = (Option<String>, Option<String>);
+/// The identifiers of the messages and terms that a text leads to, and the parts of the scope that they distinguish.
+type Overlay = (BTreeSet<String>, Option<String>, Option<String>);
 
 /// One language.
 pub struct Language {
     pub(super) tag: String,
-    pub(super) files: Vec<File>,
-    pub(super) entries: HashMap<String, Entry>,
-    pub(super) lock: Option<Lock>,
-    pub(super) topics: BTreeMap<String, Arc<Source>>,
+    pub(super) entries: Entries,
+    pub(super) lock: Deferred<Option<Lock>>,
+    pub(super) topics: Deferred<BTreeMap<String, Arc<Source>>>,
     id: LanguageIdentifier,
-    distinguished: HashSet<Box<str>>,
-    forms: Arc<Forms>,
-    collation: Collation,
-    base: Bundle,
+    forms: Deferred<Arc<Forms>>,
+    collation: OnceLock<Collation>,
+    /// For texts that refer to no others.
+    base: OnceLock<Bundle>,
     overlays: RwLock<HashMap<Overlay, Arc<Bundle>>>,
 }
 
 impl Language {
     pub(super) fn new(parts: Parts) -> Self {
-        let forms = Arc::new(parts.forms);
-        let base = bundle(&parts.id, &parts.files, &forms, None);
         Self {
-            collation: Collation::of(&parts.tag),
             tag: parts.tag,
-            files: parts.files,
             entries: parts.entries,
             lock: parts.lock,
             topics: parts.topics,
             id: parts.id,
-            distinguished: parts.distinguished,
-            forms,
-            base,
+            forms: parts.forms,
+            collation: OnceLock::new(),
+            base: OnceLock::new(),
             overlays: RwLock::default(),
         }
+    }
+
+    /// The identifiers of the messages that were read so far, in order; terms begin with `-`.
+    pub fn read_so_far(&self) -> Vec<&str> {
+        self.entries.read()
     }
 
     /// The tag, such as `fi`.
@@ -212,7 +209,7 @@ impl Language {
 
     /// The order of words.
     pub fn collation(&self) -> &Collation {
-        &self.collation
+        self.collation.get_or_init(|| Collation::of(&self.tag))
     }
 
     /// The way of writing numbers.
@@ -239,13 +236,13 @@ impl Language {
 
     /// The identifiers of all messages (without suffixes, without terms), in no order.
     pub fn ids(&self) -> impl Iterator<Item = &str> {
-        self.entries.keys().map(String::as_str).filter(|id| !id.starts_with('-'))
+        self.entries.ids().filter(|id| !id.starts_with('-'))
     }
 
     /// The suffixes that variants have, for a check that each is a cycle or a control, with a place.
     pub fn suffixes(&self) -> Vec<(&str, Place)> {
         let mut all: Vec<(&str, Place)> = Vec::new();
-        for form in self.entries.values().flat_map(Entry::all).flat_map(|(_, forms)| forms) {
+        for form in self.entries.iter().flat_map(|(_, entry)| entry.all()).flat_map(|(_, forms)| forms) {
             for suffix in &form.suffixes {
                 if let Some(place) = self.place(form) {
                     all.push((suffix, place));
@@ -277,7 +274,7 @@ impl Language {
             return Ok(Cow::Borrowed(text));
         }
         let result =
-            if form.refers { self.with_scope(found, *scope, args) } else { self.format(&self.base, found, args) };
+            if form.refers { self.with_scope(found, *scope, args) } else { self.format(self.base(), found, args) };
         result.map(Cow::Owned).map_err(|fault| self.error(key, fault, Some(form)))
     }
 
@@ -332,7 +329,7 @@ impl Language {
     /// The messages to which other texts refer.
     pub fn referred(&self) -> HashSet<String> {
         let mut ids = HashSet::new();
-        for form in self.entries.values().flat_map(Entry::all).flat_map(|(_, forms)| forms) {
+        for form in self.entries.iter().flat_map(|(_, entry)| entry.all()).flat_map(|(_, forms)| forms) {
             let Some(found) = self.pattern(form) else { continue };
             pattern::visit(found, &mut |node| {
                 if let pattern::Node::Message { id, .. } = node {
@@ -363,8 +360,8 @@ impl Language {
         self.entries.get(key.id)?.best(key.attribute, scope)
     }
 
-    pub(super) fn pattern(&self, form: &Form) -> Option<&Pattern<&str>> {
-        let (value, attributes) = match self.files.get(form.file)?.resource.get_entry(form.entry)? {
+    pub(super) fn pattern<'f>(&self, form: &'f Form) -> Option<&'f Pattern<&'f str>> {
+        let (value, attributes) = match form.resource.get_entry(form.entry)? {
             ast::Entry::Message(message) => (message.value.as_ref(), &message.attributes),
             ast::Entry::Term(term) => (Some(&term.value), &term.attributes),
             _ => return None,
@@ -373,7 +370,7 @@ impl Language {
     }
 
     pub(super) fn place(&self, form: &Form) -> Option<Place> {
-        self.files.get(form.file).map(|file| Place::new(&file.source, form.span))
+        Some(Place::new(&form.source, form.span))
     }
 
     fn error(&self, key: Key, fault: Fault, form: Option<&Form>) -> LocaleError {
@@ -382,29 +379,64 @@ impl Language {
     }
 
     fn with_scope(&self, pattern: &Pattern<&str>, scope: Scope, args: &Args) -> Result<String, Fault> {
-        let relevant = |suffix: &&str| self.distinguished.contains(*suffix);
+        let ids = self.led_to(pattern);
+        let forms = || ids.iter().filter_map(|id| self.entries.get(id)).flat_map(Entry::all).flat_map(|(_, forms)| forms);
+        let relevant = |suffix: &&str| forms().any(|form| form.suffixes.iter().any(|own| **own == **suffix));
         let scope = Scope { cycle: scope.cycle.filter(relevant), control: scope.control.filter(relevant) };
-        if scope == Scope::NONE {
-            return self.format(&self.base, pattern, args);
-        }
-        self.format(&self.overlay(scope), pattern, args)
+        self.format(&self.overlay(ids, scope), pattern, args)
     }
 
-    fn overlay(&self, scope: Scope) -> Arc<Bundle> {
-        let key: Overlay = (scope.cycle.map(str::to_owned), scope.control.map(str::to_owned));
+    /// The messages and terms that a text refers to, those that they refer to, and so on.
+    fn led_to(&self, pattern: &Pattern<&str>) -> BTreeSet<String> {
+        let mut ids = BTreeSet::new();
+        let mut waiting = vec![pattern];
+        while let Some(pattern) = waiting.pop() {
+            let mut fresh = Vec::new();
+            pattern::visit(pattern, &mut |node| {
+                let id = match node {
+                    pattern::Node::Message { id, .. } => id.to_owned(),
+                    pattern::Node::Term { id, .. } => format!("-{id}"),
+                    _ => return,
+                };
+                let base = id.split_once("__").map_or(&*id, |(base, _)| base);
+                if ids.insert(base.to_owned()) {
+                    fresh.push(base.to_owned());
+                }
+            });
+            let entries = fresh.iter().filter_map(|id| self.entries.get(id));
+            let forms = entries.flat_map(Entry::all).flat_map(|(_, forms)| forms);
+            waiting.extend(forms.filter_map(|form| self.pattern(form)));
+        }
+        ids
+    }
+
+    fn base(&self) -> &Bundle {
+        self.base.get_or_init(|| bundle(&self.id, &[], &self.forms, None))
+    }
+
+    fn overlay(&self, ids: BTreeSet<String>, scope: Scope) -> Arc<Bundle> {
+        let key: Overlay = (ids, scope.cycle.map(str::to_owned), scope.control.map(str::to_owned));
         // A poisoned lock still guards a whole map: insertion is its only change.
         if let Some(bundle) = self.overlays.read().unwrap_or_else(PoisonError::into_inner).get(&key) {
             return Arc::clone(bundle);
         }
-        let bundle = Arc::new(bundle(&self.id, &self.files, &self.forms, Some(self.overrides(scope))));
+        let entries: Vec<(&str, &Entry)> = key.0.iter().filter_map(|id| Some((&**id, self.entries.get(id)?))).collect();
+        let mut resources: Vec<&Arc<FluentResource>> = Vec::new();
+        for form in entries.iter().flat_map(|(_, entry)| entry.all()).flat_map(|(_, forms)| forms) {
+            if !resources.iter().any(|known| Arc::ptr_eq(known, &form.resource)) {
+                resources.push(&form.resource);
+            }
+        }
+        let overrides = self.overrides(&entries, scope);
+        let bundle = Arc::new(bundle(&self.id, &resources, &self.forms, Some(overrides)));
         self.overlays.write().unwrap_or_else(PoisonError::into_inner).insert(key, Arc::clone(&bundle));
         bundle
     }
 
     /// The messages that differ in this scope, under their plain identifiers, as Fluent source.
-    fn overrides(&self, scope: Scope) -> String {
+    fn overrides(&self, entries: &[(&str, &Entry)], scope: Scope) -> String {
         let mut body = Vec::new();
-        for (id, entry) in &self.entries {
+        for (id, entry) in entries {
             let differs =
                 entry.all().any(|(key, _)| entry.best(key, scope).is_some_and(|form| !form.suffixes.is_empty()));
             if differs {
@@ -453,11 +485,16 @@ impl Language {
 
 impl fmt::Debug for Language {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Language({}, {} messages and terms)", self.tag, self.entries.len())
+        write!(f, "Language({})", self.tag)
     }
 }
 
-fn bundle(id: &LanguageIdentifier, files: &[File], forms: &Arc<Forms>, overrides: Option<String>) -> Bundle {
+fn bundle(
+    id: &LanguageIdentifier,
+    resources: &[&Arc<FluentResource>],
+    forms: &Arc<Forms>,
+    overrides: Option<String>,
+) -> Bundle {
     let mut bundle = FluentBundle::new_concurrent(vec![id.clone()]);
     bundle.set_use_isolating(false);
     bundle.set_formatter(Some(function::show));
@@ -466,8 +503,8 @@ fn bundle(id: &LanguageIdentifier, files: &[File], forms: &Arc<Forms>, overrides
     let _ = bundle.add_function("NUMBER", function::number_function);
     let _ = bundle.add_function("UNIT", move |positional, named| function::unit_function(&units, positional, named));
     let _ = bundle.add_function("LIST", move |positional, named| function::list_function(&lists, positional, named));
-    for file in files {
-        let _ = bundle.add_resource(Arc::clone(&file.resource));
+    for resource in resources {
+        let _ = bundle.add_resource(Arc::clone(resource));
     }
     if let Some(overrides) = overrides {
         let resource = FluentResource::try_new(overrides).unwrap_or_else(|(resource, _)| resource);

@@ -1,7 +1,8 @@
 //! Reading the files of all languages: parsing, variants, duplicates, units and lists; pages of prose as they are.
 //!
 //! Invariant: a mistake costs the message it is in, never the file, and each has its place.
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
+use std::ops::Range;
 use std::sync::Arc;
 
 use fluent::FluentResource;
@@ -12,10 +13,12 @@ use unic_langid::LanguageIdentifier;
 use super::audit::Lock;
 use super::check;
 use super::function::{Forms, ListForm};
-use super::language::{Entry, File, Form, Language, Parts};
-use super::number::Numbers;
+use super::entries::{Entries, OnDemand};
+use super::language::{Entry, Form, Language, Parts};
 use super::pattern::{Node, Template, visit};
-use crate::base::diag::{Diagnostic, Place, Source, Span};
+use crate::base::data::Prepared;
+use crate::base::demand::Deferred;
+use crate::base::diag::{Diagnostic, Mistakes, Place, Source, Span};
 
 /// The file of a language that holds its units and lists.
 const UNITS: &str = "units.ftl";
@@ -86,23 +89,53 @@ pub(super) fn span_in(text: &str, slice: &str) -> Span {
     Span::new(offset, (offset + slice.len()).min(text.len()))
 }
 
-struct Reader<'d> {
+/// All languages of the embedded files.
+pub(super) fn open(data: &'static Prepared, mistakes: &Mistakes) -> BTreeMap<String, Language> {
+    let language = |&(tag, records): &(&'static str, &'static [u8])| {
+        let id = tag.parse().ok()?;
+        let forms = Deferred::new(move || Arc::new(embedded_forms(tag, data)));
+        let lock = Deferred::new(move || {
+            let path = format!("locales/{tag}/{LOCK}");
+            let (path, text) = data.below(&path).next()?;
+            Some(Lock::read(&Source::embedded(path, text), &mut Vec::new()))
+        });
+        let topics = Deferred::new(move || {
+            let folder = format!("locales/{tag}/{TOPICS}");
+            let pages = data.below(&folder).filter_map(|(path, text)| {
+                let (_, name) = address(path)?;
+                Some((topic(name)?.to_owned(), Source::embedded(path, text)))
+            });
+            pages.collect()
+        });
+        let entries = Entries::OnDemand(OnDemand::new(data, records, mistakes.clone()));
+        let parts = Parts { tag: tag.to_owned(), id, entries, forms, lock, topics };
+        Some((tag.to_owned(), Language::new(parts)))
+    };
+    data.messages.iter().filter_map(language).collect()
+}
+
+fn embedded_forms(tag: &str, data: &'static Prepared) -> Forms {
+    let mut forms = Forms::of(tag);
+    let path = format!("locales/{tag}/{UNITS}");
+    if let Some((path, text)) = data.below(&path).next() {
+        let source = Source::embedded(path, text);
+        let mut found = Vec::new();
+        let mut reader = Reader::new(&mut found);
+        let resource = reader.parse(&source, 0..text.len());
+        reader.units(&source, &resource, &mut forms);
+    }
+    forms
+}
+
+pub(super) struct Reader<'d> {
     diagnostics: &'d mut Vec<Diagnostic>,
-    files: Vec<File>,
-    entries: HashMap<String, Entry>,
+    pub(super) entries: HashMap<String, Entry>,
     defined: HashMap<String, Place>,
-    referenced: HashSet<String>,
 }
 
 impl<'d> Reader<'d> {
-    fn new(diagnostics: &'d mut Vec<Diagnostic>) -> Self {
-        Self {
-            diagnostics,
-            files: Vec::new(),
-            entries: HashMap::new(),
-            defined: HashMap::new(),
-            referenced: HashSet::new(),
-        }
+    pub(super) fn new(diagnostics: &'d mut Vec<Diagnostic>) -> Self {
+        Self { diagnostics, entries: HashMap::new(), defined: HashMap::new() }
     }
 
     fn read(mut self, tag: &str, sources: Vec<(String, Arc<Source>)>) -> Option<Parts> {
@@ -113,32 +146,23 @@ impl<'d> Reader<'d> {
         };
         let mut lock = None;
         let mut topics = BTreeMap::new();
-        let mut forms = Forms { numbers: Numbers::of(tag), units: HashMap::new(), lists: HashMap::new() };
+        let mut forms = Forms::of(tag);
         for (name, source) in sources {
             if name == LOCK {
                 lock = Some(Lock::read(&source, self.diagnostics));
             } else if let Some(topic) = topic(&name) {
                 topics.insert(topic.to_owned(), source);
             } else if self.shallow(&source) && self.short_numbers(&source) {
-                let resource = self.parse(&source);
-                self.collect(&source, &resource);
+                let resource = self.parse(&source, 0..source.text().len());
+                self.collect(&source, &resource, 0);
                 if name == UNITS {
                     self.units(&source, &resource, &mut forms);
                 }
-                self.files.push(File { source, resource });
             }
         }
-        let distinguished = self.distinguished();
-        Some(Parts {
-            tag: tag.to_owned(),
-            id,
-            files: self.files,
-            entries: self.entries,
-            distinguished,
-            forms,
-            lock,
-            topics,
-        })
+        let entries = Entries::Read(self.entries);
+        let (forms, lock, topics) = (Arc::new(forms).into(), lock.into(), topics.into());
+        Some(Parts { tag: tag.to_owned(), id, entries, forms, lock, topics })
     }
 
     fn shallow(&mut self, source: &Arc<Source>) -> bool {
@@ -178,27 +202,35 @@ impl<'d> Reader<'d> {
         true
     }
 
-    fn parse(&mut self, source: &Arc<Source>) -> Arc<FluentResource> {
-        let (resource, errors) = match FluentResource::try_new(source.text().to_owned()) {
+    /// Parses a stretch of a file.
+    pub(super) fn parse(&mut self, source: &Arc<Source>, span: Range<usize>) -> Arc<FluentResource> {
+        let start = span.start;
+        let text = source.text().get(span).unwrap_or_default();
+        let (resource, errors) = match FluentResource::try_new(text.to_owned()) {
             Ok(resource) => (resource, Vec::new()),
             Err(damaged) => damaged,
         };
-        self.diagnostics.extend(errors.iter().map(|error| syntax_error(source, error)));
-        for (at, mark) in source.text().match_indices(['\u{2068}', '\u{2069}']) {
-            let place = Place::new(source, at..at + mark.len());
+        self.diagnostics.extend(errors.iter().map(|error| syntax_error(source, error, start)));
+        for (at, mark) in text.match_indices(['\u{2068}', '\u{2069}']) {
+            let place = Place::new(source, start + at..start + at + mark.len());
             self.diagnostics.push(Diagnostic::error("locale-isolation-mark", place));
         }
         Arc::new(resource)
     }
 
-    fn collect(&mut self, source: &Arc<Source>, resource: &FluentResource) {
+    /// Takes over the messages of a stretch that begins at this byte of its file.
+    pub(super) fn collect(&mut self, source: &Arc<Source>, resource: &Arc<FluentResource>, start: usize) {
+        let span_of = |text: &str| {
+            let span = span_in(resource.source(), text);
+            Span::new(start + span.start, start + span.end)
+        };
         for (entry, node) in resource.entries().enumerate() {
             let (name, sign, value, attributes) = match node {
                 ast::Entry::Message(message) => (message.id.name, "", message.value.as_ref(), &message.attributes),
                 ast::Entry::Term(term) => (term.id.name, "-", Some(&term.value), &term.attributes),
                 _ => continue,
             };
-            let place = Place::new(source, span_in(resource.source(), name));
+            let place = Place::new(source, span_of(name));
             // Fluent keeps messages and terms in one table, so `x` and `-x` exclude each other.
             if self.is_double(name, &place) {
                 continue;
@@ -206,7 +238,8 @@ impl<'d> Reader<'d> {
             let Some((base, suffixes)) = self.suffixes(name, &place) else { continue };
             let form = |attribute, span, refers| Form {
                 suffixes: suffixes.clone(),
-                file: self.files.len(),
+                source: Arc::clone(source),
+                resource: Arc::clone(resource),
                 entry,
                 attribute,
                 refers,
@@ -214,11 +247,11 @@ impl<'d> Reader<'d> {
             };
             let mut forms = Vec::new();
             if let Some(pattern) = value {
-                forms.push((None, form(None, place.span, references(pattern, &mut self.referenced))));
+                forms.push((None, form(None, place.span, refers(pattern))));
             }
             for (index, attribute) in attributes.iter().enumerate() {
-                let span = span_in(resource.source(), attribute.id.name);
-                let refers = references(&attribute.value, &mut self.referenced);
+                let span = span_of(attribute.id.name);
+                let refers = refers(&attribute.value);
                 forms.push((Some(attribute.id.name), form(Some(index), span, refers)));
             }
             self.add(source, format!("{sign}{base}"), forms);
@@ -297,12 +330,6 @@ impl<'d> Reader<'d> {
             }
         }
     }
-
-    fn distinguished(&self) -> HashSet<Box<str>> {
-        let referenced = self.entries.iter().filter(|(id, _)| self.referenced.contains(*id));
-        let forms = referenced.flat_map(|(_, entry)| entry.all()).flat_map(|(_, forms)| forms);
-        forms.flat_map(|form| form.suffixes.iter().cloned()).collect()
-    }
 }
 
 fn list_form(message: &ast::Message<&str>) -> Option<ListForm> {
@@ -311,26 +338,17 @@ fn list_form(message: &ast::Message<&str>) -> Option<ListForm> {
     Some(ListForm { last: template(message.value.as_ref()?)?, more: template(&more.value)? })
 }
 
-/// Notes what the pattern refers to, and whether it refers to anything.
-fn references(pattern: &Pattern<&str>, referenced: &mut HashSet<String>) -> bool {
+/// Whether the pattern refers to other messages or terms.
+fn refers(pattern: &Pattern<&str>) -> bool {
     let mut any = false;
-    visit(pattern, &mut |node| match node {
-        Node::Message { id, .. } => {
-            any = true;
-            referenced.insert(id.to_owned());
-        }
-        Node::Term { id, .. } => {
-            any = true;
-            referenced.insert(format!("-{id}"));
-        }
-        Node::Shown(_) | Node::Chosen(..) | Node::Function { .. } => {}
-    });
+    visit(pattern, &mut |node| any |= matches!(node, Node::Message { .. } | Node::Term { .. }));
     any
 }
 
-fn syntax_error(source: &Arc<Source>, error: &ParserError) -> Diagnostic {
+fn syntax_error(source: &Arc<Source>, error: &ParserError, start: usize) -> Diagnostic {
     let (kind, detail) = describe(&error.kind);
-    let diagnostic = Diagnostic::error("locale-syntax", Place::new(source, error.pos.clone()));
+    let place = Place::new(source, start + error.pos.start..start + error.pos.end);
+    let diagnostic = Diagnostic::error("locale-syntax", place);
     diagnostic.arg("kind", kind).arg("detail", detail)
 }
 

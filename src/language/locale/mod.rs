@@ -9,8 +9,10 @@ mod args;
 mod audit;
 mod check;
 mod collation;
+mod entries;
 mod error;
 mod function;
+mod index;
 mod language;
 mod load;
 mod number;
@@ -28,7 +30,8 @@ pub use language::{Key, Language, Scope};
 pub use number::{Digits, Numbers};
 pub use ui::Ui;
 
-use crate::base::diag::{Arg, Diagnostic};
+use crate::base::data::Prepared;
+use crate::base::diag::{Arg, Diagnostic, Mistakes};
 
 /// The tag of the source language, which all others translate.
 pub const SOURCE_LANGUAGE: &str = "en";
@@ -37,6 +40,7 @@ pub const SOURCE_LANGUAGE: &str = "en";
 #[derive(Debug)]
 pub struct Locales {
     languages: BTreeMap<String, Language>,
+    mistakes: Mistakes,
 }
 
 impl Locales {
@@ -48,7 +52,19 @@ impl Locales {
         T: AsRef<[u8]>,
     {
         let (languages, diagnostics) = load::languages(files);
-        (Self { languages }, diagnostics)
+        (Self { languages, mistakes: Mistakes::default() }, diagnostics)
+    }
+
+    /// The languages of the prepared files: each text is read when it is asked for, and [`Locales::mistakes`] are those
+    /// of the texts that were read so far.
+    pub fn open(data: &'static Prepared) -> Self {
+        let mistakes = Mistakes::default();
+        Self { languages: load::open(data, &mistakes), mistakes }
+    }
+
+    /// What was found in texts that were read when they were asked for.
+    pub const fn mistakes(&self) -> &Mistakes {
+        &self.mistakes
     }
 
     /// The tags of the languages, in alphabetical order.

@@ -23,6 +23,15 @@ const ALIAS_SEPARATOR: char = '|';
 #[derive(Debug)]
 pub struct Vocabulary(Vec<(String, String)>);
 
+/// The name of a cycle in NC blocks and its other printed forms, by the cycle's name alone.
+pub fn nc_names(on: &OnControl, cycle: &str, language: &Language) -> Vec<String> {
+    let scope = Scope::new(cycle, on.id());
+    let text = |attribute| language.plain((&*format!("cycle-{cycle}"), attribute), &scope).ok().map(one_line);
+    let own = text("nc").map(Cow::into_owned);
+    let others = text("nc-aliases").map_or_else(Vec::new, |list| aliases(&list));
+    own.into_iter().chain(others).collect()
+}
+
 impl Vocabulary {
     /// The names for a cycle on a control, in the words of a language where they are words.
     pub fn of(on: &OnControl, cycle: &Cycle, language: &Language) -> Self {

@@ -4,7 +4,7 @@
 //! that none of them has is the number of a cycle, as with all others.
 use std::collections::BTreeMap;
 
-use crate::spec::{Catalogue, Cycle, CycleKey, IsoWord, Keyword};
+use crate::spec::{Catalogue, Cycle, CycleKey, IsoWord, Keyword, OnControl};
 
 /// The greatest code that is not itself the number of its cycle.
 const LAST_OF_ITS_OWN: u32 = 199;
@@ -19,12 +19,33 @@ pub(super) struct Coded<'c> {
     pub(super) words: &'c [IsoWord],
 }
 
+/// Where a code is described.
+#[derive(Clone, Copy, Debug)]
+struct Described<'c> {
+    on: &'c OnControl,
+    key: CycleKey,
+    form: Option<usize>,
+    code: &'c str,
+}
+
+impl<'c> Described<'c> {
+    fn read(self) -> Option<Coded<'c>> {
+        let cycle = self.on.cycles.get(&self.key)?;
+        let all = match self.form {
+            None => &cycle.file.iso,
+            Some(form) => &cycle.file.forms.get(form)?.iso,
+        };
+        let words = &all.iter().find(|iso| iso.code == self.code)?.words;
+        Some(Coded { cycle, form: self.form, words })
+    }
+}
+
 /// The codes of all controls.
 #[derive(Debug)]
 pub struct Codes<'c> {
-    by_code: BTreeMap<u32, Coded<'c>>,
+    by_code: BTreeMap<u32, Described<'c>>,
     /// Cycles with their codes as printed.
-    printed: BTreeMap<(CycleKey, Option<usize>), (&'c str, Coded<'c>)>,
+    printed: BTreeMap<(CycleKey, Option<usize>), Described<'c>>,
     /// Families of cycles that a manual names only.
     named: BTreeMap<u32, Keyword>,
 }
@@ -34,18 +55,15 @@ impl<'c> Codes<'c> {
     pub fn new(catalogue: &'c Catalogue) -> Self {
         let mut codes = Self { by_code: BTreeMap::new(), printed: BTreeMap::new(), named: BTreeMap::new() };
         for on in catalogue.controls.values() {
-            for cycle in on.cycles.values() {
-                codes.named.entry(cycle.key.number).or_insert(cycle.key.keyword);
-                let whole = cycle.file.iso.iter().map(|iso| (None, iso));
-                let forms = cycle.file.forms.iter().zip(0..);
-                let forms = forms.flat_map(|(form, at)| form.iso.iter().map(move |iso| (Some(at), iso)));
-                for (form, iso) in whole.chain(forms) {
-                    let coded = Coded { cycle, form, words: &iso.words };
-                    let Some(number) = iso.code.strip_prefix('G').and_then(|digits| digits.parse().ok()) else {
+            for (key, outline) in &on.outlines {
+                codes.named.entry(key.number).or_insert(key.keyword);
+                for (form, code) in &outline.codes {
+                    let described = Described { on, key: *key, form: *form, code };
+                    let Some(number) = code.strip_prefix('G').and_then(|digits| digits.parse().ok()) else {
                         continue;
                     };
-                    codes.by_code.entry(number).or_insert(coded);
-                    codes.printed.entry((cycle.key, form)).or_insert((iso.code.as_str(), coded));
+                    codes.by_code.entry(number).or_insert(described);
+                    codes.printed.entry((*key, *form)).or_insert(described);
                 }
             }
             for named in &on.control.named {
@@ -57,7 +75,7 @@ impl<'c> Codes<'c> {
 
     /// What a code stands for.
     pub(super) fn of(&self, code: u32) -> Option<Coded<'c>> {
-        self.by_code.get(&code).copied()
+        self.by_code.get(&code)?.read()
     }
 
     /// The cycle of a code that is its number.
@@ -68,8 +86,8 @@ impl<'c> Codes<'c> {
 
     /// The code of a cycle with Q parameters.
     pub(super) fn code(&self, key: CycleKey) -> Option<String> {
-        if let Some((code, _)) = self.printed.get(&(key, None)) {
-            return Some((*code).to_owned());
+        if let Some(described) = self.printed.get(&(key, None)) {
+            return Some(described.code.to_owned());
         }
         let described = self.by_code.contains_key(&key.number);
         (self.numbered(key.number) == Some(key) && !described).then(|| format!("G{}", key.number))
@@ -77,6 +95,7 @@ impl<'c> Codes<'c> {
 
     /// The codes of the forms of a cycle.
     pub(super) fn forms(&self, key: CycleKey) -> impl Iterator<Item = (&'c str, Coded<'c>)> {
-        self.printed.range((key, Some(0))..=(key, Some(usize::MAX))).map(|(_, found)| *found)
+        self.printed.range((key, Some(0))..=(key, Some(usize::MAX)))
+            .filter_map(|(_, described)| Some((described.code, described.read()?)))
     }
 }

@@ -86,12 +86,12 @@ fn unused(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
         }
     }
     for on in catalogue.controls.values() {
-        for (name, meaning) in &on.meanings {
+        for (name, meaning) in on.meanings.iter() {
             if !meanings.contains(name.as_str()) {
                 found.push(unused_name(name, meaning.place.clone()));
             }
         }
-        for (name, fragment) in &on.fragments {
+        for (name, fragment) in on.fragments.iter() {
             if !fragments.contains(name.as_str()) {
                 found.push(unused_name(name, fragment.fragment.place.clone()));
             }

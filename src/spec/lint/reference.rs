@@ -152,7 +152,7 @@ pub(super) fn control(on: &OnControl, found: &mut Vec<Diagnostic>) {
 /// Entries of the errata name controls and cycles that exist, and no id twice.
 pub(super) fn errata(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
     super::duplicates(catalogue.errata.iter().map(|entry| &entry.id), found);
-    for entry in &catalogue.errata {
+    for entry in catalogue.errata.iter() {
         super::slug(&entry.id, found);
         let on = match &entry.control {
             Some(control) => match catalogue.on(control.as_str()) {
@@ -189,7 +189,7 @@ pub(super) fn errata(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
 /// Topics name controls that exist and lines of their manuals, and no id twice.
 pub(super) fn topics(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
     super::duplicates(catalogue.topics.iter().map(|topic| &topic.topic), found);
-    for topic in &catalogue.topics {
+    for topic in catalogue.topics.iter() {
         super::slug(&topic.topic, found);
         for covered in &topic.controls {
             match catalogue.on(covered.control.as_str()) {

@@ -172,7 +172,7 @@ impl<'a> Writer<'_, 'a> {
         let other = if own.is_old_style() {
             own.file.like.as_ref().and_then(|like| on.by_name(like.as_str()))
         } else {
-            on.cycles.values().find(|cycle| cycle.file.like.as_ref().is_some_and(|like| like.as_str() == own.name()))
+            on.follower_of(own.name())
         };
         let wants_other = match self.request.form {
             Form::AsWritten => false,
