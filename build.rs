@@ -87,9 +87,10 @@ fn messages(files: &Files, target: &Path, out: &mut String) -> io::Result<()> {
     tags.dedup();
     out.push_str("    messages: &[\n");
     for own in tags {
-        let texts = files.iter().enumerate().filter(|(_, (name, _))| {
-            tag(name).is_some_and(|tag| tag == own) && name.ends_with(".ftl")
-        });
+        let texts = files
+            .iter()
+            .enumerate()
+            .filter(|(_, (name, _))| tag(name).is_some_and(|tag| tag == own) && name.ends_with(".ftl"));
         let file = format!("messages-{own}.bin");
         fs::write(target.join(&file), locale::index::write(texts.map(|(at, (_, text))| (at, text.as_str()))))?;
         let _ = writeln!(out, "        ({own:?}, include_bytes!(concat!(env!(\"OUT_DIR\"), \"/{file}\"))),");

@@ -365,9 +365,8 @@ impl Catalogue {
         if of_cycle.is_some() || param.field.is_some() {
             return of_cycle;
         }
-        let alike = |other: &&PrintedRange| {
-            !other.field && other.kind == param.kind && other.quantity == param.quantity
-        };
+        let alike =
+            |other: &&PrintedRange| !other.field && other.kind == param.kind && other.quantity == param.quantity;
         let all = || self.ranges.iter().filter(alike);
         let range = |own: &PrintedRange| own.range.map(|(least, greatest)| (least, greatest, None));
         let meant = all().filter(|other| other.meaning == param.is.as_str()).filter_map(range).reduce(wider);
@@ -389,4 +388,3 @@ impl Catalogue {
         self.controls.get(&*control).or_else(|| self.controls.values().find(|on| on.control.is_called(&control)))
     }
 }
-

@@ -56,7 +56,10 @@ pub(crate) struct RangeLine<'i> {
 impl<'i> CycleLine<'i> {
     /// Its DIN/ISO codes, each with the index of the form that it stands for.
     pub(crate) fn codes(&self) -> impl Iterator<Item = (Option<usize>, &'i str)> {
-        self.codes.split_whitespace().filter_map(|code| code.split_once(':')).map(|(form, code)| (form.parse().ok(), code))
+        self.codes
+            .split_whitespace()
+            .filter_map(|code| code.split_once(':'))
+            .map(|(form, code)| (form.parse().ok(), code))
     }
 
     /// The Q parameters that its definition has.

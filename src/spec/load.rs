@@ -84,11 +84,7 @@ pub(super) fn topics(file: &File, found: &mut Vec<Diagnostic>) -> Vec<Topic> {
 }
 
 /// The meanings of dictionary files on a control.
-fn meanings(
-    files: &[File],
-    control: &str,
-    found: &mut Vec<Diagnostic>,
-) -> OnDemand<String, Meaning> {
+fn meanings(files: &[File], control: &str, found: &mut Vec<Diagnostic>) -> OnDemand<String, Meaning> {
     let mut meanings = OnDemand::default();
     for file in files {
         let Some(dictionary) = file.decode_for::<Dictionary>(control, found) else { continue };
@@ -107,8 +103,7 @@ impl Catalogue {
     pub fn load(files: &[(String, String)]) -> (Self, Vec<Diagnostic>) {
         let mut found = Vec::new();
         let files = sort_files(files, &mut found);
-        let profiles: Vec<Control> =
-            files.controls.iter().filter_map(|file| file.decode(&mut found)).collect();
+        let profiles: Vec<Control> = files.controls.iter().filter_map(|file| file.decode(&mut found)).collect();
         let ids: Vec<&str> = profiles.iter().map(|profile| profile.control.as_str()).collect();
         for file in files.dictionary.iter().chain(&files.fragments).chain(&files.cycles) {
             filter::check(&file.node, &ids, &file.source, &mut found);

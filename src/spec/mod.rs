@@ -19,9 +19,7 @@ mod value;
 mod vocabulary;
 mod yaml;
 
-pub use catalogue::{
-    Catalogue, Cycle, CycleKey, Field, Known, OnControl, Outline, Param, PrintedRange,
-};
+pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Outline, Param, PrintedRange};
 pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use form::*;
 pub use language::{BlockWords, Gives, Global, OldCycle, Tongue, WordLimit};

@@ -112,7 +112,12 @@ fn control(id: &str, files: &Reader, index: &Arc<Index<'static>>) -> Option<OnCo
     let lines: BTreeMap<CycleKey, &CycleLine<'_>> = lines.filter_map(|line| Some((key(line)?, line))).collect();
     let outlines = lines.iter().map(|(key, line)| (*key, outline(line))).collect();
     let cycles = {
-        let on = Cycles { control: id.to_owned(), files: files.clone(), meanings: Arc::clone(&meanings), index: Arc::clone(index) };
+        let on = Cycles {
+            control: id.to_owned(),
+            files: files.clone(),
+            meanings: Arc::clone(&meanings),
+            index: Arc::clone(index),
+        };
         OnDemand::new(lines.keys().copied().collect::<Vec<_>>(), move |key| on.cycle(*key))
     };
     let fragments = {

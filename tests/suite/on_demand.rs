@@ -94,7 +94,7 @@ fn findings(text: &str, name: &str, control: &str, (catalogue, locales): (&Catal
     let on = catalogue.on(control).expect("a control");
     let labels = LabelBook::new(on, locales);
     let readers = [locales.source().expect("English is there")];
-    check(&program, &Against { catalogue, on, labels: &labels, language: None, readers: &readers })
+    check(&program, &Against { catalogue, on, labels: &labels, language: None, software: None, readers: &readers })
 }
 
 #[test]

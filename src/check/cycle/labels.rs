@@ -147,7 +147,15 @@ impl<'a> LabelBook<'a> {
     /// The labels of a control in all languages that are loaded.
     pub fn new(on: &'a OnControl, locales: &'a Locales) -> Self {
         let cycles = on.cycles.keys().enumerate().map(|(place, key)| (*key, (place, OnceLock::new()))).collect();
-        Self { on, locales, cycles, limits: OnceLock::new(), names: OnceLock::new(), names_anywhere: Mutex::default(), elsewhere: Mutex::default() }
+        Self {
+            on,
+            locales,
+            cycles,
+            limits: OnceLock::new(),
+            names: OnceLock::new(),
+            names_anywhere: Mutex::default(),
+            elsewhere: Mutex::default(),
+        }
     }
 
     /// The tags of its languages, in the order in which cycles have them.

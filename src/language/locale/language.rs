@@ -380,7 +380,8 @@ impl Language {
 
     fn with_scope(&self, pattern: &Pattern<&str>, scope: Scope, args: &Args) -> Result<String, Fault> {
         let ids = self.led_to(pattern);
-        let forms = || ids.iter().filter_map(|id| self.entries.get(id)).flat_map(Entry::all).flat_map(|(_, forms)| forms);
+        let forms =
+            || ids.iter().filter_map(|id| self.entries.get(id)).flat_map(Entry::all).flat_map(|(_, forms)| forms);
         let relevant = |suffix: &&str| forms().any(|form| form.suffixes.iter().any(|own| **own == **suffix));
         let scope = Scope { cycle: scope.cycle.filter(relevant), control: scope.control.filter(relevant) };
         self.format(&self.overlay(ids, scope), pattern, args)

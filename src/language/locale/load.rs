@@ -12,8 +12,8 @@ use unic_langid::LanguageIdentifier;
 
 use super::audit::Lock;
 use super::check;
-use super::function::{Forms, ListForm};
 use super::entries::{Entries, OnDemand};
+use super::function::{Forms, ListForm};
 use super::language::{Entry, Form, Language, Parts};
 use super::pattern::{Node, Template, visit};
 use crate::base::data::Prepared;

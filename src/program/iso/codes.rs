@@ -95,7 +95,8 @@ impl<'c> Codes<'c> {
 
     /// The codes of the forms of a cycle.
     pub(super) fn forms(&self, key: CycleKey) -> impl Iterator<Item = (&'c str, Coded<'c>)> {
-        self.printed.range((key, Some(0))..=(key, Some(usize::MAX)))
+        self.printed
+            .range((key, Some(0))..=(key, Some(usize::MAX)))
             .filter_map(|(_, described)| Some((described.code, described.read()?)))
     }
 }
