@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use glam::{DVec2, DVec3};
 
 use super::geometry::{Frame, WorkingPlane};
-use super::run::{Event, EventKind, MoveKind};
+use super::report::event::{Event, EventKind, MoveKind};
 use super::scene::Scene;
 use super::solid::Path;
 use super::stock::{Blank, Plateau, Stock};

@@ -9,6 +9,7 @@ mod built;
 #[path = "../support/cases.rs"]
 mod cases;
 mod check;
+mod circles;
 mod compare;
 mod conform;
 mod convert;

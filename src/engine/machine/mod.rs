@@ -7,7 +7,7 @@ mod tool;
 
 pub use course::{Course, Straight};
 pub use rotary::{Carried, RotaryMachineAxis};
-pub use tool::Tool;
+pub use tool::{Neck, Tool};
 
 use super::geometry::Axis;
 use super::read::Reader;

@@ -26,3 +26,12 @@ pub struct Tool {
     /// The oversizes of the tool call: radius and length, mm.
     pub deltas: (f64, f64),
 }
+
+/// What stands behind the head of a side cutter or back countersink.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Neck {
+    /// Height of the head, mm.
+    pub head: f64,
+    /// Radius of the neck, mm.
+    pub radius: f64,
+}

@@ -15,9 +15,9 @@ pub use probe::{Orientation, PreTravel, Probe, Shaft};
 
 use super::geometry::{Frame, INCH, RotaryAxis};
 use super::machine::Machine;
+use super::machine::Neck;
 use super::read::Reader;
 use super::solid::{Body, Shape};
-use super::stock::Neck;
 use super::table::{Table, TableError, TableKind};
 use crate::base::diag::{Diagnostic, Source};
 use crate::spec::{Kind, Node, read_yaml};

@@ -4,7 +4,7 @@
 //! lie from where it should be, in any direction.
 use glam::DVec3;
 
-use super::lane::SLIVER;
+use super::columns::SLIVER;
 use super::{Stock, StockTrouble};
 use crate::engine::solid::{Body, Shape, SolidError};
 

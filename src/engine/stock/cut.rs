@@ -4,10 +4,11 @@
 //! calculated may only say too often that there is something.
 use glam::DVec2;
 
-use super::Grid;
+use super::ball_continuation::Onward;
+use super::columns::{BLOCK, Tally, WIDE};
 use super::cutter::Tip;
-use super::lane::{BLOCK, Row, Tally, WIDE};
-use super::onward::Onward;
+use super::dexel_row::Row;
+use super::grid::Grid;
 use super::ramp::Ramp;
 use super::rim::Rims;
 use super::sweep::{HAIR, Sweep};

@@ -3,7 +3,7 @@
 //! Invariant: lengths are mm; the tip is where the program's position is, the shank goes on without end.
 use super::sweep::HAIR;
 use crate::base::expr::tand;
-use crate::engine::run::Tool;
+use crate::engine::machine::{Neck, Tool};
 
 /// The lower end of a tool.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,15 +14,6 @@ pub enum Tip {
     Round(f64),
     /// A cone: height that a mm of radius takes. A drill or a centre drill.
     Point(f64),
-}
-
-/// What stands behind the head of a side cutter or back countersink.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Neck {
-    /// Height of the head, mm.
-    pub head: f64,
-    /// Radius of the neck, mm.
-    pub radius: f64,
 }
 
 /// A tool as a body.

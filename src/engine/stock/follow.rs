@@ -3,14 +3,15 @@
 //! Invariant: moves wait in batches of bounded size, so memory does not grow with their number.
 use glam::DVec3;
 
-use super::cutter::{Cutter, Neck, Tip};
-use super::pace::Pace;
+use super::cutter::{Cutter, Tip};
 use super::report::{Place, Report};
+use super::timing::Pace;
 use super::{Batch, Cut, FARTHEST, SKIN, Stock};
 use crate::base::diag::{self, Diagnostic};
 use crate::engine::geometry::{Axis, Frame, INCH};
 use crate::engine::machine::Machine;
-use crate::engine::run::{Event, EventKind, FindingKind, MoveKind};
+use crate::engine::machine::Neck;
+use crate::engine::report::event::{Event, EventKind, FindingKind, MoveKind};
 use crate::engine::scene::Scene;
 use crate::engine::solid::{Path, Shape, SolidError};
 use crate::program::syntax::{self, Amount, Block, BlockKind, Coord, Program, StatementKind};

@@ -6,8 +6,8 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
+use super::columns::{BLOCK, OFFSETS, WIDE};
 use super::cutter::Tip;
-use super::lane::{BLOCK, OFFSETS, WIDE};
 use super::sweep::{Hull, Sweep, Way};
 
 /// Steps of a bisection; each halves an interval of some mm or radians.

@@ -13,35 +13,38 @@
 //! depend on their number to the last bit. Memory depends on the grid and not on the number of moves.
 //!
 //! Invariant: nothing here knows a control or a program; `follow` alone reads events.
-mod bed;
-mod bend;
+mod arc_sweep;
+mod ball_continuation;
+mod columns;
 mod compare;
 mod cut;
 mod cutter;
+mod cutter_rim;
+mod dexel_row;
+mod flat_cutter;
 mod follow;
+mod grid;
 mod kernel;
-mod lane;
-mod leave;
 mod mesh;
 mod oblique;
-mod onward;
 mod outline;
-mod pace;
 mod ramp;
 mod report;
 mod rim;
 mod sweep;
+mod timing;
 mod tops;
 mod watch;
 
+pub use crate::engine::machine::Neck;
 pub use compare::Deviation;
-pub use cutter::{Cutter, Neck, Tip};
+pub use cutter::{Cutter, Tip};
 pub use follow::{Blank, Machining, StockTrouble};
 pub use outline::Plateau;
 pub use report::{Finding, Greatest, Report};
 pub use watch::Watch;
 
-pub use super::run::FindingKind;
+pub use super::report::event::FindingKind;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -50,15 +53,15 @@ use glam::{DVec2, DVec3};
 use super::geometry::{Axis, Frame, WorkingPlane};
 use super::solid::{Body, Path, Shape, SolidError};
 use crate::base::parallel::together;
-use lane::{Row, SLIVER, Tally, larger, smaller};
+use ball_continuation::Onward;
+use columns::{SLIVER, Tally};
+use dexel_row::Row;
+use grid::{BAND, Grid};
 use oblique::Oblique;
-use onward::Onward;
 use ramp::Ramp;
 use rim::Rims;
 use sweep::Sweep;
 
-/// Rows that lie together in one lane.
-const BAND: usize = 4;
 /// Lanes that can be worked on at the same time.
 const LANES: usize = 8;
 /// Pieces of moves below which one thread works.
@@ -129,68 +132,6 @@ impl Batch {
     /// Whether nothing waits.
     pub const fn is_empty(&self) -> bool {
         self.moves == 0
-    }
-}
-
-/// Where columns stand.
-#[derive(Clone, Copy, Debug)]
-struct Grid {
-    /// From the coordinates of the blank to the machine, and back.
-    frame: Frame,
-    back: Frame,
-    /// The plane across the columns.
-    plane: WorkingPlane,
-    /// The lower corner in the coordinates of the grid: main axis, secondary axis, along the columns.
-    min: DVec3,
-    max: DVec3,
-    /// Size of a cell, and how many there are in a mm.
-    cell: DVec2,
-    each: DVec2,
-    columns: usize,
-    rows: usize,
-}
-
-impl Grid {
-    fn x(&self, column: usize) -> f64 {
-        self.min.x + (column as f64 + 0.5) * self.cell.x
-    }
-
-    fn y(&self, row: usize) -> f64 {
-        self.min.y + (row as f64 + 0.5) * self.cell.y
-    }
-
-    /// Coordinates of the grid of a point of the machine.
-    fn point(&self, machine: DVec3) -> DVec3 {
-        self.in_plane(self.back.point(machine))
-    }
-
-    fn vector(&self, machine: DVec3) -> DVec3 {
-        self.in_plane(self.back.vector(machine))
-    }
-
-    fn in_plane(&self, blank: DVec3) -> DVec3 {
-        let flat = self.plane.flat(blank);
-        DVec3::new(flat.x, flat.y, self.plane.tool.of(blank))
-    }
-
-    /// The point in the coordinates of the blank.
-    fn blank(&self, grid: DVec3) -> DVec3 {
-        self.plane.lift(DVec2::new(grid.x, grid.y), grid.z)
-    }
-
-    /// Indices from `low` to `high`, both included, whose centres lie between the two coordinates.
-    fn between(from: f64, to: f64, origin: f64, each: f64, count: usize) -> Option<(usize, usize)> {
-        let from = larger((from - origin) * each - 0.5, 0.0);
-        let to = smaller((to - origin) * each - 0.5, count as f64 - 1.0);
-        // What is no number is on no side of another.
-        if from.partial_cmp(&to).is_none_or(|order| order.is_gt()) {
-            return None;
-        }
-        // A grid has fewer columns than the largest number that a cast gives.
-        let (low, high) = (from as i32, to as i32);
-        let low = if f64::from(low) < from { low + 1 } else { low };
-        let (low, high) = (low as usize, high as usize);
-        (low <= high).then_some((low, high))
     }
 }
 

@@ -4,9 +4,10 @@
 //! the stretch of a column that the tool covers is exact (round and pointed ends: to rounding).
 use glam::{DVec2, DVec3};
 
-use super::Grid;
+use super::columns::{BLOCK, Tally};
 use super::cutter::{Cutter, Tip};
-use super::lane::{BLOCK, Row, Tally};
+use super::dexel_row::Row;
+use super::grid::Grid;
 use crate::engine::solid::Path;
 
 /// Steps that are carried out together.

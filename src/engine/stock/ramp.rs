@@ -8,13 +8,14 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::bed::Reach;
+use super::columns::{Tally, larger, smaller};
 use super::cutter::Tip;
-use super::lane::{Row, Tally, larger, smaller};
-use super::leave::{Leaving, Seen, Trail};
+use super::cutter_rim::{Leaving, Seen, Trail};
+use super::dexel_row::Row;
+use super::flat_cutter::Reach;
+use super::grid::{BAND, Grid};
 use super::rim::{Place, Rims};
 use super::sweep::{HAIR, NONE, Sweep, Way};
-use super::{BAND, Grid};
 
 /// The first and the last of some columns.
 type Columns = (usize, usize);

@@ -3,7 +3,7 @@
 //! Invariant: the report does not grow with the number of moves.
 use serde_json::{Map, Value, json};
 
-use crate::engine::run::{At, FindingKind};
+use crate::engine::report::event::{At, FindingKind};
 
 /// The version of the JSON form.
 pub(super) const FORMAT: &str = "ciklo-stock/1";

@@ -5,9 +5,10 @@
 //! else is done to the rows.
 use std::ops::Range;
 
-use super::BAND;
-use super::lane::{BLOCK, Row, SLIVER, Tally, WIDE, larger, smaller};
-use super::leave::{Seen, Trail};
+use super::columns::{BLOCK, SLIVER, Tally, WIDE, larger, smaller};
+use super::cutter_rim::{Seen, Trail};
+use super::dexel_row::Row;
+use super::grid::BAND;
 
 /// Columns that are written down at most before they are carried out, and of one row on one side.
 const ROOM: usize = 512;

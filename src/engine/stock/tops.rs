@@ -4,7 +4,7 @@
 //! one subtraction. Loops run over all columns of a block, several side by side.
 use std::ops::Range;
 
-use super::lane::{BLOCK, OFFSETS, PART, SLIVER, Tally, WIDE, larger};
+use super::columns::{BLOCK, OFFSETS, PART, SLIVER, Tally, WIDE, larger};
 use super::sweep::HAIR;
 
 /// The greatest of numbers that were found side by side.

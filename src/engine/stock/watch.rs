@@ -7,7 +7,7 @@ use std::collections::VecDeque;
 use super::Stock;
 use super::follow::Machining;
 use super::report::Report;
-use crate::engine::run::{Event, EventKind};
+use crate::engine::report::event::{Event, EventKind};
 
 /// Events that wait before the stock is brought up to date.
 const WAITING: usize = 16_384;

@@ -4,7 +4,7 @@
 //! for the words of the source text which it translates, and one for what the specifications mean by it. A
 //! mended slip of the pen leaves the first as it is: words count by their consonants. A variant counts as a translation
 //! of whatever the source language says in the same scope. Invariant: nothing is changed; the fresh lock is a text.
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fmt::Write as _;
 use std::sync::Arc;
 
@@ -19,50 +19,8 @@ use crate::base::diag::{Diagnostic, Place, Source, Span};
 /// or on its grammar.
 const OWN: [&str; 7] = ["endings", "forbidden", "forms", "label-aliases", "nc-aliases", "prompt", "source"];
 
-/// What a translation was made from.
-#[derive(Debug, Default)]
-pub(super) struct Lock(BTreeMap<String, Recorded>);
-
-/// What a translation was made from: the source text, and what the specifications meant by it.
-#[derive(Clone, Copy, Debug)]
-struct Recorded {
-    text: u32,
-    meaning: Option<u32>,
-}
-
 /// What the specifications mean by a message id: a number that changes with the meaning.
 pub type Meanings = HashMap<String, u32>;
-
-impl Lock {
-    pub(super) fn read(source: &Arc<Source>, diagnostics: &mut Vec<Diagnostic>) -> Self {
-        let mut lines = BTreeMap::new();
-        let mut at = 0;
-        for line in source.text().split_inclusive('\n') {
-            let content = line.trim();
-            let words: Vec<&str> = content.split_whitespace().collect();
-            let read = |at: usize| {
-                let hash = words.get(at).filter(|hash| hash.len() == 8);
-                hash.and_then(|hash| u32::from_str_radix(hash, 16).ok())
-            };
-            match (words.as_slice(), read(1), read(2)) {
-                ([], ..) => {}
-                ([id, _], Some(text), None) => {
-                    lines.insert((*id).to_owned(), Recorded { text, meaning: None });
-                }
-                ([id, _, _], Some(text), Some(meaning)) => {
-                    lines.insert((*id).to_owned(), Recorded { text, meaning: Some(meaning) });
-                }
-                _ if content.starts_with('#') => {}
-                _ => {
-                    let place = Place::new(source, at..at + line.trim_end().len());
-                    diagnostics.push(Diagnostic::error("locale-lock-line", place));
-                }
-            }
-            at += line.len();
-        }
-        Self(lines)
-    }
-}
 
 /// One text that the audit has something to say about.
 #[derive(Clone, Debug)]

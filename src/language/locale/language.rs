@@ -18,11 +18,11 @@ use fluent_syntax::ast::{self, Pattern};
 use unic_langid::LanguageIdentifier;
 
 use super::args::Args;
-use super::audit::Lock;
 use super::collation::Collation;
 use super::entries::Entries;
 use super::error::{Fault, LocaleError};
 use super::function::{self, Forms};
+use super::lock::Lock;
 use super::number::{Digits, Numbers};
 use super::pattern;
 use crate::base::demand::Deferred;

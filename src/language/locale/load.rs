@@ -10,11 +10,11 @@ use fluent_syntax::ast::{self, Pattern};
 use fluent_syntax::parser::{ErrorKind, ParserError};
 use unic_langid::LanguageIdentifier;
 
-use super::audit::Lock;
 use super::check;
 use super::entries::{Entries, OnDemand};
 use super::function::{Forms, ListForm};
 use super::language::{Entry, Form, Language, Parts};
+use super::lock::Lock;
 use super::pattern::{Node, Template, visit};
 use crate::base::data::Prepared;
 use crate::base::demand::Deferred;

@@ -15,6 +15,7 @@ mod function;
 mod index;
 mod language;
 mod load;
+mod lock;
 mod number;
 mod pattern;
 pub mod render;

@@ -2,9 +2,9 @@
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
-use super::Site;
 use super::cycle::Maker;
 use super::section::{Section, file_of};
+use super::site::{Comparison, Site};
 use super::view::{ColumnView, ComparedView, ComparisonView, PageView, ParameterView, SwitchView};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::Args;
@@ -13,15 +13,6 @@ use crate::spec::CycleKey;
 
 /// The folder of the comparisons.
 const FOLDER: &str = "compare";
-
-/// A cycle in a language on at least two controls.
-pub(super) struct Comparison {
-    /// The path of its page.
-    pub(super) path: String,
-    key: CycleKey,
-    /// The sections of the language that have the cycle.
-    sections: Vec<usize>,
-}
 
 /// All comparisons that the sections allow, in their order.
 pub(super) fn all(sections: &[Section]) -> Vec<Comparison> {

@@ -13,6 +13,7 @@ mod overview;
 mod page;
 mod search;
 mod section;
+mod site;
 mod stem;
 mod topic;
 mod view;
@@ -34,8 +35,10 @@ use crate::output::dialog;
 use crate::output::export;
 use crate::spec::{Catalogue, OnControl};
 
-use compare::Comparison;
 use section::Section;
+use site::template_fault;
+
+pub use site::Site;
 
 /// What a site is made from.
 #[derive(Clone, Copy)]
@@ -65,18 +68,6 @@ pub struct Built {
     pub pages: usize,
     /// Files, pages included.
     pub files: usize,
-}
-
-/// A site that is ready to be written.
-pub struct Site<'a> {
-    sections: Vec<Section<'a>>,
-    comparisons: Vec<Comparison>,
-    source: Option<&'a Language>,
-    catalogue: &'a Catalogue,
-    /// The labels of each control, to write its printed lines in other languages.
-    labels: BTreeMap<&'a str, LabelBook<'a>>,
-    templates: Environment<'a>,
-    assets: Vec<(&'a str, &'a str)>,
 }
 
 /// One file to make.
@@ -243,11 +234,6 @@ impl<'a> Site<'a> {
             }
         }
     }
-
-    fn render(&self, template: &str, view: minijinja::Value) -> Result<String, Vec<Diagnostic>> {
-        let rendered = self.templates.get_template(template).and_then(|template| template.render(view));
-        rendered.map_err(|error| vec![template_fault(template, &error)])
-    }
 }
 
 fn json(value: &impl Serialize) -> Result<Vec<u8>, Vec<Diagnostic>> {
@@ -267,12 +253,6 @@ fn environment(files: &[(String, String)]) -> Result<Environment<'_>, Diagnostic
         templates.add_template(name, text).map_err(|error| template_fault(name, &error))?;
     }
     Ok(templates)
-}
-
-fn template_fault(name: &str, error: &minijinja::Error) -> Diagnostic {
-    let name = error.name().unwrap_or(name);
-    let diagnostic = Diagnostic::global("manual-template").arg("template", name).arg("line", error.line().unwrap_or(0));
-    diagnostic.arg("reason", error.to_string())
 }
 
 type Pair<'a> = (&'a OnControl, &'a Language);

@@ -2,11 +2,11 @@
 //!
 //! Invariant: a cycle is known by keyword and number only; names and labels are kept as they are
 //! printed and never decide anything.
-use super::SHORTEST_LABEL;
 use super::cursor::{Cursor, Read, skip_blanks, trim};
 use super::definition::{Assignment, CycleDef, CycleKeyword, OldCycleLine};
 use super::parameters::Parameters;
 use super::statement::GlobalDef;
+use super::terms::SHORTEST_LABEL;
 use super::terms::{Axis, NamedWord, Operand, Parameter, Value, ValueKind};
 use super::tree::BlockKind;
 use super::words::from_operand;

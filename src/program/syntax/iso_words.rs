@@ -228,7 +228,7 @@ fn cycle_name(cursor: &mut Cursor<'_>) -> Option<Span> {
     // Words of the language, such as `P01 2` or `X+10`, are no name.
     let first = cursor.text.get(cursor.at..cursor.at + line)?.split_whitespace().next()?;
     let letters = first.chars().take_while(|c| c.is_alphabetic() || matches!(c, '-' | '.')).count();
-    let short = letters < super::SHORTEST_LABEL;
+    let short = letters < super::terms::SHORTEST_LABEL;
     let spoken = letters > 0 && !first.contains(['=', '+']) && !(short && first.contains(|c: char| c.is_ascii_digit()));
     if !spoken {
         return None;

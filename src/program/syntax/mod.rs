@@ -40,15 +40,13 @@ pub use iso::{Dialect, IsoBlock, IsoKind, is_of_language, is_older, is_path};
 pub use parameters::Parameters;
 pub use path::{Approach, Path};
 pub use statement::*;
+pub use terms::SHORTEST_LABEL;
 pub use tree::*;
 pub use view::{CycleForm, CycleView};
 
 use std::sync::Arc;
 
 use crate::base::diag::{Diagnostic, Place, Severity, Source, Span};
-
-/// Letters of the shortest printed label without a colon, as in `KOT 180`.
-pub const SHORTEST_LABEL: usize = 3;
 
 /// How many characters of the text an error quotes.
 const MAX_FOUND: usize = 40;

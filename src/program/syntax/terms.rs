@@ -3,6 +3,9 @@ use super::path::Path;
 use crate::base::diag::Span;
 use crate::base::expr::QRef;
 
+/// Letters of the shortest printed label without a colon, as in `KOT 180`.
+pub const SHORTEST_LABEL: usize = 3;
+
 /// Why something cannot be read. Its text is made from a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SyntaxError {

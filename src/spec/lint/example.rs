@@ -13,9 +13,9 @@ pub(super) fn examples(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
         }
         example.without.iter().for_each(|name| named(cycle, name, found));
     }
-    super::duplicates(cycle.file.examples.iter().map(|example| &example.name), found);
+    super::names::duplicates(cycle.file.examples.iter().map(|example| &example.name), found);
     for example in &cycle.file.examples {
-        super::slug(&example.name, found);
+        super::names::slug(&example.name, found);
         form_exists(cycle, example.form.as_ref(), found);
         // Conformance cases may give wrong values on purpose, so only the names are looked at.
         example.given.0.iter().for_each(|(name, _)| named(cycle, name, found));

@@ -4,6 +4,7 @@
 //! whether a run compiles is checked where runs are compiled.
 mod example;
 mod habit;
+mod names;
 mod parameter;
 mod reference;
 mod run;
@@ -13,8 +14,8 @@ pub(super) use run::walk;
 use std::collections::BTreeSet;
 
 use super::catalogue::{Catalogue, Cycle, OnControl};
-use super::decode::Name;
-use crate::base::diag::{Diagnostic, Place, Severity, dedupe};
+use crate::base::diag::{Diagnostic, dedupe};
+use names::{slug, unused_name};
 
 /// All findings about the catalogue; what several controls share shows once.
 pub fn lint(catalogue: &Catalogue) -> Vec<Diagnostic> {
@@ -40,36 +41,6 @@ fn lint_cycle(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) {
     reference::cycle(cycle, on, found);
     run::run(cycle, on, found);
     example::examples(cycle, found);
-}
-
-/// Ids are kebab case: they become message ids.
-fn slug(name: &Name, found: &mut Vec<Diagnostic>) {
-    let good = name.as_str().starts_with(|c: char| c.is_ascii_lowercase())
-        && name.as_str().bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-')
-        && !name.as_str().ends_with('-')
-        && !name.as_str().contains("--");
-    if !good {
-        found.push(Diagnostic::error("spec-id-form", name.place.clone()).arg("name", name.as_str()));
-    }
-}
-
-/// Reports every name that occurs twice in a list.
-fn duplicates<'n>(names: impl IntoIterator<Item = &'n Name>, found: &mut Vec<Diagnostic>) {
-    let mut seen: Vec<&Name> = Vec::new();
-    for name in names {
-        match seen.iter().find(|other| other.text == name.text) {
-            Some(first) => found.push(
-                Diagnostic::error("spec-duplicate-name", name.place.clone())
-                    .arg("name", name.as_str())
-                    .related("first-place", first.place.clone()),
-            ),
-            None => seen.push(name),
-        }
-    }
-}
-
-fn unused_name(name: &str, place: Place) -> Diagnostic {
-    Diagnostic { severity: Severity::Warning, ..Diagnostic::error("spec-unused", place) }.arg("name", name)
 }
 
 /// Dictionary entries and fragments that nothing uses on any control.

@@ -52,7 +52,7 @@ fn range(param: &Param, found: &mut Vec<Diagnostic>) {
 
 fn choices(param: &Param, found: &mut Vec<Diagnostic>) {
     for (index, choice) in param.choices.iter().enumerate() {
-        super::slug(&choice.choice, found);
+        super::names::slug(&choice.choice, found);
         if let Some(first) = param.choices[..index].iter().find(|other| other.value == choice.value) {
             found.push(
                 Diagnostic::error("spec-duplicate-choice", choice.value.place.clone())
@@ -91,13 +91,13 @@ fn example(cycle: &Cycle, param: &Param, found: &mut Vec<Diagnostic>) {
 }
 
 pub(super) fn lines(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) {
-    super::duplicates(cycle.file.forms.iter().map(|form| &form.form), found);
+    super::names::duplicates(cycle.file.forms.iter().map(|form| &form.form), found);
     for form in 0..cycle.file.forms.len() {
-        super::duplicates(cycle.fields(form).map(|(_, field)| &field.id), found);
+        super::names::duplicates(cycle.fields(form).map(|(_, field)| &field.id), found);
     }
     let model = cycle.file.like.as_ref().and_then(|like| on.by_name(like.as_str()));
     for (param, field) in cycle.params.iter().filter_map(|param| param.field.as_ref().map(|field| (param, field))) {
-        super::slug(&field.id, found);
+        super::names::slug(&field.id, found);
         if (field.shape == Shape::Word) != field.word.is_some() {
             found.push(Diagnostic::error("spec-word-shape", param.place.clone()).arg("name", field.id.as_str()));
         }

@@ -52,10 +52,10 @@ pub(super) fn cycle(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) 
             found.push(unknown_cycle(see.place.clone(), key, on));
         }
     }
-    super::duplicates(cycle.file.notes.iter().map(|note| &note.note), found);
-    cycle.file.notes.iter().for_each(|note| super::slug(&note.note, found));
+    super::names::duplicates(cycle.file.notes.iter().map(|note| &note.note), found);
+    cycle.file.notes.iter().for_each(|note| super::names::slug(&note.note, found));
     for result in &cycle.file.results {
-        super::slug(&result.is, found);
+        super::names::slug(&result.is, found);
         let chosen = result.field.as_ref().is_some_and(|id| {
             cycle.params.iter().any(|param| param.field.as_ref().is_some_and(|field| field.id == *id))
         });
@@ -86,7 +86,7 @@ pub(super) fn cycle(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) 
             let unknown = Diagnostic::error("spec-unknown-parameter", doubt.when.place.clone());
             found.push(unknown.arg("name", name).arg("cycle", cycle.key.to_string()));
         }
-        super::slug(&doubt.code, found);
+        super::names::slug(&doubt.code, found);
     }
     for guard in &cycle.file.guards {
         if let Some(datum) = &guard.switched_off_by
@@ -143,17 +143,17 @@ pub(super) fn control(on: &OnControl, found: &mut Vec<Diagnostic>) {
     }
     for (table, _) in &on.control.files.0 {
         if !on.cycles.values().flat_map(|cycle| &cycle.file.tables).any(|used| used.table == *table) {
-            found.push(super::unused_name(table.as_str(), table.place.clone()));
+            found.push(super::names::unused_name(table.as_str(), table.place.clone()));
         }
     }
-    super::duplicates(on.control.data.0.iter().map(|(name, _)| name), found);
+    super::names::duplicates(on.control.data.0.iter().map(|(name, _)| name), found);
 }
 
 /// Entries of the errata name controls and cycles that exist, and no id twice.
 pub(super) fn errata(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
-    super::duplicates(catalogue.errata.iter().map(|entry| &entry.id), found);
+    super::names::duplicates(catalogue.errata.iter().map(|entry| &entry.id), found);
     for entry in catalogue.errata.iter() {
-        super::slug(&entry.id, found);
+        super::names::slug(&entry.id, found);
         let on = match &entry.control {
             Some(control) => match catalogue.on(control.as_str()) {
                 Some(on) => Some(on),
@@ -188,9 +188,9 @@ pub(super) fn errata(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
 
 /// Topics name controls that exist and lines of their manuals, and no id twice.
 pub(super) fn topics(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
-    super::duplicates(catalogue.topics.iter().map(|topic| &topic.topic), found);
+    super::names::duplicates(catalogue.topics.iter().map(|topic| &topic.topic), found);
     for topic in catalogue.topics.iter() {
-        super::slug(&topic.topic, found);
+        super::names::slug(&topic.topic, found);
         for covered in &topic.controls {
             match catalogue.on(covered.control.as_str()) {
                 Some(_) if covered.sources.is_empty() => {

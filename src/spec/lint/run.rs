@@ -17,8 +17,8 @@ pub(super) fn run(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) {
             steps.extend([&item.step, &item.until].into_iter().flatten().cloned());
         });
     }
-    steps.iter().for_each(|step| super::slug(step, found));
-    super::duplicates(&steps, found);
+    steps.iter().for_each(|step| super::names::slug(step, found));
+    super::names::duplicates(&steps, found);
     if steps.is_empty() {
         found.push(Diagnostic::error("spec-no-steps", cycle.file.name.place.clone()));
     }
@@ -28,7 +28,7 @@ pub(super) fn run(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) {
         walk(item, &mut |item| cases(&item.choose, &cycle.file.conditions, &mut used, found));
     }
     for (name, _) in &cycle.file.conditions.0 {
-        super::slug(name, found);
+        super::names::slug(name, found);
         if !used.contains(&name.text) {
             found.push(Diagnostic::warning("spec-unused", name.place.clone()).arg("name", name.as_str()));
         }
@@ -106,7 +106,7 @@ fn covers(first: &[ConditionUse], second: &[ConditionUse]) -> bool {
 }
 
 fn guards(guards: &[Guard], on: &OnControl, found: &mut Vec<Diagnostic>) {
-    super::duplicates(guards.iter().filter_map(|guard| guard.code.as_ref()), found);
+    super::names::duplicates(guards.iter().filter_map(|guard| guard.code.as_ref()), found);
     for guard in guards {
         let own = [guard.code.is_some(), guard.when.is_some(), guard.then.is_some()];
         let complete = if guard.r#use.is_some() { own == [false; 3] } else { own == [true; 3] };
@@ -114,7 +114,7 @@ fn guards(guards: &[Guard], on: &OnControl, found: &mut Vec<Diagnostic>) {
             found.push(Diagnostic::error("spec-guard-keys", guard.place.clone()));
         }
         if let Some(code) = &guard.code {
-            super::slug(code, found);
+            super::names::slug(code, found);
         }
         if let Some(name) = &guard.r#use {
             fragment_exists(name, on, found);

@@ -6,8 +6,8 @@
 //! columns are worked on side by side.
 use glam::DVec2;
 
-use super::Grid;
-use super::lane::{larger, smaller};
+use super::columns::{larger, smaller};
+use super::grid::Grid;
 use super::sweep::{NARROW, Sweep, Way};
 
 /// How far, as the tangent of half an angle, a column may lie off the ends of a way by rounding.

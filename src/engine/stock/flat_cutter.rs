@@ -6,7 +6,8 @@
 //! touched since it was laid may be too high, until it is [spread](Row::spread).
 use std::ops::Range;
 
-use super::lane::{BLOCK, Row, SLIVER};
+use super::columns::{BLOCK, SLIVER};
+use super::dexel_row::Row;
 use super::rim::{MOST, Place, Rims};
 
 /// Fewer columns are no bed.

@@ -8,9 +8,9 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use super::columns::{BLOCK, OFFSETS, WIDE, larger, smaller};
 use super::cutter::Tip;
 use super::kernel::{BISECTIONS, fill, fill_few, under};
-use super::lane::{BLOCK, OFFSETS, WIDE, larger, smaller};
 use super::sweep::{HAIR, NARROW, NONE, Sweep, Way};
 
 /// Parts of a turn among which the lowest is looked for before the search closes in on it.

@@ -5,8 +5,9 @@
 //! taken for either, as both give the same height there.
 use glam::{DVec2, DVec3};
 
-use super::Grid;
-use super::lane::{PART, Row, Tally, larger, smaller};
+use super::columns::{PART, Tally, larger, smaller};
+use super::dexel_row::Row;
+use super::grid::Grid;
 use super::sweep::{HAIR, Hull, Sweep, Way};
 
 /// What is not less than this along the row counts as standing across it.
