@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use serde_json::{Value, json};
+use sha2::{Digest as _, Sha256};
 
 use crate::base::data;
 use crate::base::diag::{Arg, Diagnostic, Edit, Place, Severity, Source, Span};
@@ -25,7 +26,9 @@ const MOST_BYTES: usize = 32 << 20;
 const LONGEST: usize = 16 << 10;
 const FILE: &str = "check.cache";
 /// The first line of the file.
-const HEAD: &str = "ciklo-check-cache/1";
+const HEAD: &str = "ciklo-check-cache/2";
+/// So many hexadecimal digits of the digest of an entry precede it.
+const DIGEST: usize = 32;
 
 /// The entries of earlier runs, and those of this one.
 pub(super) struct Cache {
@@ -77,7 +80,7 @@ impl Cache {
 
     /// What was found in it, with the places in its text; nothing if that is not known.
     pub(super) fn find(&self, key: u128, source: impl FnOnce() -> Arc<Source>) -> Option<Vec<Diagnostic>> {
-        let found = self.known.get(&key)?;
+        let found = entry(key, self.known.get(&key)?)?;
         if found == "[]" {
             return Some(Vec::new());
         }
@@ -105,10 +108,12 @@ impl Cache {
         fresh.sort_unstable();
         let room = MOST.saturating_sub(fresh.len());
         let mut text = format!("{HEAD}\n");
-        let known: BTreeSet<(u128, &str)> = self.known.iter().map(|(key, found)| (*key, found.as_str())).collect();
-        let all = fresh.iter().map(|(key, found)| (*key, found.as_str())).chain(known.into_iter().take(room));
-        for (key, found) in all {
-            let line = format!("{key:032x} {found}\n");
+        let learned: BTreeSet<u128> = fresh.iter().map(|(key, _)| *key).collect();
+        let known = self.known.iter().filter(|(key, line)| !learned.contains(key) && entry(**key, line).is_some());
+        let known: BTreeSet<(u128, &str)> = known.map(|(key, line)| (*key, line.as_str())).collect();
+        let fresh = fresh.iter().map(|(key, found)| (*key, format!("{} {found}", digest(*key, found))));
+        for (key, line) in fresh.chain(known.into_iter().take(room).map(|(key, line)| (key, line.to_owned()))) {
+            let line = format!("{key:032x} {line}\n");
             if line.len() <= MOST_BYTES - text.len().min(MOST_BYTES) {
                 text.push_str(&line);
             }
@@ -120,6 +125,24 @@ impl Cache {
             let _ = system::write(&self.file, text.as_bytes());
         }
     }
+}
+
+/// The digest of an entry, which shows whether the file was damaged.
+fn digest(key: u128, found: &str) -> String {
+    let digest = Sha256::new().chain_update(key.to_be_bytes()).chain_update(found).finalize();
+    digest
+        .iter()
+        .flat_map(|byte| [byte >> 4, byte & 15])
+        .take(DIGEST)
+        .filter_map(|it| char::from_digit(u32::from(it), 16))
+        .collect()
+}
+
+/// What a line of the file says of a key, if nothing of it was damaged.
+fn entry(key: u128, line: &str) -> Option<&str> {
+    let (own, found) = line.split_at_checked(DIGEST)?;
+    let found = found.strip_prefix(' ')?;
+    (own == digest(key, found)).then_some(found)
 }
 
 /// A finding as the file keeps it; nothing for one without a place.
@@ -198,6 +221,22 @@ mod tests {
         let entry = written(&found).unwrap();
         let again = read(&serde_json::from_str(&entry.to_string()).unwrap(), &source).unwrap();
         assert_eq!(format!("{found:?}"), format!("{again:?}"));
+    }
+
+    /// Whatever bit of a line is another one, it is not believed.
+    #[test]
+    fn a_damaged_entry_is_as_good_as_none() {
+        let (key, found) = (7, r#"[["out-of-range","error",[2,5],[["side","below"]],[],null]]"#);
+        let line = format!("{} {found}", digest(key, found));
+        assert_eq!(entry(key, &line), Some(found));
+        assert_eq!(entry(key + 1, &line), None);
+        for at in 0..line.len() * 8 {
+            let mut bytes = line.clone().into_bytes();
+            bytes[at / 8] ^= 1 << (at % 8);
+            if let Ok(damaged) = String::from_utf8(bytes) {
+                assert_eq!(entry(key, &damaged), None, "bit {at}");
+            }
+        }
     }
 
     #[test]

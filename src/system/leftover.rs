@@ -4,8 +4,10 @@
 //! Invariant: whatever a signal interrupts, nothing that was made here is left behind;
 //! the sender of the signal sees it end by that signal. For this, code that puts something into a directory made
 //! here, or takes it away, does so [undisturbed]: a directory that changes meanwhile cannot be removed.
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::{PoisonError, RwLock, RwLockWriteGuard};
+use std::sync::{Mutex, PoisonError, RwLock, RwLockWriteGuard};
+use std::time::Duration;
 use std::{fs, io};
 
 /// What there is now.
@@ -41,18 +43,22 @@ impl Made {
 
 /// Something that goes away at a signal, as long as this lives.
 #[derive(Debug)]
-pub(super) struct Leftover(Made);
+pub(super) struct Leftover {
+    made: Made,
+    /// Open, so that other processes see that it is [held](hold).
+    _held: Option<fs::File>,
+}
 
 impl Leftover {
     /// Makes it go away now.
     pub(super) fn end(self) {
-        self.0.remove();
+        self.made.remove();
     }
 }
 
 impl Drop for Leftover {
     fn drop(&mut self) {
-        made().retain(|own| *own != self.0);
+        made().retain(|own| *own != self.made);
     }
 }
 
@@ -67,7 +73,21 @@ pub(super) fn make<T>(
     let own = make()?;
     let what = what(&own);
     all.push(what.clone());
-    Ok((Leftover(what), own))
+    let held = match &what {
+        Made::Path(path) => held(path),
+        Made::Group(_) => None,
+    };
+    Ok((Leftover { made: what, _held: held }, own))
+}
+
+#[cfg(unix)]
+fn held(path: &Path) -> Option<fs::File> {
+    fs::File::open(path).ok().filter(hold)
+}
+
+#[cfg(not(unix))]
+fn held(_: &Path) -> Option<fs::File> {
+    None
 }
 
 /// Does something that no signal may interrupt; several threads may do so at a time.
@@ -75,6 +95,49 @@ pub(super) fn make<T>(
 pub(super) fn undisturbed<T>(act: impl FnOnce() -> T) -> T {
     let _waiting = MADE.read().unwrap_or_else(PoisonError::into_inner);
     act()
+}
+
+/// How names of files and directories in the making begin.
+pub(super) const PREFIX: &str = ".ciklo-";
+/// Younger ones may be in the making, although nobody holds them yet.
+const YOUNG: Duration = Duration::from_secs(60);
+
+/// Removes what runs of this program that were killed have left in a directory: names of the kind that is made here, not
+/// held by any process, and older than a minute. What cannot be removed stays.
+#[cfg(unix)]
+pub(super) fn clear(directory: &Path) {
+    static CLEARED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+    // Once a directory is enough.
+    if !CLEARED.lock().unwrap_or_else(PoisonError::into_inner).insert(directory.to_owned()) {
+        return;
+    }
+    for entry in fs::read_dir(directory).into_iter().flatten().flatten() {
+        if is_name_of_ours(&entry.file_name().to_string_lossy()) && is_abandoned(&entry.path()) {
+            Made::Path(entry.path()).remove();
+        }
+    }
+}
+
+#[cfg(not(unix))]
+pub(super) fn clear(_: &Path) {}
+
+#[cfg(unix)]
+fn is_name_of_ours(name: &str) -> bool {
+    name.strip_prefix(PREFIX).is_some_and(|rest| rest.len() == 6 && rest.bytes().all(|it| it.is_ascii_alphanumeric()))
+}
+
+#[cfg(unix)]
+fn is_abandoned(path: &Path) -> bool {
+    let Ok(known) = fs::symlink_metadata(path) else { return false };
+    let is_old = known.modified().is_ok_and(|time| time.elapsed().is_ok_and(|age| age > YOUNG));
+    let kind = known.file_type();
+    is_old && (kind.is_dir() || kind.is_file()) && fs::File::open(path).is_ok_and(|file| hold(&file))
+}
+
+/// Holds a file or directory in the making for as long as it is open; whether no other process does.
+#[cfg(unix)]
+fn hold(file: &fs::File) -> bool {
+    rustix::fs::flock(file, rustix::fs::FlockOperation::NonBlockingLockExclusive).is_ok()
 }
 
 #[cfg(unix)]
@@ -146,3 +209,28 @@ fn ignored() -> u64 {
 
 #[cfg(not(unix))]
 fn listen() {}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::time::SystemTime;
+
+    use super::*;
+
+    #[test]
+    fn only_what_nobody_holds_is_cleared_away() {
+        let root = tempfile::tempdir().unwrap();
+        let at = |name: &str| root.path().join(name);
+        let long_ago = SystemTime::now() - 10 * YOUNG;
+        for name in [".ciklo-abc123", ".ciklo-held00", ".ciklo-build", ".ciklo-toolong", "part.h"] {
+            fs::write(at(name), "x").unwrap();
+            fs::File::open(at(name)).unwrap().set_modified(long_ago).unwrap();
+        }
+        fs::write(at(".ciklo-young0"), "x").unwrap();
+        let held = fs::File::open(at(".ciklo-held00")).unwrap();
+        assert!(hold(&held));
+        clear(root.path());
+        let mut left: Vec<_> = fs::read_dir(root.path()).unwrap().map(|it| it.unwrap().file_name()).collect();
+        left.sort();
+        assert_eq!(left, [".ciklo-build", ".ciklo-held00", ".ciklo-toolong", ".ciklo-young0", "part.h"]);
+    }
+}

@@ -7,22 +7,22 @@ mod answering;
 mod folders;
 mod leftover;
 mod replace;
+mod staged;
 
 use std::ffi::OsString;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use leftover::Made;
-
 use crate::base::diag::Diagnostic;
 
 pub use answering::{Answering, LONGEST_LINE, NoAnswer, next_line};
 pub use folders::{Folder, beside, files_below, nearest, seen_from, spelled};
 pub use replace::{Seen, write, write_parts};
+pub use staged::Staged;
 
-/// Marks a directory as one that was written by us and may be replaced.
-const MARK: &str = ".ciklo-build";
+/// So many bytes are read from standard input, a pipe or a device.
+const MOST_OF_A_STREAM: u64 = 1 << 30;
 /// How deep directories with data are followed; links could otherwise lead round in a circle.
 const DEEPEST: usize = 16;
 
@@ -95,18 +95,27 @@ pub fn stdout_trouble(error: &io::Error) -> Trouble {
     Trouble::new("io-write", Path::new("-"), error)
 }
 
-/// The bytes of a file; of standard input for `-`.
+/// The bytes of a file; of standard input for `-`. Of a pipe or a device not more than [`MOST_OF_A_STREAM`] are read, for
+/// it may have no end.
 ///
 /// # Errors
-/// `io-read` if it cannot be read.
+/// `io-read` if it cannot be read or has no end.
 pub fn read(path: &Path) -> Result<Vec<u8>, Trouble> {
     let read = if path == Path::new("-") {
-        let mut bytes = Vec::new();
-        io::Read::read_to_end(&mut io::stdin().lock(), &mut bytes).map(|_| bytes)
+        read_stream(io::stdin().lock())
+    } else if is_no_file(path) && !path.is_dir() {
+        fs::File::open(path).and_then(read_stream)
     } else {
         fs::read(path)
     };
     read.map_err(|error| Trouble::new("io-read", path, &error))
+}
+
+/// The bytes of something that may have no end.
+fn read_stream(stream: impl io::Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    io::Read::read_to_end(&mut io::Read::take(stream, MOST_OF_A_STREAM + 1), &mut bytes)?;
+    if bytes.len() as u64 > MOST_OF_A_STREAM { Err(io::ErrorKind::FileTooLarge.into()) } else { Ok(bytes) }
 }
 
 /// The bytes of a file that no one named: nothing else is read, as pipes may wait for ever and devices may have no end.
@@ -207,133 +216,5 @@ fn parent(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if parent != Path::new("") => parent,
         _ => Path::new("."),
-    }
-}
-
-/// A directory in the making. Dropped before [`Staged::commit`], it leaves no trace.
-#[derive(Debug)]
-pub struct Staged {
-    target: PathBuf,
-    whole: PathBuf,
-    old: PathBuf,
-    /// Has both; there until this is dropped.
-    scratch: Option<tempfile::TempDir>,
-    /// Dropped last, when the directory is gone.
-    _leftover: leftover::Leftover,
-}
-
-impl Drop for Staged {
-    fn drop(&mut self) {
-        let scratch = self.scratch.take();
-        leftover::undisturbed(|| drop(scratch));
-    }
-}
-
-impl Staged {
-    /// Begins a directory that will become `target`; what was built there before stays until then.
-    ///
-    /// # Errors
-    /// `io-foreign-directory` if something is there that we did not write; `io-write`.
-    pub fn new(target: &Path) -> Result<Self, Trouble> {
-        let trouble = |error: io::Error| Trouble::new("io-write", target, &error);
-        let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
-        if !is_ours(&target).map_err(trouble)? {
-            let error = io::Error::from(io::ErrorKind::AlreadyExists);
-            return Err(Trouble::new("io-foreign-directory", &target, &error));
-        }
-        fs::create_dir_all(parent(&target)).map_err(trouble)?;
-        let temporary = || tempfile::Builder::new().prefix(".ciklo-").tempdir_in(parent(&target));
-        let (leftover, scratch) = leftover::make(temporary, |made| Made::at(made.path())).map_err(trouble)?;
-        let [whole, old] = ["new", "old"].map(|name| scratch.path().join(name));
-        let staged = Self { target: target.clone(), whole, old, scratch: Some(scratch), _leftover: leftover };
-        let begun = leftover::undisturbed(|| {
-            fs::create_dir(&staged.whole).and_then(|()| fs::write(staged.whole.join(MARK), "ciklo build 1\n"))
-        });
-        begun.map_err(trouble)?;
-        Ok(staged)
-    }
-
-    /// Writes a file of the directory; `path` has `/` and stays inside.
-    ///
-    /// # Errors
-    /// `io-write` if it cannot be written.
-    pub fn write(&self, path: &str, bytes: &[u8]) -> Result<(), Trouble> {
-        let file = inside(&self.whole, path);
-        let write = || {
-            fs::write(&file, bytes).or_else(|error| match error.kind() {
-                io::ErrorKind::NotFound => fs::create_dir_all(parent(&file)).and_then(|()| fs::write(&file, bytes)),
-                _ => Err(error),
-            })
-        };
-        let written = leftover::undisturbed(write);
-        written.map_err(|error| Trouble::new("io-write", &inside(&self.target, path), &error))
-    }
-
-    /// Puts the directory in its place, in exchange for what was built there before.
-    ///
-    /// # Errors
-    /// `io-write` if it cannot be moved; the old one then remains in its place.
-    pub fn commit(self) -> Result<(), Trouble> {
-        let exchanged = leftover::undisturbed(|| {
-            let replaced = self.target.exists();
-            if replaced {
-                fs::rename(&self.target, &self.old)?;
-            }
-            let moved = fs::rename(&self.whole, &self.target);
-            if moved.is_err() && replaced {
-                fs::rename(&self.old, &self.target)?;
-            }
-            moved
-        });
-        exchanged.map_err(|error| Trouble::new("io-write", &self.target, &error))
-    }
-}
-
-/// Whether a directory may be replaced: it is not there, it is empty, or we wrote it.
-fn is_ours(target: &Path) -> io::Result<bool> {
-    match fs::read_dir(target) {
-        Ok(mut entries) => Ok(target.join(MARK).is_file() || entries.next().is_none()),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(true),
-        Err(error) => Err(error),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_directory_is_exchanged_when_whole_and_not_before() {
-        let root = tempfile::tempdir().unwrap();
-        let target = root.path().join("a/out");
-        let first = Staged::new(&target).unwrap();
-        first.write("x/y.txt", b"1").unwrap();
-        first.write("../../escape.txt", b"1").unwrap();
-        assert!(!target.exists());
-        first.commit().unwrap();
-        assert_eq!(fs::read(target.join("x/y.txt")).unwrap(), b"1");
-        assert!(!root.path().join("escape.txt").exists());
-
-        let abandoned = Staged::new(&target).unwrap();
-        abandoned.write("x/y.txt", b"2").unwrap();
-        drop(abandoned);
-        assert_eq!(fs::read(target.join("x/y.txt")).unwrap(), b"1");
-
-        let second = Staged::new(&target).unwrap();
-        second.write("z.txt", b"3").unwrap();
-        second.commit().unwrap();
-        assert!(!target.join("x").exists());
-        assert_eq!(fs::read(target.join("z.txt")).unwrap(), b"3");
-        let beside: Vec<_> = fs::read_dir(root.path().join("a")).unwrap().collect();
-        assert_eq!(beside.len(), 1, "nothing temporary is left");
-    }
-
-    #[test]
-    fn a_directory_of_someone_else_is_left_alone() {
-        let root = tempfile::tempdir().unwrap();
-        fs::write(root.path().join("thesis.txt"), "all my work").unwrap();
-        let trouble = Staged::new(root.path()).unwrap_err();
-        assert_eq!(Diagnostic::from(trouble).code, "io-foreign-directory");
-        assert!(root.path().join("thesis.txt").exists());
     }
 }

@@ -112,20 +112,71 @@ fn write_beside<'p>(path: &Path, from: Option<&Seen>, parts: impl Iterator<Item 
         // Whoever may rename in a directory may not change every file in it.
         fs::OpenOptions::new().write(true).open(&target)?;
     }
+    leftover::clear(parent(&target));
     let (_leftover, mut file) = leftover::make(|| temporary(parent(&target)), |file| Made::at(file.path()))?;
     put_parts(&mut file, parts)?;
-    if let Some(known) = known {
-        keep_owner(file.as_file(), &known);
+    if let Some(known) = &known {
+        keep_owner(file.as_file(), known);
         file.as_file().set_permissions(known.permissions())?;
     }
+    file.as_file().sync_all()?;
     // Nothing that takes time comes between this and the exchange.
     if let Some(from) = from
         && !from.is_unchanged(&target)?
     {
         return Ok(false);
     }
-    file.persist(&target).map_err(|error| error.error)?;
-    Ok(true)
+    let replaced = match from {
+        Some(from) if known.is_some() => exchange_if_unchanged(file, &target, from)?,
+        _ => file.persist(&target).map(|_| true).map_err(|error| error.error)?,
+    };
+    sync_directory(parent(&target))?;
+    Ok(replaced)
+}
+
+/// Puts the new file in the place of the old one, and back if the old one turns out to have changed in between.
+fn exchange_if_unchanged(file: tempfile::NamedTempFile, target: &Path, from: &Seen) -> io::Result<bool> {
+    if !exchange(file.path(), target)? {
+        return file.persist(target).map(|_| true).map_err(|error| error.error);
+    }
+    // The old file has the name of the temporary one now, and goes away with it.
+    let is_ours = digest_of(file.path()).is_ok_and(|digest| digest == from.digest);
+    if !is_ours {
+        exchange(file.path(), target)?;
+    }
+    Ok(is_ours)
+}
+
+/// Exchanges two names in one step; whether the system and the file system can do that.
+#[cfg(any(target_os = "linux", target_os = "android", target_vendor = "apple"))]
+pub(super) fn exchange(one: &Path, other: &Path) -> io::Result<bool> {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    use rustix::io::Errno;
+    match renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE) {
+        Ok(()) => Ok(true),
+        Err(Errno::INVAL | Errno::NOSYS | Errno::NOTSUP) => Ok(false),
+        Err(error) => Err(error.into()),
+    }
+}
+
+#[cfg(not(any(target_os = "linux", target_os = "android", target_vendor = "apple")))]
+pub(super) fn exchange(_: &Path, _: &Path) -> io::Result<bool> {
+    Ok(false)
+}
+
+/// Waits until the names in a directory have reached the disk.
+#[cfg(unix)]
+fn sync_directory(directory: &Path) -> io::Result<()> {
+    match fs::File::open(directory)?.sync_all() {
+        // Some file systems cannot do that for directories.
+        Err(error) if error.kind() == io::ErrorKind::InvalidInput => Ok(()),
+        synced => synced,
+    }
+}
+
+#[cfg(not(unix))]
+fn sync_directory(_: &Path) -> io::Result<()> {
+    Ok(())
 }
 
 /// The file that a path leads to; a link stays, and what it names is made if it is not there.
@@ -164,12 +215,12 @@ fn temporary(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
     use std::os::unix::fs::PermissionsExt as _;
     // Reduced by the user's mask, as for any new file.
     let permissions = fs::Permissions::from_mode(0o666);
-    tempfile::Builder::new().prefix(".ciklo-").permissions(permissions).tempfile_in(directory)
+    tempfile::Builder::new().prefix(leftover::PREFIX).permissions(permissions).tempfile_in(directory)
 }
 
 #[cfg(not(unix))]
 fn temporary(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
-    tempfile::Builder::new().prefix(".ciklo-").tempfile_in(directory)
+    tempfile::Builder::new().prefix(leftover::PREFIX).tempfile_in(directory)
 }
 
 #[cfg(test)]

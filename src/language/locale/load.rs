@@ -165,26 +165,26 @@ impl<'d> Reader<'d> {
         Some(Parts { tag: tag.to_owned(), id, entries, forms, lock, topics })
     }
 
+    /// Whether nothing is nested so deeply that parsing it would need more stack than there is.
     fn shallow(&mut self, source: &Arc<Source>) -> bool {
         let mut depth = 0_usize;
-        let mut at = 0;
-        for line in source.text().split_inclusive('\n') {
-            if !line.starts_with([' ', '}', '\t', '\r', '\n']) {
+        let mut begins_line = true;
+        for (at, byte) in source.text().bytes().enumerate() {
+            if begins_line && !matches!(byte, b' ' | b'}' | b'\t' | b'\r' | b'\n') {
                 depth = 0;
             }
-            for byte in line.bytes() {
-                match byte {
-                    b'{' => depth += 1,
-                    b'}' => depth = depth.saturating_sub(1),
-                    _ => {}
-                }
-            }
+            begins_line = byte == b'\n';
+            // Arguments of functions nest as placeables do.
+            depth = match byte {
+                b'{' | b'(' => depth + 1,
+                b'}' | b')' => depth.saturating_sub(1),
+                _ => depth,
+            };
             if depth > DEEPEST_NESTING {
-                let place = Place::new(source, at..at + line.trim_end().len());
+                let place = Place::new(source, at..at + 1);
                 self.diagnostics.push(Diagnostic::error("locale-nesting", place).arg("most", DEEPEST_NESTING));
                 return false;
             }
-            at += line.len();
         }
         true
     }
