@@ -267,7 +267,7 @@ impl<'e> Run<'_, 'e> {
             Transform::Cancel(ended) if ended.contains(&Cancel::RadiusCompensation) => self.end_contour()?,
             _ => self.drives.not_beside_contour(exec.definition.cycle.key.to_string())?,
         }
-        let before = self.drives.world.system.told();
+        let before = self.drives.world.system.reported();
         match transform {
             Transform::DatumShift(id) => {
                 if let Some(FieldValue::Coords(coords)) = exec.definition.field(id) {

@@ -9,3 +9,4 @@ mod log;
 mod pattern;
 mod rehearsal;
 mod series;
+mod strategies;

@@ -261,7 +261,7 @@ impl<'e> Run<'_, 'e> {
     fn shift_to_point(&mut self, by: DVec3) {
         self.drives.world.system.set_point(by);
         self.drives.world.renew();
-        let told = self.drives.world.system.told();
+        let told = self.drives.world.system.reported();
         self.drives.report.report(EventKind::Transform(told));
     }
 

@@ -4,7 +4,6 @@
 //! decides, calls know where the program is, parameters have values. What needs several of them is written for the run:
 //! values and calls of programs here in `flow`, execution of plans in `engine::cycle`, blocks in `engine::run`.
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -185,20 +184,5 @@ impl<'r, 'e> Run<'r, 'e> {
         };
         let sentences = self.cycles.plans.iter().flat_map(of_plan).collect();
         Shown { sentences, guards: std::mem::take(&mut self.records.guards) }
-    }
-}
-
-/// Most of what is done in a run is done by the drives.
-impl<'r, 'e> Deref for Run<'r, 'e> {
-    type Target = Drives<'r, 'e>;
-
-    fn deref(&self) -> &Self::Target {
-        &self.drives
-    }
-}
-
-impl DerefMut for Run<'_, '_> {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        &mut self.drives
     }
 }

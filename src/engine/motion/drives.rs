@@ -109,7 +109,7 @@ impl<'r, 'e> Drives<'r, 'e> {
             // Where the rotary axes have the coordinate 0 may have changed, too.
             self.world.carry_system();
         }
-        let now = self.world.system.told();
+        let now = self.world.system.reported();
         if now != before {
             self.world.renew();
             self.report.report(EventKind::Transform(now));
@@ -118,7 +118,7 @@ impl<'r, 'e> Drives<'r, 'e> {
 
     /// What programs change in the coordinate system ends with them.
     pub(crate) fn end_changes(&mut self) {
-        let before = self.world.system.told();
+        let before = self.world.system.reported();
         self.world.system.unexecuted.clear();
         if self.world.system.end_changes() {
             self.transformed(before);

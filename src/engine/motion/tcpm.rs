@@ -8,7 +8,7 @@ impl Drives<'_, '_> {
     /// From here on the tip is held, or no longer: the machine stays where it is.
     pub(crate) fn hold_tip(&mut self, held: bool) -> Done {
         self.not_beside_contour(if held { "M128" } else { "M129" })?;
-        let before = self.world.system.told();
+        let before = self.world.system.reported();
         self.world.system.set_tip_held(held);
         self.world.carry_system();
         self.transformed(before);

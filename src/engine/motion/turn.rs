@@ -85,7 +85,7 @@ impl Drives<'_, '_> {
             (self.world.here, self.world.machine) = (to, end);
         }
         let turned = self.turned(&moving, after, speed, moves || held);
-        let told = self.world.system.told();
+        let told = self.world.system.reported();
         self.world.turn(after);
         self.report.report(turned);
         self.transformed(told);

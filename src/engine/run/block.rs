@@ -39,7 +39,7 @@ impl Env for ProgramEnv<'_> {
 }
 
 impl<'e> Run<'_, 'e> {
-    pub(crate) fn block(&mut self, block: &'e Block) -> Done<After> {
+    pub(super) fn block(&mut self, block: &'e Block) -> Done<After> {
         if self.contour.is_under_way() {
             self.contour.no_more_waits(&self.drives.report)?;
         }

@@ -31,12 +31,12 @@ struct Values {
 
 impl<'e> Run<'_, 'e> {
     /// The definition that begins at the block being executed.
-    pub(crate) fn definition_here(&self) -> Option<usize> {
+    pub(super) fn definition_here(&self) -> Option<usize> {
         self.calls.here()?.definition(self.calls.block)
     }
 
     /// Executes the definition that begins here.
-    pub(crate) fn define_here(&mut self) -> Done {
+    pub(super) fn define_here(&mut self) -> Done {
         let Some(index) = self.definition_here() else { return Ok(()) };
         let Some(view) = self.calls.here().and_then(|program| program.cycles.get(index).cloned()) else {
             return Ok(());

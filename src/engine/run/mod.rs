@@ -3,22 +3,14 @@
 //! Cycles are executed from their plans, so a specification and its execution cannot differ. Start reading at
 //! [`Engine`], then `program` (the loop over blocks) and `block` (what each kind of block does). Invariant: knows no
 //! cycle by number, reads and writes no files, prints nothing; the same program, scene and control give the same events.
-mod align;
 mod block;
-mod clear;
 mod define;
 mod engine;
-mod face;
 mod lead;
-mod measure;
 mod motion;
 mod plane;
-mod plunge;
 mod program;
-mod strategy;
-mod stud;
 mod tcpm;
-mod thread;
 
 pub use super::flow::calls::program_key;
 pub use super::flow::settings::{Limits, NoTexts, Programs, Texts};

@@ -16,7 +16,7 @@ use crate::program::syntax::{Approach, Axis, Coord, Motion, Path};
 
 impl Run<'_, '_> {
     /// Executes a motion block. Whether it positions the tool.
-    pub(crate) fn motion(&mut self, motion: &Motion, in_machine: bool) -> Done<bool> {
+    pub(super) fn motion(&mut self, motion: &Motion, in_machine: bool) -> Done<bool> {
         match motion.path {
             Path::Cc => {
                 self.set_pole(motion)?;
@@ -129,7 +129,7 @@ impl Run<'_, '_> {
     }
 
     /// A straight line, with rotary axes that turn at the same time.
-    pub(crate) fn line(&mut self, motion: &Motion, in_machine: bool, speed: Result<Speed, Fault>) -> Done {
+    pub(super) fn line(&mut self, motion: &Motion, in_machine: bool, speed: Result<Speed, Fault>) -> Done {
         if !in_machine && motion.coords.iter().all(|coord| rotary(coord.axis).is_none()) {
             let to = self.target(&motion.coords, self.programmed())?;
             return self.straight_block(motion, to, speed);
@@ -260,7 +260,7 @@ impl Run<'_, '_> {
     }
 
     /// A block that positions one axis: with `R+` the way is longer by the tool radius, with `R-` shorter.
-    pub(crate) fn along_axis(&mut self, motion: &Motion, in_machine: bool, speed: Result<Speed, Fault>) -> Done {
+    pub(super) fn along_axis(&mut self, motion: &Motion, in_machine: bool, speed: Result<Speed, Fault>) -> Done {
         let along = self.contour.lengthened(motion.compensation);
         let axis = motion.coords.first().and_then(|coord| linear(coord.axis).ok());
         let Some(axis) = axis.filter(|_| !in_machine) else { return self.line(motion, in_machine, speed) };

@@ -42,7 +42,7 @@ struct Words {
 
 impl Run<'_, '_> {
     /// `PLANE SPATIAL` and `PLANE RESET`.
-    pub(crate) fn plane(&mut self, statement: &Statement) -> Done {
+    pub(super) fn plane(&mut self, statement: &Statement) -> Done {
         let head = self.slice(statement.head).to_ascii_uppercase();
         let form = head.split_ascii_whitespace().nth(1).unwrap_or_default();
         if !matches!(form, "SPATIAL" | "RESET") {
@@ -58,7 +58,7 @@ impl Run<'_, '_> {
         if let Some(back) = words.back {
             self.drives.retract_before_turning(back)?;
         }
-        let before = self.drives.world.system.told();
+        let before = self.drives.world.system.reported();
         self.drives.world.system.unexecuted.remove(&Transformation::Tilting);
         self.drives.world.carry_system();
         self.drives.world.system.set_tilt(angles);
@@ -109,7 +109,7 @@ impl Run<'_, '_> {
     }
 
     /// `TRANS DATUM`: the datum shift of the datum cycle.
-    pub(crate) fn shift_datum(&mut self, statement: &Statement) -> Done {
+    pub(super) fn shift_datum(&mut self, statement: &Statement) -> Done {
         let head = self.slice(statement.head).to_ascii_uppercase();
         if !head.ends_with("DATUM") {
             return Err(Fault::unsupported("unsupported-block").arg("word", head).into());
@@ -143,7 +143,7 @@ impl Run<'_, '_> {
                 }
             }
         }
-        let before = self.drives.world.system.told();
+        let before = self.drives.world.system.reported();
         self.drives.world.system.angle_shift = angles;
         self.drives.world.system.set_datum(shift);
         self.drives.transformed(before);

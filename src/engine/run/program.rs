@@ -20,7 +20,7 @@ pub(crate) enum After {
 
 impl<'e> Run<'_, 'e> {
     /// Executes the program to its end.
-    pub(crate) fn program(&mut self) -> Done {
+    pub(super) fn program(&mut self) -> Done {
         self.blocks(0)?;
         self.enter_program();
         self.end_contour()
@@ -62,7 +62,7 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    pub(crate) fn label(&mut self, label: &LabelRef) -> Done {
+    pub(super) fn label(&mut self, label: &LabelRef) -> Done {
         if label.target == Label::END {
             self.calls.return_from_subprogram();
         }
@@ -87,7 +87,7 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    pub(crate) fn call_label(&mut self, call: &CallLbl) -> Done {
+    pub(super) fn call_label(&mut self, call: &CallLbl) -> Done {
         let target = self.label_block(&call.label)?;
         match &call.repeat {
             Some(times) => {
@@ -101,7 +101,7 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    pub(crate) fn jump(&mut self, jump: &FnJump) -> Done {
+    pub(super) fn jump(&mut self, jump: &FnJump) -> Done {
         let is_text = |operand: &Operand| match operand.amount {
             Amount::Q { q, .. } => q.kind == QKind::Qs,
             Amount::Text(_) => true,

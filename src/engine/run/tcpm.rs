@@ -14,7 +14,7 @@ const HOLDS: [&str; 7] = ["F", "TCP", "AXIS", "POS", "PATHCTRL", "REFPNT", "TIP-
 
 impl Run<'_, '_> {
     /// `FUNCTION` blocks, but for those that switch the mode.
-    pub(crate) fn function(&mut self, statement: &Statement) -> Done {
+    pub(super) fn function(&mut self, statement: &Statement) -> Done {
         let head = self.slice(statement.head).to_ascii_uppercase();
         let what = head.split_ascii_whitespace().nth(1).unwrap_or_default();
         let mut words =

@@ -309,7 +309,7 @@ impl System {
     }
 
     /// The system as an event tells it.
-    pub fn told(&self) -> Coordinates {
+    pub fn reported(&self) -> Coordinates {
         Coordinates {
             preset: self.preset,
             origin: self.origin,

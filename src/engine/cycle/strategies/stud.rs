@@ -64,7 +64,7 @@ impl<'e> Run<'_, 'e> {
         let [allowance, blank_length, blank_width, approach] = self.all_given(call, 7, exec)?;
         let tool_radius = self.tool_radius();
         if 2.0 * corner > length.min(width) + SPARE {
-            return Err(self.shape_impossible(2.0 * corner, length.min(width)));
+            return Err(self.drives.shape_impossible(2.0 * corner, length.min(width)));
         }
         let (size, blank) = (DVec2::new(length, width) / 2.0, DVec2::new(blank_length, blank_width) / 2.0);
         let corner = corner + allowance;
@@ -105,13 +105,13 @@ impl<'e> Run<'_, 'e> {
         for lap in 1..=stud.laps {
             let outline = stud.outline(lap);
             if lap == 1 {
-                self.mill_join(place, &tangent(&outline), &outline, *feed)?;
+                self.drives.mill_join(place, &tangent(&outline), &outline, *feed)?;
             } else {
-                self.mill_to(place, outline.start, *feed)?;
+                self.drives.mill_to(place, outline.start, *feed)?;
             }
-            self.mill_outline(place, &outline, *feed)?;
+            self.drives.mill_outline(place, &outline, *feed)?;
             if lap == stud.laps {
-                self.mill_leave(place, &tangent(&outline), *feed)?;
+                self.drives.mill_leave(place, &tangent(&outline), *feed)?;
             }
         }
         Ok(())
@@ -126,31 +126,31 @@ impl<'e> Run<'_, 'e> {
         let inwards = left_of(first) * *direction;
         let point = |x: f64, y: f64| first * x + inwards * y;
         let along = |half: DVec2| DVec2::new((half * first).abs().element_sum(), (half * inwards).abs().element_sum());
-        let height = self.in_plane(self.world.here).z;
+        let height = self.drives.in_plane(self.drives.world.here).z;
         let begin = along(stud.blank).x + BESIDE + stud.tool_radius;
         for lap in 1..=stud.laps {
             let outside = stud.outside(lap);
             let (half, c) = (along(stud.half) + DVec2::splat(outside), stud.corner + outside);
             let (a, b) = (half.x, half.y);
             if lap == 1 {
-                self.mill_to(place, point(-begin, -b), *feed)?;
+                self.drives.mill_to(place, point(-begin, -b), *feed)?;
             }
             let around = |run: &mut Self, x: f64, y: f64, to: DVec2| {
-                run.mill_around(place, (point(x, y), to), height, *direction, *feed)
+                run.drives.mill_around(place, (point(x, y), to), height, *direction, *feed)
             };
-            self.mill_to(place, point(a - c, -b), *feed)?;
+            self.drives.mill_to(place, point(a - c, -b), *feed)?;
             around(self, a - c, c - b, point(a, c - b))?;
-            self.mill_to(place, point(a, b - c), *feed)?;
+            self.drives.mill_to(place, point(a, b - c), *feed)?;
             around(self, a - c, b - c, point(a - c, b))?;
-            self.mill_to(place, point(c - a, b), *feed)?;
+            self.drives.mill_to(place, point(c - a, b), *feed)?;
             around(self, c - a, b - c, point(-a, b - c))?;
-            self.mill_to(place, point(-a, c - b), *feed)?;
+            self.drives.mill_to(place, point(-a, c - b), *feed)?;
             around(self, c - a, c - b, point(c - a, -b))?;
             if lap < stud.laps {
-                self.mill_to(place, point(c - a, stud.step - b), *feed)?;
+                self.drives.mill_to(place, point(c - a, stud.step - b), *feed)?;
             } else {
                 let (centre, to) = (point(c - a, -b - BESIDE), point(c - a + BESIDE, -b - BESIDE));
-                self.mill_around(place, (centre, to), height, -direction, *feed)?;
+                self.drives.mill_around(place, (centre, to), height, -direction, *feed)?;
             }
         }
         Ok(())
@@ -173,12 +173,12 @@ impl<'e> Run<'_, 'e> {
             let distance = if half == halves { to } else { from + (to - from) * share };
             DVec2::new(if half.is_multiple_of(2) { distance } else { -distance }, 0.0)
         };
-        let height = self.in_plane(self.world.here).z;
+        let height = self.drives.in_plane(self.drives.world.here).z;
         for half in 1..=halves {
             let (now, next) = (at(half - 1), at(half));
-            self.mill_around(&place, ((now + next) / 2.0, next), height, direction, feed)?;
+            self.drives.mill_around(&place, ((now + next) / 2.0, next), height, direction, feed)?;
         }
-        self.mill_around(&place, (DVec2::ZERO, at(halves)), height, direction, feed)
+        self.drives.mill_around(&place, (DVec2::ZERO, at(halves)), height, direction, feed)
     }
 
     /// Half a turn to the other side of the centre, to a point at that distance from it.
@@ -187,18 +187,18 @@ impl<'e> Run<'_, 'e> {
         let (place, from) = self.polar_place(call, exec)?;
         let feed = self.feed_given(call, exec)?;
         let (now, next) = (DVec2::new(from, 0.0), DVec2::new(-radius, 0.0));
-        let height = self.in_plane(self.world.here).z;
+        let height = self.drives.in_plane(self.drives.world.here).z;
         let direction = if direction < 0.0 { -1.0 } else { 1.0 };
-        self.mill_around(&place, ((now + next) / 2.0, next), height, direction, feed)
+        self.drives.mill_around(&place, ((now + next) / 2.0, next), height, direction, feed)
     }
 
     /// The centre that is given, with the first axis towards the tool, and how far the tool is from it.
     fn polar_place(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<(Place, f64), Fault> {
         let centre = self.point_given(call, 0, exec)?;
-        let arm = (self.in_plane(self.world.here) - centre).truncate();
+        let arm = (self.drives.in_plane(self.drives.world.here) - centre).truncate();
         let distance = libm::hypot(arm.x, arm.y);
         if distance == 0.0 {
-            return Err(self.shape_impossible(self.tool_radius(), distance));
+            return Err(self.drives.shape_impossible(self.tool_radius(), distance));
         }
         Ok((Place::new(centre, atan2d(arm.y, arm.x)), distance))
     }

@@ -69,7 +69,7 @@ impl<'e> Run<'_, 'e> {
         let (radius, direction) = (self.given(call, 5, exec)?, self.given(call, 6, exec)?);
         let direction = if direction < 0.0 { -1.0 } else { 1.0 };
         let turns = descent.passes(2.0 * std::f64::consts::PI * radius)?;
-        let here = self.in_plane(self.world.here).z;
+        let here = self.drives.in_plane(self.drives.world.here).z;
         self.plunge_to(descent.beside(radius, 0.0, here), descent.feed)?;
         self.plunge_to(descent.beside(radius, 0.0, descent.from), descent.feed)?;
         for half in 1..=2 * turns {
@@ -136,13 +136,13 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn plunge_to(&mut self, to: DVec3, feed: f64) -> Done {
-        let to = self.world.system.axes(to);
-        self.straight_to(to, None, Speed::of_feed(feed))
+        let to = self.drives.world.system.axes(to);
+        self.drives.straight_to(to, None, Speed::of_feed(feed))
     }
 
     fn plunge_around(&mut self, descent: &Descent, to: DVec3, direction: f64) -> Done {
         let centre = DVec3::new(descent.centre.x, descent.centre.y, to.z);
-        let (centre, to) = (self.world.system.axes(centre), self.world.system.axes(to));
-        self.arc_to(centre, to, direction, None, Speed::of_feed(descent.feed))
+        let (centre, to) = (self.drives.world.system.axes(centre), self.drives.world.system.axes(to));
+        self.drives.arc_to(centre, to, direction, None, Speed::of_feed(descent.feed))
     }
 }

@@ -104,7 +104,7 @@ impl<'e> Run<'_, 'e> {
 
     /// The radius of the tool in the units of the program, which may be scaled.
     pub(super) fn tool_radius(&self) -> f64 {
-        self.world.tool().map_or(0.0, |tool| tool.radius) / self.world.system.plane_scale().unwrap_or(1.0)
+        self.drives.world.tool().map_or(0.0, |tool| tool.radius) / self.drives.world.system.plane_scale().unwrap_or(1.0)
     }
 
     /// Length, width, corner radius and rotation of a rectangle.
@@ -114,7 +114,7 @@ impl<'e> Run<'_, 'e> {
         let half = DVec2::new(length, width) / 2.0 - DVec2::splat(radius);
         let least = length.min(width);
         if half.min_element() < -SPARE || corner > least / 2.0 + SPARE {
-            return Err(self.shape_impossible(2.0 * radius.max(corner), least));
+            return Err(self.drives.shape_impossible(2.0 * radius.max(corner), least));
         }
         let half = half.max(DVec2::ZERO);
         let corner = (corner - radius).clamp(0.0, half.min_element());
@@ -125,7 +125,7 @@ impl<'e> Run<'_, 'e> {
         let diameter = self.given(call, 2, exec)?;
         let radius = diameter / 2.0 - self.tool_radius();
         if radius < -SPARE {
-            return Err(self.shape_impossible(2.0 * self.tool_radius(), diameter));
+            return Err(self.drives.shape_impossible(2.0 * self.tool_radius(), diameter));
         }
         self.work(call, 0.0, Figure::Circle { radius: radius.max(0.0) }, exec)
     }
@@ -135,7 +135,7 @@ impl<'e> Run<'_, 'e> {
     fn half_width(&self, width: f64, allowance: f64) -> Result<f64, Fault> {
         let half = width / 2.0 - self.tool_radius();
         if half < -SPARE {
-            return Err(self.shape_impossible(2.0 * self.tool_radius(), width));
+            return Err(self.drives.shape_impossible(2.0 * self.tool_radius(), width));
         }
         Ok((half - allowance).max(0.0))
     }
@@ -143,7 +143,7 @@ impl<'e> Run<'_, 'e> {
     fn slot(&self, call: &StrategyCall, allowance: f64, exec: &Exec<'_, 'e>) -> Result<Work, Fault> {
         let [length, width, rotation] = self.all_given(call, 2, exec)?;
         if length < width - SPARE {
-            return Err(self.shape_impossible(width, length));
+            return Err(self.drives.shape_impossible(width, length));
         }
         let radius = self.half_width(width, allowance)?;
         self.work(call, rotation, Figure::Slot { reach: (length - width).max(0.0) / 2.0, radius }, exec)
@@ -153,7 +153,7 @@ impl<'e> Run<'_, 'e> {
         let [diameter, begin, opening, width] = self.all_given(call, 2, exec)?;
         let half = self.half_width(width, allowance)?;
         if diameter < width {
-            return Err(self.shape_impossible(width, diameter));
+            return Err(self.drives.shape_impossible(width, diameter));
         }
         let (begin, opening) = if opening < 0.0 { (begin + opening, -opening) } else { (begin, opening) };
         self.work(call, 0.0, Figure::Band { radius: diameter / 2.0, begin, opening, half }, exec)
@@ -193,36 +193,36 @@ impl<'e> Run<'_, 'e> {
             return Ok(());
         }
         for outline in (1..count).rev().map(|inside| work.outline(f64::from(inside) * step)) {
-            self.mill_to(place, outline.start, *feed)?;
-            self.mill_outline(place, &outline, *feed)?;
+            self.drives.mill_to(place, outline.start, *feed)?;
+            self.drives.mill_outline(place, &outline, *feed)?;
         }
         let outline = work.outline(0.0);
         let tangent = work.tangent(&outline, step.min(self.tool_radius()) / 2.0);
-        self.mill_join(place, &tangent, &outline, *feed)?;
-        self.mill_outline(place, &outline, *feed)?;
-        self.mill_leave(place, &tangent, *feed)
+        self.drives.mill_join(place, &tangent, &outline, *feed)?;
+        self.drives.mill_outline(place, &outline, *feed)?;
+        self.drives.mill_leave(place, &tangent, *feed)
     }
 
     /// A spiral of half circles, each half a step wider than the one before, then the wall.
     fn clear_circle(&mut self, work: &Work, radius: f64, step: f64, count: u32) -> Done {
         let Work { place, feed, direction, .. } = work;
-        self.mill_to(place, DVec2::ZERO, *feed)?;
+        self.drives.mill_to(place, DVec2::ZERO, *feed)?;
         if count == 0 {
             return Ok(());
         }
-        let height = self.in_plane(self.world.here).z;
+        let height = self.drives.in_plane(self.drives.world.here).z;
         let at = |half: u32| {
             let distance = if half == 2 * count { radius } else { f64::from(half) * step / 2.0 };
             DVec2::new(if half.is_multiple_of(2) { distance } else { -distance }, 0.0)
         };
         for half in 1..=2 * count {
             let (from, to) = (at(half - 1), at(half));
-            self.mill_around(place, ((from + to) / 2.0, to), height, *direction, *feed)?;
+            self.drives.mill_around(place, ((from + to) / 2.0, to), height, *direction, *feed)?;
         }
         let outline = work.outline(0.0);
-        self.mill_outline(place, &outline, *feed)?;
+        self.drives.mill_outline(place, &outline, *feed)?;
         let tangent = work.tangent(&outline, step.min(self.tool_radius()) / 2.0);
-        self.mill_leave(place, &tangent, *feed)
+        self.drives.mill_leave(place, &tangent, *feed)
     }
 
     /// To and fro along the core, to where the outlines begin.
@@ -231,35 +231,35 @@ impl<'e> Run<'_, 'e> {
         match work.figure {
             Figure::Rectangle { half, .. } => {
                 let end = half - DVec2::splat(half.min_element());
-                self.mill_to(place, -end, *feed)?;
-                self.mill_to(place, end, *feed)?;
+                self.drives.mill_to(place, -end, *feed)?;
+                self.drives.mill_to(place, end, *feed)?;
                 // The outlines begin in the middle of the right side.
                 let begin = DVec2::new(end.x, 0.0);
-                if end.y > 0.0 { self.mill_to(place, begin, *feed) } else { Ok(()) }
+                if end.y > 0.0 { self.drives.mill_to(place, begin, *feed) } else { Ok(()) }
             }
             Figure::Slot { reach, .. } => {
                 for end in [-reach, reach, -reach] {
-                    self.mill_to(place, DVec2::new(end, 0.0), *feed)?;
+                    self.drives.mill_to(place, DVec2::new(end, 0.0), *feed)?;
                 }
                 Ok(())
             }
             Figure::Band { radius, begin, opening, .. } => {
-                let height = self.in_plane(self.world.here).z;
+                let height = self.drives.in_plane(self.drives.world.here).z;
                 let first = unit(begin) * radius;
                 let last = if opening >= 360.0 { first } else { unit(begin + opening) * radius };
                 let mut way = vec![(first, -1.0), (last, 1.0), (first, -1.0)];
-                let here = place.back(self.in_plane(self.world.here).truncate());
+                let here = place.back(self.drives.in_plane(self.drives.world.here).truncate());
                 if (here - first).length() < SPARE || (here - last).length() > SPARE {
                     // The tool stands at the beginning, or comes from somewhere else.
-                    self.mill_to(place, first, *feed)?;
+                    self.drives.mill_to(place, first, *feed)?;
                     way.remove(0);
                 }
                 for (end, direction) in way.into_iter().filter(|_| opening > 0.0) {
-                    self.mill_around(place, (DVec2::ZERO, end), height, direction, *feed)?;
+                    self.drives.mill_around(place, (DVec2::ZERO, end), height, direction, *feed)?;
                 }
                 Ok(())
             }
-            Figure::Circle { .. } => self.mill_to(place, DVec2::ZERO, *feed),
+            Figure::Circle { .. } => self.drives.mill_to(place, DVec2::ZERO, *feed),
         }
     }
 
@@ -288,11 +288,11 @@ impl<'e> Run<'_, 'e> {
         let Work { place, feed, .. } = work;
         let outline = work.outline(0.0);
         let tangent = work.tangent(&outline, work.figure.room().min(self.tool_radius()) / 2.0);
-        self.mill_to(place, tangent.before, *feed)?;
-        self.mill_down(level, *feed)?;
-        self.mill_join(place, &tangent, &outline, *feed)?;
-        self.mill_outline(place, &outline, *feed)?;
-        self.mill_leave(place, &tangent, *feed)
+        self.drives.mill_to(place, tangent.before, *feed)?;
+        self.drives.mill_down(level, *feed)?;
+        self.drives.mill_join(place, &tangent, &outline, *feed)?;
+        self.drives.mill_outline(place, &outline, *feed)?;
+        self.drives.mill_leave(place, &tangent, *feed)
     }
 
     pub(super) fn finish_rectangle_floor(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
@@ -330,14 +330,14 @@ impl<'e> Run<'_, 'e> {
         };
         if radius > SPARE {
             let beside = centre + out * radius;
-            self.mill_to(place, beside, *feed)?;
-            self.mill_down(from, *feed)?;
-            self.mill_around(place, (centre, beside), level, work.direction, *feed)?;
-            self.mill_around(place, (centre, beside), level, work.direction, *feed)?;
-            self.mill_to(place, centre, *feed)?;
+            self.drives.mill_to(place, beside, *feed)?;
+            self.drives.mill_down(from, *feed)?;
+            self.drives.mill_around(place, (centre, beside), level, work.direction, *feed)?;
+            self.drives.mill_around(place, (centre, beside), level, work.direction, *feed)?;
+            self.drives.mill_to(place, centre, *feed)?;
         } else {
-            self.mill_to(place, centre, *feed)?;
-            self.mill_down(level, *feed)?;
+            self.drives.mill_to(place, centre, *feed)?;
+            self.drives.mill_down(level, *feed)?;
         }
         self.clear(work, stepover)
     }

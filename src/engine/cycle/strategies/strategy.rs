@@ -62,7 +62,7 @@ impl<'e> Run<'_, 'e> {
             Strategy::ZeroRotaryTable => {
                 let axis = match call.with.first() {
                     Some(Some(_)) => self.numbered_axis(0, call, exec)?,
-                    _ => self.world.table_axis(),
+                    _ => self.drives.world.table_axis(),
                 };
                 self.zero_display(axis);
                 Ok(())
@@ -99,8 +99,8 @@ impl<'e> Run<'_, 'e> {
             Strategy::DepartThreadTangentially => self.depart_thread_tangentially(call, exec),
             Strategy::CountersinkOnCircle => self.countersink_on_circle(call, exec),
             Strategy::ReverseSpindle => {
-                let direction = -self.switched.spindle.direction;
-                self.spindle(direction);
+                let direction = -self.drives.switched.spindle.direction;
+                self.drives.spindle(direction);
                 Ok(())
             }
             Strategy::RestoreSpindleAndCoolant => {
@@ -112,7 +112,7 @@ impl<'e> Run<'_, 'e> {
             Strategy::ComputeRotaryPositions => self.compute_rotary_positions(call, exec),
             Strategy::PositionRotaryAxes => self.position_rotary_axes(call, exec),
             Strategy::CheckSpindleAcrossRotaryAxis => {
-                let across = f64::from(u8::from(self.spindle_is_across()));
+                let across = f64::from(u8::from(self.drives.spindle_is_across()));
                 call.results.iter().for_each(|slot| exec.put(*slot, Value::Number(across)));
                 Ok(())
             }
@@ -122,7 +122,7 @@ impl<'e> Run<'_, 'e> {
                 self.execute_program(&name)
             }
             Strategy::KeepOrientationAngle => {
-                self.switched.orientation = self.given(call, 0, exec)?;
+                self.drives.switched.orientation = self.given(call, 0, exec)?;
                 Ok(())
             }
             Strategy::KeepTolerance => {
@@ -133,7 +133,7 @@ impl<'e> Run<'_, 'e> {
                     }
                 }
                 let given = call.with.first().is_some_and(Option::is_some);
-                self.report.report(EventKind::Tolerance(given.then_some(values)));
+                self.drives.report.report(EventKind::Tolerance(given.then_some(values)));
                 Ok(())
             }
             Strategy::ToleranceBand => {
@@ -152,11 +152,11 @@ impl<'e> Run<'_, 'e> {
 
     /// Cutting width and cutting radius of the tool, as the tool table has them; 0 where it has none.
     fn turning_insert(&self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
-        let table = self.world.table(TableKind::Tool)?;
-        let number = self.world.tool().map(|tool| tool.number).filter(|number| table.has_row(*number));
+        let table = self.drives.world.table(TableKind::Tool)?;
+        let number = self.drives.world.tool().map(|tool| tool.number).filter(|number| table.has_row(*number));
         for (slot, column) in call.results.iter().zip(["CUTWIDTH", "RS"]) {
             let value = number.map_or(Ok(None), |number| table.number(number, column))?.unwrap_or_default();
-            exec.put(*slot, Value::Number(value / self.unit_of(TableKind::Tool, column)));
+            exec.put(*slot, Value::Number(value / self.drives.unit_of(TableKind::Tool, column)));
         }
         Ok(())
     }
@@ -195,14 +195,14 @@ impl<'e> Run<'_, 'e> {
     fn wanted(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<Wanted, Fault> {
         let internal = || Fault::new(Class::Internal, "strategy-argument");
         let [Some(point), main, minor, tool, ..] = call.with.as_slice() else { return Err(internal()) };
-        let plane = self.world.system.plane;
+        let plane = self.drives.world.system.plane;
         let mut values = Vec::with_capacity(3);
         for (axis, calc) in [(plane.main, main), (plane.secondary, minor), (plane.tool, tool)] {
             if let Some(calc) = calc {
-                values.push((axis, self.number(calc, exec)? * self.cycle_unit()));
+                values.push((axis, self.number(calc, exec)? * self.drives.cycle_unit()));
             }
         }
-        Ok(Wanted { point: self.world.system.axes(self.point(point, exec)?) * self.cycle_unit(), values })
+        Ok(Wanted { point: self.drives.world.system.axes(self.point(point, exec)?) * self.drives.cycle_unit(), values })
     }
 
     fn row(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
@@ -210,18 +210,18 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn set_datum(&mut self, wanted: &Wanted) {
-        let before = self.world.system.told();
+        let before = self.drives.world.system.reported();
         let change = wanted.change(wanted.point);
-        let origin = self.world.system.origin - self.world.system.frame().vector(change);
-        self.world.system.set_origin(origin);
-        self.transformed(before);
+        let origin = self.drives.world.system.origin - self.drives.world.system.frame().vector(change);
+        self.drives.world.system.set_origin(origin);
+        self.drives.transformed(before);
     }
 
     /// The row keeps its spatial angles; a new row has none.
     fn write_preset(&mut self, wanted: &Wanted, row: f64) -> Done {
-        let machine = self.world.system.frame().point(wanted.point);
-        let has_row = self.world.table(TableKind::Preset)?.has_row(row);
-        let old = if has_row { self.world.preset(row)? } else { Preset::default() };
+        let machine = self.drives.world.system.frame().point(wanted.point);
+        let has_row = self.drives.world.table(TableKind::Preset)?.has_row(row);
+        let old = if has_row { self.drives.world.preset(row)? } else { Preset::default() };
         let frame = old.frame();
         let change = wanted.change(frame.inverse().point(machine));
         self.write_coordinates(TableKind::Preset, row, wanted, old.origin, old.origin - frame.vector(change))
@@ -229,10 +229,10 @@ impl<'e> Run<'_, 'e> {
 
     /// What makes the point have its coordinates once the row is the datum shift, with all else as it is.
     fn write_datum_row(&mut self, wanted: &Wanted, row: f64, exec: &Exec<'_, 'e>) -> Done {
-        let machine = self.world.system.frame().point(wanted.point);
-        let (outside, inside) = self.world.system.around_datum();
+        let machine = self.drives.world.system.frame().point(wanted.point);
+        let (outside, inside) = self.drives.world.system.around_datum();
         let to_machine = if self.datums_of_machine(exec) { outside } else { Frame::IDENTITY };
-        let table = self.world.table(TableKind::Datum)?;
+        let table = self.drives.world.table(TableKind::Datum)?;
         let mut old = DVec3::ZERO;
         if table.has_row(row) {
             let number = |column| table.number(row, column).map(Option::unwrap_or_default);

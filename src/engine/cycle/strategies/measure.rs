@@ -32,24 +32,25 @@ impl<'e> Run<'_, 'e> {
     /// Probes from where the probe stands, on a path and at a feed of its own, and stays where it stops.
     pub(super) fn probe_with_own_path(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
         self.knows_tool_axis(exec)?;
-        let probe = self.world.probe()?;
-        let direction = self.world.system.axes(self.point(Self::argument(call, 0)?, exec)?);
-        let number = |index| Ok::<_, Fault>(self.number(Self::argument(call, index)?, exec)? * self.cycle_unit());
+        let probe = self.drives.world.probe()?;
+        let direction = self.drives.world.system.axes(self.point(Self::argument(call, 0)?, exec)?);
+        let number =
+            |index| Ok::<_, Fault>(self.number(Self::argument(call, index)?, exec)? * self.drives.cycle_unit());
         let (path, feed) = (number(1)?, number(2)?);
         let flag = |index| Ok::<_, Fault>(self.optional(call, index, exec)?.unwrap_or(0.0) != 0.0);
         let (in_machine, tolerant, silent) = (flag(3)?, flag(4)?, flag(5)?);
         let way = direction * path;
-        let way = if in_machine { self.world.system.back().vector(way) } else { way };
-        let (frame, back) = (*self.world.system.frame(), *self.world.system.back());
-        let here = back.point(self.world.believed_centre(self.world.machine, &probe));
+        let way = if in_machine { self.drives.world.system.back().vector(way) } else { way };
+        let (frame, back) = (*self.drives.world.system.frame(), *self.drives.world.system.back());
+        let here = back.point(self.drives.world.believed_centre(self.drives.world.machine, &probe));
         let (mut centre, mut status) = (here, 1.0);
         if way.length() > 0.0 {
             let approach = Approach { direction: way.normalize(), path: way.length(), feed };
-            match self.approach(&probe, &approach) {
+            match self.drives.approach(&probe, &approach) {
                 Ok(stop) => {
                     (centre, status) = (stop.centre, if stop.touched { 0.0 } else { 1.0 });
-                    self.world.machine = stop.tip;
-                    self.world.renew();
+                    self.drives.world.machine = stop.tip;
+                    self.drives.world.renew();
                 }
                 Err(crate::engine::report::ending::Leave::Fault(fault))
                     if silent && fault.code == "probe-deflected" =>
@@ -62,17 +63,17 @@ impl<'e> Run<'_, 'e> {
         if status == 1.0 && !tolerant {
             return Err(Fault::control("probe-no-contact").arg("distance", way.length()).into());
         }
-        let centre = self.to_program(if in_machine { frame.point(centre) } else { centre });
+        let centre = self.drives.to_program(if in_machine { frame.point(centre) } else { centre });
         Self::put_all(call, &[centre.x, centre.y, centre.z, status], exec);
         Ok(())
     }
 
     /// Back against the direction in which the probe touched, not beyond where that movement began.
     pub(super) fn retract_from_touch_point(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
-        let path = self.number(Self::argument(call, 0)?, exec)? * self.cycle_unit();
-        let Some(pressed) = self.world.pressed else { return Ok(()) };
-        let way = (self.world.machine - pressed.from).dot(pressed.direction);
-        let to = self.world.machine - pressed.direction * path.clamp(0.0, way.max(0.0));
+        let path = self.number(Self::argument(call, 0)?, exec)? * self.drives.cycle_unit();
+        let Some(pressed) = self.drives.world.pressed else { return Ok(()) };
+        let way = (self.drives.world.machine - pressed.from).dot(pressed.direction);
+        let to = self.drives.world.machine - pressed.direction * path.clamp(0.0, way.max(0.0));
         self.drives.straight_to(self.drives.world.to_program(to), Some(to), Ok(Speed::Rapid))
     }
 
@@ -100,7 +101,7 @@ impl<'e> Run<'_, 'e> {
     /// The angles about X, then the fixed Y, then the fixed Z that turn the working plane to a
     /// main axis and a tool axis.
     fn spatial_angles(&self, main: DVec3, tool: DVec3) -> [f64; 3] {
-        let system = &self.world.system;
+        let system = &self.drives.world.system;
         let turned = [main, tool.cross(main), tool].map(|axis| system.axes(axis));
         let plane = system.plane;
         let axes = [plane.main, plane.secondary, plane.tool];
@@ -122,26 +123,26 @@ impl<'e> Run<'_, 'e> {
     /// the spindle axis into the probe table. The offset is given by how much it differs from the one in effect, in
     /// program coordinates. All of it acts at once.
     pub(super) fn store_probe_calibration(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
-        let probe = self.world.probe()?;
-        let tool = self.world.tool().unwrap_or_default();
+        let probe = self.drives.world.probe()?;
+        let tool = self.drives.world.tool().unwrap_or_default();
         for (index, column) in ["R", "L"].into_iter().enumerate() {
             if let Some(value) = self.optional(call, index, exec)? {
                 // The oversizes of the table and of the tool call stay.
-                let delta = self.world.table(TableKind::Tool)?.number(tool.number, &format!("D{column}"))?;
+                let delta = self.drives.world.table(TableKind::Tool)?.number(tool.number, &format!("D{column}"))?;
                 let called = if index == 0 { tool.deltas.0 } else { tool.deltas.1 };
-                let cell = Cell::Number(value * self.cycle_unit() - delta.unwrap_or_default() - called);
+                let cell = Cell::Number(value * self.drives.cycle_unit() - delta.unwrap_or_default() - called);
                 self.write_cell(TableKind::Tool, tool.number, column, &cell)?;
             }
         }
         if let Some(Some(calc)) = call.with.get(2) {
-            let change = self.world.system.axes(self.point(calc, exec)?) * self.cycle_unit();
-            let change = self.world.system.plane.flat(self.world.system.frame().vector(change));
+            let change = self.drives.world.system.axes(self.point(calc, exec)?) * self.drives.cycle_unit();
+            let change = self.drives.world.system.plane.flat(self.drives.world.system.frame().vector(change));
             let offset = probe.calibrated + change;
             for (column, value) in [("CAL_OF1", offset.x), ("CAL_OF2", offset.y)] {
                 self.write_cell(TableKind::Probe, probe.row, column, &Cell::Number(value))?;
             }
         }
-        self.world.renew_tool()?;
+        self.drives.world.renew_tool()?;
         Ok(())
     }
 }

@@ -24,7 +24,7 @@ impl<'e> Run<'_, 'e> {
         }
         let lines = lines.max(1.0) as u32;
         let minor = |line: u32| first + step * f64::from(line);
-        let here = self.in_plane(self.world.here);
+        let here = self.drives.in_plane(self.drives.world.here);
         let level = here.z;
         let mut at_begin = (here.x - begin).abs() <= (here.x - end).abs();
         let backwards = (here.y - minor(lines - 1)).abs() < (here.y - minor(0)).abs();

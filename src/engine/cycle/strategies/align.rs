@@ -72,9 +72,9 @@ impl<'e> Run<'_, 'e> {
 
     /// Sets the basic rotation in effect; the preset stays where it is.
     pub(super) fn set_basic_rotation(&mut self, degrees: f64) {
-        let before = self.world.system.told();
-        self.world.system.set_basic_rotation(degrees);
-        self.transformed(before);
+        let before = self.drives.world.system.reported();
+        self.drives.world.system.set_basic_rotation(degrees);
+        self.drives.transformed(before);
     }
 
     pub(super) fn write_basic_rotation(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
@@ -87,7 +87,7 @@ impl<'e> Run<'_, 'e> {
             self.set_basic_rotation(angle);
             return Ok(());
         }
-        let column = format!("SP{}", self.world.table_axis().letter());
+        let column = format!("SP{}", self.drives.world.table_axis().letter());
         self.write_cell(TableKind::Preset, row, &column, &Cell::Number(angle))
     }
 
@@ -95,27 +95,29 @@ impl<'e> Run<'_, 'e> {
     pub(super) fn turn_basic_rotation(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
         let angle = self.number(Self::argument(call, 0)?, exec)?;
         let about = match call.with.get(1) {
-            Some(Some(about)) => Some(self.world.system.axes(self.point(about, exec)?) * self.cycle_unit()),
+            Some(Some(about)) => {
+                Some(self.drives.world.system.axes(self.point(about, exec)?) * self.drives.cycle_unit())
+            }
             _ => None,
         };
-        let before = self.world.system.told();
-        let system = &mut self.world.system;
+        let before = self.drives.world.system.reported();
+        let system = &mut self.drives.world.system;
         let held = about.map(|about| system.frame().point(about));
         system.set_basic_rotation(direction(system.basic_rotation() + angle));
         if let (Some(about), Some(held)) = (about, held) {
             let slipped = system.frame().point(about) - held;
             system.set_origin(system.origin - slipped);
         }
-        self.transformed(before);
+        self.drives.transformed(before);
         Ok(())
     }
 
     /// By how much a rotary axis must go so that the workpiece, turned by an angle about an axis of the program, is
     /// straight relative to the tool.
     fn straightening(&self, axis: RotaryAxis, about: Axis, degrees: f64) -> Result<f64, Fault> {
-        let data = self.rotary_axis(axis)?;
-        let turning = self.world.scene.machine.turning(data, self.world.angles);
-        let along = turning.direction.dot(self.world.system.frame().vector(about.unit()));
+        let data = self.drives.rotary_axis(axis)?;
+        let turning = self.drives.world.scene.machine.turning(data, self.drives.world.angles);
+        let along = turning.direction.dot(self.drives.world.system.frame().vector(about.unit()));
         if 1.0 - along.abs() > ALONG {
             return Err(Fault::control("rotary-axis-unsuitable").arg("axis", axis.letter().to_string()));
         }
@@ -128,13 +130,13 @@ impl<'e> Run<'_, 'e> {
     }
 
     fn turn_by(&mut self, axis: RotaryAxis, way: f64) -> Done {
-        let to = axis.of(self.world.angles) + way;
-        self.turn_to(&[(axis, to)], Ok(Speed::Rapid))
+        let to = axis.of(self.drives.world.angles) + way;
+        self.drives.turn_to(&[(axis, to)], Ok(Speed::Rapid))
     }
 
     pub(super) fn align_rotary_table(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
         let angle = self.number(Self::argument(call, 0)?, exec)?;
-        let axis = self.world.table_axis();
+        let axis = self.drives.world.table_axis();
         let way = self.straightening(axis, axis.0, angle)?;
         self.turn_by(axis, way)?;
         Self::result(call, &[way], exec);
@@ -159,7 +161,7 @@ impl<'e> Run<'_, 'e> {
     pub(super) fn align_rotary_axis(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
         let from = self.point(Self::argument(call, 0)?, exec)?;
         let to = self.point(Self::argument(call, 1)?, exec)?;
-        let plane = self.world.system.plane;
+        let plane = self.drives.world.system.plane;
         let measured = match self.number(Self::argument(call, 2)?, exec)? {
             1.0 => plane.main,
             2.0 => plane.secondary,
@@ -174,7 +176,7 @@ impl<'e> Run<'_, 'e> {
             return Err(Fault::control("rotary-axis-unsuitable").arg("axis", axis.letter().to_string()).into());
         };
         let across = about.unit().cross(along.unit());
-        let way = self.world.system.axes(to) - self.world.system.axes(from);
+        let way = self.drives.world.system.axes(to) - self.drives.world.system.axes(from);
         let (x, y) = (along.of(way), way.dot(across));
         if libm::hypot(x, y) < SAME_POINT {
             return Err(Fault::control("direction-undefined").arg("distance", libm::hypot(x, y)).into());
@@ -197,7 +199,7 @@ impl<'e> Run<'_, 'e> {
         let plane = WorkingPlane::of_tool_axis(axis.0);
         let flat = |index| -> Result<DVec2, Fault> {
             let point = self.point(Self::argument(call, index)?, exec)?;
-            let flat = plane.flat(self.world.system.axes(point));
+            let flat = plane.flat(self.drives.world.system.axes(point));
             if flat.length() < SAME_POINT {
                 return Err(Fault::control("direction-undefined").arg("distance", flat.length()));
             }
@@ -215,11 +217,11 @@ impl<'e> Run<'_, 'e> {
 
     /// The display of a rotary axis shows 0 where it stands.
     pub(super) fn zero_display(&mut self, axis: RotaryAxis) {
-        let before = self.world.system.told();
+        let before = self.drives.world.system.reported();
         let system = &mut self.drives.world.system;
         let zero = axis.of(self.drives.world.angles) - axis.of(system.angle_shift);
         system.angles = axis.with(system.angles, zero);
-        self.transformed(before);
+        self.drives.transformed(before);
     }
 
     /// In the preset table stands where the axis stands in machine coordinates; in the datum table the shift of the
@@ -229,17 +231,17 @@ impl<'e> Run<'_, 'e> {
         let row = self.number(Self::argument(call, 1)?, exec)?;
         let into_preset = self.number(Self::argument(call, 2)?, exec)? != 0.0;
         let column = axis.letter().to_string();
-        let machine = axis.of(self.world.angles);
+        let machine = axis.of(self.drives.world.angles);
         if into_preset {
             self.write_cell(TableKind::Preset, row, &column, &Cell::Number(machine))?;
             self.zero_display(axis);
             return Ok(());
         }
-        let shift = machine - axis.of(self.world.system.angles);
+        let shift = machine - axis.of(self.drives.world.system.angles);
         self.write_cell(TableKind::Datum, row, &column, &Cell::Number(shift))?;
-        let before = self.world.system.told();
-        self.world.system.angle_shift = axis.with(self.world.system.angle_shift, shift);
-        self.transformed(before);
+        let before = self.drives.world.system.reported();
+        self.drives.world.system.angle_shift = axis.with(self.drives.world.system.angle_shift, shift);
+        self.drives.transformed(before);
         Ok(())
     }
 
@@ -247,7 +249,7 @@ impl<'e> Run<'_, 'e> {
         let angle = self.number(Self::argument(call, 0)?, exec)?;
         let row = self.number(Self::argument(call, 1)?, exec)?;
         let column = self.numbered_axis(2, call, exec)?.letter().to_string();
-        let table = self.world.table(TableKind::Datum)?;
+        let table = self.drives.world.table(TableKind::Datum)?;
         let old = if table.has_row(row) { table.number(row, &column)?.unwrap_or_default() } else { 0.0 };
         self.write_cell(TableKind::Datum, row, &column, &Cell::Number(old + angle))
     }

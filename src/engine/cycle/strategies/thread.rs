@@ -93,12 +93,12 @@ impl<'e> Run<'_, 'e> {
         let [surface, depth, diameter, pitch, outside, climb, threads] = self.all_given(call, 1, exec)?;
         let tool = self.tool_radius();
         if pitch == 0.0 {
-            return Err(self.shape_impossible(0.0, pitch));
+            return Err(self.drives.shape_impossible(0.0, pitch));
         }
         let side = if outside > 0.0 { -1.0 } else { 1.0 };
         let radius = diameter / 2.0 - side * tool;
         if radius <= 0.0 {
-            return Err(self.shape_impossible(2.0 * tool, diameter));
+            return Err(self.drives.shape_impossible(2.0 * tool, diameter));
         }
         let hand = pitch.signum();
         let (rotation, rise) = if climb == 0.0 {
@@ -126,7 +126,7 @@ impl<'e> Run<'_, 'e> {
     pub(super) fn move_to_thread_start_plane(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
         let thread = self.thread(call, exec)?;
         let feed = self.feed_given(call, exec)?;
-        self.mill_down(thread.start(0)?, feed)
+        self.drives.mill_down(thread.start(0)?, feed)
     }
 
     /// Beside the thread if it is much wider than the tool, back by half a turn of the helix, and onto it.
@@ -138,11 +138,11 @@ impl<'e> Run<'_, 'e> {
 
     fn join_thread(&mut self, thread: &Thread, feed: f64) -> Done {
         let (begin, joined) = thread.ends();
-        let height = self.in_plane(self.world.here).z;
-        self.mill_to(&thread.place, begin, feed * thread.slower)?;
-        self.mill_down(height - thread.half_rise(), feed * thread.slower)?;
+        let height = self.drives.in_plane(self.drives.world.here).z;
+        self.drives.mill_to(&thread.place, begin, feed * thread.slower)?;
+        self.drives.mill_down(height - thread.half_rise(), feed * thread.slower)?;
         let way = ((begin + joined) / 2.0, joined);
-        self.mill_around(&thread.place, way, height, thread.rotation * thread.side, feed * thread.slower)
+        self.drives.mill_around(&thread.place, way, height, thread.rotation * thread.side, feed * thread.slower)
     }
 
     pub(super) fn depart_thread_tangentially(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
@@ -154,10 +154,10 @@ impl<'e> Run<'_, 'e> {
     /// Off the thread on a half turn that goes on rising, and back to the starting point.
     fn leave_thread(&mut self, thread: &Thread, feed: f64) -> Done {
         let (begin, joined) = thread.ends();
-        let height = self.in_plane(self.world.here).z + thread.half_rise();
+        let height = self.drives.in_plane(self.drives.world.here).z + thread.half_rise();
         let way = ((begin + joined) / 2.0, begin);
-        self.mill_around(&thread.place, way, height, thread.rotation * thread.side, feed * thread.slower)?;
-        if thread.side > 0.0 { self.mill_to(&thread.place, DVec2::ZERO, feed * thread.slower) } else { Ok(()) }
+        self.drives.mill_around(&thread.place, way, height, thread.rotation * thread.side, feed * thread.slower)?;
+        if thread.side > 0.0 { self.drives.mill_to(&thread.place, DVec2::ZERO, feed * thread.slower) } else { Ok(()) }
     }
 
     pub(super) fn mill_thread_helix(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
@@ -167,15 +167,15 @@ impl<'e> Run<'_, 'e> {
         for helix in 0..helices {
             if helix > 0 {
                 self.leave_thread(&thread, feed)?;
-                self.mill_down(thread.start(helix)?, between)?;
+                self.drives.mill_down(thread.start(helix)?, between)?;
                 self.join_thread(&thread, feed)?;
             }
-            let here = self.in_plane(self.world.here);
+            let here = self.drives.in_plane(self.drives.world.here);
             let to = here.truncate().extend(here.z + thread.rise * turns * thread.pitch);
             let centre = thread.place.centre.extend(here.z);
-            let (centre, to) = (self.world.system.axes(centre), self.world.system.axes(to));
+            let (centre, to) = (self.drives.world.system.axes(centre), self.drives.world.system.axes(to));
             let sweep = Some(360.0 * turns * thread.rotation);
-            self.arc_to(centre, to, thread.rotation, sweep, Speed::of_feed(feed * thread.slower))?;
+            self.drives.arc_to(centre, to, thread.rotation, sweep, Speed::of_feed(feed * thread.slower))?;
         }
         Ok(())
     }
@@ -185,16 +185,16 @@ impl<'e> Run<'_, 'e> {
         let place = Place::new(self.point_given(call, 0, exec)?, 0.0);
         let radius = self.given(call, 1, exec)?;
         if radius < 0.0 {
-            return Err(self.shape_impossible(self.tool_radius(), self.tool_radius() + radius).into());
+            return Err(self.drives.shape_impossible(self.tool_radius(), self.tool_radius() + radius).into());
         }
         if radius == 0.0 {
             return Ok(());
         }
         let feed = self.feed_given(call, exec)?;
-        let height = self.in_plane(self.world.here).z;
+        let height = self.drives.in_plane(self.drives.world.here).z;
         let out = DVec2::new(radius, 0.0);
         for (centre, to) in [(out / 2.0, out), (DVec2::ZERO, out), (out / 2.0, DVec2::ZERO)] {
-            self.mill_around(&place, (centre, to), height, 1.0, feed)?;
+            self.drives.mill_around(&place, (centre, to), height, 1.0, feed)?;
         }
         Ok(())
     }
