@@ -4,9 +4,10 @@ use std::path::Path;
 use clap::ArgMatches;
 use serde::Serialize;
 
+use super::execution::read_scene;
 use super::neighbours::Neighbours;
 use super::session::{Session, json};
-use super::{Command, Failure, Outcome, arguments, cycle, program, run as runs};
+use super::{Command, Failure, Outcome, arguments, cycle, program};
 use crate::check::{Against, LabelBook};
 use crate::engine::run::{Engine, Status, Trace, Traced};
 use crate::language::locale::{Args, Ui};
@@ -143,7 +144,7 @@ fn execute(
 ) -> Result<Execution, Failure> {
     let data = session.engine_files()?;
     let locales = session.locales()?;
-    let scene = runs::read_scene(scene, &data)?;
+    let scene = read_scene(scene, &data)?;
     // Logs of both are written in one language, so that labels do not decide.
     let texts = LogTexts::new(cycle::language(&locales, on.control.language.as_str())?, on.id(), &data);
     let mut traces = Vec::new();

@@ -23,6 +23,7 @@ mod cycle;
 mod dialect;
 mod dialog;
 mod envelope;
+mod execution;
 mod explain;
 mod export;
 mod fmt;

@@ -4,11 +4,10 @@ use std::path::Path;
 use clap::ArgMatches;
 use clap::builder::PossibleValuesParser;
 
-use super::neighbours::Neighbours;
+use super::execution::{self, Execution};
 use super::session::Session;
-use super::{Command, Failure, Outcome, arguments, cycle, program, run, scene, stock};
+use super::{Command, Failure, Outcome, arguments, cycle, stock};
 use crate::engine::draw::{PathGrid, Track, View};
-use crate::engine::run::{Engine, Status};
 use crate::language::locale::{Args, Ui};
 use crate::system;
 use crate::tools::conform::LogTexts;
@@ -30,7 +29,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::control(ui),
         arguments::valued(ui, "out", "FILE", "cli-plot-out").required(true),
         arguments::valued(ui, "scene", "FILE", "cli-run-scene"),
-        scene::tool_table(ui),
+        execution::tool_table(ui),
         view,
         stock::resolution(ui),
     ]
@@ -38,21 +37,17 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 
 fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
-    let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
-    let path = arguments::text(matches, "file");
-    let file = program::understand(Path::new(&path), &catalogue)?;
-    let neighbours = Neighbours::new(Path::new(&path), &catalogue);
-    let files = session.engine_files()?;
-    let mut scene = run::scene_of(session, &file, on, &neighbours, matches)?;
-    run::selected(Path::new(&path), file.program.source().text(), &mut scene)?;
+    let execution = Execution::new(session, &catalogue, matches)?;
+    let scene = execution.scene(session, matches)?;
     let language = cycle::language(&locales, session.ui.tag())?;
-    let texts = LogTexts::new(language, on.id(), &files);
-    let engine = Engine::new(&file.program, on, &scene, &texts).with_catalogue(&catalogue).with_programs(&neighbours);
-    let mut part = stock::begin_if_any(&file, &scene, matches)?;
+    let texts = LogTexts::new(language, execution.on.id(), &execution.files);
+    let engine = execution.engine(&scene, &texts);
+    let file = &execution.file;
+    let mut part = stock::begin_if_any(file, &scene, matches)?;
     let grid = PathGrid::new(&file.program, &scene);
     let (mut track, mut failed) = (Track::default(), None);
     let result = engine.observe(&mut |event| {
-        failed = run::failed(event).or(failed);
+        failed = execution::failed(event).or(failed);
         if let Some(machining) = &mut part {
             machining.see(event);
         }
@@ -68,10 +63,5 @@ fn plot(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure>
     system::write(Path::new(&out), drawing.as_bytes())?;
     let line = session.ui.text("cli-written", &Args::new().text("path", out));
     session.output.remark(&line);
-    run::fault(session, &file, on, &locales, &result, failed);
-    neighbours.readable()?;
-    Ok(match result.status {
-        Status::Done | Status::Stopped => Outcome::Clean,
-        Status::Error | Status::Limit | Status::Unsupported => Outcome::Errors,
-    })
+    execution.end(session, &locales, &result, failed)
 }

@@ -4,18 +4,14 @@ use std::path::Path;
 
 use clap::ArgMatches;
 
-use super::neighbours::Neighbours;
+use super::execution::{Execution, failed, tool_table};
 use super::session::Session;
-use super::{Command, Failure, Outcome, arguments, cycle, envelope, program, scene, stock};
-use crate::base::diag::{Diagnostic, Source};
+use super::{Command, Failure, Outcome, arguments, cycle, envelope, stock};
 use crate::check::{self, Against, LabelBook};
-use crate::engine::run::{Content, Engine, Event, EventKind, Outcome as Ended, Status};
-use crate::engine::scene::Scene;
+use crate::engine::run::{Content, Event, EventKind, Status};
 use crate::engine::stock::Watch;
 use crate::language::locale::{Args, Digits, Language, Locales, Ui};
-use crate::language::text;
-use crate::program::table::{Table, TableKind};
-use crate::spec::{Catalogue, CycleKey, OnControl};
+use crate::spec::CycleKey;
 use crate::system;
 use crate::tools::conform::LogTexts;
 
@@ -36,7 +32,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::file(ui),
         arguments::control(ui),
         arguments::valued(ui, "scene", "FILE", "cli-run-scene"),
-        scene::tool_table(ui),
+        tool_table(ui),
         arguments::valued(ui, "out", "DIR", "cli-run-out"),
         arguments::switch(ui, "events", "cli-run-events"),
         of_part,
@@ -50,94 +46,54 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
-    let on = cycle::control(&catalogue, &arguments::text(matches, "control"))?;
-    let path = arguments::text(matches, "file");
-    let file = program::understand(Path::new(&path), &catalogue)?;
-    let language = language(&file, &catalogue, &locales, on, &session.ui, matches)?;
-    let neighbours = Neighbours::new(Path::new(&path), &catalogue);
-    let files = session.engine_files()?;
-    let mut scene = scene_of(session, &file, on, &neighbours, matches)?;
-    selected(Path::new(&path), file.program.source().text(), &mut scene)?;
-    let texts = LogTexts::new(language, on.id(), &files);
-    let mut engine =
-        Engine::new(&file.program, on, &scene, &texts).with_catalogue(&catalogue).with_programs(&neighbours);
+    let execution = Execution::new(session, &catalogue, matches)?;
+    let language = language(&execution, &locales, &session.ui, matches)?;
+    let scene = execution.scene(session, matches)?;
+    let texts = LogTexts::new(language, execution.on.id(), &execution.files);
+    let mut engine = execution.engine(&scene, &texts);
     if matches.get_flag("skip-blocks") {
         engine = engine.skipping_blocks();
     }
+    let format = arguments::chosen_format(matches);
     if matches.get_flag("envelope") {
         let result = engine.with_envelope().run(&mut |_| {});
-        let outcome = envelope::show(session, on, &locales, &result, arguments::chosen_format(matches))?;
-        return neighbours.readable().map(|()| outcome);
+        let outcome = envelope::show(session, execution.on, &locales, &result, format)?;
+        return execution.readable().map(|()| outcome);
     }
-    let mut teller = Teller { events: matches.get_flag("events"), set: BTreeMap::new(), failed: None, written: Ok(()) };
     let part = stock::wanted(matches);
-    let followed = part.is_some() || scene.stock.is_some();
-    let mut watch = followed.then(|| stock::begin(&file, &scene, matches)).transpose()?.map(Watch::new);
+    let watched = part.is_some() || scene.stock.is_some();
+    let mut watch = watched.then(|| stock::begin(&execution.file, &scene, matches)).transpose()?.map(Watch::new);
+    let mut reporter = Reporter::new(matches.get_flag("events"));
     let output = &mut *session.output;
     let result = match &mut watch {
-        Some(watch) => engine.run(&mut |event| watch.see(event, &mut |event| teller.tell(&event, output))),
-        None => engine.observe(&mut |event| teller.tell(event, output)),
+        Some(watch) => engine.run(&mut |event| watch.see(event, &mut |event| reporter.report(&event, output))),
+        None => engine.observe(&mut |event| reporter.report(event, output)),
     };
-    let format = arguments::chosen_format(matches);
-    if !teller.events && format != "json" {
-        summary(session, &teller.set, result.status)?;
+    let for_people = !reporter.events && format != "json";
+    if for_people {
+        summary(session, &reporter.set, result.status)?;
     }
     match (part, watch) {
         (Some(path), Some(watch)) => stock::end(session, path, watch.finish(), format)?,
-        (None, Some(watch)) if !teller.events && format != "json" => stock::findings(session, &watch.finish().1)?,
+        (None, Some(watch)) if for_people => stock::findings(session, &watch.finish().1)?,
         _ => {}
     }
     if let Some(out) = matches.get_one::<String>("out") {
         save(session, Path::new(out), result.tables.iter().chain(&result.logs))?;
     }
     // What was asked for as files is written, whatever became of standard output.
-    teller.written?;
-    fault(session, &file, on, &locales, &result, teller.failed);
-    neighbours.readable()?;
-    Ok(match result.status {
-        Status::Done | Status::Stopped => Outcome::Clean,
-        Status::Error | Status::Limit | Status::Unsupported => Outcome::Errors,
-    })
-}
-
-/// Says why a run ended before its end, in the sentence of the specification where the cycle ended it.
-pub(super) fn fault(
-    session: &mut Session,
-    file: &program::Understood,
-    on: &OnControl,
-    locales: &Locales,
-    result: &Ended,
-    failed: Option<CycleKey>,
-) {
-    let Some(diagnostic) = result.diagnostic.clone().map(|diagnostic| file.at_home(diagnostic)) else { return };
-    let sentence = result.fault.as_ref().filter(|fault| fault.of_cycle).and_then(|fault| {
-        let cycle = on.cycles.get(&failed?)?;
-        let readers = [locales.language(session.ui.tag()).ok()?];
-        text::guard_sentence(on, cycle, &fault.code, &readers)
-    });
-    match sentence {
-        Some(sentence) => session.output.complain(&diagnostic.arg("message", sentence), &session.ui),
-        None => session.output.complain(&diagnostic, &session.ui),
-    }
-}
-
-/// The cycle that an event says to have ended with an error.
-pub(super) fn failed(event: &Event) -> Option<CycleKey> {
-    match &event.kind {
-        EventKind::Error { .. } => event.at.cycle.as_ref().map(|(key, _)| *key),
-        _ => None,
-    }
+    reporter.written?;
+    execution.end(session, &locales, &result, reporter.failed)
 }
 
 /// The language of the logs: that of `--lang`, or of the program's labels, or of this program's own texts.
 fn language<'l>(
-    file: &program::Understood,
-    catalogue: &Catalogue,
+    execution: &Execution<'_>,
     locales: &'l Locales,
-    on: &OnControl,
     ui: &Ui,
     matches: &ArgMatches,
 ) -> Result<&'l Language, Failure> {
+    let Execution { catalogue, on, file, .. } = execution;
     if matches.contains_id("lang") {
         return cycle::language_for(locales, on, ui, matches);
     }
@@ -149,57 +105,8 @@ fn language<'l>(
     }
 }
 
-/// The scene of `--scene`, with the tools of `--tool-table`; without it the one that the program lets guess.
-pub(super) fn scene_of(
-    session: &mut Session,
-    file: &program::Understood,
-    on: &OnControl,
-    neighbours: &Neighbours<'_>,
-    matches: &ArgMatches,
-) -> Result<Scene, Failure> {
-    let Some(path) = matches.get_one::<String>("scene") else {
-        return scene::assumed(session, file, on, neighbours, matches);
-    };
-    let files = session.engine_files()?;
-    let mut scene = read_scene(path, &files)?;
-    if let Some(tools) = scene::tools(matches)? {
-        scene.tools = tools;
-    }
-    Ok(scene)
-}
-
-/// The scene in a file.
-pub(super) fn read_scene(path: &str, files: &[(String, String)]) -> Result<Scene, Failure> {
-    let bytes = system::read(Path::new(path))?;
-    let text = String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", path))?;
-    Scene::parse(&Source::new(path, text), files).map_err(Failure::Data)
-}
-
-pub(super) fn table(path: &Path, kind: TableKind) -> Result<Table, Failure> {
-    let file = program::source(path)?;
-    Table::parse(kind, &file.source).map_err(Failure::Data)
-}
-
-/// Adds the tables beside the program that the scene does not have, if the program selects any.
-pub(super) fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
-    let text = text.to_uppercase();
-    for (call, kind) in [("SEL TABLE", TableKind::Datum), ("SEL PATTERN", TableKind::Points)] {
-        if !text.contains(call) {
-            continue;
-        }
-        for other in system::beside(path, kind.extension().trim_start_matches('.'))? {
-            let own = if kind == TableKind::Datum { &mut scene.datums } else { &mut scene.points };
-            let known = own.iter().any(|known| known.is_named(&other.to_string_lossy()));
-            if !known && program::is_table(&program::source(&other)?) {
-                own.push(table(&other, kind)?);
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Tells events as they come, or remembers what the summary needs.
-struct Teller {
+/// Prints events as they come, or remembers what the summary needs.
+struct Reporter {
     events: bool,
     set: BTreeMap<String, Content>,
     /// The cycle that ended with an error.
@@ -207,8 +114,12 @@ struct Teller {
     written: Result<(), Failure>,
 }
 
-impl Teller {
-    fn tell(&mut self, event: &Event, output: &mut super::Output) {
+impl Reporter {
+    const fn new(events: bool) -> Self {
+        Self { events, set: BTreeMap::new(), failed: None, written: Ok(()) }
+    }
+
+    fn report(&mut self, event: &Event, output: &mut super::Output) {
         self.failed = failed(event).or(self.failed);
         if !self.events {
             // What a definition hands over is known from the program; what a step sets is a result.

@@ -1,0 +1,212 @@
+//! The execution of a program that arguments ask for: its control, its text, the programs that it may call, its scene.
+//!
+//! Everything is read here, once, in this order; commands that execute a program go on from here.
+//! Invariant: what a program does is the engine's affair; what is shown of it, that of the command.
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::rc::Rc;
+
+use clap::ArgMatches;
+
+use super::neighbours::Neighbours;
+use super::program::Understood;
+use super::session::Session;
+use super::{Failure, Outcome, arguments, cycle, program};
+use crate::base::data::Files;
+use crate::base::diag::{Diagnostic, Severity, Source};
+use crate::engine::run::{Engine, Event, EventKind, Outcome as Ended, Programs as _, Status, Texts, program_key};
+use crate::engine::scene::Scene;
+use crate::engine::scene::guess::{BALL, Guess, GuessedTool, Origin};
+use crate::engine::stock::Blank;
+use crate::language::locale::{Args, Digits, Locales, Ui};
+use crate::language::text;
+use crate::program::syntax::{BlockKind, Program};
+use crate::program::table::{Table, TableKind};
+use crate::spec::{Catalogue, CycleKey, OnControl};
+use crate::system;
+
+/// Digits of lengths in remarks.
+const SHOWN: Digits = Digits { minimum: 0, maximum: Some(4) };
+/// The scene before anything is known of it.
+const NOTHING: &str = "scene: 1\n";
+
+/// `--tool-table FILE`.
+pub(super) fn tool_table(ui: &Ui) -> clap::Arg {
+    arguments::valued(ui, "tool-table", "FILE", "cli-run-tool-table")
+}
+
+/// A program with everything that its run needs besides the scene.
+pub(super) struct Execution<'c> {
+    pub(super) catalogue: &'c Catalogue,
+    pub(super) on: &'c OnControl,
+    /// The path as it was given.
+    pub(super) path: String,
+    pub(super) file: Understood,
+    /// The data, for machines and the templates of logs.
+    pub(super) files: Rc<Files>,
+    /// The programs that it may call.
+    neighbours: Neighbours<'c>,
+}
+
+impl<'c> Execution<'c> {
+    /// That of the arguments.
+    pub(super) fn new(session: &Session, catalogue: &'c Catalogue, matches: &ArgMatches) -> Result<Self, Failure> {
+        let on = cycle::control(catalogue, &arguments::text(matches, "control"))?;
+        let path = arguments::text(matches, "file");
+        let file = program::understand(Path::new(&path), catalogue)?;
+        let neighbours = Neighbours::new(Path::new(&path), catalogue);
+        Ok(Self { catalogue, on, path, file, files: session.engine_files()?, neighbours })
+    }
+
+    /// The scene of `--scene`, with the tools of `--tool-table`, or without it the one that the program lets guess; and
+    /// the tables that the program selects.
+    pub(super) fn scene(&self, session: &mut Session, matches: &ArgMatches) -> Result<Scene, Failure> {
+        let given = matches.get_one::<String>("scene").map(|path| read_scene(path, &self.files)).transpose()?;
+        let table = tools(matches)?;
+        let mut scene = match given {
+            Some(scene) => scene,
+            None => self.assumed(session, table.as_ref())?,
+        };
+        if let Some(table) = table {
+            scene.tools = table;
+        }
+        selected(Path::new(&self.path), self.file.program.source().text(), &mut scene)?;
+        Ok(scene)
+    }
+
+    /// The engine that executes it.
+    pub(super) fn engine<'e>(&'e self, scene: &'e Scene, texts: &'e dyn Texts) -> Engine<'e> {
+        let engine = Engine::new(&self.file.program, self.on, scene, texts);
+        engine.with_catalogue(self.catalogue).with_programs(&self.neighbours)
+    }
+
+    /// Whether everything that was called could be read.
+    pub(super) fn readable(&self) -> Result<(), Failure> {
+        self.neighbours.readable()
+    }
+
+    /// What the command comes to: why a run ended before its end is reported, in the sentence of the specification where
+    /// the cycle ended it.
+    pub(super) fn end(
+        &self,
+        session: &mut Session,
+        locales: &Locales,
+        result: &Ended,
+        failed: Option<CycleKey>,
+    ) -> Result<Outcome, Failure> {
+        if let Some(diagnostic) = result.diagnostic.clone().map(|diagnostic| self.file.at_home(diagnostic)) {
+            let sentence = result.fault.as_ref().filter(|fault| fault.of_cycle).and_then(|fault| {
+                let cycle = self.on.cycles.get(&failed?)?;
+                let readers = [locales.language(session.ui.tag()).ok()?];
+                text::guard_sentence(self.on, cycle, &fault.code, &readers)
+            });
+            let diagnostic = match sentence {
+                Some(sentence) => diagnostic.arg("message", sentence),
+                None => diagnostic,
+            };
+            session.output.complain(&diagnostic, &session.ui);
+        }
+        self.readable()?;
+        Ok(match result.status {
+            Status::Done | Status::Stopped => Outcome::Clean,
+            Status::Error | Status::Limit | Status::Unsupported => Outcome::Errors,
+        })
+    }
+
+    /// What the program lets guess of a scene.
+    pub(super) fn guess(&self, table: Option<&Table>) -> Result<Guess, Failure> {
+        let nothing = Scene::parse(&Source::new("scene", NOTHING), &self.files).map_err(Failure::Data)?;
+        let blank = Blank::find(&self.file.program, &nothing).ok().map(|blank| blank.bounds);
+        let mut programs: Vec<&Program> = vec![&self.file.program];
+        let mut seen = BTreeSet::new();
+        let mut next = 0;
+        while let Some(program) = programs.get(next).copied() {
+            for block in program.blocks() {
+                let BlockKind::CallPgm(name) = &block.kind else { continue };
+                let key = program_key(program.slice(*name));
+                if seen.insert(key.clone()) {
+                    programs.extend(self.neighbours.program(&key));
+                }
+            }
+            next += 1;
+        }
+        Ok(Guess::of(self.on, &programs, blank, table))
+    }
+
+    /// The scene of a program that has none. What is assumed is reported, once.
+    fn assumed(&self, session: &mut Session, table: Option<&Table>) -> Result<Scene, Failure> {
+        let guess = self.guess(table)?;
+        let text = guess.to_yaml(&|_| String::new());
+        let scene = Scene::parse(&Source::new("scene", text), &self.files).map_err(Failure::Data)?;
+        let ui = session.ui;
+        let mut parts: Vec<String> = guess.tools.iter().filter_map(|tool| assumption(tool, &ui)).collect();
+        if guess.tools.iter().any(|tool| tool.probes) {
+            parts.push(ui.text("cli-scene-probe", &Args::new().text("ball", length(BALL, &ui))));
+        }
+        if parts.is_empty() {
+            parts.push(ui.text("cli-scene-no-tools", &Args::new()));
+        }
+        let diagnostic = Diagnostic { severity: Severity::Note, ..Diagnostic::global("scene-assumed") };
+        session.output.complain(&diagnostic.arg("assumed", parts.join("; ")), &ui);
+        Ok(scene)
+    }
+}
+
+/// The cycle that an event says to have ended with an error.
+pub(super) fn failed(event: &Event) -> Option<CycleKey> {
+    match &event.kind {
+        EventKind::Error { .. } => event.at.cycle.as_ref().map(|(key, _)| *key),
+        _ => None,
+    }
+}
+
+/// The tool table of `--tool-table`.
+pub(super) fn tools(matches: &ArgMatches) -> Result<Option<Table>, Failure> {
+    matches.get_one::<String>("tool-table").map(|path| table(Path::new(path), TableKind::Tool)).transpose()
+}
+
+/// The scene in a file.
+pub(super) fn read_scene(path: &str, files: &[(String, String)]) -> Result<Scene, Failure> {
+    let bytes = system::read(Path::new(path))?;
+    let text = String::from_utf8(bytes).map_err(|_| Diagnostic::global("data-encoding").arg("path", path))?;
+    Scene::parse(&Source::new(path, text), files).map_err(Failure::Data)
+}
+
+fn table(path: &Path, kind: TableKind) -> Result<Table, Failure> {
+    let file = program::source(path)?;
+    Table::parse(kind, &file.source).map_err(Failure::Data)
+}
+
+/// Adds the tables next to the program that the scene does not have, if the program selects any.
+fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
+    let text = text.to_uppercase();
+    for (call, kind) in [("SEL TABLE", TableKind::Datum), ("SEL PATTERN", TableKind::Points)] {
+        if !text.contains(call) {
+            continue;
+        }
+        for other in system::beside(path, kind.extension().trim_start_matches('.'))? {
+            let own = if kind == TableKind::Datum { &mut scene.datums } else { &mut scene.points };
+            let known = own.iter().any(|known| known.is_named(&other.to_string_lossy()));
+            if !known && program::is_table(&program::source(&other)?) {
+                own.push(table(&other, kind)?);
+            }
+        }
+    }
+    Ok(())
+}
+
+fn length(value: f64, ui: &Ui) -> String {
+    ui.numbers().nc(value, SHOWN).unwrap_or_else(|| value.to_string())
+}
+
+/// What is assumed of a tool, if anything is.
+fn assumption(tool: &GuessedTool, ui: &Ui) -> Option<String> {
+    let of = tool.name.clone().unwrap_or_else(|| tool.number.to_string());
+    let [long, radius] = tool.size;
+    let args = Args::new().text("tool", of).text("length", length(long, ui));
+    match (tool.origin, tool.probes) {
+        (Origin::Assumed, true) => Some(ui.text("cli-scene-probing-tool", &args)),
+        (Origin::Assumed, false) => Some(ui.text("cli-scene-tool", &args.text("radius", length(radius, ui)))),
+        _ => None,
+    }
+}
