@@ -1,7 +1,7 @@
 //! Comments that take a finding back: `; ciklo: allow RULE reason`.
 //!
-//! Behind a block such a comment speaks for that block, on a line of its own for the block that follows.
-//! Invariant: without a reason nothing is taken back, and a comment that takes nothing back is told.
+//! After a block such a comment speaks for that block, on a line of its own for the block that follows.
+//! Invariant: without a reason nothing is taken back, and a comment that takes nothing back is reported.
 use std::collections::HashSet;
 
 use super::{Against, RULES};
@@ -96,17 +96,17 @@ fn allowances(program: &Program) -> Vec<Allowance> {
     all
 }
 
-/// Where the comment with the mark begins in a line, and what stands behind the mark.
+/// Where the comment with the mark begins in a line, and what follows the mark.
 fn marked(line: &str) -> Option<(usize, &str)> {
-    let mut behind = 0;
-    while let Some(at) = line.get(behind..)?.find(';') {
-        let from = behind + at;
+    let mut after = 0;
+    while let Some(at) = line.get(after..)?.find(';') {
+        let from = after + at;
         let rest = line.get(from + 1..)?.trim_start_matches([';', ' ', '\t']);
         let (mark, words) = rest.split_at_checked(MARK.len()).unwrap_or_default();
         if mark.eq_ignore_ascii_case(MARK) {
             return Some((from, words));
         }
-        behind = line.len() - rest.len();
+        after = line.len() - rest.len();
     }
     None
 }

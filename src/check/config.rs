@@ -1,6 +1,6 @@
 //! `ciklo.toml`: which control programs are for, and how bad each finding is.
 //!
-//! What stands at the top is for all programs below the file's folder, `[[folder]]` for those that match its
+//! What is at the top is for all programs below the file's folder, `[[folder]]` for those that match its
 //! `path`; what comes later wins. Invariant: a key, rule, control or severity that means nothing is an error
 //! at its place; nothing is passed over.
 use std::collections::BTreeMap;
@@ -226,7 +226,7 @@ fn matches(pattern: &[String], path: &[&str]) -> bool {
         (Some((first, rest)), _) if first == "**" => {
             (0..=path.len()).any(|from| path.get(from..).is_some_and(|path| matches(rest, path)))
         }
-        (Some((first, rest)), Some((part, behind))) => fits(first.as_bytes(), part.as_bytes()) && matches(rest, behind),
+        (Some((first, rest)), Some((part, after))) => fits(first.as_bytes(), part.as_bytes()) && matches(rest, after),
         (Some(_), None) => false,
     }
 }

@@ -80,13 +80,13 @@ pub(super) fn ends(facts: &Facts<'_>) -> Vec<usize> {
     facts.marked().filter(|(_, block)| block.ends_subprogram()).map(|(at, _)| at).collect()
 }
 
-/// The blocks between a label and the first of those `ends` behind it; nothing if there is none.
+/// The blocks between a label and the first of those `ends` after it; nothing if there is none.
 pub(super) fn body<'a>(blocks: &'a [Block], ends: &[usize], start: usize) -> Option<&'a [Block]> {
     blocks.get(start + 1..*ends.get(ends.partition_point(|end| *end <= start))?)
 }
 
 /// The corners of a contour whose elements are all written with numbers, its first point included;
-/// nothing if that cannot be said.
+/// nothing if that is not certain.
 pub(super) fn corners(blocks: &[Block], axes: [Axis; 2]) -> Option<Vec<[f64; 2]>> {
     let mut points: Vec<[f64; 2]> = Vec::new();
     let (mut at, mut pole, mut polar) = ([None; 2], [None; 2], [None; 2]);

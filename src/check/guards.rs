@@ -1,7 +1,7 @@
 //! The guards of specifications, evaluated with what a program writes.
 //!
-//! Invariant: a guard that needs anything else (a parameter that is not certain, the tool, the machine) says nothing; of
-//! the state of the control it hears what is certain.
+//! Invariant: a guard that needs anything else (a parameter that is not certain, the tool, the machine) says nothing;
+//! of the state of the control it hears what is certain.
 use std::sync::Arc;
 
 use super::Facts;
@@ -62,7 +62,7 @@ impl Written {
         self.number(read_as(param)?).ok()
     }
 
-    /// Whether a parameter acts; nothing if that cannot be said.
+    /// Whether a parameter acts; nothing if that is not certain.
     pub(super) fn acts(&self, cycle: &Cycle, param: &Param) -> Option<bool> {
         let Some(name) = &param.effective else { return Some(true) };
         let names = |path: &[String]| match path {
@@ -84,7 +84,7 @@ impl Written {
         self.tool.get(at.checked_sub(STATES.len())?)?.as_ref()
     }
 
-    /// Whether a guard's condition holds; nothing if that cannot be said.
+    /// Whether a guard's condition holds; nothing if that is not certain.
     pub(super) fn holds(&self, ready: &Ready) -> Option<bool> {
         if let Some(code) = &ready.compiled {
             return code.truth(self).ok();

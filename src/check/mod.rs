@@ -43,7 +43,7 @@ pub fn language(program: &Program, against: &Against<'_>) -> Option<String> {
     Facts::of(program, against).language
 }
 
-/// Everything that can be said against a program, syntax included, in the order of its text.
+/// Everything that is to be reported on a program, syntax included, in the order of its text.
 pub fn check(program: &Program, against: &Against<'_>) -> Vec<Diagnostic> {
     found_in(&Facts::of(program, against))
 }
@@ -68,7 +68,7 @@ fn found_in(facts: &Facts<'_>) -> Vec<Diagnostic> {
         let mut definition = facts.read_into(room, definition);
         let first = found.len();
         look_at(facts, &definition, &mut found);
-        // What is found on a pass of a loop is told once.
+        // What is found on a pass of a loop is reported once.
         for pass in 0..facts.passes(&definition) {
             let told = found.len();
             facts.read_pass(&mut definition, pass);

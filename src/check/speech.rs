@@ -65,7 +65,7 @@ pub fn speech<'a>(facts: &Facts<'a>, definition: &Definition<'a>) -> Speech {
 
 /// Whether a definition says nothing in another language than the program: it has no labels, or its name and labels are
 /// letter by letter those of the language. Most definitions of long programs are such.
-pub(super) fn is_spoken(facts: &Facts<'_>, definition: &Defined<'_>) -> bool {
+pub(super) fn is_in_own_language(facts: &Facts<'_>, definition: &Defined<'_>) -> bool {
     let Some(kept) = definition.kept.filter(|_| definition.cycle().is_some()) else { return true };
     let unlabelled = matches!(definition.view.form, CycleForm::Lines(_)) && !kept.labelled;
     unlabelled || facts.has_usual_labels(definition)

@@ -75,7 +75,7 @@ fn uri(path: &str) -> String {
     out
 }
 
-/// Prints findings as commands that GitHub shows beside the lines of a change.
+/// Prints findings as commands that GitHub shows next to the lines of a change.
 pub(super) fn github(session: &mut Session, mut found: Vec<Diagnostic>) -> Result<(), Failure> {
     found.sort_by(|a, b| place_key(a).cmp(&place_key(b)));
     for diagnostic in &found {

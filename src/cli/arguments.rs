@@ -39,12 +39,12 @@ pub(super) fn switch(ui: &Ui, name: &'static str, help: &str) -> Arg {
     argument(ui, name, help).long(name).action(ArgAction::SetTrue)
 }
 
-/// `--data DIR`, before or behind the command.
+/// `--data DIR`, before or after the command.
 pub(super) fn data(ui: &Ui) -> Arg {
     option(ui, DATA, "DIR").global(true).value_parser(value_parser!(PathBuf))
 }
 
-/// `--ui-lang LANG`, before or behind the command.
+/// `--ui-lang LANG`, before or after the command.
 pub(super) fn ui_language(ui: &Ui) -> Arg {
     option(ui, UI_LANGUAGE, "LANG").global(true)
 }

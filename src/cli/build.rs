@@ -15,7 +15,7 @@ use crate::system::Staged;
 pub(super) const COMMAND: Command =
     Command { name: "build", usage: "[--out DIR] [--control CONTROL]… [--lang LANG]…", arguments: own, run };
 
-/// Where the manuals go if nothing is said.
+/// Where the manuals go if nothing is reported.
 const OUT: &str = "out";
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
@@ -40,7 +40,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         Request { catalogue: &catalogue, locales: &locales, files: &files, controls: &controls, languages: &languages };
     let site = Site::new(&request).map_err(session::in_texts(&locales))?;
     let progress = Progress::new(session.ui.text("cli-building", &Args::new()), site.pages());
-    // A disk that is full is told once, not for each file that did not fit.
+    // A disk that is full is reported once, not for each file that did not fit.
     let trouble: Mutex<Option<Diagnostic>> = Mutex::new(None);
     let built = site.write(&|path, bytes| {
         progress.step();

@@ -1,7 +1,7 @@
-//! Programs in DIN/ISO for another control: told in Klartext, converted, and what is new in DIN/ISO again.
+//! Programs in DIN/ISO for another control: put into Klartext, converted, and what is new in DIN/ISO again.
 //!
 //! Invariant: a block that needs nothing keeps its bytes, a new one says in Klartext what the conversion wrote, and
-//! whatever cannot be put into DIN/ISO stays as it was and is told.
+//! whatever cannot be put into DIN/ISO stays as it was and is reported.
 use crate::base::diag::{Diagnostic, Edit, Place, Severity, Source, Span, edited};
 use crate::program::iso::{Codes, Lowered, to_iso, to_klartext};
 use crate::program::syntax::{Block, BlockKind, Program, parse};
@@ -94,7 +94,7 @@ fn block(written: &Program, lowered: &Lowered, edit: &Edit, codes: &Codes<'_>) -
     let eol = if written.slice(home).contains("\r\n") { "\r\n" } else { "\n" };
     let mut lines = numberless.trim_end().lines();
     let code = lines.next()?;
-    // The code and what stands behind it stay, unless it is another one.
+    // The code and what follows it stay, unless it is another one.
     let content = written.content(old);
     let first = own.parameters.first().map_or(content.end, |parameter| parameter.span.start);
     let kept = written.slice(Span::new(content.start, first));

@@ -1,8 +1,9 @@
 //! What is known of programs that were checked before, in the user's cache directory.
 //!
 //! An entry is known by everything that findings depend on: the bytes of the program, the dialect that its name stands
-//! for, the control, the language of its labels and of the reader, the version and data of this program. Invariant: a cache that cannot be read, or not
-//! wholly, is as good as none, and what it says is what checking again would say; it never makes a command fail.
+//! for, the control, the language of its labels and of the reader, the version and data of this program. Invariant: a
+//! cache that cannot be read, or not wholly, is as good as none, and what it says is what checking again would say; it
+//! never makes a command fail.
 use std::collections::{BTreeSet, HashMap};
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
@@ -40,7 +41,7 @@ pub(super) struct Cache {
 }
 
 impl Cache {
-    /// The cache of this user; nothing if there is no place for it, or something else stands there.
+    /// The cache of this user; nothing if there is no place for it, or something else is there.
     pub(super) fn open(reader: &str) -> Option<Self> {
         let file = system::cache_directory()?.join(FILE);
         if system::is_no_file(&file) {

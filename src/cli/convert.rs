@@ -173,7 +173,7 @@ impl Work<'_> {
 /// What a conversion gave.
 enum Converted {
     Whole(Conversion),
-    /// What is told of a long program takes more room than the program: it is found once more when it is told.
+    /// What is reported of a long program takes more room than the program: it is found once more when it is reported.
     Long {
         edits: Vec<Edit>,
         errors: bool,

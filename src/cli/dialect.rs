@@ -100,15 +100,15 @@ pub(super) fn write(session: &mut Session, matches: &ArgMatches, path: &str) -> 
         }
         None => session.output.write(&bytes)?,
     }
-    // Every block that was left out is told; what the reading found is as bad as it says.
-    let told: Vec<Diagnostic> = diagnostics
+    // Every block that was left out is reported; what the reading found is as bad as it says.
+    let reported: Vec<Diagnostic> = diagnostics
         .into_iter()
         .map(|finding| match finding.code.starts_with(READING) {
             true => finding,
             false => Diagnostic { severity: Severity::Error, ..finding },
         })
         .collect();
-    told.iter().for_each(|diagnostic| session.output.complain(diagnostic, &session.ui));
-    let refused = told.iter().any(|finding| finding.severity == Severity::Error);
+    reported.iter().for_each(|diagnostic| session.output.complain(diagnostic, &session.ui));
+    let refused = reported.iter().any(|finding| finding.severity == Severity::Error);
     Ok(if refused { Outcome::Errors } else { Outcome::Clean })
 }

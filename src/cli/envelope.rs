@@ -20,7 +20,7 @@ struct Document<'d> {
     cycles: &'d [Envelope],
 }
 
-/// Prints what was found. A fault of the program is told as usual.
+/// Prints what was found. A fault of the program is reported as usual.
 pub(super) fn show(
     session: &mut Session,
     on: &OnControl,
@@ -54,31 +54,31 @@ fn error_in(cycle: &Envelope, touching: Touching) -> Option<&str> {
 
 fn lines(cycle: &Envelope, on: &OnControl, locales: &Locales, ui: &Ui) -> String {
     let length = |value: f64| ui.numbers().nc(value, SHOWN).unwrap_or_default();
-    let mut told = Vec::new();
-    let mut tell =
-        |key: &str, args: Args<'_>| told.push(format!("  {}", ui.text(&format!("cli-envelope-{key}"), &args)));
+    let mut reported = Vec::new();
+    let mut report =
+        |key: &str, args: Args<'_>| reported.push(format!("  {}", ui.text(&format!("cli-envelope-{key}"), &args)));
     let axis = cycle.axis.to_string();
     if let (Some(lowest), Some(highest)) = (cycle.lowest, cycle.highest) {
-        tell("lowest", Args::new().text("axis", axis.as_str()).text("height", length(lowest)));
-        tell("highest", Args::new().text("axis", axis.as_str()).text("height", length(highest)));
+        report("lowest", Args::new().text("axis", axis.as_str()).text("height", length(lowest)));
+        report("highest", Args::new().text("axis", axis.as_str()).text("height", length(highest)));
     } else {
-        tell("still", Args::new());
+        report("still", Args::new());
     }
     if !cycle.travelled.is_empty() {
         let heights: Vec<String> = cycle.travelled.iter().map(|height| length(*height)).collect();
-        tell("travelled", Args::new().text("axis", axis.as_str()).text("heights", heights.join("; ")));
+        report("travelled", Args::new().text("axis", axis.as_str()).text("heights", heights.join("; ")));
     }
     if let Some(path) = cycle.longest_probing {
-        tell("probing", Args::new().number("count", cycle.probings as f64).text("length", length(path)));
+        report("probing", Args::new().number("count", cycle.probings as f64).text("length", length(path)));
     }
     for near in &cycle.near {
         let (key, args) = nearness(near, &length);
-        tell(key, args);
+        report(key, args);
     }
     if let Some(code) = error_in(cycle, Touching::AsScene) {
-        tell("fails", Args::new().text("code", code));
+        report("fails", Args::new().text("code", code));
     }
-    format!("{}\n{}\n", head(cycle, on, locales, ui), told.join("\n"))
+    format!("{}\n{}\n", head(cycle, on, locales, ui), reported.join("\n"))
 }
 
 /// `12  TCH PROBE 416 DATUM CIRCLE CENTER`, with the line of the program.

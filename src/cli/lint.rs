@@ -255,12 +255,17 @@ fn examples(
 
 /// What only shows when everything is written: texts that use what the control does not give them,
 /// mistakes of the templates. Texts known to be missing are not told again.
-fn pages(catalogue: &Catalogue, locales: &Locales, files: &[(String, String)], told: &[Diagnostic]) -> Vec<Diagnostic> {
+fn pages(
+    catalogue: &Catalogue,
+    locales: &Locales,
+    files: &[(String, String)],
+    reported: &[Diagnostic],
+) -> Vec<Diagnostic> {
     let text = |diagnostic: &Diagnostic| {
         let arg = |wanted| diagnostic.args.iter().find(|(name, _)| *name == wanted).map(|(_, arg)| format!("{arg:?}"));
         (arg("language"), arg("key"))
     };
-    let missing: HashSet<_> = told.iter().filter(|one| one.code.starts_with("locale-missing-")).map(text).collect();
+    let missing: HashSet<_> = reported.iter().filter(|one| one.code.starts_with("locale-missing-")).map(text).collect();
     if catalogue.controls.is_empty() {
         return Vec::new();
     }

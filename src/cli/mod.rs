@@ -94,7 +94,7 @@ impl From<crate::language::locale::LocaleError> for Failure {
 /// What a command has to say about itself.
 struct Command {
     name: &'static str,
-    /// The words behind the name; placeholders are in capitals.
+    /// The words after the name; placeholders are in capitals.
     usage: &'static str,
     arguments: fn(&Ui) -> Vec<clap::Arg>,
     run: fn(&mut Session, &ArgMatches) -> Result<Outcome, Failure>,

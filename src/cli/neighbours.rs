@@ -1,4 +1,4 @@
-//! The programs beside one that is executed.
+//! The programs next to one that is executed.
 //!
 //! Invariant: a file is read when the run calls it and not before; what is never called may be whatever it is.
 use std::cell::{OnceCell, RefCell};

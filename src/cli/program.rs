@@ -31,7 +31,7 @@ pub(super) struct File {
     pub(super) encoding: Encoding,
 }
 
-/// A program file to be understood: one in DIN/ISO is told in Klartext.
+/// A program file to be understood: one in DIN/ISO is put into Klartext.
 pub(super) struct Understood {
     /// The program in Klartext.
     pub(super) program: Program,
@@ -85,7 +85,7 @@ impl Understood {
         }
     }
 
-    /// The place in the file of something that stands there letter by letter.
+    /// The place in the file of something that is there letter by letter.
     pub(super) fn exact(&self, span: Span) -> Option<Span> {
         match &self.iso {
             Some((_, lowered)) => lowered.exact(span),
@@ -175,7 +175,7 @@ pub(super) fn pieces<'t>(
     })
 }
 
-/// Writes a text that stands in pieces to a file, without putting it together if its encoding lets that. It is made
+/// Writes a text that is in pieces to a file, without putting it together if its encoding lets that. It is made
 /// from a file that was read: if this is the one, nobody may have changed it.
 pub(super) fn write_pieces<'t>(
     path: &Path,

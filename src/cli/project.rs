@@ -1,6 +1,6 @@
 //! The files that a checked program refers to: the programs that it calls, and the tables that are named.
 //!
-//! Invariant: a name means a file only where a control would find it: without a folder it stands beside the calling
+//! Invariant: a name means a file only where a control would find it: without a folder it is next to the calling
 //! program; with folders it ends the path of a file that is checked, too.
 //! Whatever cannot be read is as good as not known.
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -371,7 +371,7 @@ impl Project for CheckedProgram<'_> {
             Found::Missing => return Called::Missing(Severity::Note),
             Found::File(path) => path,
         };
-        // What calls itself directly is told by itself.
+        // What calls itself directly is reported by a rule of its own.
         if path == self.path {
             return Called::Unknown;
         }

@@ -71,11 +71,11 @@ pub(super) fn end(session: &mut Session, path: &str, part: (Stock, Report), form
     session.output.remark(&line);
     match format {
         "json" => session.output.print(&session::json(&report.to_json())?),
-        _ => told(session, &report),
+        _ => reported(session, &report),
     }
 }
 
-fn told(session: &mut Session, report: &Report) -> Result<(), Failure> {
+fn reported(session: &mut Session, report: &Report) -> Result<(), Failure> {
     let ui = session.ui;
     let numbers = ui.numbers();
     let number = |value: f64, digits| numbers.nc(value, digits).unwrap_or_else(|| value.to_string());

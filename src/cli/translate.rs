@@ -63,7 +63,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         let mut count = 0;
         let at_home = all.filter_map(|own| Some((file.exact(own.span)?, own.to)));
         let mut counted = at_home.inspect(|_| count += 1);
-        // What comes from DIN/ISO stands there in another order.
+        // What comes from DIN/ISO is there in another order.
         let sorted = file.written().dialect() == Dialect::Iso;
         let written = if sorted {
             let mut all: Vec<_> = counted.collect();
@@ -90,7 +90,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         let line = session.ui.text("cli-translate-sources", &args);
         session.output.remark(&line);
     }
-    // What could not be said in the language stays as it was, and that is told.
+    // What could not be said in the language stays as it was, and that is reported.
     let diagnostics: Vec<_> = diagnostics.into_iter().map(|diagnostic| file.at_home(diagnostic)).collect();
     diagnostics.iter().for_each(|diagnostic| session.output.complain(diagnostic, &session.ui));
     let errors = diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);

@@ -1,6 +1,6 @@
 //! The command line as `clap` knows it, in the reader's language.
 //!
-//! `clap` speaks English only, so its headings are replaced and its errors are told in our words.
+//! `clap` speaks English only, so its headings are replaced and its errors are reported in our words.
 //! Invariant: nothing that a user reads comes from `clap` except what they typed.
 use std::ffi::OsString;
 

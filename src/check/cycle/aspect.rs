@@ -2,7 +2,7 @@
 //!
 //! Invariant: an aspect is certainly so, certainly not so, or unknown; nothing here says when it changes.
 
-/// Whether something is so: no, yes, or nobody can tell.
+/// Whether something is so: no, yes, or not known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tri {
     /// Certainly not.

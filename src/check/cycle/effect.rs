@@ -23,7 +23,7 @@ pub(in crate::check) struct Effect {
     pub(in crate::check) recalls: bool,
     /// Whether it calls the cycle that was defined last.
     pub(in crate::check) calls_last: bool,
-    /// Whether the spindle stands behind its call.
+    /// Whether the spindle is stopped after its call.
     pub(in crate::check) stops_spindle: bool,
     /// Whether it aligns the turning system for the tool.
     pub(in crate::check) aligns: bool,
@@ -82,7 +82,7 @@ impl Rotates {
 pub(in crate::check) enum Then {
     Certain(Tri),
     /// The lines of the definition tell.
-    Told,
+    Written,
 }
 
 impl From<Tri> for Then {
@@ -137,7 +137,7 @@ impl Effect {
                     effect.aspects.push((aspect, Tri::Unknown.into()));
                 }
                 match named.activates {
-                    Some(transformation) => effect.aspects.push((aspect(transformation), Then::Told)),
+                    Some(transformation) => effect.aspects.push((aspect(transformation), Then::Written)),
                     None => {
                         for aspect in [Aspect::DatumShift, Aspect::Rotation] {
                             effect.aspects.push((aspect, Tri::Unknown.into()));
@@ -226,11 +226,11 @@ impl Effect {
                 return;
             }
         };
-        self.aspects.push((aspect, Then::Told));
+        self.aspects.push((aspect, Then::Written));
     }
 }
 
-/// Whether the spindle stands behind a call of a cycle.
+/// Whether the spindle is stopped after a call of a cycle.
 pub(in crate::check) fn stops_spindle(cycle: &Cycle) -> bool {
     Effect::of_cycle(cycle).stops_spindle
 }

@@ -17,7 +17,7 @@ pub(in crate::check) struct Ready {
     pub(in crate::check) code: Option<String>,
     /// What then.
     pub(in crate::check) then: Option<Outcome>,
-    /// What its condition says in other words: one of these holds. Of a doubt only the parameter where it is told.
+    /// What its condition says in other words: one of these holds. Of a doubt only the parameter where it is reported.
     pub(in crate::check) ways: Vec<Way>,
     /// Its condition.
     pub(in crate::check) condition: Expr,
@@ -38,7 +38,7 @@ pub(in crate::check) struct Way {
 }
 
 impl Way {
-    /// One that is told at a parameter.
+    /// One that is reported at a parameter.
     fn about(about: QRef, condition: &Expr) -> Self {
         Self { compiled: None, sides: vec![Expr { node: Node::Q(about), span: condition.span }] }
     }
@@ -102,7 +102,7 @@ fn split<'e>(expr: &'e Expr, op: Op, parts: &mut Vec<&'e Expr>) {
 }
 
 impl Ready {
-    /// The way in which it holds, as far as that can be said.
+    /// The way in which it holds, as far as that is known.
     pub(in crate::check) fn way(&self, written: &impl Env) -> Option<&Way> {
         let holds = |way: &&Way| way.compiled.as_ref().is_some_and(|code| code.truth(written) == Ok(true));
         self.ways.iter().find(holds).or(self.ways.first())
@@ -197,7 +197,7 @@ pub(in crate::check) fn replaced(expr: &Expr, names: &dyn Fn(&[String]) -> Optio
 }
 
 /// What guards may ask about the state of the control, besides the parameters. The machine builder may have other ways
-/// into turning mode, and that a tool is missing is told by itself.
+/// into turning mode, and that a tool is missing is reported by a rule of its own.
 pub(in crate::check) const STATES: [(&str, Aspect); 9] = [
     ("mirror", Aspect::Mirroring),
     ("scaling", Aspect::Scaling),
@@ -231,7 +231,7 @@ pub(in crate::check) fn state(path: &[String]) -> Option<usize> {
     STATES.iter().position(|(word, _)| first == "active" && word == second)
 }
 
-/// What of the tool a name asks for, by its place behind that of the states.
+/// What of the tool a name asks for, by its place after that of the states.
 pub(in crate::check) fn tool(path: &[String]) -> Option<usize> {
     let [first, second] = path else { return None };
     let at = TOOL.iter().position(|word| first == "tool" && word == second)?;

@@ -40,7 +40,7 @@ pub(in crate::check) struct Limits {
 pub(in crate::check) struct Kept {
     /// Its place among the cycles of the control.
     pub(in crate::check) place: usize,
-    /// Whether words stand before values of its old form that are labels.
+    /// Whether words come before values of its old form that are labels.
     pub(in crate::check) labelled: bool,
     /// A bit for each kind that a parameter of it has.
     kinds: u32,

@@ -19,6 +19,6 @@ impl CallEffect {
 
     /// Carries a state over the call.
     pub(super) fn apply(&self, state: &mut State) {
-        *state = State::behind(state, &self.exit, &self.touched);
+        *state = State::after(state, &self.exit, &self.touched);
     }
 }

@@ -51,7 +51,7 @@ impl<'f, 'a> Effects<'f, 'a> {
         self.definitions.get(index as usize).is_some_and(|own| own.related_cycle().is_some_and(removes_material))
     }
 
-    /// Whether the spindle stands behind a call of the definition of that index.
+    /// Whether the spindle is stopped after a call of the definition of that index.
     pub(super) fn stops_spindle(&self, index: u32) -> bool {
         self.definitions.get(index as usize).and_then(|own| self.effect(own)).is_some_and(|effect| effect.stops_spindle)
     }
@@ -83,7 +83,7 @@ impl<'f, 'a> Effects<'f, 'a> {
         for (aspect, then) in &effect.aspects {
             let value = match then {
                 Then::Certain(value) => *value,
-                Then::Told => match changed(*aspect, &definition.view) {
+                Then::Written => match changed(*aspect, &definition.view) {
                     // What an incremental shift adds to another one may take it back.
                     Tri::Yes
                         if *aspect == Aspect::DatumShift

@@ -181,8 +181,8 @@ impl Graph {
     /// What leads from a block to labels, or names them there.
     pub(in crate::check) fn uses_in(&self, block: usize) -> &[Use] {
         let from = self.uses.partition_point(|own| own.block < block);
-        let behind = self.uses.get(from..).unwrap_or_default();
-        behind.get(..behind.partition_point(|own| own.block == block)).unwrap_or_default()
+        let after = self.uses.get(from..).unwrap_or_default();
+        after.get(..after.partition_point(|own| own.block == block)).unwrap_or_default()
     }
 
     /// The block after the last one of the run of blocks that begins there.

@@ -39,13 +39,13 @@ pub trait Project: Sync {
 /// A tool as a table knows it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ToolName<'n> {
-    /// Its number, with the step behind the point.
+    /// Its number, with the step after the point.
     Number(f64),
     /// Its name.
     Name(&'n str),
 }
 
-/// What tells tools apart.
+/// What distinguishes tools.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::check) enum ToolKey<'n> {
     Number(u64),
@@ -53,7 +53,7 @@ pub(in crate::check) enum ToolKey<'n> {
 }
 
 impl<'n> ToolName<'n> {
-    /// What tells it apart from other tools.
+    /// What distinguishes it from other tools.
     pub(in crate::check) fn key(self) -> ToolKey<'n> {
         match self {
             Self::Number(number) => ToolKey::Number(bits(number)),
@@ -119,7 +119,7 @@ fn inch(program: &Program) -> Option<bool> {
 pub struct ProgramCall {
     /// The block that calls it; of a program made a cycle, the first block of the definition.
     pub block: usize,
-    /// Where its name stands.
+    /// Where its name is.
     pub span: Span,
     /// Whether it is made a cycle, which calls execute.
     pub cycle: Option<usize>,

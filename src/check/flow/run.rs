@@ -39,7 +39,7 @@ pub struct Run {
     pub(super) passes: BTreeMap<usize, Vec<f64>>,
     /// Where the program ends, with the state there.
     pub ends: Vec<(usize, Modal)>,
-    /// The blocks behind a label, a call or a jump that the main part comes to, without being called.
+    /// The blocks after a label, a call or a jump that the main part comes to, without being called.
     pub main: BTreeSet<usize>,
     /// What is called: the block of its label, where it returns, and the calls in it.
     pub(super) parts: BTreeMap<usize, Outline>,
@@ -62,7 +62,7 @@ impl Run {
         self.changes.get(at.checked_sub(1)?)?.1
     }
 
-    /// Stretches of blocks with the same state before each: first block, the block behind the last one, state.
+    /// Stretches of blocks with the same state before each: first block, the block after the last one, state.
     pub fn stretches(&self) -> impl Iterator<Item = (usize, usize, Option<Modal>)> {
         let ends = self.changes.iter().skip(1).map(|(from, _)| *from).chain([self.graph.blocks]);
         self.changes.iter().zip(ends).map(|((from, modal), end)| (*from, end, *modal))

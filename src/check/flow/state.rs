@@ -15,7 +15,7 @@ pub enum Pending {
     None,
     /// The definition of that index.
     Definition(u32),
-    /// Nobody can tell.
+    /// Not known.
     Unknown,
 }
 
@@ -26,7 +26,7 @@ pub enum Loaded {
     None,
     /// That of the tool call in that block.
     By(u32),
-    /// Nobody can tell.
+    /// Not known.
     Unknown,
 }
 
@@ -190,8 +190,8 @@ impl State {
         }
     }
 
-    /// The state behind a call: what the called part does not touch is as it was before.
-    pub(super) fn behind(before: &Self, exit: &Self, touched: &Touched) -> Self {
+    /// The state after a call: what the called part does not touch is as it was before.
+    pub(super) fn after(before: &Self, exit: &Self, touched: &Touched) -> Self {
         if touched.everything {
             return exit.clone();
         }

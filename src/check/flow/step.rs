@@ -81,7 +81,7 @@ impl<'f, 'a> Steps<'f, 'a> {
         });
     }
 
-    /// The state behind the M functions at the start of a block, where its call happens.
+    /// The state after the M functions at the start of a block, where its call happens.
     pub(super) fn at_call(&self, block: &Block, state: &State) -> Modal {
         let mut modal = state.modal;
         if let BlockKind::Motion(motion) = &block.kind {
@@ -367,7 +367,7 @@ impl<'f, 'a> Steps<'f, 'a> {
     fn word(&self, statement: &Statement, at: usize) -> &'static str {
         const WORDS: [&str; 9] = ["FUNCTION", "TCPM", "RESET", "DWELL", "FEED", "MODE", "TURN", "MILL", "TURNDATA"];
         let head = self.program.slice(statement.head).split_ascii_whitespace();
-        // Behind a word may stand a name: `TURN "AC"`.
+        // A name may follow a word: `TURN "AC"`.
         let written = |word: &NamedWord| self.program.slice(word.span).split_ascii_whitespace();
         let words = head.chain(statement.words.iter().flat_map(written));
         let found = words.into_iter().nth(at).unwrap_or_default();
@@ -383,7 +383,7 @@ impl<'f, 'a> Steps<'f, 'a> {
         }
     }
 
-    /// The states where a jump leads and behind it, if they are others than that before it. A switch at the beginning
+    /// The states where a jump leads and after it, if they are others than that before it. A switch at the beginning
     /// of a program may be set otherwise: on the way that its number rules out,
     /// the parameters that are compared are unknown.
     pub(super) fn branches(&self, block: usize, state: &State) -> (Option<State>, Option<State>) {

@@ -12,7 +12,7 @@ use crate::program::syntax::BlockKind;
 /// How many blocks it goes beyond four times those of the program.
 const PATIENCE: usize = 20_000;
 
-/// So many passes are told apart; of more the last one stands for those behind.
+/// So many passes are distinguished; of more the last one stands for those after.
 const PASSES: usize = 16;
 
 /// The numbers with which a value is read, pass by pass: there is one at least.

@@ -236,7 +236,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         self.enter((target, inside), state);
         let Some(part) = self.parts.get(&target) else { return };
         if let Some(exit) = self.behind.get(&(target, inside)) {
-            let behind = State::behind(state, exit, &part.touched);
+            let behind = State::after(state, exit, &part.touched);
             self.enter((run + 1, caller), &behind);
         }
         if skip {

@@ -38,7 +38,7 @@ pub struct Definition<'a> {
     pub items: Vec<Item<'a>>,
     /// What a described cycle needs and the definition lacks.
     pub missing: Vec<&'a Param>,
-    /// Whether every item is a parameter of the cycle and stands behind those that the cycle names before it.
+    /// Whether every item is a parameter of the cycle and comes after those that the cycle names before it.
     pub(in crate::check) in_order: bool,
 }
 

@@ -84,7 +84,7 @@ fn by_form<'a>(program: &'a Program, cycle: &'a Cycle, form: usize, lines: &[&'a
     fit
 }
 
-/// Whether a line has nothing but a value, and can only have one, behind a word that is printed:
+/// Whether a line has nothing but a value, and can only have one, after a word that is printed:
 /// what it means is clear.
 fn is_bare<'f>(program: &Program, mut open: impl Iterator<Item = &'f Field>, line: &OldCycleLine) -> bool {
     let (Some(field), None, [word]) = (open.next(), open.next(), line.words.as_slice()) else { return false };

@@ -10,7 +10,7 @@ use crate::spec::Cycle;
 
 /// Which languages have a text as a name or label.
 #[derive(Clone, Copy)]
-struct Heard<'a> {
+struct Match<'a> {
     text: &'a str,
     /// Those that have it without regard to case and blanks.
     matching: LabelLanguages,
@@ -18,7 +18,7 @@ struct Heard<'a> {
     exact: LabelLanguages,
 }
 
-impl<'a> Heard<'a> {
+impl<'a> Match<'a> {
     fn of<'l>(
         text: &'a str,
         languages: &'l [LanguageLabels],
@@ -39,12 +39,12 @@ impl<'a> Heard<'a> {
 /// mostly have the same ones.
 #[derive(Default)]
 struct Memory<'a> {
-    name: Option<Heard<'a>>,
-    labels: Vec<Option<Heard<'a>>>,
+    name: Option<Match<'a>>,
+    labels: Vec<Option<Match<'a>>>,
 }
 
 /// What the names and labels of a program's definitions tell.
-pub(in crate::check) struct Told {
+pub(in crate::check) struct ProgramLanguage {
     /// The language that most of them belong to; among equals the language of the control's manual.
     pub(in crate::check) language: Option<String>,
     /// The languages that have all of a definition's letter by letter, none of one that has no labels.
@@ -52,7 +52,7 @@ pub(in crate::check) struct Told {
 }
 
 /// Listens to the names and labels of a program.
-pub(in crate::check) fn language_of(reading: &Reading<'_>) -> Told {
+pub(in crate::check) fn language_of(reading: &Reading<'_>) -> ProgramLanguage {
     // Every cycle has the languages in the same order.
     let mut votes: Vec<(&str, usize)> = Vec::new();
     let mut memories: Vec<Memory<'_>> = Vec::new();
@@ -72,10 +72,10 @@ pub(in crate::check) fn language_of(reading: &Reading<'_>) -> Told {
         }
         let Memory { name, labels } = &mut memories[kept.place];
         let (mut any, mut exact) = (false, LabelLanguages::ALL);
-        let mut hear = |heard: Heard<'_>| {
-            exact = exact.and(heard.exact);
+        let mut count = |matched: Match<'_>| {
+            exact = exact.and(matched.exact);
             // Most names and labels belong to one language.
-            for place in heard.matching.places() {
+            for place in matched.matching.places() {
                 if let Some((_, votes)) = votes.get_mut(place) {
                     *votes += 1;
                 }
@@ -83,8 +83,8 @@ pub(in crate::check) fn language_of(reading: &Reading<'_>) -> Told {
         };
         if let Some(text) = definition.view.name.map(|name| reading.text(name)) {
             let known = name.filter(|known| known.text == text);
-            let heard = known.unwrap_or_else(|| Heard::of(text, languages, |language| Some(&language.name)));
-            hear(*name.insert(heard));
+            let matched = known.unwrap_or_else(|| Match::of(text, languages, |language| Some(&language.name)));
+            count(*name.insert(matched));
         }
         each_label(reading, definition, cycle, kept, |index, text| {
             any = true;
@@ -93,14 +93,14 @@ pub(in crate::check) fn language_of(reading: &Reading<'_>) -> Told {
             }
             let last = &mut labels[index];
             let known = last.filter(|known| known.text == text);
-            let heard = known.unwrap_or_else(|| Heard::of(text, languages, |language| language.params.get(index)));
-            hear(*last.insert(heard));
+            let matched = known.unwrap_or_else(|| Match::of(text, languages, |language| language.params.get(index)));
+            count(*last.insert(matched));
         });
         usual.push(if any { exact } else { LabelLanguages::default() });
     }
     let manual = reading.against.on.control.language.as_str();
     let best = votes.into_iter().filter(|(_, count)| *count > 0).max_by_key(|(tag, count)| (*count, *tag == manual));
-    Told { language: best.map(|(tag, _)| tag.to_owned()), usual }
+    ProgramLanguage { language: best.map(|(tag, _)| tag.to_owned()), usual }
 }
 
 /// The labels of a definition with the places of their parameters in the cycle.

@@ -236,7 +236,7 @@ impl<'a> Reading<'a> {
         self.marked.shrink_to_fit();
         self.shaped.shrink_to_fit();
         self.flow.jumps |= self.flow.skips;
-        // A fragment is called from a program or copied into one: what comes before and behind it is not known.
+        // A fragment is called from a program or copied into one: what comes before and after it is not known.
         self.flow.programs |= !self.begins;
     }
 

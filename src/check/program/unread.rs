@@ -84,7 +84,7 @@ fn of_iso(program: &Program, own: &IsoBlock) -> Hides {
     }
 }
 
-/// What the first line says, without the comment behind it.
+/// What the first line says, without the comment after it.
 fn first_line<'p>(program: &'p Program, block: &Block) -> &'p str {
     program.slice(content(program, block)).split(';').next().unwrap_or_default().trim_end()
 }
@@ -98,7 +98,7 @@ fn of_text(line: &str) -> Hides {
         return Hides::Anything;
     }
     if MOVEMENTS.iter().any(|own| is(&own)) {
-        // What is misspelled behind the word might be a block of its own.
+        // What is misspelled after the word might be a block of its own.
         let other = ["LBL", "CALL", "DEF", "PGM", "GOTO"]
             .iter()
             .any(|own| rest.split_ascii_whitespace().any(|word| own.eq_ignore_ascii_case(word)));
@@ -118,7 +118,7 @@ fn of_text(line: &str) -> Hides {
     target.and_then(parameter).map_or(Hides::Anything, |q| Hides::Assignment(vec![q]))
 }
 
-/// What stands behind the colon of a function that assigns.
+/// What follows the colon of a function that assigns.
 fn assigned_by_function(rest: &str) -> Option<&str> {
     let (number, rest) = rest.split_once(':')?;
     matches!(number.trim().parse(), Ok(0_u32..=8 | 13)).then_some(rest.trim_start())

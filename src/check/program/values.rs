@@ -1,4 +1,4 @@
-//! Why a parameter refuses what is written: found once, told by several rules.
+//! Why a parameter refuses what is written: found once, reported by several rules.
 //!
 //! A value that is another parameter is refused only if its number is certain wherever the run comes from.
 use std::borrow::Cow;
@@ -27,7 +27,7 @@ pub(in crate::check) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> 
         }
         Some(ValueKind::Text(_)) if kind == ParameterKind::Number => return Some(Refusal::Kind),
         Some(ValueKind::Number(_)) if kind == ParameterKind::Text && param.q.is_some() => return Some(Refusal::Kind),
-        // A text stands in quotation marks.
+        // A text is in quotation marks.
         Some(ValueKind::Word) if kind == ParameterKind::Text && param.q.is_some() => {
             return (!param.words.iter().any(|word| *word == item.printed)).then_some(Refusal::Kind);
         }
@@ -66,7 +66,7 @@ pub(in crate::check) fn kind(item: &Item<'_>, param: &Param) -> ParameterKind {
     }
 }
 
-/// Two signs stand for their product, as the control reads them, and a blank may stand behind a sign.
+/// Two signs stand for their product, as the control reads them, and a blank may come after a sign.
 fn single_signed(printed: &str) -> Cow<'_, str> {
     if printed.starts_with(['+', '-']) && printed.contains(char::is_whitespace) {
         let closed: String = printed.split_whitespace().collect();
@@ -91,7 +91,7 @@ pub(in crate::check) fn shown(item: &Item<'_>) -> String {
     }
 }
 
-/// What tells numbers apart: equal ones have the same.
+/// What distinguishes numbers: equal ones have the same.
 pub(in crate::check) fn bits(number: f64) -> u64 {
     // 0 has two signs.
     (number + 0.0).to_bits()

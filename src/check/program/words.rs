@@ -12,21 +12,21 @@ use crate::spec::BlockWords;
 
 /// The words of a block, or of an M function or a function on texts in one.
 pub(in crate::check) struct Words<'f> {
-    /// What is known of such blocks; what is more special comes behind.
+    /// What is known of such blocks; what is more special comes after.
     pub(in crate::check) known: Vec<&'f BlockWords>,
     /// Its words with their places.
     tokens: Vec<(&'f str, Span)>,
 }
 
-/// A word as it is written with what stands behind it.
-pub(in crate::check) struct Said<'f> {
+/// A word as it is written with what follows it.
+pub(in crate::check) struct WordValue<'f> {
     /// The value: a number or another word.
     pub(in crate::check) value: &'f str,
     /// The place of both.
     pub(in crate::check) span: Span,
 }
 
-impl Said<'_> {
+impl WordValue<'_> {
     /// The number, if it is one.
     pub(in crate::check) fn number(&self) -> Option<f64> {
         let digits = self.value.trim_start_matches(['+', '-']);
@@ -136,7 +136,7 @@ fn tokens(text: &str, start: usize) -> Vec<(&str, Span)> {
     let bytes = text.as_bytes();
     for (at, byte) in bytes.iter().copied().enumerate() {
         let ends = !quoted && (byte.is_ascii_whitespace() || matches!(byte, b'(' | b')' | b';' | b'~'));
-        // A blank may be missing behind the sign of an assignment: `=ID20`.
+        // A blank may be missing after the sign of an assignment: `=ID20`.
         let assigned = |first: usize| first + 1 == at && bytes.get(first) == Some(&b'=') && byte.is_ascii_alphabetic();
         quoted ^= byte == b'"';
         match (ends, from) {
@@ -162,9 +162,9 @@ fn tokens(text: &str, start: usize) -> Vec<(&str, Span)> {
 }
 
 impl<'f> Words<'f> {
-    /// Whether a word stands there.
+    /// Whether a word is there.
     pub(in crate::check) fn has(&self, word: &str) -> bool {
-        self.tokens.iter().any(|(token, _)| behind(token, word).is_some_and(is_value))
+        self.tokens.iter().any(|(token, _)| after(token, word).is_some_and(is_value))
     }
 
     /// What is missing: a word of those that are needed, or one of a list. What says more about the block goes first.
@@ -185,7 +185,7 @@ impl<'f> Words<'f> {
         })
     }
 
-    /// A word behind which nothing stands where something must, with its place.
+    /// A word after which nothing follows where something must, with its place.
     pub(in crate::check) fn without_value(&self) -> Option<(&'f str, Span)> {
         let stands = |at: usize| {
             let next = self.tokens.iter().skip(at + 1).find(|(token, _)| !matches!(*token, "=" | ":"));
@@ -197,7 +197,7 @@ impl<'f> Words<'f> {
                 || matches!(text.as_bytes(), [b'Q' | b'q', rest @ ..] if rest.iter().any(u8::is_ascii_digit))
         };
         self.tokens.iter().enumerate().find_map(|(at, (token, span))| {
-            let rest = |word: &String| behind(token, word).map(|rest| rest.trim_start_matches([':', '=']));
+            let rest = |word: &String| after(token, word).map(|rest| rest.trim_start_matches([':', '=']));
             let alone = |word: &String| rest(word) == Some("");
             let known = || self.known.iter();
             let valueless = known().any(|known| known.valued.iter().any(alone)) && !stands(at).is_some_and(value);
@@ -206,7 +206,7 @@ impl<'f> Words<'f> {
         })
     }
 
-    /// The words behind the first one.
+    /// The words after the first one.
     pub(in crate::check) fn others(&self) -> impl Iterator<Item = (&'f str, Span)> {
         self.tokens.iter().skip(1).copied()
     }
@@ -226,7 +226,7 @@ impl<'f> Words<'f> {
         self.known.iter().any(|known| !known.begun_by.is_empty())
     }
 
-    /// Whether one of these words stands there.
+    /// Whether one of these words is there.
     pub(in crate::check) fn begins(&self) -> bool {
         self.known.iter().any(|known| known.begun_by.iter().any(|word| self.has(word)))
     }
@@ -263,23 +263,23 @@ impl<'f> Words<'f> {
         self.tokens.get(place).copied()
     }
 
-    /// A word each time that it stands there, with what is behind it.
-    pub(in crate::check) fn each<'w>(&'w self, word: &'w str) -> impl Iterator<Item = Said<'f>> + 'w {
+    /// A word each time that it is there, with what is after it.
+    pub(in crate::check) fn each<'w>(&'w self, word: &'w str) -> impl Iterator<Item = WordValue<'f>> + 'w {
         self.tokens.iter().enumerate().filter_map(move |(at, (token, span))| {
-            let rest = behind(token, word).filter(|rest| is_value(rest) || word.ends_with('_'))?;
+            let rest = after(token, word).filter(|rest| is_value(rest) || word.ends_with('_'))?;
             let rest = rest.trim_start_matches([':', '=']);
             if !rest.is_empty() {
-                return Some(Said { value: rest, span: *span });
+                return Some(WordValue { value: rest, span: *span });
             }
             let mut next = self.tokens.iter().skip(at + 1).filter(|(token, _)| !matches!(*token, "=" | ":"));
             let (value, end) = next.next()?;
-            Some(Said { value: value.trim_start_matches('='), span: Span::new(span.start, end.end) })
+            Some(WordValue { value: value.trim_start_matches('='), span: Span::new(span.start, end.end) })
         })
     }
 }
 
-/// What stands behind the word in its token.
-fn behind<'t>(token: &'t str, word: &str) -> Option<&'t str> {
+/// What follows the word in its token.
+fn after<'t>(token: &'t str, word: &str) -> Option<&'t str> {
     token.get(..word.len()).filter(|begin| begin.eq_ignore_ascii_case(word)).and_then(|_| token.get(word.len()..))
 }
 

@@ -1,8 +1,9 @@
 //! An approach without radius compensation, or a departure while none is active.
 //!
 //! Without RL or RR the tool centre runs on the contour. Where a program approaches with R0, its departures are left
-//! alone, but for one behind another departure in the text: that one has left the contour. Only said where compensation
-//! is certainly off. An approach perpendicular to the contour or on an arc of a given angle needs a side: an error.
+//! alone, but for one after another departure in the text: that one has left the contour. Only reported where
+//! compensation is certainly off. An approach perpendicular to the contour or on an arc of a given angle needs a side:
+//! an error.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{Approach, BlockKind, Compensation, IsoKind, Path};
@@ -15,7 +16,7 @@ pub(super) const RULE: Rule = Rule { code: "approach-without-compensation", seve
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     // Whether the contour is one that is meant for the tool centre.
     let mut centre = false;
-    // Whether the contour has been left, and nothing but rapid movements stand behind.
+    // Whether the contour has been left, and nothing but rapid movements come after.
     let mut left = false;
     for (from, to, modal) in facts.run.stretches() {
         let off = modal.is_some_and(|modal| modal.is(Aspect::Compensation) == Tri::No);

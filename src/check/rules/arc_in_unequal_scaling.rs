@@ -1,8 +1,8 @@
 //! An arc or a rounding while the axes of its plane are scaled by different factors, which only a straight line stands
 //! (TNC 640, 001: 6656).
 //!
-//! Said once a program, and only where every definition that scales has different factors for X and Y and the tool axis
-//! is Z: then the factors of the arc are certain.
+//! Reported once a program, and only where every definition that scales has different factors for X and Y and the tool
+//! axis is Z: then the factors of the arc are certain.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Item, Rule, Tri};
 use crate::program::syntax::{BlockKind, Path};

@@ -1,8 +1,8 @@
 //! A tangential arc (CT, CTP) without a contour element in the plane before it:
 //! there is nothing that it could be tangential to.
 //!
-//! Only said where what stands before it in the text is a tool call, a cycle, or a movement along the tool axis alone,
-//! with the tool axis Z, and behind the starting point of a contour that a cycle reads.
+//! Only reported where what comes before it in the text is a tool call, a cycle, or a movement along the tool axis
+//! alone, with the tool axis Z, and after the starting point of a contour that a cycle reads.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity};
@@ -28,11 +28,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
     }
     // The same contour may be read by several cycles.
-    let mut behind_start: BTreeSet<usize> = BTreeSet::new();
+    let mut after_start: BTreeSet<usize> = BTreeSet::new();
     for listed in contours::listed(facts) {
-        behind_start.extend(listed.contours.iter().filter_map(|contour| second(contour)).map(|block| block.span.start));
+        after_start.extend(listed.contours.iter().filter_map(|contour| second(contour)).map(|block| block.span.start));
     }
-    let arcs = facts.shaped().filter(|(_, block)| behind_start.contains(&block.span.start));
+    let arcs = facts.shaped().filter(|(_, block)| after_start.contains(&block.span.start));
     found.extend(arcs.map(|(_, block)| rule.at(facts, facts.content(block))));
 }
 

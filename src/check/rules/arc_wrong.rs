@@ -1,8 +1,8 @@
 //! An arc whose end does not lie on it: farther from the centre than its start, or farther from its start than its
 //! radius allows; a full circle that is given by its radius; an angle whose sign contradicts DR.
 //!
-//! Of ends it is only said where start, end and centre are written as numbers, one behind the other, in the plane of X
-//! and Y. Controls allow for rounding, each as its machine is set; what is told here is more than any of that.
+//! Of ends it is only reported where start, end and centre are written as numbers, one after the other, in the plane of
+//! X and Y. Controls allow for rounding, each as its machine is set; what is reported here is more than any of that.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Amount, Approach, Axis, Block, BlockKind, Motion, Path};

@@ -1,4 +1,4 @@
-//! An axis that stands twice in a block.
+//! An axis that is written twice in a block.
 use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{BlockKind, CallForm, axis_twice};

@@ -1,7 +1,7 @@
 //! Block numbers that do not rise.
 //!
-//! The control numbers anew what it reads, so this is a note, said once a program: blocks may have been moved, lost or
-//! written twice.
+//! The control numbers anew what it reads, so this is a note, reported once a program: blocks may have been moved, lost
+//! or written twice.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::{Facts, Rule};
 

@@ -1,9 +1,9 @@
 //! A call of a cycle that acts when it is defined and must not be called.
 //!
-//! Certain in two cases: only such cycles are defined before the call; or the call stands directly
-//! behind the definition of a pattern, which has called the cycle before it by itself already.
+//! Certain in two cases: only such cycles are defined before the call; or the call comes directly
+//! after the definition of a pattern, which has called the cycle before it by itself already.
 //! Otherwise the call means the last cycle that is called, whatever was defined since. Silent where
-//! blocks are repeated, called or skipped, and behind cycles of which nothing is known.
+//! blocks are repeated, called or skipped, and after cycles of which nothing is known.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::program::is_silent;
 use crate::check::{Defined, Facts, Rule};
@@ -33,7 +33,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ => None,
         };
         let pattern = || last.calls_last();
-        if callable && !(own.is_some() && directly_behind(facts, last.view.first, index) && pattern()) {
+        if callable && !(own.is_some() && directly_after(facts, last.view.first, index) && pattern()) {
             continue;
         }
         let functions = facts.functions(block);
@@ -44,8 +44,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Whether only comments stand between two blocks.
-fn directly_behind(facts: &Facts<'_>, before: usize, at: usize) -> bool {
+/// Whether only comments are between two blocks.
+fn directly_after(facts: &Facts<'_>, before: usize, at: usize) -> bool {
     let blocks = facts.program.blocks().get(..at).unwrap_or_default();
     blocks.iter().rposition(|block| !is_silent(block)) == Some(before)
 }

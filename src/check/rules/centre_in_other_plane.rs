@@ -1,6 +1,6 @@
 //! An arc in another plane than its centre: CC names one pair of axes, C leads through another one.
 //!
-//! Only said where CC names two axes and the arc behind it in the text names two others.
+//! Only reported where CC names two axes and the arc after it in the text names two others.
 use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Axis, Block, BlockKind, Motion, Path};
@@ -14,8 +14,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         let centre = main_axes(&motion.words());
-        let behind = facts.program.blocks().get(index + 1..).unwrap_or_default();
-        let Some((arc, axes)) = first_arc(behind) else { continue };
+        let after = facts.program.blocks().get(index + 1..).unwrap_or_default();
+        let Some((arc, axes)) = first_arc(after) else { continue };
         if centre.len() == 2 && axes.len() == 2 && axes.iter().any(|axis| !centre.contains(axis)) {
             let place = Place::new(facts.program.source(), block.span);
             found.push(rule.at(facts, facts.content(arc)).related("first-place", place));

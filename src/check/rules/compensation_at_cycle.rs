@@ -1,6 +1,6 @@
 //! A cycle that is called, a touch-probe cycle, or PLANE, while radius compensation is certainly active.
 //!
-//! Cycles compensate for the tool themselves and want R0 where they begin. Said once a program.
+//! Cycles compensate for the tool themselves and want R0 where they begin. Reported once a program.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
 use crate::program::syntax::{BlockKind, StatementKind};

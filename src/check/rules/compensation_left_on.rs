@@ -1,6 +1,6 @@
 //! A tool change, or the end of the program, while radius compensation is certainly active.
 //!
-//! Of programs without a blank and a tool, which others may read as a contour, the end is left alone.
+//! Of programs without a blank and a tool, which others may read as a contour, the end is passed over.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::BlockKind;

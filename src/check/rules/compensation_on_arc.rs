@@ -1,6 +1,6 @@
 //! Radius compensation that begins in an arc: controls want a straight line or an approach before the contour.
 //!
-//! Only said where compensation is certainly off before the block.
+//! Only reported where compensation is certainly off before the block.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{BlockKind, Compensates, Path};

@@ -1,7 +1,7 @@
 //! A contour that changes from RL to RR or back without a block between them that has no compensation.
 //!
-//! Only said where the two stand one behind the other in the text, with movements between them and nothing that another
-//! way of the run could come in by.
+//! Only reported where the two come one after the other in the text, with movements between them and nothing that
+//! another way of the run could come in by.
 use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Block, BlockKind, Compensates, Compensation, Path};

@@ -1,7 +1,7 @@
 //! A cycle that works with the data of another one, called before that one is defined.
 //!
 //! Roughing, pilot drilling and finishing of contours take depth, allowances and heights from the cycle that keeps
-//! them. Said once a program, and only where no way of the run has defined it.
+//! them. Reported once a program, and only where no way of the run has defined it.
 use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::cycle::Effect;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};

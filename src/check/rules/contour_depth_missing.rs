@@ -1,6 +1,6 @@
 //! Contours of which some have a depth of their own and others none.
 //!
-//! The manual asks for a depth at all of them then, 0 if need be (TNC 640, 001: 5602). Said once a program, at the
+//! The manual asks for a depth at all of them then, 0 if need be (TNC 640, 001: 5602). Reported once a program, at the
 //! first one that has none.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};

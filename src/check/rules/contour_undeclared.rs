@@ -1,7 +1,7 @@
 //! A contour formula that reads a contour which nothing names before it, or a contour that is declared twice.
 //!
 //! `DECLARE CONTOUR` and formulas name contours. Programs with labels may come to a formula another way than the text
-//! goes: there only what is named nowhere is told.
+//! goes: there only what is named nowhere is reported.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity};

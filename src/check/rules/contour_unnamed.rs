@@ -1,6 +1,6 @@
 //! A cycle that machines a contour, in milling or turning, and is called before anything has named a contour.
 //!
-//! CYCL DEF 14, SEL CONTOUR and CONTOUR DEF name one. Said once a program.
+//! CYCL DEF 14, SEL CONTOUR and CONTOUR DEF name one. Reported once a program.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::contours::wanted;
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};

@@ -20,7 +20,7 @@ pub(super) const RULE: Rule = Rule { code: "contour-wrong", severity: Severity::
 /// How far the end may be from the beginning, mm or inch: coordinates are rounded.
 const TOLERANCE: f64 = 0.01;
 
-/// How often a block of contours is looked at on average: contours that do not end hold all that stand behind them.
+/// How often a block of contours is looked at on average: contours that do not end hold all that come after them.
 const PATIENCE: usize = 48;
 
 /// The axes in which contours are described.
@@ -50,7 +50,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let wanting = |own: &&Defined<'_>| wanted(own).is_some_and(|wanted| kinds.insert(std::ptr::from_ref(wanted)));
         let readers: Vec<_> = list.readers.iter().copied().filter(wanting).collect();
         for contour in &list.contours {
-            let mut told = HashSet::new();
+            let mut reported = HashSet::new();
             for reader in &readers {
                 let Some(wanted) = wanted(reader) else { continue };
                 if !known.insert((contour.as_ptr(), std::ptr::from_ref(wanted))) {
@@ -59,7 +59,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let Some(rest) = patience.checked_sub(contour.len()) else { return };
                 patience = rest;
                 for (block, what, word) in wrong(facts, contour, wanted) {
-                    if !told.insert(block.span.start) {
+                    if !reported.insert(block.span.start) {
                         continue;
                     }
                     let finding = rule.at(facts, facts.content(block)).arg("what", what).arg("word", word);

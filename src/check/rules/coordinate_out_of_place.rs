@@ -1,7 +1,7 @@
 //! Coordinates that their contour element does not have: polar ones in a Cartesian element, no polar one in a polar
 //! element, a polar radius or no angle in an arc about the pole, a centre with three axes, a corner with coordinates.
 //!
-//! Centres with three axes are said once a program: some post-processors print all of them.
+//! Centres with three axes are reported once a program: some post-processors print all of them.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{BlockKind, Path, is_misplaced};

@@ -1,7 +1,7 @@
 //! A rounding or chamfer that is no corner of a contour: two in a row, a chamfer at an arc, none of the two between its
-//! elements, a movement along the tool axis beside it, or one that needs more of a straight line than there is.
+//! elements, a movement along the tool axis next to it, or one that needs more of a straight line than there is.
 //!
-//! Lengths are compared where the corners of both lines are written as numbers, one behind the other, in the plane of X
+//! Lengths are compared where the corners of both lines are written as numbers, one after the other, in the plane of X
 //! and Y. Silent at free contours and around blocks that may be skipped.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::contours::led;
@@ -26,9 +26,9 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             continue;
         }
         let before = blocks[..index].iter().rev().filter(|block| acts(block)).take(BACK).collect::<Vec<_>>();
-        let behind = blocks.get(index + 1..).unwrap_or_default().iter().find(|block| acts(block));
+        let after = blocks.get(index + 1..).unwrap_or_default().iter().find(|block| acts(block));
         let upright = facts.run.before(index).is_some_and(|modal| modal.is(Aspect::OtherAxis) == Tri::No);
-        let aside = if upright { beside_plane(&before, behind) } else { None };
+        let aside = if upright { out_of_plane(&before, after) } else { None };
         // An approach is one also where its length cannot be read.
         let begun = |block: &&Block| {
             let text = facts.text(facts.content(block));
@@ -39,7 +39,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(Diagnostic { severity: Severity::Error, ..finding });
             continue;
         }
-        if let Some((what, least)) = aside.or_else(|| wrong(motion, &before, behind)) {
+        if let Some((what, least)) = aside.or_else(|| wrong(motion, &before, after)) {
             let finding = rule.at(facts, facts.content(block)).arg("what", what);
             let severity = if REFUSED.contains(&what) { Severity::Error } else { rule.severity };
             let finding = finding.arg("least", Arg::Number(libm::round(least * 1e4) / 1e4));
@@ -58,8 +58,8 @@ fn is_corner(block: &Block) -> bool {
 }
 
 /// A corner between a movement along the tool axis Z alone and one in the plane.
-fn beside_plane(before: &[&Block], behind: Option<&Block>) -> Option<(&'static str, f64)> {
-    let (first, second) = (element(before.first().copied())?, element(behind)?);
+fn out_of_plane(before: &[&Block], after: Option<&Block>) -> Option<(&'static str, f64)> {
+    let (first, second) = (element(before.first().copied())?, element(after)?);
     let names = |own: &Element, axes: &[Axis]| own.words().coords.iter().any(|coord| axes.contains(&coord.axis));
     let rises = |own: &Element| own.path() == Path::L && names(own, &[Axis::Z]) && own.words().coords.len() == 1;
     let flat = |own: &Element| names(own, &[Axis::X, Axis::Y]);
@@ -77,7 +77,7 @@ fn element(block: Option<&Block>) -> Option<&Element> {
     }
 }
 
-fn wrong(own: &Element, before: &[&Block], behind: Option<&Block>) -> Option<(&'static str, f64)> {
+fn wrong(own: &Element, before: &[&Block], after: Option<&Block>) -> Option<(&'static str, f64)> {
     let first = element(before.first().copied())?;
     if first.path().is_corner() {
         return Some(("twice", 0.0));
@@ -94,10 +94,10 @@ fn wrong(own: &Element, before: &[&Block], behind: Option<&Block>) -> Option<(&'
     let ends = |block: &Block| {
         matches!(block.kind, BlockKind::CycleDef(_) | BlockKind::OldCycleLine(_) | BlockKind::ToolCall(_))
     };
-    if behind.is_some_and(ends) {
+    if after.is_some_and(ends) {
         return Some(("alone", 0.0));
     }
-    let second = element(behind)?;
+    let second = element(after)?;
     let arc = |motion: &Element| matches!(motion.path(), Path::C | Path::Cr | Path::Ct | Path::Cp | Path::Ctp);
     if own.path() == Path::Chf && (arc(first) || arc(second)) {
         return Some(("arc", 0.0));

@@ -1,7 +1,7 @@
 //! A movement at feed before any tool call.
 //!
-//! Said once a program, and only in programs that name their blank or their tools; movements in machine coordinates
-//! (M91, M92) and of rotary axes alone are left alone.
+//! Reported once a program, and only in programs that name their blank or their tools; movements in machine coordinates
+//! (M91, M92) and of rotary axes alone are passed over.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{Axis, BlockKind, Coord, Path};

@@ -1,6 +1,6 @@
-//! A definition of the old form in which a line is left out: behind line 3 comes line 5.
+//! A definition of the old form in which a line is left out: after line 3 comes line 5.
 //!
-//! Of cycles that are described the parameter that is missing is told instead.
+//! Of cycles that are described the parameter that is missing is reported instead.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::CycleForm;

@@ -1,7 +1,7 @@
-//! A datum table that is selected directly behind the datum shift to one of the rows of a table.
+//! A datum table that is selected directly after the datum shift to one of the rows of a table.
 //!
-//! SEL TABLE stands before the shift that takes its row from it (TNC 640, 001: 6373). Only said where no movement, call
-//! or label stands between the two, and where the program has selected no table before.
+//! SEL TABLE comes before the shift that takes its row from it (TNC 640, 001: 6373). Only reported where no movement,
+//! call or label is between the two, and where the program has selected no table before.
 use crate::base::diag::{Diagnostic, Place, Severity};
 use crate::check::program::with_meaning;
 use crate::check::{Defined, Facts, Rule};
@@ -17,7 +17,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         BlockKind::Sel(own) => facts.text(own.what).eq_ignore_ascii_case("TABLE"),
         _ => false,
     };
-    // Behind the first one another table may be selected for the shifts to come.
+    // After the first one another table may be selected for the shifts to come.
     let Some((index, block)) = facts.marked().find(|(_, block)| selects(&block.kind)) else { return };
     for (at, before) in facts.program.blocks().get(..index).unwrap_or_default().iter().enumerate().rev() {
         match &before.kind {

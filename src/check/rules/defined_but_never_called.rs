@@ -1,7 +1,7 @@
 //! A cycle that acts when it is called, and is not called on any way that the run can take.
 //!
-//! A pattern behind it calls it. Silent in programs that call others, which may call it, and with M89, and where a
-//! block behind it cannot be read.
+//! A pattern after it calls it. Silent in programs that call others, which may call it, and with M89, and where a
+//! block after it cannot be read.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Modal, Pending, Rule};
 use crate::program::syntax::BlockKind;

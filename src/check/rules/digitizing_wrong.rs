@@ -13,7 +13,7 @@ use crate::spec::{Cycle, Group};
 
 pub(super) const RULE: Rule = Rule { code: "digitizing-wrong", severity: Severity::Warning, run };
 
-/// Where a range ends, at its least and at its greatest: of a block, and in the probe axis beside a table.
+/// Where a range ends, at its least and at its greatest: of a block, and in the probe axis next to a table.
 const ENDS: [[&str; 2]; 2] = [["digitizing-range-min", "digitizing-range-max"], ["probe-axis-min", "probe-axis-max"]];
 const HEIGHT: &str = "digitizing-clearance-height";
 const PROBE_AXIS: &str = "digitizing-probe-axis";
@@ -73,7 +73,7 @@ fn order(rule: &Rule, facts: &Facts<'_>, all: &[&Defined<'_>], found: &mut Vec<D
 
 /// Whether a range goes from its least to its greatest coordinates, and the clearance height is above them.
 fn extent(rule: &Rule, facts: &Facts<'_>, range: &Definition<'_>, found: &mut Vec<Diagnostic>) {
-    let told = |place, what: &str| rule.at(facts, place).arg("what", what);
+    let reported = |place, what: &str| rule.at(facts, place).arg("what", what);
     let item = |meaning: &str| range.item(meaning);
     let height = item(HEIGHT).and_then(|item| coordinates(facts, range, item).into_iter().next());
     let axis = item(PROBE_AXIS).map(|item| item.printed.as_ref());
@@ -83,12 +83,12 @@ fn extent(rule: &Rule, facts: &Facts<'_>, range: &Definition<'_>, found: &mut Ve
             let min = least.iter().flatten().find(|min| min.axis == max.axis);
             if let Some(min) = min.filter(|min| min.number > max.number) {
                 found.push(
-                    told(max.span, "swapped").arg("word", facts.text(max.span)).arg("other", facts.text(min.span)),
+                    reported(max.span, "swapped").arg("word", facts.text(max.span)).arg("other", facts.text(min.span)),
                 );
             }
             let above = max.axis.is_none() || max.axis.as_deref() == axis;
             if let Some(height) = height.as_ref().filter(|height| above && height.number < max.number) {
-                let finding = told(height.span, "low").arg("word", facts.text(height.span));
+                let finding = reported(height.span, "low").arg("word", facts.text(height.span));
                 found.push(finding.arg("other", facts.text(max.span)));
             }
         }

@@ -1,7 +1,7 @@
 //! An arc C, CR or CP that does not say which way round it goes.
 //!
-//! The manuals show DR in every such block, and of two arcs through the same points it is the only word that tells them
-//! apart.
+//! The manuals show DR in every such block, and of two arcs through the same points it is the only word that
+//! distinguishes them apart.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{BlockKind, Motion, Path};

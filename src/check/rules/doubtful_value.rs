@@ -1,7 +1,7 @@
 //! A value that no control refuses and hardly anybody means: a plunging depth of 0, a milling depth above the surface.
 //!
 //! Which values those are the dictionary of the parameters says. Silent where the parameter does not act, and where
-//! something worse is told of it.
+//! something worse is reported of it.
 use std::cell::LazyCell;
 
 use super::together;
@@ -28,12 +28,12 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
             continue;
         }
         // Findings of this definition about the same place come before.
-        let said = |own: &Diagnostic| {
+        let written = |own: &Diagnostic| {
             own.place
                 .as_ref()
                 .is_some_and(|place| item.span.start <= place.span.start && place.span.end <= item.span.end)
         };
-        if found.iter().rev().take(RECENT).any(said) {
+        if found.iter().rev().take(RECENT).any(written) {
             continue;
         }
         let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref());

@@ -18,7 +18,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
         let q = item.param.and_then(|param| param.q);
         let key = q.map_or(Key::Name(&item.name), Key::Q);
         let first = seen.first(key, item);
-        // Fields without a printed word have no name to tell them apart by.
+        // Fields without a printed word have no name to distinguish them by.
         let named = item.name.starts_with('Q') || item.name.ends_with(':');
         if named && !repeats && !std::ptr::eq(first, item) {
             let place = Place::new(facts.program.source(), first.span);
@@ -28,7 +28,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     }
 }
 
-/// What tells items apart.
+/// What distinguishes items.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Key<'i> {
     Q(QRef),

@@ -1,7 +1,7 @@
 //! A block with an `R` or `F` without a value, or one that ends with an `M` without a number, as older controls and
 //! their posts print them.
 //!
-//! They do nothing. Each is said once a program.
+//! They do nothing. Each is reported once a program.
 use memchr::memmem;
 
 use crate::base::diag::{Diagnostic, Severity, Span};
@@ -36,7 +36,7 @@ fn function(facts: &Facts<'_>) -> Option<Span> {
 /// So many of each are looked at: others are words of comments.
 const FEW: usize = 1000;
 
-/// The first letter by itself in a movement; a feed may stand behind its `F` and a blank.
+/// The first letter by itself in a movement; a feed may come after its `F` and a blank.
 fn alone(facts: &Facts<'_>, word: &[u8; 2]) -> Option<Span> {
     let blocks = facts.program.blocks();
     let text = facts.program.source().text().as_bytes();

@@ -1,7 +1,7 @@
 //! A movement at feed before any block has programmed a feed.
 //!
-//! Said once a program, and only in programs that name their blank or their tools. Behind cycles, other programs and
-//! functions that may bring a feed nothing is said.
+//! Reported once a program, and only in programs that name their blank or their tools. After cycles, other programs and
+//! functions that may bring a feed nothing is reported.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{BlockKind, Path};

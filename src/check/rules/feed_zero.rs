@@ -1,6 +1,6 @@
 //! A movement with the feed F0.
 //!
-//! Tool calls with F0 are left alone: they only unload a tool.
+//! Tool calls with F0 are passed over: they only unload a tool.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{Amount, BlockKind, FeedKind};
@@ -23,11 +23,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Whether an `F` stands in the text that no digit but 0 follows. Long programs have millions of feeds.
+/// Whether an `F` is in the text that no digit but 0 follows. Long programs have millions of feeds.
 fn may_be_zero(text: &str) -> bool {
     let bytes = text.as_bytes();
     memchr::memchr2_iter(b'F', b'f', bytes).any(|at| {
-        let mut behind = bytes.get(at + 1..).unwrap_or_default().iter();
-        !behind.find(|byte| !matches!(byte, b' ' | b'+' | b'A'..=b'Z')).is_some_and(|byte| matches!(byte, b'1'..=b'9'))
+        let mut after = bytes.get(at + 1..).unwrap_or_default().iter();
+        !after.find(|byte| !matches!(byte, b' ' | b'+' | b'A'..=b'Z')).is_some_and(|byte| matches!(byte, b'1'..=b'9'))
     })
 }

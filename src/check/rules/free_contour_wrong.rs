@@ -1,10 +1,10 @@
 //! A free contour that cannot be calculated: with less known of its elements than they leave open, polar data without a
-//! pole, an element directly behind a label, CLSD that does not begin and end a contour, an auxiliary point without its
+//! pole, an element directly after a label, CLSD that does not begin and end a contour, an auxiliary point without its
 //! distance, FSELECT without an element.
 //!
 //! A line leaves two things open, a tangential one one, an arc three, a tangential one two. Every word counts as one
-//! thing that is known, so what is told is certain; counted is to the end of the contour from its beginning and from
-//! each element whose end is written.
+//! thing that is known, so what is reported is certain; counted is to the end of the contour from its beginning and
+//! from each element whose end is written.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{Axis, Block, BlockKind, Motion, Path, StatementKind};
@@ -12,18 +12,18 @@ use crate::program::syntax::{Axis, Block, BlockKind, Motion, Path, StatementKind
 pub(super) const RULE: Rule = Rule { code: "free-contour-wrong", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let tell = |block: &Block, what: &str| rule.at(facts, facts.content(block)).arg("what", what.to_owned());
+    let report = |block: &Block, what: &str| rule.at(facts, facts.content(block)).arg("what", what.to_owned());
     let mut free = facts.shaped().filter(|(_, block)| open(block).is_some()).peekable();
     if free.peek().is_some() {
-        found.extend(closing(facts, free.map(|(_, block)| block)).map(|(block, what)| tell(block, what)));
+        found.extend(closing(facts, free.map(|(_, block)| block)).map(|(block, what)| report(block, what)));
     }
-    found.extend(selections(facts).into_iter().map(|(block, what)| tell(block, what)));
+    found.extend(selections(facts).into_iter().map(|(block, what)| report(block, what)));
     for (_, block) in facts.shaped() {
         if let BlockKind::Motion(motion) = &block.kind
             && motion.path() == Path::Fpol
             && motion.words().coords.len() < 2
         {
-            found.push(tell(block, "fpol"));
+            found.push(report(block, "fpol"));
         }
     }
     determined(rule, facts, found);
@@ -66,7 +66,7 @@ fn closing<'f>(
     found.into_iter()
 }
 
-/// FSELECT that selects nothing: behind no free element, or with a number that is none of a solution.
+/// FSELECT that selects nothing: after no free element, or with a number that is none of a solution.
 fn selections<'f>(facts: &Facts<'f>) -> Vec<(&'f Block, &'static str)> {
     let mut found = Vec::new();
     for (index, block) in facts.marked() {

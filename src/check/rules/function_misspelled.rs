@@ -1,7 +1,7 @@
-//! A word behind FUNCTION, PLANE or TRANS DATUM that no control knows and that is one letter away from one that they
+//! A word after FUNCTION, PLANE or TRANS DATUM that no control knows and that is one letter away from one that they
 //! know, or begins like one.
 //!
-//! Which words those are is in the file of the language. Of other words nothing is said:
+//! Which words those are is in the file of the language. Of other words nothing is reported:
 //! newer software has more of them.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::program::words;

@@ -1,6 +1,6 @@
 //! A function of the language, or a cycle, that the control does not have.
 //!
-//! Profiles of the controls name them. Each is said once a program.
+//! Profiles of the controls name them. Each is reported once a program.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity, Span};
@@ -15,11 +15,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if lacking.is_empty() {
         return;
     }
-    let mut told: BTreeSet<&str> = BTreeSet::new();
-    let mut tell = |name: &str, span: Span| {
+    let mut reported: BTreeSet<&str> = BTreeSet::new();
+    let mut report = |name: &str, span: Span| {
         let is = |own: &&&str| name.strip_prefix(**own).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '));
         if let Some(own) = lacking.iter().find(is)
-            && told.insert(own)
+            && reported.insert(own)
         {
             let finding = rule.at(facts, span).arg("function", name.to_owned());
             found.push(finding.arg("control", control.title.as_str()));
@@ -27,10 +27,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     };
     for (_, block) in facts.marked() {
         if !block.is_unread() {
-            functions(facts.program, block).into_iter().for_each(|(name, span)| tell(&name, span));
+            functions(facts.program, block).into_iter().for_each(|(name, span)| report(&name, span));
         }
     }
     for definition in &facts.definitions {
-        tell(&definition.key.to_string(), definition.view.head);
+        report(&definition.key.to_string(), definition.view.head);
     }
 }

@@ -1,7 +1,7 @@
 //! M functions in one block of which only one can be meant: two that turn the spindle in opposite directions, or one
 //! that switches something on and one that switches it off.
 //!
-//! Functions that act at the end of the block, such as M5 and M9, may well stand beside those that act at its start.
+//! Functions that act at the end of the block, such as M5 and M9, may well stand next to those that act at its start.
 //! The end of the program, which stops the spindle and the coolant, contradicts what starts them.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::program::each_function;
@@ -9,7 +9,7 @@ use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "functions-contradict", severity: Severity::Warning, run };
 
-/// Of each of these at most one stands in a block.
+/// Of each of these at most one is in a block.
 const ONE_OF: [&[u16]; 18] = [
     &[2, 30],
     &[101, 102],

@@ -2,7 +2,8 @@
 //! takes, or that gives other values before a cycle has used the ones given before;
 //! PREDEF for a parameter that no GLOBAL DEF gives.
 //!
-//! What each gives is in the file of the language. PREDEF is left alone in parts of programs, which others may precede.
+//! What each gives is in the file of the language. PREDEF is passed over in parts of programs, which others may
+//! precede.
 use std::collections::{BTreeMap, BTreeSet};
 
 use memchr::memmem;
@@ -26,7 +27,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if let Some(before) = last.insert(own.number, index) {
             let used = facts.definition_before(index).is_some_and(|cycle| before <= cycle.view.first);
             if !used && !facts.flow.jumps && !facts.flow.programs {
-                tell(rule, facts, own.head, "again", own, "", found);
+                report(rule, facts, own.head, "again", own, "", found);
             }
         }
     }
@@ -41,7 +42,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             }
             let what = match facts.given.get(&parameter.q) {
                 None => "nothing",
-                // A part of the program that is called stands where it may.
+                // A part of the program that is called may be anywhere.
                 Some(first) if *first > definition.view.first && !facts.flow.jumps => "behind",
                 Some(_) => continue,
             };
@@ -60,7 +61,7 @@ fn mentions_it(facts: &Facts<'_>) -> bool {
     ["PREDEF", "predef"].iter().any(|word| memmem::find(text, word.as_bytes()).is_some())
 }
 
-fn tell(
+fn report(
     rule: &Rule,
     facts: &Facts<'_>,
     span: Span,
@@ -76,15 +77,15 @@ fn tell(
 
 fn one(rule: &Rule, facts: &Facts<'_>, own: &GlobalDef, found: &mut Vec<Diagnostic>) {
     let Some(known) = facts.against.catalogue.globals.iter().find(|known| known.number == own.number) else {
-        return tell(rule, facts, own.head, "unknown", own, "", found);
+        return report(rule, facts, own.head, "unknown", own, "", found);
     };
     let mut written = BTreeSet::new();
     for parameter in &own.parameters {
         let name = parameter.q.to_string();
         if !written.insert(parameter.q) {
-            tell(rule, facts, parameter.span, "twice", own, &name, found);
+            report(rule, facts, parameter.span, "twice", own, &name, found);
         } else if !known.parameters.contains(&parameter.q) {
-            tell(rule, facts, parameter.span, "foreign", own, &name, found);
+            report(rule, facts, parameter.span, "foreign", own, &name, found);
         } else {
             let offered = match parameter.value.kind {
                 ValueKind::Number(number) if !known.values.is_empty() => known.values.contains(&number),
@@ -93,13 +94,13 @@ fn one(rule: &Rule, facts: &Facts<'_>, own: &GlobalDef, found: &mut Vec<Diagnost
                 _ => true,
             };
             if !offered {
-                tell(rule, facts, parameter.value.span, "value", own, &name, found);
+                report(rule, facts, parameter.value.span, "value", own, &name, found);
             }
         }
     }
     if own.errors.is_empty() && !own.parameters.is_empty() {
         for q in known.parameters.iter().filter(|q| !written.contains(*q)) {
-            tell(rule, facts, own.head, "missing", own, &q.to_string(), found);
+            report(rule, facts, own.head, "missing", own, &q.to_string(), found);
         }
     }
 }

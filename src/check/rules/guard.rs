@@ -22,7 +22,7 @@ pub(super) const RULE: Rule = Rule { code: "guard", severity: Severity::Error, r
 fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(tools) = Tools::of(facts) else { return };
     let mut others: HashMap<CycleKey, Option<Other<'_>>> = HashMap::new();
-    let (mut seen, mut told) = (BTreeSet::new(), HashSet::new());
+    let (mut seen, mut reported) = (BTreeSet::new(), HashSet::new());
     // What the definition writes that was called last.
     let mut last: Option<(u32, Written)> = None;
     for call in &facts.run.calls {
@@ -48,7 +48,7 @@ fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let written = known.unwrap_or_else(|| Written::of(facts, &facts.read(&related), cycle)).with(tool);
         for (at, ready) in guards.iter().enumerate().filter(|(_, own)| own.asks_tool) {
             let (Some(code), Some(true)) = (ready.code.as_deref(), written.holds(ready)) else { continue };
-            if !told.insert((index, at)) {
+            if !reported.insert((index, at)) {
                 continue;
             }
             let place = place(&facts.read(&related), ready, &written).unwrap_or(own.view.head);

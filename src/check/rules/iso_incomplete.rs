@@ -1,6 +1,6 @@
 //! A block of DIN/ISO in which something is missing without which it means nothing: a coordinate without its value,
-//! `G98` without `L`, `G24` or `G25` without `R`, a D function without an operand or its label, a cycle of older software
-//! without any of its words.
+//! `G98` without `L`, `G24` or `G25` without `R`, a D function without an operand or its label, a cycle of older
+//! software without any of its words.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{BlockKind, IsoBlock, IsoKind, ValueKind, is_older};
@@ -32,7 +32,7 @@ fn missing(own: &IsoBlock) -> Option<&'static str> {
         IsoKind::Function(0 | 5..=7) if count < 3 => Some("operand"),
         IsoKind::Function(1..=4 | 8 | 13) if count < 4 => Some("operand"),
         IsoKind::Function(9..=12) if count < 4 => Some("operand"),
-        // Each has two words at least; an M function may stand behind the code.
+        // Each has two words at least; an M function may come after the code.
         IsoKind::Cycle(code) if is_older(code) && count < 3 => Some("cycle"),
         _ => None,
     }

@@ -1,6 +1,6 @@
 //! A label that belongs to another parameter of the same cycle: the value may be meant for that one.
 //!
-//! Labels that no language has are left alone; machine builders and older software have their own.
+//! Labels that no language has are passed over; machine builders and older software have their own.
 use super::together;
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::fold;

@@ -68,7 +68,7 @@ impl<'i, 'a> Seen<'i, 'a> {
     }
 }
 
-/// Whether the label is told by itself: a language has it for one of the cycle's parameters.
+/// Whether the label is reported by a rule of its own: a language has it for one of the cycle's parameters.
 fn is_known(facts: &Facts<'_>, definition: &Definition<'_>, item: &Item<'_>, printed: &str) -> bool {
     let folded = fold(printed);
     let has = |labels: &CycleLabels| {

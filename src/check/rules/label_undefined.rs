@@ -11,7 +11,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if !facts.begins() || facts.unread("LBL") {
         return;
     }
-    // Of a list that names several, the first one is told.
+    // Of a list that names several, the first one is reported.
     let (mut list, mut own_found) = (None, Vec::new());
     for own in &facts.run.graph.uses {
         let Some(mark) = &own.mark else { continue };

@@ -1,11 +1,11 @@
 //! Cycle definitions in another language than most of the program.
 //!
-//! Said once a program, at the first of them, with the lines of the others: parts of two programs were put together, or
-//! a subprogram was taken over. Single labels in a definition are another finding.
+//! Reported once a program, at the first of them, with the lines of the others: parts of two programs were put
+//! together, or a subprogram was taken over. Single labels in a definition are another finding.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Place, Severity};
-use crate::check::speech::is_spoken;
+use crate::check::speech::is_in_own_language;
 use crate::check::{Facts, Rule, Speech, speech};
 
 pub(super) const RULE: Rule = Rule { code: "languages-mixed", severity: Severity::Note, run };
@@ -18,7 +18,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let source = facts.program.source();
     let mut first = None;
     let (mut lines, mut languages) = (Vec::new(), BTreeSet::new());
-    for definition in facts.definitions.iter().filter(|own| !is_spoken(facts, own)) {
+    for definition in facts.definitions.iter().filter(|own| !is_in_own_language(facts, own)) {
         let definition = facts.read(definition);
         if definition.items.iter().all(|item| item.label.is_none()) {
             continue;

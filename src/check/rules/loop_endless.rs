@@ -187,8 +187,8 @@ impl<'p> Loop<'p> {
             let target = own.mark.as_ref().and_then(|mark| graph.block_of(mark));
             match (own.way, target) {
                 (Way::Call, Some(part)) => {
-                    let behind = facts.program.blocks().get(part..).unwrap_or_default();
-                    let Some(end) = behind.iter().position(Block::ends_subprogram) else {
+                    let after = facts.program.blocks().get(part..).unwrap_or_default();
+                    let Some(end) = after.iter().position(Block::ends_subprogram) else {
                         self.open = true;
                         return;
                     };

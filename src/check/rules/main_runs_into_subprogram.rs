@@ -1,8 +1,8 @@
-//! The main part runs into a subprogram, because neither M2 nor M30 stands before it.
+//! The main part runs into a subprogram, because neither M2 nor M30 comes before it.
 //!
-//! Nothing is said of an M2 or M30 that may be skipped: a program that others call is left there on purpose.
-//! Only said where the subprogram is called before, is not jumped to, and only subprograms or the end of the program
-//! follow it: a subprogram that stands before its calls may be meant to be executed once on the way.
+//! Nothing is reported of an M2 or M30 that may be skipped: a program that others call is left there on purpose. Only
+//! reported where the subprogram is called before, is not jumped to, and only subprograms or the end of the program
+//! follow it: a subprogram that comes before its calls may be meant to be executed once on the way.
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Diagnostic, Severity};
@@ -17,7 +17,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let graph = &facts.run.graph;
     let blocks = facts.program.blocks();
     let returns = ends(facts);
-    // Whether all that leads to a label are calls that stand before it.
+    // Whether all that leads to a label are calls that come before it.
     let mut called: BTreeMap<&Mark, bool> = BTreeMap::new();
     for own in &graph.uses {
         if let Some(mark) = &own.mark {
@@ -33,7 +33,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         if let Some(BlockKind::Lbl(label)) = blocks.get(at).map(|block| &block.kind) {
             found.push(rule.at(facts, label.span).arg("label", mark.to_string()));
-            // Those behind it are run into for the same reason.
+            // Those after it are run into for the same reason.
             return;
         }
     }
@@ -45,7 +45,7 @@ fn follows_end(blocks: &[Block], at: usize) -> bool {
     before.is_some_and(|block| block.ends_subprogram() || (block.skip && ends_program(block)))
 }
 
-/// Whether M2 or M30 stands in a block.
+/// Whether M2 or M30 is in a block.
 fn ends_program(block: &Block) -> bool {
     let mut ends = false;
     if matches!(block.kind, BlockKind::Functions(_) | BlockKind::Motion(_)) {
@@ -54,7 +54,7 @@ fn ends_program(block: &Block) -> bool {
     ends
 }
 
-/// Whether behind the end of the subprogram only another one or the end of the program follows.
+/// Whether after the end of the subprogram only another one or the end of the program follows.
 fn last_part(blocks: &[Block], returns: &[usize], at: usize) -> bool {
     let Some(end) = returns.get(returns.partition_point(|end| *end < at)) else { return false };
     let next = blocks.get(end + 1..).unwrap_or_default().iter().find(|block| !is_silent(block));

@@ -1,7 +1,7 @@
 //! A measuring height below the floor that the program itself mills where it measures.
 //!
 //! A cycle that mills around or inside a centre leaves a floor at the surface and the depth; a ball whose centre is
-//! measured below that floor stands in the workpiece. Only cycles that name a centre, a surface and a depth are
+//! measured below that floor is in the workpiece. Only cycles that name a centre, a surface and a depth are
 //! compared, by the numbers that mean these in every cycle (003:117), so that cycles which the manuals show and do not
 //! describe count, too. Silent where anything else may have cut deeper there or moved the coordinates, and where a
 //! value is a parameter.
@@ -67,7 +67,7 @@ fn is_harmless(cycle: &Cycle) -> bool {
     matches!(cycle.file.group, Group::Measuring | Group::Calibration | Group::ToolMeasurement)
 }
 
-/// The floor of a cycle that says where it mills, and what tells its centre apart.
+/// The floor of a cycle that says where it mills, and what distinguishes its centre.
 fn floor(definition: &Definition<'_>) -> Option<([u64; 2], Floor)> {
     let number = |name: &&str| {
         let item = definition.items.iter().find(|item| item.name.as_ref() == *name)?;

@@ -1,7 +1,7 @@
 //! A mirror image that names the tool axis.
 //!
-//! The tool axis and the axis beside it cannot be mirrored (TNC 640, 001: 6533).
-//! Only said where the tool axis is certain.
+//! The tool axis and the axis next to it cannot be mirrored (TNC 640, 001: 6533).
+//! Only reported where the tool axis is certain.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::CycleForm;

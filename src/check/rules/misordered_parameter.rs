@@ -1,6 +1,6 @@
-//! A parameter that stands before one which it follows on the control.
+//! A parameter that comes before one which it follows on the control.
 //!
-//! Controls know parameters by their numbers, so this is a warning; it is said once a definition.
+//! Controls know parameters by their numbers, so this is a warning; it is reported once a definition.
 //! Lines of the old form are counted by their numbers; within a line their fields may stand in any order, as may lines
 //! that are repeated, such as those of a datum shift.
 use super::together;
@@ -34,9 +34,9 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     let at = rising(&places).iter().zip(0..).take_while(|(right, at)| *right == at).count();
     let Some((own, item)) = items.get(at) else { return };
     // Those that stand on the wrong side of it.
-    let behind = items.iter().take(at).rev().find(|(place, _)| place > own);
+    let after = items.iter().take(at).rev().find(|(place, _)| place > own);
     let before = || items.iter().skip(at + 1).find(|(place, _)| place < own);
-    let (first, second) = match behind {
+    let (first, second) = match after {
         Some((_, other)) => (*item, *other),
         None => match before() {
             Some((_, other)) => (*other, *item),

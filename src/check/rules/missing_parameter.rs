@@ -1,7 +1,7 @@
 //! Parameters or fields that the cycle needs and the definition lacks: one finding for all that are missed at a place.
 //!
-//! Of the old form it is told where the field would stand, be it behind the gap that a lost line leaves. What the
-//! control adds itself to programs of earlier versions is told apart (`older-parameter-set`).
+//! Of the old form it is reported where the field would be, be it after the gap that a lost line leaves. What the
+//! control adds itself to programs of earlier versions is distinguished (`older-parameter-set`).
 //!
 //! Silent where a line of the definition cannot be read: it may be the one that is missed.
 use super::older_parameter_set::added;
@@ -31,12 +31,12 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     }
 }
 
-/// Where a parameter is missed: of the old form on the line on which its field would stand; where that line is lost, on
-/// the one behind the gap, and at the end on the last one.
+/// Where a parameter is missed: of the old form on the line on which its field would be; where that line is lost, on
+/// the one after the gap, and at the end on the last one.
 pub(super) fn gap(definition: &Definition<'_>, param: &Param) -> Span {
     let (CycleForm::Lines(lines), Some(field)) = (&definition.view.form, &param.field) else {
         return definition.view.head;
     };
-    let behind = lines.iter().filter(|line| line.line >= field.line).min_by_key(|line| line.line);
-    behind.or(lines.last()).map_or(definition.view.head, |line| line.head)
+    let after = lines.iter().filter(|line| line.line >= field.line).min_by_key(|line| line.line);
+    after.or(lines.last()).map_or(definition.view.head, |line| line.head)
 }

@@ -315,7 +315,7 @@ pub(super) const OF_DEFINITIONS: &[(&Rule, Each)] = &[
     (&label_twice::RULE, label_twice::each),
     (&unknown_parameter::RULE, unknown_parameter::each),
     (&wrong_value_kind::RULE, wrong_value_kind::each),
-    // What is worse at the same place is told before.
+    // What is worse at the same place is reported before.
     (&doubtful_value::RULE, doubtful_value::each),
 ];
 

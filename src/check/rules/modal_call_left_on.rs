@@ -1,8 +1,8 @@
 //! A movement along the tool axis alone while M89 still calls the cycle in every block: the tool machines the last
-//! position once more. Or one to a place beside the blank, with coordinates that nothing has moved.
+//! position once more. Or one to a place next to the blank, with coordinates that nothing has moved.
 //!
 //! M99 in the block of the last position, or the definition of another cycle, ends M89 (TNC 640, 001: 1253-1258). Only
-//! said where nothing but movements stands between M89 and the movement, so that the order of the text is that of the
+//! reported where nothing but movements is between M89 and the movement, so that the order of the text is that of the
 //! run, and once for each M89.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::blank::{AXES, Blank, is_unmoved};

@@ -1,8 +1,8 @@
 //! A milling cycle that is called while the control certainly turns, a turning cycle or FUNCTION TURNDATA while it
 //! certainly mills.
 //!
-//! FUNCTION MODE TURN and FUNCTION MODE MILL choose. Said once for each way; a machine may have other ways to choose,
-//! and what is not certain is left alone.
+//! FUNCTION MODE TURN and FUNCTION MODE MILL choose. Reported once for each way; a machine may have other ways to
+//! choose, and what is not certain is passed over.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::removes_material;
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};

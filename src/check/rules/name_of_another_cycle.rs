@@ -1,8 +1,9 @@
 //! A definition with the printed name of another cycle: number or name is not the one that is meant.
 //!
 //! Controls read the number only. Silent where the name is one of the cycle itself in any language, or is none that is
-//! known; a part of names is known if only cycles of one other group have it in theirs. Cycles that the control's manuals only name are known by that name and by those that another control's
-//! manuals have; there a name that is a part of an own one, or has an own one in it, is left alone, too.
+//! known; a part of names is known if only cycles of one other group have it in theirs. Cycles that the control's
+//! manuals only name are known by that name and by those that another control's manuals have; there a name that is a
+//! part of an own one, or has an own one in it, is passed over, too.
 use std::collections::HashMap;
 
 use crate::base::diag::{Diagnostic, Severity};

@@ -1,6 +1,6 @@
 //! FN 27 or FN 28 before FN 26 has opened a table.
 //!
-//! Left alone in parts of programs and behind calls of other ones.
+//! Passed over in parts of programs and after calls of other ones.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{BlockKind, StatementKind};
@@ -14,7 +14,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::Statement(own) if own.kind == StatementKind::Fn(26) => return,
-            // What a label leads to may stand before.
+            // What a label leads to may come before.
             BlockKind::Lbl(_) => return,
             BlockKind::Statement(own) if matches!(own.kind, StatementKind::Fn(27 | 28)) => {
                 found.push(rule.at(facts, facts.content(block)));

@@ -11,7 +11,8 @@ pub(super) const RULE: Rule = Rule { code: "not-a-program", severity: Severity::
 const LEAST: usize = 4;
 /// Of so many characters one may be a control character: a single stray byte makes no program unreadable.
 const STRAY: usize = 50;
-/// What editors and transfers leave in programs: tabs, form feeds, the ends of texts and files, the marks of serial lines.
+/// What editors and transfers leave in programs: tabs, form feeds, the ends of texts and files, the marks of serial
+/// lines.
 const LEFT: [char; 12] = ['\t', '\r', '\x0c', '\x1a', '\x02', '\x03', '\x04', '\x11', '\x12', '\x13', '\x14', '\x1b'];
 /// How many bytes of a file are looked at for control characters.
 const LOOKED_AT: usize = 1 << 16;
@@ -44,8 +45,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Whether a text has more control characters than a stray one. Zero bytes behind or between blocks are what a transfer
-/// leaves that was cut off: they count where something else stands beside them in their line.
+/// Whether a text has more control characters than a stray one. Zero bytes after or between blocks are what a transfer
+/// leaves that was cut off: they count where something else is with them in their line.
 fn is_binary(text: &str) -> bool {
     let (mut all, mut stray) = (0_usize, 0_usize);
     for line in text.get(..text.floor_char_boundary(LOOKED_AT)).unwrap_or_default().lines() {

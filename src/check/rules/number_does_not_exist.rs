@@ -43,7 +43,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let finding = rule.at(facts, own.head).arg("name", format!("FN {number}"));
             found.push(finding.arg("greatest", format!("FN {CALCULATION}")));
         }
-        // Most blocks with M functions are told apart by their numbers alone.
+        // Most blocks with M functions are distinguished by their numbers alone.
         let mut beyond = false;
         each_function(block, |number| beyond |= number > FUNCTION);
         let functions = if beyond { facts.functions(block) } else { Cow::default() };

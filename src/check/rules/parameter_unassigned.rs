@@ -2,9 +2,9 @@
 //!
 //! Only the freely available parameters Q0 to Q99, QS0 to QS99 and local ones are looked at, each once, and only in
 //! programs with a blank, or with tools and M2 or M30: others are called, and their callers may fill parameters.
-//! Nothing is said behind calls of other programs and cycles of the machine builder. Results of cycles are looked at,
-//! too, where a program without jumps reads them before the first cycle that has them, or where a program that probes
-//! reads one that none of its cycles has.
+//! Nothing is reported after calls of other programs and cycles of the machine builder. Results of cycles are looked
+//! at, too, where a program without jumps reads them before the first cycle that has them, or where a program that
+//! probes reads one that none of its cycles has.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Diagnostic, Severity, Span};
@@ -17,14 +17,14 @@ use crate::spec::{Keyword, Known};
 pub(super) const RULE: Rule = Rule { code: "parameter-unassigned", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let mut told = BTreeSet::new();
+    let mut reported = BTreeSet::new();
     for (q, span) in &facts.run.unset {
-        if told.insert(*q) {
+        if reported.insert(*q) {
             found.push(rule.at(facts, *span).arg("parameter", q.to_string()));
         }
     }
     for (q, span) in early(facts).into_iter().chain(foreign(facts)) {
-        if told.insert(q) {
+        if reported.insert(q) {
             found.push(rule.at(facts, span).arg("parameter", q.to_string()));
         }
     }
@@ -35,7 +35,7 @@ const RESULTS: std::ops::RangeInclusive<u16> = 141..=199;
 /// So many parameters a cycle fills from the one on that its definition names.
 const FILLED: u16 = 4;
 
-/// What is read of the results of cycles behind one that probes, and no cycle of the program has.
+/// What is read of the results of cycles after one that probes, and no cycle of the program has.
 fn foreign(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
     let Some(probing) = facts.definitions.iter().find(|own| own.key.keyword == Keyword::TchProbe) else {
         return Vec::new();
@@ -49,7 +49,7 @@ fn foreign(facts: &Facts<'_>) -> Vec<(QRef, Span)> {
     if facts.flow.unread.may_assign() || facts.definitions.iter().any(unclear) || statement() {
         return Vec::new();
     }
-    // Other programs may give them values, behind their calls and behind what these may lead back to.
+    // Other programs may give them values, after their calls and after what these may lead back to.
     let leaves =
         |block: &Block| matches!(block.kind, BlockKind::CallPgm(_) | BlockKind::Lbl(_) | BlockKind::CallLbl(_));
     let end = match facts.flow.programs {

@@ -1,6 +1,6 @@
 //! A pattern that would call a cycle which its manual does not let it call, or calls with a value that it excludes.
 //!
-//! Only said where it is certain which cycle was defined last.
+//! Only reported where it is certain which cycle was defined last.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Pending, Rule};
 use crate::program::syntax::{CycleForm, ValueKind};

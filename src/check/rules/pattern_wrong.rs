@@ -2,7 +2,7 @@
 //! a turn, the same position twice, or with more than nine positions.
 //!
 //! Also a call at the points of a table at rapid traverse, which the control does not take (001: 1663). TNC 640, 001:
-//! 1428 and 1534-1549. Only said of numbers, and of parameters that certainly have one.
+//! 1428 and 1534-1549. Only reported of numbers, and of parameters that certainly have one.
 use std::collections::HashSet;
 
 use crate::base::diag::{Diagnostic, Severity};

@@ -1,7 +1,7 @@
 //! A tilted working plane that leaves the rotary axes where they are, in a program that never moves one.
 //!
-//! PLANE with STAY only calculates the positions of the rotary axes; a block of its own is to take them there. Only said
-//! of whole programs that call no others, where material is removed later, and once a program.
+//! PLANE with STAY only calculates the positions of the rotary axes; a block of its own is to take them there. Only
+//! reported of whole programs that call no others, where material is removed later, and once a program.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::removes_material;
 use crate::check::{Defined, Facts, Pending, Rule};

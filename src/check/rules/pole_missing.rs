@@ -1,6 +1,6 @@
 //! A circle about a centre, or a movement in polar coordinates, before any CC.
 //!
-//! Said once a program, and only in programs that name their blank or their tools. A contour that a cycle reads is
+//! Reported once a program, and only in programs that name their blank or their tools. A contour that a cycle reads is
 //! looked at by itself: where the program has a CC elsewhere it is a warning, as the cycle may find that one active.
 use std::collections::BTreeSet;
 
@@ -65,7 +65,7 @@ fn contours(facts: &Facts<'_>) -> Vec<usize> {
     read.difference(&others).filter_map(|mark| graph.block_of(mark)).collect()
 }
 
-/// The first block of a contour that needs a pole and has none before it in the contour, behind the place of the block
+/// The first block of a contour that needs a pole and has none before it in the contour, after the place of the block
 /// that decides it.
 fn unset<'f>(facts: &'f Facts<'_>, label: usize) -> (usize, Option<&'f Block>) {
     let blocks = facts.program.blocks();

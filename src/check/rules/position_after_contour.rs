@@ -1,7 +1,8 @@
-//! The first position in the plane behind a contour cycle with one coordinate only, or an incremental one.
+//! The first position in the plane after a contour cycle with one coordinate only, or an incremental one.
 //!
-//! Such a cycle ends elsewhere than it began, so what is not said is not where it was before. Only said where the
-//! position stands behind the call in the text and nothing leads away between them, with the tool axis Z.
+//! Such a cycle ends elsewhere than it began, so a coordinate that is not written is not what it was before. Only
+//! reported where the position comes after the call in the text and nothing leads away between them, with the tool axis
+//! Z.
 use std::ops::Range;
 
 use crate::base::diag::{Diagnostic, Severity};
@@ -12,7 +13,7 @@ use crate::program::syntax::{Axis, Block, BlockKind, Motion, Path};
 pub(super) const RULE: Rule = Rule { code: "position-after-contour", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    // The blocks behind which the last position that was found comes first.
+    // The blocks after which the last position that was found comes first.
     let mut last: Option<(Range<usize>, Option<&Block>)> = None;
     for call in &facts.run.calls {
         let Pending::Definition(index) = call.modal.pending else { continue };

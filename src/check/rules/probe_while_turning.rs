@@ -1,7 +1,7 @@
 //! A touch-probe cycle for workpieces while the spindle certainly turns.
 //!
-//! Cycles that measure a tool turn it themselves. Silent at cycles that no manual of the control describes, and behind
-//! a tool call: whether it stops the spindle is the machine builder's affair. Said once a program.
+//! Cycles that measure a tool turn it themselves. Silent at cycles that no manual of the control describes, and after
+//! a tool call: whether it stops the spindle is the machine builder's affair. Reported once a program.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::spec::{Group, Keyword};

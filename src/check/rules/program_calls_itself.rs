@@ -1,6 +1,6 @@
 //! A program that calls a program of its own name, with CALL PGM, a selected program or a program that is made a cycle.
 //!
-//! Only said where the call names no folder.
+//! Only reported where the call names no folder.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::flow::name;
 use crate::check::{Facts, Rule};

@@ -1,7 +1,7 @@
 //! A program that calls another one which calls it back, be it through others.
 //!
 //! Where conditional jumps or blocks that may be skipped are in the calling program, it may end all the same, and this
-//! is a warning. A program that calls itself directly is told by itself.
+//! is a warning. A program that calls itself directly is reported by a rule of its own.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Called, Facts, Rule, Way};
 

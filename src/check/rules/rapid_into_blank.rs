@@ -2,7 +2,7 @@
 //!
 //! Looked at from the beginning of a program with a box as its blank up to the first block that is no plain movement,
 //! tool call or M function: what has cut or moved the coordinates then is not known. The place in the plane must be
-//! known and lie inside of the blank with its edges left out. Said once a program.
+//! known and lie inside of the blank with its edges left out. Reported once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::{AXES, Blank};
 use crate::check::contours::moved;

@@ -1,6 +1,6 @@
-//! A repeat of a part whose label stands behind it.
+//! A repeat of a part whose label comes after it.
 //!
-//! The part that is repeated lies between the label and the repeat, so the label stands before.
+//! The part that is repeated lies between the label and the repeat, so the label comes before.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule, Way};
 

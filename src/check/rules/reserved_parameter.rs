@@ -1,6 +1,6 @@
 //! A parameter that the control itself writes: Q100 to Q199 hold tool data, results of cycles and the like.
 //!
-//! Said once for each parameter.
+//! Reported once for each parameter.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity};
@@ -11,7 +11,7 @@ use crate::program::syntax::BlockKind;
 pub(super) const RULE: Rule = Rule { code: "reserved-parameter", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
-    let mut told = BTreeSet::new();
+    let mut reported = BTreeSet::new();
     for (_, block) in facts.marked() {
         let (target, span) = match &block.kind {
             BlockKind::FnAssign(assign) => (assign.target, assign.target_span),
@@ -20,7 +20,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             _ => continue,
         };
         let reserved = matches!(target.kind, QKind::Q | QKind::Qs) && (100..200).contains(&target.number);
-        if reserved && told.insert(target) {
+        if reserved && reported.insert(target) {
             found.push(rule.at(facts, span).arg("parameter", target.to_string()));
         }
     }

@@ -1,8 +1,8 @@
-//! A datum shift that is reset while the working plane is still tilted that was tilted behind it, or a tilted plane
+//! A datum shift that is reset while the working plane is still tilted that was tilted after it, or a tilted plane
 //! that is reset while a rotation is still active that was switched on in it.
 //!
 //! With a tilted plane, transformations are reset in the reverse order of their definition (TNC 640, 001: 6836-6850).
-//! Only said of programs without jumps, where it is certain at each step what is active, and once a program.
+//! Only reported of programs without jumps, where it is certain at each step what is active, and once a program.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Modal, Rule, Tri};
 
@@ -26,7 +26,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The block that resets the outer one while the inner one is active that was switched on behind it.
+/// The block that resets the outer one while the inner one is active that was switched on after it.
 fn early(facts: &Facts<'_>, outer: Aspect, inner: Aspect) -> Option<usize> {
     let is = |modal: &Modal, aspect, value| modal.is(aspect) == value;
     let mut before: Option<Modal> = None;

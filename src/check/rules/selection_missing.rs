@@ -1,6 +1,6 @@
 //! CALL SELECTED PGM or CALL SELECTED CYCLE that no SEL PGM or SEL CYCLE precedes.
 //!
-//! Only said where no way of the run has selected a program, or where the whole program selects none.
+//! Only reported where no way of the run has selected a program, or where the whole program selects none.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{BlockKind, StatementKind};

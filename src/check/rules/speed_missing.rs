@@ -1,7 +1,7 @@
-//! The spindle is turned on before any tool call has given a speed, be it that none stands before.
+//! The spindle is turned on before any tool call has given a speed, be it that none comes before.
 //!
-//! Said once a program. Before the first tool call only in programs that name their blank and call a tool later: others
-//! may go on with a spindle that turns already.
+//! Reported once a program. Before the first tool call only in programs that name their blank and call a tool later:
+//! others may go on with a spindle that turns already.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Modal, Rule, Tri};
 use crate::program::syntax::{Block, BlockKind};

@@ -1,6 +1,6 @@
 //! A cycle that works with a spindle that turns clockwise only, called while it certainly turns the other way.
 //!
-//! Said once a program, of the M function that turns it the wrong way where it stands right before in the text.
+//! Reported once a program, of the M function that turns it the wrong way where it comes right before in the text.
 use crate::base::diag::{Diagnostic, Place, Severity, Span};
 use crate::check::program::each_function;
 use crate::check::{Aspect, CycleCall, Facts, Pending, Rule, Tri};

@@ -1,8 +1,8 @@
-//! A machining cycle called, or a movement with radius compensation, while the spindle certainly stands.
+//! A machining cycle called, or a movement with radius compensation, while the spindle certainly stands still.
 //!
-//! Said once a program. The spindle stands at the beginning, behind M0, M2, M5, M6 and M30, and behind a cycle that
-//! stops it (TNC 640, 001: 2581 and 2656); behind a tool call and M functions of the machine builder nobody knows.
-//! FUNCTION MODE TURN goes on with another spindle, which stands until it is turned on (TNC 640, 001: 7314-7321).
+//! Reported once a program. The spindle stands still at the beginning, after M0, M2, M5, M6 and M30, and after a cycle
+//! that stops it (TNC 640, 001: 2581 and 2656); after a tool call and M functions of the machine builder nobody knows.
+//! FUNCTION MODE TURN goes on with another spindle, which stands still until it is turned on (TNC 640, 001: 7314-7321).
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::cycle::{removes_material, stops_spindle};
 use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
@@ -25,7 +25,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The first movement along a contour, or to one, while the spindle stands.
+/// The first movement along a contour, or to one, while the spindle stands still.
 fn contour(facts: &Facts<'_>) -> Option<Span> {
     for (from, to, modal) in facts.run.stretches() {
         if modal.is_none_or(|modal| modal.is(Aspect::Spindle) != Tri::No || modal.is(Aspect::Tool) != Tri::Yes) {

@@ -1,8 +1,8 @@
 //! SQL with a handle that no query of the program has given, or that a query gave and COMMIT or ROLLBACK has ended.
 //!
 //! `SQL Q5 "SELECT …"` gives the handle; FETCH, UPDATE, INSERT, COMMIT and ROLLBACK name it. ROLLBACK with INDEX goes
-//! on with one row. Silent in parts of programs, behind calls of other programs, and where the handle is calculated;
-//! an ended one is told where nothing but the order of the text leads there.
+//! on with one row. Silent in parts of programs, after calls of other programs, and where the handle is calculated;
+//! an ended one is reported where nothing but the order of the text leads there.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Diagnostic, Severity};

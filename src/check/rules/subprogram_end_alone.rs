@@ -1,4 +1,4 @@
-//! LBL 0 without a label that it ends: none stands before it, or another LBL 0 has ended it already.
+//! LBL 0 without a label that it ends: none comes before it, or another LBL 0 has ended it already.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::{BlockKind, Label};

@@ -1,7 +1,7 @@
 //! A subprogram that calls itself, be it through others.
 //!
 //! Where the program has conditional jumps or blocks that may be skipped, it may end all the same, and this is a
-//! warning. A call of a label that is set twice is looked at by itself: it stands between that label and its LBL 0.
+//! warning. A call of a label that is set twice is looked at by itself: it is between that label and its LBL 0.
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::base::diag::{Diagnostic, Severity};
@@ -21,7 +21,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The calls, by index of use, of labels that are set more than once, between one of their places and the LBL 0 behind
+/// The calls, by index of use, of labels that are set more than once, between one of their places and the LBL 0 after
 /// it.
 fn inside_doubled(facts: &Facts<'_>) -> Vec<usize> {
     let graph = &facts.run.graph;

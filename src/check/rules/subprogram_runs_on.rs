@@ -1,7 +1,7 @@
-//! A subprogram that runs into the next one, because no LBL 0 stands between them.
+//! A subprogram that runs into the next one, because no LBL 0 is between them.
 //!
-//! Only said where both are called, or read as contours, neither is jumped to or repeated, and nothing but blocks that
-//! always follow each other stands between the labels.
+//! Only reported where both are called, or read as contours, neither is jumped to or repeated, and nothing but blocks
+//! that always follow each other is between the labels.
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Diagnostic, Severity};

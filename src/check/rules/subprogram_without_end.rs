@@ -19,18 +19,18 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     contours(rule, facts, found);
 }
 
-/// Contours that cycles read, without LBL 0 anywhere behind them.
+/// Contours that cycles read, without LBL 0 anywhere after them.
 fn contours(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let blocks = facts.program.blocks();
     let last = blocks.iter().rposition(Block::ends_subprogram);
-    let mut told = BTreeSet::new();
+    let mut reported = BTreeSet::new();
     for own in facts.run.graph.uses.iter().filter(|own| own.way == Way::Named) {
         let Some(mark) = &own.mark else { continue };
         let Some(block) = facts.run.graph.block_of(mark).filter(|block| last.is_none_or(|last| last < *block)) else {
             continue;
         };
         if let Some(BlockKind::Lbl(label)) = blocks.get(block).map(|block| &block.kind)
-            && told.insert(block)
+            && reported.insert(block)
         {
             found.push(rule.at(facts, label.span).arg("label", mark.to_string()));
         }

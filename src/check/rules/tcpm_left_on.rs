@@ -1,6 +1,6 @@
 //! M128 or FUNCTION TCPM that is certainly still active where a tool is called or the program ends.
 //!
-//! Each is said once a program.
+//! Each is reported once a program.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::BlockKind;

@@ -1,7 +1,7 @@
 //! A tool call without a tool axis where none was named before.
 //!
-//! Later calls may leave it out. Said once a program, and only where no way of the run has named one. Turning tools
-//! have no tool axis: nothing is said of programs with `FUNCTION MODE TURN`.
+//! Later calls may leave it out. Reported once a program, and only where no way of the run has named one. Turning tools
+//! have no tool axis: nothing is reported of programs with `FUNCTION MODE TURN`.
 use std::cell::LazyCell;
 
 use crate::base::diag::{Diagnostic, Severity};

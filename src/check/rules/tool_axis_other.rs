@@ -1,8 +1,8 @@
 //! A tool axis that does not fit: PATTERN DEF with another one than Z,
 //! or a first tool call with another axis than the blank.
 //!
-//! A pattern is told where the axis is certain. An angular head may well have another axis than the blank names, so
-//! only a program in which no tool has the axis of the blank is told.
+//! A pattern is reported where the axis is certain. An angular head may well have another axis than the blank names, so
+//! only a program in which no tool has the axis of the blank is reported.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Facts, Rule, Tri};
 use crate::program::syntax::{Axis, Block, BlockKind};

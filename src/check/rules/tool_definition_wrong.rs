@@ -1,6 +1,6 @@
 //! A tool that is defined twice with different measures, tool 0, or a tool that is called before its only definition.
 //!
-//! TOOL DEF without measures names the next tool and defines none. Of calls it is only said where the order of the
+//! TOOL DEF without measures names the next tool and defines none. Of calls it is only reported where the order of the
 //! text is that of the run.
 use std::collections::{HashMap, HashSet};
 
@@ -21,16 +21,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             BlockKind::ToolDef(own) if own.length.is_some() || own.radius.is_some() => {
                 let Some(tool) = number(&own.tool) else { continue };
                 let (content, measures) = (facts.content(block), measures(facts, own));
-                let tell = |what: &str| rule.at(facts, content).arg("what", what.to_owned()).arg("tool", tool);
+                let report = |what: &str| rule.at(facts, content).arg("what", what.to_owned()).arg("tool", tool);
                 if tool == 0.0 {
-                    found.push(tell("zero"));
+                    found.push(report("zero"));
                 } else if let Some((first, others)) = defined.get(&bits(tool)) {
                     if *others != measures {
                         let place = Place::new(facts.program.source(), *first);
-                        found.push(tell("twice").related("first-place", place));
+                        found.push(report("twice").related("first-place", place));
                     }
                 } else if straight && called.contains(&bits(tool)) {
-                    found.push(tell("behind"));
+                    found.push(report("behind"));
                 }
                 defined.entry(bits(tool)).or_insert((content, measures));
             }

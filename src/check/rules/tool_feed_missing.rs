@@ -1,6 +1,6 @@
 //! FAUTO, or AUTO as a value of a cycle, where the tool call has no feed or the feed 0.
 //!
-//! Only said where no way of the run has given a feed in a tool call.
+//! Only reported where no way of the run has given a feed in a tool call.
 use memchr::memmem;
 
 use crate::base::diag::{Diagnostic, Severity, Span};

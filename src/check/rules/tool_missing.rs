@@ -1,6 +1,6 @@
 //! A cycle that moves before any tool call has named the tool axis, on any way that the run can take.
 //!
-//! Said once a program. Silent behind calls of other programs and blocks that are not analysed (turning has no tool
+//! Reported once a program. Silent after calls of other programs and blocks that are not analysed (turning has no tool
 //! axis), and in programs that name neither blank nor tool: others call them.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Aspect, Defined, Facts, Rule, Tri};

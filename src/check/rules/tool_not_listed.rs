@@ -1,7 +1,7 @@
 //! A tool call of a tool that the tool table lacks.
 //!
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`). Tool 0, tools that parameters choose and those
-//! that TOOL DEF defines are left alone; each tool is told once.
+//! that TOOL DEF defines are passed over; each tool is reported once.
 use std::collections::HashSet;
 
 use crate::base::diag::{Diagnostic, Severity};

@@ -1,8 +1,8 @@
 //! A workpiece that is probed with the tool that has just machined it,
 //! or machined with the tool that has just probed it.
 //!
-//! A tool call must stand between them. Silent behind STOP, M0, M6 and M functions of the machine builder, where
-//! another tool may be put in by hand. Each is said once a program.
+//! A tool call must come between them. Silent after STOP, M0, M6 and M functions of the machine builder, where
+//! another tool may be put in by hand. Each is reported once a program.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::{probes, removes_material};
 use crate::check::{Aspect, Facts, Pending, Rule, Tri};

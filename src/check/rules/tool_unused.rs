@@ -1,6 +1,6 @@
 //! A tool that is called and changed for another one in the next block.
 //!
-//! Tool 0, which empties the spindle, and tools that a parameter names are left alone.
+//! Tool 0, which empties the spindle, and tools that a parameter names are passed over.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::program::is_silent;
 use crate::check::{Facts, Rule};
@@ -11,8 +11,8 @@ pub(super) const RULE: Rule = Rule { code: "tool-unused", severity: Severity::Wa
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     for (index, block) in facts.marked() {
         let Some(tool) = tool(facts, block) else { continue };
-        let behind = facts.program.blocks().get(index + 1..).unwrap_or_default();
-        let next = behind.iter().find(|block| !is_silent(block));
+        let after = facts.program.blocks().get(index + 1..).unwrap_or_default();
+        let next = after.iter().find(|block| !is_silent(block));
         if let Some(other) = next.and_then(|next| self::tool(facts, next))
             && other != tool
             && tool != "0"

@@ -1,7 +1,7 @@
 //! A parameter of a cycle that is written between the cycle's definition and a call of it.
 //!
-//! The call takes the new value, which may be meant; so it is no error, and only said where it is certain which cycle
-//! the next call means. The parameters Q1 to Q20 belong to the cycles that work with the contour data from the
+//! The call takes the new value, which may be meant; so it is no error, and only reported where it is certain which
+//! cycle the next call means. The parameters Q1 to Q20 belong to the cycles that work with the contour data from the
 //! definition of those data to the last call of such a cycle (TNC 640, 001: 4600).
 //!
 //! A parameter that the definition has passed on (`Q201=Q1`) does nothing any more when it is written between (001:
@@ -36,7 +36,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     shared(rule, facts, found);
     overwritten(rule, facts, found);
     let own = found.get(before..).unwrap_or_default().iter().filter_map(|own| own.place.as_ref());
-    let mut told: BTreeSet<usize> = own.map(|place| place.span.start).collect();
+    let mut reported: BTreeSet<usize> = own.map(|place| place.span.start).collect();
     let mut read: Option<(u32, Written)> = None;
     for (from, to, modal) in facts.run.stretches() {
         let Some(Pending::Definition(index)) = modal.map(|modal| modal.pending) else { continue };
@@ -57,7 +57,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 own if written.passed.contains(&own) => "passed",
                 _ => continue,
             };
-            if told.insert(span.start) {
+            if reported.insert(span.start) {
                 let finding = rule.at(facts, span).arg("parameter", target.to_string()).arg("what", what);
                 found.push(finding.arg("cycle", definition.key.to_string()));
             }

@@ -2,8 +2,8 @@
 //! minute while it is.
 //!
 //! With M136 before the cycle the control reads its feeds in mm for a revolution, without it in mm/min (TNC 640, 001:
-//! 7308, 7321, 7524). Only said where M136 is known at the call, of values that nobody means in the unit that acts, and
-//! of programs in mm.
+//! 7308, 7321, 7524). Only reported where M136 is known at the call, of values that nobody means in the unit that acts,
+//! and of programs in mm.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity};
@@ -24,7 +24,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     if facts.inch {
         return;
     }
-    let (mut seen, mut told) = (BTreeSet::new(), BTreeSet::new());
+    let (mut seen, mut reported) = (BTreeSet::new(), BTreeSet::new());
     for call in &facts.run.calls {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Some(revolution) = call.modal.is(Aspect::PerRevolution).known() else { continue };
@@ -49,7 +49,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 (Some(number), false) => 0.0 < number && number < LEAST,
                 (None, _) => false,
             };
-            if wrong && told.insert(item.value_span.start) {
+            if wrong && reported.insert(item.value_span.start) {
                 let finding = rule.at(facts, item.value_span).arg("parameter", item.name.as_ref());
                 let finding = finding.arg("value", item.printed.as_ref());
                 found.push(finding.arg("what", if revolution { "revolution" } else { "minute" }));

@@ -1,8 +1,8 @@
-//! A turning cycle that is called behind a tool call without the cycle that aligns the turning system.
+//! A turning cycle that is called after a tool call without the cycle that aligns the turning system.
 //!
 //! That cycle acts from its definition up to the next tool call, and the manual wants it before every call of a turning
-//! cycle (TNC 640, 001: 7318-7324, 7394). Only said of programs that define it before another call, once for each tool
-//! call.
+//! cycle (TNC 640, 001: 7318-7324, 7394). Only reported of programs that define it before another call, once for each
+//! tool call.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity};
@@ -14,7 +14,7 @@ pub(super) const RULE: Rule = Rule { code: "turning-system-missing", severity: S
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut aligning: Option<&Defined<'_>> = None;
-    let mut told = BTreeSet::new();
+    let mut reported = BTreeSet::new();
     for call in &facts.run.calls {
         let Pending::Definition(index) = call.modal.pending else { continue };
         let Loaded::By(tool) = call.modal.loaded else { continue };
@@ -28,7 +28,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             aligning = facts.definitions.iter().find(is_one);
         }
         let Some(own) = aligning else { return };
-        if told.insert(tool) {
+        if reported.insert(tool) {
             let finding = rule.at(facts, call.span).arg("cycle", definition.key.to_string());
             found.push(finding.arg("aligning", own.key.to_string()));
         }

@@ -15,7 +15,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let text = facts.program.source().text().as_bytes();
     let mut places: Vec<usize> = ["+-", "-+", "--", "++"]
         .iter()
-        .flat_map(|signs| memmem::find_iter(text, signs).filter(|&at| stands_before_number(text, at)).take(FEW))
+        .flat_map(|signs| memmem::find_iter(text, signs).filter(|&at| precedes_number(text, at)).take(FEW))
         .collect();
     places.sort_unstable();
     let blocks = facts.program.blocks();
@@ -37,10 +37,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Whether two signs stand between the letter of an axis, or the sign of an assignment, and a number or parameter.
-fn stands_before_number(text: &[u8], at: usize) -> bool {
+/// Whether two signs are between the letter of an axis, or the sign of an assignment, and a number or parameter.
+fn precedes_number(text: &[u8], at: usize) -> bool {
     let before = at.checked_sub(1).and_then(|before| text.get(before));
-    let behind = text.get(at + 2);
+    let after = text.get(at + 2);
     before.is_some_and(|byte| *byte == b'=' || byte.is_ascii_alphabetic())
-        && behind.is_some_and(|byte| matches!(byte, b'.' | b'Q' | b'q') || byte.is_ascii_digit())
+        && after.is_some_and(|byte| matches!(byte, b'.' | b'Q' | b'q') || byte.is_ascii_digit())
 }

@@ -27,7 +27,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Whether the control has a cycle of that number behind the other keyword, and this definition is written like it. In
+/// Whether the control has a cycle of that number under the other keyword, and this definition is written like it. In
 /// the old form both keywords have cycles of the same numbers.
 pub(super) fn has_other_keyword(facts: &Facts<'_>, definition: &Defined<'_>) -> bool {
     let other = match definition.key.keyword {

@@ -1,9 +1,9 @@
 //! A parameter or field that the cycle does not have on this control.
 //!
-//! If it has none of all that are written, that is said once, at the cycle. Where nothing else is missing, or what is
-//! missing may be in a line that cannot be read, it is a warning: later software versions have parameters of which
-//! the manuals here do not speak. Those that are known to be such are told apart (`parameter-of-later-software`). With the
-//! software version of the manual, everything else is an error.
+//! If it has none of all that are written, that is reported once, at the cycle. Where nothing else is missing, or what
+//! is missing may be in a line that cannot be read, it is a warning: later software versions have parameters of which
+//! the manuals here do not speak. Those that are known to be such are distinguished (`parameter-of-later-software`).
+//! With the software version of the manual, everything else is an error.
 use super::parameter_of_later_software::since;
 use super::together;
 use crate::base::diag::{Diagnostic, Severity};
@@ -28,8 +28,8 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
         found.push(finding.arg("cycle", definition.key.to_string()));
         return;
     }
-    let told = |item: &&Item<'_>| !matches!(since(facts, definition, item), Since::Later | Since::There);
-    for item in strange.filter(told) {
+    let reported = |item: &&Item<'_>| !matches!(since(facts, definition, item), Since::Later | Since::There);
+    for item in strange.filter(reported) {
         let complete = definition.missing.is_empty() || definition.torn;
         let addition = complete && crate::base::expr::QRef::parse(&item.name).is_some();
         let addition = addition && since(facts, definition, item) != Since::NotYet;

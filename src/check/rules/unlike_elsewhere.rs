@@ -1,10 +1,10 @@
 //! A definition of a cycle that no manual of this control describes, measured by that of another control: a parameter
-//! is missing, doubled, foreign or behind one that it precedes, its label is that of another parameter, or its value is
+//! is missing, doubled, foreign or after one that it precedes, its label is that of another parameter, or its value is
 //! one that the other control refuses or that is hardly meant.
 //!
-//! Newer software adds Q parameters at the end, so only those are missed behind which another one of the cycle stands,
+//! Newer software adds Q parameters at the end, so only those are missed after which another one of the cycle stands,
 //! and of those in addition only parameters of other cycles that stand amid the cycle's, or have a lower
-//! number. Names and labels that nobody knows are left alone.
+//! number. Names and labels that nobody knows are passed over.
 use std::collections::{HashMap, HashSet};
 
 use super::missing_parameter::gap;
@@ -126,7 +126,7 @@ impl<'a> Other<'a> {
         super::doubtful_value::each(&super::doubtful_value::RULE, facts, &read, found);
     }
 
-    /// Whether a parameter that the cycle does not have belongs to another one, or stands before one that it has.
+    /// Whether a parameter that the cycle does not have belongs to another one, or comes before one that it has.
     fn is_foreign(&self, facts: &Facts<'_>, item: &Item<'_>, amid: bool) -> bool {
         let Some(q) = QRef::parse(&item.name).filter(|q| matches!(q.kind, QKind::Q | QKind::Qs)) else { return false };
         let controls = || facts.against.catalogue.controls.values();

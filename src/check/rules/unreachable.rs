@@ -1,8 +1,8 @@
-//! Blocks that the run never comes to: behind the end of the main part, and no label leads there.
+//! Blocks that the run never comes to: after the end of the main part, and no label leads there.
 //!
-//! A subprogram that nothing calls may wait for its call, so that is a note. Silent where a subprogram does not
-//! return, which is told by itself, and in pieces of programs. Where one calls itself, only what stands between the
-//! subprograms behind the end of the main part is told.
+//! A subprogram that nothing calls may wait for its call, so that is a note. Silent where a subprogram does not return,
+//! which is reported by a rule of its own, and in pieces of programs. Where one calls itself, only what is between the
+//! subprograms after the end of the main part is reported.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule, Way};
 use crate::program::syntax::{Block, BlockKind, Label};
@@ -14,39 +14,39 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         return;
     }
     if facts.run.recursive_calls().next().is_some() {
-        return behind_parts(rule, facts, found);
+        return after_parts(rule, facts, found);
     }
     let blocks = facts.program.blocks();
     let mut ended = false;
-    // One part in one piece is told once.
-    let mut told = false;
+    // One part in one piece is reported once.
+    let mut reported = false;
     for (from, to, modal) in facts.run.stretches() {
         if modal.is_some() {
             ended |= facts.end.is_some_and(|end| end < to);
-            told = false;
+            reported = false;
             continue;
         }
         // What a block that cannot be read ends may be come to all the same.
-        told |= from.checked_sub(1).and_then(|at| blocks.get(at)).is_some_and(Block::is_unread);
+        reported |= from.checked_sub(1).and_then(|at| blocks.get(at)).is_some_and(Block::is_unread);
         for block in blocks.get(from..to).unwrap_or_default() {
             ended |= matches!(block.kind, BlockKind::EndPgm(_));
             if ended {
-                told = false;
+                reported = false;
                 continue;
             }
             let label = match &block.kind {
                 BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) => continue,
                 BlockKind::Lbl(label) if label.target == Label::END => {
-                    told = false;
+                    reported = false;
                     continue;
                 }
                 BlockKind::Lbl(_) => true,
-                // An end behind an end does no harm.
+                // An end after an end does no harm.
                 _ if facts.ends(block) => continue,
                 _ => false,
             };
-            if !told {
-                told = true;
+            if !reported {
+                reported = true;
                 let finding = rule.at(facts, facts.content(block)).arg("part", if label { "label" } else { "block" });
                 found.push(Diagnostic { severity: if label { Severity::Note } else { finding.severity }, ..finding });
             }
@@ -54,8 +54,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The blocks behind the end of the main part that stand in no subprogram, in a program that only calls.
-fn behind_parts(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+/// The blocks after the end of the main part that are in no subprogram, in a program that only calls.
+fn after_parts(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let others =
         facts.run.graph.uses.iter().any(|own| !matches!(own.way, Way::Call | Way::Named) || own.mark.is_none());
     if others || facts.flow.skips || facts.flow.unread.any() {
@@ -63,15 +63,15 @@ fn behind_parts(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
     let blocks = facts.program.blocks();
     let Some(main) = blocks.iter().position(|block| facts.ends(block)) else { return };
-    let (mut inside, mut told) = (false, false);
+    let (mut inside, mut reported) = (false, false);
     for block in blocks.get(main + 1..).unwrap_or_default() {
         match &block.kind {
             BlockKind::EndPgm(_) => return,
             BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) => {}
-            BlockKind::Lbl(label) => (inside, told) = (label.target != Label::END, false),
-            _ if facts.ends(block) || inside || told => {}
+            BlockKind::Lbl(label) => (inside, reported) = (label.target != Label::END, false),
+            _ if facts.ends(block) || inside || reported => {}
             _ => {
-                told = true;
+                reported = true;
                 found.push(rule.at(facts, facts.content(block)).arg("part", "block"));
             }
         }

@@ -3,7 +3,7 @@
 //! a text function without what it reads.
 //!
 //! An approach or departure without its length, angle or radius is refused: an error; so is a chamfer without a length.
-//! A block of DIN/ISO that has no equivalent because something is missing in it is told with `iso-incomplete`.
+//! A block of DIN/ISO that has no equivalent because something is missing in it is reported with `iso-incomplete`.
 use std::collections::BTreeSet;
 
 use crate::base::diag::{Diagnostic, Severity, Span};
@@ -35,48 +35,48 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(Diagnostic { severity, ..rule.at(facts, facts.content(block)).arg("word", word) });
         }
     }
-    let mut tell = |span: Span, word: &str| found.push(rule.at(facts, span).arg("word", word));
+    let mut report = |span: Span, word: &str| found.push(rule.at(facts, span).arg("word", word));
     for (_, block) in facts.marked() {
         if let BlockKind::Motion(motion) = &block.kind
             && motion.outline().has_odd_coords()
             && matches!(motion.path(), Path::Cr | Path::Ct)
             && !motion.outline().has_coords()
         {
-            tell(facts.content(block), "X, Y");
+            report(facts.content(block), "X, Y");
         }
     }
     let functions = words::functions(facts);
     let mut endings: Vec<Words<'_>> = Vec::new();
     for (index, block) in facts.marked() {
         match &block.kind {
-            // In columns the name stands on the next line, which is no block.
+            // In columns the name is on the next line, which is no block.
             BlockKind::Statement(own)
                 if own.kind == StatementKind::DeclareContour
                     && own.words.is_empty()
                     && facts.program.blocks().get(index + 1).is_some_and(Block::is_unread) => {}
             BlockKind::PatternDef(own) => {
                 for (span, word) in patterns(facts, own) {
-                    tell(span, word);
+                    report(span, word);
                 }
             }
             BlockKind::Statement(own) => {
                 if let Some(word) = statement(facts, own, facts.content(block)) {
-                    tell(facts.content(block), word);
+                    report(facts.content(block), word);
                 } else if own.kind != StatementKind::Plane {
-                    lacking(facts, block, &mut tell);
+                    lacking(facts, block, &mut report);
                 }
             }
             BlockKind::CyclCall(own) => {
                 if let CallForm::Position(coords) = &own.form {
                     let axes = [Axis::X, Axis::Y, Axis::Z];
                     if let Some(axis) = axes.iter().find(|axis| !coords.iter().any(|own| own.axis == **axis)) {
-                        tell(facts.content(block), axis.name());
+                        report(facts.content(block), axis.name());
                     }
                 }
             }
-            BlockKind::TextFormula(_) => lacking(facts, block, &mut tell),
+            BlockKind::TextFormula(_) => lacking(facts, block, &mut report),
             _ if words::has_function(block, &functions) => {
-                lacking(facts, block, &mut tell);
+                lacking(facts, block, &mut report);
                 endings.extend(words::of(facts, block).into_iter().filter(Words::is_begun_by_some));
             }
             _ => {}
@@ -89,16 +89,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let begun: BTreeSet<_> = endings.iter().filter(|own| own.begins()).map(Words::name).collect();
     for ending in &endings {
         if let Some(word) = ending.beginning().filter(|_| !begun.contains(&ending.name())) {
-            tell(ending.span(), &word);
+            report(ending.span(), &word);
         }
     }
 }
 
 /// The words that the file of the language asks for.
-fn lacking(facts: &Facts<'_>, block: &Block, tell: &mut impl FnMut(Span, &str)) {
+fn lacking(facts: &Facts<'_>, block: &Block, report: &mut impl FnMut(Span, &str)) {
     for words in words::of(facts, block) {
         if let Some(word) = words.lacking() {
-            tell(words.span(), &word);
+            report(words.span(), &word);
         }
     }
 }
@@ -145,7 +145,7 @@ fn element(facts: &Facts<'_>, block: &Block, motion: &Element) -> Option<&'stati
     }
 }
 
-/// What a line with a surface normal lacks: all of it, or a component of a vector of which others stand there.
+/// What a line with a surface normal lacks: all of it, or a component of a vector of which others are there.
 fn vector(facts: &Facts<'_>, words: &[NamedWord]) -> Option<&'static str> {
     const NORMAL: [&str; 3] = ["NX", "NY", "NZ"];
     const TOOL: [&str; 3] = ["TX", "TY", "TZ"];
@@ -182,7 +182,7 @@ fn statement(facts: &Facts<'_>, own: &Statement, content: Span) -> Option<&'stat
             (own.words.len() == 1 && !aimed && !text.is_empty()).then_some("/ …")
         }
         StatementKind::Fn(18) if !facts.text(content).contains('=') => Some("="),
-        // What is read goes into a parameter, of which only the number stands there.
+        // What is read goes into a parameter, of which only the number is there.
         StatementKind::Fn(18) => {
             let target = own.words.first().filter(|word| facts.text(word.name).trim().is_empty())?;
             matches!(target.value.kind, ValueKind::Number(_)).then_some("Q")

@@ -1,4 +1,4 @@
-//! A word that stands twice in a block that may have it once: an angle of PLANE, a dimension of a blank, an axis of
+//! A word that is written twice in a block that may have it once: an angle of PLANE, a dimension of a blank, an axis of
 //! TRANS, a part of a pattern or one of its points, an axis in the lines of a cycle.
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -18,11 +18,11 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             BlockKind::Statement(own)
                 if matches!(own.kind, StatementKind::Plane | StatementKind::BlkForm | StatementKind::Trans) =>
             {
-                tell(rule, facts, &words(&own.words), found);
+                report(rule, facts, &words(&own.words), found);
             }
             BlockKind::PatternDef(own) => {
-                tell(rule, facts, &own.items.iter().map(|item| item.name).collect::<Vec<_>>(), found);
-                own.items.iter().for_each(|item| tell(rule, facts, &words(&item.words), found));
+                report(rule, facts, &own.items.iter().map(|item| item.name).collect::<Vec<_>>(), found);
+                own.items.iter().for_each(|item| report(rule, facts, &words(&item.words), found));
             }
             _ => {}
         }
@@ -44,10 +44,10 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 fn axes<'w>(rule: &Rule, facts: &Facts<'_>, words: impl Iterator<Item = &'w NamedWord>, found: &mut Vec<Diagnostic>) {
     let is_axis = |name: &str| matches!(name.trim().as_bytes(), [b'A'..=b'C' | b'U'..=b'Z']);
     let names: Vec<Span> = words.map(|word| word.name).filter(|name| is_axis(facts.text(*name))).collect();
-    tell(rule, facts, &names, found);
+    report(rule, facts, &names, found);
 }
 
-fn tell(rule: &Rule, facts: &Facts<'_>, names: &[Span], found: &mut Vec<Diagnostic>) {
+fn report(rule: &Rule, facts: &Facts<'_>, names: &[Span], found: &mut Vec<Diagnostic>) {
     let mut seen: HashMap<Cow<'_, str>, Span> = HashMap::new();
     for name in names {
         let text = facts.text(*name).trim();

@@ -1,7 +1,7 @@
 //! A word of a block with a value that it does not take, or that contradicts another word: SPA+400, MOVE and TURN, an
 //! error number of FN 14 that does not exist, a tool number below 0, `FN 4 … / …` for DIV.
 //!
-//! What words take is in the file of the language. Parameters are left alone.
+//! What words take is in the file of the language. Parameters are passed over.
 use std::collections::BTreeMap;
 
 use memchr::memmem;
@@ -29,36 +29,36 @@ struct Telling<'t, 'f, 'a> {
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let functions = words::functions(facts);
-    let mut told = Telling { rule, facts, found };
+    let mut reported = Telling { rule, facts, found };
     let mut texts: Option<BTreeMap<QRef, &str>> = None;
     for (_, block) in facts.marked() {
         match &block.kind {
             BlockKind::Sel(_) | BlockKind::CallPgm(_) | BlockKind::Lbl(_) | BlockKind::CallLbl(_)
                 if is_nameless(facts.text(facts.content(block))) =>
             {
-                told.tell("empty", facts.content(block), "", "");
+                reported.report("empty", facts.content(block), "", "");
                 continue;
             }
             BlockKind::Statement(_) | BlockKind::TextFormula(_) | BlockKind::Sel(_) | BlockKind::CallPgm(_) => {}
             BlockKind::ToolCall(call) => {
-                told.tool(call.tool.as_ref());
+                reported.tool(call.tool.as_ref());
                 let oversizes = [("DL", &call.dl), ("DR", &call.dr), ("DR2", &call.dr2)];
                 for (word, value) in oversizes.into_iter().filter_map(|(word, own)| Some((word, own.as_ref()?))) {
-                    told.number(word, value, -OVERSIZE, OVERSIZE);
+                    reported.number(word, value, -OVERSIZE, OVERSIZE);
                 }
                 continue;
             }
             BlockKind::ToolDef(own) => {
-                told.tool(Some(&own.tool));
+                reported.tool(Some(&own.tool));
                 if let Some(radius) = &own.radius {
-                    told.number("R", radius, 0.0, f64::MAX);
+                    reported.number("R", radius, 0.0, f64::MAX);
                 }
                 continue;
             }
             // The way between the points has a feed; the rapid one is none (001: 1663).
             BlockKind::CyclCall(call) if matches!(call.form, CallForm::Pattern) => {
                 if let Some(feed) = call.feed.filter(|feed| feed.kind == FeedKind::Max) {
-                    told.tell("place", feed.span, "FMAX", "");
+                    reported.report("place", feed.span, "FMAX", "");
                 }
                 if !words::has_function(block, &functions) {
                     continue;
@@ -69,13 +69,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 let text = facts.text(content);
                 let code = text.split(';').next().unwrap_or_default();
                 if code.contains('/') {
-                    told.tell("operator", content, "/", "DIV");
+                    reported.report("operator", content, "/", "DIV");
                 }
                 continue;
             }
             BlockKind::Motion(motion) if motion.outline().has_odd_coords() => {
                 if let Some(word) = misfitting(&motion.words()) {
-                    told.tell("place", facts.content(block), word, "");
+                    reported.report("place", facts.content(block), word, "");
                 }
                 if !words::has_function(block, &functions) {
                     continue;
@@ -86,16 +86,16 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         if let BlockKind::TextFormula(_) = &block.kind {
             let texts = texts.get_or_insert_with(|| words::texts(facts));
-            words::of(facts, block).iter().for_each(|words| told.texts(words, texts));
+            words::of(facts, block).iter().for_each(|words| reported.texts(words, texts));
         }
         for words in words::of(facts, block) {
-            told.words(&words);
+            reported.words(&words);
         }
     }
     for (_, block) in facts.shaped() {
         let BlockKind::Motion(motion) = &block.kind else { continue };
         if motion.path() == Path::Ln && has_no_direction(facts.text(block.span)) {
-            told.tell("zero", facts.content(block), "NX, NY, NZ", "0");
+            reported.report("zero", facts.content(block), "NX, NY, NZ", "0");
         }
         if !matches!(motion.path(), Path::Appr(_) | Path::Dep(_)) {
             continue;
@@ -109,13 +109,13 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                 "CCA" => (f64::MIN_POSITIVE, 360.0),
                 _ => continue,
             };
-            told.limit(name, number, word.span, least, greatest);
+            reported.limit(name, number, word.span, least, greatest);
         }
     }
 }
 
 /// Whether the surface normal of a line that says one is 0 in all axes;
-/// most lines are told apart by their first component.
+/// most lines are distinguished by their first component.
 fn has_no_direction(text: &str) -> bool {
     let zero = |component: &str| {
         let value = text.split_ascii_whitespace().find_map(|word| word.strip_prefix(component));
@@ -142,7 +142,7 @@ fn is_nameless(text: &str) -> bool {
 }
 
 impl Telling<'_, '_, '_> {
-    fn tell(&mut self, what: &str, span: Span, word: &str, value: impl Into<Arg>) {
+    fn report(&mut self, what: &str, span: Span, word: &str, value: impl Into<Arg>) {
         let finding = self.rule.at(self.facts, span).arg("what", what).arg("word", word);
         self.found.push(finding.arg("value", value));
     }
@@ -153,13 +153,13 @@ impl Telling<'_, '_, '_> {
                 if let Amount::Number(number) = own.amount
                     && (number * 10.0).fract().abs() > 1e-9
                 {
-                    self.tell("tool", own.span, "T", Arg::Number(number));
+                    self.report("tool", own.span, "T", Arg::Number(number));
                 } else {
                     self.number("T", own, 0.0, TOOL);
                 }
             }
             Some(ToolRef::Name(span)) if self.facts.text(*span).trim_matches('"').trim().is_empty() => {
-                self.tell("empty", *span, "T", "");
+                self.report("empty", *span, "T", "");
             }
             _ => {}
         }
@@ -174,33 +174,36 @@ impl Telling<'_, '_, '_> {
 
     fn limit(&mut self, word: &str, number: f64, span: Span, least: f64, greatest: f64) {
         if number < least {
-            self.tell("below", span, word, Arg::Number(number));
+            self.report("below", span, word, Arg::Number(number));
         } else if number > greatest {
-            self.tell("above", span, word, Arg::Number(number));
+            self.report("above", span, word, Arg::Number(number));
         }
     }
 
     /// What a text that is certain makes of functions on it.
     fn texts(&mut self, words: &Words<'_>, texts: &BTreeMap<QRef, &str>) {
-        let named = |said: &words::Said<'_>| {
-            let number = said.value.get(2..)?.parse().ok()?;
+        let named = |written: &words::WordValue<'_>| {
+            let number = written.value.get(2..)?.parse().ok()?;
             texts.get(&QRef { kind: QKind::Qs, number }).copied()
         };
         let Some((name, _)) = words.at(0) else { return };
-        let Some((text, said)) = words.each("SRC_").next().and_then(|said| Some((named(&said)?, said))) else { return };
+        let Some((text, written)) = words.each("SRC_").next().and_then(|written| Some((named(&written)?, written)))
+        else {
+            return;
+        };
         let number = text.trim().replace(',', ".");
         if name.eq_ignore_ascii_case("TONUMB") && number.parse::<f64>().is_err() {
-            self.tell("number", said.span, said.value, text);
+            self.report("number", written.span, written.value, text);
         }
         let begins = words.each("BEG").next().and_then(|own| own.number().map(|number| (number, own.span)));
         if let Some((begin, span)) = begins.filter(|(begin, _)| *begin >= text.chars().count() as f64) {
-            self.tell("beyond", span, "BEG", Arg::Number(begin));
+            self.report("beyond", span, "BEG", Arg::Number(begin));
         }
     }
 
     fn words(&mut self, words: &Words<'_>) {
         if let Some((word, span)) = words.without_value() {
-            self.tell("value", span, word, "");
+            self.report("value", span, word, "");
         }
         for known in words.known.iter().copied() {
             for limit in &known.limits {
@@ -209,7 +212,7 @@ impl Telling<'_, '_, '_> {
             for group in &known.one_of {
                 let mut there = group.split(' ').filter(|word| words.has(word));
                 if let (Some(first), Some(second)) = (there.next(), there.next()) {
-                    self.tell("contradict", words.span(), first, second);
+                    self.report("contradict", words.span(), first, second);
                 }
             }
             for pair in &known.excludes {
@@ -218,15 +221,15 @@ impl Telling<'_, '_, '_> {
                 else {
                     continue;
                 };
-                self.tell("contradict", words.span(), first, second);
+                self.report("contradict", words.span(), first, second);
             }
             for word in known.never.iter().filter(|word| words.has(word)) {
-                self.tell("place", words.span(), word, "");
+                self.report("place", words.span(), word, "");
             }
             if !known.none_but.is_empty() {
                 let other = |(word, _): &(&str, Span)| !known.none_but.iter().any(|own| own.eq_ignore_ascii_case(word));
                 if let Some((word, span)) = words.others().find(other) {
-                    self.tell("place", span, word, "");
+                    self.report("place", span, word, "");
                 }
             }
             if let Some(list) = known.askew.as_deref()
@@ -235,30 +238,30 @@ impl Telling<'_, '_, '_> {
                 && !is_zero([a, b, c])
                 && !is_zero([d, e, f])
             {
-                self.tell("parallel", words.span(), list, "");
+                self.report("parallel", words.span(), list, "");
             }
             if let Some(list) = known.spread.as_deref()
                 && let Some([a, b, c, d, e, f, g, h, i]) = words.numbers(list)
                 && is_zero(cross([d - a, e - b, f - c], [g - a, h - b, i - c]))
             {
-                self.tell("line", words.span(), list, "");
+                self.report("line", words.span(), list, "");
             }
             if let Some((list, name)) = known.no_file.as_deref().zip(words.last_name())
                 && let Some((_, own)) = name.0.rsplit_once('.')
                 && list.split(' ').any(|no| no.trim_start_matches('.').eq_ignore_ascii_case(own))
             {
-                self.tell("file", name.1, ".H", name.0);
+                self.report("file", name.1, ".H", name.0);
             }
             if let Some((extension, (name, span))) = known.file.as_deref().zip(words.quoted())
                 && let Some((_, own)) = name.rsplit_once('.')
                 && !own.eq_ignore_ascii_case(extension.trim_start_matches('.'))
             {
-                self.tell("file", span, extension, name);
+                self.report("file", span, extension, name);
             }
-            let number = |word: &str| words.each(word).next().and_then(|said| said.number());
+            let number = |word: &str| words.each(word).next().and_then(|written| written.number());
             for group in &known.nonzero {
                 if group.split(' ').all(|word| number(word) == Some(0.0)) {
-                    self.tell("zero", words.span(), group, "0");
+                    self.report("zero", words.span(), group, "0");
                 }
             }
             for pair in &known.below {
@@ -266,40 +269,40 @@ impl Telling<'_, '_, '_> {
                 if let Some((own, other)) = number(less).zip(number(more))
                     && own >= other
                 {
-                    self.tell("not-below", words.span(), less, more);
+                    self.report("not-below", words.span(), less, more);
                 }
             }
         }
     }
 
     fn limits(&mut self, words: &Words<'_>, limit: &WordLimit) {
-        for (place, said) in words.each(&limit.word).enumerate() {
+        for (place, written) in words.each(&limit.word).enumerate() {
             if !limit.offers.is_empty() {
                 // A word may stand as a value, too: PATHCTRL AXIS.
                 if place > 0 {
                     break;
                 }
                 let begins = |own: &String| {
-                    said.value.len() >= own.len()
-                        && said.value.get(..own.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(own))
+                    written.value.len() >= own.len()
+                        && written.value.get(..own.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(own))
                 };
-                let text = said.value.starts_with('"');
+                let text = written.value.starts_with('"');
                 let offered = limit
                     .offers
                     .iter()
-                    .any(|own| if own == "QS" { begins(own) || text } else { own.eq_ignore_ascii_case(said.value) });
-                if !offered && said.number().is_none() && !said.value.eq_ignore_ascii_case("MAX") {
-                    self.tell("offers", said.span, &limit.word, limit.offers.join(", "));
+                    .any(|own| if own == "QS" { begins(own) || text } else { own.eq_ignore_ascii_case(written.value) });
+                if !offered && written.number().is_none() && !written.value.eq_ignore_ascii_case("MAX") {
+                    self.report("offers", written.span, &limit.word, limit.offers.join(", "));
                 }
                 continue;
             }
-            let Some(number) = said.number() else { continue };
+            let Some(number) = written.number() else { continue };
             if limit.whole && number.fract() != 0.0 {
-                self.tell("whole", said.span, &limit.word, Arg::Number(number));
+                self.report("whole", written.span, &limit.word, Arg::Number(number));
                 continue;
             }
             let (least, greatest) = (limit.min.unwrap_or(f64::MIN), limit.max.unwrap_or(f64::MAX));
-            self.limit(&limit.word, number, said.span, least, greatest);
+            self.limit(&limit.word, number, written.span, least, greatest);
         }
     }
 }
