@@ -36,6 +36,12 @@ const ENGINE: &[(&str, &[&str])] = &[
     ("draw", &["geometry", "solid", "scene", "report", "stock"]),
 ];
 
+/// The rooms of the checker, folders and files, from the ground up: a room uses only those before it.
+const CHECKER: &[&str] = &[
+    "cycle", "against", "program", "flow", "facts", "speech", "tools", "guards", "blank", "contours", "rule", "rules",
+    "allow", "config",
+];
+
 /// The source files as modules.
 struct Tree {
     /// By module path: its file.
@@ -261,6 +267,29 @@ fn rooms_of_the_engine_use_only_what_stands_above_them() {
         let others = used.iter().filter_map(|other| Some((other, room(other)?)));
         let refused = others.filter(|(_, other)| *other != own && !allowed.contains(&other.as_str()));
         wrong.extend(refused.map(|(other, _)| format!("{file}: {own} may not use {other}")));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn rooms_of_the_checker_use_only_those_below_them() {
+    let tree = Tree::new();
+    let place = |file: &str| -> Option<usize> {
+        let room = file.strip_prefix("check/")?.trim_end_matches(".rs").split('/').next()?;
+        CHECKER.iter().position(|own| *own == room)
+    };
+    let mut wrong = Vec::new();
+    for (file, used) in tree.imports() {
+        match place(file) {
+            Some(own) => {
+                let above = used.iter().filter(|other| place(other).is_some_and(|other| other > own));
+                wrong.extend(above.map(|other| format!("{file} uses {other}")));
+            }
+            None if file.starts_with("check/") && file != "check/mod.rs" => {
+                wrong.push(format!("{file}: its room is not in the table"));
+            }
+            None => {}
+        }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
