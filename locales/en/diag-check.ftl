@@ -97,6 +97,7 @@ diag-cycle-not-described =
        *[other] { $cycle } ({ $name }) is named by the manuals and not described: it is measured by the manual of the { $other }.
     }
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
+diag-cycle-of-tool-before = { $cycle } was defined for the tool before and has machined with it.
 diag-datum-table-late = The preceding datum shift took its row from another table: program SEL TABLE before it.
 diag-defined-but-never-called = { $cycle } is defined here and never called.
 diag-digitizing-wrong =
@@ -149,6 +150,12 @@ diag-global-def-wrong =
        *[value] No cycle takes { $parameter }={ $value }.
     }
 diag-guard = The control objects to these values.
+diag-hole-outside-blank =
+    { $what ->
+        [beside] The hole at { $value }, { $other } is next to the blank.
+        [surface] The surface at { $value } is not on the blank.
+       *[through] The hole reaches down to { $value }, far through the blank.
+    }
 diag-iso-incomplete =
     This block is incomplete: { $what ->
         [value] a letter has no value
@@ -267,6 +274,11 @@ diag-reset-order-wrong =
         [tilt] The tilted plane is reset here while the rotation that was switched on after it is still active.
        *[shift] The datum shift is reset here while the plane that was tilted after it is still tilted.
     }
+diag-retract-missing =
+    The tool is at { $value }, in or just above the blank, when { $what ->
+        [change] it is changed
+       *[turn] a rotary axis turns at rapid traverse
+    }: it was not retracted.
 diag-row-not-in-table =
     { $table ->
         [preset] The preset table has no row { $row }.

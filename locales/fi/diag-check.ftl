@@ -97,6 +97,7 @@ diag-cycle-not-described =
        *[other] Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sitä verrataan ohjauksen { $other } käsikirjaan.
     }
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
+diag-cycle-of-tool-before = Työkierto { $cycle } määriteltiin edelliselle työkalulle, joka on jo työstänyt sillä.
 diag-datum-table-late = Edeltävä nollapisteen siirto otti rivinsä toisesta taulukosta: SEL TABLE kuuluu sen edelle.
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.
 diag-digitizing-wrong =
@@ -149,6 +150,12 @@ diag-global-def-wrong =
        *[value] Mikään työkierto ei hyväksy arvoa { $parameter }={ $value }.
     }
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
+diag-hole-outside-blank =
+    { $what ->
+        [beside] Reikä kohdassa { $value }; { $other } on aihion vieressä.
+        [surface] Pinta { $value } ei ole aihion pinta.
+       *[through] Reikä ulottuu arvoon { $value }, kauas aihion läpi.
+    }
 diag-iso-incomplete =
     Tämä lause on puutteellinen: { $what ->
         [value] kirjaimella ei ole arvoa
@@ -266,6 +273,11 @@ diag-reset-order-wrong =
         [tilt] Käännetty taso peruutetaan tässä, vaikka sen jäljessä käynnistetty kierto on vielä voimassa.
        *[shift] Nollapisteen siirto peruutetaan tässä, vaikka sen jäljessä käännetty taso on vielä käännettynä.
     }
+diag-retract-missing =
+    Työkalu on arvossa { $value } aihion sisällä tai aivan sen yläpuolella, kun { $what ->
+        [change] se vaihdetaan
+       *[turn] kiertoakseli kääntyy pikaliikkeellä
+    }: sitä ei ole vedetty irti.
 diag-row-not-in-table =
     { $table ->
         [preset] Peruspistetaulukossa ei ole riviä { $row }.

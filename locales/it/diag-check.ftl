@@ -97,6 +97,7 @@ diag-cycle-not-described =
        *[other] { $cycle } ({ $name }) è citato nei manuali ma non descritto: viene confrontato con il manuale di { $other }.
     }
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
+diag-cycle-of-tool-before = { $cycle } è stato definito per l’utensile precedente, che lo ha già eseguito.
 diag-datum-table-late = Lo spostamento origine precedente ha preso la sua riga da un’altra tabella: SEL TABLE deve precederlo.
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.
 diag-digitizing-wrong =
@@ -149,6 +150,12 @@ diag-global-def-wrong =
        *[value] Nessun ciclo ammette { $parameter }={ $value }.
     }
 diag-guard = Il controllo non accetta questi valori.
+diag-hole-outside-blank =
+    { $what ->
+        [beside] Il foro in { $value }; { $other } è accanto al pezzo grezzo.
+        [surface] La superficie a { $value } non è sul pezzo grezzo.
+       *[through] Il foro arriva a { $value }, ben oltre il pezzo grezzo.
+    }
 diag-iso-incomplete =
     Questo blocco è incompleto: { $what ->
         [value] una lettera è senza valore
@@ -266,6 +273,11 @@ diag-reset-order-wrong =
         [tilt] Qui la rotazione del piano di lavoro viene annullata mentre la rotazione attivata dopo di essa è ancora attiva.
        *[shift] Qui lo spostamento origine viene annullato mentre il piano di lavoro ruotato dopo di esso è ancora ruotato.
     }
+diag-retract-missing =
+    L’utensile si trova a { $value }, nel pezzo grezzo o appena sopra, quando { $what ->
+        [change] viene cambiato
+       *[turn] un asse rotativo ruota in rapido
+    }: non è stato disimpegnato.
 diag-row-not-in-table =
     { $table ->
         [preset] La tabella Preset non contiene la riga { $row }.

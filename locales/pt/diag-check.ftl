@@ -97,6 +97,7 @@ diag-cycle-not-described =
        *[other] { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: é comparado com o manual de { $other }.
     }
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
+diag-cycle-of-tool-before = { $cycle } foi definido para a ferramenta anterior, que já o executou.
 diag-datum-table-late = A deslocação do ponto zero anterior tirou a sua linha de outra tabela: SEL TABLE tem de ficar antes dela.
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.
 diag-digitizing-wrong =
@@ -149,6 +150,12 @@ diag-global-def-wrong =
        *[value] Nenhum ciclo aceita { $parameter }={ $value }.
     }
 diag-guard = O comando não aceita estes valores.
+diag-hole-outside-blank =
+    { $what ->
+        [beside] O furo em { $value }; { $other } fica ao lado do bloco.
+        [surface] A superfície em { $value } não está no bloco.
+       *[through] O furo chega a { $value }, muito para além do bloco.
+    }
 diag-iso-incomplete =
     Esta frase está incompleta: { $what ->
         [value] uma letra não tem valor
@@ -266,6 +273,11 @@ diag-reset-order-wrong =
         [tilt] O plano inclinado é anulado aqui, mas a rotação que foi ativada depois dele ainda está ativa.
        *[shift] A deslocação do ponto zero é anulada aqui, mas o plano que foi inclinado depois dela ainda está inclinado.
     }
+diag-retract-missing =
+    A ferramenta está em { $value }, dentro do bloco ou logo acima dele, quando { $what ->
+        [change] é trocada
+       *[turn] um eixo rotativo roda em marcha rápida
+    }: não foi retirada.
 diag-row-not-in-table =
     { $table ->
         [preset] A tabela de pontos de referência não tem a linha { $row }.

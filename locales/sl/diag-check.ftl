@@ -97,6 +97,7 @@ diag-cycle-not-described =
        *[other] Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: primerja se s priročnikom krmiljenja { $other }.
     }
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
+diag-cycle-of-tool-before = { $cycle } je bil definiran za prejšnje orodje, ki je z njim že obdelovalo.
 diag-datum-table-late = Prejšnji zamik ničelne točke je svojo vrstico vzel iz druge preglednice: SEL TABLE mora stati pred njim.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.
 diag-digitizing-wrong =
@@ -149,6 +150,12 @@ diag-global-def-wrong =
        *[value] Noben cikel ne sprejme { $parameter }={ $value }.
     }
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
+diag-hole-outside-blank =
+    { $what ->
+        [beside] Izvrtina pri { $value }; { $other } je zraven surovca.
+        [surface] Površina pri { $value } ni na surovcu.
+       *[through] Izvrtina sega do { $value }, daleč skozi surovec.
+    }
 diag-iso-incomplete =
     Ta stavek je nepopoln: { $what ->
         [value] črka nima vrednosti
@@ -270,6 +277,11 @@ diag-reset-order-wrong =
         [tilt] Tu se ponastavi zavrtena ravnina, čeprav je rotacija, vklopljena za njo, še aktivna.
        *[shift] Tu se ponastavi zamik ničelne točke, čeprav je ravnina, zavrtena za njim, še zavrtena.
     }
+diag-retract-missing =
+    Orodje je pri { $value }, v surovcu ali tik nad njim, ko { $what ->
+        [change] se zamenja
+       *[turn] se rotacijska os zavrti v hitrem teku
+    }: ni bilo odmaknjeno.
 diag-row-not-in-table =
     { $table ->
         [preset] V preglednici referenčnih točk ni vrstice { $row }.

@@ -53,11 +53,6 @@ impl Blank {
     pub(super) fn lacks(&self, x: f64, y: f64) -> bool {
         x < self.low[0] || self.high[0] < x || y < self.low[1] || self.high[1] < y
     }
-
-    /// Whether a height lies below the top and not below the floor.
-    pub(super) fn is_inside(&self, z: f64) -> bool {
-        (self.low[2]..self.high[2]).contains(&z)
-    }
 }
 
 /// Whether coordinates are those of the blank: nothing shifts, turns, mirrors, scales or tilts them.

@@ -17,6 +17,7 @@ mod rule;
 mod rules;
 mod speech;
 mod tools;
+mod travel;
 
 pub use against::Against;
 pub use allow::CODES as ALLOW_CODES;

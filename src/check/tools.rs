@@ -16,6 +16,10 @@ pub(super) struct Tool {
     pub(super) radius: f64,
     /// The greatest angle at which it plunges, where the table says it.
     pub(super) angle: Option<f64>,
+    /// The length of its cutting edges, where the table says it.
+    pub(super) cutting_length: Option<f64>,
+    /// Its thread pitch, where the table says it.
+    pub(super) pitch: Option<f64>,
 }
 
 /// The tools of a program.
@@ -46,7 +50,12 @@ impl Tools {
                 None => value("R").map(|radius| radius + value("DR").unwrap_or(0.0)),
             };
             let tool = radius.zip(oversize(call.dr.as_ref()));
-            let tool = tool.map(|(radius, oversize)| Tool { radius: radius + oversize, angle: value("ANGLE") });
+            let tool = tool.map(|(radius, oversize)| Tool {
+                radius: radius + oversize,
+                angle: value("ANGLE"),
+                cutting_length: value("LCUTS"),
+                pitch: value("PITCH"),
+            });
             if let Ok(index) = u32::try_from(index) {
                 tools.calls.insert(index, tool.filter(|tool| tool.radius > 0.0));
             }

@@ -36,6 +36,7 @@ mod cycle_line_twice;
 mod cycle_not_covered;
 mod cycle_not_described;
 mod cycle_not_on_control;
+mod cycle_of_tool_before;
 mod datum_table_late;
 mod defined_but_never_called;
 mod digitizing_wrong;
@@ -55,6 +56,7 @@ mod function_not_on_control;
 mod functions_contradict;
 mod global_def_wrong;
 mod guard;
+mod hole_outside_blank;
 mod iso_incomplete;
 mod label_duplicate;
 mod label_of_another_language;
@@ -104,6 +106,7 @@ mod repeat_count_wrong;
 mod repeat_of_later_label;
 mod reserved_parameter;
 mod reset_order_wrong;
+mod retract_missing;
 mod row_not_in_table;
 mod selection_missing;
 mod speed_missing;
@@ -185,6 +188,7 @@ pub const RULES: &[&Rule] = &[
     &cycle_not_covered::RULE,
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
+    &cycle_of_tool_before::RULE,
     &datum_table_late::RULE,
     &defined_but_never_called::RULE,
     &digitizing_wrong::RULE,
@@ -204,6 +208,7 @@ pub const RULES: &[&Rule] = &[
     &functions_contradict::RULE,
     &global_def_wrong::RULE,
     &guard::RULE,
+    &hole_outside_blank::RULE,
     &iso_incomplete::RULE,
     &label_duplicate::RULE,
     &label_of_another_language::RULE,
@@ -253,6 +258,7 @@ pub const RULES: &[&Rule] = &[
     &repeat_of_later_label::RULE,
     &reserved_parameter::RULE,
     &reset_order_wrong::RULE,
+    &retract_missing::RULE,
     &row_not_in_table::RULE,
     &selection_missing::RULE,
     &speed_missing::RULE,

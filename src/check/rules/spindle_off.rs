@@ -1,11 +1,13 @@
-//! A machining cycle called, or a movement with radius compensation, while the spindle certainly stands still.
+//! A machining cycle called, a movement with radius compensation, or one at feed into the blank, while the spindle
+//! certainly stands.
 //!
 //! Reported once a program. The spindle stands still at the beginning, after M0, M2, M5, M6 and M30, and after a cycle
 //! that stops it (TNC 640, 001: 2581 and 2656); after a tool call and M functions of the machine builder nobody knows.
 //! FUNCTION MODE TURN goes on with another spindle, which stands still until it is turned on (TNC 640, 001: 7314-7321).
 use crate::base::diag::{Diagnostic, Severity, Span};
-use crate::check::cycle::{removes_material, stops_spindle};
-use crate::check::{Aspect, Defined, Facts, Pending, Rule, Tri};
+use crate::check::cycle::{probes, removes_material, stops_spindle};
+use crate::check::travel::Incident;
+use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, Tri};
 use crate::program::syntax::{BlockKind, Compensates};
 use crate::spec::Group;
 
@@ -19,13 +21,28 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let again = call.modal.is(Aspect::Stopped) == Tri::Yes && stops_spindle(cycle);
         (removes_material(cycle) || cycle.file.group == Group::Turning) && !again
     });
-    let first = calls.map(|call| call.span).chain(contour(facts)).min_by_key(|span| span.start);
+    let standing = facts.incidents().iter().find(|(span, own)| *own == Incident::Standing && mills(facts, *span));
+    let standing = standing.map(|(span, _)| *span);
+    let first = calls.map(|call| call.span).chain(contour(facts)).chain(standing).min_by_key(|span| span.start);
     if let Some(span) = first {
         found.push(rule.at(facts, span));
     }
 }
 
-/// The first movement along a contour, or to one, while the spindle stands still.
+/// Whether the tool of a movement is there to cut: it was called with a speed, and nothing is probed in the program.
+fn mills(facts: &Facts<'_>, span: Span) -> bool {
+    let at = facts.program.blocks().partition_point(|block| block.span.start < span.start);
+    let Some(Loaded::By(call)) = facts.run.before(at.saturating_sub(1)).map(|modal| modal.loaded) else { return false };
+    let block = facts.program.blocks().get(call as usize).map(|block| &block.kind);
+    let speed = match block {
+        Some(BlockKind::ToolCall(call)) => call.speed.as_ref().and_then(|speed| facts.number(speed)),
+        _ => None,
+    };
+    speed.is_some_and(|speed| speed > 0.0)
+        && !facts.definitions.iter().any(|own| own.related_cycle().is_some_and(probes))
+}
+
+/// The first movement along a contour, or to one, while the spindle stands.
 fn contour(facts: &Facts<'_>) -> Option<Span> {
     for (from, to, modal) in facts.run.stretches() {
         if modal.is_none_or(|modal| modal.is(Aspect::Spindle) != Tri::No || modal.is(Aspect::Tool) != Tri::Yes) {

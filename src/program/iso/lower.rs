@@ -476,7 +476,9 @@ impl Lowering<'_, '_> {
         self.end();
         words.take_codes(|code| syntax::is_path(code) || matches!(code, 40..=44));
         self.modal(words);
-        if !(moves || compensation.is_some() || said) {
+        // A function with words of its own, such as a retraction, goes at rapid traverse.
+        let goes = rapid && own.functions.iter().any(|function| function.with.is_some());
+        if !(moves || compensation.is_some() || said || goes) {
             // A code alone acts from here on, and moves nothing.
             self.out.truncate(start);
             self.number = number;

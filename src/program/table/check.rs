@@ -58,7 +58,7 @@ fn columns(table: &Table, source: &Arc<Source>) -> Vec<Diagnostic> {
         let same = |own: &Heading| column::same_name(&own.name, &heading.name);
         if table.headings.iter().take(index).any(same) {
             found.push(Diagnostic::error("table-duplicate-column", place).arg("column", heading.name.as_str()));
-        } else if table.kind.column(&heading.name).is_none() {
+        } else if table.kind.column(&heading.name).is_none() && !table.kind.is_written(&heading.name) {
             unknown.push((heading.name.as_str(), place));
         }
     }

@@ -45,6 +45,39 @@ pub enum TableKind {
     Points,
 }
 
+/// Columns that controls write into tables of tools and touch probes and that no manual here describes: they are known,
+/// and their cells are not checked.
+const WRITTEN: [&str; 28] = [
+    "TYP",
+    "NMAX",
+    "LIFTOFF",
+    "TP_NO",
+    "T-ANGLE",
+    "PITCH",
+    "LAST_USE",
+    "PTYP",
+    "ACC",
+    "KINEMATIC",
+    "AFC",
+    "AFC-LOAD",
+    "AFC-OVLD1",
+    "AFC-OVLD2",
+    "OVRTIME",
+    "RCUTS",
+    "LU",
+    "RN",
+    "TSHAPE",
+    "TMAT",
+    "CDT",
+    "DR2TABLE",
+    "DOC",
+    "PLC",
+    "P-TYP",
+    "P-LOCK",
+    "PLC-VAL",
+    "CR",
+];
+
 /// Room for `-99999.999999999` and a blank: the engine's results keep 1e-9 mm.
 const WIDE: usize = 17;
 
@@ -150,6 +183,11 @@ const DATUM: &[Column] = &[
 ];
 
 impl TableKind {
+    /// Whether a column is one that controls write, though no manual describes it.
+    pub fn is_written(self, name: &str) -> bool {
+        matches!(self, Self::Tool | Self::Probe) && WRITTEN.iter().any(|own| same_name(own, name))
+    }
+
     /// All kinds.
     pub const ALL: [Self; 5] = [Self::Tool, Self::Probe, Self::Preset, Self::Datum, Self::Points];
 

@@ -55,7 +55,7 @@ impl Reader<'_> {
         match (field(0), field(1)) {
             (Some("here" | "start"), Some("main" | "minor" | "tool")) => COORDINATE,
             (Some("here" | "start" | "machine_point" | "machine_length"), _) => LENGTH,
-            (Some("tool"), Some("radius" | "length" | "lcuts" | "corner_radius")) => DISTANCE,
+            (Some("tool"), Some("radius" | "length" | "lcuts" | "pitch" | "corner_radius")) => DISTANCE,
             (Some("probe"), Some("set_up" | "dist" | "ball_radius")) => DISTANCE,
             (Some("probe"), Some("offset")) => LENGTH,
             (Some("probe"), Some("feed" | "fmax")) => FEED,

@@ -1,0 +1,29 @@
+//! A hole beside the blank, one that begins well above it or below it, or one that goes far through it.
+//!
+//! Only cycles for holes at places that are known, in programs with a box as their blank and without transformations.
+//! A hole beside the blank is said once a program, the others once a definition.
+use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::travel::Incident;
+use crate::check::{Facts, Rule};
+
+pub(super) const RULE: Rule = Rule { code: "hole-outside-blank", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let mut beside = false;
+    for (span, own) in facts.incidents() {
+        let finding = rule.at(facts, *span);
+        match own {
+            Incident::Beside([x, y]) if !std::mem::replace(&mut beside, true) => {
+                let finding = finding.arg("what", "beside").arg("value", Arg::Number(*x));
+                found.push(finding.arg("other", Arg::Number(*y)));
+            }
+            Incident::Surface(height) => {
+                found.push(finding.arg("what", "surface").arg("value", Arg::Number(*height)).arg("other", 0));
+            }
+            Incident::Through(height) => {
+                found.push(finding.arg("what", "through").arg("value", Arg::Number(*height)).arg("other", 0));
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,24 @@
+//! A tool call, or a rotary axis that turns at rapid, while the tool is inside of the blank or just above it: it was not
+//! retracted.
+//!
+//! Places are followed from label to label in programs with a box as their blank. Silent while the control holds the tool
+//! tip in its place (M128, FUNCTION TCPM). Each is said once a program.
+use crate::base::diag::{Arg, Diagnostic, Severity};
+use crate::check::travel::Incident;
+use crate::check::{Facts, Rule};
+
+pub(super) const RULE: Rule = Rule { code: "retract-missing", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let (mut change, mut turn) = (false, false);
+    for (span, own) in facts.incidents() {
+        let (what, height, said) = match own {
+            Incident::ToolChange(height) => ("change", *height, &mut change),
+            Incident::Turn(height) => ("turn", *height, &mut turn),
+            _ => continue,
+        };
+        if !std::mem::replace(said, true) {
+            found.push(rule.at(facts, *span).arg("what", what).arg("value", Arg::Number(height)));
+        }
+    }
+}

@@ -1,0 +1,377 @@
+//! Where the tool is, block after block, as far as numbers say it, and what happens to the blank on the way: rapid
+//! movements into material that nothing has removed, a feed into it with a standing spindle, a tool change or a turn of
+//! a rotary axis inside of it, holes beside it.
+//!
+//! Invariant: only what is certain. Places are known in the order of the text from label to label; a transformation, a
+//! rotary axis away from zero, a cycle, a function that moves the machine or a block that may be skipped ends that. What
+//! a cycle other than one for holes, or an arc, removes is not known: nothing is said of material after it.
+use std::collections::BTreeSet;
+
+use super::blank::{AXES, Blank, is_unmoved};
+use super::program::{is_silent, number, with_meaning};
+use super::tools::Tools;
+use super::{Aspect, CycleCall, Defined, Facts, Modal, Pending, Tri};
+use crate::base::diag::Span;
+use crate::program::syntax::{Axis, Block, BlockKind, Compensates, Coord, Element, Motion, Path, StatementKind};
+use crate::spec::{Cycle, Group, Keyword, MM_PER_INCH, TakesEffect};
+
+/// What happens to the blank.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Incident {
+    /// A rapid movement goes into it, down to a height.
+    Rapid(f64),
+    /// A movement at feed goes into it while the spindle stands.
+    Standing,
+    /// A tool call while the tool is inside of it, at a height.
+    ToolChange(f64),
+    /// A rotary axis turns at rapid while the tool is inside of it, at a height.
+    Turn(f64),
+    /// A hole beside it, at a place.
+    Beside([f64; 2]),
+    /// A hole that begins above it or below it, at a height.
+    Surface(f64),
+    /// A hole that goes through it, down to a height.
+    Through(f64),
+}
+
+/// How far a tool is sure to reach that is not known, in millimetres.
+const REACH: f64 = 60.0;
+/// What lies so little inside of the blank is at its faces, in millimetres.
+const SKIN: f64 = 0.01;
+/// So far above the blank a rotary axis does not turn at rapid, in millimetres.
+const CLEAR: f64 = 5.0;
+/// How far above the blank holes may begin, which may be drawn too small, in millimetres.
+const ALLOWANCE: f64 = 50.0;
+/// How far they may go through it: the tip of a drill, in millimetres.
+const TIP: f64 = 25.0;
+/// The meanings of the values of holes.
+const SURFACE: &str = "surface-coordinate";
+const DEPTHS: [&str; 2] = ["depth", "thread-depth"];
+/// The meaning of a value that only cycles for milling have.
+const MILLED: &str = "milling-type";
+/// So many places that are cut are remembered.
+const MANY: usize = 1 << 8;
+
+/// A part of the plane that has been cut down to a height.
+struct Cut {
+    low: [f64; 2],
+    high: [f64; 2],
+    floor: f64,
+}
+
+/// The walk through a program.
+struct Walk<'f, 'a> {
+    facts: &'f Facts<'a>,
+    blank: Blank,
+    tools: Option<Tools>,
+    /// A millimetre in the unit of the program.
+    unit: f64,
+    at: [Option<f64>; 3],
+    /// The rotary axes that are, or may be, away from zero.
+    turned: [bool; 3],
+    cuts: Vec<Cut>,
+    /// Whether anything may have been cut.
+    open: bool,
+    /// The definitions of holes that were looked at.
+    holes: BTreeSet<Option<u32>>,
+    found: Vec<(Span, Incident)>,
+}
+
+/// What happens to the blank of a program, with its places in the order of the text.
+pub(super) fn incidents(facts: &Facts<'_>) -> Vec<(Span, Incident)> {
+    let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins() && !facts.flow.unread.any()) else {
+        return Vec::new();
+    };
+    let unit = if facts.inch { 1.0 / MM_PER_INCH } else { 1.0 };
+    let mut walk = Walk {
+        facts,
+        blank,
+        tools: Tools::of(facts),
+        unit,
+        at: [None; 3],
+        turned: [false; 3],
+        cuts: Vec::new(),
+        open: false,
+        holes: BTreeSet::new(),
+        found: Vec::new(),
+    };
+    let mut calls = facts.run.calls.iter().peekable();
+    for (from, to, modal) in facts.run.stretches() {
+        let usual = modal.filter(|own| is_unmoved(own) && own.is(Aspect::OtherAxis) != Tri::Yes);
+        let usual = usual.filter(|own| own.is(Aspect::Turning) == Tri::No);
+        for (index, block) in facts.program.blocks().iter().enumerate().take(to).skip(from) {
+            while calls.next_if(|call| call.block < index).is_some() {}
+            match usual {
+                Some(modal) if !block.skip => walk.block(index, block, &modal),
+                _ => walk.lose(),
+            }
+            while let Some(call) = calls.next_if(|call| call.block == index) {
+                walk.call(call);
+            }
+        }
+    }
+    walk.found
+}
+
+impl Walk<'_, '_> {
+    /// Forgets where the tool is; what moves unseen may also cut.
+    fn lose(&mut self) {
+        self.at = [None; 3];
+    }
+
+    fn tell(&mut self, block: &Block, incident: Incident) {
+        self.found.push((self.facts.content(block), incident));
+    }
+
+    fn block(&mut self, index: usize, block: &Block, modal: &Modal) {
+        match &block.kind {
+            _ if is_silent(block) => {}
+            BlockKind::Motion(motion) => self.motion(block, motion, modal),
+            BlockKind::BeginPgm(_) | BlockKind::BlkForm(_) | BlockKind::ToolDef(_) | BlockKind::FnAssign(_) => {}
+            BlockKind::Formula(_) | BlockKind::TextFormula(_) | BlockKind::OldCycleLine(_) => {}
+            BlockKind::Functions(list) if list.iter().all(|own| is_plain(own.number)) => {}
+            BlockKind::ToolCall(call) => {
+                if call.tool.is_some() {
+                    if let Some(height) = self.inside(0.0).filter(|_| modal.is(Aspect::Tool) == Tri::Yes) {
+                        self.tell(block, Incident::ToolChange(height));
+                    }
+                    self.lose();
+                }
+            }
+            BlockKind::CycleDef(_) => {
+                let own = self.facts.definition_at(index);
+                // What acts when it is defined may move the tool.
+                if own.is_none_or(|own| own.takes_effect() != Some(TakesEffect::OnCall)) {
+                    self.lose();
+                }
+            }
+            BlockKind::CyclCall(_) => {}
+            BlockKind::Statement(own) if own.kind == StatementKind::Plane => {
+                let text = self.facts.text(self.facts.content(block)).to_ascii_uppercase();
+                let turns = text.contains(" TURN") && modal.is(Aspect::Tcpm) == Tri::No;
+                if let Some(height) = self.inside(CLEAR).filter(|_| turns && !text.contains("RESET")) {
+                    self.tell(block, Incident::Turn(height));
+                }
+                self.lose();
+            }
+            _ => {
+                self.lose();
+                self.open |= !matches!(block.kind, BlockKind::Statement(_) | BlockKind::Functions(_));
+            }
+        }
+    }
+
+    /// The height of a tool that is in the plane of the blank and below its top.
+    fn inside(&self, above: f64) -> Option<f64> {
+        let [Some(x), Some(y), Some(z)] = self.at else { return None };
+        let below = z < self.blank.high[2] + above * self.unit - SKIN * self.unit && self.blank.low[2] <= z;
+        (below && self.blank.holds(x, y) && self.turned == [false; 3]).then_some(z)
+    }
+
+    fn motion(&mut self, block: &Block, motion: &Element, modal: &Modal) {
+        let outline = motion.outline();
+        match motion.path() {
+            Path::Rnd | Path::Chf | Path::Cc => return,
+            Path::L | Path::C | Path::Cr | Path::Ct if outline.has_coords() => {}
+            Path::L if !outline.has_functions() => return,
+            _ => {
+                self.open |= !outline.is_rapid();
+                return self.lose();
+            }
+        }
+        let words = motion.words();
+        if words.functions.iter().any(|own| !is_plain(own.number)) {
+            self.open |= !outline.is_rapid();
+            return self.lose();
+        }
+        self.turn(block, &words, outline.is_rapid(), modal);
+        let from = self.at;
+        for (place, axis) in AXES.into_iter().enumerate() {
+            if let Some(coord) = words.coord(axis) {
+                self.at[place] = self.target(coord, from[place]);
+            }
+        }
+        let free = outline.compensates() == Compensates::Off
+            || (outline.compensates() == Compensates::Unsaid && modal.is(Aspect::Compensation) == Tri::No);
+        if self.turned != [false; 3] || modal.is(Aspect::Tool) != Tri::Yes {
+            self.open |= !outline.is_rapid();
+        } else if outline.is_rapid() {
+            if let Some(height) = self.strikes(from, modal).filter(|_| free && motion.path() == Path::L) {
+                self.tell(block, Incident::Rapid(height));
+            }
+        } else {
+            let stands = modal.is(Aspect::Spindle) == Tri::No && !outline.has_functions();
+            if stands && self.goes_through(from) {
+                self.tell(block, Incident::Standing);
+            }
+            self.cut(from, motion.path(), modal);
+        }
+    }
+
+    /// What a movement says of rotary axes.
+    fn turn(&mut self, block: &Block, words: &Motion, rapid: bool, modal: &Modal) {
+        let rotary = [Axis::A, Axis::B, Axis::C];
+        let mut turns = false;
+        for (axis, turned) in rotary.into_iter().zip(&mut self.turned) {
+            let Some(coord) = words.coord(axis) else { continue };
+            let angle = self.facts.number(&coord.value).filter(|_| !coord.incremental);
+            turns |= angle != Some(0.0);
+            *turned = angle != Some(0.0);
+        }
+        let others = words.coords.iter().any(|own| !AXES.contains(&own.axis) && !rotary.contains(&own.axis));
+        if others {
+            self.turned = [true; 3];
+        }
+        let [Some(x), Some(y), Some(z)] = self.at else { return };
+        let near = z < self.blank.high[2] + CLEAR * self.unit && self.blank.holds(x, y);
+        if turns && rapid && near && modal.is(Aspect::Tcpm) == Tri::No && words.coord(Axis::Z).is_none() {
+            self.tell(block, Incident::Turn(z));
+        }
+    }
+
+    fn target(&self, coord: &Coord, from: Option<f64>) -> Option<f64> {
+        let value = self.facts.number(&coord.value)?;
+        if coord.incremental { Some(from? + value) } else { Some(value) }
+    }
+
+    /// How deep a movement from a place to the one where the tool is goes into material that nothing has removed.
+    fn strikes(&self, from: [Option<f64>; 3], modal: &Modal) -> Option<f64> {
+        let [Some(x), Some(y), Some(z)] = self.at else { return None };
+        let to = [x, y, z];
+        // Of a movement from nowhere the end is known.
+        let begin = match from {
+            [Some(x), Some(y), Some(z)] => [x, y, z],
+            _ => to,
+        };
+        let lifts = begin[0] == to[0] && begin[1] == to[1] && begin[2] <= to[2] && begin != to;
+        if lifts || self.open {
+            return None;
+        }
+        let (first, last) = self.clipped(begin, to)?;
+        const SAMPLES: i32 = 16;
+        let mut samples = (0..=SAMPLES).map(|step| {
+            let part = first + (last - first) * f64::from(step) / f64::from(SAMPLES);
+            [0, 1, 2].map(|axis| begin[axis] + (to[axis] - begin[axis]) * part)
+        });
+        let reach = self.reach(modal);
+        let own = |cut: &Cut, place: [f64; 3]| {
+            cut.floor <= place[2] + SKIN
+                && (0..2).all(|axis| cut.low[axis] - reach <= place[axis] && place[axis] <= cut.high[axis] + reach)
+        };
+        let strikes = samples.any(|place| !self.cuts.iter().any(|cut| own(cut, place)));
+        strikes.then(|| begin[2].min(to[2]))
+    }
+
+    /// Whether a movement from a place to the one where the tool is goes through the blank.
+    fn goes_through(&self, from: [Option<f64>; 3]) -> bool {
+        let ([Some(a), Some(b), Some(c)], [Some(x), Some(y), Some(z)]) = (from, self.at) else { return false };
+        from != self.at && self.clipped([a, b, c], [x, y, z]).is_some()
+    }
+
+    /// The part of a movement that is inside of the blank.
+    fn clipped(&self, begin: [f64; 3], to: [f64; 3]) -> Option<(f64, f64)> {
+        let skin = SKIN * self.unit;
+        let (mut first, mut last) = (0.0_f64, 1.0_f64);
+        for axis in 0..3 {
+            let (low, high) = (self.blank.low[axis] + skin, self.blank.high[axis] - skin);
+            let way = to[axis] - begin[axis];
+            if way == 0.0 {
+                if begin[axis] < low || high < begin[axis] {
+                    return None;
+                }
+                continue;
+            }
+            let (one, other) = ((low - begin[axis]) / way, (high - begin[axis]) / way);
+            first = first.max(one.min(other));
+            last = last.min(one.max(other));
+        }
+        (first <= last).then_some((first, last))
+    }
+
+    /// How far the tool reaches beside its centre.
+    fn reach(&self, modal: &Modal) -> f64 {
+        let tool = self.tools.as_ref().and_then(|tools| tools.get(modal.loaded));
+        tool.map_or(REACH * self.unit, |tool| 2.0 * tool.radius)
+    }
+
+    /// Notes what a movement at feed removes.
+    fn cut(&mut self, from: [Option<f64>; 3], path: Path, modal: &Modal) {
+        let ([Some(x), Some(y), Some(z)], Path::L) = (self.at, path) else {
+            self.open = true;
+            return;
+        };
+        let begin = [from[0].unwrap_or(x), from[1].unwrap_or(y), from[2].unwrap_or(z)];
+        self.open |= from.contains(&None) && begin != [x, y, z];
+        let reach = self.reach(modal);
+        self.remember(Cut {
+            low: [begin[0].min(x) - reach, begin[1].min(y) - reach],
+            high: [begin[0].max(x) + reach, begin[1].max(y) + reach],
+            floor: begin[2].min(z),
+        });
+    }
+
+    fn remember(&mut self, cut: Cut) {
+        if self.cuts.len() < MANY {
+            self.cuts.push(cut);
+        } else {
+            self.open = true;
+        }
+    }
+
+    /// A cycle is called where the tool is.
+    fn call(&mut self, call: &CycleCall) {
+        let facts = self.facts;
+        self.at[2] = None;
+        let index = match call.modal.pending {
+            Pending::Definition(index) => Some(index),
+            Pending::None | Pending::Unknown => None,
+        };
+        let definition = index.and_then(|index| facts.definitions.get(index as usize));
+        let hole = definition.filter(|own| {
+            let makes_hole = |cycle: &Cycle| match cycle.file.group {
+                Group::Drilling => true,
+                Group::Threads => with_meaning(cycle, MILLED).is_none(),
+                _ => false,
+            };
+            own.key.keyword == Keyword::CyclDef && own.related_cycle().is_some_and(makes_hole)
+        });
+        let (Some(definition), [Some(x), Some(y), _]) = (hole, self.at) else {
+            self.open = true;
+            return self.lose();
+        };
+        let usual = is_unmoved(&call.modal) && call.modal.is(Aspect::OtherAxis) != Tri::Yes;
+        if usual && self.turned == [false; 3] {
+            self.hole(call, index, definition, [x, y]);
+        }
+        let reach = REACH * self.unit;
+        self.remember(Cut { low: [x - reach, y - reach], high: [x + reach, y + reach], floor: f64::NEG_INFINITY });
+    }
+
+    /// A hole at a place: what is wrong with its definition is said at its first call.
+    fn hole(&mut self, call: &CycleCall, index: Option<u32>, definition: &Defined<'_>, at: [f64; 2]) {
+        if self.blank.lacks(at[0], at[1]) {
+            return self.found.push((call.span, Incident::Beside(at)));
+        }
+        if !self.holes.insert(index) {
+            return;
+        }
+        let related = definition.as_related_cycle();
+        let read = self.facts.read(&related);
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        let Some(surface) = value(SURFACE) else { return };
+        let place = read.item(SURFACE).map_or(definition.view.head, |item| item.span);
+        let allowance = ALLOWANCE * self.unit;
+        if surface > self.blank.high[2] + allowance || surface < self.blank.low[2] {
+            return self.found.push((place, Incident::Surface(surface)));
+        }
+        let depth = DEPTHS.iter().find_map(|meaning| Some((value(meaning)?, read.item(meaning)?.span)));
+        if let Some((depth, place)) = depth.filter(|(depth, _)| surface + depth < self.blank.low[2] - TIP * self.unit) {
+            self.found.push((place, Incident::Through(surface + depth)));
+        }
+    }
+}
+
+/// Whether an M function neither moves the tool nor changes what coordinates mean.
+const fn is_plain(number: u16) -> bool {
+    matches!(number, 0..=9 | 13 | 14 | 30 | 99)
+}
