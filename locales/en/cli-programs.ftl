@@ -86,3 +86,4 @@ cli-man-out = Directory for the page and one for each command
 cli-examples-man =
     ciklo man > ciklo.1
     ciklo man --out man1
+cli-fmt-diff = With --check: show what would change

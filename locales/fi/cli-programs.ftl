@@ -79,3 +79,4 @@ cli-man-out = Hakemisto sivulle ja kunkin komennon omalle sivulle
 cli-examples-man =
     ciklo man > ciklo.1
     ciklo man --out man1
+cli-fmt-diff = Valitsimen --check kanssa: näytä, mikä muuttuisi

@@ -79,3 +79,4 @@ cli-man-out = Cartella per la pagina e per quella di ogni comando
 cli-examples-man =
     ciklo man > ciklo.1
     ciklo man --out man1
+cli-fmt-diff = Con --check: mostra che cosa cambierebbe

@@ -79,3 +79,4 @@ cli-man-out = Pasta para a página e para a de cada comando
 cli-examples-man =
     ciklo man > ciklo.1
     ciklo man --out man1
+cli-fmt-diff = Com --check: mostra o que mudaria

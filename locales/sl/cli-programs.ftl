@@ -85,3 +85,4 @@ cli-man-out = Mapa za stran in za stran vsakega ukaza
 cli-examples-man =
     ciklo man > ciklo.1
     ciklo man --out man1
+cli-fmt-diff = Z --check: prikaži, kaj bi se spremenilo

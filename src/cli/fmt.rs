@@ -12,10 +12,14 @@ use crate::program::layout;
 use crate::program::table::{Table, TableKind};
 use crate::system::{self, Seen};
 
-pub(super) const COMMAND: Command = Command { name: "fmt", usage: "PATH… [--check]", arguments: own, run };
+pub(super) const COMMAND: Command = Command { name: "fmt", usage: "PATH… [--check [--diff]]", arguments: own, run };
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
-    vec![arguments::words(ui, "file", "PATH", "cli-fmt-path"), arguments::switch(ui, "check", "cli-fmt-check")]
+    vec![
+        arguments::words(ui, "file", "PATH", "cli-fmt-path"),
+        arguments::switch(ui, "check", "cli-fmt-check"),
+        arguments::switch(ui, "diff", "cli-fmt-diff").requires("check"),
+    ]
 }
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
@@ -30,7 +34,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         let (paths, hidden) = system::files_below(Path::new(&name), &extensions);
         troubles.extend(hidden.into_iter().map(Diagnostic::from));
         for path in paths {
-            let only_check = matches.get_flag("check");
+            let only_check = matches.get_flag("check").then(|| matches.get_flag("diff"));
             let done = match TableKind::of_file(&path.to_string_lossy()) {
                 Some(kind) => table(session, &path, kind, only_check),
                 None => match program::other_table(&path) {
@@ -57,7 +61,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
 }
 
 /// Lays out a table; what is none stays as it is.
-fn table(session: &mut Session, path: &Path, kind: TableKind, only_check: bool) -> Result<bool, Failure> {
+fn table(session: &mut Session, path: &Path, kind: TableKind, only_check: Option<bool>) -> Result<bool, Failure> {
     let bytes = system::read(path)?;
     let seen = Seen::of(path, &bytes);
     let file = program::text(path, bytes);
@@ -68,8 +72,8 @@ fn table(session: &mut Session, path: &Path, kind: TableKind, only_check: bool) 
     if new == file.source.text() {
         return Ok(false);
     }
-    if only_check {
-        session.output.print(&format!("{}\n", path.display()))?;
+    if let Some(diff) = only_check {
+        named(session, path, diff.then_some((file.source.text(), new.as_str())))?;
         return Ok(true);
     }
     let bytes = file.encoding.encode(&new).map_err(|sign| program::unwritable(sign, &file.source))?;
@@ -80,13 +84,13 @@ fn table(session: &mut Session, path: &Path, kind: TableKind, only_check: bool) 
 }
 
 /// Lays out a file, or says only whether it would change.
-fn file(session: &mut Session, path: &Path, against: &Against<'_>, only_check: bool) -> Result<bool, Failure> {
+fn file(session: &mut Session, path: &Path, against: &Against<'_>, only_check: Option<bool>) -> Result<bool, Failure> {
     let bytes = system::read(path)?;
     let seen = Seen::of(path, &bytes);
     let old = program::understood_bytes(path, bytes, against.catalogue);
     let encoding = old.encoding;
     let changes = !layout::is_laid_out(old.written());
-    if path == Path::new("-") && !only_check {
+    if path == Path::new("-") && only_check.is_none() {
         let text = layout::laid_out(old.written());
         let bytes = encoding.encode(&text).map_err(|sign| program::unwritable(sign, old.written().source()))?;
         session.output.write(&bytes)?;
@@ -95,8 +99,9 @@ fn file(session: &mut Session, path: &Path, against: &Against<'_>, only_check: b
     if !changes {
         return Ok(false);
     }
-    if only_check {
-        session.output.print(&format!("{}\n", path.display()))?;
+    if let Some(diff) = only_check {
+        let text = diff.then(|| layout::laid_out(old.written()));
+        named(session, path, text.as_deref().map(|text| (old.written().source().text(), text)))?;
         return Ok(true);
     }
     let text = layout::laid_out(old.written());
@@ -107,4 +112,56 @@ fn file(session: &mut Session, path: &Path, against: &Against<'_>, only_check: b
     let line = session.ui.text("cli-written", &Args::new().text("path", path.display().to_string()));
     session.output.remark(&line);
     Ok(true)
+}
+
+/// Names a file that would change; with both of its texts, what would change in it.
+fn named(session: &mut Session, path: &Path, texts: Option<(&str, &str)>) -> Result<(), Failure> {
+    let text = match texts {
+        None => format!("{}\n", path.display()),
+        Some((old, new)) => difference(&path.display().to_string(), old, new),
+    };
+    session.output.print(&text)
+}
+
+/// What differs, in the form that `diff -U0` has.
+fn difference(path: &str, old: &str, new: &str) -> String {
+    let mut text = format!("--- {path}\n+++ {path}\n");
+    let (old, new): (Vec<&str>, Vec<&str>) = (old.lines().collect(), new.lines().collect());
+    let mut hunk = |at: usize, gone: &[&str], come: &[&str]| {
+        text.push_str(&format!("@@ -{},{} +{},{} @@\n", at + 1, gone.len(), at + 1, come.len()));
+        gone.iter().for_each(|line| text.push_str(&format!("-{line}\n")));
+        come.iter().for_each(|line| text.push_str(&format!("+{line}\n")));
+    };
+    if old.len() != new.len() {
+        // Lines were joined or parted: from the first to the last that differ.
+        let same = |(a, b): &(&&str, &&str)| a == b;
+        let first = old.iter().zip(&new).take_while(same).count();
+        let most = old.len().min(new.len()) - first;
+        let last = old.iter().rev().zip(new.iter().rev()).take(most).take_while(same).count();
+        let middle = |lines: &'_ [&'_ str]| first..lines.len() - last;
+        hunk(first, old.get(middle(&old)).unwrap_or_default(), new.get(middle(&new)).unwrap_or_default());
+        return text;
+    }
+    let mut at = 0;
+    while at < old.len() {
+        let differing = old.iter().zip(&new).skip(at).take_while(|(a, b)| a != b).count();
+        if differing > 0 {
+            let lines = at..at + differing;
+            hunk(at, old.get(lines.clone()).unwrap_or_default(), new.get(lines).unwrap_or_default());
+        }
+        at += differing + 1;
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::difference;
+
+    #[test]
+    fn a_difference_names_its_lines() {
+        let head = "--- a\n+++ a\n";
+        assert_eq!(difference("a", "1\nb\nc\n", "1\n2\nc\n"), format!("{head}@@ -2,1 +2,1 @@\n-b\n+2\n"));
+        assert_eq!(difference("a", "1\nb\nc\n", "1\nc\n"), format!("{head}@@ -2,1 +2,0 @@\n-b\n"));
+    }
 }

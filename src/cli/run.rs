@@ -7,11 +7,12 @@ use clap::ArgMatches;
 use super::execution::{Execution, failed, tool_table};
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, envelope, stock};
+use crate::base::expr::QRef;
 use crate::check::{self, Against, LabelBook};
 use crate::engine::run::{Content, Event, EventKind, Status};
 use crate::engine::stock::Watch;
-use crate::language::locale::{Args, Digits, Language, Locales, Ui};
-use crate::spec::CycleKey;
+use crate::language::locale::{Args, Digits, Language, Locales, Scope, Ui};
+use crate::spec::{CycleKey, OnControl};
 use crate::system;
 use crate::tools::conform::LogTexts;
 
@@ -71,7 +72,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     };
     let for_people = !reporter.events && format != "json";
     if for_people {
-        summary(session, &reporter.set, result.status)?;
+        let (on, tag) = (execution.on, session.ui.tag());
+        summary(session, &reporter.set, result.status, &|q, key| meaning(q, key, on, &locales, tag))?;
     }
     match (part, watch) {
         (Some(path), Some(watch)) => stock::end(session, path, watch.finish(), format)?,
@@ -108,7 +110,8 @@ fn language<'l>(
 /// Prints events as they come, or remembers what the summary needs.
 struct Reporter {
     events: bool,
-    set: BTreeMap<String, Content>,
+    /// What was set, and by which cycle.
+    set: BTreeMap<String, (Content, Option<CycleKey>)>,
     /// The cycle that ended with an error.
     failed: Option<CycleKey>,
     written: Result<(), Failure>,
@@ -125,7 +128,8 @@ impl Reporter {
             // What a definition hands over is known from the program; what a step sets is a result.
             let handed_over = matches!(&event.at.cycle, Some((_, None)));
             if let (EventKind::Set { q, value }, false) = (&event.kind, handed_over) {
-                self.set.insert(q.to_string(), value.clone());
+                let cycle = event.at.cycle.as_ref().map(|(key, _)| *key);
+                self.set.insert(q.to_string(), (value.clone(), cycle));
             }
         } else if self.written.is_ok() {
             self.written = output.print(&event.to_line());
@@ -133,17 +137,33 @@ impl Reporter {
     }
 }
 
-fn summary(session: &mut Session, set: &BTreeMap<String, Content>, status: Status) -> Result<(), Failure> {
+fn summary(
+    session: &mut Session,
+    set: &BTreeMap<String, (Content, Option<CycleKey>)>,
+    status: Status,
+    meaning: &dyn Fn(&str, CycleKey) -> Option<String>,
+) -> Result<(), Failure> {
     let numbers = session.ui.numbers();
-    for (q, value) in set {
+    for (q, (value, cycle)) in set {
         let value = match value {
             Content::Number(number) => numbers.nc(*number, SHOWN).unwrap_or_else(|| number.to_string()),
             Content::Text(text) => format!("\"{text}\""),
         };
-        session.output.print(&format!("{q} = {value}\n"))?;
+        let meaning = cycle.and_then(|key| meaning(q, key)).map(|text| format!(" ;{text}")).unwrap_or_default();
+        session.output.print(&format!("{q} = {value}{meaning}\n"))?;
     }
     let line = session.ui.text("cli-run-status", &Args::new().text("status", status.as_str()));
     session.output.print(&format!("{line}\n"))
+}
+
+/// What a parameter that a cycle has set means, as the manual lists it among the results of the cycle.
+fn meaning(q: &str, key: CycleKey, on: &OnControl, locales: &Locales, language: &str) -> Option<String> {
+    let cycle = on.cycles.get(&key)?;
+    let target = QRef::parse(q)?;
+    let result = cycle.file.results.iter().find(|result| result.q == Some(target))?;
+    let scope = Scope::new(cycle.name(), on.id());
+    let text = locales.language(language).ok()?.plain(&format!("result-{}", result.is.as_str()), &scope).ok()?;
+    Some(text.into_owned())
 }
 
 fn save<'f>(
