@@ -97,6 +97,29 @@ fn a_number_behind_other_bytes_stays() {
     assert_eq!(edited(text, &layout(&program)), text);
 }
 
+/// A first block with the number of the last one gives no step, and numbers that would reach it stay.
+#[test]
+fn numbers_stay_below_that_of_the_last_block() {
+    let lines = |numbers: [u32; 3]| {
+        let [a, b, c] = numbers;
+        format!("%T G71 *\nN{a} G00 X+1 *\nN{b} G01 X+2 *\nN{c} G01 X+3 *\nN99999999 %T G71 *\n")
+    };
+    for (before, after) in [
+        ([99_999_999, 10, 20], [99_999_999, 10, 20]),
+        ([99_999_999, 10, 25], [99_999_999, 10, 25]),
+        ([10, 99_999_990, 7], [10, 99_999_990, 7]),
+        ([5, 8, 8], [5, 8, 11]),
+    ] {
+        let laid = |text: &str| {
+            let program = parse(&Source::new("part.i", text));
+            edited(text, &layout(&program))
+        };
+        let once = laid(&lines(before));
+        assert_eq!(once, lines(after));
+        assert_eq!(laid(&once), once);
+    }
+}
+
 /// The lines of a definition that cannot be read whole keep what looks like their numbers, for it may be anything.
 #[test]
 fn the_numbers_in_a_torn_definition_stay() {

@@ -291,7 +291,13 @@ fn mistakes_of_all_files_come_together_with_their_places() {
     let long = "a = { 1.00000000000000000000 ->\n   *[one] x\n }\n";
     assert_eq!(findings(&load(&[("locales/fi/a.ftl", long)]).1), ["locale-long-number 1:9"]);
     let deep = format!("a = {}", "{".repeat(100_000));
-    assert_eq!(findings(&load(&[("locales/fi/a.ftl", &deep)]).1), ["locale-nesting 1:1"]);
+    assert_eq!(findings(&load(&[("locales/fi/a.ftl", &deep)]).1), ["locale-nesting 1:69"]);
+    // Balanced at the end of the line, and calls in place of braces.
+    let (open, close) = ("{ ".repeat(20_000), " }".repeat(20_000));
+    let deep = format!("a = {open}\"x\"{close}\n");
+    assert_eq!(findings(&load(&[("locales/fi/a.ftl", &deep)]).1), ["locale-nesting 1:133"]);
+    let deep = format!("a = {{ {}", "F(".repeat(20_000));
+    assert_eq!(findings(&load(&[("locales/fi/a.ftl", &deep)]).1), ["locale-nesting 1:134"]);
 }
 
 #[test]

@@ -14,6 +14,9 @@ use crate::engine::report::ending::Done;
 use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::{Class, Fault};
 
+/// How many instructions of its template a log may take; a template of a working copy may loop without end.
+const FUEL: u64 = 10_000_000;
+
 /// How a template asks for a word.
 const TEXT: &str = "text[\"";
 /// How a template names the one that it fills in.
@@ -36,6 +39,7 @@ impl<'e> Run<'_, 'e> {
             fault.arg("reason", error.to_string())
         };
         let mut environment = Environment::new();
+        environment.set_fuel(Some(FUEL));
         environment.set_undefined_behavior(UndefinedBehavior::Strict);
         environment.add_filter("fixed", fixed);
         for (file, template) in &templates {

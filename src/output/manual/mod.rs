@@ -243,8 +243,13 @@ fn json(value: &impl Serialize) -> Result<Vec<u8>, Vec<Diagnostic>> {
     Ok(bytes)
 }
 
+/// How many instructions of a template a page may take: a hundred times what the longest page needs. A template of a
+/// working copy may loop without end.
+const FUEL: u64 = 50_000_000;
+
 fn environment(files: &[(String, String)]) -> Result<Environment<'_>, Diagnostic> {
     let mut templates = Environment::new();
+    templates.set_fuel(Some(FUEL));
     templates.set_undefined_behavior(UndefinedBehavior::Strict);
     let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build();
     templates.set_syntax(syntax.map_err(|error| template_fault("", &error))?);

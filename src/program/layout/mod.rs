@@ -96,19 +96,21 @@ fn klartext(writer: &mut Writer<'_>, take: &mut Take<'_>) -> ControlFlow<()> {
 /// columns of its cycles. The last block keeps its number.
 fn iso(writer: &mut Writer<'_>, take: &mut Take<'_>) -> ControlFlow<()> {
     let program = writer.program;
-    let mut numbered = program.blocks().iter().filter_map(|block| number_of(program, block));
+    let counted = |block: &Block| number_of(program, block).filter(|(number, _)| *number < LAST_NUMBER);
+    let mut numbered = program.blocks().iter().filter_map(counted);
     let (first, second) = (numbered.next(), numbered.next());
     let step = match (first, second) {
-        (Some((first, _)), Some((second, _))) if second > first && second < LAST_NUMBER => second - first,
+        (Some((first, _)), Some((second, _))) if second > first => second - first,
         _ => ISO_STEP,
     };
     let mut next = first.map_or(0, |(number, _)| number);
+    // Numbers that would reach that of the last block stay as they are.
+    let others = u32::try_from(numbered.count()).unwrap_or(u32::MAX).saturating_add(1);
+    let is_room = next.saturating_add(step.saturating_mul(others)) < LAST_NUMBER;
     for block in program.blocks() {
-        if let Some((number, digits)) = number_of(program, block)
-            && number < LAST_NUMBER
-        {
+        if is_room && let Some((_, digits)) = counted(block) {
             writer.number(digits, next);
-            next = next.saturating_add(step).min(LAST_NUMBER - 1);
+            next += step;
         }
         if let BlockKind::Iso(own) = &block.kind
             && own.errors.is_empty()

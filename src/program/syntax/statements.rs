@@ -294,19 +294,15 @@ pub(super) fn opt_indirect(text: &str, content: Span) -> Option<BlockKind> {
         let before = before.strip_suffix(['L', 'l', 'R', 'r', 'S', 's']).unwrap_or(before);
         before.ends_with(['Q', 'q'])
     };
-    let inside = |behind: &str| {
-        let (own, rest) = behind.split_at(behind.find(']')?);
-        let mut own = Cursor::new(own, Span::new(0, own.len()));
+    // Looked at from each bracket on as far as its parameter goes: blocks may have any number of brackets.
+    let holds_parameter = |from: usize| {
+        let mut own = Cursor::new(written, Span::new(from, written.len()));
         own.blanks();
-        let q = own.opt_q().is_some() && own.done();
-        let calm = !rest.contains('"');
-        (q && calm).then_some(())
+        own.opt_q().is_some() && own.opt_mark(b']')
     };
     let mut marks = written.match_indices('[');
-    let is_it = marks.any(|(at, _)| {
-        let (before, behind) = (written.get(..at), written.get(at + 1..));
-        before.is_some_and(|before| name(before) && !before.contains('"')) && behind.and_then(inside).is_some()
-    });
+    let is_it =
+        !written.contains('"') && marks.any(|(at, _)| written.get(..at).is_some_and(name) && holds_parameter(at + 1));
     if !is_it {
         return None;
     }
