@@ -15,6 +15,9 @@ use crate::base::expr::QRef;
 use crate::program::syntax::{Amount, CycleForm, Operand, Program, ValueKind};
 use crate::spec::{Cycle, Param};
 
+/// Numbers of parameters.
+type Numbers = Vec<(QRef, f64)>;
+
 /// A program with its cycle definitions resolved for a control, and what is known of its run.
 pub struct Facts<'a> {
     /// What is read off the program.
@@ -33,7 +36,7 @@ pub struct Facts<'a> {
     pub(super) project: Option<&'a dyn Project>,
     /// The data that cycles share, read when a guard first asks for them: the first block of each definition that keeps
     /// such, and its numbers.
-    shared: OnceLock<Vec<(usize, Vec<(QRef, f64)>)>>,
+    shared: OnceLock<Vec<(usize, Numbers)>>,
     /// Whether any definition has labels in a language that is not loaded, once that was asked.
     pub(super) foreign: OnceLock<bool>,
     /// What happens to the blank, once that was asked.
@@ -215,8 +218,8 @@ impl<'a> Facts<'a> {
 }
 
 /// The first number of each parameter of a definition.
-fn numbers(definition: &Definition<'_>) -> Vec<(QRef, f64)> {
-    let mut numbers: Vec<(QRef, f64)> = Vec::new();
+fn numbers(definition: &Definition<'_>) -> Numbers {
+    let mut numbers = Numbers::new();
     for (q, number) in definition.items.iter().filter_map(|item| Some((item.param?.q?, number(item)?))) {
         if definition.in_order || !numbers.iter().any(|(own, _)| *own == q) {
             numbers.push((q, number));

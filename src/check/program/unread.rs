@@ -97,7 +97,7 @@ fn of_text(line: &str) -> Hides {
     if !ends {
         return Hides::Anything;
     }
-    if MOVEMENTS.iter().any(|own| is(&own)) {
+    if MOVEMENTS.iter().any(|own| is(own)) {
         // What is misspelled after the word might be a block of its own.
         let other = ["LBL", "CALL", "DEF", "PGM", "GOTO"]
             .iter()

@@ -89,7 +89,7 @@ fn one(rule: &Rule, facts: &Facts<'_>, own: &GlobalDef, found: &mut Vec<Diagnost
         } else {
             let offered = match parameter.value.kind {
                 ValueKind::Number(number) if !known.values.is_empty() => known.values.contains(&number),
-                ValueKind::Number(_) => refused_by_all(facts, parameter.q, &parameter, None, 1) != Some(true),
+                ValueKind::Number(_) => refused_by_all(facts, parameter.q, parameter, None, 1) != Some(true),
                 ValueKind::Missing | ValueKind::Text(_) => false,
                 _ => true,
             };
