@@ -179,9 +179,15 @@ fn table(path: &Path, kind: TableKind) -> Result<Table, Failure> {
 
 /// Adds the tables next to the program that the scene does not have, if the program selects any.
 fn selected(path: &Path, text: &str, scene: &mut Scene) -> Result<(), Failure> {
-    let text = text.to_uppercase();
+    let bytes = text.as_bytes();
+    // Long programs are not copied for this.
+    let selects = |what: &str| {
+        let begins = memchr::memchr2_iter(b'S', b's', bytes);
+        let mut same = begins.filter_map(|at| bytes.get(at..at + what.len()));
+        same.any(|own| own.eq_ignore_ascii_case(what.as_bytes()))
+    };
     for (call, kind) in [("SEL TABLE", TableKind::Datum), ("SEL PATTERN", TableKind::Points)] {
-        if !text.contains(call) {
+        if !selects(call) {
             continue;
         }
         for other in system::beside(path, kind.extension().trim_start_matches('.'))? {

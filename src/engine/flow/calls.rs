@@ -43,6 +43,8 @@ pub(crate) struct Calls<'e> {
     repeats: Vec<Vec<Option<u32>>>,
     blocks: u64,
     jumps: u64,
+    /// The blocks of the first program before this one were executed or passed over.
+    passed: usize,
 }
 
 /// How programs are called by name: the file name without folder and extension `.H`, in capitals.
@@ -63,9 +65,19 @@ impl<'e> Calls<'e> {
             repeats: Vec::new(),
             blocks: 0,
             jumps: 0,
+            passed: 0,
         };
         calls.add(program);
         calls
+    }
+
+    /// Whether the block is one of the first program that has not been executed before.
+    pub(crate) fn is_first_time(&mut self) -> bool {
+        let fresh = self.program == 0 && self.block >= self.passed;
+        if fresh {
+            self.passed = self.block + 1;
+        }
+        fresh
     }
 
     /// Takes in another program. Its number.

@@ -1,7 +1,7 @@
 //! Programs prepared for running: labels found, formulas compiled, lines of old-style definitions joined.
 //!
 //! Invariant: done once for a program; running it looks nothing up by name.
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use crate::base::expr::{self, Code};
 use crate::engine::geometry::INCH;
@@ -22,9 +22,9 @@ pub(crate) struct Prepared<'p> {
     /// Its definitions of cycles.
     pub(crate) cycles: Vec<CycleView<'p>>,
     /// By block: the index of the definition that begins there.
-    definitions: Vec<Option<usize>>,
+    definitions: BTreeMap<usize, usize>,
     /// By block: the compiled formula.
-    formulas: Vec<Option<Code>>,
+    formulas: BTreeMap<usize, Code>,
     /// By block: whether a rounding or chamfer follows directly.
     rounded: Vec<bool>,
     /// mm in its unit.
@@ -37,13 +37,8 @@ impl<'p> Prepared<'p> {
     pub(crate) fn new(program: &'p Program) -> Self {
         let blocks = program.blocks();
         let cycles = program.cycles();
-        let mut definitions = vec![None; blocks.len()];
-        for (index, view) in cycles.iter().enumerate() {
-            if let Some(cell) = definitions.get_mut(view.first) {
-                *cell = Some(index);
-            }
-        }
-        let formulas = blocks.iter().map(|block| formula(&block.kind)).collect();
+        let definitions = cycles.iter().enumerate().map(|(index, view)| (view.first, index)).collect();
+        let formulas = blocks.iter().enumerate().filter_map(|(at, block)| Some((at, formula(&block.kind)?))).collect();
         let rounded = rounded(blocks);
         let mut labels = HashMap::new();
         for (index, block) in blocks.iter().enumerate() {
@@ -63,7 +58,7 @@ impl<'p> Prepared<'p> {
 
     /// The definition that begins at a block.
     pub(crate) fn definition(&self, block: usize) -> Option<usize> {
-        self.definitions.get(block).copied().flatten()
+        self.definitions.get(&block).copied()
     }
 
     /// Whether the corner at the end of a block is rounded or broken by the next one.
@@ -73,7 +68,7 @@ impl<'p> Prepared<'p> {
 
     /// The compiled formula of a block.
     pub(crate) fn formula(&self, block: usize) -> Option<&Code> {
-        self.formulas.get(block)?.as_ref()
+        self.formulas.get(&block)
     }
 
     /// The block of a label; `text` is its name where a parameter gives it.
@@ -121,7 +116,7 @@ fn rounded(blocks: &[Block]) -> Vec<bool> {
         .map(|block| {
             let here = follows;
             follows = match &block.kind {
-                BlockKind::Motion(motion) => matches!(motion.path, Path::Rnd | Path::Chf),
+                BlockKind::Motion(motion) => matches!(motion.path(), Path::Rnd | Path::Chf),
                 BlockKind::Empty | BlockKind::Comment | BlockKind::Structure(_) | BlockKind::Functions(_) => follows,
                 _ => false,
             };

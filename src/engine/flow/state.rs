@@ -23,6 +23,7 @@ use crate::engine::report::envelope::Envelope;
 use crate::engine::report::event::Event;
 use crate::engine::report::fault::{Class, Fault};
 use crate::engine::report::outcome::Shown;
+use crate::program::syntax::{Motion, Path};
 use crate::spec::{Cycle, CycleKey, OnControl};
 
 /// A pole, or centre of circles.
@@ -141,6 +142,8 @@ pub(crate) struct Run<'r, 'e> {
     pub(crate) patterns: Patterns,
     pub(crate) records: Records,
     pub(crate) memory: Memory,
+    /// Room for the words of a movement.
+    pub(crate) words: Motion,
 }
 
 impl<'r, 'e> Run<'r, 'e> {
@@ -162,6 +165,7 @@ impl<'r, 'e> Run<'r, 'e> {
             patterns: Patterns::default(),
             records: Records::default(),
             memory: Memory::default(),
+            words: Motion::new(Path::L),
         }
     }
 

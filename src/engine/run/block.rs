@@ -14,8 +14,8 @@ use crate::engine::report::fault::Fault;
 use crate::engine::table::{Cell, TableKind};
 use crate::engine::world::state::LOCKED;
 use crate::program::syntax::{
-    Amount, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Operand, Path, StatementKind,
-    ToolCall, ToolDef, ToolRef,
+    Amount, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Motion, Operand, Path,
+    StatementKind, ToolCall, ToolDef, ToolRef,
 };
 use crate::spec::Transformation;
 
@@ -39,6 +39,15 @@ impl Env for ProgramEnv<'_> {
 }
 
 impl<'e> Run<'_, 'e> {
+    fn motion_block(&mut self, motion: &Motion) -> Done<After> {
+        let goes = motion.path != Path::L || !motion.coords.is_empty();
+        let fed = motion.feed.is_some_and(|feed| feed.kind != FeedKind::Max);
+        self.before(&motion.functions, !goes && !fed)?;
+        let in_machine = motion.functions.iter().any(|m| effect(m.number) == Some(Effect::MachineCoordinates));
+        let positioned = self.motion(motion, in_machine)?;
+        self.after(&motion.functions, positioned)
+    }
+
     pub(super) fn block(&mut self, block: &'e Block) -> Done<After> {
         if self.contour.is_under_way() {
             self.contour.no_more_waits(&self.drives.report)?;
@@ -54,14 +63,15 @@ impl<'e> Run<'_, 'e> {
             BlockKind::EndPgm(_) => return Ok(After::End),
             BlockKind::ToolCall(call) => self.tool_call(call)?,
             BlockKind::ToolDef(definition) => self.tool_definition(definition)?,
-            BlockKind::Motion(motion) => {
-                let goes = motion.path != Path::L || !motion.coords.is_empty();
-                let fed = motion.feed.is_some_and(|feed| feed.kind != FeedKind::Max);
-                self.before(&motion.functions, !goes && !fed)?;
-                let in_machine = motion.functions.iter().any(|m| effect(m.number) == Some(Effect::MachineCoordinates));
-                let positioned = self.motion(motion, in_machine)?;
-                return self.after(&motion.functions, positioned);
+            BlockKind::Motion(element) if self.calls.is_first_time() => {
+                // The words of blocks that are executed once are not kept: programs of CAM systems have millions.
+                let mut words = std::mem::replace(&mut self.words, Motion::new(Path::L));
+                element.read_into(&mut words);
+                let done = self.motion_block(&words);
+                self.words = words;
+                return done;
             }
+            BlockKind::Motion(element) => return self.motion_block(element),
             BlockKind::Functions(functions) => {
                 let content = Span::new(block.span.start, block.comment().map_or(block.span.end, |span| span.start));
                 self.before(functions, !self.slice(content).contains(['F', 'f']))?;
