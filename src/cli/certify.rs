@@ -91,7 +91,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     drop(progress);
     let verdict = match (tally.count(Verdict::Fail), tally.count(Verdict::OutOfSubset)) {
-        (0, 0) => Verdict::Pass,
+        (0, 0) if empty.is_empty() => Verdict::Pass,
+        (0, 0) => Verdict::Fail,
         (0, _) => Verdict::OutOfSubset,
         _ => Verdict::Fail,
     };

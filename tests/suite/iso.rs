@@ -134,9 +134,9 @@ fn a_sheet_before_the_program_stays_there() {
 fn lengths_of_tools_are_no_labels() {
     let data = Data::shared();
     let codes = Codes::new(&data.catalogue);
-    let text = "%A G71 *\nN10 G99 T2 L75. R0.0*\nN20 G99 T3 L75,5 R2,5*\nN30 L1,2*\nN40 M140 MB MAX F500*\nN99999999 %A G71 *\n";
+    let text = "%A G71 *\nN10 G99 T2 L75. R0.0*\nN20 G99 T3 L75,5 R2,5*\nN30 L1,2*\nN40 M140 MB MAX F500*\nN50 G00 M140 MB50*\nN99999999 %A G71 *\n";
     let lowered = to_klartext(&read("part.i", text), &codes, None);
-    let expected = "0 BEGIN PGM A MM\n1 TOOL DEF 2 L75. R0.0\n2 TOOL DEF 3 L75,5 R2,5\n3 CALL LBL 1 REP 2\n4 L F500 M140 MB MAX\n5 END PGM A MM\n";
+    let expected = "0 BEGIN PGM A MM\n1 TOOL DEF 2 L75. R0.0\n2 TOOL DEF 3 L75,5 R2,5\n3 CALL LBL 1 REP 2\n4 L F500 M140 MB MAX\n5 L FMAX M140 MB50\n6 END PGM A MM\n";
     assert_eq!(lowered.program.source().text(), expected);
 }
 
