@@ -8,8 +8,8 @@ use std::sync::OnceLock;
 
 use super::Against;
 use super::flow::{Callees, ProgramCall, Project, Run, calls, follow};
+use super::incident::Incident;
 use super::program::{Defined, Definition, Item, Reading, language_of, number, refused, with_meaning};
-use super::travel::{Incident, incidents};
 use crate::base::diag::Span;
 use crate::base::expr::QRef;
 use crate::program::syntax::{Amount, CycleForm, Operand, Program, ValueKind};
@@ -40,7 +40,7 @@ pub struct Facts<'a> {
     /// Whether any definition has labels in a language that is not loaded, once that was asked.
     pub(super) foreign: OnceLock<bool>,
     /// What happens to the blank, once that was asked.
-    incidents: OnceLock<Vec<(Span, Incident)>>,
+    pub(super) incidents: OnceLock<Vec<(Span, Incident)>>,
 }
 
 impl<'a> Deref for Facts<'a> {
@@ -112,11 +112,6 @@ impl<'a> Facts<'a> {
             foreign: OnceLock::new(),
             incidents: OnceLock::new(),
         }
-    }
-
-    /// What happens to the blank.
-    pub(super) fn incidents(&self) -> &[(Span, Incident)] {
-        self.incidents.get_or_init(|| incidents(self))
     }
 
     /// Asks the definitions in lines whose cycle, or the one that it is like, has a parameter with a meaning, with the

@@ -12,6 +12,7 @@ mod cycle;
 mod facts;
 mod flow;
 mod guards;
+mod incident;
 mod program;
 mod rule;
 mod rules;

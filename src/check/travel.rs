@@ -8,31 +8,13 @@
 use std::collections::BTreeSet;
 
 use super::blank::{AXES, Blank, is_unmoved};
+use super::incident::Incident;
 use super::program::{is_silent, number, with_meaning};
 use super::tools::Tools;
 use super::{Aspect, CycleCall, Defined, Facts, Modal, Pending, Tri};
 use crate::base::diag::Span;
 use crate::program::syntax::{Axis, Block, BlockKind, Compensates, Coord, Element, Motion, Path, StatementKind};
 use crate::spec::{Cycle, Group, Keyword, MM_PER_INCH, TakesEffect};
-
-/// What happens to the blank.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Incident {
-    /// A rapid movement goes into it, down to a height.
-    Rapid(f64),
-    /// A movement at feed goes into it while the spindle stands.
-    Standing,
-    /// A tool call while the tool is inside of it, at a height.
-    ToolChange(f64),
-    /// A rotary axis turns at rapid while the tool is inside of it, at a height.
-    Turn(f64),
-    /// A hole beside it, at a place.
-    Beside([f64; 2]),
-    /// A hole that begins above it or below it, at a height.
-    Surface(f64),
-    /// A hole that goes through it, down to a height.
-    Through(f64),
-}
 
 /// How far a tool is sure to reach that is not known, in millimetres.
 const REACH: f64 = 60.0;
@@ -77,8 +59,13 @@ struct Walk<'f, 'a> {
     found: Vec<(Span, Incident)>,
 }
 
+/// What happens to the blank, with its places: found when a rule first asks for it.
+pub(super) fn incidents<'f>(facts: &'f Facts<'_>) -> &'f [(Span, Incident)] {
+    facts.incidents.get_or_init(|| found(facts))
+}
+
 /// What happens to the blank of a program, with its places in the order of the text.
-pub(super) fn incidents(facts: &Facts<'_>) -> Vec<(Span, Incident)> {
+fn found(facts: &Facts<'_>) -> Vec<(Span, Incident)> {
     let Some(blank) = Blank::of(facts.program).filter(|_| facts.begins() && !facts.flow.unread.any()) else {
         return Vec::new();
     };

@@ -3,14 +3,15 @@
 //! Only cycles for holes at places that are known, in programs with a box as their blank and without transformations.
 //! A hole beside the blank is said once a program, the others once a definition.
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::travel::Incident;
+use crate::check::incident::Incident;
+use crate::check::travel::incidents;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "hole-outside-blank", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let mut beside = false;
-    for (span, own) in facts.incidents() {
+    for (span, own) in incidents(facts) {
         let finding = rule.at(facts, *span);
         match own {
             Incident::Beside([x, y]) if !std::mem::replace(&mut beside, true) => {

@@ -5,14 +5,15 @@
 //! either. Said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::blank::Blank;
-use crate::check::travel::Incident;
+use crate::check::incident::Incident;
+use crate::check::travel::incidents;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "rapid-into-blank", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(blank) = Blank::of(facts.program) else { return };
-    let first = facts.incidents().iter().find_map(|(span, own)| match own {
+    let first = incidents(facts).iter().find_map(|(span, own)| match own {
         Incident::Rapid(height) => Some((*span, *height)),
         _ => None,
     });

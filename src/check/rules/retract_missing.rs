@@ -4,14 +4,15 @@
 //! Places are followed from label to label in programs with a box as their blank. Silent while the control holds the tool
 //! tip in its place (M128, FUNCTION TCPM). Each is said once a program.
 use crate::base::diag::{Arg, Diagnostic, Severity};
-use crate::check::travel::Incident;
+use crate::check::incident::Incident;
+use crate::check::travel::incidents;
 use crate::check::{Facts, Rule};
 
 pub(super) const RULE: Rule = Rule { code: "retract-missing", severity: Severity::Warning, run };
 
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let (mut change, mut turn) = (false, false);
-    for (span, own) in facts.incidents() {
+    for (span, own) in incidents(facts) {
         let (what, height, said) = match own {
             Incident::ToolChange(height) => ("change", *height, &mut change),
             Incident::Turn(height) => ("turn", *height, &mut turn),

@@ -6,7 +6,8 @@
 //! FUNCTION MODE TURN goes on with another spindle, which stands still until it is turned on (TNC 640, 001: 7314-7321).
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::cycle::{probes, removes_material, stops_spindle};
-use crate::check::travel::Incident;
+use crate::check::incident::Incident;
+use crate::check::travel::incidents;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Rule, Tri};
 use crate::program::syntax::{BlockKind, Compensates};
 use crate::spec::Group;
@@ -21,7 +22,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let again = call.modal.is(Aspect::Stopped) == Tri::Yes && stops_spindle(cycle);
         (removes_material(cycle) || cycle.file.group == Group::Turning) && !again
     });
-    let standing = facts.incidents().iter().find(|(span, own)| *own == Incident::Standing && mills(facts, *span));
+    let standing = incidents(facts).iter().find(|(span, own)| *own == Incident::Standing && mills(facts, *span));
     let standing = standing.map(|(span, _)| *span);
     let first = calls.map(|call| call.span).chain(contour(facts)).chain(standing).min_by_key(|span| span.start);
     if let Some(span) = first {
