@@ -423,6 +423,15 @@ fn the_document_of_a_comparison_is_described() {
     }
 }
 
+/// A line of the cache: the key, the first half of the digest of key and findings, the findings.
+fn resealed(key: &str, findings: &str) -> String {
+    use sha2::{Digest as _, Sha256};
+    let number = u128::from_str_radix(key, 16).unwrap();
+    let digest = Sha256::new().chain_update(number.to_be_bytes()).chain_update(findings).finalize();
+    let digest: String = digest.iter().take(16).map(|byte| format!("{byte:02x}")).collect();
+    format!("{key} {digest} {findings}\n")
+}
+
 /// What was found before is found again without checking, whatever became of the file that remembers it.
 #[test]
 fn programs_that_have_not_changed_are_remembered() {
@@ -463,9 +472,17 @@ fn programs_that_have_not_changed_are_remembered() {
         std::fs::write(&file, damaged).unwrap();
         assert_eq!(check(&[]), found);
     }
-    // A finding that no program has shows that the file is read at all.
+    // A changed finding is not believed, unless its digest is right: that shows that the file is read at all.
     let text = String::from_utf8(std::fs::read(&file).unwrap()).unwrap();
     std::fs::write(&file, text.replace("\"-7\"", "\"-7777\"")).unwrap();
+    assert_eq!(check(&[]), found);
+    std::fs::write(&file, text.replace("\"error\"", "\"note\"")).unwrap();
+    assert_eq!(check(&[]), found);
+    let resealed = text.lines().map(|line| match line.splitn(3, ' ').collect::<Vec<_>>()[..] {
+        [key, _, findings] if findings.contains("\"-7\"") => resealed(key, &findings.replace("\"-7\"", "\"-7777\"")),
+        _ => format!("{line}\n"),
+    });
+    std::fs::write(&file, resealed.collect::<String>()).unwrap();
     assert!(check(&[]).contains("-7777"));
     assert_eq!(check(&["--no-cache"]), found);
     // What has changed is checked again, and in other words for another reader.

@@ -49,7 +49,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 /// leaves that was cut off: they count where something else is with them in their line.
 fn is_binary(text: &str) -> bool {
     let (mut all, mut stray) = (0_usize, 0_usize);
-    for line in text.get(..text.floor_char_boundary(LOOKED_AT)).unwrap_or_default().lines() {
+    let end = (0..=LOOKED_AT.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or_default();
+    for line in text.get(..end).unwrap_or_default().lines() {
         if line.chars().all(|own| own == '\0') {
             continue;
         }
