@@ -11,15 +11,15 @@ const CONTROL: &str = "tnc320";
 
 struct Data {
     files: Files,
-    catalogue: Catalogue,
-    locales: Locales,
+    catalogue: &'static Catalogue,
+    locales: &'static Locales,
 }
 
 impl Data {
     fn new() -> Self {
         let files = data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+        let catalogue = &crate::built::built().catalogue;
+        let locales = &*crate::built::built().locales;
         Self { files, catalogue, locales }
     }
 

@@ -1,4 +1,6 @@
 //! The command `ciklo` as users start it: arguments, files, streams, signals, other programs.
+#[path = "../support/built.rs"]
+mod built;
 mod cli;
 mod conform_protocol;
 mod files;

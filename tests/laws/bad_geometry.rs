@@ -17,16 +17,16 @@ use proptest::prelude::*;
 
 struct Data {
     files: ciklo::base::data::Files,
-    catalogue: Catalogue,
-    locales: Locales,
+    catalogue: &'static Catalogue,
+    locales: &'static Locales,
 }
 
 fn data() -> &'static Data {
     static DATA: OnceLock<Data> = OnceLock::new();
     DATA.get_or_init(|| {
         let files = ciklo::base::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+        let catalogue = &crate::built::built().catalogue;
+        let locales = &*crate::built::built().locales;
         Data { files, catalogue, locales }
     })
 }

@@ -17,12 +17,12 @@ use ciklo::tools::conform::LogTexts;
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 
-fn data() -> &'static (ciklo::base::data::Files, Catalogue, Locales) {
-    static DATA: OnceLock<(ciklo::base::data::Files, Catalogue, Locales)> = OnceLock::new();
+fn data() -> &'static (ciklo::base::data::Files, &'static Catalogue, &'static Locales) {
+    static DATA: OnceLock<(ciklo::base::data::Files, &'static Catalogue, &'static Locales)> = OnceLock::new();
     DATA.get_or_init(|| {
         let files = ciklo::base::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+        let catalogue = &crate::built::built().catalogue;
+        let locales = &*crate::built::built().locales;
         (files, catalogue, locales)
     })
 }

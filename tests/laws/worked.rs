@@ -21,13 +21,13 @@ const NEAR: f64 = 1e-6;
 
 struct Data {
     files: ciklo::base::data::Files,
-    catalogue: Catalogue,
+    catalogue: &'static Catalogue,
 }
 
 impl Data {
     fn new() -> Self {
         let files = ciklo::base::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
+        let catalogue = &crate::built::built().catalogue;
         Self { files, catalogue }
     }
 

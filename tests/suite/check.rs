@@ -8,7 +8,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::{env, fs};
 
-use ciklo::base::data;
 use ciklo::base::diag::{Diagnostic, Severity, Source};
 use ciklo::check::{
     ALLOW_CODES, Against, Called, Callee, Facts, LabelBook, Project, RULES, Rows, ToolName, check, check_in, named,
@@ -19,15 +18,14 @@ use ciklo::spec::{Catalogue, OnControl};
 use proptest::prelude::*;
 
 struct Data {
-    catalogue: Catalogue,
-    locales: Locales,
+    catalogue: &'static Catalogue,
+    locales: &'static Locales,
 }
 
 impl Data {
     fn new() -> Self {
-        let files = data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files);
+        let catalogue = &crate::built::built().catalogue;
+        let locales = &*crate::built::built().locales;
         Self { catalogue, locales }
     }
 

@@ -6,7 +6,6 @@
 use std::fs;
 use std::path::Path;
 
-use ciklo::base::data;
 use ciklo::base::diag::Source;
 use ciklo::check::{Against, LabelBook};
 use ciklo::language::locale::Locales;
@@ -19,15 +18,14 @@ use ciklo::tools::translate::translate;
 const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
 
 struct Data {
-    catalogue: Catalogue,
-    locales: Locales,
+    catalogue: &'static Catalogue,
+    locales: &'static Locales,
 }
 
 impl Data {
     fn new() -> Self {
-        let files = data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files);
+        let catalogue = &crate::built::built().catalogue;
+        let locales = &*crate::built::built().locales;
         Self { catalogue, locales }
     }
 

@@ -7,9 +7,8 @@ use ciklo::base::data;
 use ciklo::engine::run::CODES;
 use ciklo::engine::stock::{FindingKind, Report};
 use ciklo::language::label;
-use ciklo::language::locale::Locales;
 use ciklo::output::dialog;
-use ciklo::spec::{Catalogue, schema};
+use ciklo::spec::schema;
 use ciklo::tools::conform::{self, Selection, World};
 use serde_json::Value;
 
@@ -87,9 +86,8 @@ fn events_are_described() {
 
 #[test]
 fn dialogs_and_label_tables_are_described() {
-    let files = data::embedded();
-    let (catalogue, _) = Catalogue::load(&files);
-    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let catalogue = &crate::built::built().catalogue;
+    let locales = &*crate::built::built().locales;
     let english = locales.language("en").expect("English is there");
     let (mut dialogs, mut labels) = (BTreeSet::new(), BTreeSet::new());
     for on in catalogue.controls.values() {
@@ -113,8 +111,8 @@ fn the_report_of_a_stock_is_described() {
 #[test]
 fn the_conformance_report_is_described() {
     let files = data::embedded();
-    let (catalogue, _) = Catalogue::load(&files);
-    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let catalogue = &crate::built::built().catalogue;
+    let locales = &*crate::built::built().locales;
     let (report, _) =
         conform::run(&World { catalogue: &catalogue, locales: &locales, files: &files }, &Selection::of(&["itnc530"]));
     let mut found = BTreeSet::new();

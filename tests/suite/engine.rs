@@ -19,15 +19,15 @@ use ciklo::tools::conform::LogTexts;
 
 struct World {
     files: ciklo::base::data::Files,
-    catalogue: Catalogue,
-    locales: Locales,
+    catalogue: &'static Catalogue,
+    locales: &'static Locales,
 }
 
 impl World {
     fn new() -> Self {
         let files = ciklo::base::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+        let catalogue = &crate::built::built().catalogue;
+        let locales = &*crate::built::built().locales;
         Self { files, catalogue, locales }
     }
 

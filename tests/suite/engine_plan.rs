@@ -11,7 +11,7 @@ use crate::mistakes;
 
 #[test]
 fn every_run_compiles_for_every_control() {
-    let (catalogue, _) = Catalogue::load(&ciklo::base::data::embedded());
+    let catalogue = &crate::built::built().catalogue;
     let found = plan::check(&catalogue);
     let shown: Vec<String> = found.iter().map(mistakes::line).collect();
     assert!(found.is_empty(), "{} mistakes:\n{}", found.len(), shown.join("\n"));
@@ -55,7 +55,7 @@ const fn has_no_unit(quantity: Quantity) -> bool {
 /// contradicts what the runs do with the parameter.
 #[test]
 fn a_wrong_quantity_contradicts_the_runs() {
-    let (catalogue, _) = Catalogue::load(&ciklo::base::data::embedded());
+    let catalogue = &crate::built::built().catalogue;
     let meanings: BTreeSet<&str> = catalogue
         .controls
         .values()

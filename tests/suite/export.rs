@@ -1,7 +1,7 @@
 //! The interchange form: its keys and values over a small catalogue, and its promises over all data.
 use crate::small as catalogue;
 
-use ciklo::base::data::{self, Files};
+use ciklo::base::data::Files;
 use ciklo::language::locale::Locales;
 use ciklo::output::export::{self, Export};
 use ciklo::spec::Catalogue;
@@ -122,9 +122,8 @@ fn a_missing_text_is_an_error_with_its_place() {
 
 #[test]
 fn every_control_exports_in_every_complete_language() {
-    let files = data::embedded();
-    let (catalogue, _) = Catalogue::load(&files);
-    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let catalogue = &crate::built::built().catalogue;
+    let locales = &*crate::built::built().locales;
     for language in locales.iter() {
         if !locales.audit(language.tag()).expect("the language is there").missing.is_empty() {
             continue;

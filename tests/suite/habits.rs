@@ -1,11 +1,8 @@
 //! Programs as people and post-processors write them (`tests/habits.txt`).
-use ciklo::base::data;
 use ciklo::base::diag::{Diagnostic, Severity, Source};
 use ciklo::check::{Against, LabelBook, check};
-use ciklo::language::locale::Locales;
 use ciklo::program::syntax::encoding::{Charset, Encoding};
 use ciklo::program::syntax::{Program, json, parse};
-use ciklo::spec::Catalogue;
 use ciklo::tools::translate::translate;
 
 const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
@@ -67,9 +64,8 @@ fn every_habit_is_understood() {
 
 /// The findings of every habit on the control.
 fn with_data(each: impl Fn(&Habit, &Against<'_>)) {
-    let files = data::embedded();
-    let (catalogue, _) = Catalogue::load(&files);
-    let (locales, _) = Locales::load(files);
+    let catalogue = &crate::built::built().catalogue;
+    let locales = &*crate::built::built().locales;
     let on = catalogue.on("tnc640").expect("the control");
     let labels = LabelBook::new(on, &locales);
     let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };

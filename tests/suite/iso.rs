@@ -27,8 +27,8 @@ use programs::{block, iso_block};
 
 struct Data {
     files: Files,
-    catalogue: Catalogue,
-    locales: Locales,
+    catalogue: &'static Catalogue,
+    locales: &'static Locales,
 }
 
 impl Data {
@@ -40,8 +40,8 @@ impl Data {
 
     fn new() -> Self {
         let files = data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+        let catalogue = &crate::built::built().catalogue;
+        let locales = &*crate::built::built().locales;
         Self { files, catalogue, locales }
     }
 

@@ -2,13 +2,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ciklo::base::data;
 use ciklo::base::diag::{Source, edited};
 use ciklo::check::{Against, LabelBook};
-use ciklo::language::locale::Locales;
 use ciklo::program::layout::layout;
 use ciklo::program::syntax::{Program, parse};
-use ciklo::spec::Catalogue;
 use ciklo::tools::compare::compare;
 
 fn parsed(text: &str) -> Program {
@@ -39,9 +36,8 @@ fn programs() -> Vec<PathBuf> {
 
 #[test]
 fn a_layout_is_final_and_the_program_the_same() {
-    let files = data::embedded();
-    let (catalogue, _) = Catalogue::load(&files);
-    let (locales, _) = Locales::load(files);
+    let catalogue = &crate::built::built().catalogue;
+    let locales = &*crate::built::built().locales;
     let on = catalogue.on("tnc640").expect("the control");
     let labels = LabelBook::new(on, &locales);
     let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };

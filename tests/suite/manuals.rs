@@ -5,7 +5,6 @@
 //! read, `findings.txt` what the checker finds although the block can be read.
 use std::collections::{BTreeMap, BTreeSet};
 
-use ciklo::base::data;
 use ciklo::base::diag::Source;
 use ciklo::check::{Against, LabelBook, check};
 use ciklo::language::locale::Locales;
@@ -112,14 +111,13 @@ fn every_printed_block_is_understood() {
 }
 
 struct Data {
-    catalogue: Catalogue,
-    locales: Locales,
+    catalogue: &'static Catalogue,
+    locales: &'static Locales,
 }
 
 impl Data {
     fn new() -> Self {
-        let files = data::embedded();
-        Self { catalogue: Catalogue::load(&files).0, locales: Locales::load(files).0 }
+        Self { catalogue: &crate::built::built().catalogue, locales: &crate::built::built().locales }
     }
 
     /// The places and codes of what is found in the fragments.

@@ -8,14 +8,14 @@ use std::sync::OnceLock;
 
 struct World {
     files: ciklo::base::data::Files,
-    catalogue: Catalogue,
+    catalogue: &'static Catalogue,
 }
 
 fn world() -> &'static World {
     static WORLD: OnceLock<World> = OnceLock::new();
     WORLD.get_or_init(|| {
         let files = ciklo::base::data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
+        let catalogue = &crate::built::built().catalogue;
         World { files, catalogue }
     })
 }

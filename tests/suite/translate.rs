@@ -2,7 +2,6 @@
 use std::path::Path;
 use std::{env, fs};
 
-use ciklo::base::data;
 use ciklo::base::diag::Source;
 use ciklo::check::{Against, LabelBook};
 use ciklo::language::locale::{Locales, Scope};
@@ -16,15 +15,14 @@ const UTF_8: Encoding = Encoding { charset: Charset::Utf8, bom: false };
 const WINDOWS_1252: Encoding = Encoding { charset: Charset::Windows1252, bom: false };
 
 struct Data {
-    catalogue: Catalogue,
-    locales: Locales,
+    catalogue: &'static Catalogue,
+    locales: &'static Locales,
 }
 
 impl Data {
     fn new() -> Self {
-        let files = data::embedded();
-        let (catalogue, _) = Catalogue::load(&files);
-        let (locales, _) = Locales::load(files);
+        let catalogue = &crate::built::built().catalogue;
+        let locales = &*crate::built::built().locales;
         Self { catalogue, locales }
     }
 
