@@ -9,7 +9,7 @@ cli-scene-probing-tool = touch probe { $tool }: length { $length } mm
 cli-scene-probe = the ball of the touch probe has a radius of { $ball } mm, and it can touch the blank
 cli-scene-no-tools = no tools
 cli-plot-no-blank = There is no blank: only the tool path is drawn.
-diag-scene-assumed = No scene is given. Assumed: { $assumed }. “ciklo scene” writes this to a file that can be corrected.
+diag-assumed-scene = No scene is given. Assumed: { $assumed }. “ciklo scene” writes this to a file that can be corrected.
 cli-examples-scene =
     ciklo scene part.h --control tnc640 > part.scene.yaml
     ciklo scene part.h --control tnc640 --tool-table TOOL.T --out part.scene.yaml

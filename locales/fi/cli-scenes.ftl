@@ -9,7 +9,7 @@ cli-scene-probing-tool = kosketusjärjestelmä { $tool }: pituus { $length } mm
 cli-scene-probe = kosketuspään pallon säde on { $ball } mm, ja se voi koskettaa aihiota
 cli-scene-no-tools = ei työkaluja
 cli-plot-no-blank = Aihiota ei ole: vain työkalun rata piirretään.
-diag-scene-assumed = Asetelmaa ei ole annettu. Oletukset: { $assumed }. ”ciklo scene” kirjoittaa ne tiedostoon, jossa ne voi korjata.
+diag-assumed-scene = Asetelmaa ei ole annettu. Oletukset: { $assumed }. ”ciklo scene” kirjoittaa ne tiedostoon, jossa ne voi korjata.
 cli-examples-scene =
     ciklo scene part.h --control tnc640 > part.scene.yaml
     ciklo scene part.h --control tnc640 --tool-table TOOL.T --out part.scene.yaml

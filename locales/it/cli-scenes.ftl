@@ -9,7 +9,7 @@ cli-scene-probing-tool = tastatore { $tool }: lunghezza { $length } mm
 cli-scene-probe = la sfera del tastatore ha un raggio di { $ball } mm e può toccare il pezzo grezzo
 cli-scene-no-tools = nessun utensile
 cli-plot-no-blank = Manca il pezzo grezzo: si disegna solo la traiettoria dell’utensile.
-diag-scene-assumed = Non è indicata alcuna scena. Si suppone: { $assumed }. «ciklo scene» scrive questi dati in un file che si può correggere.
+diag-assumed-scene = Non è indicata alcuna scena. Si suppone: { $assumed }. «ciklo scene» scrive questi dati in un file che si può correggere.
 cli-examples-scene =
     ciklo scene part.h --control tnc640 > part.scene.yaml
     ciklo scene part.h --control tnc640 --tool-table TOOL.T --out part.scene.yaml

@@ -9,7 +9,7 @@ cli-scene-probing-tool = apalpador { $tool }: comprimento { $length } mm
 cli-scene-probe = a esfera do apalpador tem um raio de { $ball } mm e pode tocar no bloco
 cli-scene-no-tools = nenhuma ferramenta
 cli-plot-no-blank = Não há bloco: só se desenha a trajetória da ferramenta.
-diag-scene-assumed = Não foi indicada nenhuma cena. Supõe-se: { $assumed }. «ciklo scene» escreve estes dados num ficheiro que se pode corrigir.
+diag-assumed-scene = Não foi indicada nenhuma cena. Supõe-se: { $assumed }. «ciklo scene» escreve estes dados num ficheiro que se pode corrigir.
 cli-examples-scene =
     ciklo scene part.h --control tnc640 > part.scene.yaml
     ciklo scene part.h --control tnc640 --tool-table TOOL.T --out part.scene.yaml

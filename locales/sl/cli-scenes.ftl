@@ -9,7 +9,7 @@ cli-scene-probing-tool = tipalni sistem { $tool }: dolžina { $length } mm
 cli-scene-probe = krogla tipalnega sistema ima polmer { $ball } mm in se lahko dotakne surovca
 cli-scene-no-tools = brez orodij
 cli-plot-no-blank = Surovca ni: narisana je samo pot orodja.
-diag-scene-assumed = Prizorišče ni podano. Predpostavke: { $assumed }. »ciklo scene« jih zapiše v datoteko, ki jo lahko popravite.
+diag-assumed-scene = Prizorišče ni podano. Predpostavke: { $assumed }. »ciklo scene« jih zapiše v datoteko, ki jo lahko popravite.
 cli-examples-scene =
     ciklo scene part.h --control tnc640 > part.scene.yaml
     ciklo scene part.h --control tnc640 --tool-table TOOL.T --out part.scene.yaml

@@ -146,7 +146,7 @@ impl<'c> Execution<'c> {
         if parts.is_empty() {
             parts.push(ui.text("cli-scene-no-tools", &Args::new()));
         }
-        let diagnostic = Diagnostic { severity: Severity::Note, ..Diagnostic::global("scene-assumed") };
+        let diagnostic = Diagnostic { severity: Severity::Note, ..Diagnostic::global("assumed-scene") };
         session.output.complain(&diagnostic.arg("assumed", parts.join("; ")), &ui);
         Ok(scene)
     }
