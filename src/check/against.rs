@@ -6,7 +6,7 @@ use crate::spec::{Catalogue, OnControl};
 /// What programs are checked against.
 #[derive(Clone, Copy)]
 pub struct Against<'a> {
-    /// All controls, to tell on which of them a cycle exists.
+    /// All controls, to say on which of them a cycle exists.
     pub catalogue: &'a Catalogue,
     /// The control that the program is for.
     pub on: &'a OnControl,

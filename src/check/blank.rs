@@ -5,7 +5,7 @@ use crate::program::syntax::{Amount, Axis, BlkForm, BlockKind, Program};
 /// The axes of places inside of it, in the order of its corners.
 pub(super) const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-/// The corners of a blank that stands along Z, the lower one first; in the unit of the program.
+/// The corners of a blank along Z, the lower one first; in the unit of the program.
 pub(super) struct Blank {
     pub low: [f64; 3],
     pub high: [f64; 3],

@@ -108,7 +108,7 @@ fn look_at(facts: &Facts<'_>, definition: &Definition<'_>, found: &mut Vec<Diagn
     }
 }
 
-/// Where findings of a code stand among those at the same place.
+/// Where findings of a code are among those at the same place.
 fn rank(code: &str) -> usize {
     let place = |code: &str| RULES.iter().position(|rule| rule.code == code);
     match place(code) {

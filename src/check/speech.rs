@@ -11,7 +11,7 @@ use crate::program::syntax::CycleForm;
 /// What a definition's name and labels are in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Speech {
-    /// It has none, or none that tells a language.
+    /// It has none, or none that says a language.
     Silent,
     /// A language that is loaded, by its tag.
     In(String),
@@ -20,7 +20,7 @@ pub enum Speech {
 }
 
 /// Whether a definition without comments has a name in a language that is not loaded. Older software has names of its
-/// own, so that alone tells nothing of a program of which the language is known otherwise.
+/// own, so that alone says nothing of a program of which the language is known otherwise.
 fn is_foreign_name<'a>(facts: &Facts<'a>, definition: &Definition<'a>, labels: &CycleLabels) -> bool {
     let known = |name: &str| labels.languages.iter().any(|language| language.name.matches(name));
     let most = facts.against.on.control.label.max_length;

@@ -1,6 +1,6 @@
 //! Where the tool is, block after block, as far as numbers say it, and what happens to the blank on the way: rapid
 //! movements into material that nothing has removed, a feed into it with a standing spindle, a tool change or a turn of
-//! a rotary axis inside of it, holes beside it.
+//! a rotary axis inside of it, holes next to it.
 //!
 //! Invariant: only what is certain. Places are known in the order of the text from label to label; a transformation, a
 //! rotary axis away from zero, a cycle, a function that moves the machine or a block that may be skipped ends that. What
@@ -275,7 +275,7 @@ impl Walk<'_, '_> {
         (first <= last).then_some((first, last))
     }
 
-    /// How far the tool reaches beside its centre.
+    /// How far the tool reaches next to its centre.
     fn reach(&self, modal: &Modal) -> f64 {
         let tool = self.tools.as_ref().and_then(|tools| tools.get(modal.loaded));
         tool.map_or(REACH * self.unit, |tool| 2.0 * tool.radius)

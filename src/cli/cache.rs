@@ -1,6 +1,6 @@
 //! What is known of programs that were checked before, in the user's cache directory.
 //!
-//! An entry is known by everything that findings depend on: the bytes of the program, the dialect that its name stands
+//! An entry is known by everything that findings depend on: the bytes of the program, the dialect that its name is
 //! for, the control, the language of its labels and of the reader, the version and data of this program. Invariant: a
 //! cache that cannot be read, or not wholly, is as good as none, and what it says is what checking again would say; it
 //! never makes a command fail.

@@ -64,7 +64,7 @@ struct Place {
     text: Vec<String>,
 }
 
-/// What executing both told.
+/// What executing both reported.
 #[derive(Serialize)]
 struct Execution {
     same: bool,

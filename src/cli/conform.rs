@@ -213,7 +213,7 @@ fn case_lines(case: &CaseReport, ui: &Ui) -> String {
     }
 }
 
-/// A difference in a line; lists beside each other, a line each.
+/// A difference in a line; lists next to each other, a line each.
 fn mismatch(found: &Mismatch, ui: &Ui) -> String {
     if !found.expected.contains('\n') && !found.found.contains('\n') {
         let args = Args::new().text("what", found.what.as_str()).text("expected", found.expected.as_str());

@@ -8,7 +8,7 @@ use crate::language::locale::{Args, Ui};
 use crate::spec::{self, Catalogue, Cycle, OnControl};
 use crate::tools::conform::{CaseReport, Mismatch, Verdict};
 
-/// A parameter whose meaning nobody knows is none that the rest of the file could use.
+/// A parameter whose meaning no one knows is none that the rest of the file could use.
 const CAUSE: &str = "spec-unknown-meaning";
 /// What is then said of each use of it.
 const USES: [&str; 3] = ["plan-unknown-name", "spec-unknown-parameter", "conform-unknown-clause"];
@@ -44,7 +44,7 @@ fn has_word(line: &str, word: &str) -> bool {
 }
 
 /// The differences of a case that are worth a finding each: nothing where a mistake in the specification, which is found
-/// by itself, ended the run; lists not beside their first difference, sentences not beside an error.
+/// by itself, ended the run; lists not next to their first difference, sentences not next to an error.
 pub(super) fn causes(case: &CaseReport) -> Vec<&Mismatch> {
     let Verdict::Fail { mismatches } = &case.verdict else { return Vec::new() };
     if mismatches.iter().any(|one| one.what == "errors" && one.found.starts_with(MISTAKE)) {

@@ -115,7 +115,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Converts a program and tells what was found: whether there were errors.
+    /// Converts a program and says what was found: whether there were errors.
     fn convert(&self, session: &mut Session, name: &str) -> Result<bool, Failure> {
         let in_place = self.matches.get_flag("in-place");
         let path = Path::new(name);

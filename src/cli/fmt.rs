@@ -1,4 +1,4 @@
-//! `ciklo fmt`: programs laid out anew where they stand.
+//! `ciklo fmt`: programs laid out anew where they are.
 use std::path::Path;
 
 use clap::ArgMatches;
@@ -24,7 +24,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
-    // Labels stay as they are, so any control can tell whether the program stays the same.
+    // Labels stay as they are, so any control can say whether the program stays the same.
     let Some(on) = catalogue.controls.values().next() else { return Ok(Outcome::Clean) };
     let labels = LabelBook::new(on, &locales);
     let against = Against { catalogue: &catalogue, on, labels: &labels, language: None, software: None, readers: &[] };

@@ -99,7 +99,7 @@ fn spec_files(files: &[(String, String)], only: &[(Option<Keyword>, u32)]) -> Ve
     names.filter(is_one).cloned().collect()
 }
 
-/// Writes down that every translation is good as it stands, in the working copy given or in the
+/// Writes down that every translation is good as it is, in the working copy given or in the
 /// present directory if it is one.
 fn accept(session: &mut Session) -> Result<Outcome, Failure> {
     let here = Path::new(".");
@@ -254,7 +254,7 @@ fn examples(
 }
 
 /// What only shows when everything is written: texts that use what the control does not give them,
-/// mistakes of the templates. Texts known to be missing are not told again.
+/// mistakes of the templates. Texts known to be missing are not reported again.
 fn pages(
     catalogue: &Catalogue,
     locales: &Locales,

@@ -1,7 +1,7 @@
-//! Writing programs anew where they stand: the fixes of the checker and the layout of `ciklo fmt`.
+//! Writing programs anew where they are: the fixes of the checker and the layout of `ciklo fmt`.
 //!
 //! Invariant: a program is only written if it is proved to be the same to the control, if its encoding has
-//! all characters, and if nobody has changed the file meanwhile; then all at once.
+//! all characters, and if no one has changed the file meanwhile; then all at once.
 use std::path::Path;
 
 use super::Failure;

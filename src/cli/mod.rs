@@ -1,7 +1,7 @@
 //! The command `ciklo`: one file a command, and what they share.
 //!
 //! Exit codes: 0 clean, 1 errors were found in what was given, 2 the command could not be carried out
-//! (wrong words on the command line, a file that cannot be read or written). Whether somebody reads the result
+//! (wrong words on the command line, a file that cannot be read or written). Whether someone reads the result
 //! to its end changes none of them. Invariant: only this module and `system` touch files, environment and
 //! terminal, and no command holds knowledge that a library module could hold.
 
@@ -60,7 +60,7 @@ use session::{Output, Session};
 enum Outcome {
     /// Nothing was wrong.
     Clean,
-    /// Errors were found and told.
+    /// Errors were found and reported.
     Errors,
 }
 

@@ -176,7 +176,7 @@ pub(super) fn pieces<'t>(
 }
 
 /// Writes a text that is in pieces to a file, without putting it together if its encoding lets that. It is made
-/// from a file that was read: if this is the one, nobody may have changed it.
+/// from a file that was read: if this is the one, no one may have changed it.
 pub(super) fn write_pieces<'t>(
     path: &Path,
     from: &Seen,

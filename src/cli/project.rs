@@ -43,7 +43,7 @@ struct Calling {
     circles: Mutex<HashMap<PathBuf, Option<usize>>>,
 }
 
-/// Something of each file, which whoever comes first finds out while others wait.
+/// Something of each file, which whatever comes first finds out while others wait.
 struct Cells<T>(Mutex<HashMap<PathBuf, Arc<OnceLock<T>>>>);
 
 impl<T> Default for Cells<T> {
@@ -154,7 +154,7 @@ impl Library {
         found.map_or(Found::Unknown, Found::File)
     }
 
-    /// The only file whose path ends with some folders, told from the last to the first, and a name.
+    /// The only file whose path ends with some folders, reported from the last to the first, and a name.
     fn ending(&self, last: &str, folders: &[&str]) -> Option<PathBuf> {
         let ends = |(parts, _): &&(Vec<String>, PathBuf)| {
             let mut own = parts.iter().skip(1);

@@ -36,7 +36,7 @@ pub(super) fn interface() -> Locales {
 
 /// Standard output, buffered, and standard error.
 ///
-/// Where nobody reads standard output any more, what is printed is dropped: a command does the rest of its work and
+/// Where no one reads standard output any more, what is printed is dropped: a command does the rest of its work and
 /// ends as it would have ended.
 pub(super) struct Output {
     stdout: BufWriter<StdoutLock<'static>>,
@@ -72,7 +72,7 @@ impl Output {
         self.taken(flushed)
     }
 
-    /// Whether nobody reads standard output any more.
+    /// Whether no one reads standard output any more.
     pub(super) const fn is_closed(&self) -> bool {
         self.closed
     }
@@ -87,9 +87,9 @@ impl Output {
         }
     }
 
-    /// Tells of a problem on standard error.
+    /// Reports a problem on standard error.
     pub(super) fn complain(&mut self, diagnostic: &Diagnostic, ui: &Ui) {
-        // Order matters where both streams are one terminal; and with standard error gone, nobody is left to tell.
+        // Order matters where both streams are one terminal; and with standard error gone, no one is left to report to.
         let _ = self.stdout.flush();
         let _ = io::stderr().write_all(render(diagnostic, ui, self.colours.1).as_bytes());
     }

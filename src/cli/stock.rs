@@ -62,7 +62,7 @@ pub(super) fn begin_if_any(
     }
 }
 
-/// Writes the part and tells the report.
+/// Writes the part and prints the report.
 pub(super) fn end(session: &mut Session, path: &str, part: (Stock, Report), format: &str) -> Result<(), Failure> {
     let (stock, report) = part;
     let Some(bytes) = stock.to_stl() else { return Err(Diagnostic::global("stock-resolution-mesh").into()) };

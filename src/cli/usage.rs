@@ -16,7 +16,7 @@ use crate::language::locale::{Args, Ui};
 /// Columns of the help where the width of the terminal is not known, and at most.
 const WIDTH: usize = 100;
 
-/// The language asked for by `--ui-lang`, looked for before anything can be told in a language.
+/// The language asked for by `--ui-lang`, looked for before anything can be reported in a language.
 pub(super) fn interface_language(words: &[OsString]) -> Option<String> {
     let mut words = words.iter().map(|word| word.to_string_lossy());
     while let Some(word) = words.next() {
@@ -60,7 +60,7 @@ fn subcommand(command: &Command, ui: &Ui) -> clap::Command {
     headed(own, ui)
 }
 
-/// Command lines to try, a line each. They name cycles, so they stand with the texts.
+/// Command lines to try, a line each. They name cycles, so they are with the texts.
 fn examples(command: &Command, ui: &Ui) -> String {
     ui.text(&format!("cli-examples-{}", command.name), &Args::new())
 }
@@ -98,7 +98,7 @@ fn headed(command: clap::Command, ui: &Ui) -> clap::Command {
     })
 }
 
-/// Tells what `clap` found: help, the version, or a mistake on the command line.
+/// Reports what `clap` found: help, the version, or a mistake on the command line.
 pub(super) fn explain(error: &clap::Error, ui: &Ui, output: &mut Output) -> Result<Outcome, Failure> {
     match error.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {

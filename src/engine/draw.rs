@@ -188,7 +188,7 @@ impl Sheet {
         }
     }
 
-    /// The walls under the outlines that face whoever looks.
+    /// The walls under the outlines that face the viewer.
     fn walls(&mut self, outlines: &[Vec<DVec2>], [low, high]: [f64; 2]) {
         if self.view != View::Isometric || high <= low {
             return;

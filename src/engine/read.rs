@@ -1,7 +1,7 @@
 //! Reads the data of worlds (scenes, machines) from YAML trees with places.
 //!
 //! Invariant: every mistake is reported at its place and reading goes on, so one run shows all of them; a
-//! key that nobody asked for is a mistake.
+//! key that no one asked for is a mistake.
 use crate::base::diag::{Arg, Diagnostic, Place, Source};
 use crate::engine::geometry::Axis;
 use crate::spec::{Key, Kind, Node};

@@ -66,7 +66,7 @@ pub enum Aspect {
     ContourData,
     /// The control holds the tool tip in its place while rotary axes move (M128, TCPM).
     Tcpm,
-    /// The spindle was told to turn counter-clockwise.
+    /// The spindle was reported to turn counter-clockwise.
     Counterclockwise,
     /// The tool axis is another one than Z.
     OtherAxis,

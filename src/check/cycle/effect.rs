@@ -81,7 +81,7 @@ impl Rotates {
 #[derive(Clone, Copy, Debug)]
 pub(in crate::check) enum Then {
     Certain(Tri),
-    /// The lines of the definition tell.
+    /// What the lines of the definition state.
     Written,
 }
 
@@ -129,7 +129,7 @@ impl Effect {
         match known {
             Of::Described(cycle) => effect.described(cycle),
             Of::Named(named) => {
-                // Touch probe cycles act at once; of others nobody knows when.
+                // Touch probe cycles act at once; of others no one knows when.
                 effect.pends = (keyword != Keyword::TchProbe).then_some(false);
                 for aspect in
                     [Aspect::Feed, Aspect::Contour, Aspect::ContourData, Aspect::Pattern, Aspect::Compensation]

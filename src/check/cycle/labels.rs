@@ -304,7 +304,7 @@ pub(crate) fn is_label(text: &str, most: u32) -> bool {
     letters.count() > 1 && !text.chars().any(char::is_lowercase) && text.chars().count() <= most as usize
 }
 
-/// Languages by their places among those of the book: a bit each. More than there are bits nobody has labels in.
+/// Languages by their places among those of the book: a bit each. More than there are bits no one has labels in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::check) struct LabelLanguages(u64);
 

@@ -1,4 +1,4 @@
-//! The one way of a run that nothing leaves open: what loops that count leave behind is known on it.
+//! The one way of a run that nothing leaves open: what loops that count leave after is known on it.
 //!
 //! Invariant: it ends where a decision is not certain, and after so many blocks.
 use std::collections::{BTreeMap, HashMap};

@@ -18,7 +18,7 @@ use crate::program::syntax::{BlockKind, Motion, Path};
 /// How often a block may be looked at on average.
 const PATIENCE: usize = 48;
 
-/// Who has called the part that is executed: nobody in the main part, somebody outside of it where a cycle reads a
+/// Who has called the part that is executed: no one in the main part, someone outside of it where a cycle reads a
 /// contour, or the use of that index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Caller {
@@ -215,7 +215,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
     fn lead_on(&mut self, (run, caller): Node, at: usize, state: &State, skip: bool) {
         let Some(own) = self.graph.uses.get(at).cloned() else { return };
         let Some(target) = self.target(at) else {
-            // It leads nobody knows where, or nowhere.
+            // It leads to an unknown place, or nowhere.
             self.enter((run + 1, caller), &State::unknown());
             return;
         };

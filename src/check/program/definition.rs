@@ -59,7 +59,7 @@ impl<'a> Defined<'a> {
         }
     }
 
-    /// The cycle, or what another control describes under its number: enough to tell what it is for.
+    /// The cycle, or what another control describes under its number: enough to say what it is for.
     pub fn related_cycle(&self) -> Option<&'a Cycle> {
         self.cycle().or(self.elsewhere)
     }

@@ -43,7 +43,7 @@ struct Memory<'a> {
     labels: Vec<Option<Match<'a>>>,
 }
 
-/// What the names and labels of a program's definitions tell.
+/// What the names and labels of a program's definitions say.
 pub(in crate::check) struct ProgramLanguage {
     /// The language that most of them belong to; among equals the language of the control's manual.
     pub(in crate::check) language: Option<String>,

@@ -63,7 +63,7 @@ pub struct Flow {
 }
 
 impl<'a> Reading<'a> {
-    /// Reads a program. Of the programs that it calls nothing is known here: `flow.programs` tells only of a fragment.
+    /// Reads a program. Of the programs that it calls nothing is known here: `flow.programs` are known only for a fragment.
     pub(in crate::check) fn of(program: &'a Program, against: &Against<'a>) -> Self {
         let mut reading = Self {
             program,

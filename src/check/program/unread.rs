@@ -1,6 +1,6 @@
 //! What a block that cannot be read may do, by how it begins.
 //!
-//! The one place that tells: the word at its beginning says which kind of block it was to be, and such a block can hide
+//! The one place that says: the word at its beginning says which kind of block it was to be, and such a block can hide
 //! no more than a block of its kind does. Invariant: a block of which the kind is not certain may do anything.
 use super::blocks::content;
 use crate::base::expr::{QKind, QRef};
@@ -28,7 +28,7 @@ pub struct Unread {
     pub tools: bool,
     /// There are assignments among them.
     pub assignments: bool,
-    /// There are some of which nobody knows what they do: labels, calls, definitions.
+    /// There are some of which no one knows what they do: labels, calls, definitions.
     pub anything: bool,
 }
 

@@ -10,7 +10,7 @@ use crate::base::expr::{QKind, QRef};
 use crate::program::syntax::{Parameter, ValueKind};
 use crate::spec::{MM_PER_INCH, Param, ParameterKind, Refusal, number_refusal_in, refusal};
 
-/// Why the value is refused; `inch` tells whether lengths of the program are inches.
+/// Why the value is refused; `inch` says whether lengths of the program are inches.
 pub(in crate::check) fn refused(item: &Item<'_>, inch: bool) -> Option<Refusal> {
     let param = item.param?;
     let kind = kind(item, param);

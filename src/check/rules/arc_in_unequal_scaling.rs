@@ -1,4 +1,4 @@
-//! An arc or a rounding while the axes of its plane are scaled by different factors, which only a straight line stands
+//! An arc or a rounding while the axes of its plane are scaled by different factors, which only a straight line is
 //! (TNC 640, 001: 6656).
 //!
 //! Reported once a program, and only where every definition that scales has different factors for X and Y and the tool

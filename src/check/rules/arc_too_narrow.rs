@@ -24,7 +24,7 @@ struct Course {
     at: Option<[f64; 2]>,
     /// The centre of arcs.
     centre: Option<[f64; 2]>,
-    /// The last rounding with the point where it stands, of which the line after it decides.
+    /// The last rounding with the point where it is, of which the line after it decides.
     corner: Option<(usize, f64)>,
 }
 

@@ -15,7 +15,7 @@ const MM_PER_INCH: f64 = 25.4;
 
 type Point = [Option<f64>; 2];
 
-/// Where the program is, as far as its numbers tell.
+/// Where the program is, as far as its numbers say.
 #[derive(Default)]
 struct Way {
     at: Point,

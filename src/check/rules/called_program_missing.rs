@@ -1,4 +1,4 @@
-//! A program that is called and does not stand where the control looks for it.
+//! A program that is called and is not where the control looks for it.
 //!
 //! A name without a folder means the folder of the calling program. It is a warning where that folder was checked as a
 //! whole, a note where single files were: the other one may only not be here. Silent where the call names a folder.

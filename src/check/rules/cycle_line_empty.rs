@@ -1,4 +1,4 @@
-//! A line of a definition in the old form on which nothing stands, though the cycle has a field there that must not be
+//! A line of a definition in the old form that is empty, though the cycle has a field there that must not be
 //! left out; of cycles that no manual names also, as a note, a line with a label only.
 use super::together;
 use crate::base::diag::{Diagnostic, Severity};

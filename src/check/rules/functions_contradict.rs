@@ -1,7 +1,7 @@
 //! M functions in one block of which only one can be meant: two that turn the spindle in opposite directions, or one
 //! that switches something on and one that switches it off.
 //!
-//! Functions that act at the end of the block, such as M5 and M9, may well stand next to those that act at its start.
+//! Functions that act at the end of the block, such as M5 and M9, may well be next to those that act at its start.
 //! The end of the program, which stops the spindle and the coolant, contradicts what starts them.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::program::each_function;

@@ -29,7 +29,7 @@ fn run(_: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         let (Pending::Definition(index), Some(tool)) = (call.modal.pending, tools.get(call.modal.loaded)) else {
             continue;
         };
-        // Nobody here knows what the machine builder has made of a number.
+        // No one here knows what the machine builder has made of a number.
         let own = facts.definitions.get(index as usize).filter(|own| !own.torn && own.related_cycle().is_some());
         let Some(own) = own else { continue };
         let kept = own.cycle().zip(own.kept);

@@ -1,7 +1,7 @@
-//! A hole beside the blank, one that begins well above it or below it, or one that goes far through it.
+//! A hole next to the blank, one that begins well above it or below it, or one that goes far through it.
 //!
 //! Only cycles for holes at places that are known, in programs with a box as their blank and without transformations.
-//! A hole beside the blank is said once a program, the others once a definition.
+//! A hole next to the blank is said once a program, the others once a definition.
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::incident::Incident;
 use crate::check::travel::incidents;

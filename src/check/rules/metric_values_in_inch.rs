@@ -3,7 +3,7 @@
 //! it cuts elsewhere, a blank of more than 3 m, a depth of several times the height of the blank.
 //!
 //! Every block with such a feed is reported, and once there is one also those whose feed is too great for a movement
-//! that cuts, of which nobody can say whether it does. Feeds that stand for rapid traverse (9998 and more) are passed
+//! that cuts, of which no one can say whether it does. Feeds that stand for rapid traverse (9998 and more) are passed
 //! over.
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::program::with_meaning;

@@ -1,7 +1,7 @@
 //! A parameter that comes before one which it follows on the control.
 //!
 //! Controls know parameters by their numbers, so this is a warning; it is reported once a definition.
-//! Lines of the old form are counted by their numbers; within a line their fields may stand in any order, as may lines
+//! Lines of the old form are counted by their numbers; within a line their fields may be in any order, as may lines
 //! that are repeated, such as those of a datum shift.
 use super::together;
 use crate::base::diag::{Diagnostic, Severity};
@@ -33,7 +33,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
     let places: Vec<usize> = items.iter().map(|(place, _)| *place).collect();
     let at = rising(&places).iter().zip(0..).take_while(|(right, at)| *right == at).count();
     let Some((own, item)) = items.get(at) else { return };
-    // Those that stand on the wrong side of it.
+    // Those that are on the wrong side of it.
     let after = items.iter().take(at).rev().find(|(place, _)| place > own);
     let before = || items.iter().skip(at + 1).find(|(place, _)| place < own);
     let (first, second) = match after {

@@ -42,7 +42,7 @@ fn other(facts: &Facts<'_>, definition: &Defined<'_>, folded: &str) -> Option<Cy
     }
 }
 
-/// The least letters of a part of a name that tells a group.
+/// The least letters of a part of a name that says a group.
 const LEAST: usize = 5;
 
 /// The first cycle of the only group whose cycles have a name within theirs, if that is another one.

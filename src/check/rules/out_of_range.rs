@@ -1,7 +1,7 @@
 //! A number outside of the range that the control's manual prints, or a text or list longer than it may be.
 //!
 //! Silent where the manual prints no range. Ranges of lengths and feeds are in mm; in a program in inches the limit is
-//! told in inches.
+//! reported in inches.
 use super::together;
 use crate::base::diag::{Arg, Diagnostic, Severity};
 use crate::check::program::{each_refused, shown};

@@ -2,7 +2,7 @@
 //!
 //! The cycle measures one coordinate, and the probe moves from its pre-position towards the nominal value that the
 //! position gives in that axis (001: 12654; 000: 4717-4719; 003: 1779). Without one the probe stays
-//! where it happens to stand.
+//! where it happens to be.
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::CycleForm;

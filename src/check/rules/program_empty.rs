@@ -1,5 +1,5 @@
 //! A file without any block: nothing but empty lines or zero bytes, as an export or a transfer that was cut off leaves
-//! it. Comments are blocks: what somebody has written is passed over.
+//! it. Comments are blocks: what someone has written is passed over.
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::{Facts, Rule};
 use crate::program::syntax::BlockKind;

@@ -1,9 +1,9 @@
 //! A machining cycle called, a movement with radius compensation, or one at feed into the blank, while the spindle
-//! certainly stands.
+//! certainly is.
 //!
-//! Reported once a program. The spindle stands still at the beginning, after M0, M2, M5, M6 and M30, and after a cycle
-//! that stops it (TNC 640, 001: 2581 and 2656); after a tool call and M functions of the machine builder nobody knows.
-//! FUNCTION MODE TURN goes on with another spindle, which stands still until it is turned on (TNC 640, 001: 7314-7321).
+//! Reported once a program. The spindle is still at the beginning, after M0, M2, M5, M6 and M30, and after a cycle
+//! that stops it (TNC 640, 001: 2581 and 2656); after a tool call and M functions of the machine builder no one knows.
+//! FUNCTION MODE TURN goes on with another spindle, which is still until it is turned on (TNC 640, 001: 7314-7321).
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::cycle::{probes, removes_material, stops_spindle};
 use crate::check::incident::Incident;
@@ -43,7 +43,7 @@ fn mills(facts: &Facts<'_>, span: Span) -> bool {
         && !facts.definitions.iter().any(|own| own.related_cycle().is_some_and(probes))
 }
 
-/// The first movement along a contour, or to one, while the spindle stands.
+/// The first movement along a contour, or to one, while the spindle is stationary.
 fn contour(facts: &Facts<'_>) -> Option<Span> {
     for (from, to, modal) in facts.run.stretches() {
         if modal.is_none_or(|modal| modal.is(Aspect::Spindle) != Tri::No || modal.is(Aspect::Tool) != Tri::Yes) {

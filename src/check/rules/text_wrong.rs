@@ -1,6 +1,6 @@
 //! A text of a parameter that is empty, or that has a character which the parameter does not take.
 //!
-//! `%` and `\\` stand doubled, or before the letter of a sign that is not printed or of a variable. Letters of all
+//! `%` and `\\` are doubled, or before the letter of a sign that is not printed or of a variable. Letters of all
 //! languages are passed over.
 use super::together;
 use crate::base::diag::{Diagnostic, Severity};

@@ -11,7 +11,7 @@ pub(super) const RULE: Rule = Rule { code: "tool-missing", severity: Severity::E
 fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let missing = |modal: crate::check::Modal| modal.is(Aspect::Tool) == Tri::No;
     let calls = facts.run.calls.iter().filter(|call| missing(call.modal) && !facts.definitions.is_empty());
-    // What a cycle of the machine builder needs, nobody knows.
+    // What a cycle of the machine builder needs, no one knows.
     let probe = |own: &&Defined<'_>| own.key.keyword == Keyword::TchProbe && matches!(own.known, Known::Described(_));
     let probes = facts.definitions.iter().filter(probe);
     let probes = probes.filter(|own| facts.run.before(own.view.first).is_some_and(missing)).map(|own| own.view.head);

@@ -2,7 +2,7 @@
 //! minute while it is.
 //!
 //! With M136 before the cycle the control reads its feeds in mm for a revolution, without it in mm/min (TNC 640, 001:
-//! 7308, 7321, 7524). Only reported where M136 is known at the call, of values that nobody means in the unit that acts,
+//! 7308, 7321, 7524). Only reported where M136 is known at the call, of values that no one means in the unit that acts,
 //! and of programs in mm.
 use std::collections::BTreeSet;
 

@@ -1,6 +1,6 @@
 //! A coordinate or a parameter with two signs, as a post-processor writes it that puts a plus before every number.
 //!
-//! They are read as their product. Only a plus and a minus are mended: whoever writes `--` may mean either.
+//! They are read as their product. Only a plus and a minus are mended: a program with `--` may mean either.
 use memchr::memmem;
 
 use crate::base::diag::{Diagnostic, Severity, Span};

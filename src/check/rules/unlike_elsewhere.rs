@@ -2,9 +2,9 @@
 //! is missing, doubled, foreign or after one that it precedes, its label is that of another parameter, or its value is
 //! one that the other control refuses or that is hardly meant.
 //!
-//! Newer software adds Q parameters at the end, so only those are missed after which another one of the cycle stands,
-//! and of those in addition only parameters of other cycles that stand amid the cycle's, or have a lower
-//! number. Names and labels that nobody knows are passed over.
+//! Newer software adds Q parameters at the end, so only those are missed after which another one of the cycle is,
+//! and of those in addition only parameters of other cycles that are amid the cycle's, or have a lower
+//! number. Names and labels that no one knows are passed over.
 use std::collections::{HashMap, HashSet};
 
 use super::missing_parameter::gap;
@@ -41,7 +41,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// A cycle that nobody describes: a value that every cycle with the parameter refuses.
+/// A cycle that no one describes: a value that every cycle with the parameter refuses.
 fn alone(rule: &Rule, facts: &Facts<'_>, own: &Defined<'_>, found: &mut Vec<Diagnostic>) {
     let CycleForm::Parameters(written) = &own.view.form else { return };
     for parameter in written.parameters.iter() {

@@ -278,7 +278,7 @@ impl Telling<'_, '_, '_> {
     fn limits(&mut self, words: &Words<'_>, limit: &WordLimit) {
         for (place, written) in words.each(&limit.word).enumerate() {
             if !limit.offers.is_empty() {
-                // A word may stand as a value, too: PATHCTRL AXIS.
+                // A word may be as a value, too: PATHCTRL AXIS.
                 if place > 0 {
                     break;
                 }

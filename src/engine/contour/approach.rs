@@ -1,6 +1,6 @@
 //! Ways to a contour and away from it: perpendicular to its beginning, and the forms of `APPR` and `DEP`.
 //!
-//! Invariant: the lines and arcs are those of the tool's centre; they join the path beside the contour.
+//! Invariant: the lines and arcs are those of the tool's centre; they join the path next to the contour.
 use glam::DVec2;
 
 use crate::base::expr::atan2d;
@@ -40,7 +40,7 @@ pub(crate) struct Lead {
 }
 
 impl Lead {
-    /// Straight to the point beside the first point of the contour.
+    /// Straight to the point at a tool radius from the first point of the contour.
     pub(crate) const fn straight() -> Self {
         Self { form: Form::Straight, before: None }
     }
@@ -50,7 +50,7 @@ impl Lead {
         self.before.clone()
     }
 
-    /// The auxiliary point at which the approach begins, and its lines and arcs from there, for a tool that stands at
+    /// The auxiliary point at which the approach begins, and its lines and arcs from there, for a tool that is at
     /// `from` and joins a path that leads from `to` into a direction.
     pub(crate) fn legs(
         &self,
@@ -78,7 +78,7 @@ impl Lead {
                 Ok((Some(turned(to, centre, -sweep)), vec![Leg::Arc { centre, to, sweep }]))
             }
             Form::ArcAndLine(radius) => {
-                // Without compensation the arc lies on the side on which the tool stands.
+                // Without compensation the arc lies on the side on which the tool is.
                 let direction = side_or(side, along.perp_dot(from - to));
                 let centre = to + left_of(along) * (direction * radius);
                 let start = touch(from, centre, radius, direction)?;

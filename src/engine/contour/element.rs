@@ -1,4 +1,4 @@
-//! Elements of a contour in the working plane: where they lie beside themselves, where two of them meet, how corners
+//! Elements of a contour in the working plane: where they lie next to themselves, where two of them meet, how corners
 //! are rounded and broken.
 //!
 //! Invariant: plain geometry; it knows nothing of heights, feeds, tools or blocks. Offsets are signed, positive to the
@@ -37,7 +37,7 @@ enum Curve {
     Circle { centre: DVec2, radius: f64 },
 }
 
-/// Where two elements beside their contour meet, and how much of each is cut off there: mm of a line, degrees of an
+/// Where two elements next to their contour meet, and how much of each is cut off there: mm of a line, degrees of an
 /// arc; negative where they go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Meeting {
@@ -57,7 +57,7 @@ pub(crate) enum Corner {
     Across,
 }
 
-/// How a corner is to be gone round, beside the usual way.
+/// How a corner is to be gone round, next to the usual way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Manner {
     /// Outside on an arc, inside through the intersection.
@@ -137,7 +137,7 @@ impl Element {
         }
     }
 
-    /// The radius of an arc beside it; negative if the arc is too narrow for that. A line has none.
+    /// The radius of an arc next to it; negative if the arc is too narrow for that. A line has none.
     pub(crate) fn radius_beside(&self, offset: f64, at: DVec2) -> Option<f64> {
         match self.shape {
             Shape::Line => None,
@@ -163,7 +163,7 @@ impl Element {
         })
     }
 
-    /// How much a point beside the element cuts off its end.
+    /// How much a point next to the element cuts off its end.
     fn cut_before(&self, point: DVec2, offset: f64) -> f64 {
         match self.shape {
             Shape::Line => (self.end_beside(offset) - point).dot(self.heading_at_end()),
@@ -171,7 +171,7 @@ impl Element {
         }
     }
 
-    /// How much a point beside the element cuts off its beginning.
+    /// How much a point next to the element cuts off its beginning.
     fn cut_behind(&self, point: DVec2, offset: f64) -> f64 {
         match self.shape {
             Shape::Line => (point - self.start_beside(offset)).dot(self.heading_at_start()),
@@ -198,7 +198,7 @@ impl Element {
         }
     }
 
-    /// The point that lies so far behind its beginning.
+    /// The point that lies so far after its beginning.
     fn behind_start(&self, cut: f64) -> DVec2 {
         match self.shape {
             Shape::Line => self.from + self.heading_at_start() * cut,
@@ -224,7 +224,7 @@ impl Element {
         self
     }
 
-    /// The path beside it from one point to another one, with what they cut off it; nothing where nothing is left and
+    /// The path next to it from one point to another one, with what they cut off it; nothing where nothing is left and
     /// the tool would have to go back.
     pub(crate) fn path(&self, start: DVec2, end: DVec2, cut: f64) -> Option<Self> {
         let left = self.extent() - cut;
@@ -281,7 +281,7 @@ fn bend(before: &Element, behind: &Element) -> (f64, bool) {
     (bend, bend.abs() < STRAIGHT_ON && u.dot(v) > 0.0)
 }
 
-/// Where two elements meet beside an inside corner: the meeting that cuts off least.
+/// Where two elements meet next to an inside corner: the meeting that cuts off least.
 fn inside(before: &Element, behind: &Element, offset: f64) -> Option<Meeting> {
     let (a, b) = (before.curve(offset, before.to)?, behind.curve(offset, behind.from)?);
     let meeting = |point: DVec2| {
@@ -299,7 +299,7 @@ fn inside(before: &Element, behind: &Element, offset: f64) -> Option<Meeting> {
     found.min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))).map(|(_, _, meeting)| meeting)
 }
 
-/// Where two elements meet beside an outside corner if they go on.
+/// Where two elements meet next to an outside corner if they go on.
 fn outside(before: &Element, behind: &Element, offset: f64) -> Option<Meeting> {
     let (a, b) = (before.curve(offset, before.to)?, behind.curve(offset, behind.from)?);
     let far = |point: &DVec2| length(*point - before.to);
@@ -312,7 +312,7 @@ fn outside(before: &Element, behind: &Element, offset: f64) -> Option<Meeting> {
     Some(Meeting { point, before: back(cut, before), behind: back(other, behind) })
 }
 
-/// How a tool that runs beside both elements gets from one to the other; nothing where it is too large for the corner.
+/// How a tool that runs next to both elements gets from one to the other; nothing where it is too large for the corner.
 pub(crate) fn corner(before: &Element, behind: &Element, offset: f64, manner: Manner) -> Option<Corner> {
     let at = |point: DVec2| Corner::Meet(Meeting { point, before: 0.0, behind: 0.0 });
     if offset == 0.0 {
@@ -367,7 +367,7 @@ pub(crate) fn broken(before: &Element, behind: &Element, leg: f64) -> Option<(El
 }
 
 /// The arc that goes on from a direction and ends at a point: its centre and angle. Nothing if that point lies straight
-/// ahead or straight behind.
+/// ahead or straight after.
 pub(crate) fn tangential(from: DVec2, heading: DVec2, to: DVec2) -> Option<(DVec2, f64)> {
     let chord = to - from;
     let (aside, ahead) = (heading.perp_dot(chord), heading.dot(chord));

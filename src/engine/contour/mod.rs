@@ -1,4 +1,4 @@
-//! Contours: elements, the path of the tool beside them, the ways to them and away from them, closed outlines.
+//! Contours: elements, the path of the tool next to them, the ways to them and away from them, closed outlines.
 //!
 //! Start reading at [`path`] (radius compensation, roundings, chamfers); [`element`] has the geometry. Invariant: moves
 //! the tool by the drives alone; knows blocks of movement, and neither parameters nor cycles.

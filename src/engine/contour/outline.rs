@@ -211,7 +211,7 @@ impl Drives<'_, '_> {
         self.arc_to(centre, to, direction, None, Speed::of_feed(feed))
     }
 
-    /// Once around; the tool stands at the beginning of the outline.
+    /// Once around; the tool is at the beginning of the outline.
     pub(crate) fn mill_outline(&mut self, place: &Place, outline: &Outline, feed: f64) -> Done {
         let height = self.in_plane(self.world.here).z;
         for leg in &outline.legs {

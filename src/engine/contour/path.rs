@@ -1,9 +1,9 @@
 //! Contours: radius compensation, roundings and chamfers.
 //!
 //! What the tool does at the end of an element depends on the next one, so the last element waits until that is known.
-//! What happens meanwhile waits behind it, so that everything is told in its order.
+//! What happens meanwhile waits after it, so that everything is reported in its order.
 //!
-//! Invariant: no more than one element waits; the tool stands where the element that waits begins.
+//! Invariant: no more than one element waits; the tool is where the element that waits begins.
 use std::collections::VecDeque;
 
 use glam::{DVec2, DVec3};
@@ -19,7 +19,7 @@ use crate::engine::report::reporter::Reporter;
 use crate::engine::world::state::World;
 use crate::program::syntax::{Axis, Compensation, Motion};
 
-/// More than that does not wait behind an element.
+/// More than that does not wait after an element.
 const MOST_WAITING: usize = 10_000;
 /// A tool of a smaller radius, mm, runs on the contour.
 const NO_RADIUS: f64 = 1e-9;
@@ -75,7 +75,7 @@ struct Piece {
     block: (usize, usize),
 }
 
-/// What waits behind a piece.
+/// What waits after a piece.
 #[derive(Clone, Debug)]
 enum Waiting {
     /// A move along the tool axis.
@@ -101,7 +101,7 @@ pub(crate) struct Contour {
     side: i8,
     /// The programmed position, while the tool is somewhere else.
     nominal: Option<DVec3>,
-    /// The programmed position and where the tool stands after a block with `R+` or `R-`.
+    /// The programmed position and where the tool is after a block with `R+` or `R-`.
     beside: Option<(DVec3, DVec3)>,
     /// + blocks along one axis are longer by the tool radius, - shorter.
     along: i8,
@@ -174,7 +174,7 @@ impl Contour {
         self.waiting.extend(drives.report.take_held().map(|event| Waiting::Event(Box::new(event))));
     }
 
-    /// Tells the drives what may not be executed beside this contour, and whether events wait for it.
+    /// Informs the drives of what may not be executed next to this contour, and whether events wait for it.
     const fn interlock(&self, drives: &mut Drives<'_, '_>) {
         drives.beside_contour = self.is_under_way() && !self.releasing;
         drives.report.hold(self.piece.is_some() && !self.releasing);
@@ -193,7 +193,7 @@ impl Contour {
         events.collect()
     }
 
-    /// The programmed position: that of the contour while the tool runs beside it.
+    /// The programmed position: that of the contour while the tool runs next to it.
     pub(crate) fn programmed(&self, world: &World<'_>) -> DVec3 {
         match *self {
             Contour { nominal: Some(nominal), .. } => nominal,
@@ -417,7 +417,7 @@ impl Contour {
         Ok(())
     }
 
-    /// Executes a piece, what waits behind it, and the way round the corner: to a point, on an arc about another one.
+    /// Executes a piece, what waits after it, and the way round the corner: to a point, on an arc about another one.
     fn execute_piece(
         &mut self,
         drives: &mut Drives<'_, '_>,
@@ -506,7 +506,7 @@ impl Contour {
         Fault::control("compensation-too-large").arg("radius", offset.abs()).into()
     }
 
-    /// Executes what waits: the tool ends beside the end of the contour. Compensation ends.
+    /// Executes what waits: the tool ends next to the end of the contour. Compensation ends.
     pub(crate) fn end(&mut self, drives: &mut Drives<'_, '_>) -> Done {
         if let Some(piece) = self.piece.take() {
             if self.between.is_some() {
@@ -528,7 +528,7 @@ impl Contour {
     }
 
     /// Compensation ends, and the tool goes straight to a point. Of a block that moves only along the tool axis, the
-    /// tool stays beside the contour.
+    /// tool stays next to the contour.
     fn leave_straight(
         &mut self,
         drives: &mut Drives<'_, '_>,
@@ -588,7 +588,7 @@ impl Contour {
         self.last = Some(Last::Heading(Element::arc(from, to, centre, sweep).heading_at_end(), to));
     }
 
-    /// A fault if more waits behind an element than may.
+    /// A fault if more waits after an element than may.
     pub(crate) fn no_more_waits(&self, report: &Reporter<'_>) -> Done {
         if self.waiting.len() + report.held() <= MOST_WAITING {
             return Ok(());

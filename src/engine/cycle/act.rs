@@ -155,7 +155,7 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    /// While the tip is held, the tool may stand askew to the working plane: a cycle that does not ask how it stands
+    /// While the tip is held, the tool may be askew to the working plane: a cycle that does not ask how it is
     /// would probe at another place than it believes.
     pub(crate) fn knows_tool_axis(&self, exec: &Exec<'_, 'e>) -> Result<(), Fault> {
         let asks = || exec.plan().builtins.iter().any(|(_, builtin)| *builtin == Builtin::ProbeUp);
@@ -392,7 +392,7 @@ impl<'e> Run<'_, 'e> {
         self.write_cell(kind, row, &column, &Cell::Number(old + value * unit))
     }
 
-    /// Writes a cell and tells it. Rows of the tool table must be there; others are added.
+    /// Writes a cell and reports it. Rows of the tool table must be there; others are added.
     pub(crate) fn write_cell(&mut self, kind: TableKind, row: f64, column: &str, cell: &Cell) -> Done {
         let table = self.drives.world.table_to_write(kind)?;
         if kind != TableKind::Tool {

@@ -15,7 +15,7 @@ use crate::engine::report::ending::Done;
 use crate::engine::report::fault::{Class, Fault};
 
 impl<'e> Run<'_, 'e> {
-    /// Where the rotary axes must stand: the tool at right angles to the tilted plane, in program coordinates.
+    /// Where the rotary axes must be: the tool at right angles to the tilted plane, in program coordinates.
     pub(crate) fn compute_rotary_positions(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
         let found = match self.drives.world.system.tilt() {
             Some(_) => self.drives.rotary_positions()?,

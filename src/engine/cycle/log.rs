@@ -1,6 +1,6 @@
 //! Logs: templates filled with the values of a cycle and the words of the program's language.
 //!
-//! Invariant: layout stands in templates and words in locale files; here are neither.
+//! Invariant: layout is in templates and words in locale files; here are neither.
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -24,11 +24,11 @@ const EXTENDS: &str = "extends \"";
 /// The log that is named after the cycle.
 const OF_CYCLE: &str = "of-cycle";
 
-/// A template with what it stands on: file names and texts, itself first.
+/// A template with those that it extends: file names and texts, itself first.
 type Templates = Vec<(String, String)>;
 
 impl<'e> Run<'_, 'e> {
-    /// Writes a log: into the file of the cycle, behind what is there, or on the screen.
+    /// Writes a log: into the file of the cycle, after what is there, or on the screen.
     pub(crate) fn log(&mut self, name: &str, screen: bool, values: &[(Arc<str>, Value)], exec: &Exec<'_, 'e>) -> Done {
         let cycle = exec.definition.cycle;
         let name = if name == OF_CYCLE { cycle.name() } else { name };
@@ -73,7 +73,7 @@ impl<'e> Run<'_, 'e> {
         let (extension, text) = template(name)?;
         let mut found = vec![(format!("{name}.{extension}"), text)];
         while let Some(file) = found.last().and_then(|(_, text)| extended(text)) {
-            // A template that stands on itself would never end.
+            // A template that extends itself would never end.
             if found.iter().any(|(known, _)| *known == file) {
                 break;
             }

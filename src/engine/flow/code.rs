@@ -29,7 +29,7 @@ pub(crate) struct Prepared<'p> {
     rounded: Vec<bool>,
     /// mm in its unit.
     pub(crate) unit: f64,
-    /// The block of each label; nothing if the label stands twice.
+    /// The block of each label; nothing if the label is set twice.
     labels: HashMap<Key, Option<usize>>,
 }
 

@@ -58,7 +58,7 @@ impl Default for Limits {
     }
 }
 
-/// What a run is given beside its program and its scene.
+/// What a run is given next to its program and its scene.
 pub(crate) struct Settings<'e> {
     /// Programs that are known by name.
     pub(crate) others: BTreeMap<String, &'e Program>,

@@ -109,7 +109,7 @@ impl Cycles<'_> {
     }
 }
 
-/// What a run leaves beside its events.
+/// What a run leaves next to its events.
 #[derive(Default)]
 pub(crate) struct Records {
     /// Guards that applied.
@@ -169,12 +169,12 @@ impl<'r, 'e> Run<'r, 'e> {
         }
     }
 
-    /// Executes what waits of the contour: the tool ends beside its end.
+    /// Executes what waits of the contour: the tool ends next to its end.
     pub(crate) fn end_contour(&mut self) -> Done {
         self.contour.end(&mut self.drives)
     }
 
-    /// The programmed position: that of the contour while the tool runs beside it.
+    /// The programmed position: that of the contour while the tool runs next to it.
     pub(crate) fn programmed(&self) -> DVec3 {
         self.contour.programmed(&self.drives.world)
     }

@@ -94,7 +94,7 @@ impl<'e> Run<'_, 'e> {
         Speed::of_feed(self.modal.feed.unwrap_or(0.0))
     }
 
-    /// Gives a Q parameter a value, and tells it if that changes it.
+    /// Gives a Q parameter a value, and reports it if that changes it.
     pub(crate) fn set(&mut self, q: QRef, value: Content) -> Result<(), Fault> {
         let changed = self.params.set(q, &value).map_err(|error| match error {
             EvalError::Undefined(q) => Fault::program("no-such-parameter").arg("q", q.to_string()),

@@ -24,7 +24,7 @@ pub struct Course<'m> {
     /// The rotary axes at its beginning and at its end.
     angles: [DVec3; 2],
     straight: Straight,
-    /// From the tool tip to the point about which the head turns, while it stands at 0.
+    /// From the tool tip to the point about which the head turns, while it is at 0.
     pivot: DVec3,
 }
 
@@ -33,7 +33,7 @@ type Turns<'m> = Vec<(&'m RotaryMachineAxis, f64)>;
 
 impl<'m> Course<'m> {
     /// A movement between two positions of the rotary axes; `pivot` leads from the tool tip to the point about which
-    /// the head turns, while it stands at 0.
+    /// the head turns, while it is at 0.
     pub const fn new(machine: &'m Machine, angles: [DVec3; 2], straight: Straight, pivot: DVec3) -> Self {
         Self { machine, angles, straight, pivot }
     }
@@ -64,7 +64,7 @@ impl<'m> Course<'m> {
 
     /// Where a point of the tool is when a share of the movement is done, seen from what lies on the table, in the
     /// machine as it would be with all axes of the table at 0.
-    /// `arm` leads from the tip to the point while the head stands at 0.
+    /// `arm` leads from the tip to the point while the head is at 0.
     pub fn at(&self, arm: DVec3, share: f64) -> DVec3 {
         let (angles, line) = (self.angles(share), self.on_line(share));
         let (table, head) = (self.machine.table(angles), self.machine.head(angles));
@@ -96,7 +96,7 @@ impl<'m> Course<'m> {
         }
     }
 
-    /// The linear axes when a share of the movement is done: the tool tip in the machine while the head stands at 0.
+    /// The linear axes when a share of the movement is done: the tool tip in the machine while the head is at 0.
     pub fn axes(&self, share: f64) -> DVec3 {
         let (angles, line) = (self.angles(share), self.on_line(share));
         match self.straight {
@@ -125,7 +125,7 @@ impl<'m> Course<'m> {
         half * speed
     }
 
-    /// The frame of the table when the movement begins: what lies on it was there when all its axes stood at 0.
+    /// The frame of the table when the movement begins: what lies on it was there when all its axes were at 0.
     pub fn table_at_start(&self) -> Frame {
         self.machine.table(self.angles[0])
     }

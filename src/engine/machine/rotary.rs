@@ -27,7 +27,7 @@ pub struct RotaryMachineAxis {
     /// What it carries turns right-handed about this axis when its coordinate grows:
     /// +1 as the axis points, -1 against it.
     pub about: (Axis, f64),
-    /// A point that stays where it is, in machine coordinates while all other axes stand at 0; of the table only.
+    /// A point that stays where it is, in machine coordinates while all other axes are at 0; of the table only.
     pub centre: DVec3,
     /// The lowest and the highest machine coordinate in degrees; without them it turns without end.
     pub limits: Option<(f64, f64)>,
@@ -63,7 +63,7 @@ impl Machine {
         self.rotary.iter().find(|known| known.axis == axis)
     }
 
-    /// Where the table puts what lies on it, seen from where it lies while all axes stand at 0.
+    /// Where the table puts what lies on it, seen from where it lies while all axes are at 0.
     pub fn table(&self, angles: DVec3) -> Frame {
         self.chain(Carried::Workpiece, angles, None)
     }

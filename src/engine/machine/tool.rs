@@ -27,7 +27,7 @@ pub struct Tool {
     pub deltas: (f64, f64),
 }
 
-/// What stands behind the head of a side cutter or back countersink.
+/// The part above the head of a side cutter or back countersink.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Neck {
     /// Height of the head, mm.

@@ -32,7 +32,7 @@ pub(crate) struct Switched {
 pub(crate) struct Drives<'r, 'e> {
     /// The machine as it is now.
     pub(crate) world: World<'e>,
-    /// Who is told of every movement.
+    /// Who is informed of every movement.
     pub(crate) report: Reporter<'r>,
     /// Spindle and coolant.
     pub(crate) switched: Switched,
@@ -45,7 +45,7 @@ pub(crate) struct Drives<'r, 'e> {
     most_moves: u64,
     /// Whether a cycle is executed that probes.
     pub(crate) probing: bool,
-    /// Whether a contour is under way beside which nothing else can be executed.
+    /// Whether a contour is under way next to which nothing else can be executed.
     pub(crate) beside_contour: bool,
     /// What stops the probe.
     touching: Touching,
@@ -81,7 +81,7 @@ impl<'r, 'e> Drives<'r, 'e> {
         self.report.rehearse(touching != Touching::AsScene);
     }
 
-    /// A fault if something that cannot be executed beside a contour comes while compensation is in effect.
+    /// A fault if something that cannot be executed next to a contour comes while compensation is in effect.
     pub(crate) fn not_beside_contour(&self, word: impl Into<String>) -> Done {
         if !self.beside_contour {
             return Ok(());
@@ -130,7 +130,7 @@ impl<'r, 'e> Drives<'r, 'e> {
         self.world.system.unexecuted.remove(&transformation);
     }
 
-    /// Notes a way of the tip in machine coordinates, if somebody wants to know.
+    /// Notes a way of the tip in machine coordinates, if someone wants to know.
     pub(crate) fn note_way(&mut self, tip: &Path, probing: bool) {
         let Some(recorder) = &mut self.recorder else { return };
         let Some(probe) = self.world.probe_if_any() else { return };

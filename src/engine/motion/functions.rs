@@ -9,7 +9,7 @@ pub(crate) enum Effect {
     End,
     Spindle(i8),
     Coolant(bool),
-    /// The spindle stands at the angle of the last orientation that was defined.
+    /// The spindle is at the angle of the last orientation that was defined.
     Orient,
     SpindleAndCoolant(i8),
     CallAlways,
@@ -22,7 +22,7 @@ pub(crate) enum Effect {
     Retract,
     /// Corners of the block are gone round in another way.
     Corner,
-    /// It changes nothing that events tell (tool change at the machine, display, look-ahead).
+    /// It changes nothing that events say (tool change at the machine, display, look-ahead).
     Nothing,
 }
 

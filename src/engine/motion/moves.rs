@@ -1,4 +1,4 @@
-//! Motion blocks: lines, circles, polar forms, helices. What they do beside a contour is in `contour`.
+//! Motion blocks: lines, circles, polar forms, helices. What they do next to a contour is in `contour`.
 //!
 //! Invariant: a position is known both in program and machine coordinates after every move; a motion that
 //! cannot be executed exactly is a fault.
@@ -77,7 +77,7 @@ impl Drives<'_, '_> {
     }
 
     /// Moves on an arc in the working plane about the centre; `sweep` is the signed angle where it is programmed, else
-    /// it follows from the end (a whole circle if that is where the tool stands). Heights may differ: a helix.
+    /// it follows from the end (a whole circle if that is where the tool is). Heights may differ: a helix.
     pub(crate) fn arc_to(
         &mut self,
         centre: DVec3,
@@ -215,7 +215,7 @@ impl Drives<'_, '_> {
         self.shaft_touches_on(shaft.radius, axis.length(), &|share| path.moved(axis * share))
     }
 
-    /// The same for any movement; `way` tells how a point of the axis moves, as the parts see it.
+    /// The same for any movement; `way` says how a point of the axis moves, as the parts see it.
     pub(crate) fn shaft_touches_on(&self, radius: f64, length: f64, way: &dyn Fn(f64) -> BallPath) -> Done {
         match self.world.scene.body.shaft_contact(radius, length, way)? {
             None => Ok(()),

@@ -67,7 +67,7 @@ impl Drives<'_, '_> {
         for _ in 0..probe.measurements {
             let stop = self.approach(&probe, &approach)?;
             if !stop.touched {
-                // It stands where the path ended.
+                // It is where the path ended.
                 self.world.machine = stop.tip;
                 self.world.renew();
                 return Err(Fault::control("probe-no-contact").arg("distance", probe.dist).into());
@@ -89,7 +89,7 @@ impl Drives<'_, '_> {
         self.report.report(EventKind::Spindle { tool: None, direction: 0, speed: 0.0, orient });
     }
 
-    /// Moves towards the workpiece until the probe triggers or the path ends, and tells it. The tool stays where it is.
+    /// Moves towards the workpiece until the probe triggers or the path ends, and reports it. The tool stays where it is.
     pub(crate) fn approach(&mut self, probe: &ProbeData, approach: &Approach) -> Done<Stop> {
         let frame = *self.world.system.frame();
         let from = self.world.here + self.world.up() * probe.effective_radius;
@@ -166,7 +166,7 @@ impl Drives<'_, '_> {
         Ok(Some(contact))
     }
 
-    /// Tells the return from where the probe stopped.
+    /// Reports the return from where the probe stopped.
     fn back_from(&mut self, stopped: DVec3) {
         let (here, machine) = (self.world.here, self.world.machine);
         self.world.pressed = None;

@@ -1,6 +1,6 @@
 //! Spindle and coolant: turning, orienting, reversing, and moves in step with the spindle.
 //!
-//! Invariant: whatever the spindle does next is told before the tool moves.
+//! Invariant: whatever the spindle does next is reported before the tool moves.
 use crate::engine::geometry::Axis;
 use crate::engine::machine::Tool;
 use crate::engine::motion::drives::Drives;
@@ -13,7 +13,7 @@ impl Drives<'_, '_> {
         self.report_spindle(None);
     }
 
-    /// Tells how the spindle turns now, with the tool that it just got.
+    /// Reports how the spindle turns now, with the tool that it just got.
     pub(crate) fn report_spindle(&mut self, tool: Option<(Tool, Axis)>) {
         let Spindle { speed, direction } = self.switched.spindle;
         self.report_turning(tool, direction, speed);
@@ -24,7 +24,7 @@ impl Drives<'_, '_> {
         self.report.report(EventKind::Spindle { tool, direction, speed, orient: None });
     }
 
-    /// The spindle stands at an angle.
+    /// The spindle is at an angle.
     pub(crate) fn orient(&mut self, angle: f64) {
         self.switched.spindle.direction = 0;
         self.switched.orientation = angle;

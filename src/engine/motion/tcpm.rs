@@ -1,6 +1,6 @@
 //! Holding the tool tip on the workpiece while rotary axes turn.
 //!
-//! Invariant: while it is held, the system is part of the workpiece and the control reckons with how the tool stands.
+//! Invariant: while it is held, the system is part of the workpiece and the control reckons with how the tool is.
 use super::drives::Drives;
 use crate::engine::report::ending::Done;
 

@@ -1,4 +1,4 @@
-//! The tilted working plane: where the rotary axes must stand, and turning them there.
+//! The tilted working plane: where the rotary axes must be, and turning them there.
 //!
 //! Invariant: positions follow from the axes of the machine alone; of two that do, the one nearer to 0 is taken. A
 //! plane that the axes cannot reach is a fault.
@@ -14,7 +14,7 @@ use crate::engine::report::fault::Fault;
 
 /// Directions that differ by less are the same.
 const SAME: f64 = 1e-9;
-/// A direction whose part along another one is less stands at right angles to it.
+/// A direction whose part along another one is less is at right angles to it.
 const STRAIGHT: f64 = 1e-6;
 
 /// Parts of a direction below this are rounding: the axis does not move.
@@ -67,7 +67,7 @@ impl Drives<'_, '_> {
         let (system, machine) = (&self.world.system, &self.world.scene.machine);
         let datum = system.angle_datum();
         let tool = machine.spindle.unit();
-        // The direction of the plane in the workpiece while all axes of the table stand at 0.
+        // The direction of the plane in the workpiece while all axes of the table are at 0.
         let plane = system.table.inverse().of(*system.frame()).vector(system.plane.tool.unit()).normalize();
         // A mirrored tool axis does not turn the plane over.
         let plane = plane * system.plane.tool.of(system.mirror().0);
@@ -101,7 +101,7 @@ impl Drives<'_, '_> {
         nearer.ok_or_else(|| Fault::control("tilting-unreachable"))
     }
 
-    /// Whether the spindle stands at right angles to the rotary axis on which the workpiece is clamped;
+    /// Whether the spindle is at right angles to the rotary axis on which the workpiece is clamped;
     /// not where there is none.
     pub(crate) fn spindle_is_across(&self) -> bool {
         let (world, machine) = (&self.world, &self.world.scene.machine);

@@ -123,7 +123,7 @@ impl Drives<'_, '_> {
         EventKind::Turn { axes: moving.iter().map(turned).collect(), feed, rapid, together }
     }
 
-    /// By how much the head will have moved the tool tip when the axes stand there, if the control reckons with it.
+    /// By how much the head will have moved the tool tip when the axes are there, if the control reckons with it.
     fn swung_after(&self, angles: DVec3) -> DVec3 {
         if self.world.system.is_on_workpiece() {
             self.world.swing(&self.world.scene.machine.head(angles))
@@ -132,7 +132,7 @@ impl Drives<'_, '_> {
         }
     }
 
-    /// The movement to where the axes shall stand, and where the linear ones are then.
+    /// The movement to where the axes shall be, and where the linear ones are then.
     fn course(&self, after: DVec3, to: Option<DVec3>, machine: Option<DVec3>) -> (Course<'_>, DVec3) {
         let world = &self.world;
         let (kinematics, before) = (&world.scene.machine, world.angles);

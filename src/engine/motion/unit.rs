@@ -7,7 +7,7 @@ use super::drives::Drives;
 use crate::engine::geometry::Axis;
 use crate::engine::table::{Quantity, TableKind};
 
-/// Coordinates that come back from the program's unit no further from where the tool stands, in mm, are the same.
+/// Coordinates that come back from the program's unit no further from where the tool is, in mm, are the same.
 const SAME: f64 = 1e-10;
 
 impl Drives<'_, '_> {

@@ -16,7 +16,7 @@ pub struct Calc {
     pub code: Code,
     /// Slots that it reads and that may be without a value: names bound by actions, old-style fields.
     pub needs: Box<[Slot]>,
-    /// Where it stands.
+    /// Its place.
     pub place: Place,
 }
 
@@ -73,14 +73,14 @@ pub struct Step {
     pub block: Block,
 }
 
-/// Actions, a choice, and actions behind it.
+/// Actions, a choice, and actions after it.
 #[derive(Clone, Debug, Default)]
 pub struct Block {
     /// Actions.
     pub first: Vec<Do>,
     /// The choice: the first case whose conditions all hold is executed.
     pub choose: Vec<Case>,
-    /// Actions behind the choice.
+    /// Actions after the choice.
     pub then: Vec<Do>,
 }
 
@@ -93,7 +93,7 @@ pub struct Case {
     pub say: Option<usize>,
     /// What is done.
     pub acts: Vec<Do>,
-    /// Values that every case has under the same name: from the slot here to the slot behind the choice.
+    /// Values that every case has under the same name: from the slot here to the slot after the choice.
     pub exports: Vec<(Slot, Slot)>,
 }
 
@@ -112,7 +112,7 @@ pub struct Series {
     pub between: Vec<Item>,
     /// What every turn adds to a list.
     pub collect: Option<Collect>,
-    /// Where it stands.
+    /// Its place.
     pub place: Place,
 }
 
@@ -164,7 +164,7 @@ pub struct Do {
     pub when: Option<Calc>,
     /// What is done.
     pub act: Act,
-    /// Where it stands.
+    /// Its place.
     pub place: Place,
 }
 
@@ -331,7 +331,7 @@ pub enum Act {
     Store {
         /// The id of the field.
         field: Arc<str>,
-        /// How many parameters behind the one that the field names.
+        /// How many parameters after the one that the field names.
         next: Option<Calc>,
         /// The value.
         value: Calc,

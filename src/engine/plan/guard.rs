@@ -1,7 +1,7 @@
 //! Named values, guards and fragments.
 //!
 //! Invariant: a fragment sees its arguments, the known names and the cycle's Q parameters, never the names
-//! of whoever uses it.
+//! of its caller.
 use std::sync::Arc;
 
 use super::names::{Binding, Scope};
@@ -62,7 +62,7 @@ impl<'c> Compiler<'c> {
         }
     }
 
-    /// Compiles guards; those of fragments stand where they are used, their values go to `lets`.
+    /// Compiles guards; those of fragments are where they are used, their values go to `lets`.
     pub(super) fn guards(&mut self, guards: &[spec::Guard], scope: &Scope, lets: &mut Vec<Let>) -> Vec<Guard> {
         let mut compiled = Vec::new();
         for guard in guards {

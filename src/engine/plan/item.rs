@@ -113,7 +113,7 @@ impl Compiler<'_> {
         compiled
     }
 
-    /// A name that every case binds alike is seen behind the choice.
+    /// A name that every case binds alike is seen after the choice.
     fn export(&mut self, bound: &[Vec<(String, Binding)>], cases: &mut [Case], scope: &mut Scope) {
         let Some((first, others)) = bound.split_first() else { return };
         for (name, binding) in first {
@@ -145,7 +145,7 @@ impl Compiler<'_> {
     fn series(&mut self, item: &spec::Item, name: &Name, scope: &mut Scope) -> Option<Series> {
         let when = self.when(item.when.as_ref(), scope);
         let kind = self.series_kind(item.series.as_ref()?, scope);
-        // A list is seen by the items behind the series; its type is known only after the body is compiled.
+        // A list is seen by the items after the series; its type is known only after the body is compiled.
         let mark = scope.mark();
         let members = kind.as_ref().map_or(&[][..], SeriesKind::members);
         if kind.is_none() {

@@ -130,7 +130,7 @@ pub fn compile(cycle: &Cycle, on: &OnControl) -> (Plan, Vec<Diagnostic>) {
     (plan, compiler.found)
 }
 
-/// Compiles every run of the catalogue and tells what is wrong; what several controls share shows once.
+/// Compiles every run of the catalogue and says what is wrong; what several controls share shows once.
 pub fn check(catalogue: &Catalogue) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for on in catalogue.controls.values() {

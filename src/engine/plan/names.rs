@@ -75,7 +75,7 @@ pub enum Builtin {
     ActiveReversed,
     /// Turning is active.
     ActiveTurning,
-    /// Whether the rotary axes do not stand where the tilted working plane wants them.
+    /// Whether the rotary axes are not where the tilted working plane wants them.
     ActiveAskew,
     /// Whether the tool tip is held on the workpiece while rotary axes turn.
     ActiveTcpm,
@@ -178,7 +178,7 @@ pub(super) struct Names {
     slots: Cell<usize>,
 }
 
-/// A hyphen cannot stand in a name of an expression.
+/// A hyphen cannot be in a name of an expression.
 pub(super) fn as_name(id: &str) -> String {
     id.replace('-', "_")
 }
@@ -356,7 +356,7 @@ impl Resolve for Resolver<'_> {
 }
 
 impl super::Compiler<'_> {
-    /// Binds a name, or tells that it is taken.
+    /// Binds a name, or says that it is taken.
     pub(super) fn bind(&mut self, name: &Name, binding: Binding, scope: &mut Scope) {
         self.bind_text(name.as_str(), &name.place, binding, scope);
     }

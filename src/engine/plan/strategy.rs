@@ -106,7 +106,7 @@ pub enum Strategy {
     ComputeRotaryPositions,
     /// Turns the rotary axes and brings the tool back to where it was over the workpiece.
     PositionRotaryAxes,
-    /// Whether the spindle stands at right angles to the rotary axis that turns the workpiece.
+    /// Whether the spindle is at right angles to the rotary axis that turns the workpiece.
     CheckSpindleAcrossRotaryAxis,
     /// The size of the insert of a turning tool.
     TurningInsert,

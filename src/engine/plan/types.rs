@@ -62,7 +62,7 @@ impl Compiler<'_> {
         None
     }
 
-    /// The condition of an action or item, if it has one. The inner option tells whether it has.
+    /// The condition of an action or item, if it has one. The inner option says whether it has.
     pub(super) fn when(&mut self, formula: Option<&Formula>, scope: &Scope) -> Option<Option<Calc>> {
         match formula {
             None => Some(None),

@@ -6,7 +6,7 @@ use super::fault::Fault;
 pub(crate) enum Leave {
     /// With a fault.
     Fault(Fault),
-    /// The program stopped and nobody continued it.
+    /// The program stopped and no one continued it.
     Stopped,
 }
 

@@ -31,7 +31,7 @@ pub enum Touching {
     AtEnd,
 }
 
-/// What stands in the scene.
+/// What is in the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "kind", content = "number", rename_all = "kebab-case")]
 pub enum Obstacle {

@@ -1,4 +1,4 @@
-//! Events: what a run tells while it goes on.
+//! Events: what a run reports while it goes on.
 //!
 //! Invariant: every effect of a program on the world is one event; lengths are mm, angles degrees, feeds mm/min,
 //! times seconds.
@@ -140,7 +140,7 @@ pub struct Threaded {
 pub enum FindingKind {
     /// A move at rapid traverse went through material; the amount is the greatest height of it in mm.
     Rapid,
-    /// A tool went through material while the spindle stood; the amount as above.
+    /// A tool went through material while the spindle was; the amount as above.
     SpindleStands,
     /// Material was cut above the cutting edges; the amount is the length that the edges would need, mm.
     EdgesTooShort,
@@ -202,7 +202,7 @@ impl MessageKind {
 pub enum Status {
     /// The program came to its end.
     Done,
-    /// It stopped and nobody continued it.
+    /// It stopped and no one continued it.
     Stopped,
     /// The control would stop with an error, or the program is wrong.
     Error,
@@ -247,7 +247,7 @@ pub enum EventKind {
         machine: DVec3,
         /// The feed along the path.
         feed: f64,
-        /// The way of the tool tip in machine coordinates; JSON tells it by the other members.
+        /// The way of the tool tip in machine coordinates; JSON says it by the other members.
         path: Path,
     },
     /// Rotary axes turn together.
@@ -258,7 +258,7 @@ pub enum EventKind {
         feed: f64,
         /// Whether at rapid traverse.
         rapid: bool,
-        /// Whether at the same time as the move told before.
+        /// Whether at the same time as the move reported before.
         together: bool,
     },
     /// The program waits.
@@ -269,7 +269,7 @@ pub enum EventKind {
         tool: Option<(Tool, Axis)>,
         /// +1 clockwise (M3), -1 counter-clockwise (M4), 0 stop.
         direction: i8,
-        /// The speed, rev/min; 0 while the spindle stands.
+        /// The speed, rev/min; 0 while the spindle is stationary.
         speed: f64,
         /// The angle of an orientation.
         orient: Option<f64>,
@@ -308,7 +308,7 @@ pub enum EventKind {
         /// What is written.
         text: String,
     },
-    /// The operator is told something.
+    /// A message is shown to the operator.
     Message {
         /// What kind.
         kind: MessageKind,

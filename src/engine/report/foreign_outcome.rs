@@ -1,6 +1,6 @@
-//! An outcome that another engine tells, in the form of ours, so that both are compared by the same rules.
+//! An outcome that another engine reports, in the form of ours, so that both are compared by the same rules.
 //!
-//! Invariant: nothing is executed here, and nothing is added to what was told.
+//! Invariant: nothing is executed here, and nothing is added to what was reported.
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use crate::engine::report::outcome::Outcome;
 use crate::engine::report::outcome::Shown;
 use crate::spec::CycleKey;
 
-/// What another engine tells of a run.
+/// What another engine reports of a run.
 #[derive(Clone, Debug)]
 pub struct ForeignOutcome {
     /// How it ended.

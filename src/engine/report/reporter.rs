@@ -10,7 +10,7 @@ use super::event::{At, Event, EventKind, MoveKind, Status};
 use super::threads::Threads;
 use crate::engine::solid::Path;
 
-/// Reports events to whoever runs a program.
+/// Reports events to the caller of a run.
 pub(crate) struct Reporter<'r> {
     emit: &'r mut dyn FnMut(&Event),
     /// The event reported last; its place is that of what is executed now.

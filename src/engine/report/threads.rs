@@ -3,7 +3,7 @@
 //!
 //! A thread is milled by helices of whole turns that are joined and left on half turns rising with them by half a
 //! pitch. It is tapped by moves on one line, in at a feed that belongs to the speed and out again with the spindle
-//! reversed. Invariant: one thread is told for all passes on it, when the tool goes on to something else.
+//! reversed. Invariant: one thread is reported for all passes on it, when the tool goes on to something else.
 use glam::DVec3;
 
 use crate::engine::report::event::{At, Event, EventKind, MoveKind, Threaded};
@@ -58,7 +58,7 @@ pub(crate) struct Threads {
 }
 
 impl Threads {
-    /// Takes an event before it is told. The thread that it ends.
+    /// Takes an event before it is reported. The thread that it ends.
     pub(crate) fn see(&mut self, event: &Event) -> Option<Event> {
         match &event.kind {
             EventKind::Move { kind: MoveKind::Feed, from, to, feed, path, .. } => {

@@ -104,7 +104,7 @@ impl<'e> Run<'_, 'e> {
             BlockKind::GlobalDef(values) => self.predefine(values)?,
             BlockKind::ContourFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
             BlockKind::TextFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
-            // What Klartext has no equivalent of is left over, and stands in a comment.
+            // What Klartext has no equivalent of is left over, and is in a comment.
             BlockKind::Iso(_) => {
                 let span = block.comment().unwrap_or(block.span);
                 return Err(self.not_executed(Span::new(span.start + 1, span.end)).into());
@@ -301,7 +301,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// `M140 MB50`, `M140 MB MAX`: away from the workpiece at rapid traverse, by a length or to the end of the tool
-    /// axis. Only where the tool stands along an axis of the machine.
+    /// axis. Only where the tool is along an axis of the machine.
     fn retract(&mut self, function: &MFunction) -> Done {
         let leans = self.drives.world.system.is_on_workpiece() || self.drives.world.head.is_some();
         let length = function.with.map(|with| self.slice(with).to_ascii_uppercase());

@@ -93,7 +93,7 @@ impl<'e> Run<'_, 'e> {
         all.into_iter().find_map(|on| on.named(key).and_then(|named| named.activates))
     }
 
-    /// A transformation that the engine only knows to be in effect: no values behind the first line, or neutral
+    /// A transformation that the engine only knows to be in effect: no values after the first line, or neutral
     /// ones, end it.
     fn activate(&mut self, key: CycleKey, view: &CycleView<'_>) -> Done {
         let Some(transformation) = self.transformation(key) else { return Ok(()) };
@@ -104,7 +104,7 @@ impl<'e> Run<'_, 'e> {
         };
         let mut acts = false;
         if let CycleForm::Lines(lines) = &view.form {
-            // A feed, a clearance or a centre beside the values of the axes does not make it act.
+            // A feed, a clearance or a centre next to the values of the axes does not make it act.
             let by_axis = transformation != Transformation::Scaling;
             for word in lines.iter().flat_map(|line| &line.words) {
                 let name = self.slice(word.name).trim().to_ascii_uppercase();

@@ -1,4 +1,4 @@
-//! Motion blocks: lines, circles, polar forms, helices. What they do beside a contour is in `engine::contour`.
+//! Motion blocks: lines, circles, polar forms, helices. What they do next to a contour is in `engine::contour`.
 //!
 //! Invariant: a block that cannot be executed exactly is a fault.
 use glam::{DVec2, DVec3};

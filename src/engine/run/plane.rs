@@ -18,7 +18,7 @@ use crate::engine::table::TableKind;
 use crate::program::syntax::{self, NamedWord, Statement, Value, ValueKind};
 use crate::spec::Transformation;
 
-/// Where the positions of the rotary axes are told: A, then B, then C.
+/// Where the positions of the rotary axes are reported: A, then B, then C.
 const POSITIONS: u16 = 120;
 /// How the rotary axes get to the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Holding the tool tip on the workpiece while rotary axes turn: `M128` and `M129`,
 //! `FUNCTION TCPM` and `FUNCTION RESET TCPM`.
 //!
-//! Invariant: while it is held, the system is part of the workpiece and the control reckons with how the tool stands; a
+//! Invariant: while it is held, the system is part of the workpiece and the control reckons with how the tool is; a
 //! word that asks for more is a fault, never ignored.
 use crate::engine::flow::state::Run;
 use crate::engine::report::ending::Done;

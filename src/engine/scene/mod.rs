@@ -1,7 +1,7 @@
 //! Scenes: the world in which a program runs, as one YAML file. `docs/scene.md` describes the form.
 //!
 //! Invariant: a scene that is read is sound (numbers are finite, solids have an extent, the active preset
-//! exists, the machine can stand at the start), and anything unknown in it was an error with its place.
+//! exists, the machine can be at the start), and anything unknown in it was an error with its place.
 mod answers;
 mod clock;
 pub mod guess;
@@ -28,7 +28,7 @@ use std::sync::Arc;
 const VERSION: &str = "1";
 /// The machine of a scene that names none.
 const DEFAULT_MACHINE: &str = "mill-3-axis";
-/// Where the tool stands at the start of a scene that does not say it, in the coordinates of the active preset.
+/// Where the tool is at the start of a scene that does not say it, in the coordinates of the active preset.
 const DEFAULT_START: DVec3 = DVec3::new(0.0, 0.0, 100.0);
 /// The keys of a scene.
 const KEYS: &[&str] = &[
@@ -349,7 +349,7 @@ fn of_files(node: &Node, key: &str, kind: TableKind, r: &mut Reader<'_>) -> Vec<
     tables
 }
 
-/// The start in machine coordinates, where the machine must be able to stand: the tool tip and the rotary axes.
+/// The start in machine coordinates, where the machine must be able to be: the tool tip and the rotary axes.
 fn start(node: &Node, machine: Option<&Machine>, preset: &Preset, r: &mut Reader<'_>) -> (DVec3, DVec3) {
     let given = node.get("start");
     let default = (DEFAULT_START, DVec3::ZERO);

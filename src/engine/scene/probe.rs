@@ -1,6 +1,6 @@
 //! The touch probe of a scene: its row in the probe table, and what is true of it.
 //!
-//! Invariant: what the control believes stands in tables; here is only what is so.
+//! Invariant: what the control believes is in tables; here is only what is so.
 use glam::DVec2;
 
 use super::rows;
@@ -47,7 +47,7 @@ pub struct PreTravel {
     pub amplitude: f64,
     /// How many such directions there are.
     pub lobes: f64,
-    /// One of them, in degrees from the main axis while the probe stands at its calibration angle.
+    /// One of them, in degrees from the main axis while the probe is at its calibration angle.
     pub phase: f64,
 }
 
@@ -60,7 +60,7 @@ impl PreTravel {
     }
 }
 
-/// The touch probe as it really is; what the control believes stands in the probe table and the tool table.
+/// The touch probe as it really is; what the control believes is in the probe table and the tool table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probe {
     /// The number of its row in the probe table.
@@ -68,7 +68,7 @@ pub struct Probe {
     /// The true radius of the ball in mm.
     pub ball_radius: f64,
     /// The true offset of the ball centre from the spindle axis in mm, in main and secondary axis, while the probe
-    /// stands at its calibration angle.
+    /// is at its calibration angle.
     pub offset: DVec2,
     /// The true length in mm, if it is not the one that the tool table has at the start.
     pub length: Option<f64>,

@@ -260,7 +260,7 @@ impl Body {
     }
 
     /// A place where a ball touches whose centre goes any way; nothing if it stays free. It need not be the first one.
-    /// `at` tells where the centre is when a share of the way is done, `reach` how far it is from there at most, not
+    /// `at` says where the centre is when a share of the way is done, `reach` how far it is from there at most, not
     /// more than another share before or after. A ball that comes nearer than [`NEAR`] counts as touching.
     ///
     /// # Errors

@@ -39,7 +39,7 @@ pub use shape::Shape;
 
 use glam::DVec3;
 
-/// Why a question to a solid has no answer. The point tells where.
+/// Why a question to a solid has no answer. The point says where.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SolidError {
     /// A number of the question or of the shape is not finite, or a length that must be positive is not.
@@ -53,7 +53,7 @@ pub enum SolidError {
 }
 
 impl SolidError {
-    /// The code of the diagnostic that tells it.
+    /// The code of the diagnostic that says it.
     pub const fn code(&self) -> &'static str {
         match self {
             Self::NotFinite => "solid-not-finite",

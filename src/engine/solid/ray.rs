@@ -1,6 +1,6 @@
 //! What a straight line meets of a solid.
 //!
-//! Invariant: stretches are told from low to high and do not touch; skins without thickness do not exist.
+//! Invariant: stretches are reported from low to high and do not touch; skins without thickness do not exist.
 use glam::DVec3;
 
 use super::SolidError;

@@ -14,7 +14,7 @@ const NEAR: f64 = 1e-6;
 
 impl Body {
     /// A place where a shaft touches while it moves; nothing if it stays free. It need not be the first one. `way`
-    /// tells how a point of its axis moves: the one at 0 is the lower end, the one at 1 the upper end,
+    /// says how a point of its axis moves: the one at 0 is the lower end, the one at 1 the upper end,
     /// `length` away from it.
     ///
     /// # Errors
@@ -28,7 +28,7 @@ impl Body {
         self.shaft_contact_by(radius, length, &|radius, share| self.first_contact_on(radius, &way(share)))
     }
 
-    /// The same for any movement: `touches` tells whether a ball of a radius touches whose centre
+    /// The same for any movement: `touches` says whether a ball of a radius touches whose centre
     /// is that point of the axis.
     ///
     /// # Errors

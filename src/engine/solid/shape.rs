@@ -1,6 +1,6 @@
 //! Shapes as a scene describes them, and their reduction to surfaces combined by AND and OR.
 //!
-//! Invariant: after the reduction complements stand at the surfaces only, and equal surfaces are one.
+//! Invariant: after the reduction complements are at the surfaces only, and equal surfaces are one.
 use super::surface::Surface;
 use crate::engine::geometry::Frame;
 use glam::DVec3;
@@ -62,7 +62,7 @@ pub enum Shape {
     },
 }
 
-/// Surfaces combined; complements stand at the leaves only.
+/// Surfaces combined; complements are at the leaves only.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Tree {
     /// The side of a surface: its inside, or its outside.

@@ -83,7 +83,7 @@ impl Seen {
 }
 
 /// A column under a flat tool on a helix keeps the height at which the tool comes to it or leaves it, and that of the
-/// lower end where the tool stands over it there.
+/// lower end where the tool is over it there.
 struct Leave {
     /// The square of the tool's radius, and of that of the helix, and how much greater this is.
     square: f64,
@@ -153,7 +153,7 @@ impl Sweep {
                 high = larger(high, stands.x + half);
             }
         }
-        // Where the row crosses the rims of the ring beside the way. A rim is no farther from its chord than its radius
+        // Where the row crosses the rims of the ring next to the way. A rim is no farther from its chord than its radius
         // times the square of the angle over eight, so few rows come near it.
         for reach in [radius + tool, (radius - tool).max(0.0)] {
             let (from, to) = (centre.y + start.y * reach, centre.y + end.y * reach);
@@ -174,7 +174,7 @@ impl Sweep {
     }
 
     /// The parts of a row in which it can cut something: outside of what it never reaches about its centre, and of what
-    /// is gone where the tool has stood at the start.
+    /// is gone where the tool has been at the start.
     pub(super) fn arc_fresh(&self, y: f64, [low, high]: [f64; 2]) -> [[f64; 2]; 2] {
         let Way::Arc { centre, radius, start, turn, sweep, rise, .. } = self.way else { return [[low, high], NONE] };
         let tool = self.cutter.radius;
@@ -197,7 +197,7 @@ impl Sweep {
         }
         let mut parts =
             if half > 0.0 { [[low, high.min(at - half)], [low.max(at + half), high]] } else { [[low, high], NONE] };
-        // Nothing that lies farther back than this is lower than where the tool stood; a wide tool may come back.
+        // Nothing that lies farther back than this is lower than where the tool was; a wide tool may come back.
         if self.joined && !flat && radius >= tool && sweep <= FRAC_PI_2 {
             let slope = if rise < 0.0 { -rise / (sweep * radius) } else { 0.0 };
             let behind = match self.cutter.tip {
@@ -305,7 +305,7 @@ impl Sweep {
             let first = if self.joined { f64::INFINITY } else { under(z + tool, square - seen.beside_start(p)) };
             if first < last { first } else { last }
         };
-        // On the way down the tool is lowest behind a column: beyond the end of the way only the end counts.
+        // On the way down the tool is lowest after a column: beyond the end of the way only the end counts.
         let beyond = |n: f64| rise <= 0.0 && seen.at(n).perp_dot(seen.end) <= 0.0;
         let is_beyond = |n: usize| OFFSETS.get(n).is_some_and(|n| beyond(*n));
         let mut at = columns.start;
@@ -364,7 +364,7 @@ impl Sweep {
         lowest
     }
 
-    /// Height of the envelope over a column at the angle `own` while the tool stands at another angle.
+    /// Height of the envelope over a column at the angle `own` while the tool is at another angle.
     fn height_at(&self, slope: f64, own: f64, at: f64, out: f64, radius: f64) -> f64 {
         let far = (out * out + radius * radius - 2.0 * out * radius * libm::cos(at - own)).max(0.0).sqrt();
         slope * at + self.cutter.rise(far.min(self.cutter.radius))

@@ -1,6 +1,6 @@
-//! A ball that goes on from where it has stood: most moves of a finished surface are of that kind, and short.
+//! A ball that goes on from where it has been: most moves of a finished surface are of that kind, and short.
 //!
-//! All that it covers at its start is gone. Beyond its end it is lowest over a column where it stands at the end; only
+//! All that it covers at its start is gone. Beyond its end it is lowest over a column where it is at the end; only
 //! in a strip between start and end the way itself counts. Invariant: a column beyond one limit or the other may be
 //! taken for either, as both give the same height there.
 use glam::{DVec2, DVec3};
@@ -84,7 +84,7 @@ impl Onward {
         let hull = sweep.hull.filter(|hull| sweep.joined && hull.length > 0.0)?;
         let radius = sweep.cutter.radius;
         let flat = DVec2::new(hull.from.x, hull.from.y);
-        // On the way up it is lowest somewhat before a column, at most by that, and on the way down behind it.
+        // On the way up it is lowest somewhat before a column, at most by that, and on the way down after it.
         let lag = radius * hull.slope / hull.steep;
         let (directions, ahead, behind) = match sweep.way {
             Way::Line { .. } => ([hull.along, hull.along], lag.max(0.0), lag.min(0.0)),

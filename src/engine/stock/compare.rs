@@ -1,4 +1,4 @@
-//! The part left beside the part that was wanted.
+//! The part left next to the part that was wanted.
 //!
 //! Columns are exact, so both are compared column by column to rounding; the tolerance says how far a surface may
 //! lie from where it should be, in any direction.
@@ -45,7 +45,7 @@ fn without(a: &[[f64; 2]], b: &[[f64; 2]]) -> Vec<[f64; 2]> {
 
 impl Stock {
     /// Compares what is left with a solid (machine coordinates) of which only the part in the blank counts. A surface
-    /// may lie up to `tolerance` (mm) beside its place.
+    /// may lie up to `tolerance` (mm) next to its place.
     ///
     /// # Errors
     /// The solid cannot be decided somewhere.

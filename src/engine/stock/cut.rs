@@ -47,7 +47,7 @@ pub(super) fn above(grid: &Grid, own: &mut Row, row: usize, sweep: &Sweep, tally
     }
 }
 
-/// The same for a ball that goes on from where it has stood.
+/// The same for a ball that goes on from where it has been.
 #[inline(always)]
 pub(super) fn onward(
     grid: &Grid,

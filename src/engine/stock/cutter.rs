@@ -23,7 +23,7 @@ pub struct Cutter {
     pub radius: f64,
     /// The lower end.
     pub tip: Tip,
-    /// What is thinner behind the head; a tool without it has its radius over its whole length.
+    /// The thinner part above the head; a tool without it has its radius over its whole length.
     pub neck: Option<Neck>,
     /// Length of the cutting edges, mm; 0 if it is not known.
     pub edges: f64,

@@ -68,7 +68,7 @@ pub(super) trait Trail {
     /// The height that it leaves in a column; infinity where the tool does not come.
     fn height(&self, p: [f64; 2]) -> f64;
 
-    /// What tells places across the way apart, see [`Sweep::across`].
+    /// What distinguishes places across the way, see [`Sweep::across`].
     fn across(&self, p: [f64; 2]) -> f64;
 }
 

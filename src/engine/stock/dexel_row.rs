@@ -1,7 +1,7 @@
 //! Rows of columns: the material along parallel lines, and what is taken away from it.
 //!
 //! A column has its topmost stretch of material in two arrays, by blocks (see `tops`), and stretches below it, which
-//! few columns have, in a map. Invariant: stretches of a column do not overlap and stand from low to high; an empty
+//! few columns have, in a map. Invariant: stretches of a column do not overlap and are from low to high; an empty
 //! column has the top minus infinity. What a column holds does not grow with the number of cuts: stretches thinner than
 //! [`SLIVER`] are dropped, so their number is bounded by the height of the blank.
 use std::collections::BTreeMap;
@@ -264,7 +264,7 @@ impl Row {
         }
     }
 
-    /// Takes away what lies above the lower sides of balls over columns, and of others beside them: `balls` gives the
+    /// Takes away what lies above the lower sides of balls over columns, and of others next to them: `balls` gives the
     /// square of half the height of the ball over a column, and the height of its middle. Nothing is lower than the
     /// first height
     /// `low`, no middle lower than the second, and between two columns no square greater than `most` says. The first

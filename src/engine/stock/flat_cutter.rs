@@ -17,7 +17,7 @@ const LEAST: usize = 4;
 #[derive(Clone, Debug)]
 pub(super) struct Bed {
     from: u32,
-    /// Behind the last one.
+    /// After the last one.
     to: u32,
     height: f64,
     /// The columns of the blocks that were touched since it was laid: none of these is level.
@@ -30,8 +30,8 @@ fn whole(columns: &Range<u32>) -> Range<u32> {
     columns.start / block * block..columns.end.div_ceil(block) * block
 }
 
-/// What a flat tool covers in a row: its columns, and those of them over which it stands where it is lowest, from the
-/// first to behind the last; and the height there.
+/// What a flat tool covers in a row: its columns, and those of them over which it is where it is lowest, from the
+/// first to after the last; and the height there.
 #[derive(Clone, Debug)]
 pub(super) struct Reach {
     pub all: Range<u32>,
@@ -74,7 +74,7 @@ impl Row {
         self.bed.is_some() || self.tops.get(blocks).unwrap_or_default().iter().any(|tops| tops.highest > height)
     }
 
-    /// Remembers the columns over which the tool stands lowest, if all of them end there.
+    /// Remembers the columns over which the tool is lowest, if all of them end there.
     pub(super) fn lay(&mut self, stands: Range<u32>, height: f64) {
         let (from, to) = (stands.start as usize, stands.end as usize);
         let at = |column: usize| self.top(column) == height;
@@ -128,7 +128,7 @@ impl Row {
         true
     }
 
-    /// Leaves the bed, over none of whose columns the tool stands where it is lowest. Whether that was all:
+    /// Leaves the bed, over none of whose columns the tool is where it is lowest. Whether that was all:
     /// if not, nothing was done.
     #[inline(never)]
     pub(super) fn end(
@@ -153,8 +153,8 @@ impl Row {
         true
     }
 
-    /// Takes the bed on to where the tool stands now, and writes down which columns it leaves and comes to. `across`
-    /// tells where a column lies across the way. Whether that was all: if not, nothing was done.
+    /// Takes the bed on to where the tool is now, and writes down which columns it leaves and comes to. `across`
+    /// says where a column lies across the way. Whether that was all: if not, nothing was done.
     #[inline(always)]
     pub(super) fn take_on(
         &mut self,
@@ -211,8 +211,8 @@ impl Row {
     }
 
     /// Whether the foot of a row lies between two columns that lose something: of all that are looked at, those of the
-    /// `old` bed end at its height, and those over which the tool stands come down to another;
-    /// `left` tells what is left of the others.
+    /// `old` bed end at its height, and those over which the tool is come down to another;
+    /// `left` says what is left of the others.
     #[inline(always)]
     fn passes(
         &self,

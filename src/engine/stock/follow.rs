@@ -231,7 +231,7 @@ pub struct Machining {
     report: Report,
     necks: Vec<(f64, Neck)>,
     cutter: Option<Cutter>,
-    /// The tool in the spindle that has no radius, and whether that was told.
+    /// The tool in the spindle that has no radius, and whether that was reported.
     unknown: Option<(f64, bool)>,
     axis: Axis,
     turning: bool,
@@ -242,7 +242,7 @@ pub struct Machining {
     parts: Option<Frame>,
     /// How many events were seen.
     seen: u64,
-    /// What was found and not asked for yet, if somebody asks.
+    /// What was found and not asked for yet, if someone asks.
     found: Option<Vec<Found>>,
 }
 
@@ -342,7 +342,7 @@ impl Machining {
         }
     }
 
-    /// The tool as it meets the material now: while the spindle stands, the one edge of a side cutter goes where
+    /// The tool as it meets the material now: while the spindle is stationary, the one edge of a side cutter goes where
     /// the program turned it, and only its neck must find room.
     fn in_effect(&self) -> Option<Cutter> {
         let cutter = self.cutter?;

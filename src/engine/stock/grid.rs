@@ -1,4 +1,4 @@
-//! The grid of the columns: where they stand, in the machine and in the coordinates of the blank.
+//! The grid of the columns: where they are, in the machine and in the coordinates of the blank.
 use glam::{DVec2, DVec3};
 
 use super::columns::{larger, smaller};
@@ -7,7 +7,7 @@ use crate::engine::geometry::{Frame, WorkingPlane};
 /// Rows that lie together in one lane.
 pub(super) const BAND: usize = 4;
 
-/// Where columns stand.
+/// Where columns are.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
     /// From the coordinates of the blank to the machine, and back.

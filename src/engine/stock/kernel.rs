@@ -12,7 +12,7 @@ use super::sweep::{Hull, Sweep, Way};
 
 /// Steps of a bisection; each halves an interval of some mm or radians.
 pub(super) const BISECTIONS: usize = 50;
-/// The share of a ball's radius within which its end is not too steep for a tangent to tell something.
+/// The share of a ball's radius within which its end is not too steep for a tangent to say something.
 const GENTLE: f64 = 0.98;
 
 /// Gives columns the heights that belong to their numbers, always so many together as are worked on side by side.
@@ -141,7 +141,7 @@ impl Sweep {
             }),
             Tip::Round(corner) if corner >= radius => {
                 let (top, steep) = (from.z + radius, 1.0 + slope * slope);
-                // The tool is lowest so many times its reach behind a column; squares with their sign are compared, so
+                // The tool is lowest so many times its reach after a column; squares with their sign are compared, so
                 // that only one root is drawn.
                 let lean = -slope * slope.abs() / steep;
                 fill(out, columns, |n| {
@@ -181,7 +181,7 @@ impl Sweep {
         }
     }
 
-    /// Where along a ramp the end of a bull nose reaches lowest over a column at the distance `v` from the path: behind
+    /// Where along a ramp the end of a bull nose reaches lowest over a column at the distance `v` from the path: after
     /// (negative) or before it.
     fn balance(&self, slope: f64, corner: f64, v: f64, reach: f64) -> f64 {
         let flat = self.cutter.radius - corner;

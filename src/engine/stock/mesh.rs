@@ -2,7 +2,7 @@
 //!
 //! Each cell of the grid is a prism with the exact ends of its stretches, so walls follow the grid. Invariant: the
 //! mesh is closed. Two faces meet in whole edges: where the four columns about an upright edge end at different
-//! heights, the faces beside it have corners at all of them.
+//! heights, the faces next to it have corners at all of them.
 use glam::DVec3;
 
 use super::Stock;

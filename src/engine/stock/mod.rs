@@ -4,8 +4,8 @@
 //! The blank is a field of columns (dexels) along one axis, one for each cell of a grid whose cells are not larger
 //! than the resolution that the caller chooses. A column is a list of stretches of material with exact ends: only
 //! the *places* of the columns are quantised, never a height. Tools are bodies of revolution ([`Cutter`]); their
-//! envelope along lines, arcs and helices is calculated exactly for each column while the tool stands along the
-//! columns (see `sweep`). A tool that stands otherwise, or a way about another axis, is followed in steps of a
+//! envelope along lines, arcs and helices is calculated exactly for each column while the tool is along the
+//! columns (see `sweep`). A tool that is otherwise, or a way about another axis, is followed in steps of a
 //! quarter of the resolution (see `oblique`), which is its error.
 //!
 //! # Work and memory
@@ -99,7 +99,7 @@ enum Swept {
     Above(Sweep),
     /// Everything between the lower envelope and the upper one of a head of that height goes.
     Between(Sweep, f64),
-    /// The tool does not stand along the columns.
+    /// The tool is not along the columns.
     Oblique(Oblique),
 }
 
@@ -221,12 +221,12 @@ impl Stock {
         [self.grid.min, self.grid.max]
     }
 
-    /// The axis of the blank along which the columns stand.
+    /// The axis of the blank along which the columns are.
     pub const fn axis(&self) -> Axis {
         self.grid.plane.tool
     }
 
-    /// Where a column stands: main and secondary axis.
+    /// Where a column is: main and secondary axis.
     pub fn place(&self, column: usize, row: usize) -> DVec2 {
         DVec2::new(self.grid.x(column), self.grid.y(row))
     }
@@ -356,7 +356,7 @@ impl Stock {
     }
 }
 
-/// A tool that stands along the columns: its whole envelope, or that of its head and that of its neck.
+/// A tool that is along the columns: its whole envelope, or that of its head and that of its neck.
 fn upright_jobs(batch: &mut Batch, owner: usize, sweep: Sweep) {
     let mut job = |sweep| batch.jobs.push(Job { owner, sweep });
     match sweep.cutter.neck {

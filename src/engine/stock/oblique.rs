@@ -1,4 +1,4 @@
-//! Tools that do not stand along the columns, and ways about axes that do not: followed in steps.
+//! Tools that are not along the columns, and ways about axes that do not: followed in steps.
 //!
 //! Invariant: steps are not longer than a quarter of a cell, so the error of a surface is below that; at each step
 //! the stretch of a column that the tool covers is exact (round and pointed ends: to rounding).
@@ -126,7 +126,7 @@ impl Oblique {
         }
     }
 
-    /// What the tool covers of the column that stands at `way` from its tip (at height 0).
+    /// What the tool covers of the column that is at `way` from its tip (at height 0).
     fn stretches(&self, way: DVec3) -> [Option<[f64; 2]>; 2] {
         let Cutter { radius, neck, .. } = self.cutter;
         match neck {

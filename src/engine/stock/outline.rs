@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::Stock;
 
-/// Plateaus that a picture can tell apart.
+/// Plateaus that a picture can distinguish.
 const MOST: usize = 24;
 
 /// Everything that is at least as high as a height.
@@ -141,7 +141,7 @@ fn smoothed(outline: &[DVec2]) -> Vec<DVec2> {
     thin
 }
 
-/// Douglas and Peucker's way to leave points out; the last one is left to whoever goes on.
+/// Douglas and Peucker's way to leave points out; the last one is left to the caller.
 fn thinned(points: &[DVec2], into: &mut Vec<DVec2>) {
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
     let way = *last - *first;

@@ -1,9 +1,9 @@
-//! A flat tool on a ramp or on a short piece of a helix: nearly all that it covers lies under it where it stands
+//! A flat tool on a ramp or on a short piece of a helix: nearly all that it covers lies under it where it is
 //! lowest, and its floor is level there.
 //!
 //! Of the rest, a rim of few columns, each has a height of its own. Where the tool reaches is calculated for the rows
 //! of a band side by side. Invariant: what is taken from the ends of the way alone is all that is covered in a row, but
-//! for rows near the rims beside the way, which are looked at as a whole.
+//! for rows near the rims next to the way, which are looked at as a whole.
 use std::ops::Range;
 
 use glam::DVec2;
@@ -35,12 +35,12 @@ fn whole(sum: f64) -> i32 {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ramp<'s> {
     sweep: &'s Sweep,
-    /// Where it stands lowest, and the other end.
+    /// Where it is lowest, and the other end.
     low: DVec2,
     high: DVec2,
     square: f64,
     height: f64,
-    /// Rows that may cross a rim beside the way.
+    /// Rows that may cross a rim next to the way.
     rims: [[f64; 2]; 2],
     /// Whether all under the lower end is gone.
     gone: bool,
@@ -48,10 +48,10 @@ pub(super) struct Ramp<'s> {
     seen: Seen,
 }
 
-/// Where a tool reaches in the rows of a band: columns from the first to behind the last.
+/// Where a tool reaches in the rows of a band: columns from the first to after the last.
 struct Reaches {
     y: [f64; BAND],
-    /// What it covers at its ends, and what it stands over where it is lowest.
+    /// What it covers at its ends, and what it is over where it is lowest.
     all: [[i32; 2]; BAND],
     stands: [[i32; 2]; BAND],
 }
@@ -185,7 +185,7 @@ impl<'s> Ramp<'s> {
         rims.carry_out(rows, trail, self.height, tally, across);
     }
 
-    /// All columns that it covers in a row, to behind the last.
+    /// All columns that it covers in a row, to after the last.
     #[cold]
     #[inline(never)]
     fn columns(&self, grid: &Grid, y: f64) -> [i32; 2] {

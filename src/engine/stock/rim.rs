@@ -1,6 +1,6 @@
-//! The columns that a flat tool leaves and comes to beside its beds.
+//! The columns that a flat tool leaves and comes to next to its beds.
 //!
-//! Those of all rows of a lane are written down one behind the other first, and then worked on without a branch, so
+//! Those of all rows of a lane are written down one after the other first, and then worked on without a branch, so
 //! that it does not matter how many there are in a row. Invariant: what is written down is carried out before anything
 //! else is done to the rows.
 use std::ops::Range;
@@ -14,11 +14,11 @@ use super::grid::BAND;
 const ROOM: usize = 512;
 pub(super) const MOST: u32 = 32;
 
-/// Columns of several rows, one behind the other.
+/// Columns of several rows, one after the other.
 #[derive(Debug)]
 struct Columns {
     count: usize,
-    /// Where they lie as seen from the way; then where they end, and what tells places across the way apart.
+    /// Where they lie as seen from the way; then where they end, and what distinguishes places across the way.
     x: [f64; ROOM],
     y: [f64; ROOM],
     /// Where they ended.
@@ -32,7 +32,7 @@ impl Columns {
     const NONE: Self =
         Self { count: 0, x: [0.0; ROOM], y: [0.0; ROOM], top: [0.0; ROOM], loss: [0.0; ROOM], place: [[0; 2]; ROOM] };
 
-    /// Writes columns down; `end` tells where each of them ended.
+    /// Writes columns down; `end` says where each of them ended.
     #[inline(always)]
     fn add(&mut self, columns: Range<u32>, place: Place<'_>, mut end: impl FnMut(u32) -> f64) {
         let mut at = self.count;
@@ -81,7 +81,7 @@ struct Losses {
     height: [f64; WIDE],
     deepest: [f64; WIDE],
     highest: [f64; WIDE],
-    /// The least and the greatest that tells where across the way something was lost.
+    /// The least and the greatest that says where across the way something was lost.
     near: [f64; WIDE],
     far: [f64; WIDE],
 }
@@ -119,7 +119,7 @@ pub(super) struct Rims {
 }
 
 /// A row of a lane: its number there, where its first column lies as seen from the way, the number of the column that
-/// is nearest to the centre of the way, and what tells this across it.
+/// is nearest to the centre of the way, and what says this across it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<'s> {
     pub row: u32,
@@ -200,7 +200,7 @@ impl Rims {
         (first <= last).then_some((first, last))
     }
 
-    /// Takes from the columns what the tool leaves or takes, and tells what all lose.
+    /// Takes from the columns what the tool leaves or takes, and says what all lose.
     pub(super) fn carry_out(
         &mut self,
         rows: &mut [Row],

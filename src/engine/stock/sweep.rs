@@ -1,6 +1,6 @@
 //! The way of a tool through the columns: how low its envelope reaches in each of them.
 //!
-//! Coordinates are those of the stock: columns stand along z, and so does the tool. Everything here is exact for
+//! Coordinates are those of the stock: columns are along z, and so does the tool. Everything here is exact for
 //! each column: a line sweeps a convex body, so the lowest point over a column is where the slope of the path
 //! and the slope of the tool's end balance, or an end of the path. Only a bull nose on a ramp has no closed form; there
 //! the balance is found by bisection down to rounding. Arcs are in `bend`.
@@ -13,7 +13,7 @@ use super::cutter::{Cutter, Tip};
 /// What is left to rounding, mm.
 pub(super) const HAIR: f64 = 1e-9;
 
-/// Angles, in radians, up to which the chord tells well enough where an arc is.
+/// Angles, in radians, up to which the chord says well enough where an arc is.
 const SHORT: f64 = 0.4;
 
 /// The way over which the series of the arc sine alone gives an angle, radians.
@@ -94,7 +94,7 @@ pub(super) struct Sweep {
     /// The lowest and the highest place of the tip.
     pub low: f64,
     pub high: f64,
-    /// Whether the tool has stood at the start before: what it covers there is gone already.
+    /// Whether the tool has been at the start before: what it covers there is gone already.
     pub joined: bool,
 }
 
@@ -187,7 +187,7 @@ impl Sweep {
         }
     }
 
-    /// Tells places across the path apart: how far a point lies to the left of a line, or the square of its distance
+    /// Says places across the path apart: how far a point lies to the left of a line, or the square of its distance
     /// from the centre of an arc.
     pub(super) fn across(&self, p: DVec2) -> f64 {
         match self.way {
@@ -248,7 +248,7 @@ impl Sweep {
     }
 
     /// The parts of a row within its span in which it can cut something; the second may be empty. Where the tool has
-    /// stood at the start, that is what the path leads it to: beyond the first place for a flat tool that does not go
+    /// was at the start, that is what the path leads it to: beyond the first place for a flat tool that does not go
     /// down, and before the tool otherwise.
     pub(super) fn fresh(&self, y: f64, [low, high]: [f64; 2]) -> [[f64; 2]; 2] {
         let Way::Line { from, along, length, rise } = self.way else { return self.arc_fresh(y, [low, high]) };
@@ -274,7 +274,7 @@ impl Sweep {
             Tip::Round(_) if rise == 0.0 => 0.0,
             Tip::Round(_) => return [[low, high], NONE],
         };
-        // What lies farther back than this along the path is lowest where the tool stood.
+        // What lies farther back than this along the path is lowest where the tool was.
         let behind = if slope > 0.0 { 0.0 } else { behind }.min(radius) + HAIR;
         let start = (y - from.y) * along.y + behind;
         if along.x > 1e-9 {
@@ -315,7 +315,7 @@ impl Sweep {
         }
     }
 
-    /// The part of a row over which a flat tool stands at the lower end of its ramp, and that height.
+    /// The part of a row over which a flat tool is at the lower end of its ramp, and that height.
     pub(super) fn settled(&self, y: f64) -> Option<([f64; 2], f64)> {
         if self.cutter.tip != Tip::Flat {
             return None;

@@ -32,7 +32,7 @@ pub(super) struct Pace {
     /// Acceleration by axis, mm/s².
     gains: DVec3,
     queue: Vec<Waiting>,
-    /// Direction at the end of the last move; nothing while the machine stands.
+    /// Direction at the end of the last move; nothing while the machine is at rest.
     heading: Option<DVec3>,
     /// The speed at the start of the queue.
     speed: f64,
@@ -74,7 +74,7 @@ impl Pace {
         self.heading = Some(last);
     }
 
-    /// The machine stands still.
+    /// The machine is still.
     pub(super) fn stop(&mut self) {
         self.plan(self.queue.len());
         self.heading = None;
@@ -100,7 +100,7 @@ impl Pace {
 
     /// Gives the first moves of the queue their times.
     fn plan(&mut self, count: usize) {
-        // From the end, where the machine must be able to stand: how fast each move may begin.
+        // From the end, where the machine must be able to be: how fast each move may begin.
         let mut next = 0.0;
         let mut entries = vec![0.0; self.queue.len() + 1];
         for (move_, entry) in self.queue.iter().zip(&mut entries).rev() {

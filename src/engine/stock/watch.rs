@@ -27,7 +27,7 @@ impl Watch {
         Self { machining, waiting: VecDeque::new(), passed: 0 }
     }
 
-    /// Takes an event; `emit` gets what can be told now. Everything is told when the run has ended.
+    /// Takes an event; `emit` gets what can be reported now. Everything is reported when the run has ended.
     pub fn see(&mut self, event: Event, emit: &mut dyn FnMut(Event)) {
         self.machining.see(&event);
         self.waiting.push_back(event);

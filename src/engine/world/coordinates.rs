@@ -45,7 +45,7 @@ pub struct System {
     pub angle_shift: DVec3,
     /// The working plane.
     pub plane: WorkingPlane,
-    /// Where the table has put the workpiece since the rotary axes stood at 0; a tilted system goes with it, and so
+    /// Where the table has put the workpiece since the rotary axes were at 0; a tilted system goes with it, and so
     /// does every system while the tool tip is held.
     pub table: Frame,
     /// Whether the tool tip is held on the workpiece while rotary axes turn (M128, FUNCTION TCPM).
@@ -257,7 +257,7 @@ impl System {
         self.rebuild();
     }
 
-    /// Whether the system is part of the workpiece, and the control reckons with how the tool stands.
+    /// Whether the system is part of the workpiece, and the control reckons with how the tool is.
     pub fn is_on_workpiece(&self) -> bool {
         self.tip_held || self.tilt().is_some()
     }
@@ -308,7 +308,7 @@ impl System {
         })
     }
 
-    /// The system as an event tells it.
+    /// The system as an event says it.
     pub fn reported(&self) -> Coordinates {
         Coordinates {
             preset: self.preset,

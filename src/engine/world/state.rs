@@ -50,14 +50,14 @@ pub(crate) struct World<'s> {
     pub system: System,
     /// The tool tip in program coordinates, by axis.
     pub here: DVec3,
-    /// The tool tip in machine coordinates: where it is while the head stands at 0.
+    /// The tool tip in machine coordinates: where it is while the head is at 0.
     pub machine: DVec3,
     /// The rotary axes in machine coordinates, degrees.
     pub angles: DVec3,
     /// How far the table has turned the parts since the start, as a frame from the machine to where they were then;
-    /// nothing while it stands as at the start.
+    /// nothing while it is as at the start.
     parts: Option<Frame>,
-    /// How the head is turned, if it does not stand at 0.
+    /// How the head is turned, if it is not at 0.
     pub(crate) head: Option<Frame>,
     /// How far the spindle is turned from the angle at which the probe was calibrated, degrees.
     pub spindle_turned: f64,
@@ -123,7 +123,7 @@ impl<'s> World<'s> {
         self.here = self.to_program(self.machine);
     }
 
-    /// Program coordinates of a position of the linear axes, given by the tool tip while the head stands at 0.
+    /// Program coordinates of a position of the linear axes, given by the tool tip while the head is at 0.
     pub(crate) fn to_program(&self, machine: DVec3) -> DVec3 {
         self.system.back().point(machine + self.swung())
     }
@@ -133,7 +133,7 @@ impl<'s> World<'s> {
         self.system.frame().point(program) - self.swung()
     }
 
-    /// By how much the head, as it is turned, has moved the tool tip; nothing where the control goes on as if it stood
+    /// By how much the head, as it is turned, has moved the tool tip; nothing where the control goes on as if it was
     /// at 0.
     pub(crate) fn swung(&self) -> DVec3 {
         match self.head {
@@ -148,7 +148,7 @@ impl<'s> World<'s> {
         up - head.vector(up)
     }
 
-    /// From the tool tip to the point about which the head turns, while it stands at 0.
+    /// From the tool tip to the point about which the head turns, while it is at 0.
     pub(crate) fn to_pivot(&self) -> DVec3 {
         let length = self.tool.map_or(0.0, |tool| tool.length) + self.scene.machine.pivot;
         self.system.plane.tool.unit() * length
@@ -180,7 +180,7 @@ impl<'s> World<'s> {
         }
     }
 
-    /// Where the table puts the workpiece when the rotary axes stand there.
+    /// Where the table puts the workpiece when the rotary axes are there.
     pub(crate) fn carried(&self, angles: DVec3) -> Frame {
         let machine = &self.scene.machine;
         machine.table(angles).of(machine.table(self.system.angle_datum()).inverse())

@@ -1,7 +1,7 @@
 //! The touch probe in the spindle: what the control knows of it, what it really is, and how the spindle turns it.
 //!
 //! Invariant: positions of the machine are what the control believes; the true ball follows from them here and
-//! nowhere else. Where a scene tells no truth, what the tables say at its start is true.
+//! nowhere else. Where a scene says no truth, what the tables say at its start is true.
 use glam::{DVec2, DVec3};
 
 use crate::base::expr::{atan2d, cosd, sind};
@@ -75,7 +75,7 @@ pub(crate) struct ProbeData {
     pub effective_radius: f64,
     /// By how much the probe is shorter than the control believes, mm.
     pub shorter: f64,
-    /// The calibrated offset of the ball from the spindle axis, main and secondary axis, mm, while the probe stands at
+    /// The calibrated offset of the ball from the spindle axis, main and secondary axis, mm, while the probe is at
     /// its calibration angle.
     pub calibrated: DVec2,
     /// The true offset.
@@ -183,7 +183,7 @@ impl World<'_> {
         plane.lift(DVec2::new(offset.x * c - offset.y * s, offset.x * s + offset.y * c), 0.0)
     }
 
-    /// Whether the tool does not stand at right angles to the working plane, in a system that is part of the workpiece.
+    /// Whether the tool is not at right angles to the working plane, in a system that is part of the workpiece.
     pub(crate) fn is_askew(&self) -> bool {
         let wanted = self.system.frame().vector(self.system.plane.tool.unit()).normalize_or_zero();
         self.system.is_on_workpiece() && (wanted - self.tool_axis()).length() > STRAIGHT
@@ -196,7 +196,7 @@ impl World<'_> {
     }
 
     /// The direction from the tool tip to the ball centre as the control believes it, in program coordinates: that of
-    /// the tool axis, unless the control holds the tip and reckons with how the tool stands.
+    /// the tool axis, unless the control holds the tip and reckons with how the tool is.
     pub(crate) fn up(&self) -> DVec3 {
         let system = &self.system;
         if system.tip_held { system.back().vector(self.tool_axis()) } else { system.plane.tool.unit() }
@@ -211,19 +211,19 @@ impl World<'_> {
         pivot + head.vector(tip + arm - pivot)
     }
 
-    /// From the tool tip to the true centre of the ball in the machine, while the head stands at 0.
+    /// From the tool tip to the true centre of the ball in the machine, while the head is at 0.
     pub(crate) fn arm(&self, probe: &ProbeData) -> DVec3 {
         self.straight_up() * (probe.ball_radius + probe.shorter) + self.turned(probe.offset)
     }
 
-    /// The direction along the tool in the machine, while the head stands at 0.
+    /// The direction along the tool in the machine, while the head is at 0.
     fn straight_up(&self) -> DVec3 {
         let tool = self.system.plane.tool.unit();
         let is_tool = self.head.is_some() || self.system.is_on_workpiece();
         if is_tool { tool } else { self.system.frame().vector(tool) }
     }
 
-    /// The axis of the shaft as it is while the head stands at 0.
+    /// The axis of the shaft as it is while the head is at 0.
     pub(crate) fn shaft_of_straight_head(&self, shaft: Shaft) -> DVec3 {
         self.straight_up() * (shaft.length - shaft.radius).max(0.0)
     }
@@ -255,7 +255,7 @@ impl World<'_> {
         self.head.map_or(straight, |head| head.vector(straight))
     }
 
-    /// A direction of the machine as the spindle sees it: that of the machine while the head stands at 0.
+    /// A direction of the machine as the spindle sees it: that of the machine while the head is at 0.
     fn in_spindle(&self, direction: DVec3) -> DVec3 {
         self.head.map_or(direction, |head| head.inverse().vector(direction))
     }

@@ -215,7 +215,7 @@ impl<'e> Run<'_, 'e> {
         Ok(())
     }
 
-    /// The display of a rotary axis shows 0 where it stands.
+    /// The display of a rotary axis shows 0 where it is.
     pub(super) fn zero_display(&mut self, axis: RotaryAxis) {
         let before = self.drives.world.system.reported();
         let system = &mut self.drives.world.system;
@@ -224,7 +224,7 @@ impl<'e> Run<'_, 'e> {
         self.drives.transformed(before);
     }
 
-    /// In the preset table stands where the axis stands in machine coordinates; in the datum table the shift of the
+    /// The preset table holds where the axis is in machine coordinates; in the datum table the shift of the
     /// present preset, which takes effect.
     pub(super) fn zero_rotary_axis(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
         let axis = self.numbered_axis(0, call, exec)?;

@@ -53,7 +53,7 @@ impl Figure {
         }
     }
 
-    /// The distance of the outlines from each other, and how many there are beside the core.
+    /// The distance of the outlines from each other, and how many there are next to the core.
     fn steps(&self, stepover: f64, tool_radius: f64) -> Result<(f64, u32), Fault> {
         let most = match self {
             Self::Rectangle { .. } => stepover.min(CORNERS_CLEARED * tool_radius),
@@ -250,7 +250,7 @@ impl<'e> Run<'_, 'e> {
                 let mut way = vec![(first, -1.0), (last, 1.0), (first, -1.0)];
                 let here = place.back(self.drives.in_plane(self.drives.world.here).truncate());
                 if (here - first).length() < SPARE || (here - last).length() > SPARE {
-                    // The tool stands at the beginning, or comes from somewhere else.
+                    // The tool is at the beginning, or comes from somewhere else.
                     self.drives.mill_to(place, first, *feed)?;
                     way.remove(0);
                 }

@@ -1,6 +1,6 @@
 //! The strategy that mills a flat surface at one level in lines.
 //!
-//! Invariant: the level begins where the tool stands, at one of the corners of the surface.
+//! Invariant: the level begins where the tool is, at one of the corners of the surface.
 use glam::DVec3;
 
 use super::clear::MAX_OUTLINES;

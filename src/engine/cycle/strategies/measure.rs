@@ -29,7 +29,7 @@ impl<'e> Run<'_, 'e> {
         call.with.get(index).and_then(Option::as_ref).map(|calc| self.number(calc, exec)).transpose()
     }
 
-    /// Probes from where the probe stands, on a path and at a feed of its own, and stays where it stops.
+    /// Probes from where the probe is, on a path and at a feed of its own, and stays where it stops.
     pub(super) fn probe_with_own_path(&mut self, call: &StrategyCall, exec: &mut Exec<'_, 'e>) -> Done {
         self.knows_tool_axis(exec)?;
         let probe = self.drives.world.probe()?;

@@ -55,7 +55,7 @@ impl Descent {
         if part < parts { self.from + (self.to - self.from) * share } else { self.to }
     }
 
-    /// The point beside the centre at a distance in a direction of the working plane.
+    /// The point next to the centre at a distance in a direction of the working plane.
     fn beside(&self, distance: f64, direction: f64, height: f64) -> DVec3 {
         let (main, minor) = (distance * cosd(direction), distance * sind(direction));
         DVec3::new(self.centre.x + main, self.centre.y + minor, height)

@@ -186,7 +186,7 @@ impl<'e> Run<'_, 'e> {
         Ok(numbers)
     }
 
-    /// The feed that stands beside the strategy.
+    /// The feed given with the strategy.
     pub(crate) fn feed_given(&self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Result<f64, Fault> {
         let missing = || Fault::new(Class::Internal, "strategy-argument");
         self.number(call.feed.as_ref().ok_or_else(missing)?, exec)

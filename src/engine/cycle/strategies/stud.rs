@@ -14,7 +14,7 @@ use crate::engine::report::fault::{Class, Fault};
 
 /// What calculation may add to a whole number of laps.
 const SPARE: f64 = 1e-9;
-/// How far beside the blank the tool begins, mm.
+/// How far next to the blank the tool begins, mm.
 const BESIDE: f64 = 2.0;
 
 /// A rectangular stud with its blank.
@@ -156,7 +156,7 @@ impl<'e> Run<'_, 'e> {
         Ok(())
     }
 
-    /// From where the tool stands on a spiral of half circles to the stud, and once around it.
+    /// From where the tool is on a spiral of half circles to the stud, and once around it.
     pub(super) fn mill_circular_stud_level(&mut self, call: &StrategyCall, exec: &Exec<'_, 'e>) -> Done {
         let [climb, diameter, stepover] = self.all_given(call, 1, exec)?;
         let (place, from) = self.polar_place(call, exec)?;

@@ -18,7 +18,7 @@ const SPARE: f64 = 1e-9;
 /// More turns or helices than this are refused.
 const MAX_TURNS: f64 = 10_000.0;
 /// Inside, the half turn onto the thread is at most so many tool radii wide: with a tool of a quarter of the thread
-/// diameter it begins at the centre, with a smaller one beside it.
+/// diameter it begins at the centre, with a smaller one next to it.
 const WIDEST_JOIN: f64 = 3.0;
 
 /// A thread to be milled.

@@ -1,4 +1,4 @@
-//! What a formula measures, by what stands in it.
+//! What a formula measures, by what is in it.
 use super::{ANGLE, COORDINATE, DISTANCE, FEED, LENGTH, Measure, NUMBER, Reader, Unit, plain};
 use crate::base::diag::Place;
 use crate::base::expr::{Expr, Func, Node, Op};
@@ -79,7 +79,7 @@ impl Reader<'_> {
                 let (one, two) = (self.value(left, place), self.value(right, place));
                 let compared = matches!(op, Op::Eq | Op::Ne | Op::Lt | Op::Le | Op::Gt | Op::Ge);
                 if compared {
-                    // A length is compared with lengths: a number would have a unit that nobody has said.
+                    // A length is compared with lengths: a number would have a unit that no one has said.
                     for (measure, other) in [(one, right), (two, left)] {
                         if measure.unit.is_some_and(|[length, ..]| length != 0) && is_literal(other) {
                             self.report(place, expr, "bare-number");
