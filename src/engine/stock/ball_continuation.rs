@@ -64,7 +64,7 @@ fn index(grid: &Grid, x: f64) -> f64 {
 
 /// A ball on a way that it has come to on another one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Onward {
+pub(super) struct BallContinuation {
     /// Its middle at the end.
     end: DVec3,
     square: f64,
@@ -78,7 +78,7 @@ pub(super) struct Onward {
     low: f64,
 }
 
-impl Onward {
+impl BallContinuation {
     /// Of a way; nothing if more has to be looked at.
     pub(super) fn new(grid: &Grid, sweep: &Sweep) -> Option<Self> {
         let hull = sweep.hull.filter(|hull| sweep.joined && hull.length > 0.0)?;

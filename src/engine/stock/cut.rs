@@ -4,7 +4,7 @@
 //! calculated may only say too often that there is something.
 use glam::DVec2;
 
-use super::ball_continuation::Onward;
+use super::ball_continuation::BallContinuation;
 use super::columns::{BLOCK, Tally, WIDE};
 use super::cutter::Tip;
 use super::dexel_row::Row;
@@ -49,11 +49,11 @@ pub(super) fn above(grid: &Grid, own: &mut Row, row: usize, sweep: &Sweep, tally
 
 /// The same for a ball that goes on from where it has been.
 #[inline(always)]
-pub(super) fn onward(
+pub(super) fn continue_ball(
     grid: &Grid,
     own: &mut Row,
     row: usize,
-    (sweep, ball): (&Sweep, &Onward),
+    (sweep, ball): (&Sweep, &BallContinuation),
     tally: &mut Tally,
     across: &mut [f64; 2],
 ) {

@@ -53,7 +53,7 @@ use glam::{DVec2, DVec3};
 use super::geometry::{Axis, Frame, WorkingPlane};
 use super::solid::{Body, Path, Shape, SolidError};
 use crate::base::parallel::together;
-use ball_continuation::Onward;
+use ball_continuation::BallContinuation;
 use columns::{SLIVER, Tally};
 use dexel_row::Row;
 use grid::{BAND, Grid};
@@ -376,7 +376,7 @@ fn oblique_jobs(batch: &mut Batch, owner: usize, oblique: &Oblique) {
 
 /// How a sweep is carried out row by row.
 enum Plan<'s> {
-    Onward(Onward),
+    BallContinuation(BallContinuation),
     Ramp(Ramp<'s>),
     /// All that it covers is looked at.
     Whole,
@@ -385,8 +385,8 @@ enum Plan<'s> {
 impl<'s> Plan<'s> {
     fn new(grid: &Grid, sweep: &'s Swept) -> Self {
         let Swept::Above(sweep) = sweep else { return Self::Whole };
-        let onward = Onward::new(grid, sweep).map(Self::Onward);
-        onward.or_else(|| Ramp::new(grid, sweep).map(Self::Ramp)).unwrap_or(Self::Whole)
+        let continuation = BallContinuation::new(grid, sweep).map(Self::BallContinuation);
+        continuation.or_else(|| Ramp::new(grid, sweep).map(Self::Ramp)).unwrap_or(Self::Whole)
     }
 }
 
@@ -418,8 +418,8 @@ fn work_lane<'s>(
                     let Some(own) = rows.get_mut(place(row).1) else { continue };
                     own.spread();
                     match (&job.sweep, plan) {
-                        (Swept::Above(sweep), Plan::Onward(ball)) => {
-                            cut::onward(grid, own, row, (sweep, ball), tally, &mut across);
+                        (Swept::Above(sweep), Plan::BallContinuation(ball)) => {
+                            cut::continue_ball(grid, own, row, (sweep, ball), tally, &mut across);
                         }
                         (Swept::Above(sweep), _) => cut::above(grid, own, row, sweep, tally, &mut across),
                         (Swept::Between(sweep, head), _) => {
