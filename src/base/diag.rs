@@ -110,8 +110,8 @@ impl Source {
         let table = self.table();
         let step = table.starts.partition_point(|start| *start <= byte).saturating_sub(1);
         let first = table.starts.get(step).copied().unwrap_or_default();
-        let behind = starts(&self.text, first, byte);
-        behind.fold((step * STEP + 1, first), |(line, _), start| (line + 1, start))
+        let after = starts(&self.text, first, byte);
+        after.fold((step * STEP + 1, first), |(line, _), start| (line + 1, start))
     }
 
     /// The number (from 1) of the line that holds the byte.

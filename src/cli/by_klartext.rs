@@ -10,7 +10,7 @@ use crate::tools::convert::{self, Conversion, Request};
 
 /// Findings about the Klartext that the reader of the program does not see.
 const SYNTAX: &str = "syntax-";
-/// What Klartext has no equivalent of is not looked at.
+/// What Klartext has no equivalent of is not checked.
 const NO_EQUIVALENT: &str = "klartext-no-equivalent";
 
 /// Findings that say what was done.

@@ -262,7 +262,7 @@ record! {
         then: Option<Outcome>,
         /// The machine datum that switches it off when it is 0.
         switched_off_by: Option<Name>,
-        /// When it is looked at.
+        /// When it is evaluated.
         at: Option<Moment>,
         /// The parameter at which the checker reports it, if it is not the first one that the condition measures.
         about: Option<QRef>,

@@ -178,7 +178,7 @@ words! {
 }
 
 words! {
-    /// When a guard is looked at.
+    /// When a guard is evaluated.
     pub enum Moment {
         /// When the cycle is defined.
         Definition = "definition",

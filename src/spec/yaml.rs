@@ -120,8 +120,8 @@ pub fn read(source: &Arc<Source>, found: &mut Vec<Diagnostic>) -> Option<Node> {
             Ok((event, span)) => (event, bytes.span(span)),
             Err(error) => {
                 let at = bytes.span(saphyr_parser::Span::empty(*error.marker()));
-                let behind = source.text().get(at.start..).and_then(|rest| rest.chars().next());
-                let end = at.start + behind.map_or(0, char::len_utf8);
+                let after = source.text().get(at.start..).and_then(|rest| rest.chars().next());
+                let end = at.start + after.map_or(0, char::len_utf8);
                 found.push(
                     Diagnostic::error("spec-yaml-syntax", Place::new(source, at.start..end))
                         .arg("reason", error.info()),

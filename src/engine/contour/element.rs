@@ -43,7 +43,7 @@ enum Curve {
 pub(crate) struct Meeting {
     pub(crate) point: DVec2,
     pub(crate) before: f64,
-    pub(crate) behind: f64,
+    pub(crate) after: f64,
 }
 
 /// How the tool gets round a corner.
@@ -172,7 +172,7 @@ impl Element {
     }
 
     /// How much a point next to the element cuts off its beginning.
-    fn cut_behind(&self, point: DVec2, offset: f64) -> f64 {
+    fn cut_after(&self, point: DVec2, offset: f64) -> f64 {
         match self.shape {
             Shape::Line => (point - self.start_beside(offset)).dot(self.heading_at_start()),
             Shape::Arc { centre, sweep } => {
@@ -199,7 +199,7 @@ impl Element {
     }
 
     /// The point that lies so far after its beginning.
-    fn behind_start(&self, cut: f64) -> DVec2 {
+    fn after_start(&self, cut: f64) -> DVec2 {
         match self.shape {
             Shape::Line => self.from + self.heading_at_start() * cut,
             Shape::Arc { centre, sweep } => turned(self.from, centre, cut * sweep.signum()),
@@ -275,52 +275,52 @@ fn crossings(a: Curve, b: Curve) -> Vec<DVec2> {
 }
 
 /// The sine of the angle by which the direction changes at a joint, and whether it goes on without a corner.
-fn bend(before: &Element, behind: &Element) -> (f64, bool) {
-    let (u, v) = (before.heading_at_end(), behind.heading_at_start());
+fn bend(before: &Element, after: &Element) -> (f64, bool) {
+    let (u, v) = (before.heading_at_end(), after.heading_at_start());
     let bend = u.perp_dot(v);
     (bend, bend.abs() < STRAIGHT_ON && u.dot(v) > 0.0)
 }
 
 /// Where two elements meet next to an inside corner: the meeting that cuts off least.
-fn inside(before: &Element, behind: &Element, offset: f64) -> Option<Meeting> {
-    let (a, b) = (before.curve(offset, before.to)?, behind.curve(offset, behind.from)?);
+fn inside(before: &Element, after: &Element, offset: f64) -> Option<Meeting> {
+    let (a, b) = (before.curve(offset, before.to)?, after.curve(offset, after.from)?);
     let meeting = |point: DVec2| {
-        let (cut, other) = (before.cut_before(point, offset), behind.cut_behind(point, offset));
+        let (cut, other) = (before.cut_before(point, offset), after.cut_after(point, offset));
         // A line may be left with less than nothing here: its other end decides, for M97 goes on beyond it.
         let over = |cut: f64, element: &Element| cut > element.extent() + ROUNDING;
         let fits =
             |cut: f64, element: &Element| cut >= -ROUNDING && (element.shape == Shape::Line || !over(cut, element));
-        let way = before.way(cut, offset) + behind.way(other, offset);
-        let meeting = Meeting { point, before: cut.max(0.0), behind: other.max(0.0) };
-        let is_over = over(cut, before) || over(other, behind);
-        (fits(cut, before) && fits(other, behind)).then_some((is_over, way, meeting))
+        let way = before.way(cut, offset) + after.way(other, offset);
+        let meeting = Meeting { point, before: cut.max(0.0), after: other.max(0.0) };
+        let is_over = over(cut, before) || over(other, after);
+        (fits(cut, before) && fits(other, after)).then_some((is_over, way, meeting))
     };
     let found = crossings(a, b).into_iter().filter_map(meeting);
     found.min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))).map(|(_, _, meeting)| meeting)
 }
 
 /// Where two elements meet next to an outside corner if they go on.
-fn outside(before: &Element, behind: &Element, offset: f64) -> Option<Meeting> {
-    let (a, b) = (before.curve(offset, before.to)?, behind.curve(offset, behind.from)?);
+fn outside(before: &Element, after: &Element, offset: f64) -> Option<Meeting> {
+    let (a, b) = (before.curve(offset, before.to)?, after.curve(offset, after.from)?);
     let far = |point: &DVec2| length(*point - before.to);
     let point = crossings(a, b).into_iter().min_by(|a, b| far(a).total_cmp(&far(b)))?;
     let back = |cut: f64, element: &Element| match element.shape {
         Shape::Arc { .. } if cut > 180.0 => cut - 360.0,
         _ => cut,
     };
-    let (cut, other) = (before.cut_before(point, offset), behind.cut_behind(point, offset));
-    Some(Meeting { point, before: back(cut, before), behind: back(other, behind) })
+    let (cut, other) = (before.cut_before(point, offset), after.cut_after(point, offset));
+    Some(Meeting { point, before: back(cut, before), after: back(other, after) })
 }
 
 /// How a tool that runs next to both elements gets from one to the other; nothing where it is too large for the corner.
-pub(crate) fn corner(before: &Element, behind: &Element, offset: f64, manner: Manner) -> Option<Corner> {
-    let at = |point: DVec2| Corner::Meet(Meeting { point, before: 0.0, behind: 0.0 });
+pub(crate) fn corner(before: &Element, after: &Element, offset: f64, manner: Manner) -> Option<Corner> {
+    let at = |point: DVec2| Corner::Meet(Meeting { point, before: 0.0, after: 0.0 });
     if offset == 0.0 {
         return Some(at(before.to));
     }
-    let (bend, straight_on) = bend(before, behind);
+    let (bend, straight_on) = bend(before, after);
     if straight_on {
-        let middle = direction(before.heading_at_end() + behind.heading_at_start())?;
+        let middle = direction(before.heading_at_end() + after.heading_at_start())?;
         return Some(at(before.to + left_of(middle) * offset));
     }
     if manner == Manner::Open {
@@ -328,42 +328,42 @@ pub(crate) fn corner(before: &Element, behind: &Element, offset: f64, manner: Ma
     }
     let is_inside = bend * offset > 0.0 && bend.abs() >= STRAIGHT_ON;
     match (is_inside, manner) {
-        (true, _) => inside(before, behind, offset).map(Corner::Meet),
-        (false, Manner::Intersection) => outside(before, behind, offset).map(Corner::Meet),
+        (true, _) => inside(before, after, offset).map(Corner::Meet),
+        (false, Manner::Intersection) => outside(before, after, offset).map(Corner::Meet),
         (false, _) => Some(Corner::Around),
     }
 }
 
 /// A corner rounded with a radius: the two elements and the arc between them, if there is a corner.
 /// Nothing where the arc finds no place.
-pub(crate) fn rounded(before: &Element, behind: &Element, radius: f64) -> Option<(Element, Option<Element>, Element)> {
-    let (bend, straight_on) = bend(before, behind);
+pub(crate) fn rounded(before: &Element, after: &Element, radius: f64) -> Option<(Element, Option<Element>, Element)> {
+    let (bend, straight_on) = bend(before, after);
     if straight_on || radius == 0.0 {
-        return Some((*before, None, *behind));
+        return Some((*before, None, *after));
     }
     let direction = bend.signum();
-    let Meeting { point: centre, before: cut, behind: other } = inside(before, behind, radius * direction)?;
-    if cut > before.extent() + ROUNDING || other > behind.extent() + ROUNDING {
+    let Meeting { point: centre, before: cut, after: other } = inside(before, after, radius * direction)?;
+    if cut > before.extent() + ROUNDING || other > after.extent() + ROUNDING {
         return None;
     }
-    let (from, to) = (before.before_end(cut), behind.behind_start(other));
+    let (from, to) = (before.before_end(cut), after.after_start(other));
     let sweep = turn_between(from - centre, to - centre, direction) * direction;
     let arc = Element::arc(from, to, centre, sweep);
-    Some((before.without_end(cut, from), Some(arc), behind.without_start(other, to)))
+    Some((before.without_end(cut, from), Some(arc), after.without_start(other, to)))
 }
 
 /// A corner of two lines broken by a chamfer that takes so much off each. Nothing where it finds no place.
-pub(crate) fn broken(before: &Element, behind: &Element, leg: f64) -> Option<(Element, Option<Element>, Element)> {
-    let lines = before.shape == Shape::Line && behind.shape == Shape::Line;
-    if !lines || leg > before.extent() + ROUNDING || leg > behind.extent() + ROUNDING {
+pub(crate) fn broken(before: &Element, after: &Element, leg: f64) -> Option<(Element, Option<Element>, Element)> {
+    let lines = before.shape == Shape::Line && after.shape == Shape::Line;
+    if !lines || leg > before.extent() + ROUNDING || leg > after.extent() + ROUNDING {
         return None;
     }
-    let (_, straight_on) = bend(before, behind);
+    let (_, straight_on) = bend(before, after);
     if straight_on || leg == 0.0 {
-        return Some((*before, None, *behind));
+        return Some((*before, None, *after));
     }
-    let (from, to) = (before.before_end(leg), behind.behind_start(leg));
-    Some((before.without_end(leg, from), Some(Element::line(from, to)), behind.without_start(leg, to)))
+    let (from, to) = (before.before_end(leg), after.after_start(leg));
+    Some((before.without_end(leg, from), Some(Element::line(from, to)), after.without_start(leg, to)))
 }
 
 /// The arc that goes on from a direction and ends at a point: its centre and angle. Nothing if that point lies straight

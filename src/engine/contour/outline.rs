@@ -86,9 +86,9 @@ impl Outline {
             (DVec2::new(-m, -n), DVec2::new(-m, -b), DVec2::new(m, -b)),
             (DVec2::new(m, -n), DVec2::new(a, -n), DVec2::new(a, 0.0)),
         ];
-        for (centre, behind, next) in corners {
+        for (centre, after, next) in corners {
             if c > 0.0 {
-                legs.push(Leg::Arc(centre, behind, 1.0));
+                legs.push(Leg::Arc(centre, after, 1.0));
             }
             legs.push(Leg::Line(next));
         }

@@ -399,7 +399,7 @@ impl Contour {
                     let corner = corner(&before, &element, offset, piece.manner);
                     let (end, cut, link) = match corner.ok_or_else(|| self.too_large(block, offset))? {
                         Corner::Meet(meeting) => {
-                            (next.start, next.cut) = (meeting.point, meeting.behind);
+                            (next.start, next.cut) = (meeting.point, meeting.after);
                             (meeting.point, meeting.before, None)
                         }
                         way => {

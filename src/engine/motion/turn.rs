@@ -85,10 +85,10 @@ impl Drives<'_, '_> {
             (self.world.here, self.world.machine) = (to, end);
         }
         let turned = self.turned(&moving, after, speed, moves || held);
-        let told = self.world.system.reported();
+        let transform = self.world.system.reported();
         self.world.turn(after);
         self.report.report(turned);
-        self.transformed(told);
+        self.transformed(transform);
         if held && machine.is_none() {
             // Whatever turns, that is where it stays.
             self.world.here = to;

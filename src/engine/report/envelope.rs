@@ -160,7 +160,7 @@ pub(crate) fn envelope(begin: &Begin<'_>, key: CycleKey, ways: &[Way], probings:
     }
 }
 
-/// A length without what calculating left behind its last digits.
+/// A length without the rounding error in its last digits.
 fn exact(length: f64) -> f64 {
     libm::round(length * 1e9) / 1e9 + 0.0
 }

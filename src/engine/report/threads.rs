@@ -96,12 +96,12 @@ impl Threads {
         self.end_of_tap().or_else(|| self.end_of_milling())
     }
 
-    fn told(&self, thread: Threaded) -> Event {
+    fn event(&self, thread: Threaded) -> Event {
         Event { at: self.at.clone(), kind: EventKind::Thread(thread) }
     }
 
     fn end_of_milling(&mut self) -> Option<Event> {
-        self.pending.take().map(|(thread, _)| self.told(thread))
+        self.pending.take().map(|(thread, _)| self.event(thread))
     }
 
     fn end_of_tap(&mut self) -> Option<Event> {
@@ -111,7 +111,7 @@ impl Threads {
         // A right-hand thread goes away from the spindle while that turns clockwise.
         let right = (inwards < 0.0) == (tap.turning > 0);
         let (diameter, pitch, passes) = (2.0 * self.radius, tap.pitch, tap.passes);
-        Some(self.told(Threaded { milled: false, outside: false, right, diameter, pitch, top, bottom, passes }))
+        Some(self.event(Threaded { milled: false, outside: false, right, diameter, pitch, top, bottom, passes }))
     }
 
     /// A straight move at a feed.

@@ -38,18 +38,18 @@ const TOUCH: f64 = 1e-9;
 const SHALLOW: f64 = 1e-5;
 /// A root of the polynomial is one of the distance only if the gap there is below this, in mm, before it is sharpened.
 const NEAR_ROOT: f64 = 1e-3;
-/// Unsupported edges are told apart from the ball down to this share of its radius.
+/// Unsupported edges are distinguished from the ball down to this share of its radius.
 const EDGE_SHARE: f64 = 1.0 / 64.0;
 /// The search for unsupported edges gives up (and reports them) after so many cells.
 const MAX_CELLS: usize = 200_000;
 /// A ball that goes any way and comes closer than this, in mm, counts as touching.
 const NEAR: f64 = 1e-6;
-/// More stretches of such a way are not looked at.
+/// More stretches of such a path are not examined.
 const MAX_STRETCHES: usize = 1_000_000;
 /// A helix is proven free in steps not shorter than this, in mm.
 const MIN_STEP: f64 = 1e-3;
 
-/// Pieces are looked at in so many stretches before their features are calculated with.
+/// Pieces are examined in so many stretches before their features are calculated with.
 const STRETCHES: usize = 6;
 
 /// A moment at which the ball is at the right distance from a feature.

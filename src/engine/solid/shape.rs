@@ -8,7 +8,7 @@ use glam::DVec3;
 /// A solid shape. Nesting is arbitrary.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
-    /// All points behind a plane; the normal (of any length) points out of the material.
+    /// All points on the inner side of a plane; the normal (of any length) points out of the material.
     HalfSpace {
         /// A point of the plane.
         point: DVec3,

@@ -13,7 +13,7 @@ use super::cutter::Tip;
 use super::kernel::{BISECTIONS, fill, fill_few, under};
 use super::sweep::{HAIR, NARROW, NONE, Sweep, Way};
 
-/// Parts of a turn among which the lowest is looked for before the search closes in on it.
+/// Parts of a turn among which the lowest is searched before the search closes in on it.
 const PARTS: usize = 16;
 /// How far, in radians, an angle may lie off the ends of a way by rounding.
 const EDGE: f64 = 1e-12;
@@ -147,10 +147,10 @@ impl Sweep {
         }
         let [mut low, mut high] = NONE;
         for way in [start, end] {
-            let stands = centre + way * radius;
-            if let Some(half) = half(stands.y, tool) {
-                low = smaller(low, stands.x - half);
-                high = larger(high, stands.x + half);
+            let footprint = centre + way * radius;
+            if let Some(half) = half(footprint.y, tool) {
+                low = smaller(low, footprint.x - half);
+                high = larger(high, footprint.x + half);
             }
         }
         // Where the row crosses the rims of the ring next to the way. A rim is no farther from its chord than its radius
@@ -200,14 +200,14 @@ impl Sweep {
         // Nothing that lies farther back than this is lower than where the tool was; a wide tool may come back.
         if self.joined && !flat && radius >= tool && sweep <= FRAC_PI_2 {
             let slope = if rise < 0.0 { -rise / (sweep * radius) } else { 0.0 };
-            let behind = match self.cutter.tip {
+            let after = match self.cutter.tip {
                 Tip::Round(corner) if corner >= tool => tool * slope,
                 Tip::Point(steep) => tool * slope / steep,
                 _ if slope == 0.0 => 0.0,
                 _ => return parts,
             };
             // Along the row, the distance before the radial line at the start.
-            let (rate, fixed) = (-turn * start.y, turn * start.x * (y - centre.y) + behind + HAIR);
+            let (rate, fixed) = (-turn * start.y, turn * start.x * (y - centre.y) + after + HAIR);
             let limit = centre.x - fixed / rate;
             for part in &mut parts {
                 if rate > 1e-9 {

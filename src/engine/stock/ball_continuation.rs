@@ -79,14 +79,14 @@ pub(super) struct BallContinuation {
 }
 
 impl BallContinuation {
-    /// Of a way; nothing if more has to be looked at.
+    /// Of a path; nothing if more has to be examined.
     pub(super) fn new(grid: &Grid, sweep: &Sweep) -> Option<Self> {
         let hull = sweep.hull.filter(|hull| sweep.joined && hull.length > 0.0)?;
         let radius = sweep.cutter.radius;
         let flat = DVec2::new(hull.from.x, hull.from.y);
         // On the way up it is lowest somewhat before a column, at most by that, and on the way down after it.
         let lag = radius * hull.slope / hull.steep;
-        let (directions, ahead, behind) = match sweep.way {
+        let (directions, ahead, after) = match sweep.way {
             Way::Line { .. } => ([hull.along, hull.along], lag.max(0.0), lag.min(0.0)),
             // A wide tool may come back to where it was.
             Way::Arc { radius: wide, rise, start, end, turn, sweep, .. } if rise <= 0.0 && wide >= radius => {
@@ -100,7 +100,7 @@ impl BallContinuation {
             end,
             square: radius * radius,
             ends: Limit::new(grid, DVec2::new(end.x, end.y), directions[1], ahead),
-            starts: Limit::new(grid, flat, directions[0], behind - HAIR),
+            starts: Limit::new(grid, flat, directions[0], after - HAIR),
             within: [sweep.min.x, sweep.max.x].map(|x| index(grid, x)),
             hull,
             is_line: matches!(sweep.way, Way::Line { .. }),
@@ -152,8 +152,8 @@ impl BallContinuation {
         let square = self.square - beside * beside;
         if square > 0.0 && from <= to {
             let half = square.sqrt();
-            let stands = [index(grid, self.end.x - half), index(grid, self.end.x + half)];
-            if let Some(columns) = columns(larger(from, stands[0]), smaller(to, stands[1])) {
+            let footprint = [index(grid, self.end.x - half), index(grid, self.end.x + half)];
+            if let Some(columns) = columns(larger(from, footprint[0]), smaller(to, footprint[1])) {
                 let (away, step, height) = (grid.x(0) - self.end.x, grid.cell.x, self.end.z);
                 let ball = |n: f64| {
                     let far = away + n * step;

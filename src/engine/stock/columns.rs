@@ -3,7 +3,7 @@
 pub(super) const BLOCK: usize = 16;
 /// Numbers that are worked on side by side.
 pub(super) const WIDE: usize = 4;
-/// Columns of a block over which a standing ball is looked at together.
+/// Columns of a block over which a standing ball is examined at once.
 pub(super) const PART: usize = BLOCK / 4;
 /// Material thinner than this, mm, does not exist.
 pub(super) const SLIVER: f64 = 1e-6;

@@ -1,6 +1,6 @@
 //! What the envelope of a tool takes away from one row of columns.
 //!
-//! Invariant: a block is left alone where nothing of it can be above the envelope; what is asked before the heights are
+//! Invariant: a block is skipped where nothing of it can be above the envelope; what is asked before the heights are
 //! calculated may only say too often that there is something.
 use glam::DVec2;
 
@@ -28,7 +28,7 @@ pub(super) fn above(grid: &Grid, own: &mut Row, row: usize, sweep: &Sweep, tally
     let part = Part { grid, sweep, y };
     let level = sweep.level();
     let settled = if level.is_none() { sweep.settled(y) } else { None };
-    let settled = settled.and_then(|(stands, height)| Some((columns(stands)?, height)));
+    let settled = settled.and_then(|(footprint, height)| Some((columns(footprint)?, height)));
     for (first, last) in sweep.fresh(y, span).into_iter().filter_map(columns) {
         match (level, settled) {
             (Some(level), _) => part.level(own, (first, last), level, tally, across),
@@ -57,7 +57,7 @@ pub(super) fn continue_ball(
     tally: &mut Tally,
     across: &mut [f64; 2],
 ) {
-    // Columns with a gap in them are looked at one by one.
+    // Columns with a gap in them are examined one by one.
     if !own.is_above_floor(sweep.low) {
         return above(grid, own, row, sweep, tally, across);
     }
@@ -86,7 +86,7 @@ pub(super) fn ramp(
     });
 }
 
-/// The same in a row all of which has to be looked at.
+/// The same in a row all of which has to be examined.
 #[inline(never)]
 fn ramp_whole(
     grid: &Grid,
@@ -96,7 +96,7 @@ fn ramp_whole(
     tally: &mut Tally,
     across: &mut [f64; 2],
 ) {
-    // Columns with a gap in them are looked at one by one.
+    // Columns with a gap in them are examined one by one.
     if !own.is_above_floor(sweep.low) {
         own.spread();
         return above(grid, own, row, sweep, tally, across);

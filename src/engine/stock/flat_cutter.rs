@@ -35,7 +35,7 @@ fn whole(columns: &Range<u32>) -> Range<u32> {
 #[derive(Clone, Debug)]
 pub(super) struct Reach {
     pub all: Range<u32>,
-    pub stands: Range<u32>,
+    pub footprint: Range<u32>,
     pub height: f64,
 }
 
@@ -75,15 +75,15 @@ impl Row {
     }
 
     /// Remembers the columns over which the tool is lowest, if all of them end there.
-    pub(super) fn lay(&mut self, stands: Range<u32>, height: f64) {
-        let (from, to) = (stands.start as usize, stands.end as usize);
+    pub(super) fn lay(&mut self, footprint: Range<u32>, height: f64) {
+        let (from, to) = (footprint.start as usize, footprint.end as usize);
         let at = |column: usize| self.top(column) == height;
         if to < from + LEAST || !at(from) || !at(to - 1) || !at((from + to) / 2) || !(from..to).all(at) {
             return;
         }
-        let touched = whole(&stands);
+        let touched = whole(&footprint);
         self.part(touched.clone());
-        self.bed = Some(Bed { from: stands.start, to: stands.end, height, touched });
+        self.bed = Some(Bed { from: footprint.start, to: footprint.end, height, touched });
     }
 
     /// Writes the tops of all columns of some blocks down one by one.
@@ -101,30 +101,30 @@ impl Row {
     #[inline(never)]
     pub(super) fn begin(
         &mut self,
-        Reach { all, stands, height }: Reach,
+        Reach { all, footprint, height }: Reach,
         place: Place<'_>,
         left: impl Fn(u32) -> f64,
         rims: &mut Rims,
     ) -> bool {
-        let few = stands.len() <= MOST as usize && all.len() <= 2 * MOST as usize;
-        if stands.len() < LEAST || !few {
+        let few = footprint.len() <= MOST as usize && all.len() <= 2 * MOST as usize;
+        if footprint.len() < LEAST || !few {
             return false;
         }
-        let columns = stands.start as usize..stands.end as usize;
+        let columns = footprint.start as usize..footprint.end as usize;
         if !columns.clone().all(|column| self.top(column) - height > SLIVER) {
             return false;
         }
-        let all = all.start.min(stands.start)..all.end.max(stands.end);
+        let all = all.start.min(footprint.start)..all.end.max(footprint.end);
         let touched = whole(&all);
         self.part(touched.clone());
         rims.begin();
-        if self.passes(place.foot, &all, (&(0..0), height), (&stands, height), left) {
+        if self.passes(place.foot, &all, (&(0..0), height), (&footprint, height), left) {
             rims.pass(place.foot);
         }
-        rims.leave(self, all.start..stands.start, place, &(0..0), height);
-        rims.leave(self, stands.end..all.end, place, &(0..0), height);
-        rims.come(self, stands.clone(), place, height);
-        self.bed = Some(Bed { from: stands.start, to: stands.end, height, touched });
+        rims.leave(self, all.start..footprint.start, place, &(0..0), height);
+        rims.leave(self, footprint.end..all.end, place, &(0..0), height);
+        rims.come(self, footprint.clone(), place, height);
+        self.bed = Some(Bed { from: footprint.start, to: footprint.end, height, touched });
         true
     }
 
@@ -158,7 +158,7 @@ impl Row {
     #[inline(always)]
     pub(super) fn take_on(
         &mut self,
-        Reach { all, stands, height }: Reach,
+        Reach { all, footprint, height }: Reach,
         place: Place<'_>,
         across: impl Fn(f64) -> f64,
         left: impl Fn(u32) -> f64,
@@ -166,9 +166,9 @@ impl Row {
     ) -> bool {
         let Some(bed) = &mut self.bed else { return false };
         let (top, old) = (bed.height, bed.from..bed.to);
-        let (mut from, mut to) = (old.start.max(stands.start), old.end.min(stands.end));
-        let all = all.start.min(stands.start).min(old.start)..all.end.max(stands.end).max(old.end);
-        // Where much is new, the whole is looked at.
+        let (mut from, mut to) = (old.start.max(footprint.start), old.end.min(footprint.end));
+        let all = all.start.min(footprint.start).min(old.start)..all.end.max(footprint.end).max(old.end);
+        // Where much is new, the whole is examined.
         if to <= from || top - height <= SLIVER || from > all.start + MOST || all.end > to + MOST {
             return false;
         }
@@ -184,25 +184,25 @@ impl Row {
         rims.count(to - from, [top, height], [first, last].map(&across));
         let foot = place.foot[0];
         let passes = foot >= 0.0
-            && (first < foot && foot < last || self.passes(place.foot, &all, (&old, top), (&stands, height), left));
+            && (first < foot && foot < last || self.passes(place.foot, &all, (&old, top), (&footprint, height), left));
         if passes {
             rims.pass(place.foot);
         }
         // On the side of the lower numbers; all of what it comes to that ends at its height belongs to the bed.
-        if all.start < stands.start {
-            rims.leave(self, all.start..stands.start, place, &old, top);
+        if all.start < footprint.start {
+            rims.leave(self, all.start..footprint.start, place, &old, top);
         }
-        if stands.start < old.start {
-            let lower = rims.come(self, stands.start..old.start, place, height);
-            from = lower.map_or(stands.start, |(_, last)| last + 1);
+        if footprint.start < old.start {
+            let lower = rims.come(self, footprint.start..old.start, place, height);
+            from = lower.map_or(footprint.start, |(_, last)| last + 1);
         }
         // On the other side.
-        if stands.end < all.end {
-            rims.leave(self, stands.end..all.end, place, &old, top);
+        if footprint.end < all.end {
+            rims.leave(self, footprint.end..all.end, place, &old, top);
         }
-        if old.end < stands.end {
-            let lower = rims.come(self, old.end..stands.end, place, height);
-            to = lower.map_or(stands.end, |(first, _)| first);
+        if old.end < footprint.end {
+            let lower = rims.come(self, old.end..footprint.end, place, height);
+            to = lower.map_or(footprint.end, |(first, _)| first);
         }
         if let Some(bed) = &mut self.bed {
             (bed.from, bed.to, bed.height) = (from, to, height);
@@ -210,7 +210,7 @@ impl Row {
         true
     }
 
-    /// Whether the foot of a row lies between two columns that lose something: of all that are looked at, those of the
+    /// Whether the foot of a row lies between two columns that lose something: of all that are examined, those of the
     /// `old` bed end at its height, and those over which the tool is come down to another;
     /// `left` says what is left of the others.
     #[inline(always)]
@@ -219,11 +219,11 @@ impl Row {
         [foot, _]: [f64; 2],
         all: &Range<u32>,
         old: (&Range<u32>, f64),
-        stands: (&Range<u32>, f64),
+        footprint: (&Range<u32>, f64),
         left: impl Fn(u32) -> f64,
     ) -> bool {
         let is_near = f64::from(all.start) < foot && foot + 1.0 < f64::from(all.end);
-        is_near && self.loses(foot as u32, old, stands, &left) && self.loses(foot as u32 + 1, old, stands, &left)
+        is_near && self.loses(foot as u32, old, footprint, &left) && self.loses(foot as u32 + 1, old, footprint, &left)
     }
 
     #[cold]
@@ -231,11 +231,11 @@ impl Row {
         &self,
         column: u32,
         old: (&Range<u32>, f64),
-        stands: (&Range<u32>, f64),
+        footprint: (&Range<u32>, f64),
         left: &impl Fn(u32) -> f64,
     ) -> bool {
         let top = if old.0.contains(&column) { old.1 } else { self.top(column as usize) };
-        let after = if stands.0.contains(&column) { stands.1 } else { left(column) };
+        let after = if footprint.0.contains(&column) { footprint.1 } else { left(column) };
         top - after > SLIVER
     }
 }

@@ -216,7 +216,7 @@ struct Noted {
     event: u64,
     at: Place,
     rapid: bool,
-    stands: bool,
+    spindle_off: bool,
     length: f64,
     feed: f64,
     edges: f64,
@@ -313,23 +313,23 @@ impl Machining {
                 *(if rapid { &mut self.report.length_rapid } else { &mut self.report.length_feed }) += length;
                 self.pace.go(path, *feed, rapid);
                 let at = Place::of(&event.at);
-                if let (Some((number, told)), false) = (self.unknown, rapid) {
+                if let (Some((number, reported)), false) = (self.unknown, rapid) {
                     self.report.find(FindingKind::NoRadius, &at, number);
-                    if let (Some(found), false) = (&mut self.found, told) {
+                    if let (Some(found), false) = (&mut self.found, reported) {
                         found.push(Found { event: self.seen, kind: FindingKind::NoRadius, amount: number });
                         self.unknown = Some((number, true));
                     }
                 }
                 let Some(cutter) = self.in_effect() else { return };
-                let (stands, edges) = (!self.turning, cutter.edges);
+                let (spindle_off, edges) = (!self.turning, cutter.edges);
                 // Whatever the spindle does, a move that stays out of the material must do so by more than rounding.
                 let [_, angles] = self.angles;
                 let (mut axis, mut path) = (self.machine.head(angles).vector(self.axis.unit()), *path);
                 if let Some(parts) = &self.parts {
                     (axis, path) = (parts.vector(axis), seen(parts, &path));
                 }
-                self.stock.add(&mut self.batch, &path, axis, &cutter, rapid || stands);
-                self.noted.push(Noted { event: self.seen, at, rapid, stands, length, feed: *feed, edges });
+                self.stock.add(&mut self.batch, &path, axis, &cutter, rapid || spindle_off);
+                self.noted.push(Noted { event: self.seen, at, rapid, spindle_off, length, feed: *feed, edges });
                 if self.batch.len() >= TOGETHER {
                     self.settle();
                 }
@@ -390,7 +390,7 @@ impl Machining {
         self.report.removed += cut.volume;
         if noted.rapid {
             self.find(FindingKind::Rapid, &noted.at, cut.depth + SKIN, noted.event);
-        } else if noted.stands {
+        } else if noted.spindle_off {
             self.find(FindingKind::SpindleStands, &noted.at, cut.depth + SKIN, noted.event);
         }
         if noted.edges > 0.0 && cut.reach > noted.edges + SKIN {

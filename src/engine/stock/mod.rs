@@ -378,7 +378,7 @@ fn oblique_jobs(batch: &mut Batch, owner: usize, oblique: &Oblique) {
 enum Plan<'s> {
     BallContinuation(BallContinuation),
     Ramp(Ramp<'s>),
-    /// All that it covers is looked at.
+    /// All that it covers is examined.
     Whole,
 }
 

@@ -3,7 +3,7 @@
 //!
 //! Of the rest, a rim of few columns, each has a height of its own. Where the tool reaches is calculated for the rows
 //! of a band side by side. Invariant: what is taken from the ends of the way alone is all that is covered in a row, but
-//! for rows near the rims next to the way, which are looked at as a whole.
+//! for rows near the rims next to the way, which are examined as a whole.
 use std::ops::Range;
 
 use glam::DVec2;
@@ -53,11 +53,11 @@ struct Reaches {
     y: [f64; BAND],
     /// What it covers at its ends, and what it is over where it is lowest.
     all: [[i32; 2]; BAND],
-    stands: [[i32; 2]; BAND],
+    footprint: [[i32; 2]; BAND],
 }
 
 impl<'s> Ramp<'s> {
-    /// Of a way; nothing if more has to be looked at.
+    /// Of a path; nothing if more has to be examined.
     pub(super) fn new(grid: &Grid, sweep: &'s Sweep) -> Option<Self> {
         if sweep.cutter.tip != Tip::Flat {
             return None;
@@ -93,9 +93,9 @@ impl<'s> Ramp<'s> {
         let (low, high) = (place(self.low.x), place(self.high.x));
         let (each, hair, count) = (grid.each.x, HAIR * grid.each.x, grid.columns as f64);
         let begin = grid.y(row);
-        let (mut y, mut all, mut stands) = ([0.0; BAND], [[0; 2]; BAND], [[0; 2]; BAND]);
+        let (mut y, mut all, mut footprint) = ([0.0; BAND], [[0; 2]; BAND], [[0; 2]; BAND]);
         let first = |at: f64| smaller(larger(at, 0.0), count) + UP + WHOLE;
-        let behind = |at: f64| smaller(larger(at, -1.0), count - 1.0) + (1.0 - UP) + WHOLE;
+        let after = |at: f64| smaller(larger(at, -1.0), count - 1.0) + (1.0 - UP) + WHOLE;
         for n in 0..BAND {
             y[n] = begin + n as f64 * grid.cell.y;
             let (a, b) = (y[n] - self.low.y, y[n] - self.high.y);
@@ -105,11 +105,11 @@ impl<'s> Ramp<'s> {
             let (half, gap) = if a > 0.0 { (half, 0.0) } else { (0.0, f64::INFINITY) };
             let (other, none) = if b > 0.0 { (other, 0.0) } else { (0.0, f64::INFINITY) };
             let (from, to) = (low - half + gap, low + half - gap);
-            stands[n] = [whole(first(from + hair)), whole(behind(to - hair))];
+            footprint[n] = [whole(first(from + hair)), whole(after(to - hair))];
             let (from, to) = (smaller(from, high - other + none), larger(to, high + other - none));
-            all[n] = [whole(first(from)), whole(behind(to))];
+            all[n] = [whole(first(from)), whole(after(to))];
         }
-        Reaches { y, all, stands }
+        Reaches { y, all, footprint }
     }
 
     /// Takes away what it covers in some bands, given by their first row and its place among the rows. `slow` takes the
@@ -152,19 +152,19 @@ impl<'s> Ramp<'s> {
             }
             let reaches = self.reaches(grid, begin);
             for (n, own) in rows.get_mut(place..).unwrap_or_default().iter_mut().enumerate().take(BAND) {
-                let (y, [mut first, mut behind], [from, to]) = (reaches.y[n], reaches.all[n], reaches.stands[n]);
+                let (y, [mut first, mut after], [from, to]) = (reaches.y[n], reaches.all[n], reaches.footprint[n]);
                 if (a <= y && y <= b) || (c <= y && y <= d) {
-                    [first, behind] = self.columns(grid, y);
+                    [first, after] = self.columns(grid, y);
                 }
-                if first >= behind || !own.ends_above(first as usize..behind as usize, self.height) {
+                if first >= after || !own.ends_above(first as usize..after as usize, self.height) {
                     continue;
                 }
                 if !self.gone && own.is_above_floor(self.height) {
                     let at = self.seen.row(y);
                     let foot = [middle, (y - beside) * (y - beside)];
                     let place = || Place { row: (place + n) as u32, at, seen: &self.seen, foot };
-                    let (all, stands) = (first as u32..behind as u32, from as u32..to as u32);
-                    let reach = || Reach { all: all.clone(), stands: stands.clone(), height: self.height };
+                    let (all, footprint) = (first as u32..after as u32, from as u32..to as u32);
+                    let reach = || Reach { all: all.clone(), footprint: footprint.clone(), height: self.height };
                     let across = |n: f64| trail.across(self.seen.column(at, n));
                     let left = |column: u32| trail.height(self.seen.column(at, f64::from(column)));
                     let done = if from >= to {
@@ -199,9 +199,9 @@ impl<'s> Ramp<'s> {
     pub(super) fn cut(&self, grid: &Grid, own: &mut Row, y: f64, tally: &mut Tally, mut cut: impl FnMut(usize, usize)) {
         let [mut from, mut to] = NONE;
         let (low, high) = (y - self.low.y, y - self.high.y);
-        let (stands, other) = (self.square - low * low, self.square - high * high);
-        let half = if stands > 0.0 { stands } else { 0.0 }.sqrt();
-        if stands >= 0.0 {
+        let (footprint, other) = (self.square - low * low, self.square - high * high);
+        let half = if footprint > 0.0 { footprint } else { 0.0 }.sqrt();
+        if footprint >= 0.0 {
             (from, to) = (self.low.x - half, self.low.x + half);
         }
         if other >= 0.0 {

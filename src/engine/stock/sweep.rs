@@ -257,7 +257,7 @@ impl Sweep {
         }
         let radius = self.cutter.radius;
         let slope = rise / length;
-        let behind = match self.cutter.tip {
+        let after = match self.cutter.tip {
             Tip::Flat if rise >= 0.0 => {
                 let square = radius * radius - (y - from.y) * (y - from.y);
                 if square <= 0.0 {
@@ -275,8 +275,8 @@ impl Sweep {
             Tip::Round(_) => return [[low, high], NONE],
         };
         // What lies farther back than this along the path is lowest where the tool was.
-        let behind = if slope > 0.0 { 0.0 } else { behind }.min(radius) + HAIR;
-        let start = (y - from.y) * along.y + behind;
+        let after = if slope > 0.0 { 0.0 } else { after }.min(radius) + HAIR;
+        let start = (y - from.y) * along.y + after;
         if along.x > 1e-9 {
             [[low.max(from.x - start / along.x), high], NONE]
         } else if along.x < -1e-9 {

@@ -187,7 +187,7 @@ impl Tops {
 
     /// Takes away what lies above the lower sides of balls over a part of the block: `balls` gives the square of half
     /// the height of the ball over a column, and the height of its middle. What the columns lose, if any of them does;
-    /// that is looked at first unless it is `likely`. The block has to be [renewed](Self::renew) then.
+    /// that is examined first unless it is `likely`. The block has to be [renewed](Self::renew) then.
     #[inline(always)]
     pub(super) fn under(
         &mut self,

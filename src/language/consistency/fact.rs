@@ -140,8 +140,8 @@ fn number(chars: &[char], from: usize, language: &str, facts: &mut BTreeMap<Kind
     while chars.get(unit_at).is_some_and(|c| matches!(c, ' ' | '\u{a0}' | '\u{202f}')) {
         unit_at += 1;
     }
-    let behind: String = chars[unit_at..].iter().take(7).collect();
-    if let Some(unit) = UNITS.iter().find(|unit| behind.starts_with(**unit)) {
+    let after: String = chars[unit_at..].iter().take(7).collect();
+    if let Some(unit) = UNITS.iter().find(|unit| after.starts_with(**unit)) {
         let end = unit_at + unit.chars().count();
         let ends = !chars.get(end).is_some_and(|c| c.is_alphanumeric());
         // `2° asse`, but not `5°.`

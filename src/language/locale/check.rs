@@ -2,7 +2,7 @@
 //!
 //! Fluent passes over several mistakes in silence (an unknown function in a selector, a term called
 //! with a case that it does not have, an argument that a term was not given); they are found here.
-//! Invariant: only one language is looked at; comparing languages is the audit's work.
+//! Invariant: only one language is examined; comparing languages is the audit's work.
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use fluent_syntax::ast::{CallArguments, InlineExpression, Pattern};

@@ -146,9 +146,9 @@ fn each_number(program: &Program, block: &Block, mut take: impl FnMut(Span)) {
             let start = at + (line.len() - digits.len());
             let length = digits.bytes().take_while(u8::is_ascii_digit).count();
             // In a definition that goes on, `331=+0` is a torn parameter and no number of a line.
-            let behind = digits.as_bytes().get(length);
+            let after = digits.as_bytes().get(length);
             if length > 0
-                && (first || behind.is_none_or(|byte| byte.is_ascii_whitespace() || byte.is_ascii_alphabetic()))
+                && (first || after.is_none_or(|byte| byte.is_ascii_whitespace() || byte.is_ascii_alphabetic()))
             {
                 take(Span::new(start, start + length));
             }
@@ -201,9 +201,9 @@ impl Writer<'_> {
             if bare.ends_with(['\n', '\r']) {
                 self.put(Span::new(start, parameter.span.start), INDENT);
             }
-            let behind = text.get(parameter.span.end..block.span.end).unwrap_or_default();
-            let gap = behind.len() - behind.trim_start_matches([' ', '\t']).len();
-            if behind.get(gap..).is_some_and(|rest| rest.starts_with(';')) {
+            let after = text.get(parameter.span.end..block.span.end).unwrap_or_default();
+            let gap = after.len() - after.trim_start_matches([' ', '\t']).len();
+            if after.get(gap..).is_some_and(|rest| rest.starts_with(';')) {
                 let blanks = " ".repeat(widest - width(parameter.span) + 1);
                 self.put(Span::new(parameter.span.end, parameter.span.end + gap), &blanks);
             }

@@ -1,6 +1,6 @@
 //! From physical lines to blocks: joins, cycles of many lines, and what to do with lines that no rule reads.
 //!
-//! Invariant: the blocks' spans follow one another and cover the text; each line is looked at a
+//! Invariant: the blocks' spans follow one another and cover the text; each line is visited a
 //! bounded number of times, whatever the text.
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -226,12 +226,12 @@ impl Assembler<'_> {
     fn is_wrapped(&self, first: &Line, kind: &BlockKind) -> bool {
         let BlockKind::Unknown(error) = kind else { return false };
         let (Some(comment), Some((next, _))) = (first.comment, self.after_blanks(first.next)) else { return false };
-        let behind = self.text.get(comment.end..first.next).is_some_and(|rest| rest.contains('~'));
+        let after = self.text.get(comment.end..first.next).is_some_and(|rest| rest.contains('~'));
         let words = self.text.get(next.content.start..next.content.end).unwrap_or_default();
         let in_words = words.chars().take(3).filter(|c| c.is_alphabetic()).count() == 3 || words.contains(' ');
         // In a formula a dash and a word could go on with it.
         let inside = error.code == "syntax-formula" && error.span.start > next.content.start;
-        behind && in_words && (error.span.start == next.content.start || inside)
+        after && in_words && (error.span.start == next.content.start || inside)
     }
 
     /// A block of one line, that is read already, or of several joined by `~`.
@@ -326,8 +326,8 @@ impl Assembler<'_> {
     fn dangling(&mut self, line: &Line) {
         let end = line.comment.map_or(line.content.end, |comment| comment.end);
         // The mark is after the comment or before it.
-        let behind = |from: usize, to: usize| self.text.get(from..to)?.find('~').map(|at| from + at);
-        let mark = behind(end, line.next).or_else(|| behind(line.content.end, end));
+        let after = |from: usize, to: usize| self.text.get(from..to)?.find('~').map(|at| from + at);
+        let mark = after(end, line.next).or_else(|| after(line.content.end, end));
         let span = mark.map_or(Span::new(end, end), |mark| Span::new(mark, mark + 1));
         self.warnings.push(SyntaxError { code: "syntax-dangling-continuation", span, expected: "parameter" });
     }

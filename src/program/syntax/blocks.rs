@@ -56,9 +56,9 @@ pub(super) fn content(cursor: &mut Cursor<'_>, checker: &mut Checker<'_>) -> Rea
         b"DEP" => approach(cursor).and_then(|form| element(cursor, Path::Dep(form), checker)),
         name => match Path::by_name(name) {
             Some(Path::L) => {
-                let behind = *cursor;
+                let after = *cursor;
                 element(cursor, Path::L, checker).or_else(|error| {
-                    *cursor = behind;
+                    *cursor = after;
                     older_along_axis(cursor, checker).ok_or(error)
                 })
             }

@@ -101,15 +101,15 @@ impl Document {
         loop {
             let new = self.read(&old);
             let before = first.checked_sub(1).and_then(|at| self.pieces.get(at));
-            if before.is_some_and(|before| new.first().is_none_or(|new| !stands_apart(before, new))) {
+            if before.is_some_and(|before| new.first().is_none_or(|new| !is_separate(before, new))) {
                 first -= 1;
                 let own = self.pieces.get(first)?.source().text();
                 start -= own.len();
                 old.insert_str(0, own);
                 continue;
             }
-            let behind = self.pieces.get(last + 1);
-            if behind.is_some_and(|behind| new.last().is_none_or(|new| !stands_apart(new, behind))) {
+            let after = self.pieces.get(last + 1);
+            if after.is_some_and(|after| new.last().is_none_or(|new| !is_separate(new, after))) {
                 last += 1;
                 old.push_str(self.pieces.get(last)?.source().text());
                 continue;
@@ -184,9 +184,9 @@ impl Document {
 }
 
 /// Whether no block of the one part could take lines of the other.
-fn stands_apart(before: &Program, behind: &Program) -> bool {
+fn is_separate(before: &Program, after: &Program) -> bool {
     let ended = before.source().text().ends_with(['\n', '\r']);
-    ended && behind.blocks().first().is_some_and(|block| is_apart_from(before, before.blocks(), behind, block))
+    ended && after.blocks().first().is_some_and(|block| is_apart_from(before, before.blocks(), after, block))
 }
 
 fn is_apart(program: &Program, before: &[Block], block: &Block) -> bool {
@@ -217,8 +217,8 @@ fn is_apart_from(program: &Program, before: &[Block], own: &Program, block: &Blo
         BlockKind::Statement(statement) => statement.kind != StatementKind::ContourDef,
         _ => true,
     };
-    let behind = program.source().text().get(last.span.start..before.last().map_or(last.span.end, |end| end.span.end));
-    block.lines == 1 && complete && !text.contains('~') && behind.is_some_and(|text| !text.contains('~'))
+    let after = program.source().text().get(last.span.start..before.last().map_or(last.span.end, |end| end.span.end));
+    block.lines == 1 && complete && !text.contains('~') && after.is_some_and(|text| !text.contains('~'))
 }
 
 /// Where the content of a block's text begins, if a number is before it.

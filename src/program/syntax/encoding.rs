@@ -101,8 +101,8 @@ fn guess(bytes: &[u8]) -> Charset {
         paired += usize::from(length % 2 == 0 && run.chunks(2).all(pair));
         long += usize::from(length >= 4);
         let before = at.checked_sub(1).and_then(|at| bytes.get(at)).is_some_and(u8::is_ascii_alphabetic);
-        let behind = rest.get(length).is_some_and(u8::is_ascii_alphabetic);
-        central += run.iter().filter(|byte| is_central(**byte, before, behind)).count();
+        let after = rest.get(length).is_some_and(u8::is_ascii_alphabetic);
+        central += run.iter().filter(|byte| is_central(**byte, before, after)).count();
         at += length;
     }
     // Chinese comes in runs of pairs; letters with accents come singly, and Cyrillic ones have no lower bytes.
@@ -119,13 +119,13 @@ fn guess(bytes: &[u8]) -> Charset {
 
 /// Whether a byte is a letter of Central Europe where it is: the same byte is a mark, or is at ends of words,
 /// in the West (`È`, `£`, `¥`, `¹`, `³`, `Ø`).
-fn is_central(byte: u8, before: bool, behind: bool) -> bool {
+fn is_central(byte: u8, before: bool, after: bool) -> bool {
     match byte {
         // Č, and ĽŁĄąľł in a word.
-        0xC8 => behind,
-        0xA3 | 0xA5 | 0xB3 | 0xB9 | 0xBC | 0xBE => before || behind,
+        0xC8 => after,
+        0xA3 | 0xA5 | 0xB3 | 0xB9 | 0xBC | 0xBE => before || after,
         // Š, Ś, Ť, Ž, Ź in words; the West has Š and Ž hardly ever.
-        0x8C | 0x8D | 0x8F | 0x9C | 0x9D | 0x9F | 0x8A | 0x8E | 0x9A | 0x9E => before || behind,
+        0x8C | 0x8D | 0x8F | 0x9C | 0x9D | 0x9F | 0x8A | 0x8E | 0x9A | 0x9E => before || after,
         _ => false,
     }
 }

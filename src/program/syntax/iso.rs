@@ -3,7 +3,7 @@
 //! They form the same tree as those of Klartext: what both languages write alike is the same kind of block,
 //! everything else is a block of words. Invariant: as for Klartext, nothing here knows what a cycle's number or
 //! parameter means; the codes of the language itself (motions, planes,
-//! labels) are told apart from those of cycles and no more.
+//! labels) are distinguished from those of cycles and no more.
 use super::terms::{MFunction, NamedWord, Parameter, SyntaxError};
 use crate::base::diag::Span;
 

@@ -1,6 +1,6 @@
 //! What is wrong in blocks of DIN/ISO that are understood nevertheless.
 //!
-//! Invariant: blocks are only looked at, none is read here.
+//! Invariant: blocks are only inspected, none is read here.
 use super::iso::{IsoBlock, IsoKind, is_path};
 use super::terms::{Axis, NamedWord, SyntaxError, ValueKind};
 use super::tree::{Block, BlockKind};

@@ -2,7 +2,7 @@
 //!
 //! A block is a line; a cycle goes on in the lines after it that are its Q parameters and have no number of their own,
 //! and `~` joins lines as in Klartext. Invariant: the blocks' spans follow one another and cover the text, and
-//! each line is looked at a bounded number of times, whatever the text.
+//! each line is visited a bounded number of times, whatever the text.
 use std::sync::Arc;
 
 use super::assemble::{Assembled, FOREIGN};

@@ -173,8 +173,8 @@ impl Program {
         let empty = |error: &&SyntaxError| error.code == assemble::SPELLING && error.expected == "value";
         let mut all_empty = self.warnings.iter().filter(empty);
         let habit = all_empty.next().is_some() && (all_empty.next().is_some() || self.has_empty_function());
-        let told = self.warnings.iter().filter(|error| !(habit && empty(error)));
-        let warnings = told.map(|error| (severity(error), error));
+        let counted = self.warnings.iter().filter(|error| !(habit && empty(error)));
+        let warnings = counted.map(|error| (severity(error), error));
         let mut all: Vec<_> = errors.chain(warnings).collect();
         all.sort_by_key(|(_, error)| error.span.start);
         all.into_iter().map(|(severity, error)| self.diagnostic(severity, error)).collect()

@@ -435,9 +435,9 @@ fn opt_axis(cursor: &mut Cursor<'_>) -> Option<Axis> {
     cursor.blanks();
     let word = cursor.peek_word();
     let axis = Axis::by_name(word.as_bytes()).filter(|axis| !matches!(axis, Axis::Pr | Axis::Pa))?;
-    let mut behind = Cursor { at: word.span.end, ..*cursor };
-    behind.blanks();
-    if matches!(behind.byte(), b'+' | b'-') || cursor.number_at(word.span.end) {
+    let mut after = Cursor { at: word.span.end, ..*cursor };
+    after.blanks();
+    if matches!(after.byte(), b'+' | b'-') || cursor.number_at(word.span.end) {
         return None;
     }
     cursor.at = word.span.end;

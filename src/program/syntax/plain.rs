@@ -43,12 +43,12 @@ struct Scan<'t> {
 impl Scan<'_> {
     #[inline]
     fn byte(&self) -> u8 {
-        self.behind(0)
+        self.ahead(0)
     }
 
     /// The byte so many after this one.
     #[inline]
-    fn behind(&self, by: usize) -> u8 {
+    fn ahead(&self, by: usize) -> u8 {
         self.bytes.get(self.at + by).copied().unwrap_or(b'\n')
     }
 
@@ -62,7 +62,7 @@ impl Scan<'_> {
     /// Whether a word may end at the byte so many after this one.
     #[inline]
     fn ends(&self, by: usize) -> bool {
-        matches!(self.behind(by), b' ' | b'\n' | b'\r')
+        matches!(self.ahead(by), b' ' | b'\n' | b'\r')
     }
 
     /// Passes so many letters if a word ends there.
@@ -152,31 +152,31 @@ impl Words {
             b'R' => self.radius(scan, path),
             b'F' if self.sketch.feed.is_none() => self.feed(scan),
             b'M' => self.function(scan),
-            b'I' => match axis(scan.behind(1)) {
+            b'I' => match axis(scan.ahead(1)) {
                 Some(axis) => {
                     self.coord(axis);
                     scan.value(2)
                 }
                 None => {
-                    self.coord(polar(scan.behind(1), scan.behind(2))?);
+                    self.coord(polar(scan.ahead(1), scan.ahead(2))?);
                     scan.value(3)
                 }
             },
             b'P' => {
-                self.coord(polar(first, scan.behind(1))?);
+                self.coord(polar(first, scan.ahead(1))?);
                 scan.value(2)
             }
-            b'D' if scan.behind(1) == b'R' && matches!(scan.behind(2), b'+' | b'-') && !self.turns => {
+            b'D' if scan.ahead(1) == b'R' && matches!(scan.ahead(2), b'+' | b'-') && !self.turns => {
                 self.turns = true;
                 scan.word(3)
             }
-            b'N' | b'T' if path == PathCode::Ln && matches!(scan.behind(1), b'X'..=b'Z') => scan.value(2),
+            b'N' | b'T' if path == PathCode::Ln && matches!(scan.ahead(1), b'X'..=b'Z') => scan.value(2),
             _ => None,
         }
     }
 
     fn radius(&mut self, scan: &mut Scan<'_>, path: PathCode) -> Option<()> {
-        let compensation = match scan.behind(1) {
+        let compensation = match scan.ahead(1) {
             b'0' => Compensates::Off,
             b'L' | b'R' => Compensates::Beside,
             _ => Compensates::Unsaid,
@@ -256,7 +256,7 @@ pub(super) fn element(bytes: &[u8], start: usize) -> Option<PlainElement> {
         }
         scan.spaces();
     }
-    let (path, length) = match (scan.byte(), scan.behind(1)) {
+    let (path, length) = match (scan.byte(), scan.ahead(1)) {
         (b'L', b' ') => (PathCode::L, 1),
         (b'L', b'N') => (PathCode::Ln, 2),
         (b'L', b'P') => (PathCode::Lp, 2),
@@ -312,7 +312,7 @@ pub(super) fn parameter(text: &str, start: usize) -> Option<(Line, Assignment, O
     let content = Span::new(first, cursor.at);
     scan.at = cursor.at;
     scan.spaces();
-    let (comment, label, joined, next) = behind(&mut scan)?;
+    let (comment, label, joined, next) = rest_of_line(&mut scan)?;
     let line = Line {
         start,
         next,
@@ -329,7 +329,7 @@ pub(super) fn parameter(text: &str, start: usize) -> Option<(Line, Assignment, O
 
 /// What is after a parameter: the comment, the label in it, whether a joint follows,
 /// and where the next line begins.
-fn behind(scan: &mut Scan<'_>) -> Option<(Option<Span>, Option<Span>, bool, usize)> {
+fn rest_of_line(scan: &mut Scan<'_>) -> Option<(Option<Span>, Option<Span>, bool, usize)> {
     match scan.byte() {
         b'\n' | b'\r' => return Some((None, None, false, scan.next_line())),
         b'~' => {

@@ -286,7 +286,7 @@ pub(super) fn selected(cursor: &mut Cursor<'_>, start: usize) -> Read<BlockKind>
 }
 
 /// A block in which a parameter is named by the value of another one: `Q[Q5] = 3`, `L X+Q[Q5]`.
-/// Nothing in it is told apart.
+/// Its parts are not distinguished.
 pub(super) fn opt_indirect(text: &str, content: Span) -> Option<BlockKind> {
     let mut cursor = Cursor::new(text, content);
     let written = text.get(content.start..content.end)?;
@@ -294,7 +294,7 @@ pub(super) fn opt_indirect(text: &str, content: Span) -> Option<BlockKind> {
         let before = before.strip_suffix(['L', 'l', 'R', 'r', 'S', 's']).unwrap_or(before);
         before.ends_with(['Q', 'q'])
     };
-    // Looked at from each bracket on as far as its parameter goes: blocks may have any number of brackets.
+    // Searched from each bracket on as far as its parameter goes: blocks may have any number of brackets.
     let holds_parameter = |from: usize| {
         let mut own = Cursor::new(written, Span::new(from, written.len()));
         own.blanks();

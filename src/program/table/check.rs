@@ -32,12 +32,12 @@ fn is_titled(source: &Source) -> bool {
     }
 }
 
-/// What can be said of a table that no manual describes: that only its frame was looked at, and whether it is whole.
+/// What can be said of a table that no manual describes: that only its frame was checked, and whether it is whole.
 pub fn check_other(source: &Arc<Source>) -> Vec<Diagnostic> {
     let text = source.text();
     let first = text.lines().next().unwrap_or_default().len();
-    let told = Diagnostic::error("table-not-described", Place::new(source, 0..first));
-    let mut found = vec![Diagnostic { severity: Severity::Note, ..told }];
+    let finding = Diagnostic::error("table-not-described", Place::new(source, 0..first));
+    let mut found = vec![Diagnostic { severity: Severity::Note, ..finding }];
     if !text.lines().any(|line| line.trim() == "[END]") {
         let end = text.trim_end().len();
         found.push(Diagnostic {

@@ -1,6 +1,6 @@
 //! What is hardly meant in a table: nothing here keeps it from being read.
 //!
-//! Invariant: what controls write themselves is left alone.
+//! Invariant: what controls write themselves is accepted.
 use super::text::{self, Heading};
 use super::{Quantity, Table, TableUnit};
 use crate::base::diag::{Arg, Diagnostic, Place, Severity, Source};
@@ -222,7 +222,7 @@ impl Doubts<'_> {
 fn is_astride(heading: &Heading, line: &str) -> bool {
     let end = heading.bytes(line).1;
     let before = line.get(..end).and_then(|text| text.chars().next_back());
-    let behind = line.get(end..).and_then(|text| text.chars().next());
+    let after = line.get(end..).and_then(|text| text.chars().next());
     let digit = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
-    before.is_some_and(digit) && behind.is_some_and(digit)
+    before.is_some_and(digit) && after.is_some_and(digit)
 }

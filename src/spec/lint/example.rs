@@ -17,7 +17,7 @@ pub(super) fn examples(cycle: &Cycle, found: &mut Vec<Diagnostic>) {
     for example in &cycle.file.examples {
         super::names::slug(&example.name, found);
         form_exists(cycle, example.form.as_ref(), found);
-        // Conformance cases may give wrong values on purpose, so only the names are looked at.
+        // Conformance cases may give wrong values on purpose, so only the names are checked.
         example.given.0.iter().for_each(|(name, _)| named(cycle, name, found));
         if example.skip.is_none() && (example.scene.is_none() || example.expect.is_none()) {
             found.push(

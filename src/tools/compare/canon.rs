@@ -355,8 +355,8 @@ impl<'p> Speller<'p> {
                 c if c.is_alphabetic() || c == '_' => word_length(rest),
                 c => c.len_utf8(),
             };
-            let (token, behind) = rest.split_at(length.max(1));
-            rest = behind;
+            let (token, after) = rest.split_at(length.max(1));
+            rest = after;
             if sign.is_whitespace() {
                 continue;
             }
@@ -463,8 +463,8 @@ fn is_point(text: &str) -> bool {
 /// A word goes as far as its letters, but a parameter after an axis is a word of its own: `XQ1`.
 fn word_length(text: &str) -> usize {
     let end = text.find(|c: char| !(c.is_alphabetic() || c == '_')).unwrap_or(text.len());
-    let (word, behind) = text.split_at(end);
-    if !behind.starts_with(|c: char| c.is_ascii_digit()) {
+    let (word, after) = text.split_at(end);
+    if !after.starts_with(|c: char| c.is_ascii_digit()) {
         return end;
     }
     let before = |name: &&str| {

@@ -163,9 +163,9 @@ pub(super) fn judge(
     }
     let mut mismatches = expected.compare(cycle.key, outcome, events);
     for guard in example.proves.iter().filter_map(|clause| clause.guard.as_ref()) {
-        let told = |fault: &crate::engine::run::Fault| *fault.code == *guard.text;
+        let is_guard = |fault: &crate::engine::run::Fault| *fault.code == *guard.text;
         let provoked = outcome.shown.guards.iter().any(|(_, code)| **code == *guard.text);
-        if !provoked && !outcome.fault.as_ref().is_some_and(told) {
+        if !provoked && !outcome.fault.as_ref().is_some_and(is_guard) {
             mismatches.push(Mismatch::new(format!("guard.{}", guard.as_str()), "provoked", "not provoked"));
         }
     }

@@ -318,15 +318,15 @@ impl Expectation {
 
     fn compare_messages(&self, events: &[Event], differs: &mut Vec<Mismatch>) {
         let Some(messages) = &self.messages else { return };
-        let told: Vec<&str> = events
+        let found: Vec<&str> = events
             .iter()
             .filter_map(|event| match &event.kind {
                 EventKind::Message { id, .. } => Some(&**id),
                 _ => None,
             })
             .collect();
-        if messages != &told {
-            differs.push(Mismatch::new("messages", show::list(messages), show::list(&told)));
+        if messages != &found {
+            differs.push(Mismatch::new("messages", show::list(messages), show::list(&found)));
         }
     }
 
@@ -346,11 +346,11 @@ impl Expectation {
     }
 
     fn compare_actions(&self, key: CycleKey, events: &[Event], differs: &mut Vec<Mismatch>) {
-        let told: Vec<&EventKind> = of_cycle(key, events).filter(|kind| verb(kind).is_some()).collect();
+        let found: Vec<&EventKind> = of_cycle(key, events).filter(|kind| verb(kind).is_some()).collect();
         for (what, wanted) in MOVES.iter().zip(&self.actions) {
             let Some(wanted) = wanted else { continue };
-            let skipped = if *what == MOVES[2] { told.len().saturating_sub(wanted.len()) } else { 0 };
-            let found = told.get(skipped..).unwrap_or_default();
+            let skipped = if *what == MOVES[2] { found.len().saturating_sub(wanted.len()) } else { 0 };
+            let found = found.get(skipped..).unwrap_or_default();
             let whole = *what == MOVES[0];
             let several = if whole { wanted.len() != found.len() } else { wanted.len() > found.len() };
             let pairs = wanted.len().max(if whole { found.len() } else { 0 });
@@ -358,7 +358,7 @@ impl Expectation {
                 (Some(action), Some(kind)) => !self.same(action, kind),
                 _ => true,
             });
-            // Behind the first difference of lists that are not equally long everything may be shifted.
+            // After the first difference of lists that are not equally long everything may be shifted.
             for index in differing.take(if several { 1 } else { pairs }) {
                 let expected = wanted.get(index).map_or_else(show::nothing, show::action);
                 let found = found.get(index).map_or_else(show::nothing, |kind| show::event(kind));
@@ -366,7 +366,7 @@ impl Expectation {
             }
             if several {
                 let expected: Vec<String> = wanted.iter().map(show::action).collect();
-                let found: Vec<String> = told.iter().map(|kind| show::event(kind)).collect();
+                let found: Vec<String> = found.iter().map(|kind| show::event(kind)).collect();
                 differs.push(Mismatch::new(*what, show::lines(&expected), show::lines(&found)));
             }
         }
@@ -374,9 +374,9 @@ impl Expectation {
 
     fn compare_spindle(&self, key: CycleKey, events: &[Event], differs: &mut Vec<Mismatch>) {
         let Some(wanted) = &self.spindle else { return };
-        let told: Vec<String> = of_cycle(key, events).filter_map(spindle_words).collect();
-        if *wanted != told {
-            differs.push(Mismatch::new("spindle", show::list(wanted), show::list(&told)));
+        let found: Vec<String> = of_cycle(key, events).filter_map(spindle_words).collect();
+        if *wanted != found {
+            differs.push(Mismatch::new("spindle", show::list(wanted), show::list(&found)));
         }
     }
 

@@ -127,11 +127,11 @@ fn judge(job: &Job<'_>, prepared: &Prepared<'_>, id: u64, partner: &mut Patience
     if answer.id != id {
         return fails("id", &id.to_string(), answer.id.to_string());
     }
-    let told_moves = answer.moves.is_some();
+    let has_moves = answer.moves.is_some();
     match answer.read(&prepared.scene) {
-        Ok(told) => {
-            let (outcome, events) = told.outcome(key);
-            let expected = if told_moves { prepared.expectation.clone() } else { prepared.expectation.without_moves() };
+        Ok(answer) => {
+            let (outcome, events) = answer.outcome(key);
+            let expected = if has_moves { prepared.expectation.clone() } else { prepared.expectation.without_moves() };
             case::judge(job.cycle, job.example, &expected, &outcome, &events, false)
         }
         Err(word) => fails("engine", "an answer of the protocol", word),

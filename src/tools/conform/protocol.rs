@@ -184,11 +184,11 @@ fn answer(world: &World<'_>, request: &Request) -> Answer {
     let mut events: Vec<Event> = Vec::new();
     let engine = Engine::new(&program, on, &scene, &texts).with_catalogue(world.catalogue);
     let outcome = engine.run(&mut |event| events.push(event));
-    told(request.id, key, &scene, &outcome, &events)
+    answer_of(request.id, key, &scene, &outcome, &events)
 }
 
 /// What was executed, as an answer.
-fn told(id: u64, key: CycleKey, scene: &Scene, outcome: &Outcome, events: &[Event]) -> Answer {
+fn answer_of(id: u64, key: CycleKey, scene: &Scene, outcome: &Outcome, events: &[Event]) -> Answer {
     let numbers = outcome.params.numbers().map(|(number, value)| (format!("Q{number}"), Value::from(value)));
     let texts = outcome.params.texts().map(|(number, text)| (format!("QS{number}"), Value::from(text)));
     let linear = Axis::ALL.map(|axis| (axis.letter().to_string(), axis.of(outcome.position)));

@@ -55,8 +55,8 @@ impl Writer<'_, '_> {
         if !self.writable(&text, head) {
             return;
         }
-        let told = self.at("convert-form", Severity::Note, head).arg("cycle", definition.key.to_string());
-        self.found.push(told.arg("new", other.key.to_string()));
+        let finding = self.at("convert-form", Severity::Note, head).arg("cycle", definition.key.to_string());
+        self.found.push(finding.arg("new", other.key.to_string()));
         self.edits.push(Edit { span, text });
     }
 

@@ -24,10 +24,10 @@ impl Writer<'_, '_> {
                 Some(own) if own.option.is_some() => "convert-function-option",
                 Some(_) => continue,
             };
-            let told = self.at(code, Severity::Note, span).arg("function", name).arg("count", count);
+            let finding = self.at(code, Severity::Note, span).arg("function", name).arg("count", count);
             let option = shown.and_then(|own| own.option).unwrap_or_default();
             self.found
-                .push(told.arg("option", option as usize).arg("control", self.request.to.on.control.title.as_str()));
+                .push(finding.arg("option", option as usize).arg("control", self.request.to.on.control.title.as_str()));
         }
     }
 }

@@ -111,9 +111,9 @@ impl Writer<'_, '_> {
             && let Some(renamed) = target.q
         {
             let name = Span::new(item.span.start, item.span.start + item.name.len());
-            let told = self.at("convert-parameter-renamed", Severity::Note, item.span).arg("parameter", &*item.name);
-            let told = told.arg("new", renamed.to_string()).arg("cycle", definition.key.to_string());
-            self.found.push(told.arg("control", self.request.to.on.control.title.as_str()));
+            let finding = self.at("convert-parameter-renamed", Severity::Note, item.span).arg("parameter", &*item.name);
+            let finding = finding.arg("new", renamed.to_string()).arg("cycle", definition.key.to_string());
+            self.found.push(finding.arg("control", self.request.to.on.control.title.as_str()));
             edits.push((name, renamed.to_string()));
             q = renamed;
         }
