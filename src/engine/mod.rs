@@ -11,6 +11,7 @@ mod motion;
 mod params;
 pub mod plan;
 mod read;
+pub mod region;
 mod report;
 pub mod run;
 pub mod scene;

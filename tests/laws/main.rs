@@ -17,6 +17,7 @@ mod measuring;
 mod milling;
 mod patterns;
 mod probing;
+mod region;
 mod rotary;
 mod special_cycles;
 mod stock;

@@ -11,6 +11,7 @@ const ENGINE: &[(&str, &[&str])] = &[
     ("geometry", &[]),
     ("read", &["geometry"]),
     ("sphere", &["geometry"]),
+    ("region", &[]),
     ("machine", &["geometry", "read"]),
     ("solid", &["geometry"]),
     ("scene", &["geometry", "read", "machine", "solid"]),

@@ -1,0 +1,261 @@
+//! Closed contours of lines and arcs.
+//!
+//! Invariant: a boundary is closed, does not cross itself and encloses an area; arcs sweep less than a half turn each
+//! inside, and come out as they are.
+use std::f64::consts::{PI, TAU};
+
+use cavalier_contours::core::Control;
+use cavalier_contours::core::math::Vector2;
+use cavalier_contours::polyline::{
+    FindIntersectsOptions, PlineCreation, PlineIntersect, PlineOrientation, PlineSelfIntersectOptions, PlineSource,
+    PlineSourceMut, PlineVertex, Polyline, SelfIntersectsInclude, seg_arc_radius_and_center,
+};
+use glam::DVec2;
+
+use super::{NEAR, NO_AREA, Part};
+
+/// A piece of a contour, from where the one before it ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Edge {
+    /// A straight line to a point.
+    Line(DVec2),
+    /// An arc to a point.
+    Arc {
+        /// Where it ends.
+        to: DVec2,
+        /// Its centre.
+        centre: DVec2,
+        /// The angle that it sweeps in degrees, counterclockwise positive; at most a full turn.
+        sweep: f64,
+    },
+}
+
+impl Edge {
+    /// Where it ends.
+    pub fn to(&self) -> DVec2 {
+        match *self {
+            Self::Line(to) | Self::Arc { to, .. } => to,
+        }
+    }
+}
+
+/// Why contour elements are no boundary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Flaw {
+    /// It does not end where it begins.
+    Open {
+        /// Where it begins.
+        from: DVec2,
+        /// Where it ends.
+        to: DVec2,
+    },
+    /// It crosses or touches itself at this point.
+    Crossing(DVec2),
+    /// It encloses nothing.
+    NoArea,
+}
+
+/// One closed contour, followed in its direction.
+#[derive(Clone, Debug)]
+pub struct Boundary {
+    /// Counterclockwise.
+    line: Polyline,
+    /// Whether it is followed against the direction of `line`.
+    clockwise: bool,
+    start: DVec2,
+}
+
+impl Boundary {
+    /// The boundary that begins at a point and consists of these edges. Ends that miss the start by no more than
+    /// `tolerance` (mm) are closed by moving the last point.
+    pub fn new(start: DVec2, edges: &[Edge], tolerance: f64) -> Result<Self, Flaw> {
+        let mut line = Polyline::with_capacity(edges.len() + 1, true);
+        let mut at = start;
+        for edge in edges {
+            push(&mut line, at, edge);
+            at = edge.to();
+        }
+        if at.distance(start) > tolerance.max(NEAR) {
+            return Err(Flaw::Open { from: start, to: at });
+        }
+        let line = line.remove_repeat_pos(NEAR).unwrap_or(line);
+        if !has_area(&line) {
+            return Err(Flaw::NoArea);
+        }
+        let options =
+            PlineSelfIntersectOptions { aabb_index: None, pos_equal_eps: NEAR, include: SelfIntersectsInclude::All };
+        let mut crossing = None;
+        line.visit_self_intersects_opt(
+            &mut |found| {
+                crossing = Some(match found {
+                    PlineIntersect::Basic(found) => point(found.point),
+                    PlineIntersect::Overlapping(found) => point(found.point1),
+                });
+                Control::Break(())
+            },
+            &options,
+        );
+        if let Some(crossing) = crossing {
+            return Err(Flaw::Crossing(crossing));
+        }
+        let clockwise = line.orientation() == PlineOrientation::Clockwise;
+        Ok(Self { line: if clockwise { inverted(&line) } else { line }, clockwise, start })
+    }
+
+    /// Of a line that runs counterclockwise.
+    pub(super) fn of(line: Polyline) -> Self {
+        let start = line.get(0).map_or(DVec2::ZERO, |vertex| DVec2::new(vertex.x, vertex.y));
+        Self { line, clockwise: false, start }
+    }
+
+    /// Counterclockwise.
+    pub(super) fn line(&self) -> &Polyline {
+        &self.line
+    }
+
+    /// Where it begins.
+    pub fn start(&self) -> DVec2 {
+        self.start
+    }
+
+    /// Whether it runs clockwise.
+    pub fn is_clockwise(&self) -> bool {
+        self.clockwise
+    }
+
+    /// The same contour in the other direction.
+    pub fn reversed(self) -> Self {
+        Self { clockwise: !self.clockwise, ..self }
+    }
+
+    /// The same contour and direction from the point on it that is nearest to `point`.
+    pub fn from_nearest(&self, near: DVec2) -> Self {
+        let found = self.line.closest_point(vector(near), NEAR);
+        let turned = found.and_then(|found| {
+            let at = found.seg_point;
+            Some((self.line.rotate_start(found.seg_start_index, at, NEAR)?, point(at)))
+        });
+        match turned {
+            Some((line, start)) => Self { line, clockwise: self.clockwise, start },
+            None => self.clone(),
+        }
+    }
+
+    /// The point on it that is nearest to a point.
+    pub fn nearest(&self, to: DVec2) -> DVec2 {
+        self.line.closest_point(vector(to), NEAR).map_or(self.start, |found| point(found.seg_point))
+    }
+
+    /// Its length in mm.
+    pub fn length(&self) -> f64 {
+        self.line.path_length()
+    }
+
+    /// Its edges in its direction, from its start.
+    pub fn edges(&self) -> Vec<Edge> {
+        let line = if self.clockwise { inverted(&self.line) } else { self.line.clone() };
+        let count = line.vertex_count();
+        // The line begins at the start, or ends there when it has been inverted.
+        let first = (0..count)
+            .min_by(|a, b| {
+                let distance = |at: usize| self.start.distance_squared(DVec2::new(line.at(at).x, line.at(at).y));
+                distance(*a).total_cmp(&distance(*b))
+            })
+            .unwrap_or(0);
+        let mut edges: Vec<Edge> = Vec::with_capacity(count);
+        for n in 0..count {
+            let (from, to) = (line.at((first + n) % count), line.at((first + n + 1) % count));
+            add(&mut edges, from, to);
+        }
+        edges
+    }
+}
+
+/// Adds a segment; one that continues the arc before it about the same centre is one with it.
+fn add(edges: &mut Vec<Edge>, from: PlineVertex, to: PlineVertex) {
+    let end = DVec2::new(to.x, to.y);
+    if from.bulge == 0.0 {
+        return edges.push(Edge::Line(end));
+    }
+    let (_, centre) = seg_arc_radius_and_center(from, to);
+    let centre = point(centre);
+    let swept = (4.0 * libm::atan(from.bulge)).to_degrees();
+    if let Some(Edge::Arc { to, centre: before, sweep }) = edges.last_mut()
+        && before.distance(centre) <= 10.0 * NEAR
+        && *sweep * swept > 0.0
+        && (*sweep + swept).abs() <= 360.0
+    {
+        (*to, *sweep) = (end, *sweep + swept);
+        return;
+    }
+    edges.push(Edge::Arc { to: end, centre, sweep: swept });
+}
+
+/// Adds the vertices of an edge that begins at a point: arcs in pieces of less than a half turn.
+fn push(line: &mut Polyline, from: DVec2, edge: &Edge) {
+    let Edge::Arc { to, centre, sweep } = *edge else {
+        return line.add(from.x, from.y, 0.0);
+    };
+    let sweep = sweep.to_radians().clamp(-TAU, TAU);
+    let pieces = (sweep.abs() / (0.75 * PI)).ceil().max(1.0);
+    let bulge = libm::tan(sweep / pieces / 4.0);
+    let (out, back) = (from - centre, to - centre);
+    for n in 0..pieces as u32 {
+        // Between its ends the radius goes over from that of the start to that of the end.
+        let share = f64::from(n) / pieces;
+        let radius = out.length() + (back.length() - out.length()) * share;
+        let at = if n == 0 { from } else { centre + turned(out, sweep * share).normalize_or_zero() * radius };
+        line.add(at.x, at.y, bulge);
+    }
+}
+
+fn turned(v: DVec2, angle: f64) -> DVec2 {
+    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+    DVec2::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos)
+}
+
+pub(super) fn vector(point: DVec2) -> Vector2 {
+    Vector2::new(point.x, point.y)
+}
+
+pub(super) fn point(vector: Vector2) -> DVec2 {
+    DVec2::new(vector.x, vector.y)
+}
+
+/// The same line in the other direction.
+pub(super) fn inverted(line: &Polyline) -> Polyline {
+    let mut line = line.clone();
+    line.invert_direction_mut();
+    line
+}
+
+/// Whether a closed line encloses something.
+pub(super) fn has_area(line: &Polyline) -> bool {
+    line.vertex_count() > 1 && line.area().abs() > NO_AREA
+}
+
+/// Whether the straight way between two points of an area stays within it; it may touch boundaries.
+pub(super) fn is_clear(parts: &[Part], from: DVec2, to: DVec2) -> bool {
+    if from.distance(to) <= NEAR {
+        return true;
+    }
+    let mut way = Polyline::with_capacity(2, false);
+    way.add(from.x, from.y, 0.0);
+    way.add(to.x, to.y, 0.0);
+    let options = FindIntersectsOptions { pline1_aabb_index: None, pos_equal_eps: NEAR };
+    // The way is cut where it meets a boundary; each piece is inside or outside as a whole.
+    let mut cuts = vec![0.0, 1.0];
+    let length = from.distance(to);
+    for line in parts.iter().flat_map(|part| std::iter::once(&part.outer).chain(&part.holes)) {
+        let found = line.find_intersects_opt(&way, &options);
+        let basic = found.basic_intersects.iter().map(|found| point(found.point));
+        let along = found.overlapping_intersects.iter().flat_map(|found| [point(found.point1), point(found.point2)]);
+        cuts.extend(basic.chain(along).map(|at| at.distance(from) / length));
+    }
+    cuts.sort_by(f64::total_cmp);
+    let region = super::Region { parts: parts.to_vec() };
+    cuts.windows(2).filter(|pair| (pair[1] - pair[0]) * length > 4.0 * NEAR).all(|pair| {
+        let middle = from.lerp(to, (pair[0] + pair[1]) / 2.0);
+        region.contains(middle) || region.nearest(middle).is_some_and(|(_, distance)| distance <= 10.0 * NEAR)
+    })
+}

@@ -1,0 +1,182 @@
+//! Laws of regions: what belongs to a union, a difference, an intersection, a shrunk and a grown region is asked point
+//! by point, of the contours themselves, which are given as functions here and not as lines.
+use ciklo::engine::region::{Boundary, Edge, Flaw, Region};
+use glam::DVec2;
+use proptest::prelude::*;
+
+use crate::cases;
+
+/// Points so near to a boundary (mm) are not asked about.
+const RIM: f64 = 1e-4;
+
+/// A star of lines about a centre, with a corner at each angle; or a circle, where it has one radius only.
+#[derive(Clone, Debug)]
+struct Star {
+    centre: DVec2,
+    radii: Vec<f64>,
+}
+
+impl Star {
+    fn corner(&self, n: usize) -> DVec2 {
+        let angle = std::f64::consts::TAU * n as f64 / self.radii.len() as f64;
+        self.centre + DVec2::new(angle.cos(), angle.sin()) * self.radii[n % self.radii.len()]
+    }
+
+    fn boundary(&self) -> Boundary {
+        let start = self.corner(0);
+        let edges: Vec<Edge> = match self.radii.len() {
+            1 => vec![Edge::Arc { to: start, centre: self.centre, sweep: -360.0 }],
+            count => (1..=count).map(|n| Edge::Line(self.corner(n % count))).collect(),
+        };
+        Boundary::new(start, &edges, 0.0).expect("a star")
+    }
+
+    /// How far inside (mm, outside negative), with the exact distance to the boundary.
+    fn depth(&self, at: DVec2) -> f64 {
+        let count = self.radii.len();
+        if count == 1 {
+            return self.radii[0] - at.distance(self.centre);
+        }
+        let (mut inside, mut distance) = (false, f64::INFINITY);
+        for n in 0..count {
+            let (a, b) = (self.corner(n), self.corner((n + 1) % count));
+            if (a.y > at.y) != (b.y > at.y) && at.x < (b.x - a.x) * (at.y - a.y) / (b.y - a.y) + a.x {
+                inside = !inside;
+            }
+            let along = ((at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+            distance = distance.min(at.distance(a.lerp(b, along)));
+        }
+        if inside { distance } else { -distance }
+    }
+}
+
+fn star() -> impl Strategy<Value = Star> {
+    let centre = (-40.0..40.0f64, -40.0..40.0f64).prop_map(|(x, y)| DVec2::new(x, y));
+    let radii = prop_oneof![
+        1 => prop::collection::vec(3.0..40.0f64, 1),
+        4 => prop::collection::vec(3.0..40.0f64, 3..40),
+    ];
+    (centre, radii).prop_map(|(centre, radii)| Star { centre, radii })
+}
+
+fn points() -> impl Iterator<Item = DVec2> {
+    // A grid that no corner of a star is likely to lie on.
+    (0..60).flat_map(|x| (0..60).map(move |y| DVec2::new(-88.3 + 2.97 * f64::from(x), -88.7 + 3.01 * f64::from(y))))
+}
+
+/// A region of several stars, with the same as a function: + adds, - takes away, & keeps what is common.
+fn built(first: &Star, rest: &[(char, Star)]) -> Region {
+    rest.iter().fold(Region::within(&first.boundary()), |region, (how, star)| {
+        let other = Region::within(&star.boundary());
+        match how {
+            '+' => region.union(&other),
+            '-' => region.difference(&other),
+            _ => region.intersection(&other),
+        }
+    })
+}
+
+fn belongs(first: &Star, rest: &[(char, Star)], at: DVec2) -> bool {
+    rest.iter().fold(first.depth(at) > 0.0, |inside, (how, star)| {
+        let other = star.depth(at) > 0.0;
+        match how {
+            '+' => inside || other,
+            '-' => inside && !other,
+            _ => inside && other,
+        }
+    })
+}
+
+fn is_near_a_rim(first: &Star, rest: &[(char, Star)], at: DVec2) -> bool {
+    std::iter::once(first).chain(rest.iter().map(|(_, star)| star)).any(|star| star.depth(at).abs() < RIM)
+}
+
+fn others() -> impl Strategy<Value = Vec<(char, Star)>> {
+    let how = prop_oneof![5 => Just('+'), 5 => Just('-'), 1 => Just('&')];
+    prop::collection::vec((how, star()), 0..7)
+}
+
+proptest! {
+    #![proptest_config(cases::config(150))]
+
+    #[test]
+    fn regions_hold_what_their_contours_say(first in star(), rest in others()) {
+        let region = built(&first, &rest);
+        for at in points().filter(|at| !is_near_a_rim(&first, &rest, *at)) {
+            prop_assert_eq!(region.contains(at), belongs(&first, &rest, at), "at {}", at);
+        }
+        // The parts do not overlap, and together they are the whole.
+        let parts: f64 = region.parts().map(|part| part.area()).sum();
+        prop_assert!((parts - region.area()).abs() < 1e-6);
+        for boundary in region.boundaries() {
+            // Corners may touch other corners, but every boundary ends where it begins.
+            let again = Boundary::new(boundary.start(), &boundary.edges(), 1e-6);
+            prop_assert!(!matches!(again, Err(Flaw::Open { .. } | Flaw::NoArea)), "{:?}", again);
+        }
+    }
+
+    #[test]
+    fn a_cutter_in_a_shrunk_region_stays_inside(first in star(), rest in others(), radius in 0.3..8.0f64) {
+        let region = built(&first, &rest);
+        let centres = region.shrunk(radius);
+        for at in points() {
+            let Some((_, distance)) = region.nearest(at) else { continue };
+            if (distance - radius).abs() < RIM || distance < RIM {
+                continue;
+            }
+            let expected = region.contains(at) && distance > radius;
+            prop_assert_eq!(centres.contains(at), expected, "at {}: {} from the boundary", at, distance);
+        }
+        // All of its boundary keeps exactly that distance.
+        for boundary in centres.boundaries() {
+            for edge in boundary.edges() {
+                let distance = region.nearest(edge.to()).map_or(0.0, |(_, distance)| distance);
+                prop_assert!((distance - radius).abs() < 1e-5, "{} instead of {}", distance, radius);
+            }
+        }
+    }
+
+    #[test]
+    fn a_grown_region_has_all_that_is_near(first in star(), rest in others(), by in 0.3..8.0f64) {
+        let region = built(&first, &rest);
+        let grown = region.grown(by);
+        for at in points() {
+            let Some((_, distance)) = region.nearest(at) else { continue };
+            if (distance - by).abs() < RIM || distance < RIM {
+                continue;
+            }
+            let expected = region.contains(at) || distance < by;
+            prop_assert_eq!(grown.contains(at), expected, "at {}: {} from the boundary", at, distance);
+        }
+    }
+}
+
+#[test]
+fn what_two_areas_enclose_together_may_be_reached_by_a_third() {
+    // Two needles meet and enclose an area that a third one, which crosses both, reaches into.
+    let needles = |x, y, count, long: &[(usize, f64)]| {
+        let mut radii = vec![3.0; count];
+        long.iter().for_each(|(n, radius)| radii[*n] = *radius);
+        Star { centre: DVec2::new(x, y), radii }
+    };
+    let first = needles(-36.437, 39.566, 13, &[(11, 36.222)]);
+    let second = needles(12.641, 0.0, 10, &[(4, 37.473)]);
+    let third = needles(13.877, 19.964, 33, &[(16, 39.637), (18, 31.229), (19, 37.740)]);
+    let [a, b, c] = [&first, &second, &third].map(|star| Region::within(&star.boundary()));
+    let both = a.union(&b);
+    let (all, common) = (both.union(&c), both.intersection(&c));
+    assert!((all.area() - (both.area() + c.area() - common.area())).abs() < 1e-6, "{} {}", all.area(), common.area());
+}
+
+#[test]
+fn a_contour_that_is_open_crosses_itself_or_encloses_nothing_is_refused() {
+    let line = |x: f64, y: f64| Edge::Line(DVec2::new(x, y));
+    let of = |edges: &[Edge]| Boundary::new(DVec2::ZERO, edges, 1e-3).map(|_| ());
+    let (from, to) = (DVec2::ZERO, DVec2::new(0.0, 5.0));
+    assert_eq!(of(&[line(5.0, 0.0), line(5.0, 5.0), line(0.0, 5.0)]), Err(Flaw::Open { from, to }));
+    assert_eq!(of(&[line(5.0, 0.0), line(0.0, 0.0)]), Err(Flaw::NoArea));
+    let crossing = of(&[line(9.0, 9.0), line(9.0, 0.0), line(0.0, 4.0), line(0.0, 0.0)]);
+    // The diagonal and the last line but one: y = x and y = 4 - 4 x / 9.
+    let Err(Flaw::Crossing(at)) = crossing else { panic!("{crossing:?}") };
+    assert!(at.distance(DVec2::splat(36.0 / 13.0)) < 1e-9, "{at}");
+}
