@@ -1,6 +1,6 @@
 //! Laws of regions: what belongs to a union, a difference, an intersection, a shrunk and a grown region is asked point
 //! by point, of the contours themselves, which are given as functions here and not as lines.
-use ciklo::engine::region::{Boundary, Edge, Flaw, Region};
+use ciklo::engine::region::{Boundary, Edge, Flaw, Region, clearing};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -147,6 +147,60 @@ proptest! {
             }
             let expected = region.contains(at) || distance < by;
             prop_assert_eq!(grown.contains(at), expected, "at {}: {} from the boundary", at, distance);
+        }
+    }
+}
+
+/// Points of an edge, no farther from each other than 0.2 mm, and how far they lie from the edge at most.
+fn samples(from: DVec2, edge: &Edge) -> Vec<DVec2> {
+    let count = (edge.length(from) / 0.2).ceil().max(1.0) as u32;
+    let at = |n: u32| {
+        let share = f64::from(n) / f64::from(count);
+        match *edge {
+            Edge::Line(to) => from.lerp(to, share),
+            Edge::Arc { centre, sweep, .. } => {
+                let (sin, cos) = (sweep * share).to_radians().sin_cos();
+                let arm = from - centre;
+                centre + DVec2::new(arm.x * cos - arm.y * sin, arm.x * sin + arm.y * cos)
+            }
+        }
+    };
+    (0..=count).map(at).collect()
+}
+
+proptest! {
+    #![proptest_config(cases::config(60))]
+
+    #[test]
+    fn clearing_reaches_all_that_the_cutter_can_reach_and_nothing_else(
+        first in star(), rest in others(), radius in 0.8..6.0f64, overlap in 0.2..1.0f64, left in any::<bool>(),
+    ) {
+        let centres = built(&first, &rest).shrunk(radius);
+        let paths = clearing::paths(&centres, overlap * radius, left, DVec2::ZERO).expect("few rings");
+        prop_assert_eq!(paths.len(), centres.parts().count());
+        let mut reached: Vec<DVec2> = Vec::new();
+        for path in &paths {
+            let mut at = path.start;
+            for edge in &path.edges {
+                if let Edge::Arc { to, centre, .. } = edge {
+                    prop_assert!((at.distance(*centre) - to.distance(*centre)).abs() < 1e-6, "{:?}", edge);
+                    let end = samples(at, edge).pop().unwrap_or(at);
+                    prop_assert!(end.distance(*to) < 1e-5, "{:?} ends at {}", edge, end);
+                }
+                for point in samples(at, edge) {
+                    let distance = centres.nearest(point).map_or(f64::INFINITY, |(_, distance)| distance);
+                    prop_assert!(distance < 1e-5 || centres.contains(point), "{} leaves the region at {}", point, distance);
+                    reached.push(point);
+                }
+                at = edge.to();
+            }
+        }
+        // The nearest sample is at most half their distance away from the nearest point of the path.
+        let reach = (radius * radius + 0.01).sqrt() + 1e-4;
+        let area = centres.grown(radius);
+        for at in points().filter(|at| area.contains(*at)) {
+            let cut = reached.iter().any(|point| point.distance(at) <= reach);
+            prop_assert!(cut, "nothing comes to {}", at);
         }
     }
 }

@@ -37,6 +37,59 @@ impl Edge {
             Self::Line(to) | Self::Arc { to, .. } => to,
         }
     }
+
+    /// Its length in mm, from where it begins.
+    pub fn length(&self, from: DVec2) -> f64 {
+        match *self {
+            Self::Line(to) => from.distance(to),
+            Self::Arc { centre, sweep, .. } => from.distance(centre) * sweep.to_radians().abs(),
+        }
+    }
+
+    /// The same edge the other way, from its end to where it begins.
+    pub fn reversed(&self, from: DVec2) -> Self {
+        match *self {
+            Self::Line(_) => Self::Line(from),
+            Self::Arc { centre, sweep, .. } => Self::Arc { to: from, centre, sweep: -sweep },
+        }
+    }
+
+    /// The point on it that is nearest to a point.
+    fn nearest(&self, from: DVec2, point: DVec2) -> DVec2 {
+        match *self {
+            Self::Line(to) => {
+                let (way, square) = (to - from, from.distance_squared(to));
+                if square > 0.0 { from + way * ((point - from).dot(way) / square).clamp(0.0, 1.0) } else { from }
+            }
+            Self::Arc { to, centre, sweep } => {
+                let radial = centre + (point - centre).normalize_or_zero() * from.distance(centre);
+                if swept(from - centre, point - centre, sweep) <= sweep.abs() {
+                    radial
+                } else if point.distance(from) <= point.distance(to) {
+                    from
+                } else {
+                    to
+                }
+            }
+        }
+    }
+
+    /// The part of it that ends at one of its points.
+    fn cut(&self, from: DVec2, end: DVec2) -> Self {
+        match *self {
+            Self::Line(_) => Self::Line(end),
+            Self::Arc { to, .. } if end.distance(to) <= NEAR => *self,
+            Self::Arc { centre, sweep, .. } => {
+                let angle = if end.distance(from) <= NEAR { 0.0 } else { swept(from - centre, end - centre, sweep) };
+                Self::Arc { to: end, centre, sweep: angle * sweep.signum() }
+            }
+        }
+    }
+
+    /// Whether it goes nowhere.
+    fn is_point(&self, from: DVec2) -> bool {
+        self.length(from) <= NEAR
+    }
 }
 
 /// Why contour elements are no boundary.
@@ -151,6 +204,27 @@ impl Boundary {
         self.line.path_length()
     }
 
+    /// The edges from one of its points to another, in its direction.
+    pub fn way(&self, from: DVec2, to: DVec2) -> Vec<Edge> {
+        let edges = self.from_nearest(from).edges();
+        let (mut at, mut best) = (self.nearest(from), (f64::INFINITY, 0, to));
+        for (n, edge) in edges.iter().enumerate() {
+            let near = edge.nearest(at, to);
+            if near.distance(to) < best.0 - NEAR {
+                best = (near.distance(to), n, near);
+            }
+            at = edge.to();
+        }
+        let (_, last, end) = best;
+        let before = if last == 0 { self.nearest(from) } else { edges.get(last - 1).map_or(end, Edge::to) };
+        let cut = edges.get(last).map(|edge| edge.cut(before, end));
+        let mut way: Vec<Edge> = edges.into_iter().take(last).chain(cut).collect();
+        if way.last().is_some_and(|edge| edge.is_point(before)) {
+            way.pop();
+        }
+        way
+    }
+
     /// Its edges in its direction, from its start.
     pub fn edges(&self) -> Vec<Edge> {
         let line = if self.clockwise { inverted(&self.line) } else { self.line.clone() };
@@ -207,6 +281,13 @@ fn push(line: &mut Polyline, from: DVec2, edge: &Edge) {
         let at = if n == 0 { from } else { centre + turned(out, sweep * share).normalize_or_zero() * radius };
         line.add(at.x, at.y, bulge);
     }
+}
+
+/// The angle in degrees, from 0 to 360, from one arm to another in the direction of a sweep.
+fn swept(from: DVec2, to: DVec2, sweep: f64) -> f64 {
+    let angle = libm::atan2(from.perp_dot(to), from.dot(to)).to_degrees();
+    let angle = if sweep < 0.0 { -angle } else { angle };
+    if angle < 0.0 { angle + 360.0 } else { angle }
 }
 
 fn turned(v: DVec2, angle: f64) -> DVec2 {

@@ -1,12 +1,13 @@
 //! Regions of the working plane: what contours enclose, and the paths of a tool that clears it.
 //!
 //! A [`Boundary`] is one closed contour of lines and arcs, a [`Region`] an area with holes. Regions are combined
-//! (union, difference, intersection), and shrunk and grown by the radius of a tool. Lengths are in mm, in the
+//! (union, difference, intersection), shrunk and grown by the radius of a tool, and cleared ([`clearing`]). Lengths are in mm, in the
 //! coordinates of the working plane (x: main axis, y: minor axis).
 //!
 //! The offsets and the intersections of polylines with arcs are those of the crate `cavalier_contours`, which keeps
 //! arcs as arcs; nothing outside this room sees its types. Invariant: nothing here knows a machine, a tool or a cycle.
 mod boundary;
+pub mod clearing;
 mod combine;
 
 use cavalier_contours::polyline::{PlineSource, Polyline};

@@ -1,0 +1,258 @@
+//! The path of a cutter that clears a region at one level, from the inside outwards.
+//!
+//! The centre of the cutter follows the boundaries of the region of centres shrunk by one step after the other: the
+//! innermost ones first, the wall last (TNC 640 manual, lines 4686-4698). It never leaves that region and never lifts:
+//! between rings it goes straight where nothing is in the way, and else along rings and from one to the next. A step
+//! of at most the radius of the cutter leaves nothing; the corners of a greater one may (manual, lines 4714-4718).
+//! Invariant: every edge lies within the region of centres.
+use glam::DVec2;
+
+use super::boundary::{Boundary, Edge};
+use super::{NEAR, Region};
+
+/// More rings than this one inside the other are refused.
+pub const MOST_RINGS: usize = 10_000;
+
+/// A path over one connected part of a region.
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// Where the cutter plunges: on the innermost ring.
+    pub start: DVec2,
+    /// How far the start is from the boundary of the region of centres, in mm: room for a helix about it.
+    pub room: f64,
+    /// The way from there.
+    pub edges: Vec<Edge>,
+}
+
+/// More rings are needed than there may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooManyRings;
+
+/// A connected part of the region of centres, shrunk by a number of steps.
+struct Level {
+    /// In the direction in which they are milled.
+    rings: Vec<Boundary>,
+    /// The region that they bound.
+    region: Region,
+    /// The level around it, one step farther out.
+    around: Option<usize>,
+    /// The levels inside of it, each the next step of a part of it.
+    inside: Vec<usize>,
+    /// How far inside it is, mm.
+    depth: f64,
+}
+
+/// The paths that clear a region in which the centre of the cutter may be, one for each of its connected parts.
+///
+/// `step` is the distance of the rings in mm. `with_region_left` is the direction along the boundaries: with the
+/// region on the left of the way is climb milling for a spindle that turns clockwise. `from` is where the cutter comes
+/// from: what is near is cleared first.
+///
+/// # Errors
+/// The step is so small that there are more than [`MOST_RINGS`].
+pub fn paths(centres: &Region, step: f64, with_region_left: bool, from: DVec2) -> Result<Vec<Path>, TooManyRings> {
+    let levels = levels(centres, step, with_region_left)?;
+    let mut outermost: Vec<usize> = (0..levels.len()).filter(|n| levels[*n].around.is_none()).collect();
+    let (mut here, mut paths) = (from, Vec::with_capacity(outermost.len()));
+    while !outermost.is_empty() {
+        let distance = |n: usize| levels[outermost[n]].region.nearest(here).map_or(0.0, |(_, distance)| distance);
+        let next = (0..outermost.len()).min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(0);
+        let order = from_inside(&levels, outermost.swap_remove(next));
+        let Some(first) = order.first().map(|first| &levels[*first]) else { continue };
+        let (start, room) = (first.nearest(here), first.depth);
+        let mut walk = Walk { levels: &levels, here: start, edges: Vec::new() };
+        for number in order {
+            walk.mill(number);
+        }
+        here = walk.here;
+        paths.push(Path { start, room, edges: walk.edges });
+    }
+    Ok(paths)
+}
+
+/// All levels, those inside first.
+fn levels(centres: &Region, step: f64, left: bool) -> Result<Vec<Level>, TooManyRings> {
+    let mut shrunk = vec![centres.clone()];
+    while let Some(last) = shrunk.last().filter(|last| !last.is_empty()) {
+        if shrunk.len() > MOST_RINGS || step.is_nan() || step <= NEAR {
+            return Err(TooManyRings);
+        }
+        let next = last.shrunk(step);
+        shrunk.push(next);
+    }
+    let (mut levels, mut inside): (Vec<Level>, Vec<usize>) = (Vec::new(), Vec::new());
+    for (steps, region) in shrunk.iter().enumerate().rev() {
+        let first = levels.len();
+        levels.extend(region.parts().map(|part| Level::new(part, steps as f64 * step, left)));
+        let now = first..levels.len();
+        for inner in inside.drain(..) {
+            let at = levels[inner].rings.first().map_or(DVec2::ZERO, Boundary::start);
+            let Some(around) = now.clone().find(|n| levels[*n].region.contains(at)).or(now.clone().next()) else {
+                continue;
+            };
+            levels[inner].around = Some(around);
+            levels[around].inside.push(inner);
+        }
+        inside.extend(now);
+    }
+    Ok(levels)
+}
+
+/// A level and all inside of it, each after those inside of it.
+fn from_inside(levels: &[Level], outermost: usize) -> Vec<usize> {
+    let (mut order, mut stack) = (Vec::new(), vec![outermost]);
+    while let Some(number) = stack.pop() {
+        order.push(number);
+        stack.extend(&levels[number].inside);
+    }
+    order.reverse();
+    order
+}
+
+impl Level {
+    fn new(region: Region, depth: f64, left: bool) -> Self {
+        let rings = region.boundaries().map(|ring| if left { ring } else { ring.reversed() }).collect();
+        Self { rings, region, around: None, inside: Vec::new(), depth }
+    }
+
+    /// The point of its rings that is nearest to a point.
+    fn nearest(&self, near: DVec2) -> DVec2 {
+        self.region.nearest(near).map_or(near, |(point, _)| point)
+    }
+
+    /// The number of the ring that a point is on.
+    fn ring_of(&self, point: DVec2) -> usize {
+        let distance = |ring: &Boundary| ring.nearest(point).distance_squared(point);
+        let rings = self.rings.iter().enumerate();
+        rings.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1))).map_or(0, |(n, _)| n)
+    }
+
+    /// Whether a point is inside of it or on its rim.
+    fn holds(&self, point: DVec2) -> bool {
+        let on_rim = |(_, distance): (DVec2, f64)| distance <= 10.0 * NEAR;
+        self.region.nearest(point).is_some_and(on_rim) || self.region.contains(point)
+    }
+}
+
+/// A walk of the cutter over one part.
+struct Walk<'a> {
+    levels: &'a [Level],
+    here: DVec2,
+    edges: Vec<Edge>,
+}
+
+impl Walk<'_> {
+    /// Mills the rings of a level, the nearest one first.
+    fn mill(&mut self, number: usize) {
+        let mut left: Vec<&Boundary> = self.levels[number].rings.iter().collect();
+        while !left.is_empty() {
+            let distance = |ring: &Boundary| ring.nearest(self.here).distance_squared(self.here);
+            let nearest = (0..left.len()).min_by(|a, b| distance(left[*a]).total_cmp(&distance(left[*b])));
+            let ring = left.swap_remove(nearest.unwrap_or(0));
+            self.go_to(ring.nearest(self.here), number);
+            self.edges.extend(ring.from_nearest(self.here).edges());
+        }
+    }
+
+    /// From where it is to a point of a ring of a level.
+    fn go_to(&mut self, goal: DVec2, number: usize) {
+        // The level around both, and the region in which the straight way may lie.
+        let around = std::iter::successors(Some(number), |number| self.levels[*number].around);
+        let Some(common) = around.into_iter().find(|number| self.levels[*number].holds(self.here)) else {
+            return self.line(goal);
+        };
+        let common = &self.levels[common];
+        if common.region.has_line_of_sight(self.here, goal) {
+            return self.line(goal);
+        }
+        // Out to its rings, along them, and in again: nothing is between a point and the nearest one of them.
+        let (out, back) = (common.nearest(self.here), common.nearest(goal));
+        self.line(out);
+        self.along(common, back);
+        self.line(goal);
+    }
+
+    /// Along the rings of a level to one of its points, straight from ring to ring where they are nearest.
+    fn along(&mut self, level: &Level, goal: DVec2) {
+        let (own, other) = (level.ring_of(self.here), level.ring_of(goal));
+        let mut ring = own;
+        for (from, to) in level.bridges(own, other) {
+            self.along_ring(&level.rings[ring], from);
+            self.line(to);
+            ring = level.ring_of(to);
+        }
+        self.along_ring(&level.rings[other], goal);
+    }
+
+    /// The shorter way along a ring.
+    fn along_ring(&mut self, ring: &Boundary, goal: DVec2) {
+        let (there, back) = (ring.way(self.here, goal), ring.clone().reversed().way(self.here, goal));
+        let length = |edges: &[Edge]| {
+            let mut at = self.here;
+            edges.iter().fold(0.0, |sum, edge| {
+                let from = std::mem::replace(&mut at, edge.to());
+                sum + edge.length(from)
+            })
+        };
+        let way = if length(&there) <= length(&back) { there } else { back };
+        if let Some(last) = way.last() {
+            self.here = last.to();
+        }
+        self.edges.extend(way);
+    }
+
+    fn line(&mut self, to: DVec2) {
+        if self.here.distance(to) > NEAR {
+            self.edges.push(Edge::Line(to));
+            self.here = to;
+        }
+    }
+}
+
+impl Level {
+    /// The straight ways from ring to ring that lead from one to another: where two are nearest to each other nothing
+    /// is between them.
+    fn bridges(&self, from: usize, to: usize) -> Vec<(DVec2, DVec2)> {
+        // The rings that are reached, with the ring and the bridge by which.
+        let mut reached: Vec<(usize, usize, (DVec2, DVec2))> = vec![(from, from, (DVec2::ZERO, DVec2::ZERO))];
+        while !reached.iter().any(|(ring, ..)| *ring == to) {
+            let known = |ring: usize| reached.iter().any(|(known, ..)| *known == ring);
+            let free = (0..self.rings.len()).filter(|ring| !known(*ring));
+            let pairs = free.flat_map(|ring| reached.iter().map(move |(known, ..)| (*known, ring)));
+            let bridge = |(known, ring): (usize, usize)| {
+                let (a, b) = closest(&self.rings[known], &self.rings[ring]);
+                (known, ring, a, b)
+            };
+            let best = pairs.map(bridge).min_by(|a, b| a.2.distance(a.3).total_cmp(&b.2.distance(b.3)));
+            let Some((known, ring, a, b)) = best else { break };
+            reached.push((ring, known, (a, b)));
+        }
+        let (mut bridges, mut at) = (Vec::new(), to);
+        while at != from {
+            let Some((_, before, bridge)) = reached.iter().find(|(ring, ..)| *ring == at) else { break };
+            bridges.push(*bridge);
+            at = *before;
+        }
+        bridges.reverse();
+        bridges
+    }
+}
+
+/// The points of two rings that are nearest to each other, found from their corners and the middles of their edges.
+fn closest(one: &Boundary, other: &Boundary) -> (DVec2, DVec2) {
+    let mut best = (one.start(), other.nearest(one.start()));
+    for (own, foreign, swapped) in [(one, other, false), (other, one, true)] {
+        for edge in own.edges() {
+            // A step back and forth from a point of one ring to the other comes to a pair that sees each other.
+            let (mut a, mut b) = (edge.to(), foreign.nearest(edge.to()));
+            for _ in 0..8 {
+                a = own.nearest(b);
+                b = foreign.nearest(a);
+            }
+            if a.distance(b) < best.0.distance(best.1) {
+                best = if swapped { (b, a) } else { (a, b) };
+            }
+        }
+    }
+    best
+}
