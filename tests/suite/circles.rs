@@ -10,8 +10,8 @@ const MOST: usize = 4;
 const ENGINE: &[(&str, &[&str])] = &[
     ("geometry", &[]),
     ("read", &["geometry"]),
-    ("sphere", &["geometry"]),
     ("region", &[]),
+    ("sphere", &["geometry"]),
     ("machine", &["geometry", "read"]),
     ("solid", &["geometry"]),
     ("scene", &["geometry", "read", "machine", "solid"]),
