@@ -31,7 +31,14 @@ fn main() {
 
     let (catalogue, _) = Catalogue::load(&files);
     let (locales, _) = texts();
-    let request = Request { catalogue: &catalogue, locales: &locales, files: &files, controls: &[], languages: &[] };
+    let request = Request {
+        catalogue: &catalogue,
+        locales: &locales,
+        files: &files,
+        controls: &[],
+        languages: &[],
+        base_url: None,
+    };
     let site = match Site::new(&request) {
         Ok(site) => site,
         Err(found) => {

@@ -12,6 +12,7 @@ cli-build = Write the manuals, dialogs and label tables
 cli-build-out = Directory to write; it is exchanged when everything is whole (default: out)
 cli-build-control = Only this control; may be repeated
 cli-build-lang = Only this language; may be repeated
+cli-build-base-url = Address that the site will have: adds canonical addresses, a sitemap and whole links on 404.html
 cli-schema = Print the JSON Schema of the specifications
 cli-lint = Report everything that is wrong with specifications and languages
 cli-lint-accept = Record all translations as matching their English texts
@@ -253,6 +254,7 @@ diag-engine-silent = The engine did not answer { $silent } cases in a row and is
        *[other] { $left } cases are left out.
     }
 diag-io-foreign-directory = { $path } has files that ciklo did not write, so it is not replaced. Choose an empty or a new directory.
+diag-not-an-address = “{ $url }” is not an address that begins with https:// or http://.
 diag-data-lacks = { $path } lacks the directory { $name }.
 diag-no-data = { $path } has none of the directories cycle-specs, locales and templates.
 diag-data-encoding = { $path } is not UTF-8.

@@ -12,6 +12,7 @@ cli-build = Kirjoita käsikirjat, dialogit ja NC-tekstien taulukot
 cli-build-out = Hakemisto, johon kirjoitetaan; se korvataan vasta, kun kaikki on valmista (oletus: out)
 cli-build-control = Vain tämä ohjaus; voidaan toistaa
 cli-build-lang = Vain tämä kieli; voidaan toistaa
+cli-build-base-url = Sivuston tuleva osoite: lisää kanoniset osoitteet, sivukartan ja täydelliset linkit tiedostoon 404.html
 cli-schema = Tulosta kuvausten JSON-skeema
 cli-lint = Ilmoita kaikki kuvausten ja kielten virheet
 cli-lint-accept = Merkitse kaikki käännökset englanninkielisiä tekstejään vastaaviksi
@@ -225,6 +226,7 @@ diag-engine-silent = Suoritusohjelma ei vastannut { $silent } peräkkäiseen tap
        *[other] { $left } tapausta jää pois.
     }
 diag-io-foreign-directory = Hakemistossa { $path } on tiedostoja, joita ciklo ei ole kirjoittanut, joten sitä ei korvata. Valitse tyhjä tai uusi hakemisto.
+diag-not-an-address = ”{ $url }” ei ole osoite, jonka alussa on https:// tai http://.
 diag-data-lacks = Hakemistosta { $path } puuttuu hakemisto { $name }.
 diag-no-data = Hakemistossa { $path } ei ole hakemistoja cycle-specs, locales eikä templates.
 diag-data-encoding = { $path } ei ole UTF-8-muodossa.

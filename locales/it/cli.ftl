@@ -12,6 +12,7 @@ cli-build = Scrive i manuali, i dialoghi e le tabelle delle etichette
 cli-build-out = Cartella da scrivere; viene sostituita quando tutto è completo (predefinita: out)
 cli-build-control = Solo questo controllo numerico; ripetibile
 cli-build-lang = Solo questa lingua; ripetibile
+cli-build-base-url = Indirizzo che avrà il sito: aggiunge indirizzi canonici, una mappa del sito e link completi in 404.html
 cli-schema = Stampa lo schema JSON delle specifiche
 cli-lint = Segnala tutto ciò che è errato nelle specifiche e nelle lingue
 cli-lint-accept = Registra tutte le traduzioni come corrispondenti ai testi inglesi
@@ -225,6 +226,7 @@ diag-engine-silent = Il motore non ha risposto a { $silent } casi di seguito e n
        *[other] { $left } casi sono esclusi.
     }
 diag-io-foreign-directory = { $path } contiene file non scritti da ciklo, perciò non viene sostituita. Scegliere una cartella vuota o nuova.
+diag-not-an-address = «{ $url }» non è un indirizzo che inizia con https:// o http://.
 diag-data-lacks = In { $path } manca la cartella { $name }.
 diag-no-data = { $path } non contiene nessuna delle cartelle cycle-specs, locales e templates.
 diag-data-encoding = { $path } non è in UTF-8.

@@ -12,6 +12,7 @@ cli-build = Escreve os manuais, os diálogos e as tabelas de designações
 cli-build-out = Pasta a escrever; é substituída quando tudo estiver completo (predefinição: out)
 cli-build-control = Só este comando numérico; pode repetir-se
 cli-build-lang = Só este idioma; pode repetir-se
+cli-build-base-url = Endereço que o site terá: acrescenta endereços canónicos, um mapa do site e ligações completas em 404.html
 cli-schema = Mostra o esquema JSON das especificações
 cli-lint = Indica tudo o que está errado nas especificações e nos idiomas
 cli-lint-accept = Regista todas as traduções como correspondentes aos textos ingleses
@@ -228,6 +229,7 @@ diag-engine-silent = O motor não respondeu a { $silent } casos seguidos e não 
        *[other] ficam de fora { $left } casos.
     }
 diag-io-foreign-directory = { $path } tem ficheiros que o ciklo não escreveu, por isso não é substituída. Escolha uma pasta vazia ou nova.
+diag-not-an-address = «{ $url }» não é um endereço que comece por https:// ou http://.
 diag-data-lacks = Em { $path } falta a pasta { $name }.
 diag-no-data = { $path } não tem nenhuma das pastas cycle-specs, locales e templates.
 diag-data-encoding = { $path } não está em UTF-8.

@@ -12,6 +12,7 @@ cli-build = Zapiše priročnike, pogovorna okna in preglednice oznak
 cli-build-out = Ciljna mapa; zamenja se šele, ko je vse dokončano (privzeto: out)
 cli-build-control = Samo to krmiljenje; lahko se ponovi
 cli-build-lang = Samo ta jezik; lahko se ponovi
+cli-build-base-url = Naslov, ki ga bo imelo spletišče: doda kanonične naslove, zemljevid spletišča in popolne povezave v 404.html
 cli-schema = Izpiše shemo JSON za specifikacije
 cli-lint = Javi vse napake v specifikacijah in jezikih
 cli-lint-accept = Zabeleži, da vsi prevodi ustrezajo angleškim besedilom
@@ -249,6 +250,7 @@ diag-engine-silent = Pogon večkrat zapored ni odgovoril (število primerov: { $
        *[other] izpuščenih je { $left } primerov.
     }
 diag-io-foreign-directory = V mapi { $path } so datoteke, ki jih ciklo ni zapisal, zato ni zamenjana. Izberite prazno ali novo mapo.
+diag-not-an-address = »{ $url }« ni naslov, ki se začne s https:// ali http://.
 diag-data-lacks = V mapi { $path } manjka mapa { $name }.
 diag-no-data = V mapi { $path } ni nobene od map cycle-specs, locales in templates.
 diag-data-encoding = { $path } ni v kodiranju UTF-8.

@@ -12,8 +12,12 @@ use crate::language::locale::{Args, Ui};
 use crate::output::manual::{Request, Site};
 use crate::system::Staged;
 
-pub(super) const COMMAND: Command =
-    Command { name: "build", usage: "[--out DIR] [--control CONTROL]… [--lang LANG]…", arguments: own, run };
+pub(super) const COMMAND: Command = Command {
+    name: "build",
+    usage: "[--out DIR] [--control CONTROL]… [--lang LANG]… [--base-url URL]",
+    arguments: own,
+    run,
+};
 
 /// Where the manuals go if nothing is reported.
 const OUT: &str = "out";
@@ -23,6 +27,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::valued(ui, "out", "DIR", "cli-build-out"),
         arguments::several(ui, "control", "CONTROL", "cli-build-control"),
         arguments::several(ui, "lang", "LANG", "cli-build-lang"),
+        arguments::valued(ui, "base-url", "URL", "cli-build-base-url"),
     ]
 }
 
@@ -36,8 +41,18 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     }
     let out = matches.get_one::<String>("out").map_or(OUT, String::as_str);
     let staged = Staged::new(Path::new(out))?;
-    let request =
-        Request { catalogue: &catalogue, locales: &locales, files: &files, controls: &controls, languages: &languages };
+    let base_url = matches.get_one::<String>("base-url").map(String::as_str);
+    if let Some(url) = base_url.filter(|url| !url.starts_with("https://") && !url.starts_with("http://")) {
+        return Err(Diagnostic::global("not-an-address").arg("url", url).into());
+    }
+    let request = Request {
+        catalogue: &catalogue,
+        locales: &locales,
+        files: &files,
+        controls: &controls,
+        languages: &languages,
+        base_url,
+    };
     let site = Site::new(&request).map_err(session::in_texts(&locales))?;
     let progress = Progress::new(session.ui.text("cli-building", &Args::new()), site.pages());
     // A disk that is full is reported once, not for each file that did not fit.

@@ -269,7 +269,7 @@ fn pages(
     if catalogue.controls.is_empty() {
         return Vec::new();
     }
-    let request = manual::Request { catalogue, locales, files, controls: &[], languages: &[] };
+    let request = manual::Request { catalogue, locales, files, controls: &[], languages: &[], base_url: None };
     let mut found = manual::build(&request, &|_, _| Ok(())).err().unwrap_or_default();
     locales.place_missing(&mut found);
     found.retain(|diagnostic| diagnostic.code != "locale-missing-text" || !missing.contains(&text(diagnostic)));

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use super::decode::Name;
 use super::form::{Choice, CycleFile, Described, Fragment, Meaning};
 use super::language::{BlockWords, Global, OldCycle};
+use super::pages::Pages;
 use super::profile::{Control, Erratum, Named, Topic};
 use super::vocabulary::{Doubtful, Keyword, ParameterKind, Quantity, Reference, Shape};
 use crate::base::demand::{Deferred, OnDemand};
@@ -305,6 +306,8 @@ pub struct Catalogue {
     pub errata: Deferred<Vec<Erratum>>,
     /// The topics, in the order of the overview.
     pub topics: Deferred<Vec<Topic>>,
+    /// What pages of the manual need beyond cycles and topics.
+    pub pages: Deferred<Option<Pages>>,
     /// Blocks of the language that are no cycles; those with more words come after those with fewer.
     pub blocks: Deferred<Vec<BlockWords>>,
     /// What GLOBAL DEF gives.

@@ -32,6 +32,7 @@ struct Files {
     cycles: Vec<File>,
     errata: Vec<File>,
     topics: Vec<File>,
+    pages: Vec<File>,
     language: Vec<File>,
 }
 
@@ -46,6 +47,7 @@ fn sort_files(files: &[(String, String)], found: &mut Vec<Diagnostic>) -> Files 
         let Some(node) = yaml::read(&source, found) else { continue };
         let list = match rest.split_once('/') {
             None if rest == "topics.yaml" => &mut sorted.topics,
+            None if rest == "pages.yaml" => &mut sorted.pages,
             None if rest == "language.yaml" => &mut sorted.language,
             None => &mut sorted.errata,
             Some(("controls", _)) => &mut sorted.controls,
@@ -111,6 +113,7 @@ impl Catalogue {
         let mut catalogue = Self::default();
         catalogue.errata = files.errata.iter().flat_map(|file| errata(file, &mut found)).collect::<Vec<_>>().into();
         catalogue.topics = files.topics.iter().flat_map(|file| topics(file, &mut found)).collect::<Vec<_>>().into();
+        catalogue.pages = files.pages.first().and_then(|file| file.decode(&mut found)).into();
         let language: Vec<Tongue> = files.language.iter().filter_map(|file| file.decode(&mut found)).collect();
         let (mut blocks, mut globals, mut old_cycles) = (Vec::new(), Vec::new(), Vec::new());
         for own in language {

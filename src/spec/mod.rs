@@ -9,6 +9,7 @@ mod index;
 mod language;
 mod lint;
 mod load;
+mod pages;
 mod prepared;
 mod profile;
 mod run_form;
@@ -24,6 +25,7 @@ pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use form::*;
 pub use language::{BlockWords, Gives, Global, OldCycle, Tongue, WordLimit};
 pub use lint::{equals, lint};
+pub use pages::{NoteSection, NotesOfSection, Pages, Theme};
 pub use profile::{
     Control, Errata, Erratum, LabelRules, Named, NamedIn, OptionName, Since, Topic, TopicOn, Topics, Transformation,
     software,

@@ -39,11 +39,12 @@ impl Catalogue {
         });
         let errata = files.clone().of_file("cycle-specs/errata.yaml", load::errata);
         let topics = files.clone().of_file("cycle-specs/topics.yaml", load::topics);
+        let pages = files.clone().of_file("cycle-specs/pages.yaml", File::decode);
         let language = Arc::new(files.of_file("cycle-specs/language.yaml", File::decode::<Tongue>));
         let blocks = of_language(&language, |own| &own.blocks);
         let globals = of_language(&language, |own| &own.globals);
         let old_cycles = of_language(&language, |own| &own.old_cycles);
-        Self { controls, errata, topics, blocks, globals, old_cycles, ranges, mistakes }
+        Self { controls, errata, topics, pages, blocks, globals, old_cycles, ranges, mistakes }
     }
 }
 

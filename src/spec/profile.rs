@@ -1,7 +1,7 @@
 //! Profiles of the controls, the errata of their manuals, and the topics that they cover.
 use super::decode::{Entries, Name, record, words};
 use super::form::ManualLines;
-use super::vocabulary::Keyword;
+use super::vocabulary::{Group, Keyword};
 use crate::base::expr::QRef;
 
 record! {
@@ -126,6 +126,8 @@ record! {
         manuals: Vec<String>,
         /// The software version that its manual describes, such as `340590-02`.
         software: Option<String>,
+        /// The NC software from which its manuals hold, as they print it.
+        states: Vec<String>,
         /// What later versions added.
         later: Vec<Later>,
         /// The language of its manual.
@@ -226,6 +228,12 @@ record! {
     pub struct Topic {
         /// Its id, which is also the name of its file.
         topic: Name,
+        /// The groups of cycles that it is about.
+        groups: Vec<Group>,
+        /// The miscellaneous functions that it explains, such as `M99`.
+        functions: Vec<String>,
+        /// The tables that it explains, as cycles name them.
+        tables: Vec<Name>,
         /// The controls whose manuals cover it.
         controls: Vec<TopicOn>,
     }

@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 use super::decode::Decode;
 use super::form::{CycleFile, Dictionary, Fragment};
 use super::language::Tongue;
+use super::pages::Pages;
 use super::profile::{Control, Errata, Topics};
 
 /// One schema for every kind of file below `cycle-specs/`.
@@ -16,13 +17,14 @@ pub fn schema() -> Value {
         Control::schema(&mut defs),
         Errata::schema(&mut defs),
         Topics::schema(&mut defs),
+        Pages::schema(&mut defs),
         Tongue::schema(&mut defs),
     ];
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "ciklo specification",
-        "description": "A cycle, a fragment, a dictionary of meanings, a control, the errata, the topics or the \
-                        language.",
+        "description": "A cycle, a fragment, a dictionary of meanings, a control, the errata, the topics, the \
+                        pages or the language.",
         "anyOf": kinds,
         "$defs": defs,
     })

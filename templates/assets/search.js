@@ -1,73 +1,224 @@
-// Searches the index of a manual (`search-index.js`, which defines `cikloIndex`) without a network.
-// A word that was typed leads to every form with the same stem; one that no page contains leads to
-// the forms that begin most like it.
+// Searches the index of a language (`search/<lang>.js`, which defines `cikloIndex`) without a network.
+// A word that was typed leads to all forms with its stem, to words that begin with it and to compounds that contain it, with or
+// without diacritics; one that no page contains leads to the forms that begin most like it.
 "use strict";
 (() => {
   const index = cikloIndex;
   const input = document.getElementById("query");
   const status = document.getElementById("status");
   const list = document.getElementById("hits");
-  const wordsOf = (text) => text.toLocaleLowerCase(document.documentElement.lang).match(/[\p{L}\p{N}]+/gu) || [];
+  const more = document.getElementById("more");
+  const choice = document.getElementById("controls");
+  const STEP = 20;
+  const fold = (text) => text.toLocaleLowerCase(index.language).normalize("NFD").replace(/\p{M}/gu, "");
+  const wordsOf = (text) => fold(text).match(/[\p{L}\p{N}]+/gu) || [];
 
-  // The numbers of the stems that a word leads to.
-  const stemsOf = (word) => {
-    const { forms } = index;
-    let low = 0;
-    let high = forms.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (forms[middle][0] < word) low = middle + 1; else high = middle;
+  // Forms with the same stem have the same number; all other words have one of their own.
+  const numbers = new Map();
+  const stems = [];
+  for (const group of index.stems) {
+    const [stem, ...forms] = group.split(" ").map(fold);
+    const number = stems.push(stem) - 1;
+    for (const form of forms) if (!numbers.has(form)) numbers.set(form, number);
+  }
+  const numberOf = (word) => {
+    let number = numbers.get(word);
+    if (number === undefined) {
+      number = stems.push(word) - 1;
+      numbers.set(word, number);
     }
-    if (low < forms.length && forms[low][0] === word) return new Set([forms[low][1]]);
-    const begun = new Set();
-    for (let at = low; at < forms.length && forms[at][0].startsWith(word); at += 1) begun.add(forms[at][1]);
-    if (begun.size > 0) return begun;
-    // Forms that share the longest beginning, if it is most of the word.
+    return number;
+  };
+
+  // What can be found: titles (sentence −1) and sentences, by the numbers of their words.
+  const texts = [];
+  const postings = new Map();
+  const add = (page, sentence, text) => {
+    const at = texts.push([page, sentence]) - 1;
+    for (const word of new Set(wordsOf(text))) {
+      const number = numberOf(word);
+      const known = postings.get(number);
+      if (known === undefined) postings.set(number, [at]);
+      else if (known[known.length - 1] !== at) known.push(at);
+    }
+  };
+  index.pages.forEach(([, title], page) => add(page, -1, title));
+  index.sentences.forEach((own, page) => own.forEach(([, text], sentence) => add(page, sentence, text)));
+  const forms = [...numbers.keys()];
+
+  // The numbers that a word leads to, with how well they fit.
+  const fitting = (word) => {
+    const found = new Map();
+    const note = (number, fit) => { if (!(found.get(number) >= fit)) found.set(number, fit); };
+    const exact = numbers.get(word);
+    if (exact !== undefined) note(exact, 1);
+    const inner = exact !== undefined && word.length > 4 ? stems[exact] : word;
+    for (const form of forms) {
+      if (form.startsWith(word)) note(numbers.get(form), 0.7);
+      else if (inner.length > 3 && form.includes(inner)) note(numbers.get(form), 0.5);
+    }
+    if (found.size > 0) return found;
     let best = Math.max(3, Math.ceil(word.length * 0.6));
-    let near = new Set();
-    for (const [form, stem] of forms) {
+    let near = [];
+    for (const form of forms) {
       let shared = 0;
       while (shared < form.length && shared < word.length && form[shared] === word[shared]) shared += 1;
-      if (shared > best) { best = shared; near = new Set(); }
-      if (shared === best) near.add(stem);
+      if (shared > best) { best = shared; near = []; }
+      if (shared === best) near.push(form);
     }
-    return near;
+    for (const form of near) note(numbers.get(form), 0.3);
+    // A word such as a compound of which only the end is known.
+    if (near.length === 0 && word.length > 6) {
+      for (const form of forms) if (form.length > 4 && word.endsWith(form)) note(numbers.get(form), 0.2);
+    }
+    return found;
   };
 
-  const search = () => {
-    const words = wordsOf(input.value);
-    list.replaceChildren();
-    if (words.length === 0) { status.textContent = ""; return; }
-    let found = null;
+  const bits = () => [...choice.querySelectorAll("input")].reduce((on, box) => on | (box.checked ? 1 << box.value : 0), 0);
+
+  // Pages with their sentences that contain every word, the best first.
+  const search = (words) => {
+    const on = bits();
+    let hits = null;
     for (const word of words) {
-      const scores = new Map();
-      for (const stem of stemsOf(word)) {
-        const postings = index.stems[stem];
-        for (let at = 0; at < postings.length; at += 2) {
-          scores.set(postings[at], (scores.get(postings[at]) || 0) + postings[at + 1]);
-        }
+      const own = new Map();
+      for (const [number, fit] of fitting(word)) {
+        for (const at of postings.get(number) || []) own.set(at, Math.max(own.get(at) || 0, fit));
       }
-      if (found === null) { found = scores; continue; }
-      for (const [page, score] of found) {
-        if (scores.has(page)) found.set(page, score + scores.get(page)); else found.delete(page);
+      const byPage = new Map();
+      for (const [at, fit] of own) {
+        const [page, sentence] = texts[at];
+        const mask = sentence < 0 ? index.pages[page][2] : index.sentences[page][sentence][2];
+        if ((mask & on) === 0) continue;
+        const known = byPage.get(page) || { title: 0, best: 0, sentences: new Map() };
+        if (sentence < 0) known.title = Math.max(known.title, fit);
+        else {
+          known.sentences.set(sentence, fit);
+          known.best = Math.max(known.best, fit);
+        }
+        byPage.set(page, known);
+      }
+      if (hits === null) { hits = byPage; continue; }
+      for (const [page, known] of hits) {
+        const other = byPage.get(page);
+        if (other === undefined) { hits.delete(page); continue; }
+        known.title += other.title;
+        known.best += other.best;
+        // A sentence with several of the words is better than one with one.
+        for (const [sentence, fit] of other.sentences) known.sentences.set(sentence, (known.sentences.get(sentence) || 0) + fit);
       }
     }
-    const hits = [...found].sort((a, b) => b[1] - a[1] || a[0] - b[0]);
-    status.textContent = hits.length === 0 ? status.dataset.none : `${status.dataset.found} ${hits.length}`;
-    for (const [page] of hits) {
-      const [href, title] = index.pages[page];
-      const link = document.createElement("a");
-      link.href = href;
-      link.textContent = title;
+    const asked = words.join(" ");
+    const rated = [...(hits || [])].map(([page, known]) => {
+      const title = wordsOf(index.pages[page][1]);
+      const name = title.slice(/^\d+$/.test(title[2] || "") ? 3 : 0).join(" ");
+      const same = name === asked || title.join(" ") === asked || words.length === 1 && title[2] === asked;
+      const covered = known.title / Math.max(1, title.length);
+      const rows = [...known.sentences.values()].reduce((most, fit) => Math.max(most, fit), 0);
+      return { page, sentences: known.sentences, score: (same ? 100 : 0) + 6 * known.title + 3 * covered + 2 * rows + Math.min(1, known.sentences.size / 20) };
+    });
+    return rated.sort((a, b) => b.score - a.score || a.page - b.page);
+  };
+
+  // The sentence around the first word found, the words marked.
+  const excerpt = (text, words) => {
+    const line = document.createElement("p");
+    const found = [...text.matchAll(/[\p{L}\p{N}]+/gu)];
+    const wanted = new Map(words.map((word) => [word, fitting(word)]));
+    const fits = (word) => [...wanted.values()].some((own) => own.has(numberOf(fold(word))));
+    const first = found.find(([word]) => fits(word));
+    let start = first && first.index > 100 ? text.indexOf(" ", first.index - 80) + 1 : 0;
+    const end = text.length - start > 240 ? text.lastIndexOf(" ", start + 220) : text.length;
+    if (start > 0) line.append("… ");
+    for (const match of found) {
+      if (match.index < start || match.index + match[0].length > end || !fits(match[0])) continue;
+      line.append(text.slice(start, match.index));
+      const mark = document.createElement("mark");
+      mark.textContent = match[0];
+      line.append(mark);
+      start = match.index + match[0].length;
+    }
+    line.append(text.slice(start, end));
+    if (end < text.length) line.append(" …");
+    return line;
+  };
+
+  const link = (href, text) => {
+    const to = document.createElement("a");
+    to.href = href;
+    to.textContent = text;
+    return to;
+  };
+
+  let asked = [];
+  let hits = [];
+  const show = (from) => {
+    const on = bits();
+    const own = Math.max(0, index.controls.findIndex(([id]) => id === list.dataset.own));
+    for (const { page, sentences } of hits.slice(from, from + STEP)) {
+      const [file, title, mask] = index.pages[page];
+      const at = (bit) => `${list.dataset.root}${index.controls[bit][0]}/${index.language}/`;
+      const chosen = index.controls.map((_, bit) => bit).filter((bit) => (mask & on & (1 << bit)) !== 0);
+      const first = chosen.includes(own) ? own : chosen[0];
       const item = document.createElement("li");
-      item.append(link);
+      const head = document.createElement("h2");
+      head.append(link(at(first) + file, title));
+      item.append(head);
+      const names = document.createElement("p");
+      names.className = "of";
+      chosen.forEach((bit, count) => names.append(count > 0 ? " · " : "", link(at(bit) + file, index.controls[bit][1])));
+      item.append(names);
+      const best = [...sentences].sort((a, b) => b[1] - a[1] || a[0] - b[0]).slice(0, 3);
+      for (const [sentence] of best) {
+        const [place, text, where] = index.sentences[page][sentence];
+        const line = excerpt(text, asked);
+        const bit = (where & (1 << first)) !== 0 ? first : chosen.find((other) => (where & (1 << other)) !== 0);
+        if (place !== "" && bit !== undefined && !file.includes("#")) line.append(" ", link(`${at(bit)}${file}#${place}`, "#"));
+        line.lastElementChild?.setAttribute("title", place);
+        item.append(line);
+      }
       list.append(item);
     }
+    more.hidden = from + STEP >= hits.length;
   };
 
-  const asked = new URLSearchParams(location.search).get("q");
-  if (asked) input.value = asked;
-  input.addEventListener("input", search);
-  document.getElementById("search").addEventListener("submit", (event) => { event.preventDefault(); search(); });
-  search();
+  const run = () => {
+    asked = wordsOf(input.value);
+    list.replaceChildren();
+    hits = asked.length === 0 ? [] : search(asked);
+    status.textContent = asked.length === 0 ? "" : hits.length === 0 ? status.dataset.none : `${status.dataset.found} ${hits.length}`;
+    show(0);
+    const address = new URL(location.href);
+    if (input.value === "") address.searchParams.delete("q"); else address.searchParams.set("q", input.value);
+    try { history.replaceState(null, "", address); } catch { /* Some browsers do not allow it for files. */ }
+  };
+
+  if (index.controls.length > 1) {
+    index.controls.forEach(([id, name], bit) => {
+      const label = document.createElement("label");
+      const box = document.createElement("input");
+      box.type = "checkbox";
+      box.value = bit;
+      box.checked = id === list.dataset.own;
+      box.addEventListener("change", run);
+      label.append(box, ` ${name}`);
+      choice.append(label);
+    });
+    choice.hidden = false;
+  } else {
+    const box = document.createElement("input");
+    box.type = "checkbox";
+    box.value = 0;
+    box.checked = true;
+    choice.append(box);
+  }
+  const other = document.getElementById("find");
+  input.value = new URLSearchParams(location.search).get("q") || "";
+  if (other) other.closest("form").hidden = true;
+  let waiting = 0;
+  input.addEventListener("input", () => { clearTimeout(waiting); waiting = setTimeout(run, 120); });
+  document.getElementById("search").addEventListener("submit", (event) => { event.preventDefault(); run(); });
+  more.addEventListener("click", () => show(list.childElementCount));
+  run();
+  if (input.value === "") input.focus();
 })();

@@ -14,7 +14,7 @@ pub(crate) struct Page {
     pub errors: Vec<String>,
     /// Values of `id`, in order.
     pub ids: Vec<String>,
-    /// Values of `href` and `src`, in order.
+    /// Values of `href`, `src` and `action`, in order.
     pub links: Vec<String>,
     /// `lang` of the root element.
     pub lang: String,
@@ -77,7 +77,7 @@ impl TreeSink for Sink {
             let value = attribute.value.to_string();
             match &*attribute.name.local {
                 "id" => page.ids.push(value),
-                "href" | "src" => page.links.push(value),
+                "href" | "src" | "action" => page.links.push(value),
                 "lang" if &*name.local == "html" => page.lang = value,
                 _ => {}
             }

@@ -11,7 +11,7 @@ use std::cell::RefCell;
 
 use crate::base::diag::{Diagnostic, Place};
 use crate::language::locale::{Args, Digits, Language, LocaleError, Scope};
-use crate::spec::{Cycle, Name, NoteKind, OnControl, Outcome, Param};
+use crate::spec::{Cycle, Name, Note, NoteKind, OnControl, Outcome, Param};
 
 pub use param::ParamText;
 pub use run::{Bullet, Numbered, Repeat, RunPart, Step};
@@ -211,7 +211,12 @@ impl<'a> CycleText<'a> {
 
     /// The notes with their kinds, in the order of the specification.
     pub fn notes(&self) -> Vec<(NoteKind, Cow<'a, str>)> {
-        self.cycle.file.notes.iter().map(|note| (note.kind, self.named("note", &note.note))).collect()
+        self.cycle.file.notes.iter().map(|note| (note.kind, self.note(note))).collect()
+    }
+
+    /// The text of a note of the cycle.
+    pub fn note(&self, note: &Note) -> Cow<'a, str> {
+        self.named("note", &note.note)
     }
 
     /// What the control checks and refuses, guards of fragments included.

@@ -72,8 +72,16 @@ impl<'a> CycleText<'a> {
 
     /// The printed range with its unit, as prose shows it: `0 to 99999.9999 mm`.
     pub fn range(&self, param: &Param) -> Option<String> {
+        self.range_with(param, &|value| self.with_unit(value, param.quantity))
+    }
+
+    /// The printed range as a column shows it that has the unit beside it: `0 to 99999.9999`.
+    pub fn plain_range(&self, param: &Param) -> Option<String> {
+        self.range_with(param, &|value| self.number(value))
+    }
+
+    fn range_with(&self, param: &Param, with_unit: &dyn Fn(f64) -> String) -> Option<String> {
         let plain = |value| self.number(value);
-        let with_unit = |value| self.with_unit(value, param.quantity);
         let most = param.max_length.filter(|_| param.kind != ParameterKind::LabelList && !param.lists_axes());
         let text = match (param.min, param.max, most) {
             (Some(min), Some(max), _) => {

@@ -3,9 +3,11 @@ use minijinja::value::Serde;
 use minijinja::{Value, context};
 
 use super::cycle::Maker;
-use super::section::{Section, file_of};
+use super::links::{Linker, Shown};
+use super::page::css_string;
+use super::section::{OVERVIEW, Section, file_of};
 use super::site::{Comparison, Site};
-use super::view::{ColumnView, ComparedView, ComparisonView, PageView, ParameterView, SwitchView};
+use super::view::{ColumnView, ComparedView, ComparisonView, PageView, ParameterView, SwitchView, TrailView};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::Args;
 use crate::language::text::{CycleText, Vocabulary};
@@ -54,7 +56,8 @@ pub(super) fn page(site: &Site, comparison: &Comparison) -> Result<String, Vec<D
         let Some(entry) = section.entry(comparison.key) else { continue };
         let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
         let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
-        let maker = Maker { text: &text, section, site };
+        let linker = Linker::new(section, None, Shown::Apart);
+        let maker = Maker { text: &text, section, site, linker: &linker };
         let iso = &entry.cycle.iso;
         columns.push(ColumnView {
             control: section.on.control.title.clone(),
@@ -74,14 +77,14 @@ pub(super) fn page(site: &Site, comparison: &Comparison) -> Result<String, Vec<D
         return Err(faults);
     }
     for row in &mut rows {
-        row.differs = row.cells.windows(2).any(|pair| pair[0] != pair[1]);
+        row.differs = differences(&row.cells);
     }
     let key = comparison.key.to_string();
     let args = Args::new().text("name", name.as_str()).text("key", key.as_str());
     let title = first.text("page-comparison-title", &args)?.into_owned();
     let view = ComparisonView { key, name, columns, rows };
     let context = context! {
-        page => Value::from(Serde(&frame(site, first, comparison, title))),
+        page => Value::from(Serde(&frame(site, first, comparison, title)?)),
         words => first.words.clone(),
         comparison => Value::from(Serde(&view)),
     };
@@ -92,7 +95,10 @@ pub(super) fn page(site: &Site, comparison: &Comparison) -> Result<String, Vec<D
 fn place(rows: &mut Vec<ComparedView>, view: ParameterView, (at, of): (usize, usize), before: Option<usize>) -> usize {
     let row = rows.iter().position(|row| row.q == view.id).unwrap_or_else(|| {
         let row = before.map_or(0, |before| before + 1);
-        rows.insert(row, ComparedView { q: view.id.clone(), differs: false, cells: (0..of).map(|_| None).collect() });
+        rows.insert(
+            row,
+            ComparedView { q: view.id.clone(), differs: Vec::new(), cells: (0..of).map(|_| None).collect() },
+        );
         row
     });
     if let Some(cell) = rows[row].cells.get_mut(at) {
@@ -101,7 +107,29 @@ fn place(rows: &mut Vec<ComparedView>, view: ParameterView, (at, of): (usize, us
     row
 }
 
-fn frame(site: &Site, section: &Section, comparison: &Comparison, title: String) -> PageView {
+/// In what parameters of the controls differ in effect. What one manual does not print is no difference, and neither are
+/// examples.
+fn differences(cells: &[Option<ParameterView>]) -> Vec<&'static str> {
+    let there: Vec<&ParameterView> = cells.iter().flatten().collect();
+    let differ = |own: &dyn Fn(&ParameterView, &ParameterView) -> bool| {
+        there.iter().enumerate().any(|(at, one)| there[..at].iter().any(|other| own(one, other)))
+    };
+    let values = |view: &ParameterView| view.choices.iter().map(|choice| choice.value.clone()).collect::<Vec<_>>();
+    let range = |one: &ParameterView, other: &ParameterView| {
+        one.range.as_ref().zip(other.range.as_ref()).is_some_and(|(one, other)| one != other)
+    };
+    let found = [
+        ("presence", there.len() < cells.len()),
+        ("reference", differ(&|one, other| one.reference != other.reference)),
+        ("range", differ(&range)),
+        ("words", differ(&|one, other| one.words != other.words)),
+        ("choices", differ(&|one, other| values(one) != values(other))),
+        ("condition", differ(&|one, other| one.effective.is_some() != other.effective.is_some())),
+    ];
+    found.into_iter().filter(|(_, differs)| *differs).map(|(name, _)| name).collect()
+}
+
+fn frame(site: &Site, section: &Section, comparison: &Comparison, title: String) -> Result<PageView, Vec<Diagnostic>> {
     let others = site.comparisons.iter().filter(|other| other.key == comparison.key);
     let languages = others.filter_map(|other| {
         let own = site.sections.get(*other.sections.first()?)?;
@@ -110,17 +138,42 @@ fn frame(site: &Site, section: &Section, comparison: &Comparison, title: String)
             lang: own.language.tag().to_owned(),
             name: own.language_name.clone(),
             current: other.path == comparison.path,
+            overview: false,
         })
     });
-    PageView {
+    let home = format!("../../{}", section.path(""));
+    let step = |href: Option<String>, text: String| TrailView { href, text };
+    let own = section.entry(comparison.key).map(|entry| (format!("{home}{}", entry.file), entry.cycle.key.to_string()));
+    let mut trail = vec![step(Some(format!("{home}{OVERVIEW}")), section.on.control.title.clone())];
+    trail.extend(own.map(|(href, key)| step(Some(href), key)));
+    trail.push(step(None, section.text("site-compare", &Args::new())?.into_owned()));
+    let controls = site.sections.iter().filter(|other| other.language.tag() == section.language.tag());
+    let controls = controls.map(|other| {
+        let file = other.entry(comparison.key).map(|entry| entry.file.as_str());
+        SwitchView {
+            href: format!("../../{}", other.path(file.unwrap_or(OVERVIEW))),
+            lang: other.language.tag().to_owned(),
+            name: other.on.control.title.clone(),
+            current: false,
+            overview: file.is_none(),
+        }
+    });
+    let edition = site.edition(section)?.split_off(1);
+    let compared: Vec<&str> =
+        comparison.sections.iter().map(|at| site.sections[*at].on.control.title.as_str()).collect();
+    Ok(PageView {
         lang: section.language.tag().to_owned(),
+        sheet: Some((css_string(&title), css_string(&edition.join(" \u{b7} ")))),
+        edition,
+        trail,
         title,
-        root: "../../",
-        control: section.on.control.title.clone(),
-        home: format!("../../{}", section.path("")),
+        root: "../../".to_owned(),
+        canonical: site.address(&comparison.path),
+        control: compared.join(", "),
+        home,
         languages: languages.collect(),
-        controls: Vec::new(),
+        controls: controls.collect(),
         previous: None,
         next: None,
-    }
+    })
 }

@@ -2,34 +2,33 @@
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
+use super::links::{Linker, Shown};
 use super::page::Here;
 use super::section::Section;
 use super::view::{
-    CheckView, ChoiceView, CycleView, ExampleView, Html, LinkView, NotesView, ParameterTable, ParameterView,
-    ResultView, RunView, StepView, TableView,
+    CheckView, ChoiceView, CycleView, ExampleView, Html, LinkView, ParameterTable, ParameterView, ResultView, RunView,
+    StepView, TableView,
 };
-use super::{Site, inline, overview, page};
+use super::{Site, highlight, inline, overview, page};
 use crate::base::diag::Diagnostic;
 use crate::language::label;
 use crate::language::locale::Args;
 use crate::language::text::{CycleText, RunPart, Vocabulary};
-use crate::spec::{Access, CycleKey, NcExample, NoteKind, Param, Reference, See, TakesEffect};
-
-/// The order of the notes: what can hurt comes first.
-const KINDS: [NoteKind; 4] = [NoteKind::Danger, NoteKind::Caution, NoteKind::MachineBuilder, NoteKind::Note];
+use crate::spec::{Access, CycleKey, NcExample, Param, Reference, See, TakesEffect};
 
 pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, Vec<Diagnostic>> {
     let Some(entry) = section.entries.get(at) else { return Ok(String::new()) };
     let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
     let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
     let group = overview::group_title(section, entry.cycle.file.group)?;
-    let maker = Maker { text: &text, section, site };
+    let linker = Linker::new(section, Some(entry.cycle), Shown::Here);
+    let maker = Maker { text: &text, section, site, linker: &linker };
     let (mut view, mut faults) = maker.cycle(&entry.name, group);
     view.comparison = site.comparison(section, entry.cycle.key);
     let key = entry.cycle.key.to_string();
     let args = Args::new().text("name", entry.name.as_str()).text("key", key.as_str());
     let title = section.text("page-title", &args.text("control", section.on.control.title.as_str()))?.into_owned();
-    let frame = site.frame(section, title, Here::Cycle(at));
+    let frame = site.frame(section, title, Here::Cycle(at))?;
     let context = context! {
         page => Value::from(Serde(&frame)),
         words => section.words.clone(),
@@ -48,11 +47,12 @@ pub(super) struct Maker<'m, 'a> {
     pub(super) text: &'m CycleText<'a>,
     pub(super) section: &'m Section<'a>,
     pub(super) site: &'m Site<'a>,
+    pub(super) linker: &'m Linker<'m, 'a>,
 }
 
 impl Maker<'_, '_> {
-    fn html(&self, text: &str) -> Html {
-        Value::from_safe_string(inline::html(text, self.section))
+    pub(super) fn html(&self, text: &str) -> Html {
+        Value::from_safe_string(inline::html(text, self.linker))
     }
 
     fn cycle<'v>(&'v self, name: &'v str, group: String) -> (CycleView<'v>, Vec<Diagnostic>) {
@@ -68,9 +68,12 @@ impl Maker<'_, '_> {
             options: cycle.described.options.iter().map(|number| self.option(*number)).collect(),
             group,
             as_used: cycle.described.as_used,
+            siblings: self.siblings(),
             purpose: self.text.purpose().lines().map(|paragraph| self.html(paragraph)).collect(),
             run: self.run(),
             notes: self.notes(),
+            general: self.general(),
+            topics: self.topics(),
             checks: self.checks(),
             parameters: self.parameters(),
             results: self.results(),
@@ -80,6 +83,11 @@ impl Maker<'_, '_> {
             comparison: None,
         };
         (view, faults)
+    }
+
+    fn siblings(&self) -> Vec<LinkView> {
+        let group = self.text.cycle.file.group;
+        self.section.entries.iter().filter(|entry| entry.cycle.file.group == group).map(page::link).collect()
     }
 
     /// `#48`, with the name of the option where the locales have it.
@@ -133,15 +141,6 @@ impl Maker<'_, '_> {
         }
     }
 
-    fn notes(&self) -> Vec<NotesView> {
-        let notes = self.text.notes();
-        let of_kind = |kind: NoteKind| NotesView {
-            kind: kind.as_str(),
-            texts: notes.iter().filter(|(own, _)| *own == kind).map(|(_, text)| self.html(text)).collect(),
-        };
-        KINDS.into_iter().map(of_kind).filter(|notes| !notes.texts.is_empty()).collect()
-    }
-
     fn checks(&self) -> Vec<CheckView> {
         let check = |guard: crate::language::text::GuardText| CheckView {
             outcome: guard.outcome.as_str(),
@@ -182,11 +181,6 @@ impl Maker<'_, '_> {
 
     pub(super) fn parameter(&self, param: &Param) -> ParameterView {
         let texts = self.text.param(param);
-        let input = self.text.range(param).or_else(|| {
-            let values: Vec<String> = param.choices.iter().map(|choice| shown(choice.value.as_str())).collect();
-            (!values.is_empty()).then(|| values.join(", "))
-        });
-        let input = input.or_else(|| self.text.unit(param.quantity).map(std::borrow::Cow::into_owned));
         let choice =
             |(value, text): &(&str, std::borrow::Cow<str>)| ChoiceView { value: shown(value), text: self.html(text) };
         ParameterView {
@@ -199,13 +193,33 @@ impl Maker<'_, '_> {
             name: texts.name.into_owned(),
             help: self.html(&texts.help),
             reference: param.reference.map(Reference::as_str),
-            input,
+            input: self.input(param),
+            range: self.text.plain_range(param),
             words: param.words.clone(),
+            unit: self.text.unit(param.quantity).map(std::borrow::Cow::into_owned),
             choices: texts.choices.iter().map(choice).collect(),
             effective: texts.effective.map(|condition| self.html(&condition)),
             optional: param.field.as_ref().is_some_and(|field| field.optional),
             example: param.example.clone(),
         }
+    }
+
+    /// What may be entered: choices that the range does not contain, the range, words.
+    fn input(&self, param: &Param) -> Vec<String> {
+        let range = self.text.plain_range(param);
+        let within = |value: &str| {
+            let value = value.parse::<f64>().unwrap_or(f64::NAN);
+            param.min.is_none_or(|min| value >= min) && param.max.is_none_or(|max| value <= max)
+        };
+        let bounded = param.min.is_some() || param.max.is_some();
+        let beside =
+            param.choices.iter().map(|choice| choice.value.as_str()).filter(|value| !bounded || !within(value));
+        let beside = beside.map(shown).collect::<Vec<_>>().join(", ");
+        [Some(beside), range, Some(param.words.join(", "))]
+            .into_iter()
+            .flatten()
+            .filter(|part| !part.is_empty())
+            .collect()
     }
 
     fn results(&self) -> Vec<ResultView> {
@@ -229,7 +243,12 @@ impl Maker<'_, '_> {
     }
 
     fn tables(&self) -> Vec<TableView> {
+        let topic = |table: &str| {
+            let named = |topic: &&super::section::TopicPage| topic.tables.iter().any(|own| own.as_str() == table);
+            self.section.topics.iter().find(named).map(|topic| topic.file.clone())
+        };
         let view = |table: &crate::spec::TableUse| TableView {
+            href: topic(table.table.as_str()),
             name: self.text.table(&table.table).into_owned(),
             file: self.text.on.control.files.get(table.table.as_str()).map(|file| file.text.to_string()),
             columns: table.columns.clone(),
@@ -257,7 +276,11 @@ impl Maker<'_, '_> {
         }
         klartext.push_str(&self.site.relabelled(self.section, &example.after));
         let title = example.title.as_ref().map(|title| self.html(&self.text.title(title)));
-        ExampleView { title, klartext, iso: self.iso_block(block, example.number) }
+        let cycle = self.text.cycle;
+        let has_row = |name: &str| cycle.params.iter().any(|param| param.q.is_some_and(|q| q.to_string() == name));
+        let marked = |program: &str| Value::from_safe_string(highlight::html(program, &has_row));
+        let iso = self.iso_block(block, example.number).map(|iso| marked(&iso));
+        ExampleView { title, klartext: marked(&klartext), iso }
     }
 
     /// The block in DIN/ISO, which follows from the Klartext block where the manual prints one code

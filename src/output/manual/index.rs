@@ -1,52 +1,114 @@
-//! The first page of the site: choose a control and a language.
+//! The first page of the site: what it is, for which controls and software, in which languages; and the page that a
+//! server shows instead of one that does not exist.
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
 use super::Site;
+use super::search;
+use super::section::{OVERVIEW, Section};
 use super::view::{ChoiceRow, Invitation, PageView, SwitchView};
 use crate::base::diag::Diagnostic;
-use crate::language::locale::{SOURCE_LANGUAGE, Scope};
+use crate::language::locale::{Args, SOURCE_LANGUAGE};
+
+/// The file that servers show instead of a page that does not exist.
+pub(super) const MISSING: &str = "404.html";
 
 pub(super) fn page(site: &Site) -> Result<String, Vec<Diagnostic>> {
-    let Some(own) = site.sections.iter().find(|one| one.language.tag() == SOURCE_LANGUAGE).or(site.sections.first())
-    else {
-        return Err(vec![Diagnostic::global("manual-empty")]);
-    };
+    let own = source_section(site)?;
     let mut rows: Vec<ChoiceRow> = Vec::new();
-    let mut invitations: Vec<Invitation> = Vec::new();
     for section in &site.sections {
-        let link = SwitchView {
-            href: section.path("index.html"),
-            lang: section.language.tag().to_owned(),
-            name: section.language_name.clone(),
-            current: false,
-        };
+        let link = link(section, &section.language_name);
         match rows.last_mut() {
             Some(row) if row.name == section.on.control.title => row.links.push(link),
-            _ => rows.push(ChoiceRow { name: section.on.control.title.clone(), links: vec![link] }),
-        }
-        if !invitations.iter().any(|invitation| invitation.lang == section.language.tag()) {
-            let text = section.language.plain("site-choose", &Scope::NONE).map_err(|error| vec![error.into()])?;
-            invitations.push(Invitation { lang: section.language.tag().to_owned(), text: text.into_owned() });
+            _ => rows.push(ChoiceRow {
+                name: section.on.control.title.clone(),
+                states: section.on.control.states.clone(),
+                cycles: section.entries.len(),
+                links: vec![link],
+            }),
         }
     }
-    let title = own.language.plain("site-manual", &Scope::NONE).map_err(|error| vec![error.into()])?.into_owned();
-    let page = PageView {
+    let title = own.text("site-manual", &Args::new())?.into_owned();
+    let mut edition = site.edition(own)?;
+    // The control and its software are in the table.
+    edition.drain(..edition.len().saturating_sub(2));
+    let view = context! {
+        page => Value::from(Serde(&frame(site, own, title, ""))),
+        words => own.words.clone(),
+        rows => Value::from(Serde(&rows)),
+        search => own.path(search::PAGE),
+        edition => edition,
+        invitations => Value::from(Serde(&invitations(site)?)),
+    };
+    site.render("index.html", view)
+}
+
+/// The page for addresses that do not exist.
+pub(super) fn missing(site: &Site) -> Result<String, Vec<Diagnostic>> {
+    let own = source_section(site)?;
+    // A server shows it at any address, so its links are whole where the address of the site is known.
+    let root = site.base_url.clone().unwrap_or_default();
+    let view = context! {
+        page => Value::from(Serde(&PageView { root, canonical: None, ..frame(site, own, "404".to_owned(), MISSING) })),
+        words => own.words.clone(),
+        invitations => Value::from(Serde(&invitations(site)?)),
+    };
+    site.render(MISSING, view)
+}
+
+/// The first section in the source language, or in any.
+fn source_section<'s, 'a>(site: &'s Site<'a>) -> Result<&'s Section<'a>, Vec<Diagnostic>> {
+    let own = site.sections.iter().find(|one| one.language.tag() == SOURCE_LANGUAGE).or(site.sections.first());
+    own.ok_or_else(|| vec![Diagnostic::global("manual-empty")])
+}
+
+fn link(section: &Section, name: &str) -> SwitchView {
+    SwitchView {
+        href: section.path(OVERVIEW),
+        lang: section.language.tag().to_owned(),
+        name: name.to_owned(),
+        current: false,
+        overview: false,
+    }
+}
+
+/// What the pages say in each language.
+fn invitations(site: &Site) -> Result<Vec<Invitation>, Vec<Diagnostic>> {
+    let mut invitations: Vec<Invitation> = Vec::new();
+    for section in &site.sections {
+        let control = link(section, &section.on.control.title);
+        if let Some(known) = invitations.iter_mut().find(|own| own.lang == section.language.tag()) {
+            known.controls.push(control);
+            continue;
+        }
+        let text = |id: &str| section.text(id, &Args::new()).map(|text| text.into_owned());
+        invitations.push(Invitation {
+            lang: section.language.tag().to_owned(),
+            name: section.language_name.clone(),
+            manual: text("site-manual")?,
+            intro: text("site-home-intro")?,
+            safety: text("site-home-safety")?,
+            missing: text("site-page-missing")?,
+            controls: vec![control],
+        });
+    }
+    Ok(invitations)
+}
+
+fn frame(site: &Site, own: &Section, title: String, path: &str) -> PageView {
+    PageView {
         lang: own.language.tag().to_owned(),
         title,
-        root: "",
+        root: String::new(),
+        canonical: site.address(path),
         control: String::new(),
+        edition: Vec::new(),
+        sheet: None,
+        trail: Vec::new(),
         home: String::new(),
         languages: Vec::new(),
         controls: Vec::new(),
         previous: None,
         next: None,
-    };
-    let view = context! {
-        page => Value::from(Serde(&page)),
-        words => own.words.clone(),
-        rows => Value::from(Serde(&rows)),
-        invitations => Value::from(Serde(&invitations)),
-    };
-    site.render("index.html", view)
+    }
 }

@@ -4,25 +4,27 @@
 //! character of it; a link leads to a page that exists or is plain text.
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
-use super::section::{Section, link_target};
+use super::links::Linker;
+use super::section::link_target;
 
 /// Stands before the text while it is parsed, so that no line is taken for a list or a heading.
 const GUARD: char = '\u{2060}';
 
 /// The text as inline HTML.
-pub(super) fn html(text: &str, section: &Section) -> String {
+pub(super) fn html(text: &str, linker: &Linker) -> String {
     let mut out = String::with_capacity(text.len() + 16);
     if !text.contains(['*', '_', '`', '[', '\\']) {
-        escape(text, &mut out);
+        linker.text(text, &mut out);
         return out;
     }
     // A backslash is a character of paths here, and no escape as in Markdown.
     let guarded = format!("{GUARD}{}", text.replace('\\', "\\\\"));
-    let mut open = Vec::new();
+    let mut open: Vec<bool> = Vec::new();
     for event in Parser::new(&guarded) {
         match event {
             Event::Text(text) | Event::Html(text) | Event::InlineHtml(text) => {
-                escape(text.trim_start_matches(GUARD), &mut out)
+                let text = text.trim_start_matches(GUARD);
+                if open.is_empty() { linker.text(text, &mut out) } else { escape(text, &mut out) }
             }
             Event::Code(code) => element("code", &code.replace("\\\\", "\\"), &mut out),
             Event::SoftBreak | Event::HardBreak => out.push(' '),
@@ -31,7 +33,7 @@ pub(super) fn html(text: &str, section: &Section) -> String {
             Event::Start(Tag::Emphasis) => out.push_str("<em>"),
             Event::End(TagEnd::Emphasis) => out.push_str("</em>"),
             Event::Start(Tag::Link { dest_url, .. }) => {
-                let entry = link_target(&dest_url).and_then(|key| section.entry(key));
+                let entry = link_target(&dest_url).and_then(|key| linker.section.entry(key));
                 if let Some(entry) = entry {
                     out.push_str(&format!("<a href=\"{}\">", entry.file));
                 }

@@ -5,6 +5,7 @@ use minijinja::value::Serde;
 use minijinja::{Value, context};
 use serde::Serialize;
 
+use super::links::Linker;
 use super::page::{Here, link};
 use super::section::{Entry, Section, TERM};
 use super::view::{LetterView, LinkView, QView, TermView, UseView};
@@ -76,7 +77,7 @@ fn render(
 ) -> Result<String, Vec<Diagnostic>> {
     let args = Args::new().text("control", section.on.control.title.as_str());
     let title = section.text(title, &args)?.into_owned();
-    let frame = site.frame(section, title, Here::Every(file));
+    let frame = site.frame(section, title, Here::Every(file))?;
     let context = context! {
         page => Value::from(Serde(&frame)),
         words => section.words.clone(),
@@ -147,15 +148,16 @@ fn letter(name: &str) -> String {
     }
 }
 
-fn terms(section: &Section) -> Result<Vec<TermView>, Vec<Diagnostic>> {
+pub(super) fn terms(section: &Section) -> Result<Vec<TermView>, Vec<Diagnostic>> {
     let mut views = Vec::new();
-    for id in &section.terms {
+    for (at, id) in section.terms.iter().enumerate() {
+        let linker = Linker::of_term(section, at);
         let key = format!("{TERM}{id}");
         let definition = section.text(&format!("{key}.definition"), &Args::new())?;
         views.push(TermView {
             id: format!("term-{id}"),
             term: section.text(&key, &Args::new())?.into_owned(),
-            definition: Value::from_safe_string(inline::html(&definition, section)),
+            definition: Value::from_safe_string(inline::html(&definition, &linker)),
             source: None,
         });
     }

@@ -6,9 +6,12 @@
 //! same input gives the same bytes, whatever thread makes a page. Who writes files is not known here.
 mod compare;
 mod cycle;
+mod highlight;
 mod index;
 mod inline;
+mod links;
 mod lists;
+mod notes;
 mod overview;
 mod page;
 mod search;
@@ -18,7 +21,7 @@ mod stem;
 mod topic;
 mod view;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -30,11 +33,12 @@ use crate::base::diag::Diagnostic;
 use crate::base::parallel::together;
 use crate::check::LabelBook;
 use crate::language::label;
-use crate::language::locale::{Language, Locales};
+use crate::language::locale::{Args, Language, Locales};
 use crate::output::dialog;
 use crate::output::export;
 use crate::spec::{Catalogue, OnControl};
 
+use search::Found;
 use section::Section;
 use site::template_fault;
 
@@ -53,13 +57,15 @@ pub struct Request<'a> {
     pub controls: &'a [String],
     /// The tags of the languages; all of them if there is none.
     pub languages: &'a [String],
+    /// The address that the site will have, such as `https://example.org/manual/`, if it is known.
+    pub base_url: Option<&'a str>,
 }
 
 /// Takes each file of the site, as its path below the output directory and its bytes. It is called from
 /// several threads, in no particular order.
 pub type Sink<'s> = dyn Fn(&str, &[u8]) -> Result<(), Diagnostic> + Sync + 's;
 
-type Put<'p> = dyn Fn(&str, &[u8]) -> Result<(), Vec<Diagnostic>> + 'p;
+type Put<'p> = dyn Fn(&str, &[u8]) -> Result<(), Vec<Diagnostic>> + Sync + 'p;
 
 /// What was built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,10 +80,12 @@ pub struct Built {
 #[derive(Clone, Copy)]
 enum Job {
     Index,
+    Missing,
     Overview(usize),
     Parameters(usize),
     Keywords(usize),
     Glossary(usize),
+    Notes(usize),
     Search(usize),
     Topic(usize, usize),
     Comparison(usize),
@@ -133,18 +141,20 @@ impl<'a> Site<'a> {
             catalogue: request.catalogue,
             labels,
             templates,
+            base_url: request.base_url.map(|base| format!("{}/", base.trim_end_matches('/'))),
             assets: assets.collect(),
         })
     }
 
     fn jobs(&self) -> Vec<Job> {
-        let mut jobs = vec![Job::Index];
+        let mut jobs = vec![Job::Index, Job::Missing];
         for (at, section) in self.sections.iter().enumerate() {
             jobs.extend([
                 Job::Overview(at),
                 Job::Parameters(at),
                 Job::Keywords(at),
                 Job::Glossary(at),
+                Job::Notes(at),
                 Job::Search(at),
             ]);
             jobs.extend([Job::Dialogs(at), Job::Labels(at), Job::Export(at)]);
@@ -167,23 +177,62 @@ impl<'a> Site<'a> {
     pub fn write(&self, sink: &Sink) -> Result<Built, Vec<Diagnostic>> {
         let jobs = self.jobs();
         let files = AtomicUsize::new(0);
+        let paths = Mutex::new(BTreeSet::new());
         let put = |path: &str, bytes: &[u8]| {
             files.fetch_add(1, Ordering::Relaxed);
+            if path.ends_with(".html") && path != index::MISSING {
+                lock(&paths).insert(path.to_owned());
+            }
             sink(path, bytes).map_err(|found| vec![found])
         };
         for (path, text) in &self.assets {
             put(path, text.as_bytes())?;
         }
-        let faults = in_parallel(jobs.len(), &|at| jobs.get(at).map_or(Ok(()), |job| self.make(*job, &put)));
+        let found = Mutex::new(Vec::new());
+        let collect = |section: usize, order: usize, page: Found| lock(&found).push((section, order, page));
+        let faults = in_parallel(jobs.len(), &|at| jobs.get(at).map_or(Ok(()), |job| self.make(*job, &put, &collect)));
         if !faults.is_empty() {
             return Err(faults);
+        }
+        let mut found = found.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+        found.sort_by_key(|(section, order, _)| (*section, *order));
+        self.write_search(found, &put)?;
+        if let Some(sitemap) = self.sitemap(&lock(&paths).clone()) {
+            put("sitemap.xml", sitemap.as_bytes())?;
         }
         Ok(Built { pages: self.pages(), files: files.into_inner() })
     }
 
-    fn make(&self, job: Job, put: &Put) -> Result<(), Vec<Diagnostic>> {
+    /// The index of the search in each language; `found` are the pages in the order of the sections.
+    fn write_search(&self, found: Vec<(usize, usize, Found)>, put: &Put<'_>) -> Result<(), Vec<Diagnostic>> {
+        let mut controls: Vec<&OnControl> = Vec::new();
+        let mut by_language: BTreeMap<&str, (&Language, Vec<(usize, Vec<Found>)>)> = BTreeMap::new();
+        let mut found = found.into_iter().peekable();
+        for (at, section) in self.sections.iter().enumerate() {
+            if !controls.iter().any(|on| on.id() == section.on.id()) {
+                controls.push(section.on);
+            }
+            let mut own = Vec::new();
+            while let Some((_, _, page)) = found.next_if(|(section, _, _)| *section == at) {
+                own.push(page);
+            }
+            let (_, pages) =
+                by_language.entry(section.language.tag()).or_insert_with(|| (section.language, Vec::new()));
+            pages.push((controls.len() - 1, own));
+        }
+        let names: Vec<(&str, &str)> = controls.iter().map(|on| (on.id(), on.control.title.as_str())).collect();
+        let languages: Vec<_> = by_language.into_iter().collect();
+        let faults = in_parallel(languages.len(), &|at| {
+            let Some((tag, (language, pages))) = languages.get(at) else { return Ok(()) };
+            put(&search::index_file(tag), search::index(language, names.clone(), pages)?.as_bytes())
+        });
+        if faults.is_empty() { Ok(()) } else { Err(faults) }
+    }
+
+    fn make(&self, job: Job, put: &Put, collect: &dyn Fn(usize, usize, Found)) -> Result<(), Vec<Diagnostic>> {
         match job {
             Job::Index => put("index.html", index::page(self)?.as_bytes()),
+            Job::Missing => put(index::MISSING, index::missing(self)?.as_bytes()),
             Job::Overview(at) => {
                 let section = &self.sections[at];
                 put(&section.path("index.html"), overview::page(self, section)?.as_bytes())
@@ -198,16 +247,40 @@ impl<'a> Site<'a> {
             }
             Job::Glossary(at) => {
                 let section = &self.sections[at];
+                for (order, term) in lists::terms(section)?.into_iter().enumerate() {
+                    let file = format!("{}#{}", lists::GLOSSARY, term.id);
+                    let sentences = search::sentences(&format!("<main><p>{}</p></main>", term.definition));
+                    collect(
+                        at,
+                        order + section.entries.len() + section.topics.len() + 1,
+                        Found { file, title: term.term, sentences },
+                    );
+                }
                 put(&section.path(lists::GLOSSARY), lists::glossary(self, section)?.as_bytes())
+            }
+            Job::Notes(at) => {
+                let section = &self.sections[at];
+                let html = notes::page(self, section)?;
+                let title = section.text("site-general-notes", &Args::new())?.into_owned();
+                let order = section.entries.len() + section.topics.len();
+                collect(at, order, Found { file: notes::PAGE.to_owned(), title, sentences: search::sentences(&html) });
+                put(&section.path(notes::PAGE), html.as_bytes())
             }
             Job::Search(at) => {
                 let section = &self.sections[at];
-                put(&section.path(search::PAGE), search::page(self, section)?.as_bytes())?;
-                put(&section.path(search::INDEX), search::index(self, section)?.as_bytes())
+                put(&section.path(search::PAGE), search::page(self, section)?.as_bytes())
             }
             Job::Topic(at, topic) => {
                 let section = &self.sections[at];
-                put(&section.path(&section.topics[topic].file), topic::page(self, section, topic)?.as_bytes())
+                let html = topic::page(self, section, topic)?;
+                let own = &section.topics[topic];
+                let sentences = search::sentences(&html);
+                collect(
+                    at,
+                    section.entries.len() + topic,
+                    Found { file: own.file.clone(), title: own.title.clone(), sentences },
+                );
+                put(&section.path(&own.file), html.as_bytes())
             }
             Job::Comparison(at) => {
                 let comparison = &self.comparisons[at];
@@ -215,8 +288,11 @@ impl<'a> Site<'a> {
             }
             Job::Cycle(at, entry) => {
                 let section = &self.sections[at];
-                let file = section.path(&section.entries[entry].file);
-                put(&file, cycle::page(self, section, entry)?.as_bytes())
+                let own = &section.entries[entry];
+                let html = cycle::page(self, section, entry)?;
+                let title = format!("{} {}", own.cycle.key, own.name);
+                collect(at, entry, Found { file: own.file.clone(), title, sentences: search::sentences(&html) });
+                put(&section.path(&own.file), html.as_bytes())
             }
             Job::Dialogs(at) => {
                 let section = &self.sections[at];

@@ -1,4 +1,4 @@
-//! The overview of a control: its cycles by group, by number and by name, and those only named.
+//! The overview of a control: its cycles by group, and those only named.
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 
@@ -13,13 +13,10 @@ use crate::spec::{CycleKey, Group, Named};
 pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnostic>> {
     let args = Args::new().text("control", section.on.control.title.as_str());
     let title = section.text("page-overview-title", &args)?.into_owned();
-    let by_number: Vec<LinkView> = section.entries.iter().map(link).collect();
-    let mut by_name = by_number.clone();
-    section.language.collation().sort_by_key(&mut by_name, |cycle| &cycle.name);
     let topics = section.topics.iter().map(|topic| TopicLink { href: topic.file.clone(), title: topic.title.clone() });
     let topics = topics.collect();
-    let view = OverviewView { groups: groups(section)?, by_number, by_name, named: named(site, section), topics };
-    let frame = site.frame(section, title, Here::Every("index.html"));
+    let view = OverviewView { groups: groups(section)?, named: named(site, section), topics };
+    let frame = site.frame(section, title, Here::Every("index.html"))?;
     let context = context! {
         page => Value::from(Serde(&frame)),
         words => section.words.clone(),

@@ -1,10 +1,10 @@
 //! What every page has: title, switches of language and control, neighbours.
-use super::Site;
-use super::section::{Entry, Section};
-use super::view::{LinkView, PageView, SwitchView};
-use crate::base::diag::Source;
+use super::section::{Entry, OVERVIEW, Section};
+use super::view::{Html, LinkView, PageView, SwitchView, TrailView};
+use super::{Site, overview};
+use crate::base::diag::{Diagnostic, Source};
 use crate::check::Against;
-use crate::language::locale::Scope;
+use crate::language::locale::{Args, Scope};
 use crate::program::syntax;
 use crate::program::syntax::encoding::{Charset, Encoding};
 use crate::spec::CycleKey;
@@ -57,21 +57,22 @@ impl Site<'_> {
     }
 
     /// The frame of a page below `control/language/`.
-    pub(super) fn frame(&self, section: &Section, title: String, here: Here) -> PageView {
+    pub(super) fn frame(&self, section: &Section, title: String, here: Here) -> Result<PageView, Vec<Diagnostic>> {
         let entry = if let Here::Cycle(at) = here { Some(at) } else { None };
         let mut languages = Vec::new();
         let mut controls = Vec::new();
         for other in &self.sections {
-            let Some(file) = here.file_in(other, section) else { continue };
+            let file = here.file_in(other, section);
             let (same_control, same_language) =
                 (other.on.id() == section.on.id(), other.language.tag() == section.language.tag());
             let switch = |name: &str| SwitchView {
-                href: format!("../../{}", other.path(file)),
+                href: format!("../../{}", other.path(file.unwrap_or(OVERVIEW))),
                 lang: other.language.tag().to_owned(),
                 name: name.to_owned(),
                 current: same_control && same_language,
+                overview: file.is_none(),
             };
-            if same_control {
+            if same_control && file.is_some() {
                 languages.push(switch(&other.language_name));
             }
             if same_language {
@@ -79,18 +80,80 @@ impl Site<'_> {
             }
         }
         let neighbour = |at: Option<usize>| at.and_then(|at| section.entries.get(at)).map(link);
-        PageView {
+        let edition = self.edition(section)?;
+        Ok(PageView {
             lang: section.language.tag().to_owned(),
-            title,
-            root: "../../",
+            root: "../../".to_owned(),
+            canonical: here.file_in(section, section).and_then(|file| self.address(&section.path(file))),
             control: section.on.control.title.clone(),
+            sheet: Some((css_string(&title), css_string(&edition.join(" \u{b7} ")))),
+            edition,
+            trail: self.trail(section, &title, here)?,
+            title,
             languages,
             controls,
             home: String::new(),
             previous: neighbour(entry.and_then(|at| at.checked_sub(1))),
             next: neighbour(entry.map(|at| at + 1)),
+        })
+    }
+
+    /// Control, software and date of the data.
+    pub(super) fn edition(&self, section: &Section) -> Result<Vec<String>, Vec<Diagnostic>> {
+        let mut lines = vec![section.on.control.title.clone()];
+        let states = section.on.control.states.join(", ");
+        if !states.is_empty() {
+            lines.push(section.text("page-software", &Args::new().text("software", states.as_str()))?.into_owned());
+        }
+        let date = self.catalogue.pages.as_ref().and_then(|pages| pages.edition.as_deref());
+        if let Some(date) = date {
+            lines.push(section.text("page-edition", &Args::new().text("date", date))?.into_owned());
+        }
+        lines.push(concat!("Ciklo ", env!("CARGO_PKG_VERSION")).to_owned());
+        Ok(lines)
+    }
+
+    /// The control, the group of a cycle or the list of topics, and the page.
+    fn trail(&self, section: &Section, title: &str, here: Here) -> Result<Vec<TrailView>, Vec<Diagnostic>> {
+        let step = |href: Option<String>, text: String| TrailView { href, text };
+        let control = section.on.control.title.clone();
+        let to_overview = |anchor: &str| Some(format!("{OVERVIEW}{anchor}"));
+        Ok(match here {
+            Here::Every(OVERVIEW) => vec![step(None, control)],
+            Here::Every(_) => vec![step(to_overview(""), control), step(None, title.to_owned())],
+            Here::Topic(name) => {
+                let topics = section.text("site-topics", &Args::new())?.into_owned();
+                let own = section.topics.iter().find(|topic| topic.id == name).map(|topic| topic.title.clone());
+                vec![
+                    step(to_overview(""), control),
+                    step(to_overview("#topics"), topics),
+                    step(None, own.unwrap_or_default()),
+                ]
+            }
+            Here::Cycle(at) => {
+                let Some(entry) = section.entries.get(at) else { return Ok(Vec::new()) };
+                let group = entry.cycle.file.group;
+                vec![
+                    step(to_overview(""), control),
+                    step(to_overview(&format!("#group-{}", group.as_str())), overview::group_title(section, group)?),
+                    step(None, entry.cycle.key.to_string()),
+                ]
+            }
+        })
+    }
+}
+
+/// A text as a string of CSS within an element `style`.
+pub(super) fn css_string(text: &str) -> Html {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' | '<' | '>' | '&' | '\n' => out.push_str(&format!("\\{:x} ", u32::from(c))),
+            c => out.push(c),
         }
     }
+    out.push('"');
+    Html::from_safe_string(out)
 }
 
 /// The link to a page of the same section.

@@ -1,102 +1,203 @@
-//! The search of a section: a page, and an index that a script of the site reads without a network.
+//! The search: a page in each section, and an index a language that a script of the site reads without a network.
 //!
-//! The index lists every form of every word that the pages contain, with its stem: a form that a
-//! reader types leads to all forms of the word. Invariant: every page of the index exists.
-use std::collections::{BTreeMap, BTreeSet};
+//! The index has every sentence of the pages with the place that it is at, once for all controls that have it in the same
+//! words, and the forms of words that have the same stem. Invariant: every page of the index exists.
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 use serde::Serialize;
 
+use super::Site;
 use super::page::Here;
 use super::section::Section;
 use super::stem::{Stems, words};
-use super::{Site, cycle, lists, topic};
 use crate::base::diag::Diagnostic;
-use crate::language::locale::Args;
+use crate::language::locale::{Args, Language};
 
 /// The file of the page.
 pub(super) const PAGE: &str = "search.html";
-/// The file of the index.
-pub(super) const INDEX: &str = "search-index.js";
 
-/// What a word counts in a title, as against elsewhere on the page.
-const IN_TITLE: u32 = 8;
-/// More of the same word on one page says nothing more.
-const MOST: u32 = 9;
+/// The file of the index of a language.
+pub(super) fn index_file(tag: &str) -> String {
+    format!("search/{tag}.js")
+}
+
+/// A page that can be found.
+pub(super) struct Found {
+    /// Its file within a section.
+    pub(super) file: String,
+    pub(super) title: String,
+    /// Its sentences with the ids of the places where they are.
+    pub(super) sentences: Vec<(String, String)>,
+}
 
 /// The index as the script reads it.
 #[derive(Serialize)]
-struct Index {
-    /// File and title of each page.
-    pages: Vec<(String, String)>,
-    /// Each form of a word in order, with the number of its stem.
-    forms: Vec<(String, usize)>,
-    /// By stem: numbers of pages, each followed by its weight.
-    stems: Vec<Vec<u32>>,
+struct Index<'a> {
+    language: &'a str,
+    /// Id and name of each control; a number of a control is a bit of `on`.
+    controls: Vec<(&'a str, &'a str)>,
+    /// File and title of each page, and the controls that have it.
+    pages: Vec<(&'a str, &'a str, u32)>,
+    /// By page: place, sentence and, where they are not those of the page, the controls that have it.
+    sentences: Vec<Vec<(&'a str, &'a str, u32)>>,
+    /// Stems with several forms: the stem, then the forms.
+    stems: Vec<String>,
 }
 
 pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnostic>> {
     let args = Args::new().text("control", section.on.control.title.as_str());
     let title = section.text("page-search-title", &args)?.into_owned();
-    let frame = site.frame(section, title, Here::Every(PAGE));
-    let context = context! { page => Value::from(Serde(&frame)), words => section.words.clone() };
+    let frame = site.frame(section, title, Here::Every(PAGE))?;
+    let context = context! {
+        page => Value::from(Serde(&frame)),
+        words => section.words.clone(),
+        own => section.on.id(),
+        index => index_file(section.language.tag()),
+    };
     site.render("search.html", context)
 }
 
-pub(super) fn index(site: &Site, section: &Section) -> Result<String, Vec<Diagnostic>> {
-    let stems = Stems::of(section.language);
-    let mut pages = Vec::new();
-    let mut weights: BTreeMap<String, BTreeMap<u32, u32>> = BTreeMap::new();
-    let mut forms: BTreeSet<String> = BTreeSet::new();
-    let mut add = |file: &str, title: String, text: &str| {
-        let page = pages.len() as u32;
-        let found = words(&title).map(|word| (word, IN_TITLE)).chain(words(text).map(|word| (word, 1)));
-        for (word, weight) in found {
-            let total = weights.entry(stems.stem(&word)).or_default().entry(page).or_default();
-            *total = (*total + weight).min(IN_TITLE + MOST);
-            forms.insert(word);
+/// The index of a language; `found` are the pages of its sections, each with the number of its control.
+pub(super) fn index(
+    language: &Language,
+    controls: Vec<(&str, &str)>,
+    found: &[(usize, Vec<Found>)],
+) -> Result<String, Vec<Diagnostic>> {
+    let mut pages: Vec<(&str, &str, u32)> = Vec::new();
+    let mut sentences: Vec<Vec<(&str, &str, u32)>> = Vec::new();
+    let mut numbers: HashMap<(&str, &str), usize> = HashMap::new();
+    let mut known: HashMap<(usize, &str, &str), usize> = HashMap::new();
+    for (control, page) in found.iter().flat_map(|(control, pages)| pages.iter().map(move |page| (*control, page))) {
+        let bit = 1 << control;
+        let number = *numbers.entry((&page.file, &page.title)).or_insert_with(|| {
+            pages.push((&page.file, &page.title, 0));
+            sentences.push(Vec::new());
+            pages.len() - 1
+        });
+        pages[number].2 |= bit;
+        for (place, sentence) in &page.sentences {
+            let own = &mut sentences[number];
+            let at = *known.entry((number, place, sentence)).or_insert_with(|| {
+                own.push((place, sentence, 0));
+                own.len() - 1
+            });
+            own[at].2 |= bit;
         }
-        pages.push((file.to_owned(), title));
-    };
-    for (at, entry) in section.entries.iter().enumerate() {
-        let html = cycle::page(site, section, at)?;
-        add(&entry.file, format!("{} {}", entry.cycle.key, entry.name), &content(&html));
     }
-    for (at, own) in section.topics.iter().enumerate() {
-        add(&own.file, own.title.clone(), &content(&topic::page(site, section, at)?));
-    }
-    let glossary = lists::glossary(site, section)?;
-    add(lists::GLOSSARY, section.text("site-glossary", &Args::new())?.into_owned(), &content(&glossary));
-    let numbers: BTreeMap<&str, usize> = weights.keys().enumerate().map(|(at, stem)| (stem.as_str(), at)).collect();
-    let numbered = |form: &String| Some((form.clone(), *numbers.get(stems.stem(form).as_str())?));
-    let index = Index {
-        forms: forms.iter().filter_map(numbered).collect(),
-        stems: weights.values().map(|on| on.iter().flat_map(|(page, weight)| [*page, *weight]).collect()).collect(),
-        pages,
-    };
+    let index =
+        Index { language: language.tag(), controls, stems: stems(language, &pages, &sentences), pages, sentences };
     let json = serde_json::to_string(&index)
         .map_err(|error| vec![Diagnostic::global("manual-json").arg("reason", error.to_string())])?;
     Ok(format!("const cikloIndex = {json};\n"))
 }
 
-/// The text of the content of a page: what is in `main`, without marks.
-fn content(html: &str) -> String {
-    let inside =
-        html.split_once("<main").and_then(|(_, rest)| rest.split_once("</main>")).map_or(html, |(main, _)| main);
-    let mut out = String::with_capacity(inside.len() / 2);
-    let mut in_tag = true;
-    for c in inside.chars() {
-        match c {
-            '<' => {
-                in_tag = true;
-                out.push(' ');
-            }
-            '>' => in_tag = false,
-            c if !in_tag => out.push(c),
-            _ => {}
+/// The stems that have several forms among the words of the texts, each followed by its forms.
+fn stems(language: &Language, pages: &[(&str, &str, u32)], sentences: &[Vec<(&str, &str, u32)>]) -> Vec<String> {
+    let stems = Stems::of(language);
+    let mut forms: BTreeSet<String> = BTreeSet::new();
+    let texts = pages.iter().map(|page| page.1).chain(sentences.iter().flatten().map(|sentence| sentence.1));
+    for word in texts.flat_map(words) {
+        if !word.bytes().any(|byte| byte.is_ascii_digit()) && !forms.contains(&word) {
+            forms.insert(word);
         }
     }
-    // Only these can occur in the pages; the rest of the characters are themselves.
-    out.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&")
+    let mut groups: BTreeMap<String, Vec<&str>> = BTreeMap::new();
+    for form in &forms {
+        groups.entry(stems.stem(form)).or_default().push(form);
+    }
+    let several = |(stem, forms): (String, Vec<&str>)| (forms.len() > 1).then(|| format!("{stem} {}", forms.join(" ")));
+    groups.into_iter().filter_map(several).collect()
+}
+
+/// The sentences of the content of a page: what is in `main` but for links to other pages and programs. A row of a table
+/// is one sentence.
+pub(super) fn sentences(html: &str) -> Vec<(String, String)> {
+    let inside =
+        html.split_once("<main").and_then(|(_, rest)| rest.split_once("</main>")).map_or(html, |(main, _)| main);
+    let mut reader = Reader::default();
+    let mut rest = inside.split_once('>').map_or("", |(_, rest)| rest);
+    while let Some((text, after)) = rest.split_once('<') {
+        reader.text(text);
+        let Some((tag, after)) = after.split_once('>') else { break };
+        reader.tag(tag);
+        rest = after;
+    }
+    reader.end();
+    reader.found
+}
+
+/// Puts sentences together from texts and tags.
+#[derive(Default)]
+struct Reader {
+    found: Vec<(String, String)>,
+    place: String,
+    text: String,
+    /// Within how many elements whose text is not searched.
+    skipped: usize,
+    in_row: bool,
+}
+
+/// Elements whose text is on other pages, or is a program.
+const SKIPPED: [&str; 4] = ["nav", "pre", "thead", "svg"];
+
+impl Reader {
+    fn text(&mut self, text: &str) {
+        if self.skipped == 0 {
+            self.text.push_str(text);
+        }
+    }
+
+    fn tag(&mut self, tag: &str) {
+        let (closes, name) = tag.strip_prefix('/').map_or((false, tag), |name| (true, name));
+        let name = name.split(|c: char| c.is_whitespace()).next().unwrap_or_default();
+        if SKIPPED.contains(&name) {
+            self.skipped = if closes { self.skipped.saturating_sub(1) } else { self.skipped + 1 };
+            return;
+        }
+        let block =
+            matches!(name, "p" | "li" | "h1" | "h2" | "h3" | "dd" | "dl" | "ol" | "ul" | "caption" | "figcaption");
+        match name {
+            "tr" => {
+                self.end();
+                self.in_row = !closes;
+            }
+            _ if block && !self.in_row => self.end(),
+            _ if block || matches!(name, "td" | "th" | "div" | "dt" | "br") => self.text.push(' '),
+            _ => {}
+        }
+        if let Some((_, id)) = tag.split_once(" id=\"").filter(|_| !closes) {
+            self.place = id.split('"').next().unwrap_or_default().to_owned();
+        }
+    }
+
+    fn end(&mut self) {
+        let mut text = self.text.split_whitespace().collect::<Vec<_>>().join(" ");
+        self.text.clear();
+        if text.contains('&') {
+            for (entity, sign) in [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&#x2f;", "/"), ("&#x27;", "'")] {
+                text = text.replace(entity, sign);
+            }
+            text = text.replace("&amp;", "&");
+        }
+        if text.chars().any(char::is_alphanumeric) {
+            self.found.push((self.place.clone(), text));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_is_one_sentence_and_knows_its_place() {
+        let html = "<nav>x</nav><main id=\"content\"><h1><span>CYCL DEF 1</span> Pecking</h1><nav><p>no</p></nav>\
+                    <p>It pecks &amp; drills.</p><table><tr id=\"Q200\"><th>Q200</th><td><p>Set-up.</p></td></tr></table>\
+                    <pre>Q200=2</pre></main>";
+        let expected = [("", "CYCL DEF 1 Pecking"), ("", "It pecks & drills."), ("Q200", "Q200 Set-up.")]
+            .map(|(place, text)| (place.to_owned(), text.to_owned()));
+        assert_eq!(sentences(html), expected);
+    }
 }

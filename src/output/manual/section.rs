@@ -5,9 +5,10 @@ use std::collections::{BTreeMap, HashMap};
 use minijinja::Value;
 use minijinja::value::Serde;
 
+use super::links::Targets;
 use crate::base::diag::{Diagnostic, Place};
 use crate::language::locale::{Args, Language, LocaleError, Scope};
-use crate::spec::{Cycle, CycleKey, Keyword, OnControl, Topic};
+use crate::spec::{Cycle, CycleKey, Group, Keyword, Name, OnControl, Topic};
 
 /// The prefixes of messages that are words without arguments.
 const WORDS: [&str; 4] = ["site-", "caption-", "reference-", "optional-"];
@@ -26,6 +27,8 @@ pub(super) struct Section<'a> {
     pub(super) topics: Vec<TopicPage<'a>>,
     /// The terms of the glossary: ids without their prefix.
     pub(super) terms: Vec<&'a str>,
+    /// What sentences can be linked with.
+    pub(super) targets: Targets,
     by_key: HashMap<CycleKey, usize>,
 }
 
@@ -43,9 +46,16 @@ pub(super) struct TopicPage<'a> {
     pub(super) title: String,
     /// The file name of its page.
     pub(super) file: String,
+    /// The groups of cycles that it is about.
+    pub(super) groups: &'a [Group],
+    /// The tables that it explains.
+    pub(super) tables: &'a [Name],
     /// What is below the title, in Markdown.
     pub(super) body: &'a str,
 }
+
+/// The file of the overview.
+pub(super) const OVERVIEW: &str = "index.html";
 
 /// What the message of a term begins with.
 pub(super) const TERM: &str = "term-";
@@ -68,10 +78,10 @@ impl<'a> Section<'a> {
             }
         }
         let covers = |topic: &&Topic| topic.controls.iter().any(|own| own.control.as_str() == on.id());
-        let pages: Vec<_> = topics.iter().filter(covers).map(|topic| topic_page(topic, language)).collect();
+        let covered: Vec<&Topic> = topics.iter().filter(covers).collect();
         let mut topics = Vec::new();
-        for page in pages {
-            match page {
+        for topic in &covered {
+            match topic_page(topic, language) {
                 Ok(page) => topics.push(page),
                 Err(fault) => faults.push(fault),
             }
@@ -83,7 +93,10 @@ impl<'a> Section<'a> {
         terms.sort_unstable();
         let by_key = entries.iter().enumerate().map(|(at, entry)| (entry.cycle.key, at)).collect();
         let language_name = words.get("language_name").cloned().unwrap_or_default();
-        Ok(Self { on, language, language_name, words: Value::from(Serde(&words)), entries, topics, terms, by_key })
+        let pages: Vec<_> = covered.iter().zip(&topics).map(|(topic, page)| (*topic, page.file.as_str())).collect();
+        let targets = Targets::new(on, language, &pages, &terms);
+        let words = Value::from(Serde(&words));
+        Ok(Self { on, language, language_name, words, entries, topics, terms, targets, by_key })
     }
 
     /// The path of a file of this section.
@@ -112,7 +125,8 @@ fn topic_page<'a>(topic: &'a Topic, language: &'a Language) -> Result<TopicPage<
     let Some(title) = first.strip_prefix("# ").map(str::trim).filter(|title| !title.is_empty()) else {
         return Err(lacking("manual-topic-title", Place::new(page, 0..first.len())));
     };
-    Ok(TopicPage { id, title: title.to_owned(), file: format!("topic-{id}.html"), body })
+    let file = format!("topic-{id}.html");
+    Ok(TopicPage { id, title: title.to_owned(), file, groups: &topic.groups, tables: &topic.tables, body })
 }
 
 fn of_cycle(error: LocaleError, cycle: &Cycle) -> Diagnostic {

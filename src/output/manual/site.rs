@@ -1,8 +1,9 @@
 //! A site that is ready to be written: what every page of it is made from.
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use minijinja::Environment;
 
+use super::inline;
 use super::section::Section;
 use crate::base::diag::Diagnostic;
 use crate::check::LabelBook;
@@ -27,10 +28,33 @@ pub struct Site<'a> {
     /// The labels of each control, to write its printed lines in other languages.
     pub(super) labels: BTreeMap<&'a str, LabelBook<'a>>,
     pub(super) templates: Environment<'a>,
+    /// The address of the site, which ends with `/`.
+    pub(super) base_url: Option<String>,
     pub(super) assets: Vec<(&'a str, &'a str)>,
 }
 
 impl Site<'_> {
+    /// The address of a page, where that of the site is known.
+    pub(super) fn address(&self, path: &str) -> Option<String> {
+        self.base_url.as_ref().map(|base| format!("{base}{path}"))
+    }
+
+    /// The list of all pages for search engines.
+    pub(super) fn sitemap(&self, pages: &BTreeSet<String>) -> Option<String> {
+        let base = self.base_url.as_ref()?;
+        let mut xml = String::from(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<urlset xmlns=\"http://www.sitemaps.org/schemas/sitemap/0.9\">\n",
+        );
+        for page in pages {
+            xml.push_str("<url><loc>");
+            inline::escape(base, &mut xml);
+            inline::escape(page, &mut xml);
+            xml.push_str("</loc></url>\n");
+        }
+        xml.push_str("</urlset>\n");
+        Some(xml)
+    }
+
     /// A page by its template.
     pub(super) fn render(&self, template: &str, view: minijinja::Value) -> Result<String, Vec<Diagnostic>> {
         let rendered = self.templates.get_template(template).and_then(|template| template.render(view));

@@ -9,6 +9,7 @@ use minijinja::{Value, context};
 use pulldown_cmark::{CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
 use super::Site;
+use super::links::{Linker, Shown};
 use super::page::Here;
 use super::section::{Section, link_target};
 use super::view::TopicView;
@@ -19,7 +20,7 @@ pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, 
     let Some(topic) = section.topics.get(at) else { return Ok(String::new()) };
     let args = Args::new().text("title", topic.title.as_str()).text("control", section.on.control.title.as_str());
     let title = section.text("page-topic-title", &args)?.into_owned();
-    let frame = site.frame(section, title, Here::Topic(topic.id));
+    let frame = site.frame(section, title, Here::Topic(topic.id))?;
     let view = TopicView { title: topic.title.clone(), body: Value::from_safe_string(body(topic.body, section)) };
     let context = context! {
         page => Value::from(Serde(&frame)),
@@ -32,12 +33,25 @@ pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, 
 /// The Markdown below the title as HTML.
 pub(super) fn body(markdown: &str, section: &Section) -> String {
     let mut events: Vec<Event> = Vec::new();
-    let mut links = Vec::new();
+    let mut links: Vec<bool> = Vec::new();
     let mut heading: Option<usize> = None;
     let mut ids = HashSet::from(["content".to_owned()]);
+    let linker = Linker::new(section, None, Shown::Elsewhere);
+    let linked = |text: &str| {
+        let mut html = String::with_capacity(text.len());
+        linker.text(text, &mut html);
+        Event::InlineHtml(CowStr::from(html))
+    };
+    let mut in_code = false;
     for event in Parser::new_ext(markdown, Options::ENABLE_TABLES) {
+        let plain = heading.is_none() && !links.contains(&true) && !in_code;
         let event = match event {
             Event::Html(text) | Event::InlineHtml(text) => Event::Text(text),
+            Event::Text(text) if plain => linked(&text),
+            Event::Start(Tag::CodeBlock(_)) | Event::End(TagEnd::CodeBlock) => {
+                in_code = !in_code;
+                event
+            }
             Event::Start(Tag::Link { dest_url, link_type, title, id }) => {
                 let file = target(&dest_url, section);
                 links.push(file.is_some());

@@ -15,14 +15,22 @@ pub(super) struct PageView {
     /// The title of the document.
     pub(super) title: String,
     /// The way to the root of the site.
-    pub(super) root: &'static str,
+    pub(super) root: String,
+    /// Its address, where that of the site is known.
+    pub(super) canonical: Option<String>,
     /// The control; empty on the first page of the site.
     pub(super) control: String,
+    /// The control with its software and the date of the data, for the foot of the page.
+    pub(super) edition: Vec<String>,
+    /// What each printed sheet says, as two strings of CSS: the page, and the edition.
+    pub(super) sheet: Option<(Html, Html)>,
+    /// Where the page is: the control, the group, the page itself.
+    pub(super) trail: Vec<TrailView>,
     /// The way to the overviews of the section; its own directory for most pages.
     pub(super) home: String,
     /// The same page in every language.
     pub(super) languages: Vec<SwitchView>,
-    /// The same page on every control that has it.
+    /// The same page on every control, or the overview of those that do not have it.
     pub(super) controls: Vec<SwitchView>,
     /// The page before.
     pub(super) previous: Option<LinkView>,
@@ -38,6 +46,16 @@ pub(super) struct SwitchView {
     pub(super) lang: String,
     pub(super) name: String,
     pub(super) current: bool,
+    /// It leads to the overview, as there is no such page.
+    pub(super) overview: bool,
+}
+
+/// A step on the way from the control to a page.
+#[derive(Serialize)]
+pub(super) struct TrailView {
+    /// Nothing for the page itself.
+    pub(super) href: Option<String>,
+    pub(super) text: String,
 }
 
 /// A link to a cycle, or its name where there is no page.
@@ -62,9 +80,15 @@ pub(super) struct CycleView<'a> {
     pub(super) options: Vec<String>,
     pub(super) group: String,
     pub(super) as_used: bool,
+    /// The cycles of its group.
+    pub(super) siblings: Vec<LinkView>,
     pub(super) purpose: Vec<Html>,
     pub(super) run: Vec<RunView>,
-    pub(super) notes: Vec<NotesView>,
+    pub(super) notes: Vec<NoteSectionView>,
+    /// Notes that hold for many cycles, on the page that says them once.
+    pub(super) general: Vec<TopicLink>,
+    /// Pages of prose about what surrounds it.
+    pub(super) topics: Vec<TopicLink>,
     pub(super) checks: Vec<CheckView>,
     pub(super) parameters: Vec<ParameterTable>,
     pub(super) results: Vec<ResultView>,
@@ -90,6 +114,31 @@ pub(super) struct StepView {
     pub(super) text: Html,
     pub(super) bullets: Vec<Html>,
     pub(super) by_operator: bool,
+}
+
+/// The notes of a section.
+#[derive(Serialize)]
+pub(super) struct NoteSectionView {
+    pub(super) id: &'static str,
+    pub(super) title: String,
+    pub(super) kinds: Vec<NotesView>,
+}
+
+/// A theme of the notes for many cycles.
+#[derive(Serialize)]
+pub(super) struct ThemeView {
+    pub(super) id: String,
+    pub(super) title: String,
+    pub(super) topic: Option<TopicLink>,
+    pub(super) notes: Vec<ThemeNoteView>,
+}
+
+/// A note with the cycles that it holds for.
+#[derive(Serialize)]
+pub(super) struct ThemeNoteView {
+    pub(super) kind: &'static str,
+    pub(super) text: Html,
+    pub(super) cycles: Vec<LinkView>,
 }
 
 /// All notes of a kind.
@@ -121,8 +170,13 @@ pub(super) struct ParameterView {
     pub(super) name: String,
     pub(super) help: Html,
     pub(super) reference: Option<&'static str>,
-    pub(super) input: Option<String>,
+    /// What may be entered: values, a range, words.
+    pub(super) input: Vec<String>,
+    /// The printed range alone.
+    pub(super) range: Option<String>,
+    /// Words that may be entered.
     pub(super) words: Vec<String>,
+    pub(super) unit: Option<String>,
     pub(super) choices: Vec<ChoiceView>,
     pub(super) effective: Option<Html>,
     pub(super) optional: bool,
@@ -144,6 +198,8 @@ pub(super) struct ResultView {
 
 #[derive(Serialize)]
 pub(super) struct TableView {
+    /// The page that explains it.
+    pub(super) href: Option<String>,
     pub(super) name: String,
     pub(super) file: Option<String>,
     pub(super) columns: Vec<String>,
@@ -153,16 +209,14 @@ pub(super) struct TableView {
 #[derive(Serialize)]
 pub(super) struct ExampleView {
     pub(super) title: Option<Html>,
-    pub(super) klartext: String,
-    pub(super) iso: Option<String>,
+    pub(super) klartext: Html,
+    pub(super) iso: Option<Html>,
 }
 
 /// An overview.
 #[derive(Serialize)]
 pub(super) struct OverviewView {
     pub(super) groups: Vec<GroupView>,
-    pub(super) by_number: Vec<LinkView>,
-    pub(super) by_name: Vec<LinkView>,
     pub(super) named: Vec<LinkView>,
     pub(super) topics: Vec<TopicLink>,
 }
@@ -237,7 +291,8 @@ pub(super) struct ColumnView {
 #[derive(Serialize)]
 pub(super) struct ComparedView {
     pub(super) q: String,
-    pub(super) differs: bool,
+    /// In what the controls differ: `presence`, `reference`, `range`, `words`, `choices`, `condition`.
+    pub(super) differs: Vec<&'static str>,
     pub(super) cells: Vec<Option<ParameterView>>,
 }
 
@@ -253,12 +308,23 @@ pub(super) struct GroupView {
 #[derive(Serialize)]
 pub(super) struct ChoiceRow {
     pub(super) name: String,
+    /// The NC software from which its manuals hold.
+    pub(super) states: Vec<String>,
+    /// How many cycles are described.
+    pub(super) cycles: usize,
     pub(super) links: Vec<SwitchView>,
 }
 
-/// The invitation to choose, in a language.
+/// What the first page says in a language.
 #[derive(Serialize)]
 pub(super) struct Invitation {
     pub(super) lang: String,
-    pub(super) text: String,
+    /// The name of the language.
+    pub(super) name: String,
+    pub(super) manual: String,
+    pub(super) intro: String,
+    pub(super) safety: String,
+    /// That a page does not exist.
+    pub(super) missing: String,
+    pub(super) controls: Vec<SwitchView>,
 }

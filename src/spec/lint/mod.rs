@@ -29,6 +29,7 @@ pub fn lint(catalogue: &Catalogue) -> Vec<Diagnostic> {
     reference::errata(catalogue, &mut found);
     habit::habits(catalogue, &mut found);
     reference::topics(catalogue, &mut found);
+    reference::pages(catalogue, &mut found);
     unused(catalogue, &mut found);
     dedupe(&mut found);
     found

@@ -1,4 +1,6 @@
 //! References between files: controls, sources, cycles, options, machine data, errata.
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::super::catalogue::{Catalogue, Cycle, CycleKey, Known, OnControl};
 use super::super::decode::Name;
 use super::super::form::ManualLines;
@@ -199,6 +201,33 @@ pub(super) fn topics(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
                 Some(on) => covered.sources.iter().for_each(|lines| source(lines, on, found)),
                 None => found.push(unknown_control(&covered.control, catalogue)),
             }
+        }
+    }
+}
+
+/// Every note of a cycle has one section, and what is listed there is a note of a cycle; themes lead to topics.
+pub(super) fn pages(catalogue: &Catalogue, found: &mut Vec<Diagnostic>) {
+    let Some(pages) = catalogue.pages.as_ref() else { return };
+    let cycles = || catalogue.controls.values().flat_map(|on| on.cycles.values());
+    let used: BTreeMap<&str, &Name> =
+        cycles().flat_map(|cycle| &cycle.file.notes).map(|note| (note.note.as_str(), &note.note)).collect();
+    let listed = || pages.sections.iter().flat_map(|section| &section.notes);
+    super::names::duplicates(listed(), found);
+    super::names::duplicates(pages.themes.iter().flat_map(|theme| &theme.notes), found);
+    for name in listed().chain(pages.themes.iter().flat_map(|theme| &theme.notes)) {
+        if !used.contains_key(name.as_str()) {
+            found.push(Diagnostic::error("spec-unused", name.place.clone()).arg("name", name.as_str()));
+        }
+    }
+    let known: BTreeSet<&str> = listed().map(Name::as_str).collect();
+    for (name, note) in used {
+        if !known.contains(name) {
+            found.push(Diagnostic::error("spec-note-without-section", note.place.clone()).arg("note", name));
+        }
+    }
+    for topic in pages.themes.iter().filter_map(|theme| theme.topic.as_ref()) {
+        if !catalogue.topics.iter().any(|own| own.topic.as_str() == topic.as_str()) {
+            found.push(Diagnostic::error("spec-unknown-topic", topic.place.clone()).arg("topic", topic.as_str()));
         }
     }
 }
