@@ -1,6 +1,6 @@
 //! Prints how many blocks, cycle calls and probing cycles the engine executes in a second, how many moves take material
-//! from a stock, and what memory a run of many moves takes: `cargo bench --bench engine`, or one part of it:
-//! `cargo bench --bench engine -- stock` (`memory`, `blocks`).
+//! from a stock, how long the paths of strategies take by themselves, and what memory a run of many moves takes: `cargo bench --bench engine`, or one part of it:
+//! `cargo bench --bench engine -- stock` (`memory`, `strategy`, `blocks`).
 //!
 //! Where LinuxCNC's `rs274` is installed (Debian package `linuxcnc-uspace`), the same work as RS274 text runs beside it.
 //! A move of the stock is one of 0.25 to 1 mm, as programs of such parts have them; a longer way is told by the steps of
@@ -17,6 +17,7 @@ use ciklo::engine::run::{Engine, EventKind, NoTexts};
 use ciklo::engine::scene::Scene;
 use ciklo::engine::solid::{Path, Shape};
 use ciklo::engine::stock::{Batch, Cutter, Machining, Stock, Tip};
+use ciklo::engine::strategy::{self, Milling, pocket, thread};
 use ciklo::program::syntax::parse;
 use ciklo::spec::{Catalogue, OnControl};
 use glam::DVec3;
@@ -261,6 +262,54 @@ fn removal() {
     }
 }
 
+/// The path of one strategy by itself: no cycle, no program, nothing moves.
+fn drawing() {
+    const PATHS: u32 = 10_000;
+    let tool = strategy::Cutter { radius: 5.0 };
+    let centre = DVec3::ZERO;
+    let pocket = pocket::ClearRectangleLevel {
+        centre,
+        climb: 1.0,
+        length: 80.0,
+        width: 60.0,
+        corner: 8.0,
+        rotation: 15.0,
+        stepover: 4.0,
+        at: 500.0,
+    };
+    let circle = pocket::ClearCircleLevel { centre, climb: 1.0, diameter: 80.0, stepover: 4.0, at: 500.0 };
+    let thread = thread::MillThreadHelix {
+        centre,
+        surface: 0.0,
+        depth: -20.0,
+        diameter: 16.0,
+        pitch: 2.0,
+        outside: 0.0,
+        climb: 1.0,
+        threads: 2.0,
+        at: 500.0,
+        between: 2000.0,
+    };
+    fn timed<S: Milling>(strategy: &S, tool: strategy::Cutter) {
+        let mut legs = 0;
+        let time = best(|| {
+            legs = 0;
+            for _ in 0..PATHS {
+                legs += black_box(black_box(strategy).path(tool, DVec3::ZERO)).legs.len();
+            }
+        });
+        println!(
+            "{:26} paths {:>10.0}/s, legs {:>11.0}/s",
+            S::NAME,
+            f64::from(PATHS) / time.as_secs_f64(),
+            legs as f64 / time.as_secs_f64()
+        );
+    }
+    timed(&pocket, tool);
+    timed(&circle, tool);
+    timed(&thread, tool);
+}
+
 fn main() {
     let chosen: Vec<String> = env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
     let wants = |part: &str| chosen.is_empty() || chosen.iter().any(|name| name == part);
@@ -270,6 +319,9 @@ fn main() {
     }
     if wants("stock") {
         removal();
+    }
+    if wants("strategy") {
+        drawing();
     }
     if !wants("blocks") {
         return;

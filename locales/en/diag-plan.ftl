@@ -28,4 +28,5 @@ diag-plan-unknown-field = The cycle has no field { $name }.
 diag-plan-unknown-fragment = No fragment is named { $name }.
 diag-plan-unknown-name = Nothing is named { $name } here.
 diag-plan-unknown-series = There is no series { $name }; there are { $known }.
+diag-plan-unknown-strategy = There is no strategy { $name }; the names most like it are { $near }.
 diag-plan-unknown-table = There is no table { $name }; there are { $known }.

@@ -28,4 +28,5 @@ diag-plan-unknown-field = Työkierrossa ei ole kenttää { $name }.
 diag-plan-unknown-fragment = Osaa { $name } ei ole.
 diag-plan-unknown-name = Nimeä { $name } ei tunneta tässä.
 diag-plan-unknown-series = Sarjaa { $name } ei ole; käytettävissä: { $known }.
+diag-plan-unknown-strategy = Strategiaa { $name } ei ole; samankaltaisia nimiä: { $near }.
 diag-plan-unknown-table = Taulukkoa { $name } ei ole; käytettävissä: { $known }.

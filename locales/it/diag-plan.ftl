@@ -28,4 +28,5 @@ diag-plan-unknown-field = Il ciclo non ha il campo { $name }.
 diag-plan-unknown-fragment = Non esiste il frammento { $name }.
 diag-plan-unknown-name = Il nome { $name } qui non è noto.
 diag-plan-unknown-series = Non esiste la serie { $name }; esistono: { $known }.
+diag-plan-unknown-strategy = Non esiste la strategia { $name }; i nomi più simili sono: { $near }.
 diag-plan-unknown-table = Non esiste la tabella { $name }; esistono: { $known }.

@@ -28,4 +28,5 @@ diag-plan-unknown-field = O ciclo não tem o campo { $name }.
 diag-plan-unknown-fragment = Não existe o fragmento { $name }.
 diag-plan-unknown-name = O nome { $name } não é conhecido aqui.
 diag-plan-unknown-series = Não existe a série { $name }; existem: { $known }.
+diag-plan-unknown-strategy = Não existe a estratégia { $name }; os nomes mais parecidos são: { $near }.
 diag-plan-unknown-table = Não existe a tabela { $name }; existem: { $known }.

@@ -28,4 +28,5 @@ diag-plan-unknown-field = Cikel nima polja { $name }.
 diag-plan-unknown-fragment = Fragment { $name } ne obstaja.
 diag-plan-unknown-name = Ime { $name } tukaj ni znano.
 diag-plan-unknown-series = Zaporedja { $name } ni; na voljo so: { $known }.
+diag-plan-unknown-strategy = Strategije { $name } ni; najbolj podobna imena so: { $near }.
 diag-plan-unknown-table = Preglednice { $name } ni; na voljo so: { $known }.

@@ -9,6 +9,9 @@ use crate::base::expr::{cosd, sind};
 /// mm in an inch.
 pub(in crate::engine) const INCH: f64 = crate::spec::MM_PER_INCH;
 
+/// Positions that differ by less, in mm, are the same: nothing moves for that.
+pub(in crate::engine) const SAME_POSITION: f64 = 1e-10;
+
 /// A linear axis of the machine or of the workpiece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Axis {
@@ -144,6 +147,11 @@ impl WorkingPlane {
     pub fn lift(self, flat: DVec2, height: f64) -> DVec3 {
         self.main.unit() * flat.x + self.secondary.unit() * flat.y + self.tool.unit() * height
     }
+}
+
+/// A quarter turn to the left.
+pub const fn left_of(direction: DVec2) -> DVec2 {
+    DVec2::new(-direction.y, direction.x)
 }
 
 /// A transform: first rotate (mirror, scale), then shift. It maps coordinates of the inner system to the outer one.

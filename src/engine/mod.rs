@@ -18,6 +18,7 @@ pub mod scene;
 pub mod solid;
 pub mod sphere;
 pub mod stock;
+pub mod strategy;
 mod world;
 
 pub use crate::program::table;

@@ -22,6 +22,7 @@ mod rotary;
 mod special_cycles;
 mod stock;
 mod stock_steps;
+mod strategies;
 mod tcpm;
 mod touch;
 mod transforms;

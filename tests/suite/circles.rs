@@ -15,16 +15,20 @@ const ENGINE: &[(&str, &[&str])] = &[
     ("machine", &["geometry", "read"]),
     ("solid", &["geometry"]),
     ("scene", &["geometry", "read", "machine", "solid"]),
-    ("plan", &["geometry"]),
     ("params", &[]),
-    ("report", &["geometry", "machine", "solid", "scene", "plan", "params"]),
+    ("report", &["geometry", "machine", "solid", "scene", "params"]),
+    ("strategy", &["geometry", "report"]),
+    ("plan", &["geometry", "report", "strategy"]),
     ("world", &["geometry", "machine", "solid", "scene", "report"]),
     ("motion", &["geometry", "machine", "solid", "scene", "report", "world"]),
     ("contour", &["geometry", "report", "world", "motion"]),
     ("flow", &["geometry", "machine", "scene", "plan", "params", "report", "world", "motion", "contour"]),
     (
         "cycle",
-        &["geometry", "sphere", "machine", "scene", "plan", "params", "report", "world", "motion", "contour", "flow"],
+        &[
+            "geometry", "sphere", "machine", "scene", "params", "report", "strategy", "plan", "world", "motion",
+            "contour", "flow",
+        ],
     ),
     (
         "run",
@@ -292,6 +296,27 @@ fn rooms_of_the_checker_use_only_those_below_them() {
             None => {}
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What strategies may know of the engine: a strategy that saw a run could not be called, drawn or timed alone.
+const SEEN_BY_STRATEGIES: &[&str] =
+    &["engine/strategy/", "engine/geometry.rs", "engine/report/fault.rs", "engine/report/ending.rs"];
+
+#[test]
+fn strategies_see_no_run() {
+    let mut wrong = Vec::new();
+    let mut families = 0;
+    for (file, used) in Tree::new().imports() {
+        if !file.starts_with("engine/strategy/") {
+            continue;
+        }
+        families += 1;
+        let seen = |other: &&str| SEEN_BY_STRATEGIES.iter().any(|allowed| other.starts_with(allowed));
+        let beyond = used.iter().filter(|other| other.starts_with("engine/") && !seen(other));
+        wrong.extend(beyond.map(|other| format!("{file} imports {other}")));
+    }
+    assert!(families > 10, "the strategies are not read");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 

@@ -37,6 +37,7 @@ mod presets;
 #[path = "../support/small.rs"]
 mod small;
 mod specs;
+mod strategies;
 mod syntax;
 mod tidy;
 mod translate;

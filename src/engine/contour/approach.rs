@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use crate::base::expr::atan2d;
 use crate::engine::contour::element::{length, turn_between, turned};
-use crate::engine::contour::outline::left_of;
+use crate::engine::geometry::left_of;
 use crate::engine::motion::moves::Speed;
 use crate::engine::report::fault::Fault;
 

@@ -6,7 +6,7 @@
 use glam::DVec2;
 
 use crate::base::expr::{atan2d, cosd, sind};
-use crate::engine::contour::outline::left_of;
+use crate::engine::geometry::left_of;
 
 /// Directions that differ by less (radians) go on without a corner: what two square marks of an input step cause.
 const STRAIGHT_ON: f64 = 1e-5;

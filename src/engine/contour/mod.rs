@@ -1,8 +1,7 @@
-//! Contours: elements, the path of the tool next to them, the ways to them and away from them, closed outlines.
+//! Contours: elements, the path of the tool next to them, the ways to them and away from them.
 //!
 //! Start reading at [`path`] (radius compensation, roundings, chamfers); [`element`] has the geometry. Invariant: moves
 //! the tool by the drives alone; knows blocks of movement, and neither parameters nor cycles.
 pub(crate) mod approach;
 pub(crate) mod element;
-pub(crate) mod outline;
 pub(crate) mod path;

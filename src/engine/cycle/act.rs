@@ -392,6 +392,11 @@ impl<'e> Run<'_, 'e> {
         self.write_cell(kind, row, &column, &Cell::Number(old + value * unit))
     }
 
+    /// Whether the values of datum tables count from the machine datum and not from the preset.
+    pub(super) fn datums_of_machine(&self, exec: &Exec<'_, 'e>) -> bool {
+        self.machine_datum("datum-table-reference", exec) == Some(1.0)
+    }
+
     /// Writes a cell and reports it. Rows of the tool table must be there; others are added.
     pub(crate) fn write_cell(&mut self, kind: TableKind, row: f64, column: &str, cell: &Cell) -> Done {
         let table = self.drives.world.table_to_write(kind)?;

@@ -5,7 +5,7 @@
 use glam::DVec3;
 
 use crate::base::expr::atan2d;
-use crate::engine::geometry::{Axis as LinearAxis, WorkingPlane};
+use crate::engine::geometry::{Axis as LinearAxis, SAME_POSITION, WorkingPlane};
 use crate::engine::motion::drives::Drives;
 use crate::engine::report::ending::Done;
 use crate::engine::report::envelope::Touching;
@@ -18,7 +18,7 @@ use crate::engine::world::stylus::ProbeData;
 /// How far the end of a circle may lie off it, mm: what the controls' input step of 0.0001 mm can cause, with room.
 pub(crate) const OFF_CIRCLE: f64 = 0.001;
 /// What calculation may put between two positions that are the same, mm.
-pub(crate) const SAME: f64 = 1e-10;
+pub(crate) const SAME: f64 = SAME_POSITION;
 /// From this feed on a move is one at rapid traverse: the value that the word FMAX has as a parameter.
 pub(crate) const RAPID_FEED: f64 = 99_999.999;
 

@@ -3,9 +3,10 @@
 //! Invariant: data only; every name has become a slot and every text an id.
 use std::sync::Arc;
 
-use super::{Slot, Strategy};
+use super::Slot;
 use crate::base::diag::Place;
 use crate::base::expr::{Code, QRef};
+use crate::engine::strategy::Strategy;
 use crate::engine::table::TableKind;
 use crate::spec::{Moment, Outcome};
 
@@ -252,16 +253,14 @@ pub enum Transform {
     Cancel(Vec<Cancel>),
 }
 
-/// A strategy with its arguments, by the order of its signature.
+/// A strategy with its arguments.
 #[derive(Clone, Debug)]
 pub struct StrategyCall {
     /// Which one.
-    pub strategy: Strategy,
-    /// Its arguments by the order of its signature.
+    pub strategy: &'static Strategy,
+    /// Its arguments, one for each of its parameters.
     pub with: Vec<Option<Calc>>,
-    /// The feed in mm/min that its milling moves have.
-    pub feed: Option<Calc>,
-    /// Slots of its results by the order of its signature.
+    /// Slots of its results, one for each of its outputs; none if nothing reads them.
     pub results: Vec<Slot>,
 }
 

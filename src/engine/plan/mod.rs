@@ -8,7 +8,6 @@ mod guard;
 mod item;
 mod measure;
 mod names;
-mod strategy;
 mod types;
 mod verb;
 
@@ -19,35 +18,17 @@ use crate::base::diag::Diagnostic;
 use crate::base::expr::QRef;
 use crate::spec::{Catalogue, Cycle, OnControl};
 
+pub use super::report::outcome::{Sentence, SentenceKind};
 pub use act::{
     Act, Block, Calc, Cancel, Case, Collect, Cooling, Do, Fitted, Guard, Inlined, Item, Let, Series, SeriesKind,
     SpindleTurn, Step, StrategyCall, Target, Transform,
 };
 pub use names::Builtin;
-pub use strategy::Strategy;
 
 use names::Names;
 
 /// The index of a value while a plan is executed.
 pub type Slot = usize;
-
-/// What a sentence of the run is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum SentenceKind {
-    /// A numbered step.
-    Step,
-    /// A bullet inside a step.
-    Say,
-}
-
-/// A sentence of the run: what coverage counts.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Sentence {
-    /// What it is.
-    pub kind: SentenceKind,
-    /// Its id.
-    pub id: Arc<str>,
-}
 
 /// An old-style field instead of a Q parameter of the run that it shares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

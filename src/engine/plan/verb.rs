@@ -5,9 +5,11 @@ use std::sync::Arc;
 
 use super::act::{Act, Cancel, Cooling, Do, Fitted, SpindleTurn, StrategyCall, Target, Transform};
 use super::names::{Binding, Scope};
-use super::{Calc, Compiler, Let, Strategy};
+use super::{Calc, Compiler, Let, Slot};
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{QKind, QRef, Type};
+use crate::engine::strategy::registry::{self, Named, Strategy};
+use crate::engine::strategy::signature::AT;
 use crate::engine::table::TableKind;
 use crate::spec::{Action, Argument, Entries, Formula, Name, ParameterKind, Verb};
 
@@ -445,24 +447,23 @@ impl Compiler<'_> {
 
     fn strategy(&mut self, action: &Action, scope: &mut Scope) -> Option<Act> {
         let name = self.one(&action.argument, "id", &action.place)?;
-        let Some(strategy) = Strategy::by_name(name.as_str()) else {
-            self.values(&action.with, scope);
-            if let Some(at) = &action.at {
-                self.typed(at, Type::Number, scope);
+        let strategy = match registry::by_name(name.as_str()) {
+            Named::Known(strategy) => strategy,
+            Named::Pending => return Some(self.pending_strategy(&name, action, scope)),
+            Named::Unknown => {
+                let diagnostic = Diagnostic::error("plan-unknown-strategy", name.place.clone());
+                let near = registry::near(name.as_str()).join(", ");
+                self.found.push(diagnostic.arg("name", name.as_str()).arg("near", near));
+                self.pending_strategy(&name, action, scope);
+                return None;
             }
-            self.open_result(action.bind.as_ref(), scope);
-            return Some(self.pend(name.as_str()));
         };
-        self.probes |= strategy.probes();
-        let parameters = strategy.parameters();
-        for (key, _) in &action.with.0 {
-            if !parameters.iter().any(|parameter| parameter.name == key.as_str()) {
-                self.unknown_argument(key, parameters.iter().map(|parameter| parameter.name));
-            }
-        }
-        let mut with = Vec::with_capacity(parameters.len());
-        for parameter in parameters {
-            with.push(match action.with.get(parameter.name) {
+        self.probes |= strategy.probes;
+        self.known_arguments(strategy, action);
+        let mut with = Vec::with_capacity(strategy.parameters.len());
+        for parameter in strategy.parameters {
+            let given = if parameter.is_feed_of_path() { action.at.as_ref() } else { action.with.get(parameter.name) };
+            with.push(match given {
                 Some(formula) => Some(self.typed(formula, parameter.ty, scope)?),
                 None if parameter.required => {
                     self.missing_argument(&action.place, parameter.name);
@@ -471,23 +472,51 @@ impl Compiler<'_> {
                 None => None,
             });
         }
-        let feed = match &action.at {
-            Some(at) => Some(self.typed(at, Type::Number, scope)?),
-            None => None,
+        let results = match &action.bind {
+            Some(bind) => self.results_of(strategy, bind, scope),
+            None => Vec::new(),
         };
-        let mut results = Vec::new();
-        match &action.bind {
-            Some(bind) if strategy.results().is_empty() => self.wrong(&bind.place, "no-result"),
-            Some(bind) => {
-                for field in strategy.results() {
-                    let slot = self.names.slot();
-                    let full = format!("{}.{field}", bind.as_str());
-                    self.bind_text(&full, &bind.place, Binding::Maybe(slot, Type::Number), scope);
-                    results.push(slot);
-                }
-            }
-            None => {}
+        Some(Act::Strategy(StrategyCall { strategy, with, results }))
+    }
+
+    /// One that the engine does not have: its arguments are formulas, and its results may have any name.
+    fn pending_strategy(&mut self, name: &Name, action: &Action, scope: &mut Scope) -> Act {
+        self.values(&action.with, scope);
+        if let Some(at) = &action.at {
+            self.typed(at, Type::Number, scope);
         }
-        Some(Act::Strategy(StrategyCall { strategy, with, feed, results }))
+        self.open_result(action.bind.as_ref(), scope);
+        self.pend(name.as_str())
+    }
+
+    /// Reports what a strategy does not take.
+    fn known_arguments(&mut self, strategy: &Strategy, action: &Action) {
+        let named = || strategy.parameters.iter().filter(|parameter| !parameter.is_feed_of_path());
+        for (key, _) in &action.with.0 {
+            if !named().any(|parameter| parameter.name == key.as_str()) {
+                self.unknown_argument(key, named().map(|parameter| parameter.name));
+            }
+        }
+        if let Some(at) = &action.at
+            && named().count() == strategy.parameters.len()
+        {
+            let diagnostic = Diagnostic::error("plan-modifier", at.place.clone());
+            self.found.push(diagnostic.arg("verb", strategy.name).arg("modifier", AT));
+        }
+    }
+
+    /// Slots for the results of a strategy, as fields of a name.
+    fn results_of(&mut self, strategy: &Strategy, bind: &Name, scope: &mut Scope) -> Vec<Slot> {
+        if strategy.outputs.is_empty() {
+            self.wrong(&bind.place, "no-result");
+        }
+        let mut results = Vec::with_capacity(strategy.outputs.len());
+        for output in strategy.outputs {
+            let slot = self.names.slot();
+            let full = format!("{}.{}", bind.as_str(), output.name);
+            self.bind_text(&full, &bind.place, Binding::Maybe(slot, Type::Number), scope);
+            results.push(slot);
+        }
+        results
     }
 }

@@ -3,7 +3,7 @@ use super::fault::Fault;
 
 /// Why execution leaves the straight way.
 #[derive(Clone, Debug)]
-pub(crate) enum Leave {
+pub enum Leave {
     /// With a fault.
     Fault(Fault),
     /// The program stopped and no one continued it.
@@ -17,4 +17,4 @@ impl<F: Into<Fault>> From<F> for Leave {
 }
 
 /// What executing something gives.
-pub(crate) type Done<T = ()> = Result<T, Leave>;
+pub type Done<T = ()> = Result<T, Leave>;

@@ -9,8 +9,25 @@ use super::event::Status;
 use super::fault::Fault;
 use crate::base::diag::Diagnostic;
 use crate::engine::params::Params;
-use crate::engine::plan::Sentence;
 use crate::spec::CycleKey;
+
+/// What a sentence of the run is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SentenceKind {
+    /// A numbered step.
+    Step,
+    /// A bullet inside a step.
+    Say,
+}
+
+/// A sentence of the run: what coverage counts.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Sentence {
+    /// What it is.
+    pub kind: SentenceKind,
+    /// Its id.
+    pub id: Arc<str>,
+}
 
 /// A sentence or guard of a cycle that a run has shown.
 #[derive(Clone, Debug, Default)]

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
+use crate::engine::geometry::{Axis, Frame, WorkingPlane};
 use crate::engine::machine::Tool;
 use crate::engine::report::fault::Fault;
 use crate::engine::scene::{Answers, Preset, Scene};
@@ -398,11 +398,6 @@ impl<'s> World<'s> {
     /// The rotary axes in program coordinates.
     pub(crate) fn program_angles(&self) -> DVec3 {
         (self.angles - self.system.angle_datum()) * self.system.mirror().1
-    }
-
-    /// The rotary axis that turns about a parallel of the tool axis.
-    pub(crate) fn table_axis(&self) -> RotaryAxis {
-        RotaryAxis(self.system.plane.tool)
     }
 
     /// Whether the machine has all linear axes.

@@ -9,10 +9,10 @@ mod value;
 
 use std::collections::BTreeMap;
 
-use super::Strategy;
 use super::names::as_name;
 use crate::base::diag::{Diagnostic, Place};
 use crate::base::expr::{Dialect, Expr, QRef, parse};
+use crate::engine::strategy::registry::{self, Named};
 use crate::spec::{
     Action, Argument, Case, Catalogue, Cycle, Entries, Formula, Guard, Item, Name, OnControl, Param, ParameterKind,
     Quantity, Reference, Series, Verb,
@@ -435,18 +435,22 @@ impl<'r> Reader<'r> {
     }
 
     fn strategy(&mut self, name: &Name, action: &Action) {
-        let known = Strategy::by_name(name.as_str());
-        let parameters = known.map_or(&[][..], Strategy::parameters);
+        let Named::Known(strategy) = registry::by_name(name.as_str()) else {
+            action.with.0.iter().for_each(|(_, formula)| {
+                self.formula(formula);
+            });
+            return;
+        };
         for (name, formula) in &action.with.0 {
-            match parameters.iter().find(|parameter| parameter.name == name.as_str()) {
+            match strategy.parameters.iter().find(|parameter| parameter.name == name.as_str()) {
                 Some(parameter) => self.claim(formula, parameter.quantity),
                 None => self.formula(formula),
             };
         }
-        if let (Some(bind), Some(strategy)) = (&action.bind, known) {
-            for result in strategy.results() {
-                let measure = plain(unit(Strategy::quantity_of_result(result)));
-                self.names.insert(format!("{}.{result}", bind.as_str()), measure);
+        if let Some(bind) = &action.bind {
+            for output in strategy.outputs {
+                let measure = plain(unit(output.quantity));
+                self.names.insert(format!("{}.{}", bind.as_str(), output.name), measure);
             }
         }
     }

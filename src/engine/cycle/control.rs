@@ -1,0 +1,225 @@
+//! The control on which strategies act: a run, as far as they may see it.
+//!
+//! Invariant: nothing is decided here; each function does the one thing that its trait says.
+use glam::DVec3;
+
+use crate::engine::flow::exec::Exec;
+use crate::engine::flow::state::Run;
+use crate::engine::geometry::{Frame, RotaryAxis, WorkingPlane};
+use crate::engine::machine::Carried;
+use crate::engine::motion::drives::{Spindle as Turning, Switched};
+use crate::engine::motion::functions::{Effect, effect};
+use crate::engine::motion::moves::Speed;
+use crate::engine::motion::probe::Approach;
+use crate::engine::report::ending::Done;
+use crate::engine::report::event::EventKind;
+use crate::engine::report::fault::Fault;
+use crate::engine::scene::Preset;
+use crate::engine::strategy::action::{
+    Calibrated, Function, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System, Tables,
+};
+use crate::engine::table::{Cell, TableKind};
+
+/// A run while a cycle is executed.
+pub(super) struct OfRun<'c, 'x, 'r, 'e> {
+    pub(super) run: &'c mut Run<'r, 'e>,
+    pub(super) exec: &'c Exec<'x, 'e>,
+}
+
+impl System for OfRun<'_, '_, '_, '_> {
+    fn plane(&self) -> WorkingPlane {
+        self.run.drives.world.system.plane
+    }
+
+    fn frame(&self) -> Frame {
+        *self.run.drives.world.system.frame()
+    }
+
+    fn around_datum(&self) -> (Frame, Frame) {
+        self.run.drives.world.system.around_datum()
+    }
+
+    fn datums_are_of_machine(&self) -> bool {
+        self.run.datums_of_machine(self.exec)
+    }
+
+    fn move_preset(&mut self, way: DVec3) {
+        let drives = &mut self.run.drives;
+        let before = drives.world.system.reported();
+        let origin = drives.world.system.origin + way;
+        drives.world.system.set_origin(origin);
+        drives.transformed(before);
+    }
+
+    fn basic_rotation(&self) -> f64 {
+        self.run.drives.world.system.basic_rotation()
+    }
+
+    fn set_basic_rotation(&mut self, degrees: f64, held: Option<DVec3>) {
+        let drives = &mut self.run.drives;
+        let before = drives.world.system.reported();
+        let system = &mut drives.world.system;
+        let held = held.map(|point| (point, system.frame().point(point)));
+        system.set_basic_rotation(degrees);
+        if let Some((point, held)) = held {
+            let slipped = system.frame().point(point) - held;
+            system.set_origin(system.origin - slipped);
+        }
+        drives.transformed(before);
+    }
+
+    fn zero_of(&self, axis: RotaryAxis) -> (f64, f64) {
+        let system = &self.run.drives.world.system;
+        (axis.of(system.angles), axis.of(system.angle_shift))
+    }
+
+    fn set_zero_of(&mut self, axis: RotaryAxis, (zero, shift): (f64, f64)) {
+        let drives = &mut self.run.drives;
+        let before = drives.world.system.reported();
+        let system = &mut drives.world.system;
+        system.angles = axis.with(system.angles, zero);
+        system.angle_shift = axis.with(system.angle_shift, shift);
+        drives.transformed(before);
+    }
+}
+
+impl Tables for OfRun<'_, '_, '_, '_> {
+    fn has_row(&self, table: TableKind, row: f64) -> Result<bool, Fault> {
+        Ok(self.run.drives.world.table(table)?.has_row(row))
+    }
+
+    fn number(&self, table: TableKind, row: f64, column: &str) -> Result<Option<f64>, Fault> {
+        Ok(self.run.drives.world.table(table)?.number(row, column)?)
+    }
+
+    fn preset(&self, row: f64) -> Result<(DVec3, Frame), Fault> {
+        let has_row = self.has_row(TableKind::Preset, row)?;
+        let preset = if has_row { self.run.drives.world.preset(row)? } else { Preset::default() };
+        Ok((preset.origin, preset.frame()))
+    }
+
+    fn write(&mut self, table: TableKind, row: f64, column: &str, cell: &Cell) -> Done {
+        self.run.write_cell(table, row, column, cell)
+    }
+
+    fn tool(&self) -> Option<f64> {
+        self.run.drives.world.tool().map(|tool| tool.number)
+    }
+}
+
+impl RotaryAxes for OfRun<'_, '_, '_, '_> {
+    fn rotary(&self, axis: RotaryAxis) -> Result<Rotary, Fault> {
+        let (drives, world) = (&self.run.drives, &self.run.drives.world);
+        let data = drives.rotary_axis(axis)?;
+        let about = world.scene.machine.turning(data, world.angles).direction;
+        Ok(Rotary { about, carries_workpiece: data.carries == Carried::Workpiece })
+    }
+
+    fn angle(&self, axis: RotaryAxis) -> f64 {
+        axis.of(self.run.drives.world.angles)
+    }
+
+    fn turn_to(&mut self, axis: RotaryAxis, angle: f64) -> Done {
+        self.run.drives.turn_to(&[(axis, angle)], Ok(Speed::Rapid))
+    }
+
+    fn for_tilted_plane(&self) -> Result<DVec3, Fault> {
+        match self.run.drives.world.system.tilt() {
+            Some(_) => self.run.drives.rotary_positions(),
+            None => Ok(DVec3::ZERO),
+        }
+    }
+
+    fn turn_about_point(&mut self, angles: DVec3, distance: f64, feed: f64) -> Done {
+        self.run.drives.turn_about_point(angles, distance, Speed::of_feed(feed))
+    }
+
+    fn spindle_is_across(&self) -> bool {
+        self.run.drives.spindle_is_across()
+    }
+}
+
+impl Probe for OfRun<'_, '_, '_, '_> {
+    fn ball(&self) -> Result<DVec3, Fault> {
+        self.run.knows_tool_axis(self.exec)?;
+        let world = &self.run.drives.world;
+        Ok(world.system.back().point(world.believed_centre(world.machine, &world.probe()?)))
+    }
+
+    fn approach(&mut self, way: DVec3, feed: f64) -> Done<Stopped> {
+        let drives = &mut self.run.drives;
+        let probe = drives.world.probe()?;
+        let approach = Approach { direction: way.normalize(), path: way.length(), feed };
+        let stop = drives.approach(&probe, &approach)?;
+        drives.world.machine = stop.tip;
+        drives.world.renew();
+        Ok(Stopped { centre: stop.centre, touched: stop.touched })
+    }
+
+    fn retract(&mut self, way: f64) -> Done {
+        let drives = &mut self.run.drives;
+        let Some(pressed) = drives.world.pressed else { return Ok(()) };
+        let gone = (drives.world.machine - pressed.from).dot(pressed.direction);
+        let to = drives.world.machine - pressed.direction * way.clamp(0.0, gone.max(0.0));
+        drives.straight_to(drives.world.to_program(to), Some(to), Ok(Speed::Rapid))
+    }
+
+    fn calibration(&self) -> Result<Calibrated, Fault> {
+        let world = &self.run.drives.world;
+        let (probe, tool) = (world.probe()?, world.tool().unwrap_or_default());
+        Ok(Calibrated { row: probe.row, offset: probe.calibrated, tool: tool.number, oversizes: tool.deltas })
+    }
+
+    fn renew(&mut self) -> Result<(), Fault> {
+        Ok(self.run.drives.world.renew_tool()?)
+    }
+}
+
+impl Spindle for OfRun<'_, '_, '_, '_> {
+    fn running(&self) -> Running {
+        running(&self.run.drives.switched)
+    }
+
+    fn at_begin(&self) -> Running {
+        running(&self.exec.switched)
+    }
+
+    fn turn(&mut self, direction: i8, speed: f64) {
+        self.run.drives.switched.spindle = Turning { speed, direction };
+        self.run.drives.report_spindle(None);
+    }
+
+    fn coolant(&mut self, on: bool) {
+        self.run.drives.coolant(on);
+    }
+
+    fn keep_orientation(&mut self, angle: f64) {
+        self.run.drives.switched.orientation = angle;
+    }
+
+    fn function(&self, number: f64) -> Option<Function> {
+        let whole = (0.0..=f64::from(u16::MAX)).contains(&number) && number.fract() == 0.0;
+        match effect(whole.then_some(number as u16)?)? {
+            Effect::Spindle(direction) => Some(Function { spindle: Some(direction), coolant: None }),
+            Effect::Coolant(on) => Some(Function { spindle: None, coolant: Some(on) }),
+            Effect::SpindleAndCoolant(direction) => Some(Function { spindle: Some(direction), coolant: Some(true) }),
+            Effect::Nothing => Some(Function::default()),
+            _ => None,
+        }
+    }
+}
+
+const fn running(switched: &Switched) -> Running {
+    let Turning { speed, direction } = switched.spindle;
+    Running { direction, speed, coolant: switched.coolant }
+}
+
+impl Programs for OfRun<'_, '_, '_, '_> {
+    fn call(&mut self, name: &str) -> Done {
+        self.run.execute_program(name)
+    }
+
+    fn keep_tolerance(&mut self, tolerance: Option<[f64; 3]>) {
+        self.run.drives.report.report(EventKind::Tolerance(tolerance));
+    }
+}

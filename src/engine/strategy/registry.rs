@@ -1,0 +1,177 @@
+//! Every strategy that the engine has: one line each.
+//!
+//! Plans are compiled by this list, and executed through it. Invariant: a name that is neither here nor in
+//! [`PENDING`](super::pending::PENDING) is a mistake.
+use glam::DVec3;
+
+use super::action::{Action, Control};
+use super::calculation::Calculation;
+use super::milling::Milling;
+use super::pen::{Cutter, Path};
+use super::pending::PENDING;
+use super::signature::{Given, Output, Parameter, Results};
+use super::{datum, face, measure, plunge, pocket, probing, program, rotary, rotation, spindle, stud, thread, tilting};
+use crate::engine::geometry::WorkingPlane;
+use crate::engine::report::ending::Done;
+use crate::engine::report::fault::Fault;
+
+/// A strategy as plans know it.
+#[derive(Clone, Copy, Debug)]
+pub struct Strategy {
+    /// Its name in specifications.
+    pub name: &'static str,
+    /// Its arguments.
+    pub parameters: &'static [Parameter],
+    /// Its results.
+    pub outputs: &'static [Output],
+    /// Whether it moves the probe towards the workpiece.
+    pub probes: bool,
+    /// What it does with its arguments.
+    pub does: Does,
+}
+
+/// What a strategy does with its arguments.
+#[derive(Clone, Copy, Debug)]
+pub enum Does {
+    /// The path of a tool from a point: main, minor and tool coordinate.
+    Mill(fn(Given<'_>, Cutter, DVec3) -> Result<Path, Fault>),
+    /// Values.
+    Calculate(fn(Given<'_>, WorkingPlane) -> Result<Vec<f64>, Fault>),
+    /// A change at the control, and values in a unit of so many mm.
+    Act(fn(Given<'_>, &mut dyn Control, f64) -> Done<Vec<f64>>),
+}
+
+const fn mill<S: Milling>() -> Strategy {
+    Strategy {
+        name: S::NAME,
+        parameters: S::PARAMETERS,
+        outputs: &[],
+        probes: false,
+        does: Does::Mill(|given, tool, from| Ok(S::decode(given)?.path(tool, from))),
+    }
+}
+
+const fn calculate<S: Calculation>() -> Strategy {
+    Strategy {
+        name: S::NAME,
+        parameters: S::PARAMETERS,
+        outputs: S::Results::OUTPUTS,
+        probes: false,
+        does: Does::Calculate(|given, plane| Ok(S::decode(given)?.calculate(plane)?.numbers(1.0))),
+    }
+}
+
+const fn act<S: Action>() -> Strategy {
+    Strategy {
+        name: S::NAME,
+        parameters: S::PARAMETERS,
+        outputs: S::Results::OUTPUTS,
+        probes: S::PROBES,
+        does: Does::Act(|given, control, mm| Ok(S::decode(given)?.act(control)?.numbers(mm))),
+    }
+}
+
+/// Every strategy, by family.
+pub static STRATEGIES: &[Strategy] = &[
+    act::<datum::SetDatum>(),
+    act::<datum::WriteDatumRow>(),
+    act::<datum::WritePreset>(),
+    act::<rotation::ResetBasicRotation>(),
+    act::<rotation::WriteBasicRotation>(),
+    act::<rotation::TurnBasicRotation>(),
+    act::<rotary::AlignRotaryTable>(),
+    act::<rotary::AlignRotaryAxis>(),
+    act::<rotary::AlignDirection>(),
+    act::<rotary::ZeroRotaryTable>(),
+    act::<rotary::ZeroRotaryAxis>(),
+    act::<rotary::AddAngleToDatumRow>(),
+    calculate::<measure::Direction>(),
+    calculate::<measure::IntersectLines>(),
+    calculate::<measure::PlaneAngles>(),
+    calculate::<measure::ToleranceBand>(),
+    act::<probing::ProbeWithOwnPath>(),
+    act::<probing::RetractFromTouchPoint>(),
+    act::<probing::StoreProbeCalibration>(),
+    mill::<plunge::PlungeOnHelix>(),
+    mill::<plunge::PlungeInStrokes>(),
+    mill::<plunge::PlungeAlongSlot>(),
+    mill::<plunge::PlungeAlongCircularSlot>(),
+    mill::<pocket::ClearRectangleLevel>(),
+    mill::<pocket::ClearCircleLevel>(),
+    mill::<pocket::ClearSlotLevel>(),
+    mill::<pocket::ClearCircularSlotLevel>(),
+    mill::<pocket::FinishRectangleSide>(),
+    mill::<pocket::FinishCircleSide>(),
+    mill::<pocket::FinishSlotSide>(),
+    mill::<pocket::FinishCircularSlotSide>(),
+    mill::<pocket::FinishRectangleFloor>(),
+    mill::<pocket::FinishCircleFloor>(),
+    mill::<pocket::FinishSlotFloor>(),
+    mill::<pocket::FinishCircularSlotFloor>(),
+    mill::<stud::MillRectangularStudLevel>(),
+    mill::<stud::MillCircularStudLevel>(),
+    mill::<stud::HalfTurn>(),
+    mill::<face::MillFaceLevel>(),
+    mill::<thread::MoveToThreadStartPlane>(),
+    mill::<thread::ApproachThreadOnHelix>(),
+    mill::<thread::MillThreadHelix>(),
+    mill::<thread::DepartThreadTangentially>(),
+    mill::<thread::CountersinkOnCircle>(),
+    act::<tilting::ComputeRotaryPositions>(),
+    act::<tilting::PositionRotaryAxes>(),
+    act::<tilting::CheckSpindleAcrossRotaryAxis>(),
+    act::<spindle::ReverseSpindle>(),
+    act::<spindle::RestoreSpindleAndCoolant>(),
+    act::<spindle::TurnSpindle>(),
+    act::<spindle::ExecuteMFunction>(),
+    act::<spindle::KeepOrientationAngle>(),
+    act::<program::CallProgram>(),
+    act::<program::KeepTolerance>(),
+    act::<program::TurningInsert>(),
+];
+
+/// What a name in a specification means.
+#[derive(Clone, Copy, Debug)]
+pub enum Named {
+    /// A strategy.
+    Known(&'static Strategy),
+    /// One that the engine does not have yet.
+    Pending,
+    /// Nothing.
+    Unknown,
+}
+
+/// The strategy of a name.
+pub fn by_name(name: &str) -> Named {
+    match STRATEGIES.iter().find(|strategy| strategy.name == name) {
+        Some(strategy) => Named::Known(strategy),
+        None if PENDING.contains(&name) => Named::Pending,
+        None => Named::Unknown,
+    }
+}
+
+/// The most names that are offered for one that nothing has.
+const OFFERED: usize = 3;
+
+/// The names that are most like one that nothing has, the nearest first.
+pub fn near(name: &str) -> Vec<&'static str> {
+    let known = STRATEGIES.iter().map(|strategy| strategy.name).chain(PENDING.iter().copied());
+    let mut found: Vec<(usize, &str)> = known.map(|known| (difference(name, known), known)).collect();
+    found.sort_unstable();
+    found.into_iter().map(|(_, known)| known).take(OFFERED).collect()
+}
+
+/// How many letters must be added, left out or changed for one name to become the other.
+fn difference(one: &str, other: &str) -> usize {
+    let other: Vec<char> = other.chars().collect();
+    let mut row: Vec<usize> = (0..=other.len()).collect();
+    for (count, letter) in one.chars().enumerate() {
+        let mut corner = std::mem::replace(&mut row[0], count + 1);
+        for (at, known) in other.iter().enumerate() {
+            let changed = corner + usize::from(letter != *known);
+            corner = row[at + 1];
+            row[at + 1] = changed.min(row[at] + 1).min(corner + 1);
+        }
+    }
+    row.last().copied().unwrap_or_default()
+}

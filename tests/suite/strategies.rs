@@ -1,0 +1,428 @@
+//! Strategies: the registry beside the specifications and their documentation, and single strategies called alone.
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::Arc;
+use std::{env, fs};
+
+use ciklo::base::expr::Type;
+use ciklo::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
+use ciklo::engine::run::Fault;
+use ciklo::engine::strategy::action::{
+    Calibrated, Function, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System, Tables,
+};
+use ciklo::engine::strategy::pending::PENDING;
+use ciklo::engine::strategy::{Action, Calculation, Cutter, Done, Leg, Milling, Mm, STRATEGIES, Strategy};
+use ciklo::engine::strategy::{datum, face, measure, pocket, probing, program, rotary, rotation, spindle, stud};
+use ciklo::engine::table::{Cell, TableKind};
+use ciklo::spec::{Argument, Quantity, Verb};
+use glam::{DVec2, DVec3};
+
+/// The names of all strategies that specifications use.
+fn used() -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let catalogue = &crate::built::built().catalogue;
+    for on in catalogue.controls.values() {
+        let fragments = on.fragments.values().flat_map(|fragment| {
+            let cases = fragment.choose.iter().flat_map(|case| &case.actions);
+            fragment.actions.iter().chain(cases).chain(&fragment.then).collect::<Vec<_>>()
+        });
+        let mut actions: Vec<_> = fragments.collect();
+        let mut open: Vec<_> = on.cycles.values().flat_map(|cycle| &cycle.file.run).collect();
+        while let Some(item) = open.pop() {
+            actions.extend(&item.body.actions);
+            actions.extend(item.choose.iter().flat_map(|case| &case.actions));
+            actions.extend(&item.then);
+            open.extend(item.body.items.iter().chain(&item.items).chain(&item.between));
+        }
+        for action in actions {
+            if let (Verb::Strategy, Argument::One(name)) = (action.verb, &action.argument) {
+                found.insert(name.as_str().to_owned());
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn every_strategy_of_the_registry_is_used_and_none_twice() {
+    let names: BTreeSet<&str> = STRATEGIES.iter().map(|strategy| strategy.name).collect();
+    assert_eq!(names.len(), STRATEGIES.len(), "a name is taken twice");
+    let used = used();
+    let unused: Vec<_> = names.iter().filter(|name| !used.contains(**name)).collect();
+    assert!(unused.is_empty(), "no specification uses {unused:?}");
+}
+
+#[test]
+fn what_is_pending_is_used_in_order_and_not_there() {
+    assert!(PENDING.is_sorted_by(|one, other| one < other), "not in alphabetical order, or twice");
+    let used = used();
+    let stale: Vec<_> = PENDING.iter().filter(|name| !used.contains(**name)).collect();
+    assert!(stale.is_empty(), "no specification names {stale:?}");
+    let there: Vec<_> = PENDING.iter().filter(|name| STRATEGIES.iter().any(|own| own.name == **name)).collect();
+    assert!(there.is_empty(), "the engine has {there:?}");
+}
+
+/// A strategy as a row of the table in `docs/spec-format.md`.
+fn row(strategy: &Strategy) -> String {
+    let word = |quantity: Quantity| match quantity {
+        Quantity::Number | Quantity::Text => String::new(),
+        measured => format!(" {}", measured.as_str()),
+    };
+    let parameters = strategy.parameters.iter().map(|parameter| {
+        let left_out = if parameter.required { "" } else { "?" };
+        let kind = match parameter.ty {
+            Type::Point => " point".to_owned(),
+            Type::Text => " text".to_owned(),
+            _ => word(parameter.quantity),
+        };
+        format!("`{}`{left_out}{kind}", parameter.name)
+    });
+    let outputs = strategy.outputs.iter().map(|output| format!("`{}`{}", output.name, word(output.quantity)));
+    let list = |items: Vec<String>| items.join(", ");
+    format!("| `{}` | {} | {} |", strategy.name, list(parameters.collect()), list(outputs.collect()))
+}
+
+/// `UPDATE=1 cargo test --test suite strategies` rewrites the table.
+#[test]
+fn the_documentation_lists_every_strategy_with_its_arguments() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/spec-format.md");
+    let text = fs::read_to_string(&path).expect("the documentation");
+    let head = "| strategy | arguments | results |\n|---|---|---|\n";
+    let (before, rest) = text.split_once(head).expect("the table of strategies");
+    let end = rest.find("\n\n").map_or(0, |at| at + 1);
+    let after = if rest.starts_with('\n') { rest } else { &rest[end..] };
+    let mut rows: Vec<String> = STRATEGIES.iter().map(row).collect();
+    rows.sort();
+    let wanted = format!("{before}{head}{}\n{after}", rows.join("\n"));
+    if env::var_os("UPDATE").is_some() {
+        fs::write(&path, &wanted).expect("the documentation is written");
+    }
+    assert!(text == wanted || env::var_os("UPDATE").is_some(), "the table in docs/spec-format.md is not that of the engine");
+    let explained = |strategy: &&Strategy| wanted.matches(&format!("`{}`", strategy.name)).count() > 1;
+    let missing: Vec<_> = STRATEGIES.iter().filter(|strategy| !explained(strategy)).map(|strategy| strategy.name).collect();
+    assert!(missing.is_empty(), "docs/spec-format.md does not say what they do: {missing:?}");
+}
+
+const TOOL: Cutter = Cutter { radius: 5.0 };
+
+#[test]
+fn a_pocket_that_is_too_narrow_is_no_path() {
+    let pocket = pocket::ClearCircleLevel { centre: DVec3::ZERO, climb: 1.0, diameter: 9.0, stepover: 3.0, at: 500.0 };
+    let path = pocket.path(TOOL, DVec3::ZERO);
+    assert!(path.legs.is_empty());
+    assert_eq!(path.fault.map(|fault| fault.code.into_owned()).as_deref(), Some("shape-impossible"));
+}
+
+#[test]
+fn the_legs_before_a_fault_are_there() {
+    let floor = pocket::FinishCircleFloor {
+        centre: DVec3::ZERO,
+        climb: 1.0,
+        diameter: 40.0,
+        stepover: 0.0,
+        from: -9.0,
+        level: -10.0,
+        at: 500.0,
+    };
+    let path = floor.path(TOOL, DVec3::new(0.0, 0.0, -5.0));
+    assert_eq!(path.fault.map(|fault| fault.code.into_owned()).as_deref(), Some("series-limit"));
+    assert_eq!(path.legs.last().map(Leg::end), Some(DVec3::new(0.0, 0.0, -10.0)));
+}
+
+/// To and fro over a surface of 100 x 20 mm in three lines, from its lower left corner, at the height of the tool.
+#[test]
+fn lines_of_a_face_go_to_and_fro() {
+    let face = face::MillFaceLevel {
+        mode: 0.0,
+        begin: -7.0,
+        end: 107.0,
+        inner_begin: -6.0,
+        inner_end: 106.0,
+        first: 0.0,
+        step: 8.0,
+        lines: 3.0,
+        across: 2000.0,
+        lift: 5.0,
+        at: 500.0,
+    };
+    let path = face.path(TOOL, DVec3::new(-7.0, 0.0, -1.0));
+    let ends: Vec<DVec2> = path.legs.iter().map(|leg| leg.end().truncate()).collect();
+    let wanted = [(106.0, 0.0), (106.0, 8.0), (-6.0, 8.0), (-6.0, 16.0), (107.0, 16.0)];
+    assert_eq!(ends, wanted.map(DVec2::from));
+    assert!(path.legs.iter().all(|leg| leg.end().z == -1.0));
+}
+
+#[test]
+fn half_a_turn_ends_on_the_other_side() {
+    let turn = stud::HalfTurn { centre: DVec3::ZERO, direction: -1.0, radius: 20.0, at: 300.0 };
+    let path = turn.path(TOOL, DVec3::new(0.0, 30.0, -4.0));
+    let [Leg::Arc { centre, to, direction, .. }] = path.legs.as_slice() else { panic!("{path:?}") };
+    assert!((*to - DVec3::new(0.0, -20.0, -4.0)).length() < 1e-12, "{to}");
+    assert!((*centre - DVec3::new(0.0, 5.0, -4.0)).length() < 1e-12, "{centre}");
+    assert_eq!(*direction, -1.0);
+}
+
+fn flat() -> WorkingPlane {
+    WorkingPlane::of_tool_axis(Axis::Z)
+}
+
+#[test]
+fn lines_meet_where_they_cross() {
+    let at = |x, y| DVec3::new(x, y, -3.0);
+    let lines = measure::IntersectLines {
+        first: at(0.0, 5.0),
+        second: at(10.0, 5.0),
+        third: at(4.0, 0.0),
+        fourth: at(4.0, 1.0),
+    };
+    let met = lines.calculate(flat()).expect("a point");
+    assert!((met.main - 4.0).abs() < 1e-12 && (met.minor - 5.0).abs() < 1e-12, "{met:?}");
+    let parallel = measure::IntersectLines { third: at(0.0, 7.0), fourth: at(9.0, 7.0), ..lines };
+    assert_eq!(parallel.calculate(flat()).map_err(|fault| fault.code.into_owned()), Err("lines-parallel".to_owned()));
+}
+
+#[test]
+fn a_text_of_a_tolerance_is_a_band() {
+    let band = measure::ToleranceBand { text: Arc::from("0.4-0.1") }.calculate(flat()).expect("a band");
+    assert_eq!((band.upper, band.lower, band.monitored), (0.4, -0.1, 1.0));
+}
+
+/// A control that writes down what is done to it. Its parts are there for the strategies that ask for them.
+#[derive(Default)]
+struct Notebook {
+    origin: DVec3,
+    basic: f64,
+    zero: (f64, f64),
+    angle: f64,
+    running: Running,
+    pressed: bool,
+    cells: Vec<(TableKind, f64, String, f64)>,
+    done: Vec<String>,
+}
+
+impl System for Notebook {
+    fn plane(&self) -> WorkingPlane {
+        flat()
+    }
+
+    fn frame(&self) -> Frame {
+        Frame::placed(self.origin, DVec3::new(0.0, 0.0, self.basic))
+    }
+
+    fn around_datum(&self) -> (Frame, Frame) {
+        (self.frame(), Frame::IDENTITY)
+    }
+
+    fn datums_are_of_machine(&self) -> bool {
+        false
+    }
+
+    fn move_preset(&mut self, way: DVec3) {
+        self.origin += way;
+    }
+
+    fn basic_rotation(&self) -> f64 {
+        self.basic
+    }
+
+    fn set_basic_rotation(&mut self, degrees: f64, _: Option<DVec3>) {
+        self.basic = degrees;
+    }
+
+    fn zero_of(&self, _: RotaryAxis) -> (f64, f64) {
+        self.zero
+    }
+
+    fn set_zero_of(&mut self, _: RotaryAxis, zero: (f64, f64)) {
+        self.zero = zero;
+    }
+}
+
+impl Tables for Notebook {
+    fn has_row(&self, table: TableKind, row: f64) -> Result<bool, Fault> {
+        Ok(self.cells.iter().any(|(kind, own, ..)| (*kind, *own) == (table, row)))
+    }
+
+    fn number(&self, table: TableKind, row: f64, column: &str) -> Result<Option<f64>, Fault> {
+        let of = |(kind, own, name, _): &&(TableKind, f64, String, f64)| (*kind, *own, &**name) == (table, row, column);
+        Ok(self.cells.iter().rev().find(of).map(|(.., value)| *value))
+    }
+
+    fn preset(&self, _: f64) -> Result<(DVec3, Frame), Fault> {
+        Ok((DVec3::ZERO, Frame::IDENTITY))
+    }
+
+    fn write(&mut self, table: TableKind, row: f64, column: &str, cell: &Cell) -> Done {
+        let Cell::Number(value) = cell else { panic!("{column} gets {cell:?}") };
+        self.cells.push((table, row, column.to_owned(), *value));
+        Ok(())
+    }
+
+    fn tool(&self) -> Option<f64> {
+        Some(1.0)
+    }
+}
+
+impl RotaryAxes for Notebook {
+    fn rotary(&self, axis: RotaryAxis) -> Result<Rotary, Fault> {
+        Ok(Rotary { about: axis.0.unit(), carries_workpiece: true })
+    }
+
+    fn angle(&self, _: RotaryAxis) -> f64 {
+        self.angle
+    }
+
+    fn turn_to(&mut self, _: RotaryAxis, angle: f64) -> Done {
+        self.angle = angle;
+        Ok(())
+    }
+
+    fn for_tilted_plane(&self) -> Result<DVec3, Fault> {
+        Ok(DVec3::ZERO)
+    }
+
+    fn turn_about_point(&mut self, angles: DVec3, _: f64, _: f64) -> Done {
+        self.angle = angles.z;
+        Ok(())
+    }
+
+    fn spindle_is_across(&self) -> bool {
+        false
+    }
+}
+
+impl Probe for Notebook {
+    fn ball(&self) -> Result<DVec3, Fault> {
+        Ok(DVec3::new(1.0, 2.0, 3.0))
+    }
+
+    fn approach(&mut self, way: DVec3, feed: f64) -> Done<Stopped> {
+        self.done.push(format!("approach {way} at {feed}"));
+        Ok(Stopped { centre: self.ball()? + way / 2.0, touched: self.pressed })
+    }
+
+    fn retract(&mut self, way: f64) -> Done {
+        self.done.push(format!("retract {way}"));
+        Ok(())
+    }
+
+    fn calibration(&self) -> Result<Calibrated, Fault> {
+        Ok(Calibrated { row: 7.0, offset: DVec2::new(0.1, 0.2), tool: 1.0, oversizes: (0.01, 0.02) })
+    }
+
+    fn renew(&mut self) -> Result<(), Fault> {
+        self.done.push("renew".to_owned());
+        Ok(())
+    }
+}
+
+impl Spindle for Notebook {
+    fn running(&self) -> Running {
+        self.running
+    }
+
+    fn at_begin(&self) -> Running {
+        Running { direction: 1, speed: 800.0, coolant: false }
+    }
+
+    fn turn(&mut self, direction: i8, speed: f64) {
+        (self.running.direction, self.running.speed) = (direction, speed);
+        self.done.push(format!("turn {direction} {speed}"));
+    }
+
+    fn coolant(&mut self, on: bool) {
+        self.running.coolant = on;
+        self.done.push(format!("coolant {on}"));
+    }
+
+    fn keep_orientation(&mut self, angle: f64) {
+        self.done.push(format!("orient {angle}"));
+    }
+
+    fn function(&self, number: f64) -> Option<Function> {
+        (number == 4.0).then_some(Function { spindle: Some(-1), coolant: None })
+    }
+}
+
+impl Programs for Notebook {
+    fn call(&mut self, name: &str) -> Done {
+        self.done.push(format!("call {name}"));
+        Ok(())
+    }
+
+    fn keep_tolerance(&mut self, tolerance: Option<[f64; 3]>) {
+        self.done.push(format!("tolerance {tolerance:?}"));
+    }
+}
+
+#[test]
+fn a_point_gets_its_coordinates() {
+    let mut control = Notebook { origin: DVec3::new(100.0, 50.0, 0.0), ..Notebook::default() };
+    let point = Mm(DVec3::new(3.0, 4.0, 5.0));
+    let set = datum::SetDatum { point, main: Some(Mm(0.0)), minor: None, tool: Some(Mm(10.0)) };
+    set.act(&mut control).expect("a datum");
+    assert_eq!(control.origin, DVec3::new(103.0, 50.0, -5.0));
+    let row = datum::WriteDatumRow { point, main: None, minor: Some(Mm(1.0)), tool: None, row: 3.0 };
+    row.act(&mut control).expect("a row");
+    assert_eq!(control.cells, [(TableKind::Datum, 3.0, "Y".to_owned(), 3.0)]);
+}
+
+#[test]
+fn a_turned_workpiece_is_turned_back() {
+    let mut control = Notebook { angle: 10.0, ..Notebook::default() };
+    let found = rotary::AlignRotaryTable { angle: 2.0 }.act(&mut control).expect("a way");
+    assert_eq!((found.way, control.angle), (-2.0, 8.0));
+    rotary::ZeroRotaryTable { axis: None }.act(&mut control).expect("a zero");
+    assert_eq!(control.zero, (8.0, 0.0));
+    rotation::WriteBasicRotation { angle: 1.5, row: Some(4.0) }.act(&mut control).expect("a row");
+    assert_eq!(control.cells, [(TableKind::Preset, 4.0, "SPC".to_owned(), 1.5)]);
+}
+
+#[test]
+fn a_probe_reports_what_it_found() {
+    let probing = probing::ProbeWithOwnPath {
+        direction: -DVec3::Z,
+        path: Mm(4.0),
+        feed: Mm(200.0),
+        in_machine: None,
+        tolerant: None,
+        silent: None,
+    };
+    let mut control = Notebook { pressed: true, ..Notebook::default() };
+    let found = probing.act(&mut control).expect("a contact");
+    assert_eq!((found.main, found.minor, found.tool, found.status), (Mm(1.0), Mm(2.0), Mm(1.0), 0.0));
+    control.pressed = false;
+    assert!(probing.act(&mut control).is_err(), "nothing was there");
+    let tolerant = probing::ProbeWithOwnPath { tolerant: Some(true), ..probing };
+    assert_eq!(tolerant.act(&mut control).map(|found| found.status).ok(), Some(1.0));
+}
+
+#[test]
+fn a_calibration_leaves_oversizes_as_they_are() {
+    let mut control = Notebook::default();
+    control.cells.push((TableKind::Tool, 1.0, "DR".to_owned(), 0.3));
+    let store = probing::StoreProbeCalibration { radius: Some(Mm(2.5)), length: None, offset: Some(Mm(DVec3::X)) };
+    store.act(&mut control).expect("a calibration");
+    assert!((control.cells[1].3 - (2.5 - 0.3 - 0.01)).abs() < 1e-12, "{:?}", control.cells);
+    assert_eq!(control.cells[2], (TableKind::Probe, 7.0, "CAL_OF1".to_owned(), 1.1));
+    assert_eq!(control.done, ["renew"]);
+}
+
+#[test]
+fn the_spindle_becomes_what_it_was() {
+    let mut control = Notebook { running: Running { direction: 1, speed: 800.0, coolant: true }, ..Notebook::default() };
+    spindle::ReverseSpindle {}.act(&mut control).expect("a spindle");
+    spindle::RestoreSpindleAndCoolant {}.act(&mut control).expect("a spindle");
+    spindle::TurnSpindle { function: 4.0, speed: 250.0 }.act(&mut control).expect("a function");
+    assert_eq!(control.done, ["turn -1 800", "turn 1 800", "coolant false", "turn -1 250"]);
+    assert!(spindle::TurnSpindle { function: 8.0, speed: 250.0 }.act(&mut control).is_err());
+}
+
+#[test]
+fn a_tolerance_without_a_contour_is_that_of_the_machine() {
+    let mut control = Notebook::default();
+    let keep = |contour| program::KeepTolerance { contour, hsc_mode: None, rotary: None };
+    keep(None).act(&mut control).expect("a tolerance");
+    keep(Some(0.02)).act(&mut control).expect("a tolerance");
+    assert_eq!(control.done, ["tolerance None", "tolerance Some([0.02, 0.0, 0.0])"]);
+}
