@@ -17,7 +17,7 @@ const ENGINE: &[(&str, &[&str])] = &[
     ("scene", &["geometry", "read", "machine", "solid"]),
     ("params", &[]),
     ("report", &["geometry", "machine", "solid", "scene", "params"]),
-    ("strategy", &["geometry", "report"]),
+    ("strategy", &["geometry", "region", "report"]),
     ("plan", &["geometry", "report", "strategy"]),
     ("world", &["geometry", "machine", "solid", "scene", "report"]),
     ("motion", &["geometry", "machine", "solid", "scene", "report", "world"]),
@@ -301,7 +301,7 @@ fn rooms_of_the_checker_use_only_those_below_them() {
 
 /// What strategies may know of the engine: a strategy that saw a run could not be called, drawn or timed alone.
 const SEEN_BY_STRATEGIES: &[&str] =
-    &["engine/strategy/", "engine/geometry.rs", "engine/report/fault.rs", "engine/report/ending.rs"];
+    &["engine/strategy/", "engine/geometry.rs", "engine/region/", "engine/report/fault.rs", "engine/report/ending.rs"];
 
 #[test]
 fn strategies_see_no_run() {

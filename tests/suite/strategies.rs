@@ -97,9 +97,13 @@ fn the_documentation_lists_every_strategy_with_its_arguments() {
     if env::var_os("UPDATE").is_some() {
         fs::write(&path, &wanted).expect("the documentation is written");
     }
-    assert!(text == wanted || env::var_os("UPDATE").is_some(), "the table in docs/spec-format.md is not that of the engine");
+    assert!(
+        text == wanted || env::var_os("UPDATE").is_some(),
+        "the table in docs/spec-format.md is not that of the engine"
+    );
     let explained = |strategy: &&Strategy| wanted.matches(&format!("`{}`", strategy.name)).count() > 1;
-    let missing: Vec<_> = STRATEGIES.iter().filter(|strategy| !explained(strategy)).map(|strategy| strategy.name).collect();
+    let missing: Vec<_> =
+        STRATEGIES.iter().filter(|strategy| !explained(strategy)).map(|strategy| strategy.name).collect();
     assert!(missing.is_empty(), "docs/spec-format.md does not say what they do: {missing:?}");
 }
 
@@ -410,7 +414,8 @@ fn a_calibration_leaves_oversizes_as_they_are() {
 
 #[test]
 fn the_spindle_becomes_what_it_was() {
-    let mut control = Notebook { running: Running { direction: 1, speed: 800.0, coolant: true }, ..Notebook::default() };
+    let mut control =
+        Notebook { running: Running { direction: 1, speed: 800.0, coolant: true }, ..Notebook::default() };
     spindle::ReverseSpindle {}.act(&mut control).expect("a spindle");
     spindle::RestoreSpindleAndCoolant {}.act(&mut control).expect("a spindle");
     spindle::TurnSpindle { function: 4.0, speed: 250.0 }.act(&mut control).expect("a function");

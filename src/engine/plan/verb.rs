@@ -449,12 +449,15 @@ impl Compiler<'_> {
         let name = self.one(&action.argument, "id", &action.place)?;
         let strategy = match registry::by_name(name.as_str()) {
             Named::Known(strategy) => strategy,
-            Named::Pending => return Some(self.pending_strategy(&name, action, scope)),
+            Named::Pending => {
+                self.open_strategy(action, scope);
+                return Some(self.pend(name.as_str()));
+            }
             Named::Unknown => {
                 let diagnostic = Diagnostic::error("plan-unknown-strategy", name.place.clone());
                 let near = registry::near(name.as_str()).join(", ");
                 self.found.push(diagnostic.arg("name", name.as_str()).arg("near", near));
-                self.pending_strategy(&name, action, scope);
+                self.open_strategy(action, scope);
                 return None;
             }
         };
@@ -480,13 +483,12 @@ impl Compiler<'_> {
     }
 
     /// One that the engine does not have: its arguments are formulas, and its results may have any name.
-    fn pending_strategy(&mut self, name: &Name, action: &Action, scope: &mut Scope) -> Act {
+    fn open_strategy(&mut self, action: &Action, scope: &mut Scope) {
         self.values(&action.with, scope);
         if let Some(at) = &action.at {
             self.typed(at, Type::Number, scope);
         }
         self.open_result(action.bind.as_ref(), scope);
-        self.pend(name.as_str())
     }
 
     /// Reports what a strategy does not take.

@@ -12,7 +12,7 @@ pub(super) const SAME_POINT: f64 = 1e-5;
 
 /// A strategy that calculates.
 pub trait Calculation: Signature {
-    /// What it gives.
+    /// What it gives; lengths in the unit of the cycle, as its arguments are.
     type Results: Results;
 
     /// The results.

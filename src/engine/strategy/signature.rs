@@ -25,8 +25,6 @@ pub struct Parameter {
     pub quantity: Quantity,
     /// Whether it must be there.
     pub required: bool,
-    /// Whether it is handed over in mm, and not in the unit in which the cycle calculates.
-    pub in_mm: bool,
 }
 
 impl Parameter {
@@ -43,8 +41,6 @@ pub struct Output {
     pub name: &'static str,
     /// What it measures; `Number` for what has no unit.
     pub quantity: Quantity,
-    /// Whether it comes in mm, and not in the unit in which the cycle calculates.
-    pub in_mm: bool,
 }
 
 /// A length or point in mm, or a feed in mm/min, whatever the unit is in which the cycle calculates: that of the program
@@ -87,8 +83,6 @@ pub trait Argument: Sized {
     const TYPE: Type;
     /// Whether it must be there.
     const REQUIRED: bool = true;
-    /// Whether it is handed over in mm.
-    const IN_MM: bool = false;
 
     /// The argument of a value; nothing if that has another type. `mm` are the mm in a unit of the value.
     fn decode(value: Option<Value>, mm: f64) -> Option<Self>;
@@ -139,7 +133,6 @@ impl Argument for Arc<str> {
 impl<A: Argument + std::ops::Mul<f64, Output = A>> Argument for Mm<A> {
     const TYPE: Type = A::TYPE;
     const REQUIRED: bool = A::REQUIRED;
-    const IN_MM: bool = true;
 
     fn decode(value: Option<Value>, mm: f64) -> Option<Self> {
         A::decode(value, mm).map(|value| Self(value * mm))
@@ -149,7 +142,6 @@ impl<A: Argument + std::ops::Mul<f64, Output = A>> Argument for Mm<A> {
 impl<A: Argument> Argument for Option<A> {
     const TYPE: Type = A::TYPE;
     const REQUIRED: bool = false;
-    const IN_MM: bool = A::IN_MM;
 
     fn decode(value: Option<Value>, mm: f64) -> Option<Self> {
         match value {
@@ -175,9 +167,6 @@ pub trait Signature: Sized {
 
 /// A type that a result can have.
 pub trait Resulting: Copy {
-    /// Whether it comes in mm.
-    const IN_MM: bool = false;
-
     /// The number in the unit of the cycle; `mm` are the mm in that.
     fn number(self, mm: f64) -> f64;
 }
@@ -189,8 +178,6 @@ impl Resulting for f64 {
 }
 
 impl Resulting for Mm<f64> {
-    const IN_MM: bool = true;
-
     fn number(self, mm: f64) -> f64 {
         self.0 / mm
     }
@@ -230,7 +217,6 @@ macro_rules! strategy {
                     ty: <$ty as $crate::engine::strategy::Argument>::TYPE,
                     quantity: $crate::spec::Quantity::$quantity,
                     required: <$ty as $crate::engine::strategy::Argument>::REQUIRED,
-                    in_mm: <$ty as $crate::engine::strategy::Argument>::IN_MM,
                 },
             )*];
 
@@ -257,7 +243,6 @@ macro_rules! results {
                 $crate::engine::strategy::Output {
                     name: stringify!($field),
                     quantity: $crate::spec::Quantity::$quantity,
-                    in_mm: <$ty as $crate::engine::strategy::Resulting>::IN_MM,
                 },
             )+];
 
