@@ -1,4 +1,5 @@
 //! `ciklo run`: a program executed in a scene.
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -7,14 +8,15 @@ use clap::ArgMatches;
 use super::execution::{Execution, failed, tool_table};
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, cycle, envelope, stock};
+use crate::base::diag::{Arg, Diagnostic};
 use crate::base::expr::QRef;
 use crate::check::{self, Against, LabelBook};
-use crate::engine::run::{Content, Event, EventKind, Status};
+use crate::engine::run::{Content, Event, EventKind, Lines, Status, Texts};
 use crate::engine::stock::Watch;
-use crate::language::locale::{Args, Digits, Language, Locales, Scope, Ui};
+use crate::language::locale::{Args, Digits, Language, LocaleError, Locales, Scope, Ui};
 use crate::spec::{CycleKey, OnControl};
 use crate::system;
-use crate::tools::conform::LogTexts;
+use crate::tools::conform::{self, LogTexts};
 
 pub(super) const COMMAND: Command = Command {
     name: "run",
@@ -26,6 +28,9 @@ pub(super) const COMMAND: Command = Command {
 
 /// Digits of a result in the summary, a nanometre; events have them all.
 const SHOWN: Digits = Digits { minimum: 0, maximum: Some(6) };
+
+/// Bytes of events that are handed on together.
+const AT_A_TIME: usize = 1 << 16;
 
 fn own(ui: &Ui) -> Vec<clap::Arg> {
     let [of_part, of_columns] = stock::own(ui);
@@ -48,9 +53,10 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     let (catalogue, locales) = (session.catalogue()?, session.locales()?);
     let execution = Execution::new(session, &catalogue, matches)?;
-    let language = language(&execution, &locales, &session.ui, matches)?;
+    let asked = matches.contains_id("lang").then(|| cycle::language_for(&locales, execution.on, &session.ui, matches));
+    let language = asked.transpose()?.map_or_else(OnceCell::new, OnceCell::from);
     let scene = execution.scene(session, matches)?;
-    let texts = LogTexts::new(language, execution.on.id(), &execution.files);
+    let texts = Words { execution: &execution, locales: &locales, ui: session.ui, language };
     let mut engine = execution.engine(&scene, &texts);
     if matches.get_flag("skip-blocks") {
         engine = engine.skipping_blocks();
@@ -70,6 +76,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         Some(watch) => engine.run(&mut |event| watch.see(event, &mut |event| reporter.report(&event, output))),
         None => engine.observe(&mut |event| reporter.report(event, output)),
     };
+    reporter.pass_on(output);
     let for_people = !reporter.events && format != "json";
     if for_people {
         let (on, tag) = (execution.on, session.ui.tag());
@@ -88,28 +95,48 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     execution.end(session, &locales, &result, reporter.failed)
 }
 
-/// The language of the logs: that of `--lang`, or of the program's labels, or of this program's own texts.
-fn language<'l>(
-    execution: &Execution<'_>,
-    locales: &'l Locales,
-    ui: &Ui,
-    matches: &ArgMatches,
-) -> Result<&'l Language, Failure> {
-    let Execution { catalogue, on, file, .. } = execution;
-    if matches.contains_id("lang") {
-        return cycle::language_for(locales, on, ui, matches);
+/// The words of logs, in the language of `--lang`, or of the program's labels, or of this program's own texts. The labels
+/// are read when the first log is written: most programs write none.
+struct Words<'w, 'c> {
+    execution: &'w Execution<'c>,
+    locales: &'w Locales,
+    ui: Ui<'w>,
+    language: OnceCell<&'w Language>,
+}
+
+impl<'w> Words<'w, '_> {
+    fn language(&self) -> Result<&'w Language, LocaleError> {
+        if let Some(language) = self.language.get() {
+            return Ok(language);
+        }
+        let Execution { catalogue, on, file, .. } = self.execution;
+        let labels = LabelBook::new(on, self.locales);
+        let against = Against { catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
+        let language = match check::language(&file.program, &against) {
+            Some(tag) => self.locales.language(&tag),
+            None => {
+                self.locales.language(self.ui.tag()).or_else(|_| self.locales.language(on.control.language.as_str()))
+            }
+        };
+        language.map(|language| *self.language.get_or_init(|| language))
     }
-    let labels = LabelBook::new(on, locales);
-    let against = Against { catalogue, on, labels: &labels, language: None, software: None, readers: &[] };
-    match check::language(&file.program, &against) {
-        Some(tag) => cycle::language(locales, &tag),
-        None => cycle::language_for(locales, on, ui, matches),
+}
+
+impl Texts for Words<'_, '_> {
+    fn message(&self, id: &str, args: &[(&str, Arg)]) -> Result<String, Diagnostic> {
+        LogTexts::new(self.language()?, self.execution.on.id(), &self.execution.files).message(id, args)
+    }
+
+    fn template(&self, name: &str) -> Option<(String, String)> {
+        conform::template(&self.execution.files, name)
     }
 }
 
 /// Prints events as they come, or remembers what the summary needs.
 struct Reporter {
     events: bool,
+    /// Events as lines that were not handed on yet.
+    lines: Lines,
     /// What was set, and by which cycle.
     set: BTreeMap<String, (Content, Option<CycleKey>)>,
     /// The cycle that ended with an error.
@@ -118,8 +145,8 @@ struct Reporter {
 }
 
 impl Reporter {
-    const fn new(events: bool) -> Self {
-        Self { events, set: BTreeMap::new(), failed: None, written: Ok(()) }
+    fn new(events: bool) -> Self {
+        Self { events, lines: Lines::default(), set: BTreeMap::new(), failed: None, written: Ok(()) }
     }
 
     fn report(&mut self, event: &Event, output: &mut super::Output) {
@@ -132,8 +159,19 @@ impl Reporter {
                 self.set.insert(q.to_string(), (value.clone(), cycle));
             }
         } else if self.written.is_ok() {
-            self.written = output.print(&event.to_line());
+            self.lines.add(event);
+            if self.lines.bytes().len() >= AT_A_TIME {
+                self.pass_on(output);
+            }
         }
+    }
+
+    /// Hands the lines to standard output.
+    fn pass_on(&mut self, output: &mut super::Output) {
+        if self.written.is_ok() {
+            self.written = output.write(self.lines.bytes());
+        }
+        self.lines.clear();
     }
 }
 

@@ -10,7 +10,9 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use ciklo::base::diag::Source;
-use ciklo::engine::run::{CODES, Class, Engine, Event, EventKind, Limits, MoveKind, Outcome, Status};
+use ciklo::engine::run::{
+    At, CODES, Class, Content, Engine, Event, EventKind, Limits, Lines, MoveKind, Outcome, Status,
+};
 use ciklo::engine::scene::Scene;
 use ciklo::language::locale::Locales;
 use ciklo::program::syntax;
@@ -55,10 +57,38 @@ fn folder() -> PathBuf {
 
 fn lines(events: &[Event], outcome: &Outcome) -> String {
     let mut text: String = events.iter().map(|event| format!("{}\n", event.to_json())).collect();
+    assert_eq!(written(events), text);
     for (file, content) in outcome.tables.iter().chain(&outcome.logs) {
         text.push_str(&format!("= {file}\n{content}"));
     }
     text
+}
+
+/// The events as lines, as a command writes them.
+fn written(events: &[Event]) -> String {
+    let mut lines = Lines::default();
+    events.iter().for_each(|event| lines.add(event));
+    String::from_utf8(lines.bytes().to_vec()).expect("UTF-8")
+}
+
+#[test]
+fn lines_have_the_bytes_of_the_tree() {
+    // More numbers than are remembered, of all sizes, some of them again, and none that JSON has.
+    let sizes = (-320..308).flat_map(|exponent| [1.0, -7.3, 123_456_789.0].map(|m| m * 10_f64.powi(exponent)));
+    let known = [0.0, -0.0, f64::NAN, f64::INFINITY, f64::MIN, f64::MIN_POSITIVE, 5e-324, 0.1 + 0.2];
+    let numbers: Vec<f64> = sizes.chain((0..2_000).map(|n| f64::from(n) * 0.125)).chain(known).collect();
+    let mut events: Vec<Event> = Vec::new();
+    let mut add = |kind| events.push(Event { at: At::default(), kind });
+    for number in numbers.iter().chain(&numbers) {
+        add(EventKind::Dwell(*number));
+    }
+    for text in ["", "a \"b\" \\", "\u{1b}[31m\n\u{7f}", "ž, ä, 孔"] {
+        add(EventKind::Log { file: None, text: text.to_owned() });
+        add(EventKind::Table { file: text.into(), row: 1.5, column: "X".into(), value: Content::Text(text.into()) });
+    }
+    add(EventKind::Turn { axes: Vec::new(), feed: 1.0, rapid: true, together: false });
+    let tree: String = events.iter().map(|event| format!("{}\n", event.to_json())).collect();
+    assert!(written(&events) == tree, "a number or text is written otherwise");
 }
 
 #[test]

@@ -1,267 +1,359 @@
 //! The JSON form of events (`docs/events.md`). Only this file knows it.
+//!
+//! The members of an event go to an [`Object`]: a tree of values, or the bytes of a line (`json_line.rs`).
 use glam::DVec3;
-use serde::Serialize;
-use serde::ser::{SerializeMap, Serializer};
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::base::diag::Arg;
 use crate::engine::geometry::{Axis, RotaryAxis};
 use crate::engine::params::Content;
-use crate::engine::report::event::{Coordinates, Event, EventKind, MoveKind, Threaded, Turned};
+use crate::engine::report::event::{At, Coordinates, Event, EventKind, MoveKind, Probing, Threaded, Turned};
 use crate::engine::report::fault::Class;
+use crate::engine::report::json_line::Lines;
+
+/// What takes the members of an object, in their order.
+pub(super) trait Object: Sized {
+    /// A text.
+    fn text(&mut self, key: &str, text: &str);
+    /// A number; null if it is infinite or none.
+    fn number(&mut self, key: &str, number: f64);
+    /// A whole number, without a point.
+    fn whole(&mut self, key: &str, whole: i64);
+    /// True or false.
+    fn truth(&mut self, key: &str, truth: bool);
+    /// Null.
+    fn null(&mut self, key: &str);
+    /// An object with the members that `fill` adds.
+    fn object(&mut self, key: &str, fill: impl FnOnce(&mut Self));
+    /// A list of letters.
+    fn letters(&mut self, key: &str, letters: &[char]);
+    /// Rows of numbers.
+    fn rows(&mut self, key: &str, rows: &[[f64; 4]]);
+
+    /// The place of an event.
+    fn place(&mut self, at: &At) {
+        at.line_members(self);
+        at.step_members(self);
+    }
+
+    /// Coordinates by axis letter.
+    fn point(&mut self, key: &str, point: DVec3) {
+        self.object(key, |object| {
+            object.number("X", plain(point.x));
+            object.number("Y", plain(point.y));
+            object.number("Z", plain(point.z));
+        });
+    }
+
+    /// Coordinates by axis letter, or null.
+    fn opt_point(&mut self, key: &str, point: Option<DVec3>) {
+        match point {
+            Some(point) => self.point(key, point),
+            None => self.null(key),
+        }
+    }
+
+    /// A number, or null.
+    fn opt_number(&mut self, key: &str, value: Option<f64>) {
+        match value {
+            Some(value) => self.number(key, plain(value)),
+            None => self.null(key),
+        }
+    }
+
+    /// A text, or null.
+    fn opt_text(&mut self, key: &str, text: Option<&str>) {
+        match text {
+            Some(text) => self.text(key, text),
+            None => self.null(key),
+        }
+    }
+
+    /// A number of a row or tool: whole numbers without a point.
+    fn row(&mut self, key: &str, value: f64) {
+        let whole = value.fract() == 0.0 && value.abs() < 1e9;
+        if whole { self.whole(key, value as i64) } else { self.number(key, value) }
+    }
+
+    /// Angles by axis letter.
+    fn angles(&mut self, key: &str, angles: impl Iterator<Item = (RotaryAxis, f64)>) {
+        self.object(key, |object| {
+            for (axis, angle) in angles {
+                object.number(axis.letter().encode_utf8(&mut [0; 4]), plain(angle));
+            }
+        });
+    }
+
+    /// The value of a parameter or cell.
+    fn content(&mut self, key: &str, content: &Content) {
+        match content {
+            Content::Number(value) => self.number(key, plain(*value)),
+            Content::Text(text) => self.text(key, text),
+        }
+    }
+}
+
+impl Object for Map<String, Value> {
+    fn text(&mut self, key: &str, text: &str) {
+        self.insert(key.to_owned(), text.into());
+    }
+
+    fn number(&mut self, key: &str, number: f64) {
+        self.insert(key.to_owned(), number.into());
+    }
+
+    fn whole(&mut self, key: &str, whole: i64) {
+        self.insert(key.to_owned(), whole.into());
+    }
+
+    fn truth(&mut self, key: &str, truth: bool) {
+        self.insert(key.to_owned(), truth.into());
+    }
+
+    fn null(&mut self, key: &str) {
+        self.insert(key.to_owned(), Value::Null);
+    }
+
+    fn object(&mut self, key: &str, fill: impl FnOnce(&mut Self)) {
+        let mut inner = Self::new();
+        fill(&mut inner);
+        self.insert(key.to_owned(), Value::Object(inner));
+    }
+
+    fn letters(&mut self, key: &str, letters: &[char]) {
+        let letters: Vec<String> = letters.iter().map(char::to_string).collect();
+        self.insert(key.to_owned(), letters.into());
+    }
+
+    fn rows(&mut self, key: &str, rows: &[[f64; 4]]) {
+        let rows: Vec<Value> = rows.iter().map(|row| row.to_vec().into()).collect();
+        self.insert(key.to_owned(), rows.into());
+    }
+}
 
 /// A number as JSON has it: no negative zero.
-fn number(value: f64) -> f64 {
+pub(super) fn plain(value: f64) -> f64 {
     value + 0.0
-}
-
-/// A number of a row or tool: whole numbers without a point.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum RowNumber {
-    Whole(i64),
-    Broken(f64),
-}
-
-fn key(value: f64) -> RowNumber {
-    let whole = value.fract() == 0.0 && value.abs() < 1e9;
-    if whole { RowNumber::Whole(value as i64) } else { RowNumber::Broken(value) }
-}
-
-/// Coordinates by axis letter.
-#[derive(Serialize)]
-struct Point {
-    #[serde(rename = "X")]
-    x: f64,
-    #[serde(rename = "Y")]
-    y: f64,
-    #[serde(rename = "Z")]
-    z: f64,
-}
-
-fn point(point: DVec3) -> Point {
-    Point { x: number(point.x), y: number(point.y), z: number(point.z) }
-}
-
-/// Angles by axis letter.
-struct Angles<'a>(&'a [(RotaryAxis, f64)]);
-
-impl Serialize for Angles<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(axis, angle)| (axis.letter(), number(*angle))))
-    }
-}
-
-impl Serialize for Content {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Number(value) => serializer.serialize_f64(number(*value)),
-            Self::Text(text) => serializer.serialize_str(text),
-        }
-    }
-}
-
-/// What decided about a fault, by name.
-struct Args<'a>(&'a [(&'static str, Arg)]);
-
-impl Serialize for Args<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for (name, arg) in self.0 {
-            match arg {
-                Arg::Number(value) => map.serialize_entry(name, &number(*value))?,
-                Arg::Text(text) => map.serialize_entry(name, text)?,
-            }
-        }
-        map.end()
-    }
-}
-
-impl Serialize for Event {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("event", self.kind.name())?;
-        map.serialize_entry("line", &self.at.line)?;
-        map.serialize_entry("block", &self.at.block)?;
-        if let Some((key, step)) = &self.at.cycle {
-            map.serialize_entry("cycle", &key.number)?;
-            map.serialize_entry("keyword", key.keyword.as_str())?;
-            map.serialize_entry("step", &step.as_deref())?;
-        }
-        self.kind.fields(&mut map)?;
-        map.end()
-    }
 }
 
 impl Event {
     /// The event as a JSON object.
     pub fn to_json(&self) -> Value {
-        serde_json::to_value(self).unwrap_or(Value::Null)
+        let mut map = Map::new();
+        self.members(&mut map);
+        Value::Object(map)
     }
 
-    /// The event as a line of JSON with its line end.
+    /// The event as a line of JSON with its line end. Many events are written by [`Lines`].
     pub fn to_line(&self) -> String {
-        // Only a key that is no text could fail, and every key here is one.
-        let mut line = serde_json::to_string(self).unwrap_or_default();
-        line.push('\n');
-        line
+        let mut lines = Lines::default();
+        lines.add(self);
+        String::from_utf8_lossy(lines.bytes()).into_owned()
+    }
+
+    #[inline]
+    pub(super) fn members(&self, object: &mut impl Object) {
+        object.text("event", self.kind.name());
+        object.place(&self.at);
+        self.kind.members(object);
+    }
+}
+
+impl At {
+    /// Where it is in the text of the program.
+    #[inline]
+    pub(super) fn line_members(&self, object: &mut impl Object) {
+        object.whole("line", i64::try_from(self.line).unwrap_or(i64::MAX));
+        match self.block {
+            Some(block) => object.whole("block", block.into()),
+            None => object.null("block"),
+        }
+    }
+
+    /// Where it is in a cycle.
+    pub(super) fn step_members(&self, object: &mut impl Object) {
+        if let Some((key, step)) = &self.cycle {
+            object.whole("cycle", key.number.into());
+            object.text("keyword", key.keyword.as_str());
+            object.opt_text("step", step.as_deref());
+        }
     }
 }
 
 /// What is mirrored, scaled and tilted, and what that makes of program coordinates; nothing where nothing is.
-fn changed<M: SerializeMap>(map: &mut M, system: &Coordinates) -> Result<(), M::Error> {
+fn changed(object: &mut impl Object, system: &Coordinates) {
     let (linear, rotary) = system.mirror;
     let (factor, axes) = system.scaling;
     let mut mirrored: Vec<char> =
         Axis::ALL.into_iter().filter(|axis| axis.of(linear) < 0.0).map(Axis::letter).collect();
     mirrored.extend(RotaryAxis::ALL.into_iter().filter(|axis| axis.of(rotary) < 0.0).map(RotaryAxis::letter));
     if !mirrored.is_empty() {
-        map.serialize_entry("mirrored", &mirrored)?;
+        object.letters("mirrored", &mirrored);
     }
     if factor != 1.0 {
-        map.serialize_entry("scaling", &number(factor))?;
+        object.number("scaling", plain(factor));
     }
     if let Some((factors, about)) = axes {
-        map.serialize_entry("axis_scaling", &point(factors))?;
-        map.serialize_entry("scaled_about", &point(about))?;
+        object.point("axis_scaling", factors);
+        object.point("scaled_about", about);
     }
     if let Some(angles) = system.tilt {
-        let angles: Vec<_> = RotaryAxis::ALL.into_iter().map(|axis| (axis, axis.of(angles))).collect();
-        map.serialize_entry("tilting", &Angles(&angles))?;
+        object.angles("tilting", RotaryAxis::ALL.into_iter().map(|axis| (axis, axis.of(angles))));
     }
     if system.tip_held {
-        map.serialize_entry("tcpm", &true)?;
+        object.truth("tcpm", true);
     }
-    if mirrored.is_empty() && factor == 1.0 && axes.is_none() && system.tilt.is_none() && !system.tip_held {
-        return Ok(());
+    if !mirrored.is_empty() || factor != 1.0 || axes.is_some() || system.tilt.is_some() || system.tip_held {
+        object.rows("matrix", &system.matrix);
     }
-    map.serialize_entry("matrix", &system.matrix)
 }
 
 impl EventKind {
-    fn fields<M: SerializeMap>(&self, map: &mut M) -> Result<(), M::Error> {
+    #[inline]
+    fn members(&self, object: &mut impl Object) {
         match self {
-            Self::Move { kind, from, to, machine, feed, .. } => moved(map, *kind, [*from, *to, *machine], *feed),
-            Self::Dwell(seconds) => map.serialize_entry("seconds", &number(*seconds)),
+            Self::Move { kind, from, to, machine, feed, .. } => moved(object, *kind, [*from, *to, *machine], *feed),
+            other => other.other_members(object),
+        }
+    }
+
+    /// Those of everything but a move.
+    fn other_members(&self, object: &mut impl Object) {
+        match self {
+            Self::Move { .. } => {}
+            Self::Dwell(seconds) => object.number("seconds", plain(*seconds)),
             Self::Spindle { tool, direction, speed, orient } => {
                 if let Some((tool, axis)) = tool {
-                    map.serialize_entry("tool", &key(tool.number))?;
-                    map.serialize_entry("axis", &axis.letter())?;
+                    object.row("tool", tool.number);
+                    object.text("axis", axis.letter().encode_utf8(&mut [0; 4]));
                 }
                 let word = match direction {
                     1 => "clockwise",
                     -1 => "counter-clockwise",
                     _ => "stop",
                 };
-                map.serialize_entry("direction", word)?;
-                map.serialize_entry("speed", &number(*speed))?;
-                map.serialize_entry("orient", &orient.map(number))
+                object.text("direction", word);
+                object.number("speed", plain(*speed));
+                object.opt_number("orient", *orient);
             }
             Self::Turn { axes, feed, rapid, together } => {
-                let of =
-                    |value: fn(&Turned) -> f64| axes.iter().map(|axis| (axis.axis, value(axis))).collect::<Vec<_>>();
-                map.serialize_entry("from", &Angles(&of(|axis| axis.from)))?;
-                map.serialize_entry("to", &Angles(&of(|axis| axis.to)))?;
-                map.serialize_entry("machine", &Angles(&of(|axis| axis.machine)))?;
-                map.serialize_entry("feed", &number(*feed))?;
-                map.serialize_entry("rapid", rapid)?;
-                map.serialize_entry("together", together)
+                let mut of = |key: &str, value: fn(&Turned) -> f64| {
+                    object.angles(key, axes.iter().map(|axis| (axis.axis, value(axis))));
+                };
+                of("from", |axis| axis.from);
+                of("to", |axis| axis.to);
+                of("machine", |axis| axis.machine);
+                object.number("feed", plain(*feed));
+                object.truth("rapid", *rapid);
+                object.truth("together", *together);
             }
-            Self::Coolant(on) => map.serialize_entry("on", on),
-            Self::Probe(probing) => {
-                map.serialize_entry("from", &point(probing.from))?;
-                map.serialize_entry("target", &point(probing.target))?;
-                map.serialize_entry("contact", &probing.contact.map(|(touched, _)| point(touched)))?;
-                map.serialize_entry("ball_centre", &probing.contact.map(|(_, centre)| point(centre)))?;
-                map.serialize_entry("feed", &number(probing.feed))
-            }
+            Self::Coolant(on) => object.truth("on", *on),
+            Self::Probe(probing) => probed(object, probing),
             Self::Set { q, value } => {
-                map.serialize_entry("q", &q.to_string())?;
-                map.serialize_entry("value", value)
+                object.text("q", &q.to_string());
+                object.content("value", value);
             }
-            Self::Transform(system) => {
-                map.serialize_entry("preset", &key(system.preset))?;
-                map.serialize_entry("origin", &point(system.origin))?;
-                map.serialize_entry("basic_rotation", &point(system.basic_rotation))?;
-                map.serialize_entry("datum_shift", &point(system.datum))?;
-                map.serialize_entry("rotation", &number(system.rotation))?;
-                let angles = RotaryAxis::ALL.into_iter().map(|axis| (axis, axis.of(system.angles)));
-                let angles: Vec<_> = angles.filter(|(_, angle)| *angle != 0.0).collect();
-                if !angles.is_empty() {
-                    map.serialize_entry("angles", &Angles(&angles))?;
-                }
-                changed(map, system)
-            }
+            Self::Transform(system) => transformed(object, system),
             Self::Tolerance(tolerance) => {
                 let [contour, hsc, rotary] = tolerance.map_or([None; 3], |values| values.map(Some));
-                map.serialize_entry("contour", &contour.map(number))?;
-                map.serialize_entry("hsc_mode", &hsc.map(number))?;
-                map.serialize_entry("rotary", &rotary.map(number))
+                object.opt_number("contour", contour);
+                object.opt_number("hsc_mode", hsc);
+                object.opt_number("rotary", rotary);
             }
             Self::Table { file, row, column, value } => {
-                map.serialize_entry("file", file)?;
-                map.serialize_entry("row", &key(*row))?;
-                map.serialize_entry("column", column)?;
-                map.serialize_entry("value", value)
+                object.text("file", file);
+                object.row("row", *row);
+                object.text("column", column);
+                object.content("value", value);
             }
             Self::Log { file, text } => {
-                map.serialize_entry("file", file)?;
+                object.opt_text("file", file.as_deref());
                 if file.is_none() {
-                    map.serialize_entry("text", text)?;
+                    object.text("text", text);
                 }
-                Ok(())
             }
             Self::Message { kind, id, answer } => {
-                map.serialize_entry("kind", kind.as_str())?;
-                map.serialize_entry("id", &**id)?;
-                map.serialize_entry("answer", answer)
+                object.text("kind", kind.as_str());
+                object.text("id", id);
+                match answer {
+                    Some(answer) => object.truth("answer", *answer),
+                    None => object.null("answer"),
+                }
             }
-            Self::Thread(thread) => threaded(map, thread),
+            Self::Thread(thread) => threaded(object, thread),
             Self::Finding { kind, amount } => {
-                map.serialize_entry("finding", kind.as_str())?;
-                map.serialize_entry("amount", &number(*amount))
+                object.text("finding", kind.as_str());
+                object.number("amount", plain(*amount));
             }
             Self::Error(fault) => {
-                map.serialize_entry("code", &*fault.code)?;
-                map.serialize_entry("class", fault.class.as_str())?;
-                map.serialize_entry("args", &Args(&fault.args))
+                object.text("code", &fault.code);
+                object.text("class", fault.class.as_str());
+                object.object("args", |object| {
+                    for (name, arg) in &fault.args {
+                        match arg {
+                            Arg::Number(value) => object.number(name, plain(*value)),
+                            Arg::Text(text) => object.text(name, text),
+                        }
+                    }
+                });
             }
-            Self::End(status) => map.serialize_entry("status", status.as_str()),
+            Self::End(status) => object.text("status", status.as_str()),
         }
     }
 }
 
-fn threaded<M: SerializeMap>(map: &mut M, thread: &Threaded) -> Result<(), M::Error> {
-    map.serialize_entry("way", if thread.milled { "milled" } else { "tapped" })?;
-    map.serialize_entry("side", if thread.outside { "outside" } else { "inside" })?;
-    map.serialize_entry("hand", if thread.right { "right" } else { "left" })?;
-    map.serialize_entry("diameter", &number(thread.diameter))?;
-    map.serialize_entry("pitch", &number(thread.pitch))?;
-    map.serialize_entry("top", &point(thread.top))?;
-    map.serialize_entry("bottom", &point(thread.bottom))?;
-    map.serialize_entry("passes", &thread.passes)
+fn transformed(object: &mut impl Object, system: &Coordinates) {
+    object.row("preset", system.preset);
+    object.point("origin", system.origin);
+    object.point("basic_rotation", system.basic_rotation);
+    object.point("datum_shift", system.datum);
+    object.number("rotation", plain(system.rotation));
+    let angles = RotaryAxis::ALL.into_iter().map(|axis| (axis, axis.of(system.angles)));
+    let mut angles = angles.filter(|(_, angle)| *angle != 0.0).peekable();
+    if angles.peek().is_some() {
+        object.angles("angles", angles);
+    }
+    changed(object, system);
 }
 
-fn moved<M: SerializeMap>(map: &mut M, kind: MoveKind, points: [DVec3; 3], feed: f64) -> Result<(), M::Error> {
+fn probed(object: &mut impl Object, probing: &Probing) {
+    object.point("from", probing.from);
+    object.point("target", probing.target);
+    object.opt_point("contact", probing.contact.map(|(touched, _)| touched));
+    object.opt_point("ball_centre", probing.contact.map(|(_, centre)| centre));
+    object.number("feed", plain(probing.feed));
+}
+
+fn threaded(object: &mut impl Object, thread: &Threaded) {
+    object.text("way", if thread.milled { "milled" } else { "tapped" });
+    object.text("side", if thread.outside { "outside" } else { "inside" });
+    object.text("hand", if thread.right { "right" } else { "left" });
+    object.number("diameter", plain(thread.diameter));
+    object.number("pitch", plain(thread.pitch));
+    object.point("top", thread.top);
+    object.point("bottom", thread.bottom);
+    object.whole("passes", thread.passes.into());
+}
+
+#[inline]
+fn moved(object: &mut impl Object, kind: MoveKind, [from, to, machine]: [DVec3; 3], feed: f64) {
     let word = match kind {
         MoveKind::Rapid => "rapid",
         MoveKind::Feed => "feed",
         MoveKind::Arc { .. } => "arc",
     };
-    map.serialize_entry("kind", word)?;
-    for (name, value) in ["from", "to", "machine"].iter().zip(points) {
-        map.serialize_entry(name, &point(value))?;
-    }
-    map.serialize_entry("feed", &number(feed))?;
+    object.text("kind", word);
+    object.point("from", from);
+    object.point("to", to);
+    object.point("machine", machine);
+    object.number("feed", plain(feed));
     if let MoveKind::Arc { centre, plane, angle, rise, rapid } = kind {
-        let letters = [plane.main.letter(), plane.secondary.letter()].iter().collect::<String>();
-        map.serialize_entry("centre", &point(centre))?;
-        map.serialize_entry("plane", &letters)?;
-        map.serialize_entry("angle", &number(angle))?;
-        map.serialize_entry("rise", &number(rise))?;
-        map.serialize_entry("rapid", &rapid)?;
+        object.point("centre", centre);
+        object.text("plane", &[plane.main.letter(), plane.secondary.letter()].iter().collect::<String>());
+        object.number("angle", plain(angle));
+        object.number("rise", plain(rise));
+        object.truth("rapid", rapid);
     }
-    Ok(())
 }
 
 impl Class {

@@ -8,6 +8,7 @@ pub(crate) mod event;
 pub(crate) mod fault;
 pub(crate) mod foreign_outcome;
 mod json;
+pub(crate) mod json_line;
 pub(crate) mod outcome;
 pub(crate) mod reporter;
 mod threads;

@@ -42,10 +42,15 @@ impl Texts for LogTexts<'_> {
     }
 
     fn template(&self, name: &str) -> Option<(String, String)> {
-        let matching = |(path, text): &(String, String)| {
-            let (stem, extension) = path.strip_prefix(FOLDER)?.rsplit_once('.')?;
-            (stem == name).then(|| (extension.to_owned(), text.clone()))
-        };
-        self.files.iter().find_map(matching)
+        template(self.files, name)
     }
+}
+
+/// The template of a log among the files of the data: the extension of what it writes, and its text.
+pub fn template(files: &[(String, String)], name: &str) -> Option<(String, String)> {
+    let matching = |(path, text): &(String, String)| {
+        let (stem, extension) = path.strip_prefix(FOLDER)?.rsplit_once('.')?;
+        (stem == name).then(|| (extension.to_owned(), text.clone()))
+    };
+    files.iter().find_map(matching)
 }
