@@ -1,6 +1,7 @@
 //! Prints how many blocks, cycle calls and probing cycles the engine executes in a second, how many moves take material
-//! from a stock, how long the paths of strategies take by themselves, and what memory a run of many moves takes: `cargo bench --bench engine`, or one part of it:
-//! `cargo bench --bench engine -- stock` (`memory`, `strategy`, `blocks`).
+//! from a stock, how long the paths of strategies take by themselves, and what memory a run of many moves takes:
+//! `cargo bench --bench engine`, or one part of it: `cargo bench --bench engine -- stock` (`memory`, `strategy`,
+//! `blocks`, `process`).
 //!
 //! Where LinuxCNC's `rs274` is installed (Debian package `linuxcnc-uspace`), the same work as RS274 text runs beside it.
 //! A move of the stock is one of 0.25 to 1 mm, as programs of such parts have them; a longer way is told by the steps of
@@ -23,8 +24,11 @@ use ciklo::spec::{Catalogue, OnControl};
 use glam::DVec3;
 
 const ROUNDS: u32 = 3;
+const PROCESS_ROUNDS: u32 = 7;
 const BLOCKS: usize = 200_000;
 const CALLS: usize = 20_000;
+/// Calls of a program that is executed by a process of its own.
+const PROCESS_CALLS: usize = 50_000;
 const PROBINGS: usize = 1_000;
 
 const SCENE: &str = "scene: 1\nmachine: mill-3-axis\ntools: [{T: 1, L: 80, R: 5}, {T: 2, L: 100, R: 2, TP_NO: 1}]\n\
@@ -47,12 +51,12 @@ fn frame(tool: u8, body: &str) -> String {
     format!("BEGIN PGM BENCH MM\nTOOL CALL {tool} Z S2000\nL Z+50 R0 FMAX M3\n{body}END PGM BENCH MM\n")
 }
 
-fn works() -> Vec<Work> {
+fn works(calls: usize) -> Vec<Work> {
     let at = |n: usize| (n % 97, n % 31);
     let lines: String = (0..BLOCKS).map(at).map(|(x, y)| format!("L X+{x}.125 Y-{y}.5 R0 F500\n")).collect();
     let lines_rs: String = (0..BLOCKS).map(at).map(|(x, y)| format!("G1 X{x}.125 Y-{y}.5\n")).collect();
-    let calls: String = (0..CALLS).map(at).map(|(x, y)| format!("L X+{x} Y+{y} R0 FMAX M99\n")).collect();
-    let calls_rs: String = (0..CALLS).map(at).map(|(x, y)| format!("G83 X{x} Y{y} Z-20 R2 Q5\n")).collect();
+    let called: String = (0..calls).map(at).map(|(x, y)| format!("L X+{x} Y+{y} R0 FMAX M99\n")).collect();
+    let calls_rs: String = (0..calls).map(at).map(|(x, y)| format!("G83 X{x} Y{y} Z-20 R2 Q5\n")).collect();
     let head = "G21 G90 G17 G94\nF500\nS2000 M3\nG0 Z50\n";
     vec![
         Work {
@@ -63,8 +67,8 @@ fn works() -> Vec<Work> {
         },
         Work {
             name: "pecking calls (4 infeeds)",
-            count: CALLS,
-            klartext: frame(1, &format!("{PECKING}{calls}")),
+            count: calls,
+            klartext: frame(1, &format!("{PECKING}{called}")),
             rs274: Some(format!("{head}G99\n{calls_rs}G80\nM2\n")),
         },
         Work {
@@ -101,6 +105,45 @@ fn execute(work: &Work, on: &OnControl, scene: &Scene) -> (Duration, usize) {
         }
     });
     (time, events)
+}
+
+/// Programs as a user has them executed, in a process each that writes every event, beside `rs274 -g` that does the same:
+/// the best of some rounds in turn, so that both are disturbed alike.
+fn processes() {
+    let Ok(folder) = tempfile::tempdir() else { return };
+    let of = |name: &str| folder.path().join(name);
+    let written = |name: &str, text: &str| fs::write(of(name), text).is_ok();
+    let quiet = |command: &mut Command| {
+        let start = Instant::now();
+        let run = command.current_dir(folder.path()).stdout(Stdio::null()).stderr(Stdio::null()).status();
+        run.ok().map(|_| start.elapsed())
+    };
+    for work in works(PROCESS_CALLS) {
+        let Some(text) = &work.rs274 else { continue };
+        if ![("w.h", work.klartext.as_str()), ("w.ngc", text), ("w.yaml", SCENE)].iter().all(|(n, t)| written(n, t)) {
+            println!("{}: a temporary file could not be written", work.name);
+            continue;
+        }
+        let (mut own, mut peer) = (Duration::MAX, None::<Duration>);
+        for _ in 0..PROCESS_ROUNDS {
+            let words = ["run", "w.h", "--control", "tnc640", "--scene", "w.yaml", "--events"];
+            let time = quiet(Command::new(env!("CARGO_BIN_EXE_ciklo")).args(words));
+            own = own.min(time.unwrap_or(Duration::MAX));
+            let time = quiet(Command::new("rs274").args(["-g", "w.ngc"]));
+            peer = time.map(|time| peer.map_or(time, |best| best.min(time))).or(peer);
+        }
+        let line = |name: &str, time: Duration| {
+            println!("{:8} {:>7} {:26} {:>7.1} ms", name, work.count, work.name, time.as_secs_f64() * 1e3);
+        };
+        line("ciklo", own);
+        match peer {
+            Some(peer) => {
+                line("rs274", peer);
+                println!("{:43} {:>7.1} times as fast", "", peer.as_secs_f64() / own.as_secs_f64());
+            }
+            None => println!("rs274    is not installed (Debian package linuxcnc-uspace)"),
+        }
+    }
 }
 
 /// The same work by `rs274`, its start included; nothing if it is not installed.
@@ -323,6 +366,9 @@ fn main() {
     if wants("strategy") {
         drawing();
     }
+    if wants("process") {
+        processes();
+    }
     if !wants("blocks") {
         return;
     }
@@ -330,7 +376,7 @@ fn main() {
     let (catalogue, _) = Catalogue::load(&files);
     let Some(on) = catalogue.on("tnc640") else { return };
     let Ok(scene) = Scene::parse(&Source::new("bench.scene.yaml", SCENE), &files) else { return };
-    for work in works() {
+    for work in works(CALLS) {
         let (own, events) = execute(&work, on, &scene);
         let rate = |time: Duration| work.count as f64 / time.as_secs_f64();
         println!("{:26} ciklo {:>10.0}/s ({events} events in {:.1} ms)", work.name, rate(own), own.as_secs_f64() * 1e3);
