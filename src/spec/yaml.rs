@@ -2,6 +2,7 @@
 //!
 //! Invariant: knows the YAML language and nothing of cycles. Anchors, aliases and tags are refused,
 //! because a specification must read the same from every place.
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use saphyr_parser::{Event, Parser, ScalarStyle};
@@ -104,8 +105,11 @@ impl Bytes {
 
 enum Open {
     List(Span, Vec<Node>),
-    Map(Span, Vec<(Key, Node)>, Option<Key>),
+    Map(Span, Vec<(Key, Node)>, Option<Key>, Places),
 }
+
+/// Where each key of a mapping is: they are not compared with each other.
+type Places = HashMap<Arc<str>, Span>;
 
 /// Reads one document. Mistakes go to `found`; nothing comes back if there is no tree.
 pub fn read(source: &Arc<Source>, found: &mut Vec<Diagnostic>) -> Option<Node> {
@@ -151,12 +155,12 @@ pub fn read(source: &Arc<Source>, found: &mut Vec<Diagnostic>) -> Option<Node> {
                 if anchor != 0 || tag.is_some() {
                     found.push(refuse(span, "anchor"));
                 }
-                open.push(Open::Map(span, Vec::new(), None));
+                open.push(Open::Map(span, Vec::new(), None, Places::new()));
                 continue;
             }
             Event::SequenceEnd | Event::MappingEnd => match open.pop() {
                 Some(Open::List(start, items)) => close(start, span, Kind::List(items)),
-                Some(Open::Map(start, entries, _)) => close(start, span, Kind::Map(entries)),
+                Some(Open::Map(start, entries, ..)) => close(start, span, Kind::Map(entries)),
                 None => continue,
             },
             Event::Alias(_) => {
@@ -169,21 +173,25 @@ pub fn read(source: &Arc<Source>, found: &mut Vec<Diagnostic>) -> Option<Node> {
             None if root.is_some() => found.push(refuse(node.span, "second-document")),
             None => root = Some(node),
             Some(Open::List(_, items)) => items.push(node),
-            Some(Open::Map(_, entries, key @ None)) => {
+            Some(Open::Map(_, _, key @ None, places)) => {
                 let Kind::Scalar(text, _) = &node.kind else {
                     found.push(refuse(node.span, "structured-key"));
                     return None;
                 };
-                if let Some((first, _)) = entries.iter().find(|(k, _)| k.text == *text) {
+                let first = places.get(text);
+                if let Some(first) = first {
                     found.push(
                         Diagnostic::error("spec-duplicate-key", Place::new(source, node.span))
                             .arg("key", &**text)
-                            .related("first-place", Place::new(source, first.span)),
+                            .related("first-place", Place::new(source, *first)),
                     );
+                }
+                if first.is_none() {
+                    places.insert(Arc::clone(text), node.span);
                 }
                 *key = Some(Key { text: Arc::clone(text), span: node.span });
             }
-            Some(Open::Map(_, entries, key)) => {
+            Some(Open::Map(_, entries, key, _)) => {
                 if let Some(key) = key.take() {
                     entries.push((key, node));
                 }

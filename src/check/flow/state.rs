@@ -146,7 +146,8 @@ impl State {
 
     /// Forgets the parameters that other programs and cycles can write.
     pub(super) fn forget_parameters(&mut self) {
-        self.numbers.clear();
+        // The room is given back, too: there may be a state for each label.
+        self.numbers = HashMap::default();
         self.others = Known::Unknown;
     }
 
@@ -176,18 +177,23 @@ impl State {
         self.modal.pending = u32::try_from(index).map_or(Pending::Unknown, Pending::Definition);
     }
 
+    /// How many parameters are in it.
+    pub(super) fn size(&self) -> usize {
+        self.numbers.len()
+    }
+
     /// Both ways lead here.
     pub(super) fn join(&self, other: &Self) -> Self {
+        let all = if self.others == other.others { self.others } else { Known::Unknown };
         let meet = |q: QRef| {
             let (own, other) = (self.get(q), other.get(q));
-            (q, if own == other { own } else { Known::Unknown })
+            // What is not in the map is unknown where the others are.
+            let met = if own == other { own } else { Known::Unknown };
+            (all != Known::Unknown || met != Known::Unknown).then_some((q, met))
         };
         let others = other.numbers.keys().filter(|q| !self.numbers.contains_key(q));
-        Self {
-            modal: self.modal.join(&other.modal),
-            numbers: self.numbers.keys().chain(others).map(|q| meet(*q)).collect(),
-            others: if self.others == other.others { self.others } else { Known::Unknown },
-        }
+        let numbers = self.numbers.keys().chain(others).filter_map(|q| meet(*q)).collect();
+        Self { modal: self.modal.join(&other.modal), numbers, others: all }
     }
 
     /// The state after a call: what the called part does not touch is as it was before.

@@ -17,6 +17,8 @@ use crate::program::syntax::{BlockKind, Motion, Path};
 
 /// How often a block may be looked at on average.
 const PATIENCE: usize = 48;
+/// How many parameters all states together may know: some 100 MB.
+const MOST_KNOWN: usize = 2_000_000;
 
 /// Who has called the part that is executed: no one in the main part, someone outside of it where a cycle reads a
 /// contour, or the use of that index.
@@ -51,6 +53,8 @@ pub(super) struct Walk<'w, 'f, 'p> {
     queued: BTreeSet<Node>,
     /// How much may still be looked at.
     budget: usize,
+    /// How many parameters the states that are kept know.
+    known: usize,
 }
 
 /// A part that is called, by the run of blocks where it begins.
@@ -78,6 +82,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             waiting: VecDeque::new(),
             queued: BTreeSet::new(),
             budget: 0,
+            known: 0,
         }
     }
 
@@ -111,11 +116,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         if node.0 >= self.graph.leaders.len() {
             return;
         }
-        let joined = match self.entries.get(&node) {
-            Some(known) => known.join(state),
-            None => state.clone(),
-        };
-        if self.entries.get(&node) != Some(&joined) {
+        if let Some(joined) = joined(self.entries.get(&node), state, &mut self.known) {
             self.entries.insert(node, joined);
             self.queue(node);
         }
@@ -192,8 +193,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         self.spend(parts.len());
         let mut news = false;
         for part in parts {
-            let joined = self.behind.get(&(part, caller)).map_or_else(|| state.clone(), |known| known.join(state));
-            if self.behind.get(&(part, caller)) != Some(&joined) {
+            if let Some(joined) = joined(self.behind.get(&(part, caller)), state, &mut self.known) {
                 self.behind.insert((part, caller), joined);
                 news = true;
             }
@@ -510,4 +510,19 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         }
         found
     }
+}
+
+/// What is known where a state comes to one that is known already, if that is news. Where all of them know too much, it
+/// knows no parameters.
+fn joined(known: Option<&State>, state: &State, all: &mut usize) -> Option<State> {
+    let mut joined = known.map_or_else(|| state.clone(), |known| known.join(state));
+    let before = known.map_or(0, State::size);
+    if *all - before + joined.size() > MOST_KNOWN {
+        joined.forget_parameters();
+    }
+    if known == Some(&joined) {
+        return None;
+    }
+    *all = *all - before + joined.size();
+    Some(joined)
 }

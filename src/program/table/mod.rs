@@ -58,6 +58,8 @@ pub struct Table {
     lines: Vec<Line>,
     /// Key and index of the line of each row, in the order of the file.
     rows: Vec<(f64, usize)>,
+    /// Whether the keys of the rows rise, as they do in the controls' own files.
+    rising: bool,
     /// The index of the line before which a new last row goes.
     end: usize,
 }
@@ -68,7 +70,7 @@ impl Table {
         let (headings, heading) = text::standard(kind);
         let lines = vec![Line::new(format!("BEGIN {file} MM")), Line::new(heading), Line::new("[END]".to_owned())];
         let file = file.to_owned();
-        Self { kind, file, unit: TableUnit::Mm, headings, heading: 1, lines, rows: Vec::new(), end: 2 }
+        Self { kind, file, unit: TableUnit::Mm, headings, heading: 1, lines, rows: Vec::new(), rising: true, end: 2 }
     }
 
     /// Reads a table. The name of its file is that of the source without the folders of this computer.
@@ -132,7 +134,7 @@ impl Table {
 
     /// Whether there is such a row.
     pub fn has_row(&self, row: f64) -> bool {
-        self.rows.iter().any(|(key, _)| *key == row)
+        self.row_at(row).is_some()
     }
 
     /// The names of the columns in the order of the file.
@@ -236,7 +238,10 @@ impl Table {
         };
         let too_wide = || TableError::too_wide(self.file.clone(), row, heading.name.clone());
         let text = text::print(row, heading.room()).ok_or_else(too_wide)?;
-        let at = self.rows.iter().position(|(key, _)| *key > row);
+        let at = match self.rows.last() {
+            Some((last, _)) if self.rising && *last < row => None,
+            _ => self.rows.iter().position(|(key, _)| *key > row),
+        };
         let line = at.and_then(|at| self.rows.get(at)).map_or(self.end, |(_, line)| *line);
         let mut new = Line::new(String::new());
         if let Some(neighbour) = self.lines.first() {
@@ -244,8 +249,10 @@ impl Table {
         }
         heading.put(&mut new.text, &text);
         self.lines.insert(line, new);
-        for (_, index) in self.rows.iter_mut().filter(|(_, index)| *index >= line) {
-            *index += 1;
+        if at.is_some() {
+            for (_, index) in self.rows.iter_mut().filter(|(_, index)| *index >= line) {
+                *index += 1;
+            }
         }
         self.rows.insert(at.unwrap_or(self.rows.len()), (row, line));
         self.end += 1;
@@ -258,8 +265,17 @@ impl Table {
     }
 
     fn line_of(&self, row: f64) -> Result<usize, TableError> {
-        let found = self.rows.iter().find(|(key, _)| *key == row);
+        let found = self.row_at(row).and_then(|at| self.rows.get(at));
         found.map(|(_, line)| *line).ok_or_else(|| TableError::NoRow { file: self.file.clone(), row })
+    }
+
+    /// Where a row is among the rows.
+    fn row_at(&self, row: f64) -> Option<usize> {
+        if !self.rising {
+            return self.rows.iter().position(|(key, _)| *key == row);
+        }
+        let at = self.rows.partition_point(|(key, _)| *key < row);
+        self.rows.get(at).filter(|(key, _)| *key == row).map(|_| at)
     }
 
     fn factor(&self, quantity: Quantity) -> f64 {

@@ -173,7 +173,8 @@ pub(super) fn read(kind: TableKind, source: &Arc<Source>) -> (Option<Table>, Vec
     let lines = numbered.into_iter().map(|(_, line)| line).collect();
     let file = file_of(source.name());
     let unit = unit.unwrap_or(TableUnit::Mm);
-    (Some(Table { kind, file, unit, headings, heading, lines, rows, end }), reader.found)
+    let rising = rows.is_sorted_by(|a, b| a.0 < b.0);
+    (Some(Table { kind, file, unit, headings, heading, lines, rows, rising, end }), reader.found)
 }
 
 /// Which lines are neither names of columns nor rows: blank ones, comments, and what describes the columns
