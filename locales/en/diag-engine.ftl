@@ -79,6 +79,7 @@ diag-text-or-number = A text is given where a number is needed, or the other way
 diag-text-too-long = A text parameter would become longer than { NUMBER($limit) } characters.
 diag-tool-locked = Tool { $tool } is locked.
 diag-tool-not-in-table = Tool { $tool } is not in the tool table.
+diag-turn-limit = The run ends: one move makes more than { NUMBER($limit) } turns.
 diag-unsupported-axis = The engine does not move the axis { $axis }.
 diag-unsupported-block = The engine does not execute { $word }.
 diag-unsupported-cycle = { $cycle } is only named by the manual of { $control }: the engine cannot execute it.

@@ -34,6 +34,7 @@ diag-scene-no-axis = The machine has no axis { $axis }.
 diag-scene-start-outside = The start lies outside the traverse range of axis { $axis }: { $found } { $unit } is not between { $min } and { $max } { $unit }.
 
 diag-solid-not-finite = A dimension is not a finite positive number.
+diag-solid-too-many = The shape has too many surfaces: it would take too long to find its edges. Leave out what no tool or probe comes near.
 diag-solid-edge-unsupported = The ball may touch an edge that is neither a straight line nor a circle; this contact cannot be calculated exactly.
 diag-solid-cusp = The ball may touch a place where surfaces meet tangentially and leave no thickness; this contact cannot be calculated exactly.
 diag-solid-helix-unsupported = The ball may touch the workpiece on a helix or while several axes move; this contact cannot be calculated exactly.
@@ -78,5 +79,5 @@ diag-stock-extent = The blank is too large: it reaches farther than { $limit } m
 diag-stock-form = BLK FORM { $word } is not described in the manuals: give the stock in the scene, or a cuboid by BLK FORM 0.1 and 0.2.
 diag-stock-missing = There is no blank: neither does the scene have a stock, nor the program a BLK FORM.
 diag-stock-blank = The corners of BLK FORM must be numbers, and each minimum must be smaller than its maximum.
-diag-stock-resolution = { $found } cannot be the distance between the columns of the stock: it must be greater than zero, and there may be at most 150 million columns.
+diag-stock-resolution = { $found } cannot be the distance between the columns of the stock: it must be greater than zero, and there may be at most 10 million columns.
 diag-stock-resolution-mesh = The part has more triangles than an STL file can have; a greater distance between the columns helps.

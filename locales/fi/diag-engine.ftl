@@ -65,6 +65,7 @@ diag-text-or-number = Teksti on luvun paikalla tai päinvastoin.
 diag-text-too-long = Tekstiparametrista tulisi yli { NUMBER($limit) } merkkiä pitkä.
 diag-tool-locked = Työkalulle { $tool } on asetettu esto.
 diag-tool-not-in-table = Työkalua { $tool } ei ole työkalutaulukossa.
+diag-turn-limit = Ajo päättyy: yksi liike tekee yli { NUMBER($limit) } kierrosta.
 diag-unsupported-axis = Suoritin ei liikuta akselia { $axis }.
 diag-unsupported-block = Suoritin ei suorita lausetta { $word }.
 diag-unsupported-cycle = Ohjauksen { $control } käsikirja vain mainitsee työkierron { $cycle }: suoritin ei voi suorittaa sitä.

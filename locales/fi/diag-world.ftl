@@ -33,6 +33,7 @@ diag-scene-no-axis = Koneessa ei ole akselia { $axis }.
 diag-scene-start-outside = Lähtöpiste on akselin { $axis } liikealueen ulkopuolella: { $found }{"\u00A0"}{ $unit } ei ole välillä { $min } … { $max }{"\u00A0"}{ $unit }.
 
 diag-solid-not-finite = Jokin mitta ei ole äärellinen positiivinen luku.
+diag-solid-too-many = Muodossa on liian monta pintaa: sen reunojen etsiminen kestäisi liian kauan. Jätä pois se, minkä lähelle mikään työkalu tai kosketuspää ei tule.
 diag-solid-edge-unsupported = Kosketuskuula saattaa koskettaa reunaa, joka ei ole suora eikä ympyrä; tätä kosketusta ei voi laskea tarkasti.
 diag-solid-cusp = Kosketuskuula saattaa koskettaa kohtaa, jossa pinnat sivuavat toisiaan eikä ainetta jää väliin; tätä kosketusta ei voi laskea tarkasti.
 diag-solid-helix-unsupported = Kosketuskuula saattaa koskettaa työkappaletta kierukkaradalla tai usean akselin liikkuessa; tätä kosketusta ei voi laskea tarkasti.
@@ -76,5 +77,5 @@ diag-stock-blank = BLK FORM -lauseen kulmien on oltava lukuja, ja jokaisen minim
 diag-stock-extent = Aihio on liian suuri: se ulottuu yli { $limit } mm:n päähän nollapisteestään.
 diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: anna aihio asetelmassa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.
 diag-stock-missing = Aihiota ei ole: asetelmassa ei ole aihiota eikä ohjelmassa BLK FORM -lausetta.
-diag-stock-resolution = { $found } ei kelpaa aihion sarakkeiden väliksi: sen on oltava suurempi kuin nolla, ja sarakkeita saa olla enintään 150 miljoonaa.
+diag-stock-resolution = { $found } ei kelpaa aihion sarakkeiden väliksi: sen on oltava suurempi kuin nolla, ja sarakkeita saa olla enintään 10 miljoonaa.
 diag-stock-resolution-mesh = Kappaleessa on enemmän kolmioita kuin STL-tiedostoon mahtuu; suurempi sarakkeiden väli auttaa.

@@ -67,6 +67,7 @@ diag-text-or-number = C’è un testo al posto di un numero, o viceversa.
 diag-text-too-long = Un parametro di testo supererebbe { NUMBER($limit) } caratteri.
 diag-tool-locked = L’utensile { $tool } è bloccato.
 diag-tool-not-in-table = L’utensile { $tool } non è nella tabella utensili.
+diag-turn-limit = L’esecuzione termina: un unico movimento compie più di { NUMBER($limit) } giri.
 diag-unsupported-axis = Il motore di esecuzione non muove l’asse { $axis }.
 diag-unsupported-block = Il motore di esecuzione non esegue { $word }.
 diag-unsupported-cycle = Il manuale del controllo { $control } si limita a nominare { $cycle }: il motore di esecuzione non può eseguirlo.

@@ -33,6 +33,7 @@ diag-scene-no-axis = La macchina non ha un asse { $axis }.
 diag-scene-start-outside = Il punto di partenza è fuori dal campo di traslazione dell’asse { $axis }: { $found } { $unit } non è compreso tra { $min } e { $max } { $unit }.
 
 diag-solid-not-finite = Una quota non è un numero finito e positivo.
+diag-solid-too-many = La forma ha troppe superfici: la ricerca degli spigoli richiederebbe troppo tempo. Omettere ciò a cui non si avvicina nessun utensile né tastatore.
 diag-solid-edge-unsupported = La sfera del tastatore può toccare uno spigolo che non è né una retta né un cerchio; questo contatto non può essere calcolato con esattezza.
 diag-solid-cusp = La sfera del tastatore può toccare un punto in cui le superfici sono tangenti e non lasciano spessore; questo contatto non può essere calcolato con esattezza.
 diag-solid-helix-unsupported = La sfera del tastatore può toccare il pezzo durante un movimento elicoidale o mentre si muovono più assi; questo contatto non può essere calcolato con esattezza.
@@ -76,5 +77,5 @@ diag-stock-blank = Gli spigoli di BLK FORM devono essere numeri e ogni minimo de
 diag-stock-extent = Il pezzo grezzo è troppo grande: si estende oltre { $limit } mm dalla sua origine.
 diag-stock-form = BLK FORM { $word } non è descritto nei manuali: indicare il pezzo grezzo nella scena, oppure un parallelepipedo con BLK FORM 0.1 e 0.2.
 diag-stock-missing = Manca il pezzo grezzo: non lo contengono né la scena né il programma con un BLK FORM.
-diag-stock-resolution = { $found } non può essere la distanza tra le colonne del pezzo grezzo: deve essere maggiore di zero e le colonne possono essere al massimo 150 milioni.
+diag-stock-resolution = { $found } non può essere la distanza tra le colonne del pezzo grezzo: deve essere maggiore di zero e le colonne possono essere al massimo 10 milioni.
 diag-stock-resolution-mesh = Il pezzo ha più triangoli di quanti ne può contenere un file STL; è utile una distanza maggiore tra le colonne.

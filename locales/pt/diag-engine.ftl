@@ -65,6 +65,7 @@ diag-text-or-number = Há um texto no lugar de um número, ou vice-versa.
 diag-text-too-long = Um parâmetro de texto ultrapassaria { NUMBER($limit) } caracteres.
 diag-tool-locked = A ferramenta { $tool } está bloqueada.
 diag-tool-not-in-table = A ferramenta { $tool } não está na tabela de ferramentas.
+diag-turn-limit = A execução termina: um único movimento dá mais de { NUMBER($limit) } voltas.
 diag-unsupported-axis = O motor de execução não move o eixo { $axis }.
 diag-unsupported-block = O motor de execução não executa { $word }.
 diag-unsupported-cycle = O manual do comando { $control } apenas menciona { $cycle }: o motor de execução não o pode executar.

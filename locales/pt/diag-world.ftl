@@ -33,6 +33,7 @@ diag-scene-no-axis = A máquina não tem um eixo { $axis }.
 diag-scene-start-outside = O ponto de partida está fora da margem de deslocação do eixo { $axis }: { $found } { $unit } não está entre { $min } e { $max } { $unit }.
 
 diag-solid-not-finite = Uma medida não é um número finito e positivo.
+diag-solid-too-many = A forma tem demasiadas superfícies: levaria demasiado tempo a encontrar as suas arestas. Omita aquilo de que nenhuma ferramenta ou apalpador se aproxima.
 diag-solid-edge-unsupported = A esfera de apalpação pode tocar numa aresta que não é uma reta nem um círculo; este contacto não pode ser calculado com exatidão.
 diag-solid-cusp = A esfera de apalpação pode tocar num ponto em que as superfícies são tangentes e não deixam espessura; este contacto não pode ser calculado com exatidão.
 diag-solid-helix-unsupported = A esfera de apalpação pode tocar na peça durante um movimento helicoidal ou enquanto se movem vários eixos; este contacto não pode ser calculado com exatidão.
@@ -76,5 +77,5 @@ diag-stock-blank = Os cantos de BLK FORM têm de ser números e cada mínimo tem
 diag-stock-extent = O bloco é demasiado grande: estende-se a mais de { $limit } mm do seu ponto zero.
 diag-stock-form = BLK FORM { $word } não está descrito nos manuais: indique o bloco na cena, ou um paralelepípedo com BLK FORM 0.1 e 0.2.
 diag-stock-missing = Não há bloco: nem a cena o contém, nem o programa tem um BLK FORM.
-diag-stock-resolution = { $found } não pode ser a distância entre as colunas do bloco: tem de ser superior a zero e pode haver, no máximo, 150 milhões de colunas.
+diag-stock-resolution = { $found } não pode ser a distância entre as colunas do bloco: tem de ser superior a zero e pode haver, no máximo, 10 milhões de colunas.
 diag-stock-resolution-mesh = A peça tem mais triângulos do que cabem num ficheiro STL; uma distância maior entre as colunas ajuda.

@@ -65,6 +65,7 @@ diag-text-or-number = Besedilo je na mestu števila ali obratno.
 diag-text-too-long = Besedilni parameter bi postal daljši od { NUMBER($limit) } znakov.
 diag-tool-locked = Orodje { $tool } je blokirano.
 diag-tool-not-in-table = Orodja { $tool } ni v preglednici orodij.
+diag-turn-limit = Izvajanje se konča: en sam premik naredi več kot { NUMBER($limit) } obratov.
 diag-unsupported-axis = Izvajalnik ne premika osi { $axis }.
 diag-unsupported-block = Izvajalnik ne izvaja stavka { $word }.
 diag-unsupported-cycle = Priročnik za { $control } cikel { $cycle } le omenja: izvajalnik ga ne more izvesti.

@@ -33,6 +33,7 @@ diag-scene-no-axis = Stroj nima osi { $axis }.
 diag-scene-start-outside = Začetni položaj je zunaj območja premika osi { $axis }: { $found }{"\u00A0"}{ $unit } ni med { $min } in { $max }{"\u00A0"}{ $unit }.
 
 diag-solid-not-finite = Ena od mer ni končno pozitivno število.
+diag-solid-too-many = Oblika ima preveč ploskev: iskanje njenih robov bi trajalo predolgo. Izpustite dele, ki se jim ne približa nobeno orodje ali tipalo.
 diag-solid-edge-unsupported = Tipalna krogla se lahko dotakne roba, ki ni ne premica ne krog; tega dotika ni mogoče natančno izračunati.
 diag-solid-cusp = Tipalna krogla se lahko dotakne mesta, kjer se ploskvi stikata tangencialno in med njima ni materiala; tega dotika ni mogoče natančno izračunati.
 diag-solid-helix-unsupported = Tipalna krogla se lahko obdelovanca dotakne pri gibu po vijačnici ali med gibanjem več osi; tega dotika ni mogoče natančno izračunati.
@@ -78,5 +79,5 @@ diag-stock-blank = Oglišča v stavku BLK FORM morajo biti števila in vsak mini
 diag-stock-extent = Surovec je prevelik: sega več kot { $limit } mm od svojega izhodišča.
 diag-stock-form = Stavka BLK FORM { $word } priročniki ne opisujejo: surovec navedite v prizorišču ali kot kvader s stavkoma BLK FORM 0.1 in 0.2.
 diag-stock-missing = Surovca ni: nima ga niti prizorišče niti program s stavkom BLK FORM.
-diag-stock-resolution = { $found } ne more biti razdalja med stolpci surovca: biti mora večja od nič, stolpcev pa je lahko največ 150 milijonov.
+diag-stock-resolution = { $found } ne more biti razdalja med stolpci surovca: biti mora večja od nič, stolpcev pa je lahko največ 10 milijonov.
 diag-stock-resolution-mesh = Obdelovanec ima več trikotnikov, kot jih lahko vsebuje datoteka STL; pomaga večja razdalja med stolpci.

@@ -10,7 +10,7 @@ use crate::engine::motion::drives::Drives;
 use crate::engine::report::ending::Done;
 use crate::engine::report::envelope::Touching;
 use crate::engine::report::event::MoveKind;
-use crate::engine::report::fault::Fault;
+use crate::engine::report::fault::{Class, Fault};
 use crate::engine::solid::Path as BallPath;
 use crate::engine::world::state::Pressed;
 use crate::engine::world::stylus::ProbeData;
@@ -19,6 +19,8 @@ use crate::engine::world::stylus::ProbeData;
 pub(crate) const OFF_CIRCLE: f64 = 0.001;
 /// What calculation may put between two positions that are the same, mm.
 pub(crate) const SAME: f64 = SAME_POSITION;
+/// Turns that one move may make, far more than a control takes: a stock follows them quarter by quarter.
+const MOST_TURNS: f64 = 10_000.0;
 /// From this feed on a move is one at rapid traverse: the value that the word FMAX has as a parameter.
 pub(crate) const RAPID_FEED: f64 = 99_999.999;
 
@@ -93,6 +95,9 @@ impl Drives<'_, '_> {
     pub(crate) fn arc_by(&mut self, turn: Turn, to: DVec3, speed: Result<Speed, Fault>) -> Done {
         let (plane, from) = (turn.plane, self.world.here);
         let angle = self.sweep(from, to, &turn)?;
+        if angle.abs() > MOST_TURNS * 360.0 {
+            return Err(Fault::new(Class::Limit, "turn-limit").arg("limit", MOST_TURNS).into());
+        }
         let rise = plane.tool.of(to) - plane.tool.of(from);
         let frame = *self.world.system.frame();
         let centre = plane.lift(plane.flat(turn.centre), plane.tool.of(from));

@@ -127,6 +127,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("tilting-unreachable", Class::Control),
     ("tool-locked", Class::Control),
     ("tool-not-in-table", Class::Program),
+    ("turn-limit", Class::Limit),
     ("unsupported-axis", Class::Unsupported),
     ("unsupported-block", Class::Unsupported),
     ("unsupported-compensation", Class::Unsupported),

@@ -15,6 +15,11 @@ use glam::DVec3;
 /// A point is on a surface when it is closer than this, in mm; an order below the accuracy of a contact.
 pub(super) const ON: f64 = 1e-10;
 
+/// Most sides of surfaces that a shape may have: each may meet each of the others in an edge.
+const MOST_SIDES: usize = 4_000;
+/// How often a surface may be asked for its side while edges are looked for: some seconds.
+const MOST_LOOKS: u64 = 4_000_000_000;
+
 /// A solid made ready for questions; see the module [`crate::engine::solid`].
 #[derive(Clone, Debug)]
 pub struct Body {
@@ -58,15 +63,19 @@ impl Body {
     /// Reduces a shape to surfaces, edges and corners.
     ///
     /// # Errors
-    /// [`SolidError::NotFinite`] if a number of the shape is not finite or a surface has no extent.
+    /// [`SolidError::NotFinite`] if a number of the shape is not finite or a surface has no extent,
+    /// [`SolidError::TooMany`] if it would take too long to find its edges.
     pub fn new(shape: &Shape) -> Result<Self, SolidError> {
+        if shape.sides() > MOST_SIDES {
+            return Err(SolidError::TooMany);
+        }
         let mut surfaces = Surfaces::default();
         let tree = surfaces.reduce(shape, &Frame::IDENTITY, true);
         let mut body = Self { surfaces: surfaces.0, tree, features: Vec::new(), unsupported: Vec::new() };
         if !body.surfaces.iter().all(is_sound) {
             return Err(SolidError::NotFinite);
         }
-        body.find_features();
+        body.find_features()?;
         Ok(body)
     }
 
@@ -108,7 +117,7 @@ impl Body {
         })
     }
 
-    fn find_features(&mut self) {
+    fn find_features(&mut self) -> Result<(), SolidError> {
         let mut used = vec![[false; 2]; self.surfaces.len()];
         self.tree.mark_sides(&mut used);
         for (surface, [kept, cut]) in self.surfaces.iter().zip(used) {
@@ -124,23 +133,28 @@ impl Body {
         });
         pairs.sort_unstable();
         pairs.dedup();
+        let mut looks = 0;
         for (a, b) in pairs {
-            self.find_edges(a, b);
+            self.find_edges(a, b, &mut looks)?;
         }
+        Ok(())
     }
 
     /// Adds the edges in which two surfaces meet, and the corners at their ends.
-    fn find_edges(&mut self, a: usize, b: usize) {
-        let (Some(first), Some(second)) = (self.surfaces.get(a), self.surfaces.get(b)) else { return };
+    fn find_edges(&mut self, a: usize, b: usize, looks: &mut u64) -> Result<(), SolidError> {
+        let (Some(first), Some(second)) = (self.surfaces.get(a), self.surfaces.get(b)) else { return Ok(()) };
         let curves = match meet(first, second) {
             Meeting::Curves(curves) => curves,
             Meeting::Other => {
                 self.unsupported.push((a, b));
-                return;
+                return Ok(());
             }
         };
         for curve in curves {
-            let (real, corners) = self.real_stretches(&curve, a, b);
+            let (real, corners) = self.real_stretches(&curve, a, b, looks);
+            if *looks > MOST_LOOKS {
+                return Err(SolidError::TooMany);
+            }
             if real {
                 self.features.push(Feature::Edge(curve));
             }
@@ -151,10 +165,11 @@ impl Body {
                 }
             }
         }
+        Ok(())
     }
 
     /// Cuts a curve at the other surfaces: whether any stretch belongs to the body, and where such stretches end.
-    fn real_stretches(&self, curve: &Curve, a: usize, b: usize) -> (bool, Vec<DVec3>) {
+    fn real_stretches(&self, curve: &Curve, a: usize, b: usize, looks: &mut u64) -> (bool, Vec<DVec3>) {
         let (mut real, mut corners) = (false, Vec::new());
         for piece in curve.pieces() {
             let mut cuts = vec![piece.low];
@@ -165,6 +180,7 @@ impl Body {
             }
             cuts.push(piece.high);
             cuts.sort_by(f64::total_cmp);
+            *looks += (cuts.len() * self.surfaces.len()) as u64;
             for (from, to) in cuts.iter().zip(cuts.iter().skip(1)) {
                 // A point that cannot be decided keeps its stretch: contacts with it are examined again.
                 if self.contains(piece.at(0.5 * (from + to))).unwrap_or(true) {

@@ -46,6 +46,8 @@ pub enum SolidError {
     NotFinite,
     /// An edge that is neither a line nor a circle may be touched.
     Edge(DVec3),
+    /// A shape has so many surfaces that it would take too long to find its edges.
+    TooMany,
     /// Surfaces touch without crossing and leave material of no thickness.
     Cusp(DVec3),
     /// A helical motion may touch.
@@ -57,6 +59,7 @@ impl SolidError {
     pub const fn code(&self) -> &'static str {
         match self {
             Self::NotFinite => "solid-not-finite",
+            Self::TooMany => "solid-too-many",
             Self::Edge(_) => "solid-edge-unsupported",
             Self::Cusp(_) => "solid-cusp",
             Self::Helix(_) => "solid-helix-unsupported",
@@ -66,7 +69,7 @@ impl SolidError {
     /// Where the trouble is, in the coordinates of the solid.
     pub const fn point(&self) -> Option<DVec3> {
         match *self {
-            Self::NotFinite => None,
+            Self::NotFinite | Self::TooMany => None,
             Self::Edge(p) | Self::Cusp(p) | Self::Helix(p) => Some(p),
         }
     }

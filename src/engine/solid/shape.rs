@@ -62,6 +62,19 @@ pub enum Shape {
     },
 }
 
+impl Shape {
+    /// How many sides of surfaces it is made of.
+    pub(super) fn sides(&self) -> usize {
+        match self {
+            Self::HalfSpace { .. } | Self::Sphere { .. } => 1,
+            Self::Box { .. } => 6,
+            Self::Cylinder { .. } | Self::Cone { .. } => 3,
+            Self::Union(shapes) | Self::Difference(shapes) => shapes.iter().map(Self::sides).sum(),
+            Self::Placed { shape, .. } => shape.sides(),
+        }
+    }
+}
+
 /// Surfaces combined; complements are at the leaves only.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Tree {

@@ -18,6 +18,8 @@ use crate::program::syntax::{self, Amount, Block, BlockKind, Coord, Program, Sta
 
 /// Moves that are carried out together.
 const TOGETHER: usize = 4096;
+/// Pieces of moves that are carried out together, unless one move has more of them.
+const MOST_PIECES: usize = 4 * TOGETHER;
 /// Volume, mm³, below which nothing was cut.
 const NOTHING: f64 = 1e-6;
 
@@ -330,7 +332,7 @@ impl Machining {
                 }
                 self.stock.add(&mut self.batch, &path, axis, &cutter, rapid || spindle_off);
                 self.noted.push(Noted { event: self.seen, at, rapid, spindle_off, length, feed: *feed, edges });
-                if self.batch.len() >= TOGETHER {
+                if self.batch.len() >= TOGETHER || self.batch.pieces() >= MOST_PIECES {
                     self.settle();
                 }
             }

@@ -68,8 +68,8 @@ const LANES: usize = 8;
 const FEW: usize = 32;
 /// How far from its own zero point a blank may reach, mm: farther than any machine.
 pub(super) const FARTHEST: f64 = 1e9;
-/// Most columns of a grid: about three gigabytes.
-const MOST_COLUMNS: f64 = 1.5e8;
+/// Most columns of a grid: about two gigabytes with the triangles of its part.
+const MOST_COLUMNS: f64 = 1e7;
 /// How deep rapid traverse must be in the material to count as contact, mm. What follows from rounding is far below.
 pub const SKIN: f64 = 1e-3;
 
@@ -129,6 +129,11 @@ impl Batch {
         self.moves
     }
 
+    /// Pieces of moves that wait: a helix has several a turn.
+    pub(super) const fn pieces(&self) -> usize {
+        self.jobs.len()
+    }
+
     /// Whether nothing waits.
     pub const fn is_empty(&self) -> bool {
         self.moves == 0
@@ -182,14 +187,17 @@ impl Stock {
         let grid = Grid { frame, back: frame.inverse(), plane, min, max, cell, each, columns, rows };
         let mut lanes = vec![Vec::new(); LANES];
         let up = grid.blank(DVec3::Z);
+        let material = |column, row| body.along(grid.blank(DVec3::new(grid.x(column), grid.y(row), 0.0)), up);
+        // All columns of a box are the same.
+        let first = if matches!(blank, Shape::Box { .. }) { Some(material(0, 0)?) } else { None };
         for row in 0..rows {
             let mut error = None;
-            let made = Row::new(columns, |column| {
-                let origin = grid.blank(DVec3::new(grid.x(column), grid.y(row), 0.0));
-                body.along(origin, up).unwrap_or_else(|found| {
+            let made = Row::new(columns, |column| match &first {
+                Some(first) => first.clone(),
+                None => material(column, row).unwrap_or_else(|found| {
                     error = Some(found);
                     Vec::new()
-                })
+                }),
             });
             if let Some(error) = error {
                 return Err(error.into());

@@ -47,7 +47,13 @@ fn findings() -> Vec<Diagnostic> {
     ];
     all.extend(errors.iter().map(TableError::diagnostic));
     let point = DVec3::ZERO;
-    let limits = [SolidError::NotFinite, SolidError::Edge(point), SolidError::Cusp(point), SolidError::Helix(point)];
+    let limits = [
+        SolidError::NotFinite,
+        SolidError::TooMany,
+        SolidError::Edge(point),
+        SolidError::Cusp(point),
+        SolidError::Helix(point),
+    ];
     all.extend(limits.iter().map(|limit| Diagnostic::global(limit.code())));
     all
 }
