@@ -50,6 +50,11 @@ cli-fixed = { $count ->
 diag-check-no-control = The control of { $path } is not known: --control, or control in ciklo.toml.
 diag-check-no-programs = There are no programs in { $path }: nothing was checked.
 diag-check-no-table = “{ $path }” is no table: its extension is none of .T, .TP, .PR, .D and .PNT.
+diag-passed-over = { $more ->
+        [0] { $path } was passed over:
+        [one] { $path } and one other entry were passed over:
+       *[other] { $path } and { $more } other entries were passed over:
+    } neither a file nor a folder, or a link that is not followed.
 diag-fix-no-file = Standard input cannot be mended: name a file.
 diag-fix-file-changed = { $path } was changed meanwhile by someone else; it is left as it is.
 diag-fix-changes-program = { $path } would not be the same program any more; it is left as it is.

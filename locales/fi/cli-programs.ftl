@@ -43,6 +43,11 @@ cli-fixed = { $count ->
 diag-check-no-control = Ohjelman { $path } ohjaus ei ole tiedossa: --control tai control tiedostossa ciklo.toml.
 diag-check-no-programs = Paikassa { $path } ei ole ohjelmia: mitään ei tarkastettu.
 diag-check-no-table = ”{ $path }” ei ole taulukko: sen tarkenne ei ole .T, .TP, .PR, .D eikä .PNT.
+diag-passed-over = { $more ->
+        [0] Ohitettiin { $path }:
+        [one] Ohitettiin { $path } ja yksi muu kohde:
+       *[other] Ohitettiin { $path } ja { $more } muuta kohdetta:
+    } ei tiedosto eikä kansio, tai linkki, jota ei seurata.
 diag-fix-no-file = Vakiosyötettä ei voi korjata: nimeä tiedosto.
 diag-fix-file-changed = Joku muu on muuttanut tiedostoa { $path } sillä välin; se jätetään ennalleen.
 diag-fix-changes-program = { $path } ei olisi enää sama ohjelma; se jätetään ennalleen.

@@ -43,6 +43,11 @@ cli-fixed = { $count ->
 diag-check-no-control = Il controllo numerico di { $path } non è noto: --control, oppure control in ciklo.toml.
 diag-check-no-programs = In { $path } non ci sono programmi: non è stato verificato nulla.
 diag-check-no-table = «{ $path }» non è una tabella: la sua estensione non è .T, .TP, .PR, .D o .PNT.
+diag-passed-over = { $more ->
+        [0] { $path } è stato saltato:
+        [one] { $path } e un altro elemento sono stati saltati:
+       *[other] { $path } e altri { $more } elementi sono stati saltati:
+    } non si tratta di file né di cartelle, oppure sono collegamenti che non vengono seguiti.
 diag-fix-no-file = L’ingresso standard non si può correggere: indicare un file.
 diag-fix-file-changed = { $path } è stato modificato nel frattempo da altri; resta com’è.
 diag-fix-changes-program = { $path } non sarebbe più lo stesso programma; resta com’è.

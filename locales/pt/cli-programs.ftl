@@ -43,6 +43,11 @@ cli-fixed = { $count ->
 diag-check-no-control = O comando numérico de { $path } não é conhecido: --control, ou control em ciklo.toml.
 diag-check-no-programs = Em { $path } não há programas: nada foi verificado.
 diag-check-no-table = «{ $path }» não é uma tabela: a sua extensão não é .T, .TP, .PR, .D nem .PNT.
+diag-passed-over = { $more ->
+        [0] Foi ignorado { $path }:
+        [one] Foram ignorados { $path } e mais um elemento:
+       *[other] Foram ignorados { $path } e mais { $more } elementos:
+    } não se trata de ficheiros nem de pastas, ou são ligações que não são seguidas.
 diag-fix-no-file = A entrada padrão não pode ser corrigida: indique um ficheiro.
 diag-fix-file-changed = { $path } foi alterado entretanto por outrem; fica como está.
 diag-fix-changes-program = { $path } deixaria de ser o mesmo programa; fica como está.

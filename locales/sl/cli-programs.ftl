@@ -49,6 +49,13 @@ cli-fixed = { $count ->
 diag-check-no-control = Krmiljenje za { $path } ni znano: --control ali control v ciklo.toml.
 diag-check-no-programs = V { $path } ni programov: nič ni bilo preverjeno.
 diag-check-no-table = »{ $path }« ni preglednica: njena končnica ni .T, .TP, .PR, .D ali .PNT.
+diag-passed-over = { $more ->
+        [0] Preskočeno je bilo { $path }:
+        [one] Preskočeno je bilo { $path } in še { $more } vnos:
+        [two] Preskočeno je bilo { $path } in še { $more } vnosa:
+        [few] Preskočeno je bilo { $path } in še { $more } vnosi:
+       *[other] Preskočeno je bilo { $path } in še { $more } vnosov:
+    } to ni datoteka ne mapa ali pa je povezava, ki se ji ne sledi.
 diag-fix-no-file = Standardnega vhoda ni mogoče popraviti: navedite datoteko.
 diag-fix-file-changed = { $path } je medtem spremenil nekdo drug; ostane, kakor je.
 diag-fix-changes-program = { $path } ne bi bil več isti program; ostane, kakor je.

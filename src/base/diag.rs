@@ -66,6 +66,17 @@ fn starts(text: &str, from: usize, to: usize) -> impl Iterator<Item = usize> + '
     })
 }
 
+/// A text on one line, with signs in place of control characters: a name of a file can have any of them.
+pub fn visible(text: &str) -> Cow<'_, str> {
+    let sign = |c: char| match u32::from(c) {
+        code @ 0..0x20 => char::from_u32(0x2400 + code).unwrap_or(char::REPLACEMENT_CHARACTER),
+        0x7F => '\u{2421}',
+        _ if c.is_control() => char::REPLACEMENT_CHARACTER,
+        _ => c,
+    };
+    if text.contains(char::is_control) { text.chars().map(sign).collect() } else { text.into() }
+}
+
 impl Source {
     /// A source with the given display name; lines end at `\n`, `\r\n` or a lone `\r`.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Arc<Self> {

@@ -13,7 +13,7 @@ use super::{Command, Failure, Outcome, arguments, cycle, program};
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::{Against, Facts, LabelBook, Settings, check_in};
 use crate::language::locale::{Args, Ui};
-use crate::system;
+use crate::system::{self, Below};
 use crate::tools::certify::{CycleReport, ProgramReport, RuleReport, Tally, Verdict};
 
 pub(super) const COMMAND: Command = Command {
@@ -59,11 +59,13 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     };
     let (mut jobs, mut empty, mut troubles) = (Vec::new(), Vec::new(), Vec::new());
     for name in arguments::all(matches, "file") {
-        let (found, hidden) = system::files_below(Path::new(&name), &PROGRAMS);
+        let Below { files: found, troubles: hidden, passed_over: over } =
+            system::files_below(Path::new(&name), &PROGRAMS, true);
         if found.is_empty() && hidden.is_empty() {
             empty.push(no_programs(&name));
         }
         troubles.extend(hidden.into_iter().map(Diagnostic::from));
+        session.passed_over(&over);
         let named = found == [PathBuf::from(&name)];
         jobs.extend(found.into_iter().map(|path| Job {
             path,

@@ -5,7 +5,7 @@ use clap::ArgMatches;
 
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments, mend, program};
-use crate::base::diag::Diagnostic;
+use crate::base::diag::{Diagnostic, visible};
 use crate::check::{Against, LabelBook};
 use crate::language::locale::{Args, Ui};
 use crate::program::layout;
@@ -31,9 +31,10 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let (mut count, mut troubles) = (0, Vec::new());
     for name in arguments::all(matches, "file") {
         let extensions = [&program::PROGRAMS[..], &program::TABLES[..]].concat();
-        let (paths, hidden) = system::files_below(Path::new(&name), &extensions);
-        troubles.extend(hidden.into_iter().map(Diagnostic::from));
-        for path in paths {
+        let below = system::files_below(Path::new(&name), &extensions, false);
+        troubles.extend(below.troubles.into_iter().map(Diagnostic::from));
+        session.passed_over(&below.passed_over);
+        for path in below.files {
             let only_check = matches.get_flag("check").then(|| matches.get_flag("diff"));
             let done = match TableKind::of_file(&path.to_string_lossy()) {
                 Some(kind) => table(session, &path, kind, only_check),
@@ -117,8 +118,8 @@ fn file(session: &mut Session, path: &Path, against: &Against<'_>, only_check: O
 /// Names a file that would change; with both of its texts, what would change in it.
 fn named(session: &mut Session, path: &Path, texts: Option<(&str, &str)>) -> Result<(), Failure> {
     let text = match texts {
-        None => format!("{}\n", path.display()),
-        Some((old, new)) => difference(&path.display().to_string(), old, new),
+        None => format!("{}\n", visible(&path.to_string_lossy())),
+        Some((old, new)) => difference(&visible(&path.to_string_lossy()), old, new),
     };
     session.output.print(&text)
 }

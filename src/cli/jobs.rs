@@ -11,7 +11,7 @@ use crate::base::diag::{Diagnostic, Place, Source};
 use crate::check::{Config, Settings};
 use crate::language::locale::{Locales, Scope};
 use crate::spec::{Catalogue, OnControl};
-use crate::system;
+use crate::system::{self, Below};
 
 /// The file with settings, looked for in the folder of each program and above it.
 const CONFIG: &str = "ciklo.toml";
@@ -46,7 +46,7 @@ pub(super) fn no_programs(name: &str) -> Diagnostic {
 
 /// The jobs that arguments and configuration files ask for.
 pub(super) fn jobs<'c>(
-    session: &Session,
+    session: &mut Session,
     matches: &ArgMatches,
     catalogue: &'c Catalogue,
     locales: &Locales,
@@ -62,7 +62,11 @@ pub(super) fn jobs<'c>(
     };
     let (mut jobs, mut empty, mut troubles) = (Vec::new(), Vec::new(), Vec::new());
     for name in arguments::all(matches, "file") {
-        let (paths, hidden) = system::files_below(Path::new(&name), &[&PROGRAMS[..], &TABLES[..]].concat());
+        // What is mended is only what lies in the folder.
+        let links = !matches.get_flag("fix");
+        let Below { files: paths, troubles: hidden, passed_over: over } =
+            system::files_below(Path::new(&name), &[&PROGRAMS[..], &TABLES[..]].concat(), links);
+        session.passed_over(&over);
         if paths.is_empty() && hidden.is_empty() {
             empty.push(no_programs(&name));
         }

@@ -6,6 +6,7 @@ use clap::ArgMatches;
 use super::execution::{Execution, tool_table, tools};
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments};
+use crate::base::diag::visible;
 use crate::engine::scene::guess::{Line, Origin};
 use crate::language::locale::{Args, Ui};
 use crate::system;
@@ -42,7 +43,7 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
 
 /// The comment on a line of a scene file.
 fn remark(line: Line<'_>, path: &str, ui: &Ui) -> String {
-    let text = |id: &str| ui.text(id, &Args::new().text("path", path));
+    let text = |id: &str| ui.text(id, &Args::new().text("path", &*visible(path)));
     match line {
         Line::Head => text("cli-scene-head"),
         Line::Tool(tool) => match tool.origin {

@@ -4,12 +4,12 @@
 //! to standard error.
 use std::cell::{OnceCell, RefCell};
 use std::io::{self, BufWriter, StdoutLock, Write as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use super::Failure;
 use crate::base::data::{self, Files, Prepared};
-use crate::base::diag::{Diagnostic, Mistakes, Severity};
+use crate::base::diag::{Diagnostic, Mistakes, Severity, visible};
 use crate::language::locale::render::{render, to_json_line};
 use crate::language::locale::{Args, Locales, Ui};
 use crate::spec::Catalogue;
@@ -97,7 +97,7 @@ impl Output {
     /// Writes a line about how it went to standard error.
     pub(super) fn remark(&mut self, line: &str) {
         let _ = self.stdout.flush();
-        let _ = writeln!(io::stderr(), "{line}");
+        let _ = writeln!(io::stderr(), "{}", visible(line));
     }
 }
 
@@ -208,6 +208,14 @@ impl<'s> Session<'s> {
             self.totals(&found);
         }
         Ok(())
+    }
+
+    /// Says what of a folder was passed over, if anything was.
+    pub(super) fn passed_over(&mut self, paths: &[PathBuf]) {
+        let Some(first) = paths.first() else { return };
+        let note = Diagnostic { severity: Severity::Note, ..Diagnostic::global("passed-over") };
+        let note = note.arg("path", first.display().to_string()).arg("more", (paths.len() - 1) as f64);
+        self.output.complain(&note, &self.ui);
     }
 
     /// Says how many findings there are, and how more is learnt of the worst one.

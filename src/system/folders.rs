@@ -6,28 +6,42 @@ use std::{env, fs, io};
 
 use super::{Trouble, parent};
 
-/// The file itself, or all files below a directory that have one of the extensions, in any case, in the order
-/// of paths, and what could not be looked into (`io-read`). Hidden files are passed over, and links to directories are
-/// not followed.
-pub fn files_below(path: &Path, extensions: &[&str]) -> (Vec<PathBuf>, Vec<Trouble>) {
+/// What there is below a path.
+#[derive(Debug, Default)]
+pub struct Below {
+    /// The files, in the order of paths.
+    pub files: Vec<PathBuf>,
+    /// What could not be looked into (`io-read`).
+    pub troubles: Vec<Trouble>,
+    /// What was passed over: what has one of the extensions and is no file (a pipe, a link that leads nowhere), and links
+    /// to directories.
+    pub passed_over: Vec<PathBuf>,
+}
+
+/// The file itself, or all files below a directory that have one of the extensions, in any case. Hidden files are passed
+/// over, and links to directories are not followed; nor are those to files, unless `links` says so: what they name may
+/// lie anywhere.
+pub fn files_below(path: &Path, extensions: &[&str], links: bool) -> Below {
     if !path.is_dir() {
-        return (vec![path.to_owned()], Vec::new());
+        return Below { files: vec![path.to_owned()], ..Below::default() };
     }
-    let (mut found, mut troubles) = (Vec::new(), Vec::new());
+    let mut below = Below::default();
     let mut open = vec![path.to_owned()];
     while let Some(directory) = open.pop() {
-        if let Err(error) = look_into(&directory, extensions, &mut found, &mut open) {
-            troubles.push(Trouble::new("io-read", &directory, &error));
+        if let Err(error) = look_into(&directory, extensions, links, &mut below, &mut open) {
+            below.troubles.push(Trouble::new("io-read", &directory, &error));
         }
     }
-    found.sort();
-    (found, troubles)
+    below.files.sort();
+    below.passed_over.sort();
+    below
 }
 
 fn look_into(
     directory: &Path,
     extensions: &[&str],
-    found: &mut Vec<PathBuf>,
+    links: bool,
+    below: &mut Below,
     open: &mut Vec<PathBuf>,
 ) -> io::Result<()> {
     for entry in fs::read_dir(directory)? {
@@ -37,10 +51,14 @@ fn look_into(
         if entry.file_name().to_string_lossy().starts_with('.') {
             continue;
         }
-        if entry.file_type()?.is_dir() {
+        let kind = entry.file_type()?;
+        if kind.is_dir() {
             open.push(own);
-        } else if wanted() && own.is_file() {
-            found.push(own);
+        } else if kind.is_symlink() && own.is_dir() {
+            below.passed_over.push(own);
+        } else if wanted() {
+            let taken = kind.is_file() || (links && kind.is_symlink() && own.is_file());
+            (if taken { &mut below.files } else { &mut below.passed_over }).push(own);
         }
     }
     Ok(())

@@ -17,13 +17,13 @@ use std::{env, fs};
 use crate::base::diag::Diagnostic;
 
 pub use answering::{Answering, LONGEST_LINE, NoAnswer, next_line};
-pub use folders::{Folder, beside, files_below, nearest, seen_from, spelled};
+pub use folders::{Below, Folder, beside, files_below, nearest, seen_from, spelled};
 pub use replace::{Seen, write, write_parts};
 pub use staged::Staged;
 
 /// So many bytes are read from standard input, a pipe or a device.
 const MOST_OF_A_STREAM: u64 = 1 << 30;
-/// How deep directories with data are followed; links could otherwise lead round in a circle.
+/// How deep directories with data may be.
 const DEEPEST: usize = 16;
 
 /// Something outside that failed.
@@ -148,7 +148,7 @@ fn not_regular() -> io::Error {
 /// are passed over.
 ///
 /// # Errors
-/// `io-read` if `root` is no directory or something in it cannot be read.
+/// `io-read` if `root` is no directory, or something in it cannot be read or is a link to a directory.
 pub fn read_tree(root: &Path, tops: &[&str]) -> Result<Vec<(String, Vec<u8>)>, Trouble> {
     fs::read_dir(root).map_err(|error| Trouble::new("io-read", root, &error))?;
     let mut files = Vec::new();
@@ -172,6 +172,10 @@ fn collect(directory: &Path, name: &str, depth: usize, files: &mut Vec<(String, 
             continue;
         }
         let known = fs::metadata(&path).map_err(|error| Trouble::new("io-read", &path, &error))?;
+        // It could lead round in a circle, or through the whole disk.
+        if known.is_dir() && entry.file_type().map_err(trouble)?.is_symlink() {
+            return Err(Trouble { reason: "link", ..Trouble::new("io-read", &path, &not_regular()) });
+        }
         if known.is_file() {
             files.push((name, read(&path)?));
         } else if !known.is_dir() {

@@ -7,7 +7,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet}
 use serde::Serialize;
 
 use super::ui::Ui;
-use crate::base::diag::{Arg, Diagnostic, Place, Severity};
+use crate::base::diag::{Arg, Diagnostic, Place, Severity, visible};
 
 /// How many bytes of a line are shown before and after the stretch in question.
 const EDGE: usize = 160;
@@ -42,7 +42,7 @@ pub fn render(diagnostic: &Diagnostic, ui: &Ui, color: bool) -> String {
 fn excerpt<'a>(group: Group<'a>, place: &Place, kind: AnnotationKind, label: Option<String>) -> Group<'a> {
     let window = Window::around(place);
     let start = place.start();
-    let name = place.source.name().to_owned();
+    let name = visible(place.source.name()).into_owned();
     let snippet = Snippet::source(window.text).line_start(start.line).annotation(kind.span(window.marked).label(label));
     if window.cut_before {
         // The renderer counts columns in what it is given, so the true one is said apart.
