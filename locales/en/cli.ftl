@@ -202,7 +202,7 @@ cli-envelope-near-unknown = { $what ->
         [yes] can reach
        *[no] does not reach
     } it
-cli-envelope-fails = In this scene the cycle ends with the error { $code }.
+cli-envelope-fails = In this scene the cycle ends with the error { $code }: { $message }
 cli-envelope-none = No probing cycle is executed.
 cli-conform-pass = pass
 cli-conform-fail = FAIL
@@ -232,6 +232,7 @@ diag-io-read = { $path } cannot be read: { $reason ->
         [permission] permission is denied
         [is-directory] it is a directory
         [not-directory] it is not a directory
+        [link] it is a link to a directory, which is not followed
        *[other] { $detail }
     }.
 diag-io-write = { $path } cannot be written: { $reason ->

@@ -174,7 +174,7 @@ cli-envelope-near-unknown = { $what ->
         [yes] voi ulottua
        *[no] ei ulotu
     } siihen
-cli-envelope-fails = Tässä asetelmassa työkierto päättyy virheeseen { $code }.
+cli-envelope-fails = Tässä asetelmassa työkierto päättyy virheeseen { $code }: { $message }
 cli-envelope-none = Yhtään kosketustyökiertoa ei suoriteta.
 cli-conform-pass = läpi
 cli-conform-fail = VIRHE
@@ -204,6 +204,7 @@ diag-io-read = Lukeminen ei onnistu: { $path }: { $reason ->
         [permission] ei käyttöoikeutta
         [is-directory] kohde on hakemisto
         [not-directory] kohde ei ole hakemisto
+        [link] se on linkki hakemistoon eikä sitä seurata
        *[other] { $detail }
     }.
 diag-io-write = Kirjoittaminen ei onnistu: { $path }: { $reason ->

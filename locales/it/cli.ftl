@@ -174,7 +174,7 @@ cli-envelope-near-unknown = { $what ->
         [yes] può raggiungerlo
        *[no] non lo raggiunge
     }
-cli-envelope-fails = In questa scena il ciclo termina con l’errore { $code }.
+cli-envelope-fails = In questa scena il ciclo termina con l’errore { $code }: { $message }
 cli-envelope-none = Non viene eseguito alcun ciclo di tastatura.
 cli-conform-pass = riuscito
 cli-conform-fail = FALLITO
@@ -204,6 +204,7 @@ diag-io-read = Impossibile leggere { $path }: { $reason ->
         [permission] permesso negato
         [is-directory] è una cartella
         [not-directory] non è una cartella
+        [link] è un collegamento a una cartella, che non viene seguito
        *[other] { $detail }
     }.
 diag-io-write = Impossibile scrivere { $path }: { $reason ->

@@ -177,7 +177,7 @@ cli-envelope-near-unknown = { $what ->
         [yes] pode alcançá-lo
        *[no] não o alcança
     }
-cli-envelope-fails = Nesta cena o ciclo termina com o erro { $code }.
+cli-envelope-fails = Nesta cena o ciclo termina com o erro { $code }: { $message }
 cli-envelope-none = Nenhum ciclo de apalpação é executado.
 cli-conform-pass = passou
 cli-conform-fail = FALHOU
@@ -207,6 +207,7 @@ diag-io-read = Não é possível ler { $path }: { $reason ->
         [permission] sem permissão
         [is-directory] é uma pasta
         [not-directory] não é uma pasta
+        [link] é uma ligação a uma pasta, que não é seguida
        *[other] { $detail }
     }.
 diag-io-write = Não é possível escrever { $path }: { $reason ->

@@ -196,7 +196,7 @@ cli-envelope-near-unknown = { $what ->
         [yes] lahko doseže
        *[no] ne doseže
     }
-cli-envelope-fails = V tem prizorišču se cikel konča z napako { $code }.
+cli-envelope-fails = V tem prizorišču se cikel konča z napako { $code }: { $message }
 cli-envelope-none = Noben cikel tipanja se ne izvede.
 cli-conform-pass = uspešno
 cli-conform-fail = NAPAKA
@@ -226,6 +226,7 @@ diag-io-read = { $path } ni mogoče prebrati: { $reason ->
         [permission] ni dovoljenja
         [is-directory] to je mapa
         [not-directory] to ni mapa
+        [link] je povezava do mape, ki se ji ne sledi
        *[other] { $detail }
     }.
 diag-io-write = { $path } ni mogoče zapisati: { $reason ->

@@ -213,11 +213,24 @@ fn case_lines(case: &CaseReport, ui: &Ui) -> String {
     }
 }
 
+/// What a report says in the language of the user, if it says it in words.
+fn worded(text: &str, ui: &Ui) -> String {
+    let rest = |known: &str| match text.strip_prefix(known) {
+        Some(rest) if rest.is_empty() || known.ends_with(' ') => Some(rest.to_owned()),
+        _ => None,
+    };
+    let known = conform::WORDS.iter().find_map(|(known, id)| Some((id, rest(known)?)));
+    known.map_or_else(
+        || text.to_owned(),
+        |(id, rest)| ui.text(&format!("cli-conform-word-{id}"), &Args::new().text("rest", rest)),
+    )
+}
+
 /// A difference in a line; lists next to each other, a line each.
 fn mismatch(found: &Mismatch, ui: &Ui) -> String {
     if !found.expected.contains('\n') && !found.found.contains('\n') {
-        let args = Args::new().text("what", found.what.as_str()).text("expected", found.expected.as_str());
-        return format!("      {}\n", ui.text("cli-conform-mismatch", &args.text("found", found.found.as_str())));
+        let args = Args::new().text("what", found.what.as_str()).text("expected", worded(&found.expected, ui));
+        return format!("      {}\n", ui.text("cli-conform-mismatch", &args.text("found", worded(&found.found, ui))));
     }
     let side = |text: &'_ str| text.lines().filter(|line| line.starts_with('{')).map(str::to_owned).collect();
     let (left, right): (Vec<String>, Vec<String>) = (side(&found.expected), side(&found.found));

@@ -2,8 +2,8 @@
 use serde::Serialize;
 
 use super::session::{self, Session};
-use super::{Failure, Outcome};
-use crate::engine::run::{self as engine, ENVELOPE_FORMAT, Envelope, Near, Obstacle, Touching};
+use super::{Failure, Outcome, execution};
+use crate::engine::run::{self as engine, ENVELOPE_FORMAT, Envelope, Fault, Near, Obstacle, Touching};
 use crate::language::locale::{Args, Digits, Locales, Scope, Ui};
 use crate::spec::OnControl;
 
@@ -44,12 +44,13 @@ pub(super) fn show(
     if let Some(diagnostic) = &result.diagnostic {
         session.output.complain(diagnostic, &session.ui);
     }
-    let failed = result.fault.is_some() || cycles.iter().any(|cycle| error_in(cycle, Touching::AsScene).is_some());
+    let failed = result.fault.is_some() || cycles.iter().any(|cycle| fault_in_scene(cycle).is_some());
     Ok(if failed { Outcome::Errors } else { Outcome::Clean })
 }
 
-fn error_in(cycle: &Envelope, touching: Touching) -> Option<&str> {
-    cycle.ends.iter().find(|end| end.touching == touching).and_then(|end| end.error.as_deref())
+/// The error with which the cycle ends where the parts of the scene stop the probe.
+fn fault_in_scene(cycle: &Envelope) -> Option<&Fault> {
+    cycle.ends.iter().find(|end| end.touching == Touching::AsScene)?.fault.as_ref()
 }
 
 fn lines(cycle: &Envelope, on: &OnControl, locales: &Locales, ui: &Ui) -> String {
@@ -75,8 +76,13 @@ fn lines(cycle: &Envelope, on: &OnControl, locales: &Locales, ui: &Ui) -> String
         let (key, args) = nearness(near, &length);
         report(key, args);
     }
-    if let Some(code) = error_in(cycle, Touching::AsScene) {
-        report("fails", Args::new().text("code", code));
+    if let Some(fault) = fault_in_scene(cycle) {
+        let diagnostic = fault.diagnostic(None);
+        let diagnostic = match execution::sentence(on, locales, ui, fault, cycle.key) {
+            Some(sentence) => diagnostic.arg("message", sentence),
+            None => diagnostic,
+        };
+        report("fails", Args::new().text("code", &*fault.code).text("message", ui.diagnostic(&diagnostic)));
     }
     format!("{}\n{}\n", head(cycle, on, locales, ui), reported.join("\n"))
 }

@@ -14,7 +14,9 @@ use super::session::Session;
 use super::{Failure, Outcome, arguments, cycle, program};
 use crate::base::data::Files;
 use crate::base::diag::{Diagnostic, Severity, Source};
-use crate::engine::run::{Engine, Event, EventKind, Outcome as Ended, Programs as _, Status, Texts, program_key};
+use crate::engine::run::{
+    Engine, Event, EventKind, Fault, Outcome as Ended, Programs as _, Status, Texts, program_key,
+};
 use crate::engine::scene::Scene;
 use crate::engine::scene::guess::{BALL, Guess, GuessedTool, Origin};
 use crate::engine::stock::Blank;
@@ -95,12 +97,8 @@ impl<'c> Execution<'c> {
         failed: Option<CycleKey>,
     ) -> Result<Outcome, Failure> {
         if let Some(diagnostic) = result.diagnostic.clone().map(|diagnostic| self.file.at_home(diagnostic)) {
-            let sentence = result.fault.as_ref().filter(|fault| fault.of_cycle).and_then(|fault| {
-                let cycle = self.on.cycles.get(&failed?)?;
-                let readers = [locales.language(session.ui.tag()).ok()?];
-                text::guard_sentence(self.on, cycle, &fault.code, &readers)
-            });
-            let diagnostic = match sentence {
+            let fault = result.fault.as_ref();
+            let diagnostic = match fault.and_then(|fault| sentence(self.on, locales, &session.ui, fault, failed)) {
                 Some(sentence) => diagnostic.arg("message", sentence),
                 None => diagnostic,
             };
@@ -150,6 +148,19 @@ impl<'c> Execution<'c> {
         session.output.complain(&diagnostic.arg("assumed", parts.join("; ")), &ui);
         Ok(scene)
     }
+}
+
+/// What the specification says of an error with which a cycle ends itself.
+pub(super) fn sentence(
+    on: &OnControl,
+    locales: &Locales,
+    ui: &Ui,
+    fault: &Fault,
+    cycle: Option<CycleKey>,
+) -> Option<String> {
+    let cycle = on.cycles.get(&cycle.filter(|_| fault.of_cycle)?)?;
+    let readers = [locales.language(ui.tag()).ok()?];
+    text::guard_sentence(on, cycle, &fault.code, &readers)
 }
 
 /// The cycle that an event says to have ended with an error.

@@ -1,4 +1,5 @@
 //! The command `ciklo` as users start it: arguments, files, streams, signals, other programs.
+mod bounds;
 #[path = "../support/built.rs"]
 mod built;
 mod cli;

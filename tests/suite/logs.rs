@@ -125,6 +125,30 @@ fn the_cycles_that_the_manuals_name_write_logs() {
     }
 }
 
+#[test]
+fn a_log_whose_template_has_no_end_ends_the_run() {
+    const PROGRAM: &str = "BEGIN PGM L MM\nTOOL CALL 1 Z S100\nTCH PROBE 421 MEASURE HOLE\nQ273=+0\nQ274=+0\nQ262=40\n\
+        Q325=+0\nQ247=+90\nQ261=-5\nQ320=0\nQ260=+20\nQ301=0\nQ275=0\nQ276=0\nQ279=0\nQ280=0\nQ281=1\nQ309=0\n\
+        Q330=0\nQ423=4\nQ365=1\nEND PGM L MM\n";
+    const SCENE: &str = "scene: 1\ntools: [{T: 1, L: 100, R: 2, TP_NO: 1}]\nprobe: {NO: 1, ball_radius: 2}\nparts:\n  \
+        - solid:\n      difference:\n        - box: {min: [-50, -50, -20], max: [50, 50, 0]}\n        \
+        - cylinder: {axis: Z, diameter: 40, from: 0, to: -20}\n";
+    let data = data();
+    let on = data.catalogue.on("tnc640").expect("a control");
+    let scene = Scene::parse(&Source::new("scene.yaml", SCENE), &data.files).expect("a scene");
+    let tree = syntax::parse(&Source::new("LOG.H", PROGRAM));
+    let ended = |files: &ciklo::base::data::Files| {
+        let texts = LogTexts::new(data.locales.language("en").expect("a language"), "tnc640", files);
+        Engine::new(&tree, on, &scene, &texts).run(&mut |_| {}).fault.map(|fault| fault.code)
+    };
+    assert_eq!(ended(&data.files), None);
+    let mut endless = data.files.clone();
+    for (_, text) in endless.iter_mut().filter(|(path, _)| path.starts_with("templates/logs/")) {
+        text.insert_str(0, "{% for i in range(100000) %}{% for j in range(100000) %}{% endfor %}{% endfor %}");
+    }
+    assert_eq!(ended(&endless).as_deref(), Some("log-failed"));
+}
+
 /// Whole logs, line by line.
 #[test]
 fn logs_are_the_stored_ones() {

@@ -380,6 +380,18 @@ fn a_template_that_uses_an_unknown_value_stops_the_build() {
 }
 
 #[test]
+fn a_template_without_an_end_stops_the_build() {
+    let mut files = small();
+    for (path, text) in &mut files {
+        if path == "templates/cycle.html" {
+            text.insert_str(0, "{% for i in range(100000) %}{% for j in range(100000) %}{% endfor %}{% endfor %}");
+        }
+    }
+    let faults = build(&files, &[]).expect_err("the page has no end");
+    assert!(faults.iter().all(|fault| fault.code == "manual-template"), "{faults:?}");
+}
+
+#[test]
 fn what_is_not_there_cannot_be_asked_for() {
     let files = small();
     let faults = build(&files, &["xx".to_owned()]).expect_err("there is no such language");

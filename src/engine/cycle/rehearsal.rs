@@ -77,11 +77,11 @@ impl<'e> Run<'_, 'e> {
             let own = self.drives.recorder.take().unwrap_or_default().into_ways();
             probings = probings.max(own.iter().filter(|way| way.probing).count());
             ways.extend(own);
-            let error = match &ended {
-                Err(Leave::Fault(fault)) => Some(fault.code.to_string()),
+            let fault = match &ended {
+                Err(Leave::Fault(fault)) => Some(fault.clone()),
                 _ => None,
             };
-            ends.push(Ended { touching, error });
+            ends.push(Ended { touching, error: fault.as_ref().map(|fault| fault.code.to_string()), fault });
             if touching == Touching::AsScene {
                 let system = &before.world.system;
                 let begin = Begin {

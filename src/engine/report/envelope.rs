@@ -5,6 +5,7 @@ use glam::DVec3;
 use serde::Serialize;
 
 use super::event::At;
+use super::fault::Fault;
 use crate::engine::geometry::{Axis, Frame};
 use crate::engine::scene::Scene;
 use crate::engine::solid::{Body, Path, Shape, SolidError};
@@ -56,12 +57,15 @@ pub struct Near {
 }
 
 /// How a run of the cycle ended.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Ended {
     /// What stopped the probe.
     pub touching: Touching,
     /// The code of the error that ended it.
     pub error: Option<String>,
+    /// The error itself, for those who have words for it.
+    #[serde(skip)]
+    pub fault: Option<Fault>,
 }
 
 /// What one execution of a cycle would do. Heights are those of the tip along the tool axis, in the coordinates at the

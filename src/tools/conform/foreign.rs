@@ -116,7 +116,7 @@ fn judge(job: &Job<'_>, prepared: &Prepared<'_>, id: u64, partner: &mut Patience
         Ok(line) => line,
         Err(Silence::TimeLimit) => return fails("engine", "an answer", "none within the time limit".to_owned()),
         Err(Silence::TooLong(most)) => {
-            return fails("engine", "an answer", format!("a line without an end in {most} bytes"));
+            return fails("engine", "an answer", format!("a line without an end, in bytes: {most}"));
         }
         Err(Silence::Ended(reason)) => return fails("engine", "an answer", format!("it ended: {reason}")),
     };

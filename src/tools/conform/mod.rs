@@ -17,6 +17,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 pub use foreign::{Partner, Silence, run as run_foreign};
 pub use protocol::{Answer, CellWritten, CycleName, Moved, PROTOCOL, Request, serve};
 pub use report::{CaseReport, Clause, CycleReport, FORMAT, Mismatch, Report, Summary, Verdict, junit};
+pub use show::WORDS;
 pub use texts::{LogTexts, template};
 
 use crate::base::diag::{Diagnostic, Source, dedupe};

@@ -10,6 +10,24 @@ use crate::engine::run::{EventKind, Fault, MoveKind};
 /// The word for a value, a list or a movement that is missing.
 const NOTHING: &str = "nothing";
 
+/// What reports say in words besides the notation of the cases, with the ends of the ids of its texts
+/// (`cli-conform-word-…`). After one that ends with a blank there is more, which is the same in all languages.
+pub const WORDS: [(&str, &str); 13] = [
+    (NOTHING, "nothing"),
+    ("a sound case", "sound-case"),
+    ("provoked", "provoked"),
+    ("not provoked", "not-provoked"),
+    ("executed", "executed"),
+    ("not executed", "not-executed"),
+    ("a global parameter", "global"),
+    ("a local one", "local"),
+    ("an answer", "answer"),
+    ("an answer of the protocol", "protocol"),
+    ("none within the time limit", "time-limit"),
+    ("a line without an end, in bytes: ", "endless"),
+    ("it ended: ", "ended"),
+];
+
 /// The word for what is missing.
 pub(super) fn nothing() -> String {
     NOTHING.to_owned()
