@@ -46,6 +46,9 @@
   index.sentences.forEach((own, page) => own.forEach(([, text], sentence) => add(page, sentence, text)));
   const forms = [...numbers.keys()];
 
+  // Whether words that are only like those typed are looked for as well, since nothing else was found.
+  let loose = false;
+
   // The numbers that a word leads to, with how well they fit.
   const fitting = (word) => {
     const found = new Map();
@@ -57,8 +60,8 @@
       if (form.startsWith(word)) note(numbers.get(form), 0.7);
       else if (inner.length > 3 && form.includes(inner)) note(numbers.get(form), 0.5);
     }
-    if (found.size > 0) return found;
-    let best = Math.max(3, Math.ceil(word.length * 0.6));
+    if (found.size > 0 && !loose) return found;
+    let best = Math.max(3, Math.ceil(word.length * 0.4));
     let near = [];
     for (const form of forms) {
       let shared = 0;
@@ -67,9 +70,9 @@
       if (shared === best) near.push(form);
     }
     for (const form of near) note(numbers.get(form), 0.3);
-    // A word such as a compound of which only the end is known.
-    if (near.length === 0 && word.length > 6) {
-      for (const form of forms) if (form.length > 4 && word.endsWith(form)) note(numbers.get(form), 0.2);
+    // A word of which only the inner part is known, such as one with another prefix.
+    if (loose || near.length === 0 || best < word.length * 0.6) {
+      for (const form of forms) if (form.length > 4 && word.includes(form.slice(0, 5))) note(numbers.get(form), 0.2);
     }
     return found;
   };
@@ -185,7 +188,12 @@
   const run = () => {
     asked = wordsOf(input.value);
     list.replaceChildren();
+    loose = false;
     hits = asked.length === 0 ? [] : search(asked);
+    if (asked.length > 0 && hits.length === 0) {
+      loose = true;
+      hits = search(asked);
+    }
     status.textContent = asked.length === 0 ? "" : hits.length === 0 ? status.dataset.none : `${status.dataset.found} ${hits.length}`;
     show(0);
     const address = new URL(location.href);

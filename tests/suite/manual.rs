@@ -341,6 +341,39 @@ fn every_place_of_the_search_exists_on_every_control_that_it_names() {
 }
 
 #[test]
+fn a_topic_is_cut_to_its_control_alike_in_all_languages() {
+    let site = whole_site();
+    let shape = |path: &str| -> Vec<String> {
+        let elements = html::read(&String::from_utf8_lossy(&site[path])).elements;
+        let shown = |name: &String| ["h2", "h3", "p", "li", "tr", "td", "pre"].contains(&name.as_str());
+        elements.into_iter().filter(shown).collect()
+    };
+    let topics: Vec<&str> = pages(site).map(|(path, _)| path).filter(|path| path.contains("/en/topic-")).collect();
+    assert!(topics.len() > 60, "{}", topics.len());
+    for path in topics {
+        for tag in ["fi", "it", "pt", "sl"] {
+            assert_eq!(shape(path), shape(&path.replace("/en/", &format!("/{tag}/"))), "{path} in {tag}");
+        }
+    }
+    let page = |name: &str| String::from_utf8_lossy(&site[name]).into_owned();
+    // The soft keys and machine parameters of one control are not on the pages of another.
+    assert!(!page("tnc426-430/en/topic-calibration-basics.html").contains("CALIBRATE TS"));
+    assert!(!page("tnc640/en/topic-calibration-basics.html").contains("MP7411"));
+    assert!(page("tnc640/en/topic-calibration-basics.html").contains("CALIBRATE TS"));
+}
+
+#[test]
+fn sentences_lead_to_the_cycles_and_terms_that_they_mention() {
+    let page = |name: &str| String::from_utf8_lossy(&whole_site()[name]).into_owned();
+    // A number after the word for a cycle, a Q parameter of the cycle, a term in an inflected form.
+    assert!(page("tnc640/fi/cycl-def-22.html").contains("<a href=\"cycl-def-21.html\">21</a>"));
+    assert!(page("tnc640/sl/cycl-def-200.html").contains("<a href=\"#Q206\">Q206</a>"));
+    assert!(page("tnc640/sl/cycl-def-200.html").contains("<a href=\"glossary.html#term-set-up-clearance\">varnostn"));
+    // A number that is not one of a cycle.
+    assert!(!page("tnc640/en/tch-probe-451.html").contains("cycl-def-4.html"));
+}
+
+#[test]
 fn the_address_of_the_site_gives_canonical_addresses_and_a_sitemap() {
     let files = small();
     let site = build_at(&files, &[], Some("https://example.org/manual")).expect("the small site is whole");
@@ -363,8 +396,9 @@ fn a_comparison_marks_only_what_differs_in_effect() {
     };
     // Only one of the manuals prints a range, and the examples differ.
     assert!(!row("Q321").contains("differs"), "{}", row("Q321"));
-    // One of the controls does not have it.
+    // One of the controls does not have it, and one moves on an arc with the same value.
     assert!(row("Q303").contains("differs"), "{}", row("Q303"));
+    assert!(row("Q301").contains("choices differs"), "{}", row("Q301"));
 }
 
 #[test]

@@ -114,7 +114,6 @@ fn differences(cells: &[Option<ParameterView>]) -> Vec<&'static str> {
     let differ = |own: &dyn Fn(&ParameterView, &ParameterView) -> bool| {
         there.iter().enumerate().any(|(at, one)| there[..at].iter().any(|other| own(one, other)))
     };
-    let values = |view: &ParameterView| view.choices.iter().map(|choice| choice.value.clone()).collect::<Vec<_>>();
     let range = |one: &ParameterView, other: &ParameterView| {
         one.range.as_ref().zip(other.range.as_ref()).is_some_and(|(one, other)| one != other)
     };
@@ -123,7 +122,7 @@ fn differences(cells: &[Option<ParameterView>]) -> Vec<&'static str> {
         ("reference", differ(&|one, other| one.reference != other.reference)),
         ("range", differ(&range)),
         ("words", differ(&|one, other| one.words != other.words)),
-        ("choices", differ(&|one, other| values(one) != values(other))),
+        ("choices", differ(&|one, other| one.choices != other.choices)),
         ("condition", differ(&|one, other| one.effective.is_some() != other.effective.is_some())),
     ];
     found.into_iter().filter(|(_, differs)| *differs).map(|(name, _)| name).collect()

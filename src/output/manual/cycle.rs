@@ -9,7 +9,7 @@ use super::view::{
     CheckView, ChoiceView, CycleView, ExampleView, Html, LinkView, ParameterTable, ParameterView, ResultView, RunView,
     StepView, TableView,
 };
-use super::{Site, highlight, inline, overview, page};
+use super::{Site, highlight, inline, page};
 use crate::base::diag::Diagnostic;
 use crate::language::label;
 use crate::language::locale::Args;
@@ -20,7 +20,7 @@ pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, 
     let Some(entry) = section.entries.get(at) else { return Ok(String::new()) };
     let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
     let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
-    let group = overview::group_title(section, entry.cycle.file.group)?;
+    let group = section.group_title(entry.cycle.file.group)?;
     let linker = Linker::new(section, Some(entry.cycle), Shown::Here);
     let maker = Maker { text: &text, section, site, linker: &linker };
     let (mut view, mut faults) = maker.cycle(&entry.name, group);
@@ -207,9 +207,11 @@ impl Maker<'_, '_> {
     /// What may be entered: choices that the range does not contain, the range, words.
     fn input(&self, param: &Param) -> Vec<String> {
         let range = self.text.plain_range(param);
+        // A choice such as `>0` is within any range.
         let within = |value: &str| {
-            let value = value.parse::<f64>().unwrap_or(f64::NAN);
-            param.min.is_none_or(|min| value >= min) && param.max.is_none_or(|max| value <= max)
+            value.parse::<f64>().map_or(true, |value| {
+                param.min.is_none_or(|min| value >= min) && param.max.is_none_or(|max| value <= max)
+            })
         };
         let bounded = param.min.is_some() || param.max.is_some();
         let beside =

@@ -1,7 +1,7 @@
 //! NC blocks with their parts marked: block numbers, what a block is, Q parameters, texts, comments.
 //!
 //! Invariant: the characters of the program are not changed; a Q parameter leads to its row on the same page.
-use super::inline::escape;
+use super::escape::escape;
 use crate::base::diag::{Source, Span};
 use crate::program::syntax::{self, Block, BlockKind};
 
@@ -120,9 +120,9 @@ mod tests {
 
     #[test]
     fn parts_are_marked_and_the_text_stays() {
-        let text = "6 CYCL DEF 225 ENGRAVING\n    QS500=\"A;<B\" ;TEXT\n    Q513=+10\n";
+        let text = "6 CYCL DEF 901 ENGRAVING\n    QS500=\"A;<B\" ;TEXT\n    Q513=+10\n";
         let shown = html(text, &|q| q == "Q513");
-        let expected = "<span class=\"b\">6</span> <span class=\"k\">CYCL DEF 225</span> ENGRAVING\n    \
+        let expected = "<span class=\"b\">6</span> <span class=\"k\">CYCL DEF 901</span> ENGRAVING\n    \
                         <span class=\"q\">QS500</span>=<span class=\"t\">&quot;A;&lt;B&quot;</span> \
                         <span class=\"c\">;TEXT</span>\n    <a class=\"q\" href=\"#Q513\">Q513</a>=+10\n";
         assert_eq!(shown, expected);

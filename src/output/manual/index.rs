@@ -47,9 +47,10 @@ pub(super) fn page(site: &Site) -> Result<String, Vec<Diagnostic>> {
 pub(super) fn missing(site: &Site) -> Result<String, Vec<Diagnostic>> {
     let own = source_section(site)?;
     // A server shows it at any address, so its links are whole where the address of the site is known.
+    let title = MISSING.trim_end_matches(".html").to_owned();
     let root = site.base_url.clone().unwrap_or_default();
     let view = context! {
-        page => Value::from(Serde(&PageView { root, canonical: None, ..frame(site, own, "404".to_owned(), MISSING) })),
+        page => Value::from(Serde(&PageView { root, canonical: None, ..frame(site, own, title, MISSING) })),
         words => own.words.clone(),
         invitations => Value::from(Serde(&invitations(site)?)),
     };

@@ -4,6 +4,7 @@
 //! character of it; a link leads to a page that exists or is plain text.
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
+use super::escape::escape;
 use super::links::Linker;
 use super::section::link_target;
 
@@ -54,21 +55,4 @@ fn element(name: &str, text: &str, out: &mut String) {
     out.push_str("</");
     out.push_str(name);
     out.push('>');
-}
-
-/// Appends the text with the characters replaced that mean something in HTML.
-pub(super) fn escape(text: &str, out: &mut String) {
-    let mut rest = text;
-    while let Some(at) = rest.find(['&', '<', '>', '"']) {
-        let (before, after) = rest.split_at(at);
-        out.push_str(before);
-        out.push_str(match after.as_bytes().first() {
-            Some(b'&') => "&amp;",
-            Some(b'<') => "&lt;",
-            Some(b'>') => "&gt;",
-            _ => "&quot;",
-        });
-        rest = &after[1..];
-    }
-    out.push_str(rest);
 }

@@ -5,9 +5,8 @@
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 
-use super::inline::escape;
-use super::lists::{GLOSSARY, PARAMETERS};
-use super::section::{Section, TERM, file_of};
+use super::escape::escape;
+use super::section::{GLOSSARY, PARAMETERS, Section, TERM, file_of};
 use super::stem::Stems;
 use crate::base::expr::QRef;
 use crate::language::locale::{Language, Scope};

@@ -7,19 +7,15 @@ use serde::Serialize;
 
 use super::links::Linker;
 use super::page::{Here, link};
-use super::section::{Entry, Section, TERM};
+use super::section::{Entry, GLOSSARY, PARAMETERS, Section, TERM};
 use super::view::{LetterView, LinkView, QView, TermView, UseView};
 use super::{Site, inline};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::{Args, Scope};
 use crate::language::text::with_texts;
 
-/// The file of the list by Q parameter.
-pub(super) const PARAMETERS: &str = "parameters.html";
 /// The file of the index.
 pub(super) const KEYWORDS: &str = "keywords.html";
-/// The file of the glossary.
-pub(super) const GLOSSARY: &str = "glossary.html";
 
 /// A parameter of a cycle with its name.
 struct Used<'s, 'a> {

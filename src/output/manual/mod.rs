@@ -5,7 +5,9 @@
 //! Invariant: a pure function from specifications, locales and templates to paths and bytes; the
 //! same input gives the same bytes, whatever thread makes a page. Who writes files is not known here.
 mod compare;
+mod cut;
 mod cycle;
+mod escape;
 mod highlight;
 mod index;
 mod inline;
@@ -113,10 +115,12 @@ impl<'a> Site<'a> {
         let templates = environment(request.files).map_err(|found| vec![found])?;
         let pairs = pairs(request)?;
         let source = request.locales.source();
+        let controls = request.catalogue.controls.values();
+        let all: BTreeMap<&str, &str> = controls.map(|on| (on.id(), on.control.title.as_str())).collect();
         let made = Mutex::new(Vec::new());
         let faults = in_parallel(pairs.len(), &|at| {
             let Some((on, language)) = pairs.get(at) else { return Ok(()) };
-            let section = Section::new(&request.catalogue.topics, on, language, source)?;
+            let section = Section::new(&request.catalogue.topics, on, language, source, &all)?;
             lock(&made).push((at, section));
             Ok(())
         });
@@ -239,7 +243,7 @@ impl<'a> Site<'a> {
             }
             Job::Parameters(at) => {
                 let section = &self.sections[at];
-                put(&section.path(lists::PARAMETERS), lists::parameters(self, section)?.as_bytes())
+                put(&section.path(section::PARAMETERS), lists::parameters(self, section)?.as_bytes())
             }
             Job::Keywords(at) => {
                 let section = &self.sections[at];
@@ -248,7 +252,7 @@ impl<'a> Site<'a> {
             Job::Glossary(at) => {
                 let section = &self.sections[at];
                 for (order, term) in lists::terms(section)?.into_iter().enumerate() {
-                    let file = format!("{}#{}", lists::GLOSSARY, term.id);
+                    let file = format!("{}#{}", section::GLOSSARY, term.id);
                     let sentences = search::sentences(&format!("<main><p>{}</p></main>", term.definition));
                     collect(
                         at,
@@ -256,7 +260,7 @@ impl<'a> Site<'a> {
                         Found { file, title: term.term, sentences },
                     );
                 }
-                put(&section.path(lists::GLOSSARY), lists::glossary(self, section)?.as_bytes())
+                put(&section.path(section::GLOSSARY), lists::glossary(self, section)?.as_bytes())
             }
             Job::Notes(at) => {
                 let section = &self.sections[at];

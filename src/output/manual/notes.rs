@@ -13,7 +13,7 @@ use super::view::{NoteSectionView, NotesView, ThemeNoteView, ThemeView, TopicLin
 use crate::base::diag::Diagnostic;
 use crate::language::locale::Args;
 use crate::language::text::{CycleText, Vocabulary};
-use crate::spec::{Note, NoteKind, NoteSection, Pages, Theme};
+use crate::spec::{Name, Note, NoteKind, NoteSection, Pages, Theme};
 
 /// The file of the notes for many cycles.
 pub(super) const PAGE: &str = "notes.html";
@@ -86,9 +86,11 @@ fn title(theme: &Theme) -> String {
 
 /// The page of the notes for many cycles; each text once, with the cycles that it holds for.
 pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnostic>> {
+    let themes: &[Theme] = site.catalogue.pages.as_ref().map_or(&[], |pages| &pages.themes);
+    let mut said = said(site, section, themes)?;
     let mut views = Vec::new();
-    for theme in site.catalogue.pages.iter().flat_map(|pages| &pages.themes) {
-        let notes = of_theme(site, section, theme)?;
+    for (at, theme) in themes.iter().enumerate() {
+        let notes: Vec<ThemeNoteView> = said.extract_if(.., |own| own.theme == at).map(|own| own.view).collect();
         if notes.is_empty() {
             continue;
         }
@@ -111,29 +113,50 @@ pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnos
     site.render("notes.html", context)
 }
 
-/// The notes of a theme that cycles of this control have.
-fn of_theme(site: &Site, section: &Section, theme: &Theme) -> Result<Vec<ThemeNoteView>, Vec<Diagnostic>> {
-    let mut notes: Vec<(String, ThemeNoteView)> = Vec::new();
-    for name in &theme.notes {
-        for entry in &section.entries {
-            let Some(note) = entry.cycle.file.notes.iter().find(|own| own.note == *name) else { continue };
-            let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
-            let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
-            let own = text.note(note).into_owned();
-            let linker = Linker::new(section, Some(entry.cycle), Shown::Elsewhere);
-            let html = Maker { text: &text, section, site, linker: &linker }.html(&own);
-            let faults = text.faults();
-            if !faults.is_empty() {
-                return Err(faults);
+/// A note of a theme as some cycles have it.
+struct Said {
+    /// The number of the theme and that of the note in it.
+    theme: usize,
+    note: usize,
+    text: String,
+    view: ThemeNoteView,
+}
+
+/// The notes of the themes that cycles of this control have, in the order of the themes.
+fn said(site: &Site, section: &Section, themes: &[Theme]) -> Result<Vec<Said>, Vec<Diagnostic>> {
+    let place_of = |name: &Name| {
+        let places = themes.iter().enumerate();
+        places.filter_map(|(at, theme)| Some((at, theme.notes.iter().position(|own| own == name)?))).next()
+    };
+    let mut all: Vec<Said> = Vec::new();
+    for entry in &section.entries {
+        let listed = entry.cycle.file.notes.iter().filter_map(|note| Some((note, place_of(&note.note)?)));
+        let listed: Vec<_> = listed.collect();
+        if listed.is_empty() {
+            continue;
+        }
+        let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
+        let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
+        let linker = Linker::new(section, Some(entry.cycle), Shown::Elsewhere);
+        let maker = Maker { text: &text, section, site, linker: &linker };
+        for (own, (theme, note)) in listed {
+            let words = text.note(own).into_owned();
+            let kind = own.kind.as_str();
+            let same = |known: &&mut Said| {
+                (known.theme, known.note, known.view.kind) == (theme, note, kind) && known.text == words
+            };
+            if let Some(known) = all.iter_mut().find(same) {
+                known.view.cycles.push(link(entry));
+                continue;
             }
-            match notes.iter_mut().find(|(known, view)| *known == own && view.kind == note.kind.as_str()) {
-                Some((_, view)) => view.cycles.push(link(entry)),
-                None => {
-                    let view = ThemeNoteView { kind: note.kind.as_str(), text: html, cycles: vec![link(entry)] };
-                    notes.push((own, view));
-                }
-            }
+            let view = ThemeNoteView { kind, text: maker.html(&words), cycles: vec![link(entry)] };
+            all.push(Said { theme, note, text: words, view });
+        }
+        let faults = text.faults();
+        if !faults.is_empty() {
+            return Err(faults);
         }
     }
-    Ok(notes.into_iter().map(|(_, view)| view).collect())
+    all.sort_by_key(|own| (own.theme, own.note));
+    Ok(all)
 }

@@ -35,7 +35,7 @@ fn groups(section: &Section) -> Result<Vec<GroupView>, Vec<Diagnostic>> {
         });
         let cycles: Vec<LinkView> = members.map(link).collect();
         if !cycles.is_empty() {
-            let title = group_title(section, *group)?;
+            let title = section.group_title(*group)?;
             groups.push(GroupView { id: group.as_str(), title, cycles });
         }
     }
@@ -63,9 +63,4 @@ fn named(site: &Site, section: &Section) -> Vec<LinkView> {
     let mut named: Vec<LinkView> = control.named.iter().filter(only).map(entry).collect();
     named.sort_by(|a, b| a.key.split(' ').next().cmp(&b.key.split(' ').next()).then(a.number.cmp(&b.number)));
     named
-}
-
-/// The title of a group.
-pub(super) fn group_title(section: &Section, group: Group) -> Result<String, Vec<Diagnostic>> {
-    Ok(section.text(&format!("cycle-group-{}", group.as_str()), &Args::new())?.into_owned())
 }

@@ -1,7 +1,7 @@
 //! What every page has: title, switches of language and control, neighbours.
+use super::Site;
 use super::section::{Entry, OVERVIEW, Section};
 use super::view::{Html, LinkView, PageView, SwitchView, TrailView};
-use super::{Site, overview};
 use crate::base::diag::{Diagnostic, Source};
 use crate::check::Against;
 use crate::language::locale::{Args, Scope};
@@ -135,7 +135,7 @@ impl Site<'_> {
                 let group = entry.cycle.file.group;
                 vec![
                     step(to_overview(""), control),
-                    step(to_overview(&format!("#group-{}", group.as_str())), overview::group_title(section, group)?),
+                    step(to_overview(&format!("#group-{}", group.as_str())), section.group_title(group)?),
                     step(None, entry.cycle.key.to_string()),
                 ]
             }

@@ -116,15 +116,15 @@ fn stems(language: &Language, pages: &[(&str, &str, u32)], sentences: &[Vec<(&st
 pub(super) fn sentences(html: &str) -> Vec<(String, String)> {
     let inside =
         html.split_once("<main").and_then(|(_, rest)| rest.split_once("</main>")).map_or(html, |(main, _)| main);
+    let inside = inside.split_once('>').map_or("", |(_, rest)| rest);
     let mut reader = Reader::default();
-    let mut rest = inside.split_once('>').map_or("", |(_, rest)| rest);
-    while let Some((text, after)) = rest.split_once('<') {
-        reader.text(text);
-        let Some((tag, after)) = after.split_once('>') else { break };
-        reader.tag(tag);
-        rest = after;
+    // What only names the cycle and other pages is found there.
+    let inside = inside.split_once("<section id=\"see-also\"").map_or(inside, |(before, _)| before);
+    let facts = inside.split_once("<section class=\"facts\"");
+    let after = facts.and_then(|(_, facts)| facts.split_once("</section>")).map_or("", |(_, after)| after);
+    for part in [facts.map_or(inside, |(before, _)| before), after] {
+        reader.read(part);
     }
-    reader.end();
     reader.found
 }
 
@@ -139,10 +139,21 @@ struct Reader {
     in_row: bool,
 }
 
-/// Elements whose text is on other pages, or is a program.
-const SKIPPED: [&str; 4] = ["nav", "pre", "thead", "svg"];
+/// Elements whose text is on other pages or a title, or is a program.
+const SKIPPED: [&str; 5] = ["nav", "pre", "thead", "svg", "h1"];
 
 impl Reader {
+    fn read(&mut self, html: &str) {
+        let mut rest = html;
+        while let Some((text, after)) = rest.split_once('<') {
+            self.text(text);
+            let Some((tag, after)) = after.split_once('>') else { break };
+            self.tag(tag);
+            rest = after;
+        }
+        self.end();
+    }
+
     fn text(&mut self, text: &str) {
         if self.skipped == 0 {
             self.text.push_str(text);

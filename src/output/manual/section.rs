@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use minijinja::Value;
 use minijinja::value::Serde;
 
+use super::cut;
 use super::links::Targets;
 use crate::base::diag::{Diagnostic, Place};
 use crate::language::locale::{Args, Language, LocaleError, Scope};
@@ -50,10 +51,14 @@ pub(super) struct TopicPage<'a> {
     pub(super) groups: &'a [Group],
     /// The tables that it explains.
     pub(super) tables: &'a [Name],
-    /// What is below the title, in Markdown.
-    pub(super) body: &'a str,
+    /// What is below the title, in Markdown: that of this control.
+    pub(super) body: String,
 }
 
+/// The file of the list by Q parameter.
+pub(super) const PARAMETERS: &str = "parameters.html";
+/// The file of the glossary.
+pub(super) const GLOSSARY: &str = "glossary.html";
 /// The file of the overview.
 pub(super) const OVERVIEW: &str = "index.html";
 
@@ -61,11 +66,13 @@ pub(super) const OVERVIEW: &str = "index.html";
 pub(super) const TERM: &str = "term-";
 
 impl<'a> Section<'a> {
+    /// The words, contents and links of a control in a language; `all` are the printed names of all controls by their ids.
     pub(super) fn new(
         topics: &'a [Topic],
         on: &'a OnControl,
         language: &'a Language,
         source: Option<&'a Language>,
+        all: &BTreeMap<&str, &str>,
     ) -> Result<Self, Vec<Diagnostic>> {
         let mut faults = Vec::new();
         let words = words(language, source, &mut faults);
@@ -81,7 +88,7 @@ impl<'a> Section<'a> {
         let covered: Vec<&Topic> = topics.iter().filter(covers).collect();
         let mut topics = Vec::new();
         for topic in &covered {
-            match topic_page(topic, language) {
+            match topic_page(topic, on, all, language) {
                 Ok(page) => topics.push(page),
                 Err(fault) => faults.push(fault),
             }
@@ -108,6 +115,11 @@ impl<'a> Section<'a> {
         self.by_key.get(&key).and_then(|at| self.entries.get(*at))
     }
 
+    /// The title of a group.
+    pub(super) fn group_title(&self, group: Group) -> Result<String, Vec<Diagnostic>> {
+        Ok(self.text(&format!("cycle-group-{}", group.as_str()), &Args::new())?.into_owned())
+    }
+
     /// A text with arguments that belongs to no cycle.
     pub(super) fn text(&self, key: &str, args: &Args) -> Result<Cow<'_, str>, Vec<Diagnostic>> {
         self.language.text(key, &Scope::control(self.on.id()), args).map_err(|error| vec![error.into()])
@@ -115,7 +127,12 @@ impl<'a> Section<'a> {
 }
 
 /// The page of a topic: its first line is the title.
-fn topic_page<'a>(topic: &'a Topic, language: &'a Language) -> Result<TopicPage<'a>, Diagnostic> {
+fn topic_page<'a>(
+    topic: &'a Topic,
+    on: &OnControl,
+    all: &BTreeMap<&str, &str>,
+    language: &'a Language,
+) -> Result<TopicPage<'a>, Diagnostic> {
     let id = topic.topic.as_str();
     let lacking = |code, place| Diagnostic::error(code, place).arg("topic", id).arg("language", language.tag());
     let Some(page) = language.topic(id) else {
@@ -126,7 +143,20 @@ fn topic_page<'a>(topic: &'a Topic, language: &'a Language) -> Result<TopicPage<
         return Err(lacking("manual-topic-title", Place::new(page, 0..first.len())));
     };
     let file = format!("topic-{id}.html");
-    Ok(TopicPage { id, title: title.to_owned(), file, groups: &topic.groups, tables: &topic.tables, body })
+    let titles = |own: bool| {
+        let covered =
+            topic.controls.iter().map(|covered| covered.control.as_str()).filter(move |id| (*id == on.id()) == own);
+        covered.filter_map(|id| all.get(id)).flat_map(|title| cut::names(title)).collect()
+    };
+    let names = cut::Names { own: titles(true), others: titles(false) };
+    Ok(TopicPage {
+        id,
+        title: title.to_owned(),
+        file,
+        groups: &topic.groups,
+        tables: &topic.tables,
+        body: cut::cut(body, &names),
+    })
 }
 
 fn of_cycle(error: LocaleError, cycle: &Cycle) -> Diagnostic {

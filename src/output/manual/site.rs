@@ -3,7 +3,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use minijinja::Environment;
 
-use super::inline;
+use super::escape::escape;
 use super::section::Section;
 use crate::base::diag::Diagnostic;
 use crate::check::LabelBook;
@@ -47,8 +47,8 @@ impl Site<'_> {
         );
         for page in pages {
             xml.push_str("<url><loc>");
-            inline::escape(base, &mut xml);
-            inline::escape(page, &mut xml);
+            escape(base, &mut xml);
+            escape(page, &mut xml);
             xml.push_str("</loc></url>\n");
         }
         xml.push_str("</urlset>\n");

@@ -21,7 +21,7 @@ pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, 
     let args = Args::new().text("title", topic.title.as_str()).text("control", section.on.control.title.as_str());
     let title = section.text("page-topic-title", &args)?.into_owned();
     let frame = site.frame(section, title, Here::Topic(topic.id))?;
-    let view = TopicView { title: topic.title.clone(), body: Value::from_safe_string(body(topic.body, section)) };
+    let view = TopicView { title: topic.title.clone(), body: Value::from_safe_string(body(&topic.body, section)) };
     let context = context! {
         page => Value::from(Serde(&frame)),
         words => section.words.clone(),
