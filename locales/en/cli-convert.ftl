@@ -19,7 +19,7 @@ cli-examples-convert =
 diag-convert-one-file = Several programs are only rewritten with --in-place.
 diag-convert-iso-stays = “{ $found }” would change, and its new form cannot be written in DIN/ISO; the block stays as it was.
 diag-convert-iso-unread = Klartext has no equivalent of “{ $found }”; the block stays as it was and is not looked at.
-diag-convert-cycle-lacking = { $control } does not have { $cycle }; the definition stays as it is.
+diag-convert-cycle-not-on-control = { $control } does not have { $cycle }; the definition stays as it is.
 diag-convert-cycle-not-described = The manual of { $control } names { $cycle } but does not describe it: its parameters stay as they are.
 diag-convert-cycle-not-covered = The manuals of { $control } that are known here do not treat cycles such as { $cycle }: the definition stays as it is.
 diag-convert-parameter-added =
@@ -35,8 +35,8 @@ diag-convert-parameter-dropped =
 diag-convert-parameter-renamed = { $parameter } of { $cycle } becomes { $new } on { $control }.
 diag-convert-no-value = { $cycle } needs { $parameter } on { $control }, and nothing says which value does the same.
 diag-convert-value-refused = { $parameter } = { $value } of { $cycle } is not accepted on { $control }; the value stays.
-diag-convert-value-means-else = { $parameter } = { $value } of { $cycle } means something else on { $control }.
-diag-convert-field-lacking = The field { $parameter } of { $cycle } does not exist on { $control }; the definition stays as it is.
+diag-convert-value-differs-in-meaning = { $parameter } = { $value } of { $cycle } means something else on { $control }.
+diag-convert-field-not-on-control = The field { $parameter } of { $cycle } does not exist on { $control }; the definition stays as it is.
 diag-convert-form = { $cycle } becomes { $new }.
 diag-convert-form-stays = { $cycle } stays in its form: there are comments or other blocks between its lines.
 diag-convert-not-line-by-line = { $cycle } stays as it is: its parameters are not on lines of their own.

@@ -9,5 +9,5 @@ diag-iso-no-equivalent = DIN/ISO has no equivalent of “{ $found }”; the bloc
 diag-iso-no-code = No manual prints a DIN/ISO code of { $found }; the block is left as a comment.
 diag-klartext-no-equivalent = Klartext has no equivalent of “{ $found }”; the block is left as a comment.
 diag-iso-unknown-code = No manual prints a cycle or a function with the code { $found }.
-diag-iso-word-not-taken = Nothing in this block takes { $found }.
+diag-iso-word-not-allowed = Nothing in this block takes { $found }.
 diag-iso-no-direction = { $found }: G05 goes on in the direction of the circle before it, and there is none.

@@ -29,6 +29,7 @@ cli-check = Check programs for one control
 cli-check-lang = Language of the programs' labels (default: found out from them)
 cli-explain = Say what the code of a finding means
 cli-explain-code = The code; without it, all codes are listed
+cli-explain-renamed = The code “{ $old }” is now called “{ $code }”.
 cli-translate = Write a program with the names and labels of another language; nothing else changes
 cli-translate-to = Language of the names and labels
 cli-translate-control = Control of the program (default: the one whose cycles it has)
@@ -250,13 +251,13 @@ diag-engine-start = The engine “{ $path }” cannot be started: { $reason ->
         [permission] permission is denied
        *[other] { $detail }
     }.
-diag-engine-silent = The engine did not answer { $silent } cases in a row and is not asked further: { $left ->
+diag-engine-not-responding = The engine did not answer { $silent } cases in a row and is not asked further: { $left ->
         [one] { $left } case is left out.
        *[other] { $left } cases are left out.
     }
 diag-io-foreign-directory = { $path } has files that ciklo did not write, so it is not replaced. Choose an empty or a new directory.
 diag-not-an-address = “{ $url }” is not an address that begins with https:// or http://.
-diag-data-lacks = { $path } lacks the directory { $name }.
+diag-data-directory-missing = { $path } lacks the directory { $name }.
 diag-no-data = { $path } has none of the directories cycle-specs, locales and templates.
 diag-data-encoding = { $path } is not UTF-8.
 diag-unknown-code = There is no code “{ $code }”; “ciklo explain” lists them all.

@@ -17,7 +17,7 @@ diag-arc-wrong =
        *[centre] its start is { $first } from the centre, its end { $second }
     }.
 diag-axis-twice = Axis { $axis } is programmed twice in this block.
-diag-behind-end = Blocks after END PGM are not executed.
+diag-blocks-after-end = Blocks after END PGM are not executed.
 diag-blank-wrong =
     { $what ->
         [again] The blank has a BLK FORM 0.1 before it already.
@@ -54,7 +54,7 @@ diag-contour-undeclared =
         [twice] { $contour } is declared before already.
        *[nothing] The formula reads { $contour }, which nothing names before it.
     }
-diag-contour-unnamed =
+diag-contour-not-selected =
     { $cycle } is called here, but no contour has been named before.
 diag-contour-wrong =
     { $cycle } cannot machine the contour like this: { $what ->
@@ -82,7 +82,7 @@ diag-corner-wrong =
        *[long] it takes more than the shorter line has, { $least }
     }.
 diag-cutting-without-tool = The tool moves at feed rate before any tool call.
-diag-cycle-line-alone = The line { $line } has no line { $head } before it.
+diag-cycle-line-zero-missing = The line { $line } has no line { $head } before it.
 diag-cycle-line-empty = Line { $line } of { $cycle } is empty.
 diag-cycle-line-missing = The line { $missing } is missing before { $line }.
 diag-cycle-line-twice = Line { $line } is given twice in this definition.
@@ -97,7 +97,7 @@ diag-cycle-not-described =
        *[other] { $cycle } ({ $name }) is named by the manuals and not described: it is measured by the manual of the { $other }.
     }
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
-diag-cycle-of-tool-before = { $cycle } was defined for the tool before and has machined with it.
+diag-cycle-of-previous-tool = { $cycle } was defined for the tool before and has machined with it.
 diag-datum-table-late = The preceding datum shift took its row from another table: program SEL TABLE before it.
 diag-defined-but-never-called = { $cycle } is defined here and never called.
 diag-digitizing-wrong =
@@ -107,7 +107,7 @@ diag-digitizing-wrong =
         [missing] { $cycle } digitizes, but no range has been defined before.
        *[combined] { $cycle } cannot be combined with { $range }, which defines the range here.
     }
-diag-direction-unsaid = This arc does not say which way round it goes: DR+ or DR− is missing.
+diag-arc-direction-missing = This arc does not say which way round it goes: DR+ or DR− is missing.
 diag-doubtful-value =
     { $parameter }={ $value } is hardly meant in { $cycle }: { $is ->
         [zero] the value is 0
@@ -119,7 +119,7 @@ diag-empty-word = This { $word } has no value and does nothing.
 diag-feed-negative = The feed is negative here.
 diag-feed-zero = The feed is zero here.
 diag-field-word-missing = The value has no word; the control shows it with one: { $shown }.
-diag-frame-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
+diag-begin-end-mismatch = END PGM says { $end }, BEGIN PGM says { $begin }.
 diag-free-contour-wrong =
     { $what ->
         [label] A free contour cannot begin directly after a label.
@@ -146,7 +146,7 @@ diag-global-def-wrong =
         [twice] { $parameter } is given twice in GLOBAL DEF { $number }.
         [again] GLOBAL DEF { $number } was programmed before, and no cycle has used its values.
         [nothing] { $parameter } is PREDEF in { $value }, and no GLOBAL DEF gives it.
-        [behind] { $parameter } is PREDEF in { $value }, and the GLOBAL DEF that gives it comes only later.
+        [later] { $parameter } is PREDEF in { $value }, and the GLOBAL DEF that gives it comes only later.
        *[value] No cycle takes { $parameter }={ $value }.
     }
 diag-guard = The control objects to these values.
@@ -219,7 +219,7 @@ diag-out-of-range =
         [axes] { $parameter } names too many axes: it may name { $limit }.
        *[above] { $parameter }={ $value } is too great: the greatest value is { $limit }.
     }
-diag-out-of-range-elsewhere =
+diag-out-of-usual-range =
     { $parameter }={ $value } is hardly meant: { $where ->
         [control] the { $control } takes no value { $side ->
                 [below] below
@@ -284,7 +284,7 @@ diag-row-not-in-table =
         [preset] The preset table has no row { $row }.
        *[datum] The datum table has no row { $row }.
     }
-diag-selection-missing = A selected program is called here, but none has been selected.
+diag-program-not-selected = A selected program is called here, but none has been selected.
 diag-speed-missing = The spindle is turned on here, but no speed has been programmed.
 diag-speed-out-of-range =
     { $what ->
@@ -301,7 +301,7 @@ diag-sql-handle-missing =
         [ended] COMMIT or ROLLBACK has ended the transaction with the handle { $handle } before.
        *[missing] No query has given the handle { $handle } before.
     }
-diag-subprogram-end-alone = This LBL 0 ends no subprogram.
+diag-subprogram-end-without-label = This LBL 0 ends no subprogram.
 diag-subprogram-recursive = The subprogram { $label } calls itself here.
 diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: there is no LBL 0 between them.
 diag-subprogram-without-end = The subprogram { $label } comes to the end of the program without LBL 0.
@@ -332,12 +332,12 @@ diag-tool-definition-wrong =
     { $what ->
         [zero] Tool 0 is no tool and cannot be defined.
         [twice] Tool { $tool } is defined with other measures before already.
-       *[behind] Tool { $tool } is defined here, and has been called before.
+       *[after-call] Tool { $tool } is defined here, and has been called before.
     }
 diag-tool-feed-missing = The feed of the tool call is taken here, but it has none.
 diag-tool-missing = A cycle moves here, but no tool call has named the tool axis before.
 diag-tool-not-listed = The tool table has no tool { $tool }.
-diag-tool-unfit =
+diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } probes here with the tool that has just machined.
        *[mill] { $cycle } machines here with the tool that has just probed.
@@ -379,7 +379,7 @@ diag-unknown-cycle =
        *[other] { $cycle } ({ $name }) is a cycle of the first controls: it still runs, and its values are not checked.
     }
 diag-unknown-parameter = { $cycle } has no { $parameter } on this control.
-diag-unlike-elsewhere =
+diag-differs-from-other-control =
     { $what ->
         [missing] { $cycle } has { $parameter } on the { $control }, and here it is missing.
         [value] { $parameter }={ $value } in { $cycle } is a value that the { $control } refuses.
@@ -396,7 +396,7 @@ diag-unreachable =
         [label] Nothing leads to this label.
        *[block] The run never comes to this block.
     }
-diag-value-without-sense = The value is { $value } here, which makes no sense.
+diag-meaningless-value = The value is { $value } here, which makes no sense.
 diag-word-missing = This block lacks { $word }.
 diag-word-twice = { $word } is programmed twice in this block.
 diag-word-wrong =

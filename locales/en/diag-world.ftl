@@ -64,7 +64,7 @@ diag-table-doubtful =
         [kind] The first line names a { $found } file, and this is a { $column } file.
         [column] The column { $column } is missing.
         [order] Row { $row } comes after row { $found }.
-        [behind-end] What follows [END] is not read.
+        [after-end] What follows [END] is not read.
         [astride] Row { $row }: the number in column { $column } reaches into column { $found }.
         [empty] Row { $row }: column { $column } is empty.
         [corner] Row { $row }: R2 is greater than R.
@@ -73,7 +73,7 @@ diag-table-doubtful =
         [less] In row { $row }, { $column } is less than { $found }.
        *[value] Row { $row }: “{ $found }” is hardly meant in column { $column }.
     }
-diag-table-value-not-taken = Row { $row }: column { $column } does not take “{ $found }”.
+diag-table-value-not-allowed = Row { $row }: column { $column } does not take “{ $found }”.
 
 diag-stock-extent = The blank is too large: it reaches farther than { $limit } mm from its zero point.
 diag-stock-form = BLK FORM { $word } is not described in the manuals: give the stock in the scene, or a cuboid by BLK FORM 0.1 and 0.2.

@@ -19,7 +19,7 @@ cli-examples-convert =
 diag-convert-one-file = Useita ohjelmia voi kirjoittaa uudelleen vain valitsimella --in-place.
 diag-convert-iso-stays = ”{ $found }” muuttuisi, mutta sen uutta muotoa ei voi kirjoittaa DIN/ISO-kielellä; lause jää ennalleen.
 diag-convert-iso-unread = Klartext-kielessä ei ole vastinetta tälle: ”{ $found }”; lause jää ennalleen eikä sitä tarkasteta.
-diag-convert-cycle-lacking = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; määrittely jää ennalleen.
+diag-convert-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; määrittely jää ennalleen.
 diag-convert-cycle-not-described = Ohjauksen { $control } käsikirja mainitsee työkierron { $cycle }, mutta ei kuvaa sitä: parametrit jäävät ennalleen.
 diag-convert-cycle-not-covered = Ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele sellaisia työkiertoja kuin { $cycle }: määrittely jää ennalleen.
 diag-convert-parameter-added =
@@ -35,8 +35,8 @@ diag-convert-parameter-dropped =
 diag-convert-parameter-renamed = Ohjauksessa { $control } työkierron { $cycle } parametrista { $parameter } tulee { $new }.
 diag-convert-no-value = Työkierto { $cycle } tarvitsee ohjauksessa { $control } parametrin { $parameter }, eikä mikään kerro, millä arvolla toiminta pysyy samana.
 diag-convert-value-refused = Ohjaus { $control } ei hyväksy työkierron { $cycle } arvoa { $parameter } = { $value }; arvo jää ennalleen.
-diag-convert-value-means-else = Työkierron { $cycle } arvo { $parameter } = { $value } tarkoittaa ohjauksessa { $control } muuta.
-diag-convert-field-lacking = Työkierron { $cycle } kenttää { $parameter } ei ole ohjauksessa { $control }; määrittely jää ennalleen.
+diag-convert-value-differs-in-meaning = Työkierron { $cycle } arvo { $parameter } = { $value } tarkoittaa ohjauksessa { $control } muuta.
+diag-convert-field-not-on-control = Työkierron { $cycle } kenttää { $parameter } ei ole ohjauksessa { $control }; määrittely jää ennalleen.
 diag-convert-form = Työkierrosta { $cycle } tulee { $new }.
 diag-convert-form-stays = Työkierron { $cycle } muoto säilyy: sen rivien välissä on kommentteja tai muita lauseita.
 diag-convert-not-line-by-line = Työkierto { $cycle } jää ennalleen: sen parametrit eivät ole omilla riveillään.

@@ -9,5 +9,5 @@ diag-iso-no-equivalent = DIN/ISO-kielessä ei ole vastinetta tälle: ”{ $found
 diag-iso-no-code = Mikään käsikirja ei mainitse DIN/ISO-koodia työkierrolle { $found }; lause jää kommentiksi.
 diag-klartext-no-equivalent = Klartext-kielessä ei ole vastinetta tälle: ”{ $found }”; lause jää kommentiksi.
 diag-iso-unknown-code = Mikään käsikirja ei mainitse työkiertoa tai toimintoa, jonka koodi on { $found }.
-diag-iso-word-not-taken = Mikään tässä lauseessa ei ota sanaa { $found }.
+diag-iso-word-not-allowed = Mikään tässä lauseessa ei ota sanaa { $found }.
 diag-iso-no-direction = { $found }: G05 jatkaa edellisen ympyrän suuntaan, mutta ennen sitä ei ole ympyrää.

@@ -29,6 +29,7 @@ cli-check = Tarkasta ohjelmia yhdelle ohjaukselle
 cli-check-lang = Ohjelmien NC-tekstien kieli (oletus: päätellään niistä)
 cli-explain = Kerro, mitä havainnon koodi tarkoittaa
 cli-explain-code = Koodi; ilman sitä luetellaan kaikki koodit
+cli-explain-renamed = Koodin ”{ $old }” nimi on nyt ”{ $code }”.
 cli-translate = Kirjoita ohjelma toisen kielen nimillä ja NC-teksteillä; muu ei muutu
 cli-translate-to = Nimien ja NC-tekstien kieli
 cli-translate-control = Ohjelman ohjaus (oletus: se, jonka työkiertoja ohjelmassa on)
@@ -222,13 +223,13 @@ diag-engine-start = Suoritusohjelman käynnistäminen ei onnistu: { $path }: { $
         [permission] ei käyttöoikeutta
        *[other] { $detail }
     }.
-diag-engine-silent = Suoritusohjelma ei vastannut { $silent } peräkkäiseen tapaukseen, eikä siltä enää kysytä: { $left ->
+diag-engine-not-responding = Suoritusohjelma ei vastannut { $silent } peräkkäiseen tapaukseen, eikä siltä enää kysytä: { $left ->
         [one] { $left } tapaus jää pois.
        *[other] { $left } tapausta jää pois.
     }
 diag-io-foreign-directory = Hakemistossa { $path } on tiedostoja, joita ciklo ei ole kirjoittanut, joten sitä ei korvata. Valitse tyhjä tai uusi hakemisto.
 diag-not-an-address = ”{ $url }” ei ole osoite, jonka alussa on https:// tai http://.
-diag-data-lacks = Hakemistosta { $path } puuttuu hakemisto { $name }.
+diag-data-directory-missing = Hakemistosta { $path } puuttuu hakemisto { $name }.
 diag-no-data = Hakemistossa { $path } ei ole hakemistoja cycle-specs, locales eikä templates.
 diag-data-encoding = { $path } ei ole UTF-8-muodossa.
 diag-unknown-code = Koodia ”{ $code }” ei ole; ”ciklo explain” luettelee kaikki.

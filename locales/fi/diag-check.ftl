@@ -17,7 +17,7 @@ diag-arc-wrong =
        *[centre] alkupiste on etäisyydellä { $first } keskipisteestä, loppupiste etäisyydellä { $second }
     }.
 diag-axis-twice = Akseli { $axis } on tässä lauseessa kahdesti.
-diag-behind-end = Tässä on lauseita vielä END PGM -lauseen jälkeen.
+diag-blocks-after-end = Tässä on lauseita vielä END PGM -lauseen jälkeen.
 diag-blank-wrong =
     { $what ->
         [again] Aihiolla on jo edellä lause BLK FORM 0.1.
@@ -54,7 +54,7 @@ diag-contour-undeclared =
         [twice] { $contour } on jo määritelty edellä.
        *[nothing] Kaava lukee muodon { $contour }, jota mikään ei nimeä ennen sitä.
     }
-diag-contour-unnamed =
+diag-contour-not-selected =
     { $cycle } kutsutaan tässä, mutta sitä ennen ei ole nimetty muotoa.
 diag-contour-wrong =
     { $cycle } ei voi koneistaa muotoa näin: { $what ->
@@ -82,7 +82,7 @@ diag-corner-wrong =
        *[long] se vie enemmän kuin lyhyemmässä suorassa on, { $least }
     }.
 diag-cutting-without-tool = Työkalu liikkuu tässä syöttöarvolla, mutta ennen sitä ei ole työkalukutsua.
-diag-cycle-line-alone = Rivin { $line } edellä ei ole riviä { $head }.
+diag-cycle-line-zero-missing = Rivin { $line } edellä ei ole riviä { $head }.
 diag-cycle-line-empty = Työkierron { $cycle } rivillä { $line } ei ole mitään.
 diag-cycle-line-missing = Rivin { $line } edeltä puuttuu rivi { $missing }.
 diag-cycle-line-twice = Rivi { $line } on tässä määrittelyssä kahdesti.
@@ -97,7 +97,7 @@ diag-cycle-not-described =
        *[other] Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sitä verrataan ohjauksen { $other } käsikirjaan.
     }
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
-diag-cycle-of-tool-before = Työkierto { $cycle } määriteltiin edelliselle työkalulle, joka on jo työstänyt sillä.
+diag-cycle-of-previous-tool = Työkierto { $cycle } määriteltiin edelliselle työkalulle, joka on jo työstänyt sillä.
 diag-datum-table-late = Edeltävä nollapisteen siirto otti rivinsä toisesta taulukosta: SEL TABLE kuuluu sen edelle.
 diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.
 diag-digitizing-wrong =
@@ -107,7 +107,7 @@ diag-digitizing-wrong =
         [missing] { $cycle } digitoi, mutta sitä ennen ei ole määritelty aluetta.
        *[combined] Työkiertoa { $cycle } ei voi yhdistää työkiertoon { $range }, joka määrittelee tässä alueen.
     }
-diag-direction-unsaid = Kaaren kiertosuuntaa ei ole annettu: DR+ tai DR− puuttuu.
+diag-arc-direction-missing = Kaaren kiertosuuntaa ei ole annettu: DR+ tai DR− puuttuu.
 diag-doubtful-value =
     { $parameter }={ $value } tuskin on tarkoitus työkierrossa { $cycle }: { $is ->
         [zero] arvo on 0
@@ -119,7 +119,7 @@ diag-empty-word = Tässä sanassa { $word } ei ole arvoa, eikä se tee mitään.
 diag-feed-negative = Syöttöarvo on tässä negatiivinen.
 diag-feed-zero = Syöttöarvo on tässä nolla.
 diag-field-word-missing = Arvon edessä ei ole sanaa; ohjaus näyttää sen näin: { $shown }.
-diag-frame-mismatch = END PGM -lauseessa on { $end }, BEGIN PGM -lauseessa { $begin }.
+diag-begin-end-mismatch = END PGM -lauseessa on { $end }, BEGIN PGM -lauseessa { $begin }.
 diag-free-contour-wrong =
     { $what ->
         [label] Vapaa muoto ei voi alkaa heti labelin jäljestä.
@@ -146,7 +146,7 @@ diag-global-def-wrong =
         [twice] { $parameter } on lauseessa GLOBAL DEF { $number } kahdesti.
         [again] GLOBAL DEF { $number } on jo annettu, eikä mikään työkierto ole käyttänyt sen arvoja.
         [nothing] Työkierrossa { $value } parametrilla { $parameter } on PREDEF, mutta mikään GLOBAL DEF ei anna sitä.
-        [behind] Työkierrossa { $value } parametrilla { $parameter } on PREDEF, mutta sen antava GLOBAL DEF on vasta jäljempänä.
+        [later] Työkierrossa { $value } parametrilla { $parameter } on PREDEF, mutta sen antava GLOBAL DEF on vasta jäljempänä.
        *[value] Mikään työkierto ei hyväksy arvoa { $parameter }={ $value }.
     }
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
@@ -219,7 +219,7 @@ diag-out-of-range =
         [axes] { $parameter } nimeää liian monta akselia: niitä saa olla { $limit }.
        *[above] { $parameter }={ $value } on liian suuri: suurin arvo on { $limit }.
     }
-diag-out-of-range-elsewhere =
+diag-out-of-usual-range =
     { $parameter }={ $value } tuskin on tarkoitus: { $where ->
         [control] ohjaus { $control } ei hyväksy siihen arvoa, joka on { $side ->
                 [below] pienempi
@@ -283,7 +283,7 @@ diag-row-not-in-table =
         [preset] Peruspistetaulukossa ei ole riviä { $row }.
        *[datum] Nollapistetaulukossa ei ole riviä { $row }.
     }
-diag-selection-missing = Tässä kutsutaan valittua ohjelmaa, mutta mitään ei ole valittu.
+diag-program-not-selected = Tässä kutsutaan valittua ohjelmaa, mutta mitään ei ole valittu.
 diag-speed-missing = Kara käynnistetään tässä, mutta kierroslukua ei ole ohjelmoitu.
 diag-speed-out-of-range =
     { $what ->
@@ -300,7 +300,7 @@ diag-sql-handle-missing =
         [ended] COMMIT tai ROLLBACK on jo päättänyt tapahtuman, jonka HANDLE on { $handle }.
        *[missing] Mikään kysely ei ole sitä ennen antanut arvoa HANDLE { $handle }.
     }
-diag-subprogram-end-alone = Tämä LBL 0 ei päätä mitään aliohjelmaa.
+diag-subprogram-end-without-label = Tämä LBL 0 ei päätä mitään aliohjelmaa.
 diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
 diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
 diag-subprogram-without-end = Aliohjelma { $label } päätyy ohjelman loppuun ilman LBL 0 -lausetta.
@@ -331,12 +331,12 @@ diag-tool-definition-wrong =
     { $what ->
         [zero] Työkalu 0 tarkoittaa, ettei työkalua ole; sitä ei voi määritellä.
         [twice] Työkalu { $tool } on jo määritelty edellä toisilla mitoilla.
-       *[behind] Työkalu { $tool } määritellään tässä, vaikka se on jo kutsuttu.
+       *[after-call] Työkalu { $tool } määritellään tässä, vaikka se on jo kutsuttu.
     }
 diag-tool-feed-missing = Tässä käytetään työkalukutsun syöttöarvoa, mutta sitä ei ole.
 diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään aiempi työkalukutsu ei ole määritellyt työkaluakselia.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
-diag-tool-unfit =
+diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.
        *[mill] { $cycle } koneistaa tässä työkalulla, jolla on juuri kosketettu.
@@ -378,7 +378,7 @@ diag-unknown-cycle =
        *[other] { $cycle } ({ $name }) on ensimmäisten ohjausten työkierto: se toimii yhä, mutta sen arvoja ei tarkasteta.
     }
 diag-unknown-parameter = Työkierrossa { $cycle } ei ole tässä ohjauksessa parametria { $parameter }.
-diag-unlike-elsewhere =
+diag-differs-from-other-control =
     { $what ->
         [missing] Työkierrossa { $cycle } on ohjauksessa { $control } parametri { $parameter }, joka puuttuu tästä.
         [value] Työkierron { $cycle } arvon { $parameter }={ $value } ohjaus { $control } hylkää.
@@ -395,7 +395,7 @@ diag-unreachable =
         [label] Mikään ei johda tähän labeliin.
        *[block] Suoritus ei koskaan tule tähän lauseeseen.
     }
-diag-value-without-sense = Arvo on tässä { $value }, mikä ei ole mielekäs.
+diag-meaningless-value = Arvo on tässä { $value }, mikä ei ole mielekäs.
 diag-word-missing = Tästä lauseesta puuttuu { $word }.
 diag-word-twice = { $word } on tässä lauseessa kahdesti.
 diag-word-wrong =

@@ -63,7 +63,7 @@ diag-table-doubtful =
         [kind] Ensimmäinen rivi nimeää { $found }-tiedoston, mutta tämä on { $column }-tiedosto.
         [column] Sarake { $column } puuttuu.
         [order] Rivi { $row } on rivin { $found } jäljessä.
-        [behind-end] Rivin [END] jäljessä olevaa ei lueta.
+        [after-end] Rivin [END] jäljessä olevaa ei lueta.
         [astride] Rivi { $row }: sarakkeen { $column } luku ulottuu sarakkeeseen { $found }.
         [empty] Rivi { $row }: sarake { $column } on tyhjä.
         [corner] Rivi { $row }: R2 on suurempi kuin R.
@@ -72,7 +72,7 @@ diag-table-doubtful =
         [less] Rivillä { $row } { $column } on pienempi kuin { $found }.
        *[value] Rivi { $row }: ”{ $found }” tuskin on tarkoitettu sarakkeeseen { $column }.
     }
-diag-table-value-not-taken = Rivi { $row }: sarake { $column } ei hyväksy arvoa ”{ $found }”.
+diag-table-value-not-allowed = Rivi { $row }: sarake { $column } ei hyväksy arvoa ”{ $found }”.
 diag-stock-blank = BLK FORM -lauseen kulmien on oltava lukuja, ja jokaisen minimin on oltava pienempi kuin maksimin.
 diag-stock-extent = Aihio on liian suuri: se ulottuu yli { $limit } mm:n päähän nollapisteestään.
 diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: anna aihio asetelmassa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.

@@ -19,7 +19,7 @@ cli-examples-convert =
 diag-convert-one-file = Più programmi vengono riscritti solo con --in-place.
 diag-convert-iso-stays = «{ $found }» cambierebbe, ma la nuova forma non si può scrivere in DIN/ISO; il blocco resta com’era.
 diag-convert-iso-unread = In Klartext non c’è equivalente di «{ $found }»; il blocco resta com’era e non viene esaminato.
-diag-convert-cycle-lacking = { $control } non ha { $cycle }; la definizione resta com’è.
+diag-convert-cycle-not-on-control = { $control } non ha { $cycle }; la definizione resta com’è.
 diag-convert-cycle-not-described = Il manuale di { $control } cita { $cycle } ma non lo descrive: i parametri restano come sono.
 diag-convert-cycle-not-covered = I manuali del controllo { $control } qui noti non trattano cicli come { $cycle }: la definizione resta com’è.
 diag-convert-parameter-added =
@@ -35,8 +35,8 @@ diag-convert-parameter-dropped =
 diag-convert-parameter-renamed = { $parameter } di { $cycle } diventa { $new } su { $control }.
 diag-convert-no-value = { $cycle } su { $control } richiede { $parameter }, e nulla dice quale valore mantenga il comportamento.
 diag-convert-value-refused = { $control } non accetta { $parameter } = { $value } di { $cycle }; il valore resta.
-diag-convert-value-means-else = { $parameter } = { $value } di { $cycle } ha un altro significato su { $control }.
-diag-convert-field-lacking = Il campo { $parameter } di { $cycle } non esiste su { $control }; la definizione resta com’è.
+diag-convert-value-differs-in-meaning = { $parameter } = { $value } di { $cycle } ha un altro significato su { $control }.
+diag-convert-field-not-on-control = Il campo { $parameter } di { $cycle } non esiste su { $control }; la definizione resta com’è.
 diag-convert-form = { $cycle } diventa { $new }.
 diag-convert-form-stays = { $cycle } resta nella sua forma: tra le sue righe ci sono commenti o altri blocchi.
 diag-convert-not-line-by-line = { $cycle } resta com’è: i suoi parametri non stanno ciascuno su una riga propria.

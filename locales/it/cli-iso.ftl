@@ -9,5 +9,5 @@ diag-iso-no-equivalent = In DIN/ISO non c’è equivalente di «{ $found }»; il
 diag-iso-no-code = Nessun manuale riporta un codice DIN/ISO di { $found }; il blocco resta come commento.
 diag-klartext-no-equivalent = In Klartext non c’è equivalente di «{ $found }»; il blocco resta come commento.
 diag-iso-unknown-code = Nessun manuale riporta un ciclo o una funzione con il codice { $found }.
-diag-iso-word-not-taken = Nulla in questo blocco ammette { $found }.
+diag-iso-word-not-allowed = Nulla in questo blocco ammette { $found }.
 diag-iso-no-direction = { $found }: G05 continua nel senso del cerchio precedente, ma non ce n’è alcuno.

@@ -29,6 +29,7 @@ cli-check = Verifica programmi per un controllo numerico
 cli-check-lang = Lingua delle etichette dei programmi (predefinita: ricavata da esse)
 cli-explain = Spiega il codice di un rilievo
 cli-explain-code = Il codice; se manca, vengono elencati tutti
+cli-explain-renamed = Il codice «{ $old }» si chiama ora «{ $code }».
 cli-translate = Scrive un programma con i nomi e le etichette di un’altra lingua; nient’altro cambia
 cli-translate-to = Lingua dei nomi e delle etichette
 cli-translate-control = Controllo numerico del programma (predefinito: quello di cui contiene i cicli)
@@ -222,13 +223,13 @@ diag-engine-start = Impossibile avviare il motore “{ $path }”: { $reason ->
         [permission] permesso negato
        *[other] { $detail }
     }.
-diag-engine-silent = Il motore non ha risposto a { $silent } casi di seguito e non viene più interrogato: { $left ->
+diag-engine-not-responding = Il motore non ha risposto a { $silent } casi di seguito e non viene più interrogato: { $left ->
         [one] { $left } caso è escluso.
        *[other] { $left } casi sono esclusi.
     }
 diag-io-foreign-directory = { $path } contiene file non scritti da ciklo, perciò non viene sostituita. Scegliere una cartella vuota o nuova.
 diag-not-an-address = «{ $url }» non è un indirizzo che inizia con https:// o http://.
-diag-data-lacks = In { $path } manca la cartella { $name }.
+diag-data-directory-missing = In { $path } manca la cartella { $name }.
 diag-no-data = { $path } non contiene nessuna delle cartelle cycle-specs, locales e templates.
 diag-data-encoding = { $path } non è in UTF-8.
 diag-unknown-code = Il codice «{ $code }» non esiste; «ciklo explain» li elenca tutti.

@@ -17,7 +17,7 @@ diag-arc-wrong =
        *[centre] l’inizio dista { $first } dal centro, la fine { $second }
     }.
 diag-axis-twice = L’asse { $axis } compare due volte in questo blocco.
-diag-behind-end = Qui ci sono blocchi dopo END PGM.
+diag-blocks-after-end = Qui ci sono blocchi dopo END PGM.
 diag-blank-wrong =
     { $what ->
         [again] Il pezzo grezzo ha già un BLK FORM 0.1 prima di questo.
@@ -54,7 +54,7 @@ diag-contour-undeclared =
         [twice] { $contour } è già dichiarato prima.
        *[nothing] La formula legge { $contour }, che nulla indica prima.
     }
-diag-contour-unnamed =
+diag-contour-not-selected =
     { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
 diag-contour-wrong =
     { $cycle } non può lavorare il profilo così: { $what ->
@@ -82,7 +82,7 @@ diag-corner-wrong =
        *[long] richiede più di quanto misura la retta più corta, { $least }
     }.
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
-diag-cycle-line-alone = Prima della riga { $line } non c’è la riga { $head }.
+diag-cycle-line-zero-missing = Prima della riga { $line } non c’è la riga { $head }.
 diag-cycle-line-empty = Nella riga { $line } di { $cycle } non c’è nulla.
 diag-cycle-line-missing = Prima di { $line } manca la riga { $missing }.
 diag-cycle-line-twice = La riga { $line } compare due volte in questa definizione.
@@ -97,7 +97,7 @@ diag-cycle-not-described =
        *[other] { $cycle } ({ $name }) è citato nei manuali ma non descritto: viene confrontato con il manuale di { $other }.
     }
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
-diag-cycle-of-tool-before = { $cycle } è stato definito per l’utensile precedente, che lo ha già eseguito.
+diag-cycle-of-previous-tool = { $cycle } è stato definito per l’utensile precedente, che lo ha già eseguito.
 diag-datum-table-late = Lo spostamento origine precedente ha preso la sua riga da un’altra tabella: SEL TABLE deve precederlo.
 diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.
 diag-digitizing-wrong =
@@ -107,7 +107,7 @@ diag-digitizing-wrong =
         [missing] { $cycle } digitalizza, ma prima non è stato definito alcun campo.
        *[combined] { $cycle } non può essere combinato con { $range }, che qui definisce il campo.
     }
-diag-direction-unsaid = L’arco non indica il senso di rotazione: manca DR+ o DR−.
+diag-arc-direction-missing = L’arco non indica il senso di rotazione: manca DR+ o DR−.
 diag-doubtful-value =
     { $parameter }={ $value } in { $cycle } difficilmente è voluto: { $is ->
         [zero] il valore è 0
@@ -119,7 +119,7 @@ diag-empty-word = Questa { $word } è senza valore e non fa nulla.
 diag-feed-negative = Qui l’avanzamento è negativo.
 diag-feed-zero = Qui l’avanzamento è zero.
 diag-field-word-missing = Qui c’è un valore senza parola; il controllo lo mostra con una parola: { $shown }.
-diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
+diag-begin-end-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-free-contour-wrong =
     { $what ->
         [label] Un profilo libero non può cominciare subito dopo un label.
@@ -146,7 +146,7 @@ diag-global-def-wrong =
         [twice] { $parameter } compare due volte in GLOBAL DEF { $number }.
         [again] GLOBAL DEF { $number } compare già prima e nessun ciclo ne ha usato i valori.
         [nothing] In { $value } per { $parameter } si trova PREDEF, ma nessun GLOBAL DEF lo fornisce.
-        [behind] In { $value } per { $parameter } si trova PREDEF, ma il GLOBAL DEF che lo fornisce viene dopo.
+        [later] In { $value } per { $parameter } si trova PREDEF, ma il GLOBAL DEF che lo fornisce viene dopo.
        *[value] Nessun ciclo ammette { $parameter }={ $value }.
     }
 diag-guard = Il controllo non accetta questi valori.
@@ -219,7 +219,7 @@ diag-out-of-range =
         [axes] { $parameter } indica troppi assi: può indicarne { $limit }.
        *[above] { $parameter }={ $value } è troppo grande: il valore massimo è { $limit }.
     }
-diag-out-of-range-elsewhere =
+diag-out-of-usual-range =
     { $parameter }={ $value } difficilmente è voluto: { $where ->
         [control] il { $control } non accetta qui valori { $side ->
                 [below] inferiori a
@@ -283,7 +283,7 @@ diag-row-not-in-table =
         [preset] La tabella Preset non contiene la riga { $row }.
        *[datum] La tabella origini non contiene la riga { $row }.
     }
-diag-selection-missing = Qui si chiama un programma selezionato, ma nessuno è stato selezionato.
+diag-program-not-selected = Qui si chiama un programma selezionato, ma nessuno è stato selezionato.
 diag-speed-missing = Qui viene avviato il mandrino, ma non è stato programmato alcun numero di giri.
 diag-speed-out-of-range =
     { $what ->
@@ -300,7 +300,7 @@ diag-sql-handle-missing =
         [ended] COMMIT o ROLLBACK ha già concluso la transazione con HANDLE { $handle }.
        *[missing] Nessuna interrogazione ha fornito prima HANDLE { $handle }.
     }
-diag-subprogram-end-alone = Questo LBL 0 non termina alcun sottoprogramma.
+diag-subprogram-end-without-label = Questo LBL 0 non termina alcun sottoprogramma.
 diag-subprogram-recursive = Il sottoprogramma { $label } chiama qui sé stesso.
 diag-subprogram-runs-on = Il sottoprogramma { $label } prosegue nel sottoprogramma { $next }: tra i due non c’è LBL 0.
 diag-subprogram-without-end = Il sottoprogramma { $label } arriva alla fine del programma senza LBL 0.
@@ -331,12 +331,12 @@ diag-tool-definition-wrong =
     { $what ->
         [zero] L’utensile 0 significa nessun utensile e non si può definire.
         [twice] L’utensile { $tool } è già definito prima con altre misure.
-       *[behind] L’utensile { $tool } viene definito qui, ma è già stato chiamato.
+       *[after-call] L’utensile { $tool } viene definito qui, ma è già stato chiamato.
     }
 diag-tool-feed-missing = Qui si prende l’avanzamento della chiamata utensile, che non ne ha.
 diag-tool-missing = Qui un ciclo esegue movimenti, ma prima nessuna chiamata utensile ha indicato l’asse utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
-diag-tool-unfit =
+diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.
        *[mill] { $cycle } lavora qui con l’utensile che ha appena tastato.
@@ -378,7 +378,7 @@ diag-unknown-cycle =
        *[other] { $cycle } ({ $name }) è un ciclo dei primi controlli: viene ancora eseguito, ma i suoi valori non vengono verificati.
     }
 diag-unknown-parameter = Su questo controllo { $cycle } non ha il parametro { $parameter }.
-diag-unlike-elsewhere =
+diag-differs-from-other-control =
     { $what ->
         [missing] { $cycle } ha sul { $control } il parametro { $parameter }, che qui manca.
         [value] Il { $control } rifiuta il valore { $parameter }={ $value } in { $cycle }.
@@ -395,7 +395,7 @@ diag-unreachable =
         [label] Nulla conduce a questo label.
        *[block] L’esecuzione non arriva mai a questo blocco.
     }
-diag-value-without-sense = Il valore qui è { $value }, che non ha senso.
+diag-meaningless-value = Il valore qui è { $value }, che non ha senso.
 diag-word-missing = In questo blocco manca { $word }.
 diag-word-twice = { $word } compare due volte in questo blocco.
 diag-word-wrong =

@@ -63,7 +63,7 @@ diag-table-doubtful =
         [kind] La prima riga nomina un file { $found }, mentre questo è un file { $column }.
         [column] Manca la colonna { $column }.
         [order] La riga { $row } segue la riga { $found }.
-        [behind-end] Ciò che segue [END] non viene letto.
+        [after-end] Ciò che segue [END] non viene letto.
         [astride] Riga { $row }: il numero della colonna { $column } prosegue nella colonna { $found }.
         [empty] Riga { $row }: la colonna { $column } è vuota.
         [corner] Riga { $row }: R2 è maggiore di R.
@@ -72,7 +72,7 @@ diag-table-doubtful =
         [less] Nella riga { $row }, { $column } è inferiore a { $found }.
        *[value] Riga { $row }: «{ $found }» difficilmente è voluto nella colonna { $column }.
     }
-diag-table-value-not-taken = Riga { $row }: la colonna { $column } non accetta «{ $found }».
+diag-table-value-not-allowed = Riga { $row }: la colonna { $column } non accetta «{ $found }».
 diag-stock-blank = Gli spigoli di BLK FORM devono essere numeri e ogni minimo deve essere inferiore al suo massimo.
 diag-stock-extent = Il pezzo grezzo è troppo grande: si estende oltre { $limit } mm dalla sua origine.
 diag-stock-form = BLK FORM { $word } non è descritto nei manuali: indicare il pezzo grezzo nella scena, oppure un parallelepipedo con BLK FORM 0.1 e 0.2.

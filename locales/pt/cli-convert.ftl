@@ -20,7 +20,7 @@ cli-examples-convert =
 diag-convert-one-file = Vários programas só são reescritos com --in-place.
 diag-convert-iso-stays = «{ $found }» mudaria, mas a nova forma não se pode escrever em DIN/ISO; a frase fica como estava.
 diag-convert-iso-unread = Em Klartext não há equivalente de «{ $found }»; a frase fica como estava e não é examinada.
-diag-convert-cycle-lacking = { $control } não tem { $cycle }; a definição fica como está.
+diag-convert-cycle-not-on-control = { $control } não tem { $cycle }; a definição fica como está.
 diag-convert-cycle-not-described = O manual de { $control } menciona { $cycle } mas não o descreve: os parâmetros ficam como estão.
 diag-convert-cycle-not-covered = Os manuais do comando { $control } aqui conhecidos não tratam de ciclos como { $cycle }: a definição fica como está.
 diag-convert-parameter-added =
@@ -36,8 +36,8 @@ diag-convert-parameter-dropped =
 diag-convert-parameter-renamed = { $parameter } de { $cycle } passa a { $new } em { $control }.
 diag-convert-no-value = { $cycle } precisa de { $parameter } em { $control }, e nada diz que valor mantém o comportamento.
 diag-convert-value-refused = { $control } não aceita { $parameter } = { $value } de { $cycle }; o valor fica.
-diag-convert-value-means-else = { $parameter } = { $value } de { $cycle } significa outra coisa em { $control }.
-diag-convert-field-lacking = O campo { $parameter } de { $cycle } não existe em { $control }; a definição fica como está.
+diag-convert-value-differs-in-meaning = { $parameter } = { $value } de { $cycle } significa outra coisa em { $control }.
+diag-convert-field-not-on-control = O campo { $parameter } de { $cycle } não existe em { $control }; a definição fica como está.
 diag-convert-form = { $cycle } passa a { $new }.
 diag-convert-form-stays = { $cycle } mantém a sua forma: entre as suas linhas há comentários ou outras frases.
 diag-convert-not-line-by-line = { $cycle } fica como está: os seus parâmetros não ocupam cada um a sua linha.

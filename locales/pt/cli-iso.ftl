@@ -9,5 +9,5 @@ diag-iso-no-equivalent = Em DIN/ISO não há equivalente de «{ $found }»; a fr
 diag-iso-no-code = Nenhum manual indica um código DIN/ISO de { $found }; a frase fica como comentário.
 diag-klartext-no-equivalent = Em Klartext não há equivalente de «{ $found }»; a frase fica como comentário.
 diag-iso-unknown-code = Nenhum manual indica um ciclo ou uma função com o código { $found }.
-diag-iso-word-not-taken = Nada nesta frase aceita { $found }.
+diag-iso-word-not-allowed = Nada nesta frase aceita { $found }.
 diag-iso-no-direction = { $found }: G05 continua no sentido do círculo anterior, mas não há nenhum.

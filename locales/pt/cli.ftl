@@ -29,6 +29,7 @@ cli-check = Verifica programas para um comando numérico
 cli-check-lang = Idioma das designações dos programas (predefinição: deduzido delas)
 cli-explain = Explica o código de uma observação
 cli-explain-code = O código; sem ele, são indicados todos
+cli-explain-renamed = O código «{ $old }» chama-se agora «{ $code }».
 cli-translate = Escreve um programa com os nomes e designações de outro idioma; nada mais muda
 cli-translate-to = Idioma dos nomes e designações
 cli-translate-control = Comando numérico do programa (predefinição: aquele cujos ciclos contém)
@@ -225,13 +226,13 @@ diag-engine-start = Não é possível iniciar o motor “{ $path }”: { $reason
         [permission] sem permissão
        *[other] { $detail }
     }.
-diag-engine-silent = O motor não respondeu a { $silent } casos seguidos e não volta a ser consultado: { $left ->
+diag-engine-not-responding = O motor não respondeu a { $silent } casos seguidos e não volta a ser consultado: { $left ->
         [one] fica de fora { $left } caso.
        *[other] ficam de fora { $left } casos.
     }
 diag-io-foreign-directory = { $path } tem ficheiros que o ciklo não escreveu, por isso não é substituída. Escolha uma pasta vazia ou nova.
 diag-not-an-address = «{ $url }» não é um endereço que comece por https:// ou http://.
-diag-data-lacks = Em { $path } falta a pasta { $name }.
+diag-data-directory-missing = Em { $path } falta a pasta { $name }.
 diag-no-data = { $path } não tem nenhuma das pastas cycle-specs, locales e templates.
 diag-data-encoding = { $path } não está em UTF-8.
 diag-unknown-code = O código «{ $code }» não existe; «ciklo explain» indica todos.

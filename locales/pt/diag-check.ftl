@@ -17,7 +17,7 @@ diag-arc-wrong =
        *[centre] o início fica a { $first } do centro e o fim a { $second }
     }.
 diag-axis-twice = O eixo { $axis } aparece duas vezes nesta frase.
-diag-behind-end = Há aqui frases depois de END PGM.
+diag-blocks-after-end = Há aqui frases depois de END PGM.
 diag-blank-wrong =
     { $what ->
         [again] O bloco já tem antes um BLK FORM 0.1.
@@ -54,7 +54,7 @@ diag-contour-undeclared =
         [twice] { $contour } já está declarado antes.
        *[nothing] A fórmula lê { $contour }, que nada indica antes.
     }
-diag-contour-unnamed =
+diag-contour-not-selected =
     { $cycle } é chamado aqui, mas antes não foi indicado nenhum contorno.
 diag-contour-wrong =
     { $cycle } não pode maquinar o contorno assim: { $what ->
@@ -82,7 +82,7 @@ diag-corner-wrong =
        *[long] exige mais do que mede a reta mais curta, { $least }
     }.
 diag-cutting-without-tool = Aqui a ferramenta desloca-se em avanço, mas antes não há nenhuma chamada da ferramenta.
-diag-cycle-line-alone = Antes da linha { $line } não há a linha { $head }.
+diag-cycle-line-zero-missing = Antes da linha { $line } não há a linha { $head }.
 diag-cycle-line-empty = Na linha { $line } de { $cycle } não há nada.
 diag-cycle-line-missing = Antes de { $line } falta a linha { $missing }.
 diag-cycle-line-twice = A linha { $line } está duas vezes nesta definição.
@@ -97,7 +97,7 @@ diag-cycle-not-described =
        *[other] { $cycle } ({ $name }) é mencionado nos manuais mas não descrito: é comparado com o manual de { $other }.
     }
 diag-cycle-not-on-control = { $cycle } não existe no comando { $control }; existe em: { $controls }.
-diag-cycle-of-tool-before = { $cycle } foi definido para a ferramenta anterior, que já o executou.
+diag-cycle-of-previous-tool = { $cycle } foi definido para a ferramenta anterior, que já o executou.
 diag-datum-table-late = A deslocação do ponto zero anterior tirou a sua linha de outra tabela: SEL TABLE tem de ficar antes dela.
 diag-defined-but-never-called = { $cycle } é definido aqui e nunca é chamado.
 diag-digitizing-wrong =
@@ -107,7 +107,7 @@ diag-digitizing-wrong =
         [missing] { $cycle } digitaliza, mas antes não foi definido nenhum campo.
        *[combined] { $cycle } não pode ser combinado com { $range }, que aqui define o campo.
     }
-diag-direction-unsaid = O arco não indica o sentido de rotação: falta DR+ ou DR−.
+diag-arc-direction-missing = O arco não indica o sentido de rotação: falta DR+ ou DR−.
 diag-doubtful-value =
     { $parameter }={ $value } em { $cycle } dificilmente é o pretendido: { $is ->
         [zero] o valor é 0
@@ -119,7 +119,7 @@ diag-empty-word = Este { $word } não tem valor e não faz nada.
 diag-feed-negative = O avanço é aqui negativo.
 diag-feed-zero = O avanço é aqui zero.
 diag-field-word-missing = Aqui há um valor sem palavra; o comando mostra-o com uma: { $shown }.
-diag-frame-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
+diag-begin-end-mismatch = END PGM indica { $end }, BEGIN PGM indica { $begin }.
 diag-free-contour-wrong =
     { $what ->
         [label] Um contorno livre não pode começar logo depois de um label.
@@ -146,7 +146,7 @@ diag-global-def-wrong =
         [twice] { $parameter } está duas vezes em GLOBAL DEF { $number }.
         [again] GLOBAL DEF { $number } já está antes e nenhum ciclo usou os seus valores.
         [nothing] Em { $value } está PREDEF para { $parameter }, mas nenhum GLOBAL DEF o fornece.
-        [behind] Em { $value } está PREDEF para { $parameter }, mas o GLOBAL DEF que o fornece está depois.
+        [later] Em { $value } está PREDEF para { $parameter }, mas o GLOBAL DEF que o fornece está depois.
        *[value] Nenhum ciclo aceita { $parameter }={ $value }.
     }
 diag-guard = O comando não aceita estes valores.
@@ -219,7 +219,7 @@ diag-out-of-range =
         [axes] { $parameter } indica eixos a mais: pode indicar { $limit }.
        *[above] { $parameter }={ $value } é demasiado grande: o valor máximo é { $limit }.
     }
-diag-out-of-range-elsewhere =
+diag-out-of-usual-range =
     { $parameter }={ $value } dificilmente é o pretendido: { $where ->
         [control] o { $control } não aceita aí valores { $side ->
                 [below] inferiores a
@@ -283,7 +283,7 @@ diag-row-not-in-table =
         [preset] A tabela de pontos de referência não tem a linha { $row }.
        *[datum] A tabela de pontos zero não tem a linha { $row }.
     }
-diag-selection-missing = Chama-se aqui um programa selecionado, mas nenhum foi selecionado.
+diag-program-not-selected = Chama-se aqui um programa selecionado, mas nenhum foi selecionado.
 diag-speed-missing = Aqui liga-se o cabeçote, mas não foi programado nenhum número de rotações.
 diag-speed-out-of-range =
     { $what ->
@@ -300,7 +300,7 @@ diag-sql-handle-missing =
         [ended] COMMIT ou ROLLBACK já terminou a transação com HANDLE { $handle }.
        *[missing] Nenhuma consulta deu antes HANDLE { $handle }.
     }
-diag-subprogram-end-alone = Este LBL 0 não termina nenhum subprograma.
+diag-subprogram-end-without-label = Este LBL 0 não termina nenhum subprograma.
 diag-subprogram-recursive = O subprograma { $label } chama-se aqui a si próprio.
 diag-subprogram-runs-on = O subprograma { $label } continua para dentro do subprograma { $next }: entre eles não há LBL 0.
 diag-subprogram-without-end = O subprograma { $label } chega ao fim do programa sem LBL 0.
@@ -331,12 +331,12 @@ diag-tool-definition-wrong =
     { $what ->
         [zero] A ferramenta 0 significa nenhuma ferramenta e não se pode definir.
         [twice] A ferramenta { $tool } já está definida antes com outras medidas.
-       *[behind] A ferramenta { $tool } é definida aqui, mas já foi chamada.
+       *[after-call] A ferramenta { $tool } é definida aqui, mas já foi chamada.
     }
 diag-tool-feed-missing = Usa-se aqui o avanço da chamada da ferramenta, que não o tem.
 diag-tool-missing = Aqui um ciclo executa movimentos, mas antes nenhuma chamada da ferramenta indicou o eixo da ferramenta.
 diag-tool-not-listed = A tabela de ferramentas não tem a ferramenta { $tool }.
-diag-tool-unfit =
+diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } apalpa aqui com a ferramenta que acabou de maquinar.
        *[mill] { $cycle } maquina aqui com a ferramenta que acabou de apalpar.
@@ -378,7 +378,7 @@ diag-unknown-cycle =
        *[other] { $cycle } ({ $name }) é um ciclo dos primeiros comandos: ainda é executado, mas os seus valores não são verificados.
     }
 diag-unknown-parameter = Neste comando, { $cycle } não tem o parâmetro { $parameter }.
-diag-unlike-elsewhere =
+diag-differs-from-other-control =
     { $what ->
         [missing] { $cycle } tem no { $control } o parâmetro { $parameter }, que aqui falta.
         [value] O { $control } recusa o valor { $parameter }={ $value } em { $cycle }.
@@ -395,7 +395,7 @@ diag-unreachable =
         [label] Nada conduz a este label.
        *[block] A execução nunca chega a esta frase.
     }
-diag-value-without-sense = O valor é aqui { $value }, o que não faz sentido.
+diag-meaningless-value = O valor é aqui { $value }, o que não faz sentido.
 diag-word-missing = Nesta frase falta { $word }.
 diag-word-twice = { $word } está duas vezes nesta frase.
 diag-word-wrong =

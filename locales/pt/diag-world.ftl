@@ -63,7 +63,7 @@ diag-table-doubtful =
         [kind] A primeira linha nomeia um ficheiro { $found }, mas este é um ficheiro { $column }.
         [column] Falta a coluna { $column }.
         [order] A linha { $row } está depois da linha { $found }.
-        [behind-end] O que está depois de [END] não é lido.
+        [after-end] O que está depois de [END] não é lido.
         [astride] Linha { $row }: o número da coluna { $column } entra na coluna { $found }.
         [empty] Linha { $row }: a coluna { $column } está vazia.
         [corner] Linha { $row }: R2 é maior do que R.
@@ -72,7 +72,7 @@ diag-table-doubtful =
         [less] Na linha { $row }, { $column } é menor do que { $found }.
        *[value] Linha { $row }: «{ $found }» dificilmente é o pretendido na coluna { $column }.
     }
-diag-table-value-not-taken = Linha { $row }: a coluna { $column } não aceita «{ $found }».
+diag-table-value-not-allowed = Linha { $row }: a coluna { $column } não aceita «{ $found }».
 diag-stock-blank = Os cantos de BLK FORM têm de ser números e cada mínimo tem de ser inferior ao seu máximo.
 diag-stock-extent = O bloco é demasiado grande: estende-se a mais de { $limit } mm do seu ponto zero.
 diag-stock-form = BLK FORM { $word } não está descrito nos manuais: indique o bloco na cena, ou um paralelepípedo com BLK FORM 0.1 e 0.2.

@@ -21,7 +21,7 @@ cli-examples-convert =
 diag-convert-one-file = Več programov je mogoče prepisati le z --in-place.
 diag-convert-iso-stays = »{ $found }« bi se spremenil, nove oblike pa v DIN/ISO ni mogoče zapisati; stavek ostane, kakor je bil.
 diag-convert-iso-unread = Klartext nima ustreznice za »{ $found }«; stavek ostane, kakor je bil, in se ne pregleda.
-diag-convert-cycle-lacking = Krmiljenje { $control } nima cikla { $cycle }; definicija ostane, kakor je.
+diag-convert-cycle-not-on-control = Krmiljenje { $control } nima cikla { $cycle }; definicija ostane, kakor je.
 diag-convert-cycle-not-described = Priročnik za { $control } cikel { $cycle } omenja, a ga ne opisuje: parametri ostanejo, kakor so.
 diag-convert-cycle-not-covered = Priročniki krmiljenja { $control }, ki so tu znani, ciklov, kakršen je { $cycle }, ne obravnavajo: definicija ostane, kakor je.
 diag-convert-parameter-added =
@@ -37,8 +37,8 @@ diag-convert-parameter-dropped =
 diag-convert-parameter-renamed = { $parameter } cikla { $cycle } na krmiljenju { $control } postane { $new }.
 diag-convert-no-value = Cikel { $cycle } na krmiljenju { $control } potrebuje { $parameter }, ni pa znano, pri kateri vrednosti deluje enako.
 diag-convert-value-refused = Krmiljenje { $control } v ciklu { $cycle } ne sprejme { $parameter } = { $value }; vrednost ostane, kakor je.
-diag-convert-value-means-else = { $parameter } = { $value } v ciklu { $cycle } na krmiljenju { $control } pomeni nekaj drugega.
-diag-convert-field-lacking = Polje { $parameter } cikla { $cycle } na krmiljenju { $control } ne obstaja; definicija ostane, kakor je.
+diag-convert-value-differs-in-meaning = { $parameter } = { $value } v ciklu { $cycle } na krmiljenju { $control } pomeni nekaj drugega.
+diag-convert-field-not-on-control = Polje { $parameter } cikla { $cycle } na krmiljenju { $control } ne obstaja; definicija ostane, kakor je.
 diag-convert-form = { $cycle } postane { $new }.
 diag-convert-form-stays = Cikel { $cycle } ostane v svoji obliki: med njegovimi vrsticami so komentarji ali drugi stavki.
 diag-convert-not-line-by-line = Cikel { $cycle } ostane, kakor je: njegovi parametri niso vsak v svoji vrstici.

@@ -9,5 +9,5 @@ diag-iso-no-equivalent = DIN/ISO nima ustreznice za »{ $found }«; stavek ostan
 diag-iso-no-code = Noben priročnik ne navaja kode DIN/ISO za { $found }; stavek ostane kot komentar.
 diag-klartext-no-equivalent = Klartext nima ustreznice za »{ $found }«; stavek ostane kot komentar.
 diag-iso-unknown-code = Noben priročnik ne navaja cikla ali funkcije s kodo { $found }.
-diag-iso-word-not-taken = Nič v tem stavku ne sprejme { $found }.
+diag-iso-word-not-allowed = Nič v tem stavku ne sprejme { $found }.
 diag-iso-no-direction = { $found }: G05 nadaljuje v smeri prejšnjega kroga, vendar pred njim ni nobenega.

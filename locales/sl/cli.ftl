@@ -29,6 +29,7 @@ cli-check = Preveri programe za eno krmiljenje
 cli-check-lang = Jezik oznak v programih (privzeto: ugotovi se iz njih)
 cli-explain = Pove, kaj pomeni koda ugotovitve
 cli-explain-code = Koda; brez nje se izpišejo vse kode
+cli-explain-renamed = Koda »{ $old }« se zdaj imenuje »{ $code }«.
 cli-translate = Zapiše program z imeni in oznakami drugega jezika; nič drugega se ne spremeni
 cli-translate-to = Jezik imen in oznak
 cli-translate-control = Krmiljenje programa (privzeto: tisto, katerega cikle vsebuje)
@@ -244,7 +245,7 @@ diag-engine-start = Pogona »{ $path }« ni mogoče zagnati: { $reason ->
         [permission] ni dovoljenja
        *[other] { $detail }
     }.
-diag-engine-silent = Pogon večkrat zapored ni odgovoril (število primerov: { $silent }), zato ni več vprašan: { $left ->
+diag-engine-not-responding = Pogon večkrat zapored ni odgovoril (število primerov: { $silent }), zato ni več vprašan: { $left ->
         [one] izpuščen je { $left } primer.
         [two] izpuščena sta { $left } primera.
         [few] izpuščeni so { $left } primeri.
@@ -252,7 +253,7 @@ diag-engine-silent = Pogon večkrat zapored ni odgovoril (število primerov: { $
     }
 diag-io-foreign-directory = V mapi { $path } so datoteke, ki jih ciklo ni zapisal, zato ni zamenjana. Izberite prazno ali novo mapo.
 diag-not-an-address = »{ $url }« ni naslov, ki se začne s https:// ali http://.
-diag-data-lacks = V mapi { $path } manjka mapa { $name }.
+diag-data-directory-missing = V mapi { $path } manjka mapa { $name }.
 diag-no-data = V mapi { $path } ni nobene od map cycle-specs, locales in templates.
 diag-data-encoding = { $path } ni v kodiranju UTF-8.
 diag-unknown-code = Koda »{ $code }« ne obstaja; »ciklo explain« izpiše vse.

@@ -17,7 +17,7 @@ diag-arc-wrong =
        *[centre] začetek je od središča oddaljen { $first }, konec pa { $second }
     }.
 diag-axis-twice = Os { $axis } je v tem stavku navedena dvakrat.
-diag-behind-end = Tu so še stavki za END PGM.
+diag-blocks-after-end = Tu so še stavki za END PGM.
 diag-blank-wrong =
     { $what ->
         [again] Surovec že ima BLK FORM 0.1 pred tem.
@@ -54,7 +54,7 @@ diag-contour-undeclared =
         [twice] { $contour } je že določena prej.
        *[nothing] Formula bere { $contour }, ki je prej nič ne navede.
     }
-diag-contour-unnamed =
+diag-contour-not-selected =
     { $cycle } se tu prikliče, pred tem pa ni navedena nobena kontura.
 diag-contour-wrong =
     { $cycle } te konture ne more obdelati: { $what ->
@@ -82,7 +82,7 @@ diag-corner-wrong =
        *[long] potrebuje več, kot ima krajša premica, { $least }
     }.
 diag-cutting-without-tool = Orodje se tu premika s pomikom, pred tem pa ni priklica orodja.
-diag-cycle-line-alone = Pred vrstico { $line } ni vrstice { $head }.
+diag-cycle-line-zero-missing = Pred vrstico { $line } ni vrstice { $head }.
 diag-cycle-line-empty = V vrstici { $line } cikla { $cycle } ni ničesar.
 diag-cycle-line-missing = Pred vrstico { $line } manjka vrstica { $missing }.
 diag-cycle-line-twice = Vrstica { $line } je v tej definiciji dvakrat.
@@ -97,7 +97,7 @@ diag-cycle-not-described =
        *[other] Cikel { $cycle } ({ $name }) je v priročnikih omenjen, a ne opisan: primerja se s priročnikom krmiljenja { $other }.
     }
 diag-cycle-not-on-control = Cikla { $cycle } na krmiljenju { $control } ni; obstaja na: { $controls }.
-diag-cycle-of-tool-before = { $cycle } je bil definiran za prejšnje orodje, ki je z njim že obdelovalo.
+diag-cycle-of-previous-tool = { $cycle } je bil definiran za prejšnje orodje, ki je z njim že obdelovalo.
 diag-datum-table-late = Prejšnji zamik ničelne točke je svojo vrstico vzel iz druge preglednice: SEL TABLE mora stati pred njim.
 diag-defined-but-never-called = Cikel { $cycle } je tu definiran, nikoli pa priklican.
 diag-digitizing-wrong =
@@ -107,7 +107,7 @@ diag-digitizing-wrong =
         [missing] { $cycle } digitalizira, vendar pred tem ni definirano nobeno območje.
        *[combined] { $cycle } ni mogoče povezati z { $range }, ki tu določa območje.
     }
-diag-direction-unsaid = Lok ne pove, v katero smer poteka: manjka DR+ ali DR−.
+diag-arc-direction-missing = Lok ne pove, v katero smer poteka: manjka DR+ ali DR−.
 diag-doubtful-value =
     { $parameter }={ $value } v { $cycle } najbrž ni mišljeno: { $is ->
         [zero] vrednost je 0
@@ -119,7 +119,7 @@ diag-empty-word = Beseda { $word } tu nima vrednosti in ne naredi ničesar.
 diag-feed-negative = Pomik je tu negativen.
 diag-feed-zero = Pomik je tu nič.
 diag-field-word-missing = Vrednost je tu brez besede; krmiljenje jo prikaže z njo: { $shown }.
-diag-frame-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
+diag-begin-end-mismatch = V END PGM je { $end }, v BEGIN PGM pa { $begin }.
 diag-free-contour-wrong =
     { $what ->
         [label] Prosta kontura se ne more začeti takoj za oznako LBL.
@@ -146,7 +146,7 @@ diag-global-def-wrong =
         [twice] { $parameter } je v GLOBAL DEF { $number } dvakrat.
         [again] GLOBAL DEF { $number } je že naveden in noben cikel še ni uporabil njegovih vrednosti.
         [nothing] V { $value } je za { $parameter } PREDEF, pa ga noben GLOBAL DEF ne daje.
-        [behind] V { $value } je za { $parameter } PREDEF, GLOBAL DEF, ki ga daje, pa stoji šele za njim.
+        [later] V { $value } je za { $parameter } PREDEF, GLOBAL DEF, ki ga daje, pa stoji šele za njim.
        *[value] Noben cikel ne sprejme { $parameter }={ $value }.
     }
 diag-guard = Krmiljenje teh vrednosti ne sprejme.
@@ -223,7 +223,7 @@ diag-out-of-range =
         [axes] { $parameter } navaja preveč osi: navede jih lahko { $limit }.
        *[above] { $parameter }={ $value } je preveliko: največja vrednost je { $limit }.
     }
-diag-out-of-range-elsewhere =
+diag-out-of-usual-range =
     { $parameter }={ $value } najbrž ni mišljeno: { $where ->
         [control] { $control } tam ne sprejme vrednosti { $side ->
                 [below] pod
@@ -287,7 +287,7 @@ diag-row-not-in-table =
         [preset] V preglednici referenčnih točk ni vrstice { $row }.
        *[datum] V preglednici ničelnih točk ni vrstice { $row }.
     }
-diag-selection-missing = Tu se prikliče izbrani program, izbran pa ni bil noben.
+diag-program-not-selected = Tu se prikliče izbrani program, izbran pa ni bil noben.
 diag-speed-missing = Vreteno se tu vklopi, število vrtljajev pa ni programirano.
 diag-speed-out-of-range =
     { $what ->
@@ -304,7 +304,7 @@ diag-sql-handle-missing =
         [ended] COMMIT ali ROLLBACK je transakcijo s HANDLE { $handle } že končal.
        *[missing] Nobena poizvedba prej ni dala vrednosti HANDLE { $handle }.
     }
-diag-subprogram-end-alone = Ta LBL 0 ne konča nobenega podprograma.
+diag-subprogram-end-without-label = Ta LBL 0 ne konča nobenega podprograma.
 diag-subprogram-recursive = Podprogram { $label } tu prikliče samega sebe.
 diag-subprogram-runs-on = Podprogram { $label } se nadaljuje v podprogram { $next }: med njima ni LBL 0.
 diag-subprogram-without-end = Podprogram { $label } pride do konca programa brez LBL 0.
@@ -335,12 +335,12 @@ diag-tool-definition-wrong =
     { $what ->
         [zero] Orodje 0 pomeni, da orodja ni, in ga ni mogoče določiti.
         [twice] Orodje { $tool } je bilo prej že določeno z drugimi merami.
-       *[behind] Orodje { $tool } je določeno tu, čeprav je bilo že priklicano.
+       *[after-call] Orodje { $tool } je določeno tu, čeprav je bilo že priklicano.
     }
 diag-tool-feed-missing = Tu se uporabi pomik iz priklica orodja, ki pa ga nima.
 diag-tool-missing = Tu cikel premika osi, noben prejšnji priklic orodja pa ni določil orodne osi.
 diag-tool-not-listed = V preglednici orodij ni orodja { $tool }.
-diag-tool-unfit =
+diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tu tipa z orodjem, ki je pravkar obdelovalo.
        *[mill] { $cycle } tu obdeluje z orodjem, ki je pravkar tipalo.
@@ -382,7 +382,7 @@ diag-unknown-cycle =
        *[other] { $cycle } ({ $name }) je cikel prvih krmiljenj: še vedno se izvede, njegove vrednosti pa se ne preverijo.
     }
 diag-unknown-parameter = Cikel { $cycle } na tem krmiljenju nima parametra { $parameter }.
-diag-unlike-elsewhere =
+diag-differs-from-other-control =
     { $what ->
         [missing] { $cycle } ima na krmiljenju { $control } parameter { $parameter }, ki tu manjka.
         [value] Vrednost { $parameter }={ $value } v { $cycle } krmiljenje { $control } zavrne.
@@ -399,7 +399,7 @@ diag-unreachable =
         [label] Nič ne vodi do te oznake LBL.
        *[block] Izvajanje nikoli ne pride do tega stavka.
     }
-diag-value-without-sense = Vrednost je tu { $value }, kar ni smiselno.
+diag-meaningless-value = Vrednost je tu { $value }, kar ni smiselno.
 diag-word-missing = V tem stavku manjka { $word }.
 diag-word-twice = { $word } je v tem stavku navedeno dvakrat.
 diag-word-wrong =

@@ -65,7 +65,7 @@ diag-table-doubtful =
         [kind] Prva vrstica imenuje datoteko { $found }, to pa je datoteka { $column }.
         [column] Manjka stolpec { $column }.
         [order] Vrstica { $row } stoji za vrstico { $found }.
-        [behind-end] Kar stoji za [END], se ne prebere.
+        [after-end] Kar stoji za [END], se ne prebere.
         [astride] Vrstica { $row }: število v stolpcu { $column } sega v stolpec { $found }.
         [empty] Vrstica { $row }: stolpec { $column } je prazen.
         [corner] Vrstica { $row }: R2 je večji od R.
@@ -74,7 +74,7 @@ diag-table-doubtful =
         [less] V vrstici { $row } je { $column } manjši od { $found }.
        *[value] Vrstica { $row }: »{ $found }« v stolpcu { $column } najbrž ni mišljeno.
     }
-diag-table-value-not-taken = Vrstica { $row }: stolpec { $column } ne sprejme vrednosti »{ $found }«.
+diag-table-value-not-allowed = Vrstica { $row }: stolpec { $column } ne sprejme vrednosti »{ $found }«.
 diag-stock-blank = Oglišča v stavku BLK FORM morajo biti števila in vsak minimum mora biti manjši od maksimuma.
 diag-stock-extent = Surovec je prevelik: sega več kot { $limit } mm od svojega izhodišča.
 diag-stock-form = Stavka BLK FORM { $word } priročniki ne opisujejo: surovec navedite v prizorišču ali kot kvader s stavkoma BLK FORM 0.1 in 0.2.

@@ -7,3 +7,4 @@ pub mod demand;
 pub mod diag;
 pub mod expr;
 pub mod parallel;
+pub mod renamed;

@@ -6,6 +6,7 @@ use std::collections::HashSet;
 
 use super::{Against, RULES};
 use crate::base::diag::{Diagnostic, Place, Severity, Span};
+use crate::base::renamed;
 use crate::language::locale::Scope;
 use crate::program::syntax::{Block, BlockKind, Program};
 
@@ -125,7 +126,7 @@ fn collect(program: &Program, block: &Block, all: &mut Vec<Allowance>) {
                 let end = at + line.trim_end().len();
                 all.push(Allowance {
                     place: Span::new(at + from, end),
-                    rule: words.next().unwrap_or_default().to_ascii_lowercase(),
+                    rule: renamed::present(&words.next().unwrap_or_default().to_ascii_lowercase()).to_owned(),
                     reason: words.next().is_some(),
                     block: None,
                 });

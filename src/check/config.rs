@@ -12,6 +12,7 @@ use toml::de::{DeTable, DeValue};
 use super::RULES;
 use super::allow::CODES;
 use crate::base::diag::{Diagnostic, Place, Severity, Source};
+use crate::base::renamed;
 
 /// The words for severities; `off` leaves the finding out.
 const LEVELS: [(&str, Option<Severity>); 4] = [
@@ -176,7 +177,7 @@ impl Reader<'_> {
 
     fn levels(&mut self, rules: &DeTable<'_>, settings: &mut Settings) {
         for (key, value) in rules {
-            let code = key.get_ref().as_ref();
+            let code = renamed::present(key.get_ref());
             let level = value.get_ref().as_str().and_then(|word| LEVELS.iter().find(|(own, _)| *own == word));
             if !(self.rules)(code) {
                 self.wrong("config-unknown-rule", key.span(), code, "");
@@ -287,7 +288,13 @@ mod tests {
     }
 
     #[test]
-    fn every_mistake_is_told() {
+    fn an_old_name_of_a_rule_is_understood() {
+        let config = parsed("[rules]\nbehind-end = \"off\"\n").unwrap();
+        assert_eq!(config.of("a.h").rules.get("blocks-after-end"), Some(&None));
+    }
+
+    #[test]
+    fn every_mistake_is_reported() {
         for (text, codes) in [
             ("control = ", vec!["config-syntax"]),
             ("control = 5\nother = 1\n", vec!["config-unknown-word", "config-unknown-key"]),

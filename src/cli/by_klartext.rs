@@ -25,7 +25,7 @@ pub(super) fn convert(written: &Program, request: &Request<'_>) -> Conversion {
     let theirs = conversion.found.into_iter().filter(|finding| !finding.code.starts_with(SYNTAX));
     let mut found: Vec<Diagnostic> = theirs.map(|finding| lowered.at_home(finding)).collect();
     found.extend(lowered.diagnostics.iter().cloned().map(|finding| match finding.code {
-        NO_EQUIVALENT | "iso-word-not-taken" => Diagnostic { code: "convert-iso-unread", ..finding },
+        NO_EQUIVALENT | "iso-word-not-allowed" => Diagnostic { code: "convert-iso-unread", ..finding },
         _ => finding,
     }));
     let (mut edits, mut made) = (Vec::new(), Vec::new());

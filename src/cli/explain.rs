@@ -4,6 +4,7 @@ use clap::ArgMatches;
 use super::session::Session;
 use super::{Command, Failure, Outcome, arguments};
 use crate::base::diag::Diagnostic;
+use crate::base::renamed;
 use crate::language::locale::{Args, Ui};
 use crate::spec::Catalogue;
 
@@ -35,16 +36,21 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         }
         return Ok(Outcome::Clean);
     };
-    let guard = guards.contains(&code.as_str()) && !codes.contains(&code.as_str());
-    if !guard && !codes.contains(&code.as_str()) {
-        return Err(Diagnostic::global("unknown-code").arg("code", code.as_str()).into());
+    let (old, code) = (code.as_str(), renamed::present(code));
+    let guard = guards.contains(&code) && !codes.contains(&code);
+    if !guard && !codes.contains(&code) {
+        return Err(Diagnostic::global("unknown-code").arg("code", code).into());
+    }
+    if code != old {
+        let line = session.ui.text("cli-explain-renamed", &Args::new().text("old", old).text("code", code));
+        session.output.print(&format!("{line}\n\n"))?;
     }
     let (ui, prefix) = if guard { (&whole, GUARD) } else { (&session.ui, PREFIX) };
     let data = session.catalogue()?;
     let (key, word) = (format!("{prefix}{code}"), |name: &str| gap(name, &data, &whole, &session.ui));
     let sentence = ui.filled(&key, &word).unwrap_or_else(|| filled(&ui.sketch(&key), &word));
     session.output.print(&format!("{code}\n  {sentence}\n"))?;
-    let explained = if guard { "guard" } else { code.as_str() };
+    let explained = if guard { "guard" } else { code };
     if let Some(more) = session.ui.find(&format!("explain-{explained}"), &Args::new()) {
         session.output.print(&format!("\n{more}\n"))?;
     }

@@ -270,7 +270,8 @@ pub(super) fn working_copy(root: &Path) -> Result<Files, Failure> {
         return Err(Diagnostic::global("no-data").arg("path", root.display().to_string()).into());
     }
     if let Some(top) = TOPS.iter().find(|top| !root.join(top).is_dir()) {
-        let lacks = Diagnostic::global("data-lacks").arg("path", root.display().to_string()).arg("name", *top);
+        let lacks =
+            Diagnostic::global("data-directory-missing").arg("path", root.display().to_string()).arg("name", *top);
         return Err(lacks.into());
     }
     let mut found = Vec::new();

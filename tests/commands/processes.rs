@@ -148,7 +148,7 @@ fn an_engine_that_stays_silent_is_given_up() {
         let (code, errors) = told(&output);
         assert_eq!(code, Some(1), "{script}: {errors}");
         assert!(cases(&output) >= asked && cases(&output) < asked + 3, "{script}: {} of {all}", cases(&output));
-        assert_eq!(errors.matches("error[engine-silent]").count(), 1, "{script}: {errors}");
+        assert_eq!(errors.matches("error[engine-not-responding]").count(), 1, "{script}: {errors}");
     }
 }
 

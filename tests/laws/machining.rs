@@ -245,7 +245,7 @@ proptest! {
                 }).fold(f64::INFINITY, f64::min);
                 prop_assert!(near(deepest, -depth), "{deepest}");
             }
-            Status::Error => prop_assert_eq!(&*outcome.fault.expect("a fault").code, "infeeds-never-arrive"),
+            Status::Error => prop_assert_eq!(&*outcome.fault.expect("a fault").code, "infeeds-never-reach-depth"),
             Status::Limit => prop_assert_eq!(&*outcome.fault.expect("a fault").code, "series-limit"),
             other => prop_assert!(false, "{other:?} {:?}", outcome.fault),
         }

@@ -148,7 +148,7 @@ fn cycles_that_a_manual_does_not_treat_are_not_denied() {
     // The manual of the TNC 320 lists all its probing cycles, and 444 is not among them.
     let probing = definition("probing-3d");
     let there = data.convert(&books, ("tnc640", "tnc320"), Form::AsWritten, &probing);
-    assert_eq!(codes(&there), [("convert-cycle-lacking", Severity::Error)]);
+    assert_eq!(codes(&there), [("convert-cycle-not-on-control", Severity::Error)]);
 }
 
 #[test]

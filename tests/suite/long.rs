@@ -178,7 +178,7 @@ fn parameters_of_one_definition_are_told_apart_quickly() {
 fn parameters_of_a_cycle_of_another_control_are_told_apart_quickly() {
     let twice = with("5 CYCL DEF 200 DRILLING\n", MANY, |_| "Q200=1".to_owned());
     let foreign = with("5 CYCL DEF 200 DRILLING ~\nQ200=1\n", MANY, |at| format!("Q{}=1", at + 1000));
-    let found = count_on("tnc320", "unlike-elsewhere", &[twice, foreign]);
+    let found = count_on("tnc320", "differs-from-other-control", &[twice, foreign]);
     assert_eq!(found, [MANY - 1, 0]);
 }
 

@@ -2,7 +2,6 @@
 //! with a runner here. `UPDATE=1 cargo test --test suite` rewrites expectations; `git diff` shows what changed.
 //!
 //! One program, so that the library is linked once; a file is a module of tests.
-mod accord;
 mod blocks;
 #[path = "../support/built.rs"]
 mod built;
@@ -12,6 +11,7 @@ mod check;
 mod circles;
 mod compare;
 mod conform;
+mod consistency;
 mod convert;
 mod coverage;
 mod documents;

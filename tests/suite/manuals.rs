@@ -21,7 +21,7 @@ const MANUALS: [(&str, &str); 5] = [
 
 /// What is true of excerpts because they are excerpts: examples that follow each other, programs without their ends.
 const OF_EXCERPTS: [&str; 5] =
-    ["block-numbers", "frame-mismatch", "label-duplicate", "program-begin-missing", "program-end-missing"];
+    ["block-numbers", "begin-end-mismatch", "label-duplicate", "program-begin-missing", "program-end-missing"];
 
 /// Blocks that stand together in a manual.
 struct Fragment {

@@ -161,7 +161,7 @@ fn every_code_has_a_text_in_every_language() {
         "syntax-formula",
         "syntax-incomplete",
         "syntax-refused-block",
-        "syntax-remark",
+        "syntax-text-after-tab",
         "syntax-unclosed-text",
         "syntax-undescribed",
         "syntax-unexpected",

@@ -43,7 +43,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             let what = match facts.given.get(&parameter.q) {
                 None => "nothing",
                 // A part of the program that is called may be anywhere.
-                Some(first) if *first > definition.view.first && !facts.flow.jumps => "behind",
+                Some(first) if *first > definition.view.first && !facts.flow.jumps => "later",
                 Some(_) => continue,
             };
             let finding = rule.at(facts, parameter.value.span).arg("what", what).arg("number", 0);

@@ -5,8 +5,8 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
+use super::differs_from_other_control::Other;
 use super::together;
-use super::unlike_elsewhere::Other;
 use crate::base::diag::{Diagnostic, Severity};
 use crate::check::cycle::Ready;
 use crate::check::guards::{Written, place};

@@ -1,14 +1,16 @@
 //! The rules, one file each.
 mod approach_twice;
 mod approach_without_compensation;
+mod arc_direction_missing;
 mod arc_in_unequal_scaling;
 mod arc_too_narrow;
 mod arc_without_tangent;
 mod arc_wrong;
 mod axis_twice;
-mod behind_end;
+mod begin_end_mismatch;
 mod blank_wrong;
 mod block_numbers;
+mod blocks_after_end;
 mod call_of_def_active_cycle;
 mod called_but_not_defined;
 mod called_program_in_other_unit;
@@ -23,24 +25,24 @@ mod compensation_switched;
 mod contour_data_missing;
 mod contour_def_wrong;
 mod contour_depth_missing;
+mod contour_not_selected;
 mod contour_undeclared;
-mod contour_unnamed;
 mod contour_wrong;
 mod coordinate_out_of_place;
 mod corner_wrong;
 mod cutting_without_tool;
-mod cycle_line_alone;
 mod cycle_line_empty;
 mod cycle_line_missing;
 mod cycle_line_twice;
+mod cycle_line_zero_missing;
 mod cycle_not_covered;
 mod cycle_not_described;
 mod cycle_not_on_control;
-mod cycle_of_tool_before;
+mod cycle_of_previous_tool;
 mod datum_table_late;
 mod defined_but_never_called;
+mod differs_from_other_control;
 mod digitizing_wrong;
-mod direction_unsaid;
 mod division_by_zero;
 mod doubtful_value;
 mod duplicate_parameter;
@@ -49,7 +51,6 @@ mod feed_missing;
 mod feed_negative;
 mod feed_zero;
 mod field_word_missing;
-mod frame_mismatch;
 mod free_contour_wrong;
 mod function_misspelled;
 mod function_not_on_control;
@@ -67,6 +68,7 @@ mod languages_mixed;
 mod loop_endless;
 mod machine_coordinates_compensated;
 mod main_runs_into_subprogram;
+mod meaningless_value;
 mod measuring_height_below_floor;
 mod metric_values_in_inch;
 mod mirror_of_tool_axis;
@@ -81,7 +83,7 @@ mod not_a_program;
 mod number_does_not_exist;
 mod older_parameter_set;
 mod out_of_range;
-mod out_of_range_elsewhere;
+mod out_of_usual_range;
 mod parameter_of_later_software;
 mod parameter_unassigned;
 mod pattern_combination;
@@ -99,6 +101,7 @@ mod program_begin_twice;
 mod program_calls_itself;
 mod program_empty;
 mod program_end_missing;
+mod program_not_selected;
 mod programs_call_in_circle;
 mod radius_missing;
 mod rapid_into_blank;
@@ -108,13 +111,12 @@ mod reserved_parameter;
 mod reset_order_wrong;
 mod retract_missing;
 mod row_not_in_table;
-mod selection_missing;
 mod speed_missing;
 mod speed_out_of_range;
 mod spindle_direction;
 mod spindle_off;
 mod sql_handle_missing;
-mod subprogram_end_alone;
+mod subprogram_end_without_label;
 mod subprogram_recursive;
 mod subprogram_runs_on;
 mod subprogram_without_end;
@@ -127,7 +129,6 @@ mod tool_definition_wrong;
 mod tool_feed_missing;
 mod tool_missing;
 mod tool_not_listed;
-mod tool_unfit;
 mod tool_unused;
 mod transfer_parameter_overwritten;
 mod transformation_forbidden;
@@ -137,12 +138,11 @@ mod turning_system_missing;
 mod two_signs;
 mod unknown_cycle;
 mod unknown_parameter;
-mod unlike_elsewhere;
 mod unreachable;
-mod value_without_sense;
 mod word_missing;
 mod word_twice;
 mod word_wrong;
+mod wrong_tool_type;
 mod wrong_value_kind;
 
 use super::{Definition, Facts, Rule};
@@ -158,7 +158,7 @@ pub const RULES: &[&Rule] = &[
     &arc_without_tangent::RULE,
     &arc_wrong::RULE,
     &axis_twice::RULE,
-    &behind_end::RULE,
+    &blocks_after_end::RULE,
     &blank_wrong::RULE,
     &block_numbers::RULE,
     &call_of_def_active_cycle::RULE,
@@ -176,23 +176,23 @@ pub const RULES: &[&Rule] = &[
     &contour_def_wrong::RULE,
     &contour_depth_missing::RULE,
     &contour_undeclared::RULE,
-    &contour_unnamed::RULE,
+    &contour_not_selected::RULE,
     &contour_wrong::RULE,
     &coordinate_out_of_place::RULE,
     &corner_wrong::RULE,
     &cutting_without_tool::RULE,
-    &cycle_line_alone::RULE,
+    &cycle_line_zero_missing::RULE,
     &cycle_line_empty::RULE,
     &cycle_line_missing::RULE,
     &cycle_line_twice::RULE,
     &cycle_not_covered::RULE,
     &cycle_not_described::RULE,
     &cycle_not_on_control::RULE,
-    &cycle_of_tool_before::RULE,
+    &cycle_of_previous_tool::RULE,
     &datum_table_late::RULE,
     &defined_but_never_called::RULE,
     &digitizing_wrong::RULE,
-    &direction_unsaid::RULE,
+    &arc_direction_missing::RULE,
     &division_by_zero::RULE,
     &doubtful_value::RULE,
     &duplicate_parameter::RULE,
@@ -201,7 +201,7 @@ pub const RULES: &[&Rule] = &[
     &feed_negative::RULE,
     &feed_zero::RULE,
     &field_word_missing::RULE,
-    &frame_mismatch::RULE,
+    &begin_end_mismatch::RULE,
     &free_contour_wrong::RULE,
     &function_misspelled::RULE,
     &function_not_on_control::RULE,
@@ -233,7 +233,7 @@ pub const RULES: &[&Rule] = &[
     &number_does_not_exist::RULE,
     &older_parameter_set::RULE,
     &out_of_range::RULE,
-    &out_of_range_elsewhere::RULE,
+    &out_of_usual_range::RULE,
     &parameter_of_later_software::RULE,
     &parameter_unassigned::RULE,
     &pattern_combination::RULE,
@@ -260,13 +260,13 @@ pub const RULES: &[&Rule] = &[
     &reset_order_wrong::RULE,
     &retract_missing::RULE,
     &row_not_in_table::RULE,
-    &selection_missing::RULE,
+    &program_not_selected::RULE,
     &speed_missing::RULE,
     &speed_out_of_range::RULE,
     &spindle_direction::RULE,
     &spindle_off::RULE,
     &sql_handle_missing::RULE,
-    &subprogram_end_alone::RULE,
+    &subprogram_end_without_label::RULE,
     &subprogram_recursive::RULE,
     &subprogram_runs_on::RULE,
     &subprogram_without_end::RULE,
@@ -279,7 +279,7 @@ pub const RULES: &[&Rule] = &[
     &tool_feed_missing::RULE,
     &tool_missing::RULE,
     &tool_not_listed::RULE,
-    &tool_unfit::RULE,
+    &wrong_tool_type::RULE,
     &tool_unused::RULE,
     &transfer_parameter_overwritten::RULE,
     &transformation_forbidden::RULE,
@@ -289,9 +289,9 @@ pub const RULES: &[&Rule] = &[
     &two_signs::RULE,
     &unknown_cycle::RULE,
     &unknown_parameter::RULE,
-    &unlike_elsewhere::RULE,
+    &differs_from_other_control::RULE,
     &unreachable::RULE,
-    &value_without_sense::RULE,
+    &meaningless_value::RULE,
     &word_missing::RULE,
     &word_twice::RULE,
     &word_wrong::RULE,
@@ -315,7 +315,7 @@ pub(super) const OF_DEFINITIONS: &[(&Rule, Each)] = &[
     (&missing_parameter::RULE, missing_parameter::each),
     (&older_parameter_set::RULE, older_parameter_set::each),
     (&out_of_range::RULE, out_of_range::each),
-    (&out_of_range_elsewhere::RULE, out_of_range_elsewhere::each),
+    (&out_of_usual_range::RULE, out_of_usual_range::each),
     (&parameter_of_later_software::RULE, parameter_of_later_software::each),
     (&text_wrong::RULE, text_wrong::each),
     (&label_twice::RULE, label_twice::each),

@@ -30,7 +30,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
                         found.push(report("twice").related("first-place", place));
                     }
                 } else if straight && called.contains(&bits(tool)) {
-                    found.push(report("behind"));
+                    found.push(report("after-call"));
                 }
                 defined.entry(bits(tool)).or_insert((content, measures));
             }

@@ -65,7 +65,7 @@ fn infeeds(from: f64, to: f64, by: f64, less: f64, least: f64, limit: u32) -> Re
     let (mut ends, mut done, mut infeed) = (Vec::with_capacity(USUAL), 0.0, by);
     while way - done > NO_INFEED || ends.is_empty() {
         if infeed <= 0.0 {
-            let fault = Fault::control("infeeds-never-arrive").arg("reached", done).arg("depth", way);
+            let fault = Fault::control("infeeds-never-reach-depth").arg("reached", done).arg("depth", way);
             return Err(fault.arg("first", by).arg("less", less).arg("least", least));
         }
         if ends.len() >= limit as usize {
@@ -144,7 +144,7 @@ mod tests {
         assert_eq!(ends(2.0, -8.0, 5.0, 1.0, 3.0), Ok(vec![-3.0, -7.0, -8.0]));
         assert_eq!(ends(0.0, 20.0, 30.0, 0.0, 0.0), Ok(vec![20.0]));
         assert_eq!(ends(0.0, -20.0, 0.0, 0.0, 0.0), Ok(vec![-20.0]));
-        assert_eq!(ends(0.0, -20.0, 5.0, 1.0, 0.0), Err("infeeds-never-arrive".to_owned()));
+        assert_eq!(ends(0.0, -20.0, 5.0, 1.0, 0.0), Err("infeeds-never-reach-depth".to_owned()));
         assert_eq!(ends(0.0, -15.0, 5.0, 1.0, 0.0), Ok(vec![-5.0, -9.0, -12.0, -14.0, -15.0]));
         assert_eq!(ends(0.0, -20.0, 0.1, 0.0, 0.0), Err("series-limit".to_owned()));
         // A least infeed above the first one does not make the first one larger.

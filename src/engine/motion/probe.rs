@@ -184,7 +184,7 @@ fn mean(probe: &ProbeData, centres: &[DVec3], direction: DVec3) -> Result<DVec3,
     let ways = || centres.iter().map(|centre| centre.dot(direction));
     let apart = ways().fold(f64::NEG_INFINITY, f64::max) - ways().fold(f64::INFINITY, f64::min);
     if let Some(range) = probe.confidence.filter(|range| apart > *range) {
-        return Err(Fault::control("probe-measurements-apart").arg("found", apart).arg("range", range));
+        return Err(Fault::control("probe-measurements-differ").arg("found", apart).arg("range", range));
     }
     Ok(centres.iter().sum::<DVec3>() / centres.len() as f64)
 }

@@ -169,7 +169,7 @@ impl Descent {
     fn passes(&self, length: f64) -> Result<u32, Fault> {
         let drop = length * tand(self.angle);
         if drop.is_nan() || drop <= 0.0 {
-            let fault = Fault::control("infeeds-never-arrive").arg("reached", 0.0).arg("depth", self.depth());
+            let fault = Fault::control("infeeds-never-reach-depth").arg("reached", 0.0).arg("depth", self.depth());
             return Err(fault.arg("first", 0.0).arg("less", 0.0).arg("least", 0.0));
         }
         let passes = libm::ceil(self.depth() / drop - SPARE).max(1.0);

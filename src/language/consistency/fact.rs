@@ -21,11 +21,11 @@ impl Kind {
 
     pub(super) const fn code(self) -> &'static str {
         match self {
-            Kind::Number => "accord-number",
-            Kind::Unit => "accord-unit",
-            Kind::Code => "accord-code",
-            Kind::Argument => "accord-argument",
-            Kind::Reference => "accord-reference-word",
+            Kind::Number => "consistency-number",
+            Kind::Unit => "consistency-unit",
+            Kind::Code => "consistency-code",
+            Kind::Argument => "consistency-argument",
+            Kind::Reference => "consistency-reference-word",
         }
     }
 }

@@ -29,13 +29,13 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
                     if let Some(other) = same
                         && !shared_elsewhere(&all, language, cycle, (&one.param.is.text, &other.param.is.text))
                     {
-                        found.push(report("accord-label-twice", language, on, cycle, one, other));
+                        found.push(report("consistency-label-twice", language, on, cycle, one, other));
                     } else if catalogue_explains(catalogue, on, cycle, one) {
                         continue;
                     } else if let Some((other, is)) = of_another(one, &names)
                         && !elsewhere_of(&all, language, cycle, (&one.param.is.text, is))
                     {
-                        found.push(report("accord-label-of-another", language, on, cycle, one, &other));
+                        found.push(report("consistency-label-of-another", language, on, cycle, one, &other));
                     }
                 }
             }

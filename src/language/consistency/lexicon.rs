@@ -44,9 +44,9 @@ pub(super) fn check(catalogue: &Catalogue, locales: &Locales, found: &mut Vec<Di
                     let texts = Texts::of(language, (catalogue, on), cycle, param);
                     if !texts.explained && seen.insert((param.is.text.to_string(), texts.name.clone(), kinds)) {
                         let measured = Texts { name: without_place(&texts.name, &places), ..texts.clone() };
-                        judge(&measured, param, kinds.0, &quantities, "accord-quantity", found);
+                        judge(&measured, param, kinds.0, &quantities, "consistency-quantity", found);
                         if let Some(reference) = kinds.1 {
-                            judge(&texts, param, reference, &references, "accord-reference", found);
+                            judge(&texts, param, reference, &references, "consistency-reference", found);
                         }
                     }
                 }

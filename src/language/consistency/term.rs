@@ -75,12 +75,12 @@ fn judge(
         let report =
             |code| Diagnostic::warning(code, place.clone()).arg("key", key.to_string()).arg("language", language.tag());
         if let Some(word) = own.forbidden.iter().find(|word| has(&text, word)) {
-            found.push(report("accord-forbidden").arg("word", word.as_str()).arg("term", own.word.as_str()));
+            found.push(report("consistency-forbidden").arg("word", word.as_str()).arg("term", own.word.as_str()));
         }
         let asked = term.forms.iter().any(|form| has(&original, form));
         let answered = own.forms.iter().any(|form| has(&text, form));
         if language.tag() != source.tag() && asked && !own.forms.is_empty() && !answered {
-            found.push(report("accord-term").arg("source", term.word.as_str()).arg("term", own.word.as_str()));
+            found.push(report("consistency-term").arg("source", term.word.as_str()).arg("term", own.word.as_str()));
         }
     }
 }

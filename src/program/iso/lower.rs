@@ -141,7 +141,7 @@ impl Lowering<'_, '_> {
         }
         let (code, span) = match refusal {
             Refusal::NoEquivalent(span) => ("klartext-no-equivalent", *span),
-            Refusal::Leftover(span) => ("iso-word-not-taken", *span),
+            Refusal::Leftover(span) => ("iso-word-not-allowed", *span),
             Refusal::UnknownCode(span) => ("iso-unknown-code", *span),
             Refusal::NoDirection(span) => ("iso-no-direction", *span),
         };

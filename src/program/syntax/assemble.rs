@@ -25,7 +25,7 @@ const USUAL: usize = 32;
 const MAX_TORN: usize = 8;
 
 /// The code of the warning about text after a tab.
-pub(super) const REMARK: &str = "syntax-remark";
+pub(super) const REMARK: &str = "syntax-text-after-tab";
 
 /// The code of the warning about a line that only other languages have.
 pub(super) const FOREIGN: &str = "syntax-foreign-line";

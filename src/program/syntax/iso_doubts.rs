@@ -80,7 +80,7 @@ pub(super) fn remark(blocks: &[Block]) -> Option<SyntaxError> {
     blocks.iter().find_map(|block| match &block.kind {
         BlockKind::Iso(own) => {
             let span = *own.remarks.first()?;
-            Some(SyntaxError { code: "syntax-iso-remark", span, expected: "block" })
+            Some(SyntaxError { code: "syntax-bracket-comment", span, expected: "block" })
         }
         _ => None,
     })

@@ -292,7 +292,7 @@ impl<'t> Reader<'t> {
             return Ok(BlockKind::Functions(block.functions));
         }
         if block.words.is_empty() && block.parameters.is_empty() {
-            let remark = |span: Span| SyntaxError { code: "syntax-iso-remark", span, expected: "block" };
+            let remark = |span: Span| SyntaxError { code: "syntax-bracket-comment", span, expected: "block" };
             self.remark = self.remark.or(block.remarks.first().copied().map(remark));
             return Ok(BlockKind::Comment);
         }

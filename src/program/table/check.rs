@@ -85,7 +85,7 @@ fn cells(table: &Table, source: &Arc<Source>) -> Vec<Diagnostic> {
                 }
                 let from = start + heading.bytes(&line.text).0 + (cell.len() - cell.trim_start().len());
                 let place = Place::new(source, from..from + written.len());
-                let finding = Diagnostic::error("table-value-not-taken", place).arg("column", heading.name.as_str());
+                let finding = Diagnostic::error("table-value-not-allowed", place).arg("column", heading.name.as_str());
                 found.push(finding.arg("row", *row).arg("found", written));
             }
         }

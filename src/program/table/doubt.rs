@@ -50,7 +50,7 @@ pub(super) fn told_of(table: &Table, source: &Arc<Source>, found: &mut Vec<Diagn
     for (line, start) in table.lines.iter().zip(&starts).skip(table.end + 1) {
         let text = line.text.trim();
         if !text.is_empty() && !text.starts_with([';', '#']) {
-            doubts.tell("behind-end", *start..start + line.text.len(), []);
+            doubts.tell("after-end", *start..start + line.text.len(), []);
             break;
         }
     }

@@ -59,7 +59,7 @@ impl Patience<'_> {
 }
 
 /// Puts the examples chosen to another engine. One that was silent too
-/// often in a row is not asked further: `engine-silent` says how many cases are left.
+/// often in a row is not asked further: `engine-not-responding` says how many cases are left.
 pub fn run(world: &World<'_>, chosen: &Selection<'_>, partner: &mut dyn Partner) -> (Report, Vec<Diagnostic>) {
     let (mut cases, mut found, mut cycles) = (Vec::new(), Vec::new(), Vec::<CycleReport>::new());
     let jobs = jobs(world, chosen);
@@ -67,7 +67,7 @@ pub fn run(world: &World<'_>, chosen: &Selection<'_>, partner: &mut dyn Partner)
     for (id, job) in (1..).zip(&jobs) {
         if partner.is_over() {
             let left = jobs.len() - cases.len();
-            let silent = Diagnostic::global("engine-silent").arg("silent", partner.silent as f64);
+            let silent = Diagnostic::global("engine-not-responding").arg("silent", partner.silent as f64);
             found.push(silent.arg("left", left as f64));
             break;
         }

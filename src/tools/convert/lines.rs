@@ -22,7 +22,7 @@ impl Writer<'_, '_> {
             };
             let Some((at, target)) = counterpart(own, other, field) else {
                 let refused =
-                    self.at("convert-field-lacking", Severity::Error, item.span).arg("parameter", &*item.name);
+                    self.at("convert-field-not-on-control", Severity::Error, item.span).arg("parameter", &*item.name);
                 let refused = refused.arg("value", item.printed.as_ref()).arg("cycle", definition.key.to_string());
                 self.found.push(refused.arg("control", self.request.to.on.control.title.as_str()));
                 continue;

@@ -192,7 +192,7 @@ impl<'a> Writer<'_, 'a> {
         if !self.request.to.on.covers(definition.key) {
             return self.not_covered(definition, &self.request.to.on.control.title);
         }
-        let lacking = self.at("convert-cycle-lacking", Severity::Error, definition.view.head);
+        let lacking = self.at("convert-cycle-not-on-control", Severity::Error, definition.view.head);
         self.found.push(
             lacking.arg("cycle", definition.key.to_string()).arg("control", self.request.to.on.control.title.as_str()),
         );
@@ -241,7 +241,7 @@ impl<'a> Writer<'_, 'a> {
         let code = if refused(other) && !refused(own) {
             "convert-value-refused"
         } else if choice(own, value).zip(choice(other, value)).is_some_and(|(own, other)| own != other) {
-            "convert-value-means-else"
+            "convert-value-differs-in-meaning"
         } else {
             return;
         };

@@ -54,7 +54,7 @@ fn infeeds_that_never_arrive_are_an_error() {
             |depth: f64| [(INFEED, 5.0), (LESS, 1.0), (LEAST, 0.0), (DEPTH, -depth), ("Q203", 0.0), ("Q379", 0.0)];
         // 5 + 4 + 3 + 2 + 1 is 15 and no more.
         let (status, code, deepest) = drilled(*cycle, values, &given(20.0));
-        assert_eq!((status, code.as_deref()), (Status::Error, Some("infeeds-never-arrive")), "{cycle}");
+        assert_eq!((status, code.as_deref()), (Status::Error, Some("infeeds-never-reach-depth")), "{cycle}");
         assert!(deepest > 0.0, "{cycle}: nothing is drilled before the error, but {deepest}");
         let (status, code, deepest) = drilled(*cycle, values, &given(15.0));
         assert_eq!((status, code), (Status::Done, None), "{cycle}");
@@ -91,7 +91,7 @@ proptest! {
             prop_assert_eq!((status, code), (Status::Done, None), "{}", cycle);
             prop_assert!((deepest + depth).abs() < 1e-9, "{}", deepest);
         } else {
-            prop_assert_eq!((status, code.as_deref()), (Status::Error, Some("infeeds-never-arrive")), "{}", cycle);
+            prop_assert_eq!((status, code.as_deref()), (Status::Error, Some("infeeds-never-reach-depth")), "{}", cycle);
         }
     }
 }

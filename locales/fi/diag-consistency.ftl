@@ -1,0 +1,22 @@
+# Tekstit, jotka eivät täsmää keskenään; katso src/accord.
+diag-consistency-number = Kielen { $language } tekstissä { $key } on muut luvut kuin kielissä { $others }: { $found }, odotettu { $expected }.
+diag-consistency-unit = Kielen { $language } tekstissä { $key } on muut yksiköt kuin kielissä { $others }: { $found }, odotettu { $expected }.
+diag-consistency-code = Kielen { $language } teksti { $key } mainitsee muut parametrit, toiminnot tai sarakkeet kuin kielet { $others }: { $found }, odotettu { $expected }.
+diag-consistency-argument = Kielen { $language } teksti { $key } pyytää muut argumentit kuin kielet { $others }: { $found }, odotettu { $expected }.
+diag-consistency-label-twice = Kielessä { $language } saman työkierron parametreilla ”{ $parameter }” ja ”{ $other }” on sama teksti { $label }.
+diag-consistency-label-of-another = Kielessä { $language } parametrin ”{ $parameter }” teksti { $label } kuuluu parametrille ”{ $other }”.
+diag-consistency-swapped = Kielessä { $language } tekstit { $key } ja { $other } näyttävät vaihtaneen paikkaa; vertaa kieliin { $others }.
+diag-consistency-quantity = { $parameter } mittaa suuretta { $found }, mutta sen nimi kielessä { $language } (”{ $name }”) viittaa suureeseen { $expected }.
+diag-consistency-reference = { $parameter } on { $found }, mutta sen nimi kielessä { $language } (”{ $name }”) viittaa mittaan, joka on { $expected }.
+related-said-here = teksti on tässä
+diag-spec-odd-q = { $cycle } antaa parametrille { $q } nimen ”{ $name }”, joka muualla on { $usual }; muualla { $q } on ”{ $other }”.
+diag-spec-odd-choice = Vaihtoehdon ”{ $name }” arvo on tässä { $value } ja muualla { $usual }.
+diag-spec-odd-limit = Raja { $value } parametrissa { $name } ei esiinny tällä suureella missään muualla; { $usual } esiintyy.
+diag-spec-odd-condition = Ehdon ”{ $name }” mukaan { $q } on { $found }, mutta samannimisen vaihtoehdon arvo on { $value }.
+diag-spec-example-guarded = Tarkastus ”{ $code }” hylkää painetun esimerkin.
+diag-spec-unused-parameter = Mikään työkierron { $cycle } kulussa, tarkastuksissa tai lauseissa ei käytä parametria { $q }.
+diag-consistency-reference-word = Kielen { $language } teksti { $key } ei mainitse absoluuttista tai inkrementaalista niin kuin kielet { $others }: { $found }, odotettu { $expected }.
+diag-locale-unused = Mikään kuvaus tai teksti ei käytä tekstiä { $key }.
+diag-spec-example-fails = Esimerkki ”{ $name }” ohjauksella { $control } ei pidä paikkaansa: { $what }: pitäisi olla { $expected }, on { $found }.
+diag-consistency-term = Kielen { $language } tekstistä { $key } puuttuu termi ”{ $term }” (lähteessä ”{ $source }”).
+diag-consistency-forbidden = Kielen { $language } tekstissä { $key } on ”{ $word }”; termi on ”{ $term }”.

@@ -1,0 +1,22 @@
+# Texts that do not agree with each other; see src/accord.
+diag-consistency-number = Besedilo { $key } v jeziku { $language } navaja druga števila kot jeziki { $others }: { $found } namesto { $expected }.
+diag-consistency-unit = Besedilo { $key } v jeziku { $language } navaja druge enote kot jeziki { $others }: { $found } namesto { $expected }.
+diag-consistency-code = Besedilo { $key } v jeziku { $language } navaja druge parametre, funkcije ali stolpce kot jeziki { $others }: { $found } namesto { $expected }.
+diag-consistency-argument = Besedilo { $key } v jeziku { $language } zahteva druge argumente kot jeziki { $others }: { $found } namesto { $expected }.
+diag-consistency-label-twice = V jeziku { $language } imata parametra »{ $parameter }« in »{ $other }« enega cikla enako oznako { $label }.
+diag-consistency-label-of-another = V jeziku { $language } je oznaka { $label } parametra »{ $parameter }« oznaka parametra »{ $other }«.
+diag-consistency-swapped = V jeziku { $language } sta besedili { $key } in { $other } videti zamenjani; primerjajte z jeziki { $others }.
+diag-consistency-quantity = { $parameter } meri { $found }, njegovo ime v jeziku { $language } (»{ $name }«) pa govori o { $expected }.
+diag-consistency-reference = { $parameter } je { $found }, njegovo ime v jeziku { $language } (»{ $name }«) pa govori o tem, kar je { $expected }.
+related-said-here = besedilo je tukaj
+diag-spec-odd-q = { $cycle } parameter { $q } imenuje »{ $name }«, ki je drugod { $usual }; drugod je { $q } »{ $other }«.
+diag-spec-odd-choice = Možnost »{ $name }« ima tukaj vrednost { $value }, drugod pa { $usual }.
+diag-spec-odd-limit = Meja { $value } vrednosti { $name } za to količino drugod ni uporabljena; uporabljena je { $usual }.
+diag-spec-odd-condition = Pogoj »{ $name }« pravi, da je { $q } { $found }, možnost s tem imenom pa ima vrednost { $value }.
+diag-spec-example-guarded = Natisnjeni primer zavrne preverjanje »{ $code }«.
+diag-spec-unused-parameter = Nič v poteku, preverjanjih ali stavkih cikla { $cycle } ne uporablja parametra { $q }.
+diag-consistency-reference-word = Besedilo { $key } v jeziku { $language } ne pravi absolutno ali inkrementalno, kakor pravijo jeziki { $others }: { $found } namesto { $expected }.
+diag-locale-unused = Besedila { $key } ne uporablja nobena specifikacija in nobeno besedilo.
+diag-spec-example-fails = Primer »{ $name }« na krmiljenju { $control } ne da navedenega izida: { $what } bi moralo biti { $expected }, je pa { $found }.
+diag-consistency-term = V besedilu { $key } v jeziku { $language } za »{ $source }« manjka izraz »{ $term }«.
+diag-consistency-forbidden = Besedilo { $key } v jeziku { $language } uporablja besedo »{ $word }«; izraz je »{ $term }«.

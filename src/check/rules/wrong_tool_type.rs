@@ -1,0 +1,30 @@
+//! A workpiece that is probed with the tool that has just machined it,
+//! or machined with the tool that has just probed it.
+//!
+//! A tool call must come between them. Silent after STOP, M0, M6 and M functions of the machine builder, where
+//! another tool may be put in by hand. Each is reported once a program.
+use crate::base::diag::{Diagnostic, Severity};
+use crate::check::cycle::{probes, removes_material};
+use crate::check::{Aspect, Facts, Pending, Rule, Tri};
+
+pub(super) const RULE: Rule = Rule { code: "wrong-tool-type", severity: Severity::Warning, run };
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let probe = facts.definitions.iter().find(|own| {
+        own.related_cycle().is_some_and(probes)
+            && facts.run.before(own.view.first).is_some_and(|modal| modal.is(Aspect::Cut) == Tri::Yes)
+    });
+    if let Some(own) = probe {
+        let finding = rule.at(facts, own.view.head).arg("what", "probe");
+        found.push(finding.arg("cycle", own.key.to_string()));
+    }
+    let mut calls = facts.run.calls.iter().filter(|call| call.modal.is(Aspect::Probed) == Tri::Yes);
+    let call = calls.find_map(|call| {
+        let Pending::Definition(index) = call.modal.pending else { return None };
+        let own = facts.definitions.get(index as usize)?;
+        own.related_cycle().is_some_and(removes_material).then_some((call.span, own))
+    });
+    if let Some((span, own)) = call {
+        found.push(rule.at(facts, span).arg("what", "mill").arg("cycle", own.key.to_string()));
+    }
+}

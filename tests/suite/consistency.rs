@@ -1,0 +1,115 @@
+//! What `consistency` and the habits of the catalogue find: facts altered in the built data, each one found, and
+//! nothing found in the data as they are.
+use ciklo::base::data::{self, Files};
+use ciklo::base::diag::Diagnostic;
+use ciklo::language::consistency;
+use ciklo::language::locale::Locales;
+use ciklo::spec::{self, Catalogue};
+
+/// The file, what stands there, what is put there, and what must be found: the code and a word that the finding names.
+type Alteration = (&'static str, &'static str, &'static str, &'static str, &'static str);
+
+fn found(files: &Files) -> Vec<Diagnostic> {
+    let (catalogue, mut found) = Catalogue::load(files);
+    let (locales, mistakes) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    found.extend(mistakes);
+    found.extend(spec::lint(&catalogue));
+    found.extend(ciklo::engine::plan::check(&catalogue));
+    found.extend(consistency::check(&catalogue, &locales));
+    found
+}
+
+fn altered(alterations: &[Alteration]) -> Files {
+    let mut files = data::embedded();
+    for (name, from, to, ..) in alterations {
+        let (_, text) = files.iter_mut().find(|(path, _)| path.ends_with(name)).unwrap_or_else(|| panic!("no {name}"));
+        assert!(text.contains(from), "{name} does not contain {from}");
+        *text = text.replacen(from, to, 1);
+    }
+    files
+}
+
+fn names(diagnostic: &Diagnostic, word: &str) -> bool {
+    diagnostic.args.iter().any(|(_, value)| format!("{value:?}").contains(word))
+}
+
+#[test]
+fn the_built_data_agree_with_themselves() {
+    let codes = ["consistency-", "spec-odd-", "spec-measure", "spec-unused-parameter"];
+    let found: Vec<String> = found(&data::embedded())
+        .iter()
+        .filter(|found| codes.iter().any(|code| found.code.starts_with(code)))
+        .map(|found| format!("{} {:?}", found.code, found.args))
+        .collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn every_altered_fact_is_found() {
+    let alterations: &[Alteration] = &[
+        // A number, a unit, an argument and a word of the code in one language.
+        (
+            "fi/drilling.ftl",
+            "3000{\"\\u00A0\"}mm/min",
+            "300{\"\\u00A0\"}mm/min",
+            "consistency-number",
+            "step-break-chip",
+        ),
+        ("sl/drilling.ftl", "3000{\"\\u00A0\"}mm/min", "3000{\"\\u00A0\"}mm", "consistency-unit", "step-break-chip"),
+        (
+            "it/drilling.ftl",
+            "{ $q-dwell-at-top }",
+            "{ $q-dwell-at-bottom }",
+            "consistency-argument",
+            "return-to-set-up",
+        ),
+        ("pt/measuring.ftl", "Q182=1", "Q181=1", "consistency-code", "say-hole-is-scrap"),
+        // The label of another parameter of the same cycle, and texts of choices that changed places.
+        (
+            "it/parameters-machining.ftl",
+            ".label = PROFONDITÀ\n",
+            ".label = DISTANZA SICUREZZA\n",
+            "consistency-label-twice",
+            "DISTANZA SICUREZZA",
+        ),
+        // What a specification says against the names: an angle that is a length, a distance that is a coordinate.
+        (
+            "parameters/machining.yaml",
+            "angle-of-rotation:\n    {quantity: angle",
+            "angle-of-rotation:\n    {quantity: length",
+            "consistency-quantity",
+            "angle-of-rotation",
+        ),
+        (
+            "parameters/machining.yaml",
+            "set-up-clearance:\n    {quantity: length, reference: incremental",
+            "set-up-clearance:\n    {quantity: length, reference: absolute",
+            "consistency-reference",
+            "set-up-clearance",
+        ),
+        // Habits of the catalogue: a limit, a choice, a Q number.
+        (
+            "parameters/probing.yaml",
+            "measuring-height:\n    quantity: length\n    reference: absolute\n    ranges: [{min: -99999.9999, max: 99999.9999",
+            "measuring-height:\n    quantity: length\n    reference: absolute\n    ranges: [{min: -99999.9999, max: 9999.9999",
+            "spec-odd-limit",
+            "measuring-height",
+        ),
+        (
+            "drilling/205-universal-pecking.yaml",
+            "{q: Q206, is: plunging-feed",
+            "{q: Q207, is: plunging-feed",
+            "spec-odd-q",
+            "plunging-feed",
+        ),
+        // A formula that adds two coordinates, and a parameter of which the run knows nothing any more.
+        ("drilling/200-drilling.yaml", "floor: Q203 + Q201", "floor: Q203 + Q203", "spec-measure", "CYCL DEF 200"),
+    ];
+    let found = found(&altered(alterations));
+    let missing: Vec<String> = alterations
+        .iter()
+        .filter(|(.., code, word)| !found.iter().any(|found| found.code == *code && names(found, word)))
+        .map(|(file, _, to, code, word)| format!("{code} for {word}: {file} {to}"))
+        .collect();
+    assert!(missing.is_empty(), "not found:\n{}", missing.join("\n"));
+}
