@@ -95,6 +95,7 @@ fn lines(cycle: &CycleCoverage, ui: &Ui) -> Vec<String> {
     tell("cli-coverage-pending", &cycle.pending, cycle.pending.len(), "");
     tell("cli-coverage-unexecuted", &cycle.unexecuted, cycle.sentences, "");
     tell("cli-coverage-unprovoked", &cycle.unprovoked, cycle.unprovoked.len(), "");
+    tell("cli-coverage-figures", &cycle.not_in_figures, cycle.measurable, "");
     if cycle.is_complete() {
         lines.push(format!("      {}\n", ui.text("cli-coverage-complete", &Args::new())));
     }

@@ -13,6 +13,7 @@ use crate::language::consistency;
 use crate::language::label;
 use crate::language::locale::render::render;
 use crate::language::locale::{Args, Language, LocaleError, Locales, NO_FILE, SOURCE_LANGUAGE, Scope, Ui};
+use crate::output::figure;
 use crate::output::manual;
 use crate::program::syntax;
 use crate::spec::{self, Catalogue, Keyword};
@@ -55,6 +56,9 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     found.extend(languages_of_controls(&catalogue, &locales));
     let only = conform_cmd::cycles(&arguments::all(matches, "only"))?;
     found.extend(examples(&catalogue, &locales, &files, &only));
+    let chosen = Selection { cycles: &only, ..Selection::default() };
+    let world = World { catalogue: &catalogue, locales: &locales, files: &files };
+    found.extend(figure::check(&catalogue, &world, &|cycle| chosen.has_cycle(cycle)));
     if only.is_empty() {
         found.extend(label::check(&catalogue, &locales));
         found.extend(consistency::check(&catalogue, &locales));
@@ -156,7 +160,7 @@ fn texts(catalogue: &Catalogue, locales: &Locales) -> Vec<Diagnostic> {
 }
 
 /// What the messages of the specifications begin with.
-const OF_SPECS: [&str; 11] = [
+const OF_SPECS: [&str; 12] = [
     "cycle-",
     "parameter-",
     "step-",
@@ -168,6 +172,7 @@ const OF_SPECS: [&str; 11] = [
     "note-",
     "title-",
     "message-",
+    "figure-",
 ];
 /// Messages that begin like those of the specifications and are not theirs.
 const NOT_OF_SPECS: [&str; 1] = ["cycle-group-"];

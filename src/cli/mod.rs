@@ -26,6 +26,7 @@ mod envelope;
 mod execution;
 mod explain;
 mod export;
+mod figure;
 mod fmt;
 mod jobs;
 mod lint;
@@ -104,6 +105,7 @@ struct Command {
 static COMMANDS: &[Command] = &[
     build::COMMAND,
     dialog::COMMAND,
+    figure::COMMAND,
     block::COMMAND,
     parse::COMMAND,
     check::COMMAND,

@@ -4,4 +4,5 @@
 //! Invariant: yields paths and bytes, writes no file. Start with [`manual`].
 pub mod dialog;
 pub mod export;
+pub mod figure;
 pub mod manual;

@@ -4,6 +4,7 @@
 use serde_json::{Value, json};
 
 use super::decode::{Context, Decode, Definitions, Entries, Formula, Name, record};
+use super::figure_form::{Dimension, Figure, NotShown};
 use super::run_form::*;
 use super::vocabulary::*;
 use super::yaml::Node;
@@ -434,6 +435,10 @@ record! {
         doubts: Vec<Doubt>,
         /// Its run.
         run: Vec<Item>,
+        /// Its figures.
+        figures: Vec<Figure>,
+        /// Lengths, angles and positions that no figure can show.
+        not_shown: Vec<NotShown>,
         /// Conformance cases.
         examples: Vec<Example>,
     }
@@ -452,6 +457,8 @@ record! {
         conditions: Entries<Formula>,
         /// Guards.
         guards: Vec<Guard>,
+        /// Parameters that figures show.
+        dimensions: Vec<Dimension>,
         /// Actions.
         actions as "do": Vec<Action>,
         /// Bullets.

@@ -3,6 +3,8 @@
 //! Invariant: knows no language; every text that a person reads is an id here.
 mod catalogue;
 mod decode;
+mod figure_form;
+mod figures;
 mod filter;
 mod form;
 mod index;
@@ -22,6 +24,8 @@ mod yaml;
 
 pub use catalogue::{Catalogue, Cycle, CycleKey, Field, Known, OnControl, Outline, Param, PrintedRange};
 pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
+pub use figure_form::*;
+pub use figures::{dimensions, measurable, not_in_figures};
 pub use form::*;
 pub use language::{BlockWords, Gives, Global, OldCycle, Tongue, WordLimit};
 pub use lint::{equals, lint};

@@ -76,6 +76,7 @@ impl Collector<'_> {
         }
         cycle.file.results.iter().for_each(|result| self.value("result", result.is.as_str()));
         cycle.file.notes.iter().for_each(|note| self.value("note", note.note.as_str()));
+        cycle.file.figures.iter().for_each(|figure| self.value("figure", figure.name.as_str()));
         cycle.file.tables.iter().for_each(|table| self.value("table", table.table.as_str()));
         let titles = cycle.file.nc_examples.iter().filter_map(|example| example.title.as_ref());
         titles.for_each(|title| self.value("title", title.as_str()));

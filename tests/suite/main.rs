@@ -19,6 +19,7 @@ mod engine;
 mod engine_plan;
 mod export;
 mod expr;
+mod figures;
 mod habits;
 #[path = "../support/html.rs"]
 mod html;

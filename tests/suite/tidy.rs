@@ -63,6 +63,10 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("output::export", &["base::diag", "spec", "language::locale", "language::text"]),
     ("output::dialog", &["base::diag", "spec", "language::locale", "language::text", "output::export"]),
     (
+        "output::figure",
+        &["base::diag", "base::expr", "spec", "language::text", "program::syntax", "engine", "tools::conform"],
+    ),
+    (
         "output::manual",
         &[
             "base::diag",
@@ -75,8 +79,10 @@ const LAYERS: &[(&str, &[&str])] = &[
             "language::label",
             "output::dialog",
             "output::export",
+            "output::figure",
             "check",
             "tools::translate",
+            "tools::conform",
         ],
     ),
     ("system", &["base::diag"]),
@@ -95,6 +101,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "language::consistency",
             "output::dialog",
             "output::export",
+            "output::figure",
             "output::manual",
             "check",
             "tools::certify",

@@ -10,12 +10,13 @@ use crate::engine::flow::definition::{Definition, FieldValue};
 use crate::engine::flow::exec::Exec;
 use crate::engine::flow::memory::Spare;
 use crate::engine::flow::state::Run;
-use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Slot, Step};
+use crate::engine::plan::{Block, Builtin, Calc, Case, Do, Guard, Item, Let, Slot, Step, Watched};
 use crate::engine::report::ending::Done;
 use crate::engine::report::ending::Leave;
 use crate::engine::report::event::EventKind;
 use crate::engine::report::event::MessageKind;
 use crate::engine::report::fault::{Class, Fault};
+use crate::engine::report::outcome::Noted;
 use crate::engine::scene::{Orientation, ParameterValue};
 use crate::engine::world::state::Tables;
 use crate::engine::world::stylus::ProbeData;
@@ -309,9 +310,18 @@ impl<'e> Run<'_, 'e> {
                     }
                 }
                 Item::Each(series) => self.series(series, exec)?,
+                Item::Watch(watched) => self.note(watched, exec),
             }
         }
         Ok(())
+    }
+
+    /// Notes values; one that is not there is noted as nothing.
+    fn note(&mut self, watched: &Watched, exec: &Exec<'_, 'e>) {
+        let value = |calc: &Option<Calc>| calc.as_ref().and_then(|calc| self.value(calc, exec).ok());
+        let values = watched.values.iter().map(value).collect();
+        let events = self.drives.report.count();
+        self.records.noted.push(Noted { watch: watched.index, events, values });
     }
 
     fn step(&mut self, step: &Step, exec: &mut Exec<'_, 'e>) -> Done {

@@ -2,8 +2,9 @@
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Arg, Diagnostic};
+use crate::engine::plan::Watch;
 use crate::program::syntax::Program;
-use crate::spec::OnControl;
+use crate::spec::{CycleKey, OnControl};
 
 /// Texts that a run needs for logs, in the language of the program.
 pub trait Texts {
@@ -74,4 +75,9 @@ pub(crate) struct Settings<'e> {
     pub(crate) envelope: bool,
     /// Other controls, for cycles that the manual of this one only names.
     pub(crate) others_on: Vec<&'e OnControl>,
+    /// Values of a cycle that are noted.
+    pub(crate) watching: Watching<'e>,
 }
+
+/// A cycle with the values of its run that are noted.
+pub(crate) type Watching<'e> = Option<(CycleKey, &'e [Watch])>;

@@ -12,7 +12,7 @@ use super::calls::Calls;
 use super::code::Prepared;
 use super::definition::Definition;
 use super::memory::Memory;
-use super::settings::Settings;
+use super::settings::{Settings, Watching};
 use crate::engine::contour::path::Contour;
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::motion::drives::Drives;
@@ -22,7 +22,7 @@ use crate::engine::report::ending::Done;
 use crate::engine::report::envelope::Envelope;
 use crate::engine::report::event::Event;
 use crate::engine::report::fault::{Class, Fault};
-use crate::engine::report::outcome::Shown;
+use crate::engine::report::outcome::{Noted, Shown};
 use crate::program::syntax::{Motion, Path};
 use crate::spec::{Cycle, CycleKey, OnControl};
 
@@ -94,11 +94,12 @@ pub(crate) struct Cycles<'e> {
 
 impl Cycles<'_> {
     /// The plan of a cycle, compiled when it is needed first.
-    pub(crate) fn plan(&mut self, cycle: &Cycle, on: &OnControl) -> Done<Arc<Plan>> {
+    pub(crate) fn plan(&mut self, cycle: &Cycle, on: &OnControl, watching: &Watching<'_>) -> Done<Arc<Plan>> {
         if let Some(plan) = self.plans.get(&cycle.key) {
             return Ok(Arc::clone(plan));
         }
-        let (plan, mistakes) = plan::compile(cycle, on);
+        let watches = watching.as_ref().filter(|(key, _)| *key == cycle.key).map_or(&[][..], |(_, watches)| watches);
+        let (plan, mistakes) = plan::compile_watched(cycle, on, watches);
         if let Some(mistake) = mistakes.first() {
             let fault = Fault::new(Class::Internal, "plan-mistake").arg("reason", mistake.code);
             return Err(fault.arg("cycle", cycle.key.to_string()).into());
@@ -121,6 +122,8 @@ pub(crate) struct Records {
     /// Logs shown on the screen.
     pub(crate) screens: Vec<String>,
     pub(crate) envelopes: Vec<Envelope>,
+    /// Values noted.
+    pub(crate) noted: Vec<Noted>,
 }
 
 /// Executes blocks until the calls that deep have returned, or to the end. Cycles call programs, and execute no blocks

@@ -3,7 +3,7 @@
 //! Invariant: data only; every name has become a slot and every text an id.
 use std::sync::Arc;
 
-use super::Slot;
+use super::{Slot, Watched};
 use crate::base::diag::Place;
 use crate::base::expr::{Code, QRef};
 use crate::engine::strategy::Strategy;
@@ -59,6 +59,8 @@ pub enum Item {
     },
     /// A series.
     Each(Box<Series>),
+    /// Values that are noted.
+    Watch(Watched),
 }
 
 /// A numbered sentence with its actions.

@@ -45,7 +45,14 @@ const SERIES: &[(&str, &[&str], usize)] = &[
 
 impl Compiler<'_> {
     pub(super) fn items(&mut self, items: &[spec::Item], scope: &mut Scope) -> Vec<Item> {
-        items.iter().filter_map(|item| self.item(item, scope)).collect()
+        let mut compiled = Vec::new();
+        for item in items {
+            compiled.extend(self.item(item, scope));
+            if let Some(step) = &item.step {
+                self.watch(Some(&step.text), scope, &mut compiled);
+            }
+        }
+        compiled
     }
 
     fn item(&mut self, item: &spec::Item, scope: &mut Scope) -> Option<Item> {

@@ -10,6 +10,7 @@ mod measure;
 mod names;
 mod types;
 mod verb;
+mod watch;
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -24,6 +25,7 @@ pub use act::{
     SpindleTurn, Step, StrategyCall, Target, Transform,
 };
 pub use names::Builtin;
+pub use watch::{Watch, Watched};
 
 use names::Names;
 
@@ -82,13 +84,19 @@ impl Plan {
 
 /// Compiles the run of a cycle. The plan lacks whatever a diagnostic is about.
 pub fn compile(cycle: &Cycle, on: &OnControl) -> (Plan, Vec<Diagnostic>) {
-    let mut compiler = Compiler::new(cycle, on);
+    compile_watched(cycle, on, &[])
+}
+
+/// The same with places at which values are noted.
+pub fn compile_watched(cycle: &Cycle, on: &OnControl, watches: &[Watch]) -> (Plan, Vec<Diagnostic>) {
+    let mut compiler = Compiler::new(cycle, on, watches);
     let mut scope = names::Scope::default();
     compiler.old_fields(&mut scope);
     let mut lets = Vec::new();
     compiler.lets(&cycle.file.lets, &mut scope, &mut lets);
     let guards = compiler.guards(&cycle.file.guards, &scope, &mut lets);
-    let items = compiler.items(&cycle.file.run, &mut scope);
+    let mut items = compiler.items(&cycle.file.run, &mut scope);
+    compiler.watch(None, &scope, &mut items);
     compiler.unused_conditions(&scope);
     let builtins = compiler.names.used_builtins();
     let probes = compiler.probes || builtins.iter().any(|(_, builtin)| builtin.is_of_probe());
@@ -127,6 +135,7 @@ pub fn check(catalogue: &Catalogue) -> Vec<Diagnostic> {
 struct Compiler<'c> {
     cycle: &'c Cycle,
     on: &'c OnControl,
+    watches: &'c [Watch],
     found: Vec<Diagnostic>,
     names: Names,
     lists: usize,
@@ -144,10 +153,11 @@ struct Compiler<'c> {
 }
 
 impl<'c> Compiler<'c> {
-    fn new(cycle: &'c Cycle, on: &'c OnControl) -> Self {
+    fn new(cycle: &'c Cycle, on: &'c OnControl, watches: &'c [Watch]) -> Self {
         Self {
             cycle,
             on,
+            watches,
             found: Vec::new(),
             names: Names::new(cycle, on),
             lists: 0,

@@ -69,6 +69,7 @@ impl ForeignOutcome {
             angles: self.angles,
             shown,
             envelopes: Vec::new(),
+            noted: Vec::new(),
         };
         (outcome, events)
     }

@@ -8,6 +8,7 @@ use super::envelope::Envelope;
 use super::event::Status;
 use super::fault::Fault;
 use crate::base::diag::Diagnostic;
+use crate::base::expr::Value;
 use crate::engine::params::Params;
 use crate::spec::CycleKey;
 
@@ -63,4 +64,17 @@ pub struct Outcome {
     pub shown: Shown,
     /// What the probing cycles would do in the worst case, if that was asked for.
     pub envelopes: Vec<Envelope>,
+    /// The values that were watched, in the order of the run.
+    pub noted: Vec<Noted>,
+}
+
+/// Values of a run at a moment.
+#[derive(Clone, Debug)]
+pub struct Noted {
+    /// Which of the watches it is.
+    pub watch: usize,
+    /// How many events were reported before.
+    pub events: usize,
+    /// The values of its expressions; nothing for one that has none then.
+    pub values: Vec<Option<Value>>,
 }

@@ -22,12 +22,19 @@ pub(crate) struct Reporter<'r> {
     /// Whether events wait.
     holding: bool,
     held: Vec<Event>,
+    /// How many events were handed out.
+    count: usize,
 }
 
 impl<'r> Reporter<'r> {
     pub(crate) fn new(program: Arc<str>, emit: &'r mut dyn FnMut(&Event)) -> Self {
         let event = Event { at: At { program, ..At::default() }, kind: EventKind::End(Status::Done) };
-        Self { emit, event, threads: Threads::default(), rehearsing: false, holding: false, held: Vec::new() }
+        Self { emit, event, threads: Threads::default(), rehearsing: false, holding: false, held: Vec::new(), count: 0 }
+    }
+
+    /// How many events were handed out so far.
+    pub(crate) const fn count(&self) -> usize {
+        self.count
     }
 
     /// The place of what is executed now.
@@ -104,8 +111,10 @@ impl<'r> Reporter<'r> {
             self.held.push(self.event.clone());
         } else if !self.rehearsing {
             if let Some(thread) = self.threads.see(&self.event) {
+                self.count += 1;
                 (self.emit)(&thread);
             }
+            self.count += 1;
             (self.emit)(&self.event);
         }
     }

@@ -49,7 +49,7 @@ impl<'e> Run<'_, 'e> {
             return self.activate(key, &view);
         }
         let (cycle, on) = known?;
-        let plan = self.cycles.plan(cycle, on)?;
+        let plan = self.cycles.plan(cycle, on, &self.settings.watching)?;
         let definition = match view.form {
             CycleForm::Parameters(parameters) => self.parameters(parameters, cycle)?,
             CycleForm::Lines(lines) => self.lines(cycle, &lines)?,

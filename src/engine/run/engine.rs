@@ -9,6 +9,7 @@ use crate::engine::flow::settings::{Limits, Programs, Settings, Texts};
 use crate::engine::flow::state::Run;
 use crate::engine::motion::drives::Drives;
 use crate::engine::params::Params;
+use crate::engine::plan::Watch;
 use crate::engine::report::ending::{Done, Leave};
 use crate::engine::report::event::{At, Event, EventKind, Status};
 use crate::engine::report::fault::Fault;
@@ -18,7 +19,7 @@ use crate::engine::scene::Scene;
 use crate::engine::world::state::World;
 use crate::engine::world::stylus::OfMachine;
 use crate::program::syntax::Program;
-use crate::spec::{Catalogue, OnControl};
+use crate::spec::{Catalogue, CycleKey, OnControl};
 
 /// A program, a control and a world, ready to run.
 pub struct Engine<'e> {
@@ -39,6 +40,7 @@ impl<'e> Engine<'e> {
             skip_blocks: false,
             envelope: false,
             others_on: Vec::new(),
+            watching: None,
         };
         Self { program, scene, settings }
     }
@@ -88,6 +90,13 @@ impl<'e> Engine<'e> {
         self
     }
 
+    /// The same with values of a cycle that are noted each time that a step of it has been executed.
+    #[must_use]
+    pub const fn watching(mut self, cycle: CycleKey, watches: &'e [Watch]) -> Self {
+        self.settings.watching = Some((cycle, watches));
+        self
+    }
+
     /// Runs the program to its end and hands out every event.
     pub fn run(&self, emit: &mut dyn FnMut(Event)) -> Outcome {
         self.observe(&mut |event| emit(event.clone()))
@@ -123,6 +132,7 @@ impl<'e> Engine<'e> {
             angles: DVec3::ZERO,
             shown: Shown::default(),
             envelopes: Vec::new(),
+            noted: Vec::new(),
         }
     }
 }
@@ -163,5 +173,6 @@ fn finish(mut run: Run<'_, '_>, end: Done) -> Outcome {
         angles: world.program_angles(),
         shown,
         envelopes: records.envelopes,
+        noted: records.noted,
     }
 }

@@ -23,7 +23,7 @@ pub use super::report::event::{
 pub use super::report::fault::{CODES, Class, Fault};
 pub use super::report::foreign_outcome::ForeignOutcome;
 pub use super::report::json_line::Lines;
-pub use super::report::outcome::{Outcome, Shown};
+pub use super::report::outcome::{Noted, Outcome, Shown};
 pub use super::report::trace::{Trace, Traced};
 pub use super::world::coordinates::System;
 pub use engine::Engine;

@@ -199,6 +199,16 @@ impl<'a> CycleText<'a> {
         self.named("result", meaning)
     }
 
+    /// The title of a figure.
+    pub fn figure(&self, name: &Name) -> Cow<'a, str> {
+        self.named("figure", name)
+    }
+
+    /// A word that belongs to no cycle.
+    pub fn word(&self, id: &str) -> Cow<'a, str> {
+        self.general(id, &Args::new())
+    }
+
     /// The name of a table.
     pub fn table(&self, table: &Name) -> Cow<'a, str> {
         self.named("table", table)

@@ -45,8 +45,8 @@ impl Site<'_> {
     }
 }
 
-pub(super) fn page(site: &Site, comparison: &Comparison) -> Result<String, Vec<Diagnostic>> {
-    let sections: Vec<&Section> = comparison.sections.iter().filter_map(|at| site.sections.get(*at)).collect();
+pub(super) fn page<'a>(site: &Site<'a>, comparison: &Comparison) -> Result<String, Vec<Diagnostic>> {
+    let sections: Vec<&Section<'a>> = comparison.sections.iter().filter_map(|at| site.sections.get(*at)).collect();
     let Some(first) = sections.first() else { return Ok(String::new()) };
     let name = first.entry(comparison.key).map(|entry| entry.name.clone()).unwrap_or_default();
     let mut columns = Vec::new();

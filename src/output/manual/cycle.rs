@@ -6,17 +6,18 @@ use super::links::{Linker, Shown};
 use super::page::Here;
 use super::section::Section;
 use super::view::{
-    CheckView, ChoiceView, CycleView, ExampleView, Html, LinkView, ParameterTable, ParameterView, ResultView, RunView,
-    StepView, TableView,
+    CheckView, ChoiceView, CycleView, ExampleView, FigureView, FiguresView, Html, LinkView, ParameterTable,
+    ParameterView, ResultView, RunView, StepView, TableView,
 };
 use super::{Site, highlight, inline, page};
 use crate::base::diag::Diagnostic;
 use crate::language::label;
 use crate::language::locale::Args;
 use crate::language::text::{CycleText, RunPart, Vocabulary};
+use crate::output::figure::{Medium, row};
 use crate::spec::{Access, CycleKey, NcExample, Param, Reference, See, TakesEffect};
 
-pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, Vec<Diagnostic>> {
+pub(super) fn page<'a>(site: &Site<'a>, section: &Section<'a>, at: usize) -> Result<String, Vec<Diagnostic>> {
     let Some(entry) = section.entries.get(at) else { return Ok(String::new()) };
     let vocabulary = Vocabulary::of(section.on, entry.cycle, section.language);
     let text = CycleText::new(section.on, entry.cycle, section.language, &vocabulary);
@@ -43,14 +44,14 @@ pub(super) fn page(site: &Site, section: &Section, at: usize) -> Result<String, 
 }
 
 /// Makes the view of a cycle.
-pub(super) struct Maker<'m, 'a> {
-    pub(super) text: &'m CycleText<'a>,
+pub(super) struct Maker<'m, 't, 'a> {
+    pub(super) text: &'m CycleText<'t>,
     pub(super) section: &'m Section<'a>,
     pub(super) site: &'m Site<'a>,
     pub(super) linker: &'m Linker<'m, 'a>,
 }
 
-impl Maker<'_, '_> {
+impl Maker<'_, '_, '_> {
     pub(super) fn html(&self, text: &str) -> Html {
         Value::from_safe_string(inline::html(text, self.linker))
     }
@@ -70,6 +71,7 @@ impl Maker<'_, '_> {
             as_used: cycle.described.as_used,
             siblings: self.siblings(),
             purpose: self.text.purpose().lines().map(|paragraph| self.html(paragraph)).collect(),
+            figures: self.figures(),
             run: self.run(),
             notes: self.notes(),
             general: self.general(),
@@ -96,6 +98,23 @@ impl Maker<'_, '_> {
         let known = options.iter().find(|option| option.number == number);
         let name = known.and_then(|option| self.text.find(&format!("option-{}", option.option.as_str())));
         name.map_or_else(|| format!("#{number}"), |name| format!("#{number} {name}"))
+    }
+
+    fn figures(&self) -> FiguresView {
+        let mut view = FiguresView { list: Vec::new(), pairs: Vec::new() };
+        let Some(entry) = self.section.entry(self.text.cycle.key) else { return view };
+        for figure in self.site.figures.of(self.site, self.section.on, entry.cycle) {
+            let svg = figure.svg(self.text, Medium::Page);
+            view.pairs.extend(svg.shown);
+            view.list.push(FigureView {
+                svg: Value::from_safe_string(svg.text),
+                title: svg.title,
+                small: figure.is_of_row(),
+            });
+        }
+        view.pairs.sort();
+        view.pairs.dedup();
+        view
     }
 
     fn run(&self) -> Vec<RunView> {
@@ -184,7 +203,7 @@ impl Maker<'_, '_> {
         let choice =
             |(value, text): &(&str, std::borrow::Cow<str>)| ChoiceView { value: shown(value), text: self.html(text) };
         ParameterView {
-            id: anchor(&texts.q),
+            id: row(&texts.q),
             q: match (param.q, param.q_of_name()) {
                 (Some(number), Some(name)) => format!("{number}/{name}"),
                 _ => texts.q.split(' ').next().unwrap_or_default().to_owned(),
@@ -327,9 +346,4 @@ impl Maker<'_, '_> {
 /// The value of a choice as prose shows it, with a real minus sign.
 fn shown(value: &str) -> String {
     value.replace('-', "\u{2212}")
-}
-
-/// The id of a row: `Q200`, `field-31-2-height`.
-fn anchor(q: &str) -> String {
-    if q.starts_with('Q') { q.to_owned() } else { format!("field-{}", q.replace(['.', ' '], "-")) }
 }

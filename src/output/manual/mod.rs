@@ -42,7 +42,7 @@ use crate::spec::{Catalogue, OnControl};
 
 use search::Found;
 use section::Section;
-use site::template_fault;
+use site::{Figures, template_fault};
 
 pub use site::Site;
 
@@ -143,10 +143,12 @@ impl<'a> Site<'a> {
             comparisons,
             source,
             catalogue: request.catalogue,
+            locales: request.locales,
             labels,
             templates,
             base_url: request.base_url.map(|base| format!("{}/", base.trim_end_matches('/'))),
             assets: assets.collect(),
+            figures: Figures::new(request.catalogue.controls.values(), request.files),
         })
     }
 

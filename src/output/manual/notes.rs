@@ -21,7 +21,7 @@ pub(super) const PAGE: &str = "notes.html";
 /// The order of the notes: what can hurt comes first.
 const KINDS: [NoteKind; 4] = [NoteKind::Danger, NoteKind::Caution, NoteKind::MachineBuilder, NoteKind::Note];
 
-impl Maker<'_, '_> {
+impl Maker<'_, '_, '_> {
     fn pages(&self) -> Option<&Pages> {
         self.site.catalogue.pages.as_ref()
     }
@@ -85,7 +85,7 @@ fn title(theme: &Theme) -> String {
 }
 
 /// The page of the notes for many cycles; each text once, with the cycles that it holds for.
-pub(super) fn page(site: &Site, section: &Section) -> Result<String, Vec<Diagnostic>> {
+pub(super) fn page<'a>(site: &Site<'a>, section: &Section<'a>) -> Result<String, Vec<Diagnostic>> {
     let themes: &[Theme] = site.catalogue.pages.as_ref().map_or(&[], |pages| &pages.themes);
     let mut said = said(site, section, themes)?;
     let mut views = Vec::new();
@@ -123,7 +123,7 @@ struct Said {
 }
 
 /// The notes of the themes that cycles of this control have, in the order of the themes.
-fn said(site: &Site, section: &Section, themes: &[Theme]) -> Result<Vec<Said>, Vec<Diagnostic>> {
+fn said<'a>(site: &Site<'a>, section: &Section<'a>, themes: &[Theme]) -> Result<Vec<Said>, Vec<Diagnostic>> {
     let place_of = |name: &Name| {
         let places = themes.iter().enumerate();
         places.filter_map(|(at, theme)| Some((at, theme.notes.iter().position(|own| own == name)?))).next()

@@ -1,5 +1,6 @@
 //! A site that is ready to be written: what every page of it is made from.
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
 
 use minijinja::Environment;
 
@@ -7,8 +8,10 @@ use super::escape::escape;
 use super::section::Section;
 use crate::base::diag::Diagnostic;
 use crate::check::LabelBook;
-use crate::language::locale::Language;
-use crate::spec::{Catalogue, CycleKey};
+use crate::language::locale::{Language, Locales};
+use crate::output::figure::{self, Figure};
+use crate::spec::{Catalogue, Cycle, CycleKey, OnControl};
+use crate::tools::conform::World;
 
 /// A cycle in a language on at least two controls.
 pub(super) struct Comparison {
@@ -19,18 +22,41 @@ pub(super) struct Comparison {
     pub(super) sections: Vec<usize>,
 }
 
+/// The figures of the cycles of each control: those of a cycle are run when a page first shows them.
+#[derive(Default)]
+pub(super) struct Figures<'a> {
+    made: BTreeMap<(&'a str, CycleKey), OnceLock<Vec<Figure<'a>>>>,
+    files: &'a [(String, String)],
+}
+
+impl<'a> Figures<'a> {
+    pub(super) fn new(controls: impl Iterator<Item = &'a OnControl>, files: &'a [(String, String)]) -> Self {
+        let all = controls.flat_map(|on| on.cycles.keys().map(|key| ((on.id(), *key), OnceLock::new())));
+        Self { made: all.collect(), files }
+    }
+
+    /// The figures of a cycle; none that is wrong, which the linter says.
+    pub(super) fn of(&self, site: &Site<'a>, on: &'a OnControl, cycle: &'a Cycle) -> &[Figure<'a>] {
+        let Some(made) = self.made.get(&(on.id(), cycle.key)) else { return &[] };
+        let world = World { catalogue: site.catalogue, locales: site.locales, files: self.files };
+        made.get_or_init(|| figure::prepare(&world, on, cycle).0)
+    }
+}
+
 /// A site that is ready to be written.
 pub struct Site<'a> {
     pub(super) sections: Vec<Section<'a>>,
     pub(super) comparisons: Vec<Comparison>,
     pub(super) source: Option<&'a Language>,
     pub(super) catalogue: &'a Catalogue,
+    pub(super) locales: &'a Locales,
     /// The labels of each control, to write its printed lines in other languages.
     pub(super) labels: BTreeMap<&'a str, LabelBook<'a>>,
     pub(super) templates: Environment<'a>,
     /// The address of the site, which ends with `/`.
     pub(super) base_url: Option<String>,
     pub(super) assets: Vec<(&'a str, &'a str)>,
+    pub(super) figures: Figures<'a>,
 }
 
 impl Site<'_> {

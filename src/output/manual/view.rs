@@ -83,6 +83,7 @@ pub(super) struct CycleView<'a> {
     /// The cycles of its group.
     pub(super) siblings: Vec<LinkView>,
     pub(super) purpose: Vec<Html>,
+    pub(super) figures: FiguresView,
     pub(super) run: Vec<RunView>,
     pub(super) notes: Vec<NoteSectionView>,
     /// Notes that hold for many cycles, on the page that says them once.
@@ -97,6 +98,22 @@ pub(super) struct CycleView<'a> {
     pub(super) see: Vec<LinkView>,
     /// The page that compares the controls that have the cycle.
     pub(super) comparison: Option<String>,
+}
+
+/// The figures of a cycle.
+#[derive(Serialize)]
+pub(super) struct FiguresView {
+    pub(super) list: Vec<FigureView>,
+    /// The class of each dimension with the id of the row of its parameter.
+    pub(super) pairs: Vec<(String, String)>,
+}
+
+#[derive(Serialize)]
+pub(super) struct FigureView {
+    pub(super) svg: Html,
+    pub(super) title: String,
+    /// Whether it stands in a row with others.
+    pub(super) small: bool,
 }
 
 /// A stretch of the run below one heading, or below none.

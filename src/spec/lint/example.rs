@@ -42,7 +42,7 @@ fn form_exists(cycle: &Cycle, form: Option<&Name>, found: &mut Vec<Diagnostic>) 
     }
 }
 
-fn named(cycle: &Cycle, name: &Name, found: &mut Vec<Diagnostic>) {
+pub(super) fn named(cycle: &Cycle, name: &Name, found: &mut Vec<Diagnostic>) {
     if find(cycle, name.as_str()).is_none() {
         found.push(
             Diagnostic::error("spec-unknown-parameter", name.place.clone())

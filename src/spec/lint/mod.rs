@@ -3,6 +3,7 @@
 //! Invariant: knows no language and no engine; whether texts exist is checked where texts are, and
 //! whether a run compiles is checked where runs are compiled.
 mod example;
+mod figure;
 mod habit;
 mod names;
 mod parameter;
@@ -42,6 +43,7 @@ fn lint_cycle(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) {
     reference::cycle(cycle, on, found);
     run::run(cycle, on, found);
     example::examples(cycle, found);
+    figure::figures(cycle, on, found);
 }
 
 /// Dictionary entries and fragments that nothing uses on any control.

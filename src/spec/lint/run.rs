@@ -141,6 +141,9 @@ fn guard_uses(guards: &[Guard], used: &mut BTreeSet<Arc<str>>) {
 /// The names of the fragments that a cycle uses.
 pub(super) fn used_fragments(cycle: &Cycle, used: &mut BTreeSet<Arc<str>>) {
     guard_uses(&cycle.file.guards, used);
+    for figure in &cycle.file.figures {
+        used.extend(figure.dimensions.iter().filter_map(|own| own.r#use.as_ref()).map(|name| Arc::clone(&name.text)));
+    }
     for item in &cycle.file.run {
         walk(item, &mut |item| {
             let in_cases = item.choose.iter().flat_map(|case| &case.actions);

@@ -212,3 +212,17 @@ fn cycle_report(on: &OnControl, cycle: &Cycle, seen: &Shown) -> CycleReport {
         unprovoked: plan.codes.iter().filter(|code| !provoked(code)).map(|code| code.to_string()).collect(),
     }
 }
+
+/// The program and the scene of an example.
+///
+/// # Errors
+/// A scene or values that are wrong.
+pub fn ready(
+    world: &World<'_>,
+    on: &OnControl,
+    cycle: &Cycle,
+    example: &Example,
+) -> std::result::Result<(Arc<Source>, Scene), Vec<Diagnostic>> {
+    let case::Prepared { program, scene, .. } = case::prepare(world, on, cycle, example)?;
+    Ok((program, scene))
+}

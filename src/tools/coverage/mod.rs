@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::engine::plan;
 use crate::language::locale::{Language, LocaleError, Locales, Scope};
-use crate::spec::{Catalogue, Cycle, CycleKey, OnControl, texts};
+use crate::spec::{Catalogue, Cycle, CycleKey, OnControl, measurable, not_in_figures, texts};
 
 /// The name and version of the report's form.
 pub const FORMAT: &str = "ciklo-coverage/1";
@@ -55,6 +55,10 @@ pub struct CycleCoverage {
     pub unexecuted: Vec<String>,
     /// The guards and errors that no example provokes.
     pub unprovoked: Vec<String>,
+    /// How many lengths, angles and positions it has.
+    pub measurable: usize,
+    /// Those that no figure shows, and for which the specification gives no reason.
+    pub not_in_figures: Vec<String>,
 }
 
 /// The texts of a cycle in one language.
@@ -74,7 +78,9 @@ impl CycleCoverage {
     /// Whether nothing is missing, stale, pending, unexecuted or unprovoked.
     pub fn is_complete(&self) -> bool {
         let texts = self.texts.iter().all(|text| text.missing.is_empty() && text.stale.is_empty());
-        texts && self.pending.is_empty() && self.unexecuted.is_empty() && self.unprovoked.is_empty()
+        // A cycle that the engine does not execute has no figures yet.
+        let figures = self.not_in_figures.is_empty() || !self.pending.is_empty();
+        texts && figures && self.pending.is_empty() && self.unexecuted.is_empty() && self.unprovoked.is_empty()
     }
 }
 
@@ -140,6 +146,8 @@ fn of_cycle(
         sentences: plan.sentences.len(),
         unexecuted: left_out.unexecuted.into_iter().collect(),
         unprovoked: left_out.unprovoked.into_iter().collect(),
+        measurable: measurable(cycle).count(),
+        not_in_figures: not_in_figures(on, cycle).iter().map(|param| param.label_in(cycle.key.number)).collect(),
     }
 }
 

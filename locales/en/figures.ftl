@@ -1,0 +1,38 @@
+# Words of figures.
+
+figure-section = Section
+figure-plan = From above
+figure-chip-breaking = Chip breaking
+figure-deepened-start = Deepened starting point
+figure-centring-diameter = Centring to a diameter
+figure-rotation = Angle of rotation
+figure-pocket-position = Position at the call
+figure-milling-type = Climb and up-cut milling
+figure-allowances = Finishing allowances
+figure-slot-position = Position at the call
+figure-stud-position = Position at the call
+figure-approach = Approach position
+figure-stepping-angle = Stepping angle
+figure-traverse = Way from operation to operation
+figure-plunging = Plunging
+way-rapid = rapid traverse
+way-feed = feed
+way-probing = probing
+
+cli-figure = Write the figures of a cycle as SVG files
+cli-figure-out = The directory for the figures; it is made if it does not exist
+cli-examples-figure =
+    ciklo figure 205 --control tnc640 --lang sl --out figures
+cli-coverage-figures = { $count } of { $of } lengths, angles and positions in no figure: { $ids }
+
+diag-figure-example-missing = The figure { $name } of { $cycle } is to be drawn from the example { $example }, which the cycle does not have.
+diag-figure-moment-never = The run of the figure { $name } of { $cycle } never comes to the moment that it shows ({ $reason }).
+diag-figure-no-value = The figure { $figure } of { $cycle } shows { $name } between places that have no value at that moment.
+diag-figure-no-centre = The figure { $figure } of { $cycle } shows { $name } as an angle, but its centre is missing or is not a point.
+diag-figure-axis-not-visible = The figure { $figure } of { $cycle } shows { $name } along an axis that its view does not have.
+diag-figure-mixed-places = The figure { $figure } of { $cycle } shows { $name } between a coordinate and a point: both places must be of the same kind.
+diag-figure-measured-otherwise = The figure { $figure } of { $cycle } shows { $name } between places that are { $measured } apart in the run; its value is { $value }.
+diag-figure-nothing-to-see = The figure { $figure } of { $cycle } shows { $name } with the value 0: there is nothing to see.
+diag-figure-place-not-reached = The figure { $figure } of { $cycle } shows { $name } up to a place ({ $place }) to which neither the tool nor the workpiece comes.
+diag-figure-none = The cycle { $cycle } has no figure on this control.
+diag-figure-parameter-not-shown = No figure of { $cycle } shows { $name }, and the specification gives no reason.

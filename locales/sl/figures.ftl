@@ -1,0 +1,38 @@
+# Besede slik.
+
+figure-section = Prerez
+figure-plan = Pogled od zgoraj
+figure-chip-breaking = Lomljenje odrezkov
+figure-deepened-start = Poglobljena začetna točka
+figure-centring-diameter = Centriranje do premera
+figure-rotation = Kot vrtenja
+figure-pocket-position = Lega ob klicu
+figure-milling-type = Sosmerno in protismerno rezkanje
+figure-allowances = Dodatki za fino obdelavo
+figure-slot-position = Lega ob klicu
+figure-stud-position = Lega ob klicu
+figure-approach = Položaj primika
+figure-stepping-angle = Kotni korak
+figure-traverse = Pot med obdelavami
+figure-plunging = Potapljanje
+way-rapid = hitri hod
+way-feed = podajanje
+way-probing = tipanje
+
+cli-figure = Zapiši slike cikla kot datoteke SVG
+cli-figure-out = Mapa za slike; če ne obstaja, se ustvari
+cli-examples-figure =
+    ciklo figure 205 --control tnc640 --lang sl --out figures
+cli-coverage-figures = { $count } od { $of } dolžin, kotov in položajev ni na nobeni sliki: { $ids }
+
+diag-figure-example-missing = Slika { $name } cikla { $cycle } naj bi bila narisana iz primera { $example }, ki ga cikel nima.
+diag-figure-moment-never = Izvajanje slike { $name } cikla { $cycle } nikoli ne doseže prikazanega trenutka ({ $reason }).
+diag-figure-no-value = Slika { $figure } cikla { $cycle } prikazuje { $name } med mestoma, ki v tem trenutku nimata vrednosti.
+diag-figure-no-centre = Slika { $figure } cikla { $cycle } prikazuje { $name } kot kot, vendar središče manjka ali ni točka.
+diag-figure-axis-not-visible = Slika { $figure } cikla { $cycle } prikazuje { $name } vzdolž osi, ki je pogled nima.
+diag-figure-mixed-places = Slika { $figure } cikla { $cycle } prikazuje { $name } med koordinato in točko: obe mesti morata biti iste vrste.
+diag-figure-measured-otherwise = Slika { $figure } cikla { $cycle } prikazuje { $name } med mestoma, ki sta pri izvajanju oddaljeni { $measured }; vrednost je { $value }.
+diag-figure-nothing-to-see = Slika { $figure } cikla { $cycle } prikazuje { $name } z vrednostjo 0: nič ni vidno.
+diag-figure-place-not-reached = Slika { $figure } cikla { $cycle } prikazuje { $name } do mesta ({ $place }), ki ga ne dosežeta ne orodje ne obdelovanec.
+diag-figure-none = Cikel { $cycle } na tem krmiljenju nima slike.
+diag-figure-parameter-not-shown = Nobena slika cikla { $cycle } ne prikazuje { $name }, specifikacija pa ne navaja razloga.

@@ -1,0 +1,196 @@
+//! Marks on paper: SVG elements in pixels, and which stretches of the sheet texts have taken.
+//!
+//! Invariant: the same strokes give the same bytes; no element has an id and no style, so figures can stand side by side.
+use std::fmt::Write as _;
+
+use glam::DVec2;
+
+/// The height of a label.
+pub(super) const FONT: f64 = 12.0;
+/// The length of an arrowhead.
+pub(super) const ARROW: f64 = 7.0;
+
+/// A rectangle with sides along the edges of the sheet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Rect {
+    pub(super) min: DVec2,
+    pub(super) max: DVec2,
+}
+
+impl Rect {
+    pub(super) fn around(centre: DVec2, size: DVec2) -> Self {
+        Self { min: centre - size / 2.0, max: centre + size / 2.0 }
+    }
+
+    pub(super) fn meets(&self, other: &Self) -> bool {
+        self.min.x < other.max.x && other.min.x < self.max.x && self.min.y < other.max.y && other.min.y < self.max.y
+    }
+
+    pub(super) fn holds(&self, p: DVec2) -> bool {
+        p.cmpge(self.min).all() && p.cmple(self.max).all()
+    }
+
+    fn inside(&self, outer: &Self) -> bool {
+        outer.holds(self.min) && outer.holds(self.max)
+    }
+}
+
+/// About how wide a text is in a sans-serif type, on the safe side.
+pub(super) fn width(text: &str) -> f64 {
+    let em: f64 = text
+        .chars()
+        .map(|c| match c {
+            'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ';' | '|' | '!' | '\'' | ' ' => 0.33,
+            'f' | 't' | 'r' | '-' | '(' | ')' => 0.42,
+            'm' | 'w' | 'M' | 'W' | '\u{2300}' => 0.95,
+            c if c.is_uppercase() => 0.75,
+            _ => 0.6,
+        })
+        .sum();
+    em * FONT
+}
+
+/// A coordinate with one place, without what is not needed.
+pub(super) fn short(value: f64) -> String {
+    let text = format!("{value:.1}");
+    let text = text.strip_suffix(".0").unwrap_or(&text);
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// A sheet with what is drawn on it so far.
+pub(super) struct Pen {
+    /// The elements.
+    pub(super) body: String,
+    /// Where texts are.
+    pub(super) texts: Vec<Rect>,
+    /// Where no text should be.
+    pub(super) blocked: Vec<Rect>,
+    /// The edges of the sheet.
+    pub(super) sheet: Rect,
+}
+
+impl Pen {
+    pub(super) fn new(size: DVec2) -> Self {
+        let sheet = Rect { min: DVec2::ZERO, max: size };
+        Self { body: String::new(), texts: Vec::new(), blocked: Vec::new(), sheet }
+    }
+
+    /// The data of a path through points.
+    pub(super) fn data(points: &[DVec2], closed: bool) -> String {
+        let mut data = String::new();
+        let mut last = String::new();
+        for p in points {
+            let text = format!("{} {}", short(p.x), short(p.y));
+            if text != last {
+                data.push(if data.is_empty() { 'M' } else { 'L' });
+                data.push_str(&text);
+                last = text;
+            }
+        }
+        if closed {
+            data.push('Z');
+        }
+        data
+    }
+
+    pub(super) fn path(&mut self, class: &str, data: &str) {
+        if data.contains('L') || data.contains('A') {
+            let _ = writeln!(self.body, "<path class=\"{class}\" d=\"{data}\"/>");
+        }
+    }
+
+    pub(super) fn line(&mut self, class: &str, points: &[DVec2]) {
+        self.path(class, &Self::data(points, false));
+    }
+
+    pub(super) fn area(&mut self, class: &str, points: &[DVec2]) {
+        self.path(class, &Self::data(points, true));
+    }
+
+    pub(super) fn circle(&mut self, class: &str, centre: DVec2, radius: f64) {
+        let [x, y, r] = [centre.x, centre.y, radius].map(short);
+        let _ = writeln!(self.body, "<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>");
+    }
+
+    /// A filled arrowhead that points along `way`.
+    pub(super) fn arrow(&mut self, class: &str, tip: DVec2, way: DVec2) {
+        let way = way.normalize_or_zero();
+        let back = tip - way * ARROW;
+        let side = way.perp() * (ARROW * 0.32);
+        self.area(class, &[tip, back + side, back - side]);
+    }
+
+    /// An arrowhead of two lines.
+    pub(super) fn chevron(&mut self, class: &str, tip: DVec2, way: DVec2) {
+        let way = way.normalize_or_zero();
+        let back = tip - way * ARROW;
+        let side = way.perp() * (ARROW * 0.5);
+        self.line(class, &[back + side, tip, back - side]);
+    }
+
+    /// The sign of the datum: a circle with two of its quarters filled.
+    pub(super) fn datum(&mut self, place: DVec2, radius: f64) {
+        self.circle("z", place, radius);
+        let r = short(radius);
+        let quarter = |turn: f64| {
+            let (a, b) = (place + DVec2::new(0.0, -radius * turn), place + DVec2::new(radius * turn, 0.0));
+            format!("{}A{r} {r} 0 0 1 {} {}Z", Self::data(&[place, a], false), short(b.x), short(b.y))
+        };
+        self.path("q", &(quarter(1.0) + &quarter(-1.0)));
+    }
+
+    /// How much room a label takes.
+    pub(super) fn size(text: &str) -> DVec2 {
+        DVec2::new(width(text) + 4.0, FONT + 2.0)
+    }
+
+    /// Whether a text may be there.
+    pub(super) fn is_free(&self, rect: &Rect) -> bool {
+        rect.inside(&self.sheet) && self.texts.iter().chain(&self.blocked).all(|other| !other.meets(rect))
+    }
+
+    /// Whether a text there would meet no other.
+    fn is_clear(&self, rect: &Rect) -> bool {
+        rect.inside(&self.sheet) && self.texts.iter().all(|other| !other.meets(rect))
+    }
+
+    /// The first of the places at which a text is free or, failing that, meets no other text; else one below all.
+    pub(super) fn place(&self, text: &str, candidates: &[DVec2]) -> DVec2 {
+        let size = Self::size(text);
+        let rect = |centre: &&DVec2| Rect::around(**centre, size);
+        let free = candidates.iter().find(|centre| self.is_free(&rect(centre)));
+        let found = free.or_else(|| candidates.iter().find(|centre| self.is_clear(&rect(centre))));
+        found.copied().unwrap_or_else(|| self.anywhere(size, candidates.first().copied().unwrap_or_default()))
+    }
+
+    /// The place nearest to a point at which a text of that size meets no other.
+    fn anywhere(&self, size: DVec2, near: DVec2) -> DVec2 {
+        let mut best = (f64::INFINITY, near);
+        for column in 0..60 {
+            for row in 0..80 {
+                let centre = DVec2::new(f64::from(column), f64::from(row)) * 6.0;
+                let away = (centre - near).length();
+                if away < best.0 && self.is_clear(&Rect::around(centre, size)) {
+                    best = (away, centre);
+                }
+            }
+        }
+        best.1
+    }
+
+    /// Writes a text with its middle there, on paper of its own.
+    pub(super) fn text(&mut self, class: &str, text: &str, centre: DVec2) {
+        let size = Self::size(text);
+        let rect = Rect::around(centre, size);
+        let [x, y, w, h] = [rect.min.x, rect.min.y, size.x, size.y].map(short);
+        let _ = writeln!(self.body, "<rect class=\"b\" x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"/>");
+        let [x, y] = [centre.x, centre.y + FONT * 0.36].map(short);
+        let _ = writeln!(self.body, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\">{}</text>", escaped(text));
+        self.texts.push(rect);
+    }
+}
+
+/// A text as XML has it.
+pub(super) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

@@ -1,0 +1,467 @@
+//! A figure on its sheet: the workpiece, the tool, the way, and the dimensions around them.
+//!
+//! Invariant: knows places and words, no cycle; no text overlaps another one.
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use glam::{DVec2, DVec3};
+
+use super::frame::{Camera, Frame, Window};
+use super::measure::{Measured, Spot, along, axes};
+use super::pen::{ARROW, Pen, Rect, short};
+use super::profile;
+use super::shot::{Shot, Stroke, Way};
+use super::slice::{self, Face, Outline};
+use crate::base::expr::{Value, tand};
+use crate::spec::{Along, FigureView};
+
+/// What a figure shows, measured.
+pub(super) struct Subject<'s> {
+    pub(super) view: FigureView,
+    pub(super) shot: &'s Shot,
+    pub(super) measured: &'s [Measured],
+    /// The numbers of the marks.
+    pub(super) marks: &'s [u32],
+    /// Whether the blank is round from above.
+    pub(super) round: bool,
+    /// The greatest height of the drawing, in pixels.
+    pub(super) height: f64,
+    /// The width of the sheet, in pixels.
+    pub(super) width: f64,
+}
+
+/// The words on a figure.
+pub(super) struct Words {
+    /// The label of each dimension.
+    pub(super) labels: Vec<String>,
+    /// What each dimension is a link to, if to anything.
+    pub(super) links: Vec<Option<String>>,
+    /// Rapid traverse, feed, probing.
+    pub(super) ways: [String; 3],
+}
+
+/// A coordinate among those of the figure itself: of the cut, top, bottom.
+pub(super) fn number(shot: &Shot, place: usize) -> Option<f64> {
+    match shot.own.get(place)? {
+        Some(Value::Number(number)) => Some(*number),
+        _ => None,
+    }
+}
+
+/// A point among those of the figure itself.
+pub(super) fn point(shot: &Shot, place: usize) -> Option<DVec3> {
+    match shot.own.get(place)? {
+        Some(Value::Point(point)) => Some(*point),
+        _ => None,
+    }
+}
+
+/// A point as the view sees it: to the right and upwards.
+pub(super) const fn flat(p: DVec3, view: FigureView) -> DVec2 {
+    let [right, up] = axes(view);
+    DVec2::new(along(p, right), along(p, up))
+}
+
+/// The figure on paper.
+pub(super) struct Drawn {
+    pub(super) body: String,
+    pub(super) size: DVec2,
+    /// Where texts are.
+    pub(super) texts: Vec<Rect>,
+}
+
+/// Draws a figure.
+pub(super) fn draw(subject: &Subject<'_>, words: &Words) -> Drawn {
+    let faces = slice::faces(subject.shot, subject.view, depth(subject));
+    let frame = Frame::new(subject, words, &faces);
+    let mut sheet = Sheet { subject, frame: &frame, pen: Pen::new(frame.size), view: subject.view };
+    sheet.workpiece(&faces);
+    sheet.tool();
+    sheet.ways();
+    sheet.datum();
+    super::dimension::all(&mut sheet.pen, subject, words, &frame);
+    sheet.marks();
+    sheet.legend(words);
+    Drawn { body: sheet.pen.body, size: frame.size, texts: sheet.pen.texts }
+}
+
+/// Where the plane of the view is along the axis that it does not show.
+fn depth(subject: &Subject<'_>) -> f64 {
+    let shot = subject.shot;
+    let tool = shot.tool.map_or(DVec3::ZERO, |(_, tip)| tip);
+    number(shot, 0).unwrap_or_else(|| match subject.view {
+        FigureView::Plan => shot.contacts.first().map_or(tool.z, |contact| contact.z),
+        FigureView::Section | FigureView::Side => tool.y,
+    })
+}
+
+struct Sheet<'s> {
+    subject: &'s Subject<'s>,
+    frame: &'s Frame,
+    pen: Pen,
+    view: FigureView,
+}
+
+impl Sheet<'_> {
+    const fn camera(&self) -> &Camera {
+        &self.frame.camera
+    }
+
+    fn at(&self, p: DVec3) -> DVec2 {
+        self.camera().place(flat(p, self.view))
+    }
+
+    fn workpiece(&mut self, faces: &[Face]) {
+        if !faces.is_empty() {
+            return self.parts(faces);
+        }
+        match self.view {
+            FigureView::Plan => self.from_above(),
+            FigureView::Section | FigureView::Side => self.cut_open(),
+        }
+    }
+
+    /// The parts of a scene, hatched where the view cuts them.
+    fn parts(&mut self, faces: &[Face]) {
+        let window = self.frame.window;
+        for face in faces {
+            let class = if face.material { "m o" } else { "b o" };
+            match &face.outline {
+                Outline::Circle(centre, radius) => {
+                    self.pen.circle(class, self.camera().place(*centre), radius * self.camera().scale);
+                }
+                Outline::Polygon(points) => {
+                    let points: Vec<DVec2> = window.clip(points).iter().map(|p| self.camera().place(*p)).collect();
+                    self.pen.area(class, &points);
+                    if face.material && self.view != FigureView::Plan {
+                        self.hatch(&points);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The blank from above with what was milled off it.
+    fn from_above(&mut self) {
+        let Window { min, max } = self.frame.material;
+        let corners = [min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)];
+        let corners = corners.map(|p| self.camera().place(p));
+        if self.subject.round {
+            let middle = (corners[0] + corners[2]) / 2.0;
+            self.pen.circle("m o", middle, (max.x - min.x) / 2.0 * self.camera().scale);
+        } else {
+            self.pen.area(if self.frame.known_edges { "m o" } else { "m" }, &corners);
+        }
+        let top = self.frame.top;
+        let shot = self.subject.shot;
+        self.tracks(&shot.later, top, &[("u", 0.0)]);
+        self.tracks(&shot.strokes, top, &[("k", 1.6), ("c", 0.0)]);
+        if self.subject.round {
+            self.pen.circle("v", (corners[0] + corners[2]) / 2.0, (max.x - min.x) / 2.0 * self.camera().scale);
+        } else if self.frame.known_edges {
+            self.pen.area("v", &corners);
+        }
+    }
+
+    /// What the tool covers where it cuts, in lines as wide as it is, each class by so many pixels wider.
+    fn tracks(&mut self, strokes: &[Stroke], top: f64, classes: &[(&str, f64)]) {
+        let cuts = |stroke: &&Stroke| stroke.way == Way::Feed && stroke.points.iter().any(|p| p.z < top - 1e-6);
+        let mut tracks: Vec<(f64, BTreeSet<String>)> = Vec::new();
+        for stroke in strokes.iter().filter(cuts) {
+            let points: Vec<DVec2> = stroke.points.iter().map(|p| self.at(*p)).collect();
+            let mut data = Pen::data(&points, false);
+            if !data.contains('L') {
+                // A plunge: a line of no length has round ends.
+                data.push_str("h0");
+            }
+            let radius = stroke.tool.radius;
+            match tracks.iter_mut().find(|(known, _)| *known == radius) {
+                Some((_, list)) => _ = list.insert(data),
+                None => tracks.push((radius, BTreeSet::from([data]))),
+            }
+        }
+        for (class, more) in classes {
+            for (radius, list) in &tracks {
+                let width = short(2.0 * radius * self.camera().scale + *more);
+                let data: String = list.iter().map(String::as_str).collect();
+                let _ = writeln!(self.pen.body, "<path class=\"{class}\" stroke-width=\"{width}\" d=\"{data}\"/>");
+            }
+        }
+    }
+
+    /// The blank cut open along the main axis.
+    fn cut_open(&mut self) {
+        let Window { min, max } = self.frame.material;
+        let surface = &self.frame.surface;
+        let line: Vec<DVec2> = surface.iter().map(|p| self.camera().place(DVec2::new(p.x, p.y.max(min.y)))).collect();
+        let mut area = line.clone();
+        area.extend([DVec2::new(max.x, min.y), min].map(|p| self.camera().place(p)));
+        self.pen.area("m", &area);
+        self.hatch(&area);
+        self.pen.line("o", &line);
+    }
+
+    /// Lines from lower left to upper right inside a polygon.
+    fn hatch(&mut self, polygon: &[DVec2]) {
+        const STEP: f64 = 7.0;
+        let turned = |p: DVec2| p.x + p.y;
+        let (low, high) = polygon
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(turned(*p)), high.max(turned(*p))));
+        if !(low < high) {
+            return;
+        }
+        let mut data = String::new();
+        let mut line = (low / STEP).ceil() * STEP + 0.35;
+        while line < high {
+            let mut crossings: Vec<DVec2> = Vec::new();
+            for (n, a) in polygon.iter().enumerate() {
+                let b = polygon.get((n + 1) % polygon.len()).copied().unwrap_or(*a);
+                let (from, to) = (turned(*a) - line, turned(b) - line);
+                if (from < 0.0) != (to < 0.0) {
+                    crossings.push(a.lerp(b, from / (from - to)));
+                }
+            }
+            crossings.sort_by(|a, b| a.x.total_cmp(&b.x));
+            for pair in crossings.chunks_exact(2).filter(|pair| (pair[0] - pair[1]).length() > 1.5) {
+                data.push_str(&Pen::data(pair, false));
+            }
+            line += STEP;
+        }
+        self.pen.path("h", &data);
+    }
+
+    /// The tool where it is at the moment, to scale; from the side it is cut off at the edge of the drawing.
+    fn tool(&mut self) {
+        let Some((tool, tip)) = self.subject.shot.tool else { return };
+        let (scale, place) = (self.camera().scale, self.at(tip));
+        let radius = self.subject.shot.ball.unwrap_or(tool.radius) * scale;
+        if !self.frame.paper().holds(place) || radius <= 0.0 {
+            return;
+        }
+        if self.view == FigureView::Plan {
+            self.pen.circle("t", place, radius);
+            return;
+        }
+        let top = self.frame.paper().min.y;
+        if self.subject.shot.ball.is_some() {
+            let stem = (radius * 0.4).max(1.5);
+            let (x, end) = (DVec2::new(stem, 0.0), DVec2::new(place.x, top));
+            self.pen.area("t", &[place - x, end - x, end + x, place + x]);
+            self.pen.circle("t", place, radius);
+            return;
+        }
+        let rise = if tool.point > 0.0 { radius / tand(tool.point / 2.0) } else { 0.0 };
+        let (left, right, shoulder) = (place.x - radius, place.x + radius, place.y - rise);
+        let wave = (radius * 0.35).min(5.0);
+        let outline = [
+            place,
+            DVec2::new(right, shoulder),
+            DVec2::new(right, top + wave),
+            DVec2::new(place.x + radius / 3.0, top),
+            DVec2::new(place.x - radius / 3.0, top + 2.0 * wave),
+            DVec2::new(left, top + wave),
+            DVec2::new(left, shoulder),
+        ];
+        self.pen.area("t", &outline);
+        self.pen.line("x", &[DVec2::new(place.x, top - 4.0), DVec2::new(place.x, place.y + 6.0)]);
+        self.pen.blocked.push(Rect { min: DVec2::new(left, top), max: DVec2::new(right, place.y) });
+    }
+
+    /// The ways of the tool. Ways up and down over one another are drawn side by side.
+    fn ways(&mut self) {
+        let paper = self.frame.paper();
+        let mut arrows: Vec<DVec2> = Vec::new();
+        let mut drawn: BTreeSet<(usize, String)> = BTreeSet::new();
+        for (stroke, offset) in self.subject.shot.strokes.iter().zip(self.offsets()) {
+            let points: Vec<DVec2> = stroke.points.iter().map(|p| self.at(*p) + DVec2::new(offset, 0.0)).collect();
+            let points = clip_line(&points, &paper);
+            let class = ["r", "f", "p"][stroke.way as usize];
+            let data = Pen::data(&points, false);
+            if !data.contains('L') || !drawn.insert((stroke.way as usize, data.clone())) {
+                continue;
+            }
+            self.pen.path(class, &data);
+            let Some((tip, way)) = arrow_place(&points) else { continue };
+            if arrows.iter().all(|other| (*other - tip).length() > 16.0) {
+                arrows.push(tip);
+                let head = ["ra", "fa", "pa"][stroke.way as usize];
+                if stroke.way == Way::Rapid { self.pen.chevron(head, tip, way) } else { self.pen.arrow(head, tip, way) }
+            }
+        }
+        for contact in &self.subject.shot.contacts {
+            let place = self.at(*contact);
+            self.pen.circle("n", place, 3.0);
+        }
+    }
+
+    /// By how much each stroke is drawn beside its place.
+    fn offsets(&self) -> Vec<f64> {
+        let strokes = &self.subject.shot.strokes;
+        let mut offsets = vec![0.0; strokes.len()];
+        if self.view == FigureView::Plan || self.subject.shot.ball.is_some() {
+            return offsets;
+        }
+        let mut columns: Vec<(f64, Vec<(usize, bool)>)> = Vec::new();
+        for (n, stroke) in strokes.iter().enumerate() {
+            let [a, b] =
+                [stroke.points.first(), stroke.points.last()].map(|p| p.map(|p| self.at(*p)).unwrap_or_default());
+            if stroke.points.len() != 2 || (a.x - b.x).abs() > 0.5 || (a.y - b.y).abs() < 0.5 {
+                continue;
+            }
+            let entry = (n, b.y < a.y);
+            match columns.iter_mut().find(|(x, _)| (*x - a.x).abs() < 0.5) {
+                Some((_, list)) => list.push(entry),
+                None => columns.push((a.x, vec![entry])),
+            }
+        }
+        for (_, list) in columns {
+            let mut lane = 0.0;
+            let mut lanes = Vec::new();
+            for (at, (_, up)) in list.iter().enumerate() {
+                let before = at.checked_sub(1).and_then(|at| list.get(at));
+                if before.is_some_and(|(_, other)| other != up) {
+                    lane += 1.0;
+                }
+                lanes.push(lane);
+            }
+            let room = strokes.first().map_or(0.0, |stroke| 2.0 * stroke.tool.radius * self.camera().scale);
+            let step = (room.max(16.0) / (lane + 1.0)).min(7.0);
+            for ((n, _), own) in list.iter().zip(lanes) {
+                offsets[*n] = (own - lane / 2.0) * step;
+            }
+        }
+        offsets
+    }
+
+    /// The datum, where it is in the drawing.
+    fn datum(&mut self) {
+        let place = self.camera().place(DVec2::ZERO);
+        if self.view == FigureView::Plan && self.frame.shows_datum && self.frame.paper().holds(place) {
+            self.pen.datum(place, 5.0);
+        }
+    }
+
+    fn marks(&mut self) {
+        for (n, number) in self.subject.marks.iter().enumerate() {
+            let Some(point) = point(self.subject.shot, 5 + n) else { continue };
+            let place = self.at(point);
+            let text = number.to_string();
+            let around =
+                [(0.0, -1.0), (1.0, -1.0), (-1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (0.0, 1.0), (1.0, 0.0), (-1.0, 0.0)];
+            let near: Vec<DVec2> =
+                [15.0, 22.0, 30.0].iter().flat_map(|r| around.map(|(x, y)| place + DVec2::new(x, y) * *r)).collect();
+            let centre = self.pen.place(&text, &near);
+            let way = (centre - place).normalize_or_zero();
+            self.pen.line("e", &[place, centre - way * 8.0]);
+            self.pen.circle("n", place, 1.5);
+            self.pen.text("l", &text, centre);
+            self.pen.circle("g", centre, 8.5);
+        }
+    }
+
+    /// Axes, and what the lines mean.
+    fn legend(&mut self, words: &Words) {
+        let corner = DVec2::new(self.frame.inner.min.x + 10.0, self.frame.size.y - 9.0);
+        let plane = self.subject.shot.plane;
+        let letter = |axis: Along| match axis {
+            Along::Main => plane.main.letter(),
+            Along::Minor => plane.secondary.letter(),
+            Along::Tool => plane.tool.letter(),
+        };
+        let [right, up] = axes(self.view);
+        for (end, axis) in [(DVec2::new(22.0, 0.0), right), (DVec2::new(0.0, -22.0), up)] {
+            self.pen.line("a", &[corner, corner + end]);
+            self.pen.arrow("aa", corner + end, end);
+            let off = end.normalize() * 8.0;
+            self.pen.text("l", &letter(axis).to_string(), corner + end + off);
+        }
+        let mut x = corner.x + 52.0;
+        let mut y = corner.y - 3.0;
+        if self.subject.width < 300.0 {
+            // The figures of a row stand below one that explains the lines.
+            return;
+        }
+        for (way, word) in [Way::Rapid, Way::Feed, Way::Probe].into_iter().zip(&words.ways) {
+            if !self.subject.shot.strokes.iter().any(|stroke| stroke.way == way) {
+                continue;
+            }
+            let size = Pen::size(word);
+            if x + 34.0 + size.x > self.frame.size.x {
+                (x, y) = (corner.x + 52.0, y - 16.0);
+            }
+            let (from, to) = (DVec2::new(x, y), DVec2::new(x + 26.0, y));
+            self.pen.line(["r", "f", "p"][way as usize], &[from, to]);
+            let tip = (from + to) / 2.0 + DVec2::new(ARROW / 2.0, 0.0);
+            match way {
+                Way::Rapid => self.pen.chevron("ra", tip, DVec2::X),
+                Way::Feed => self.pen.arrow("fa", tip, DVec2::X),
+                Way::Probe => self.pen.arrow("pa", tip, DVec2::X),
+            }
+            self.pen.text("l", word, DVec2::new(x + 30.0 + size.x / 2.0, y));
+            x += 38.0 + size.x;
+        }
+    }
+}
+
+/// The surface of a blank after the strokes, where the view cuts it.
+pub(super) fn surface(subject: &Subject<'_>, edges: [f64; 2], top: f64) -> Vec<DVec2> {
+    profile::surface(&subject.shot.strokes, depth(subject), edges, top)
+}
+
+/// Where the arrowhead of a way is: beyond the middle of its longest straight piece.
+fn arrow_place(points: &[DVec2]) -> Option<(DVec2, DVec2)> {
+    let total: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum();
+    if total < 14.0 {
+        return None;
+    }
+    let mut left = total / 2.0 + ARROW / 2.0;
+    for pair in points.windows(2) {
+        let way = pair[1] - pair[0];
+        if way.length() >= left {
+            return Some((pair[0] + way.normalize() * left, way));
+        }
+        left -= way.length();
+    }
+    None
+}
+
+/// The part of a line inside a rectangle: what leaves it ends there.
+fn clip_line(points: &[DVec2], rect: &Rect) -> Vec<DVec2> {
+    let mut kept: Vec<DVec2> = Vec::new();
+    for pair in points.windows(2) {
+        let Some((a, b)) = clip_pair(pair[0], pair[1], rect) else { continue };
+        if kept.last() != Some(&a) {
+            kept.push(a);
+        }
+        kept.push(b);
+    }
+    kept
+}
+
+fn clip_pair(a: DVec2, b: DVec2, rect: &Rect) -> Option<(DVec2, DVec2)> {
+    let way = b - a;
+    let (mut begin, mut end) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        for (gap, speed) in [(rect.min[axis] - a[axis], way[axis]), (a[axis] - rect.max[axis], -way[axis])] {
+            if speed == 0.0 {
+                if gap > 0.0 {
+                    return None;
+                }
+            } else if speed > 0.0 {
+                begin = begin.max(gap / speed);
+            } else {
+                end = end.min(gap / speed);
+            }
+        }
+    }
+    (begin <= end).then(|| (a + way * begin, a + way * end))
+}
+
+/// The coordinate of a place along an axis.
+pub(super) const fn coordinate(spot: Spot, axis: Along) -> f64 {
+    match spot {
+        Spot::Coordinate(coordinate) => coordinate,
+        Spot::Point(point) => along(point, axis),
+    }
+}

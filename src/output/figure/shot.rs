@@ -1,0 +1,341 @@
+//! A run of an example up to the moment that a figure shows: the ways of the tool, what it touched, what was measured.
+//!
+//! Invariant: all points are in the coordinates that were active when the cycle began: main, secondary, tool axis.
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::base::diag::{Diagnostic, Place};
+use crate::base::expr::{Dialect, Value, parse};
+use crate::engine::geometry::{Axis, WorkingPlane};
+use crate::engine::machine::Tool;
+use crate::engine::plan::{self, Watch};
+use crate::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Noted};
+use crate::engine::scene::Scene;
+use crate::engine::solid::{Body, Path, Shape};
+use crate::program::syntax;
+use crate::spec::{Cycle, Dimension, Example, Figure, FigureMoment, Formula, Name, OnControl};
+use crate::tools::conform::{self, World};
+
+/// How a piece of the way is gone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    /// At rapid traverse.
+    Rapid,
+    /// At a feed.
+    Feed,
+    /// Towards the workpiece, to touch it.
+    Probe,
+}
+
+/// A piece of the way of the tool tip or of the ball centre.
+#[derive(Clone, Debug)]
+pub(super) struct Stroke {
+    /// How it is gone.
+    pub(super) way: Way,
+    /// Its points; the chords of an arc leave it by 0.04 mm at most.
+    pub(super) points: Vec<DVec3>,
+    /// The tool that goes it.
+    pub(super) tool: Tool,
+}
+
+/// A run at a moment.
+#[derive(Debug)]
+pub(super) struct Shot {
+    /// The ways until then.
+    pub(super) strokes: Vec<Stroke>,
+    /// The ways after it, which no figure draws.
+    pub(super) later: Vec<Stroke>,
+    /// The points that were touched.
+    pub(super) contacts: Vec<DVec3>,
+    /// The centres of the arcs of the whole run.
+    pub(super) centres: Vec<DVec3>,
+    /// The tool in the spindle and where its tip is; of a probe, the centre of its ball.
+    pub(super) tool: Option<(Tool, DVec3)>,
+    /// The radius of the ball of the touch probe, if it is one.
+    pub(super) ball: Option<f64>,
+    /// The parts of the scene, and from the machine to the coordinates of the shot.
+    pub(super) parts: Shape,
+    /// The same, ready for questions.
+    body: Body,
+    /// From the machine to the coordinates of the shot.
+    pub(super) back: DAffine3,
+    /// The axes of the working plane.
+    pub(super) plane: WorkingPlane,
+    /// The values of the places of each dimension: its parameter, from, to, centre.
+    pub(super) places: Vec<[Option<Value>; 4]>,
+    /// The values of the places of the figure itself.
+    pub(super) own: Vec<Option<Value>>,
+}
+
+impl Shot {
+    /// Whether a place lies on the surface of a part: there is material near it, and none.
+    pub(super) fn is_on_part(&self, place: DVec3) -> bool {
+        const NEAR: f64 = 0.02;
+        let forth = self.back.inverse();
+        let held = |p: DVec3| {
+            let own = self.plane.lift(p.truncate(), p.z);
+            self.body.contains(forth.transform_point3(own)).unwrap_or(false)
+        };
+        let around =
+            [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|axis| [place + axis * NEAR, place - axis * NEAR]);
+        let found: Vec<bool> = around.map(held).collect();
+        found.contains(&true) && found.contains(&false)
+    }
+}
+
+/// What a figure asks of a run beside its dimensions: the cut, the four values of the blank, the marks.
+fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
+    let blank = figure.blank.as_ref();
+    let mut places = vec![
+        figure.cut.as_ref(),
+        blank.and_then(|blank| blank.top.as_ref()),
+        blank.and_then(|blank| blank.bottom.as_ref()),
+        blank.and_then(|blank| blank.least.as_ref()),
+        blank.and_then(|blank| blank.greatest.as_ref()),
+    ];
+    places.extend(figure.marks.iter().map(|mark| Some(&mark.at)));
+    places
+}
+
+/// The expression that is the value of a parameter or field.
+fn value_of(dimension: &Dimension) -> Option<Formula> {
+    let text = match (&dimension.q, &dimension.field) {
+        (Some(q), _) => q.to_string(),
+        (None, Some(field)) => field.as_str().replace('-', "_"),
+        (None, None) => return None,
+    };
+    let expr = parse(&text, Dialect::Spec).ok()?;
+    Some(Formula { expr, text: text.into(), place: dimension.place.clone() })
+}
+
+/// What is noted at one moment, and which of the places asked for each value is.
+struct Asked {
+    watch: Watch,
+    pass: usize,
+    slots: Vec<usize>,
+}
+
+fn asked(moment: Option<&FigureMoment>, formulas: &[Option<Formula>]) -> Asked {
+    let step = moment.and_then(|moment| moment.step.as_ref()).map(|step| Arc::clone(&step.text));
+    let pass = moment.and_then(|moment| moment.pass).unwrap_or(1) as usize;
+    let there = formulas.iter().enumerate().filter_map(|(slot, formula)| Some((slot, formula.clone()?)));
+    let (slots, values) = there.unzip();
+    Asked { watch: Watch { step, values }, pass, slots }
+}
+
+fn all_asked(figure: &Figure, dimensions: &[&Dimension]) -> Vec<Asked> {
+    let at = figure.at.as_ref();
+    let own: Vec<Option<Formula>> = own_places(figure).into_iter().map(|place| place.cloned()).collect();
+    let mut all = vec![asked(at, &own)];
+    all.extend(dimensions.iter().map(|dimension| {
+        let formulas = [value_of(dimension), dimension.from.clone(), dimension.to.clone(), dimension.centre.clone()];
+        asked(dimension.at.as_ref().or(at), &formulas)
+    }));
+    all
+}
+
+/// The note of what was asked: that of the pass, or the last one of the cycle.
+fn noted<'n>(notes: &'n [Noted], index: usize, asked: &Asked) -> Option<&'n Noted> {
+    notes.iter().filter(|note| note.watch == index).nth(asked.pass.saturating_sub(1))
+}
+
+/// The example with the values of the figure in place of its own, and `each` as it is chosen.
+fn altered(example: &Example, figure: &Figure, chosen: Option<&str>) -> Example {
+    let mut example = example.clone();
+    let mut set = |name: &str, value: &Name| match example.given.0.iter_mut().find(|(own, _)| own.as_str() == name) {
+        Some((_, own)) => *own = value.clone(),
+        None => example.given.0.push((Name { text: name.into(), place: value.place.clone() }, value.clone())),
+    };
+    for (name, value) in &figure.given.0 {
+        set(name.as_str(), value);
+    }
+    if let (Some(q), Some(value)) = (figure.each, chosen) {
+        set(&q.to_string(), &Name { text: value.into(), place: figure.place.clone() });
+    }
+    example
+}
+
+/// Runs the example of a figure up to its moment; `chosen` is the value of the parameter whose choices it shows.
+///
+/// # Errors
+/// An example that does not exist or does not run, expressions that are wrong, a moment that never comes.
+pub(super) fn take(
+    world: &World<'_>,
+    on: &OnControl,
+    cycle: &Cycle,
+    figure: &Figure,
+    dimensions: &[&Dimension],
+    chosen: Option<&str>,
+) -> Result<Shot, Vec<Diagnostic>> {
+    let wrong = |code: &'static str, place: &Place| {
+        Diagnostic::error(code, place.clone()).arg("name", figure.name.as_str()).arg("cycle", cycle.key.to_string())
+    };
+    let Some(example) = cycle.file.examples.iter().find(|example| example.name == figure.of) else {
+        return Err(vec![wrong("figure-example-missing", &figure.of.place).arg("example", figure.of.as_str())]);
+    };
+    let asked = all_asked(figure, dimensions);
+    let watches: Vec<Watch> = asked.iter().map(|asked| asked.watch.clone()).collect();
+    let (_, mistakes) = plan::compile_watched(cycle, on, &watches);
+    if !mistakes.is_empty() {
+        return Err(mistakes);
+    }
+    let (program, scene) = conform::ready(world, on, cycle, &altered(example, figure, chosen))?;
+    let program = syntax::parse(&program);
+    let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(world.catalogue);
+    let engine = engine.watching(cycle.key, &watches);
+    let mut events = Vec::new();
+    let outcome = engine.run(&mut |event| events.push(event));
+    let Some(moment) = asked.first().and_then(|own| noted(&outcome.noted, 0, own)) else {
+        let reason = outcome.fault.as_ref().map_or_else(|| outcome.status.as_str().to_owned(), |f| f.code.to_string());
+        return Err(vec![wrong("figure-moment-never", &figure.place).arg("reason", reason)]);
+    };
+    let mut film = Film::new(&scene, cycle);
+    let (before, after) = events.split_at(moment.events.min(events.len()));
+    before.iter().for_each(|event| film.see(event));
+    film.now = Some(film.strokes.len());
+    let (tool, here, touched) = (film.tool, film.here, film.contacts.len());
+    after.iter().for_each(|event| film.see(event));
+    (film.tool, film.here) = (tool, here);
+    film.contacts.truncate(touched);
+    let mut shot = film.end(&scene);
+    for (index, asked) in asked.iter().enumerate() {
+        let mut values: [Option<Value>; 4] = Default::default();
+        let note = noted(&outcome.noted, index, asked);
+        if index == 0 {
+            shot.own = vec![None; own_places(figure).len()];
+        }
+        for (value, slot) in note.iter().flat_map(|note| &note.values).zip(&asked.slots) {
+            match index {
+                0 => shot.own[*slot] = value.clone(),
+                _ => values[*slot] = value.clone(),
+            }
+        }
+        if index > 0 {
+            shot.places.push(values);
+        }
+    }
+    Ok(shot)
+}
+
+/// The part of a run that is seen so far.
+struct Film<'f> {
+    cycle: &'f Cycle,
+    /// From program to machine coordinates now.
+    system: DAffine3,
+    /// The same when the cycle began.
+    first: Option<DAffine3>,
+    plane: WorkingPlane,
+    tool: Option<Tool>,
+    /// In machine coordinates.
+    strokes: Vec<Stroke>,
+    contacts: Vec<DVec3>,
+    centres: Vec<DVec3>,
+    here: Option<DVec3>,
+    /// How many strokes there are at the moment.
+    now: Option<usize>,
+}
+
+fn affine(rows: [[f64; 4]; 3]) -> DAffine3 {
+    let column = |n: usize| DVec3::new(rows[0][n], rows[1][n], rows[2][n]);
+    DAffine3::from_mat3_translation(DMat3::from_cols(column(0), column(1), column(2)), column(3))
+}
+
+impl<'f> Film<'f> {
+    fn new(scene: &Scene, cycle: &'f Cycle) -> Self {
+        Self {
+            cycle,
+            system: affine(scene.frame.rows()),
+            first: None,
+            plane: WorkingPlane::of_tool_axis(Axis::Z),
+            tool: None,
+            strokes: Vec::new(),
+            contacts: Vec::new(),
+            centres: Vec::new(),
+            here: Some(scene.start),
+            now: None,
+        }
+    }
+
+    fn see(&mut self, event: &Event) {
+        if self.first.is_none() && event.at.cycle.as_ref().is_some_and(|(key, _)| *key == self.cycle.key) {
+            self.first = Some(self.system);
+        }
+        match &event.kind {
+            EventKind::Transform(system) => self.system = affine(system.matrix),
+            EventKind::Spindle { tool: Some((tool, axis)), .. } => {
+                (self.tool, self.plane) = (Some(*tool), WorkingPlane::of_tool_axis(*axis));
+            }
+            EventKind::Move { kind, path, .. } => {
+                if let MoveKind::Arc { centre, .. } = kind {
+                    self.centres.push(self.system.transform_point3(*centre));
+                }
+                let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
+                self.go(if rapid { Way::Rapid } else { Way::Feed }, points(path));
+            }
+            EventKind::Probe(probing) => {
+                let ball = probing.contact.map_or(probing.target, |(_, ball)| ball);
+                let ends = [probing.from, ball].map(|p| self.system.transform_point3(p));
+                self.contacts.extend(probing.contact.map(|(point, _)| self.system.transform_point3(point)));
+                self.go(Way::Probe, ends.to_vec());
+            }
+            _ => {}
+        }
+    }
+
+    fn go(&mut self, way: Way, points: Vec<DVec3>) {
+        if way != Way::Probe {
+            self.here = points.last().copied().or(self.here);
+        }
+        if self.first.is_some() {
+            self.strokes.push(Stroke { way, points, tool: self.tool.unwrap_or_default() });
+        }
+    }
+
+    fn end(self, scene: &Scene) -> Shot {
+        let back = self.first.unwrap_or(self.system).inverse();
+        let plane = self.plane;
+        let own = |machine: DVec3| {
+            let p = back.transform_point3(machine);
+            plane.flat(p).extend(plane.tool.of(p))
+        };
+        let ball = self.tool.and_then(|tool| tool.probe).and(scene.probe.as_ref()).map(|probe| probe.ball_radius);
+        // Moves are those of the tip; a probe is drawn by the centre of its ball, as it is when it touches.
+        let centre = |tip: DVec3| own(tip) + DVec3::Z * ball.unwrap_or(0.0);
+        let placed = |stroke: Stroke| {
+            let points = stroke.points.into_iter();
+            let points =
+                if stroke.way == Way::Probe { points.map(own).collect() } else { points.map(centre).collect() };
+            Stroke { points, ..stroke }
+        };
+        let mut strokes: Vec<Stroke> = self.strokes.into_iter().map(placed).collect();
+        let later = strokes.split_off(self.now.unwrap_or(strokes.len()).min(strokes.len()));
+        Shot {
+            strokes,
+            later,
+            contacts: self.contacts.into_iter().map(own).collect(),
+            centres: self.centres.into_iter().map(own).collect(),
+            tool: self.tool.zip(self.here.map(centre)),
+            ball,
+            parts: scene.parts.clone(),
+            body: scene.body.clone(),
+            back,
+            plane,
+            places: Vec::new(),
+            own: Vec::new(),
+        }
+    }
+}
+
+/// The points of a way: arcs by chords that leave them by 0.04 mm at most.
+fn points(path: &Path) -> Vec<DVec3> {
+    let pieces = match path {
+        Path::Line { .. } => 1,
+        Path::Arc { centre, from, sweep, .. } => {
+            let radius = (*from - *centre).length().max(0.04);
+            let angle = 2.0 * libm::acos((1.0 - 0.04 / radius).max(0.5));
+            ((sweep.to_radians().abs() / angle).ceil() as usize).clamp(4, 720)
+        }
+    };
+    (0..=pieces).map(|n| path.at(n as f64 / pieces as f64)).collect()
+}

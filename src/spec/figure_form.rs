@@ -1,0 +1,143 @@
+//! The form of figures: what a drawing of a cycle shows, and between which places its parameters are measured.
+//!
+//! Invariant: plain data, as in [`super::form`]; places are expressions of the run.
+use super::decode::{Entries, Formula, Name, record, words};
+use crate::base::expr::QRef;
+
+words! {
+    /// From where a figure looks.
+    pub enum FigureView {
+        /// Cut along the main and the tool axis.
+        Section = "section",
+        /// Against the tool axis.
+        Plan = "plan",
+        /// Along the secondary axis, without a cut.
+        Side = "side",
+    }
+}
+
+words! {
+    /// An axis of the working plane.
+    pub enum Along {
+        /// The main axis.
+        Main = "main",
+        /// The secondary axis.
+        Minor = "minor",
+        /// The tool axis.
+        Tool = "tool",
+    }
+}
+
+words! {
+    /// How a dimension is drawn and measured.
+    pub enum DimensionKind {
+        /// The distance of two places, or how far a coordinate is from another one.
+        Length = "length",
+        /// The distance of two opposite places of a circle.
+        Diameter = "diameter",
+        /// The distance of a place from the centre of its circle.
+        Radius = "radius",
+        /// An angle from one direction to another about a centre, counter-clockwise positive.
+        Angle = "angle",
+    }
+}
+
+record! {
+    /// A moment of a run: when a step has been executed for the n-th time, or the end of the cycle.
+    pub struct FigureMoment {
+        /// The step; the end of the cycle if there is none.
+        step: Option<Name>,
+        /// For which time it is executed, from 1.
+        pass: Option<u32>,
+    }
+}
+
+record! {
+    /// A parameter with the two places that it lies between.
+    pub struct Dimension {
+        /// The parameter.
+        q: Option<QRef>,
+        /// The field of an old-style line.
+        field: Option<Name>,
+        /// How it is measured; a length if nothing is said.
+        kind: Option<DimensionKind>,
+        /// The first place: a coordinate, a point, or a direction in degrees.
+        from: Option<Formula>,
+        /// The second place.
+        to: Option<Formula>,
+        /// The axis of coordinates; of points, the axis along which they are measured.
+        along: Option<Along>,
+        /// The centre of an angle.
+        centre: Option<Formula>,
+        /// Another moment than that of the figure.
+        at: Option<FigureMoment>,
+        /// The dimensions of a fragment instead; those whose parameters the cycle does not have are left out.
+        r#use as "use": Option<Name>,
+    }
+}
+
+record! {
+    /// A numbered place.
+    pub struct Mark {
+        /// The place, a point.
+        at: Formula,
+        /// Its number.
+        number: u32,
+    }
+}
+
+record! {
+    /// The workpiece before it is cut; what is not said follows from what is cut.
+    pub struct FigureBlank {
+        /// The coordinate of its surface.
+        top: Option<Formula>,
+        /// The coordinate of its lower face.
+        bottom: Option<Formula>,
+        /// Its least corner in the working plane, a point.
+        least: Option<Formula>,
+        /// Its greatest corner in the working plane, a point.
+        greatest: Option<Formula>,
+        /// Whether it is round from above.
+        round: bool,
+    }
+}
+
+record! {
+    /// A figure of a cycle, drawn from a run of one of its examples.
+    pub struct Figure {
+        /// Its name, text `figure-<name>`.
+        name: Name,
+        /// From where it looks.
+        view: FigureView,
+        /// The example that is run.
+        of: Name,
+        /// Values of parameters that the figure needs otherwise than the example.
+        given: Entries<Name>,
+        /// The parameter for each of whose choices a small figure is drawn.
+        each: Option<QRef>,
+        /// Those of its choices that are drawn; all if there are none.
+        values: Vec<Name>,
+        /// The moment that is drawn; the end of the cycle if nothing is said.
+        at: Option<FigureMoment>,
+        /// The coordinate along the secondary axis at which a section is cut; where the tool is if nothing is said.
+        cut: Option<Formula>,
+        /// The blank.
+        blank: Option<FigureBlank>,
+        /// The parameters that it shows.
+        dimensions: Vec<Dimension>,
+        /// Numbered places.
+        marks: Vec<Mark>,
+    }
+}
+
+record! {
+    /// A parameter that no figure can show.
+    pub struct NotShown {
+        /// The parameter.
+        q: Option<QRef>,
+        /// The field of an old-style line.
+        field: Option<Name>,
+        /// Why.
+        why: String,
+    }
+}

@@ -1,0 +1,107 @@
+//! Figures: what they say is measured, and what they show can be read.
+use ciklo::base::data;
+use ciklo::language::locale::Locales;
+use ciklo::language::text::with_texts;
+use ciklo::output::figure::{self, Medium, Svg};
+use ciklo::spec::{Catalogue, Cycle};
+use ciklo::tools::conform::World;
+
+type Files = Vec<(String, String)>;
+
+/// The codes of what is wrong with the figures of a cycle after its file was altered.
+fn altered(cycle: u32, from: &str, to: &str) -> Vec<&'static str> {
+    let name = format!("/{cycle}-");
+    let mut files: Files = data::embedded();
+    let file = files.iter_mut().find(|(path, _)| path.starts_with("cycle-specs/") && path.contains(&name));
+    let (path, text) = file.expect("the specification");
+    assert!(text.contains(from), "{path}: {from}");
+    *text = text.replacen(from, to, 1);
+    let (catalogue, found) = Catalogue::load(&files);
+    assert!(found.is_empty(), "{found:?}");
+    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let world = World { catalogue: &catalogue, locales: &locales, files: &files };
+    let chosen = |own: &Cycle| own.key.number == cycle;
+    figure::check(&catalogue, &world, &chosen).into_iter().map(|found| found.code).collect()
+}
+
+/// Every figure of every cycle, in every language, with where it is from.
+fn all() -> Vec<(String, Svg)> {
+    let files: Files = data::embedded();
+    let (catalogue, _) = Catalogue::load(&files);
+    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let world = World { catalogue: &catalogue, locales: &locales, files: &files };
+    let mut drawn = Vec::new();
+    for on in catalogue.controls.values() {
+        for cycle in on.cycles.values() {
+            let (figures, found) = figure::prepare(&world, on, cycle);
+            assert!(found.is_empty(), "{} {found:?}", cycle.key);
+            for language in locales.iter().filter(|_| !figures.is_empty()) {
+                let svgs = with_texts(on, cycle, language, |text| {
+                    figures
+                        .iter()
+                        .map(|figure| (figure.stem(cycle), figure.svg(text, Medium::Page)))
+                        .collect::<Vec<_>>()
+                });
+                let place = format!("{} {}", on.id(), language.tag());
+                let named = svgs.expect("all texts are there").into_iter();
+                drawn.extend(named.map(|(stem, svg)| (format!("{place} {stem}"), svg)));
+            }
+        }
+    }
+    drawn
+}
+
+#[test]
+fn figures_can_be_read() {
+    let drawn = all();
+    assert!(drawn.len() > 100, "{}", drawn.len());
+    let mut wrong = Vec::new();
+    for (name, svg) in &drawn {
+        for (n, a) in svg.texts.iter().enumerate() {
+            let meets = |b: &&[f64; 4]| a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+            if let Some(b) = svg.texts.iter().skip(n + 1).find(meets) {
+                wrong.push(format!("{name}: texts overlap at {a:?} and {b:?}"));
+            }
+        }
+        if svg.text.len() > 16_000 {
+            wrong.push(format!("{name}: {} bytes", svg.text.len()));
+        }
+        for needless in [" id=", "<style", "NaN", "inf"] {
+            if svg.text.contains(needless) {
+                wrong.push(format!("{name}: {needless}"));
+            }
+        }
+        let count = |what: &str| svg.text.matches(what).count();
+        if count("<g ") != count("</g>")
+            || count("<a ") != count("</a>")
+            || count("<title>") != 1
+            || count("<desc>") != 1
+        {
+            wrong.push(format!("{name}: not well-formed"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_figure_comes_out_the_same_every_time() {
+    let texts = || all().into_iter().map(|(name, svg)| (name, svg.text)).collect::<Vec<_>>();
+    assert_eq!(texts(), texts());
+}
+
+#[test]
+fn a_dimension_that_the_run_contradicts_is_an_error() {
+    let clearance = "to: cut.to - dir * Q258}";
+    assert_eq!(altered(205, clearance, clearance), Vec::<&str>::new());
+    assert_eq!(altered(205, clearance, "to: cut.to - dir * (Q258 + 0.01)}"), ["figure-measured-otherwise"]);
+    let shifted = "{q: Q258, from: cut.to + 0.25, to: cut.to + 0.25 - dir * Q258}";
+    assert_eq!(altered(205, "{q: Q258, from: cut.to, to: cut.to - dir * Q258}", shifted), ["figure-place-not-reached"]);
+}
+
+#[test]
+fn a_moment_that_never_comes_is_an_error() {
+    let passes = "at: {step: retract-and-return-to-advanced-stop, pass: 2}}";
+    assert_eq!(altered(205, passes, &passes.replace('2', "9")), ["figure-no-value"]);
+    let of = "of: deepened-starting-point\n";
+    assert_eq!(altered(205, of, "of: no-such-example\n"), ["figure-example-missing"]);
+}
