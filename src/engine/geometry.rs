@@ -4,7 +4,7 @@
 //! input gives the same bits on every machine. Frames are rigid: they shift and rotate, they never scale.
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-use crate::base::expr::{cosd, sind};
+use crate::base::expr::{atan2d, cosd, sind};
 
 /// mm in an inch.
 pub(in crate::engine) const INCH: f64 = crate::spec::MM_PER_INCH;
@@ -158,6 +158,9 @@ pub const fn left_of(direction: DVec2) -> DVec2 {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame(DAffine3);
 
+/// A main axis is upright if the level part of its direction is smaller.
+const UPRIGHT: f64 = 1e-9;
+
 impl Frame {
     /// The system itself.
     pub const IDENTITY: Self = Self(DAffine3::IDENTITY);
@@ -185,6 +188,28 @@ impl Frame {
             .of(Self::rotate(Axis::Z, rotate.z))
             .of(Self::rotate(Axis::Y, rotate.y))
             .of(Self::rotate(Axis::X, rotate.x))
+    }
+
+    /// A right-handed system at the same datum with this main and tool axis of a working plane, perpendicular to each
+    /// other and of length 1.
+    pub fn with_axes(plane: WorkingPlane, main: DVec3, tool: DVec3) -> Self {
+        let turned = [(plane.main, main), (plane.secondary, tool.cross(main)), (plane.tool, tool)];
+        let column =
+            |wanted: Axis| turned.iter().find(|(axis, _)| *axis == wanted).map_or(DVec3::ZERO, |(_, column)| *column);
+        Self(DAffine3::from_mat3(DMat3::from_cols(column(Axis::X), column(Axis::Y), column(Axis::Z))))
+    }
+
+    /// The angles in degrees about the fixed X axis, then the fixed Y axis, then the fixed Z axis that turn to a system
+    /// without other units: what [`placed`](Self::placed) takes. Where only the sum or the difference of the first and
+    /// the last one matters the last one is 0.
+    pub fn spatial_angles(&self) -> DVec3 {
+        let DMat3 { x_axis: x, y_axis: y, z_axis: z } = self.0.matrix3;
+        let level = libm::hypot(x.x, x.y);
+        let b = atan2d(-x.z, level);
+        if level <= UPRIGHT {
+            return DVec3::new(atan2d(-z.y, y.y), b, 0.0);
+        }
+        DVec3::new(atan2d(y.z, z.z), b, atan2d(x.y, x.x))
     }
 
     /// A system inside this one: `outer.of(inner)` maps coordinates of `inner` to those outside `outer`.

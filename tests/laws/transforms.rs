@@ -388,3 +388,89 @@ fn systems_end_where_the_manual_says() {
     let (_, position) = last(&format!("{begin}{shift}TOOL CALL 1 Y S1000\n"));
     assert_eq!(position, [-3.0, 2.0, -9.0]);
 }
+
+/// A machine whose table tilts about X and turns about Z.
+const FIVE_AXES: &str = "scene: 1\nmachine: mill-table-ac\ntools: [{T: 1, L: 80, R: 5}]\nstart: [0, 0, 200]\n";
+
+/// Where X+10 Y+20 Z+30 of a plane lies in the machine; all rotary axes stay at 0 unless the block turns them.
+fn placed_by(plane: &str) -> [f64; 3] {
+    let program =
+        format!("BEGIN PGM LAW MM\nTOOL CALL 1 Z S1000 F500\n{plane}\nL X+10 Y+20 Z+30 FMAX\nEND PGM LAW MM\n");
+    let (outcome, events) = run(&program, FIVE_AXES);
+    assert_eq!(outcome.status, Status::Done, "{plane}: {:?}", outcome.fault);
+    let machine = events.iter().rev().find_map(|event| match event {
+        EventKind::Move { machine, .. } => Some(*machine),
+        _ => None,
+    });
+    machine.expect("a move").into()
+}
+
+fn meets(found: [f64; 3], wanted: [f64; 3]) -> bool {
+    found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-9)
+}
+
+const POINT: [f64; 3] = [10.0, 20.0, 30.0];
+
+proptest! {
+    #![proptest_config(crate::cases::config(60))]
+
+    /// The angles of Euler: about Z, then about the new X, then about the new Z.
+    #[test]
+    fn a_plane_by_euler_angles(a in -170.0..170.0f64, b in 1.0..60.0f64, c in 1.0..350.0f64) {
+        let matrix = times(&times(&turn(2, a), &turn(0, b)), &turn(2, c));
+        let found = placed_by(&format!("PLANE EULER EULPR{a:+.4} EULNU{b:.4} EULROT{c:.4} STAY"));
+        prop_assert!(found.iter().zip(at(&matrix, POINT)).all(|(a, b)| (a - b).abs() < 0.01), "{found:?}");
+    }
+
+    /// The main axis runs as the base vector as far as it lies in the plane, the tool axis as the normal; three points
+    /// in such a plane give the same.
+    #[test]
+    fn a_plane_by_vectors_and_by_points(base in [-1.0..1.0f64, -1.0..1.0, -0.3..0.3], tip in [-0.6..0.6f64, -0.6..0.6]) {
+        let round = |value: f64| (value * 1e4).round() / 1e4;
+        let (b, n) = (base.map(round), [round(tip[0]), round(tip[1]), 1.0]);
+        prop_assume!(b[0].abs() + b[1].abs() > 0.3);
+        let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let scaled = |v: [f64; 3], by: f64| v.map(|value| value * by);
+        let z = scaled(n, 1.0 / dot(n, n).sqrt());
+        let along = dot(b, z);
+        let x: [f64; 3] = std::array::from_fn(|k| b[k] - along * z[k]);
+        let x = scaled(x, 1.0 / dot(x, x).sqrt());
+        let y = [z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]];
+        let wanted: [f64; 3] = std::array::from_fn(|k| 10.0 * x[k] + 20.0 * y[k] + 30.0 * z[k]);
+        let vectors = format!(
+            "PLANE VECTOR BX{:+.4} BY{:+.4} BZ{:+.4} NX{:+.4} NY{:+.4} NZ{:+.4} STAY", b[0], b[1], b[2], n[0], n[1], n[2]
+        );
+        let found = placed_by(&vectors);
+        prop_assert!(meets(found, wanted), "{vectors}: {found:?} is not {wanted:?}");
+        let points: String = [[0.0; 3], scaled(x, 40.0), std::array::from_fn(|k| 15.0 * x[k] + 25.0 * y[k])]
+            .iter()
+            .enumerate()
+            .map(|(n, p)| format!(" P{0}X{1:+.6} P{0}Y{2:+.6} P{0}Z{3:+.6}", n + 1, p[0], p[1], p[2]))
+            .collect();
+        let found = placed_by(&format!("PLANE POINTS{points} STAY"));
+        prop_assert!(found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-4), "{points}: {found:?} is not {wanted:?}");
+    }
+
+    /// A further angle turns about an axis of the plane that is active.
+    #[test]
+    fn a_plane_relative_to_the_one_before(a in -40.0..40.0f64, b in -40.0..40.0f64, by in -40.0..40.0f64, axis in 0..3usize) {
+        let matrix = times(&times(&turn(1, b), &turn(0, a)), &turn(axis, by));
+        let word = ["SPA", "SPB", "SPC"][axis];
+        let found = placed_by(&format!("PLANE SPATIAL SPA{a:+} SPB{b:+} SPC+0 STAY\nPLANE RELATIV {word}{by:+} STAY"));
+        prop_assert!(meets(found, at(&matrix, POINT)), "{found:?}");
+    }
+}
+
+/// Of the two positions of the table the sign of the axis that tilts it chooses one.
+#[test]
+fn the_sequence_chooses_a_position() {
+    for (word, sign) in [("SEQ+", 1.0), ("SEQ-", -1.0)] {
+        let plane = format!("PLANE SPATIAL SPA+30 SPB+0 SPC+0 MB MAX TURN F2000 {word} COORD ROT");
+        let program = format!("BEGIN PGM LAW MM\nTOOL CALL 1 Z S1000 F500\n{plane}\nEND PGM LAW MM\n");
+        let (outcome, _) = run(&program, FIVE_AXES);
+        assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+        let (a, c) = (outcome.angles.x, outcome.angles.z);
+        assert!((a - sign * 30.0).abs() < 1e-9, "A {a}");
+        assert!(((c + if sign > 0.0 { 0.0 } else { 180.0 }) / 360.0).fract().abs() < 1e-9, "C {c}");
+    }
+}

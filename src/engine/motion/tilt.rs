@@ -5,8 +5,8 @@
 use glam::DVec3;
 
 use crate::base::expr::atan2d;
-use crate::engine::geometry::RotaryAxis;
-use crate::engine::machine::{Carried, RotaryMachineAxis};
+use crate::engine::geometry::{Frame, RotaryAxis};
+use crate::engine::machine::{Carried, Machine, RotaryMachineAxis};
 use crate::engine::motion::drives::Drives;
 use crate::engine::motion::moves::Speed;
 use crate::engine::report::ending::Done;
@@ -30,6 +30,12 @@ pub(crate) enum Back {
 /// The direction about which an axis turns what it carries, right-handed for growing coordinates.
 fn about(axis: &RotaryMachineAxis) -> DVec3 {
     axis.about.0.unit() * axis.about.1
+}
+
+/// The rotary axis whose sign chooses between two positions.
+fn master(machine: &Machine) -> Option<&RotaryMachineAxis> {
+    let of = |carried| machine.rotary.iter().filter(move |axis| axis.carries == carried);
+    of(Carried::Tool).last().or_else(|| of(Carried::Workpiece).next())
 }
 
 /// By which angle about an axis one direction becomes another; 0 for those along the axis.
@@ -64,6 +70,12 @@ fn meet(a: DVec3, p: DVec3, b: DVec3, q: DVec3) -> Vec<(f64, f64)> {
 impl Drives<'_, '_> {
     /// Where the rotary axes must stand for the tilted plane, in program coordinates.
     pub(crate) fn rotary_positions(&self) -> Result<DVec3, Fault> {
+        self.rotary_positions_with(None)
+    }
+
+    /// The same with a positive (`Some(true)`) or negative angle of the master axis: the one next to the tool, or, where
+    /// the head has none, the one farthest from the workpiece.
+    pub(crate) fn rotary_positions_with(&self, positive: Option<bool>) -> Result<DVec3, Fault> {
         let (system, machine) = (&self.world.system, &self.world.scene.machine);
         let datum = system.angle_datum();
         let tool = machine.spindle.unit();
@@ -95,10 +107,30 @@ impl Drives<'_, '_> {
             let all = angles.iter().fold(datum, |all, (axis, angle)| axis.axis.with(all, *angle));
             let straight = machine.table(all).vector(plane) - machine.head(all).vector(tool);
             let within = angles.iter().all(|(axis, angle)| axis.reaches(*angle));
-            (straight.length() < 1e-6 && within).then_some((all - datum) * system.mirror().1)
+            let position = (all - datum) * system.mirror().1;
+            let angle = master(machine).map_or(0.0, |axis| axis.axis.of(position));
+            let asked = positive.is_none_or(|positive| if positive { angle > -SAME } else { angle < SAME });
+            (straight.length() < 1e-6 && within && asked).then_some(position)
         });
         let nearer = reached.reduce(|a, b| if b.length_squared() < a.length_squared() - SAME { b } else { a });
         nearer.ok_or_else(|| Fault::control("tilting-unreachable"))
+    }
+
+    /// The plane at right angles to the tool with the rotary axes at these positions, in program coordinates: its system
+    /// as seen from the one that is not tilted.
+    pub(crate) fn tilt_by_axes(&self, positions: DVec3) -> Frame {
+        let (system, machine) = (&self.world.system, &self.world.scene.machine);
+        let datum = system.angle_datum();
+        let all = positions * system.mirror().1 + datum;
+        let turned = |frame: Frame| Frame::placed(DVec3::ZERO, frame.spatial_angles());
+        let (before, table, head) = (machine.table(datum), machine.table(all), machine.head(all));
+        let by_axes =
+            turned(before).of(turned(table).inverse()).of(turned(head)).of(turned(machine.head(datum)).inverse());
+        // As seen from a system that may be turned itself.
+        let mut level = system.clone();
+        level.set_tilt(DVec3::ZERO);
+        let base = if level.frame().mirrors() { Frame::IDENTITY } else { turned(*level.frame()) };
+        base.inverse().of(by_axes).of(base)
     }
 
     /// Whether the spindle is at right angles to the rotary axis on which the workpiece is clamped;

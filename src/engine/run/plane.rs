@@ -3,11 +3,13 @@
 //!
 //! Invariant: a tilted plane is the one of the tilting cycle, whichever block defines it; a form or word that the
 //! engine does not execute is a fault, never ignored.
+use std::collections::BTreeMap;
+
 use glam::DVec3;
 
 use crate::base::expr::{QKind, QRef};
 use crate::engine::flow::state::Run;
-use crate::engine::geometry::{Axis, RotaryAxis};
+use crate::engine::geometry::{Axis, Frame, RotaryAxis};
 use crate::engine::motion::axis::rotary;
 use crate::engine::motion::moves::Speed;
 use crate::engine::motion::tilt::Back;
@@ -20,6 +22,14 @@ use crate::spec::Transformation;
 
 /// Where the positions of the rotary axes are reported: A, then B, then C.
 const POSITIONS: u16 = 120;
+/// Vectors that are shorter have no direction.
+const SAME: f64 = 1e-9;
+/// The words of angles and vectors.
+const VALUES: [&str; 18] = [
+    "SPA", "SPB", "SPC", "EULPR", "EULNU", "EULROT", "BX", "BY", "BZ", "NX", "NY", "NZ", "A", "B", "C", "IA", "IB",
+    "IC",
+];
+
 /// How the rotary axes get to the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Way {
@@ -31,30 +41,62 @@ enum Way {
     Stay,
 }
 
+/// Which of two positions of the rotary axes is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Solution {
+    /// `SEQ+`: the one with a positive angle of the master axis.
+    Positive,
+    /// `SEQ-`: the one with a negative angle.
+    Negative,
+}
+
 /// What the words of a `PLANE` block say.
+#[derive(Default)]
 struct Words {
-    angles: [Option<f64>; 3],
+    /// Angles and coordinates by their names; lengths in mm.
+    values: BTreeMap<String, f64>,
     way: Option<Way>,
     distance: f64,
     back: Option<Back>,
     speed: Option<Speed>,
+    solution: Option<Solution>,
+}
+
+impl Words {
+    fn get(&self, name: &str) -> Option<f64> {
+        self.values.get(name).copied()
+    }
+
+    /// Values that must be there.
+    fn all<const N: usize>(&self, names: [&str; N]) -> Result<[f64; N], Fault> {
+        let mut values = [0.0; N];
+        for (value, name) in values.iter_mut().zip(names) {
+            *value = self.get(name).ok_or_else(|| Fault::program("value-missing"))?;
+        }
+        Ok(values)
+    }
+
+    /// A vector or point that must be there.
+    fn vector(&self, names: [&str; 3]) -> Result<DVec3, Fault> {
+        self.all(names).map(DVec3::from)
+    }
+}
+
+/// A vector of length 1 in that direction.
+fn unit(vector: DVec3) -> Result<DVec3, Fault> {
+    let length = vector.length();
+    if length < SAME { Err(Fault::control("direction-undefined").arg("distance", length)) } else { Ok(vector / length) }
 }
 
 impl Run<'_, '_> {
-    /// `PLANE SPATIAL` and `PLANE RESET`.
+    /// `PLANE` in all forms but `PROJECTED`, whose senses no manual at hand gives.
     pub(super) fn plane(&mut self, statement: &Statement) -> Done {
         let head = self.slice(statement.head).to_ascii_uppercase();
         let form = head.split_ascii_whitespace().nth(1).unwrap_or_default();
-        if !matches!(form, "SPATIAL" | "RESET") {
-            return Err(Fault::unsupported("unsupported-block").arg("word", format!("PLANE {form}")).into());
-        }
         self.drives.not_beside_contour("PLANE")?;
         let words = self.words_of_plane(&statement.words)?;
-        let angles = match (form, words.angles) {
-            ("RESET", _) => DVec3::ZERO,
-            (_, [Some(a), Some(b), Some(c)]) => DVec3::new(a, b, c),
-            _ => return Err(Fault::program("value-missing").into()),
-        };
+        let angles = self.tilt_of(form, &words)?;
+        let positions = if form == "AXIAL" { Some(self.positions_of_axes(&words)) } else { None };
         if let Some(back) = words.back {
             self.drives.retract_before_turning(back)?;
         }
@@ -63,7 +105,13 @@ impl Run<'_, '_> {
         self.drives.world.carry_system();
         self.drives.world.system.set_tilt(angles);
         self.drives.transformed(before);
-        let to = if angles == DVec3::ZERO { DVec3::ZERO } else { self.drives.rotary_positions()? };
+        let to = match (positions, words.solution) {
+            (Some(positions), _) => positions,
+            _ if angles == DVec3::ZERO => DVec3::ZERO,
+            (None, solution) => {
+                self.drives.rotary_positions_with(solution.map(|solution| solution == Solution::Positive))?
+            }
+        };
         for (index, axis) in (0..).zip(RotaryAxis::ALL) {
             let q = QRef { kind: QKind::Q, number: POSITIONS + index };
             self.set(q, Content::Number(axis.of(to)))?;
@@ -80,25 +128,87 @@ impl Run<'_, '_> {
         }
     }
 
+    /// The spatial angles of the plane that a form of `PLANE` defines.
+    fn tilt_of(&self, form: &str, words: &Words) -> Result<DVec3, Fault> {
+        let plane = self.drives.world.system.plane;
+        Ok(match form {
+            "RESET" => DVec3::ZERO,
+            "SPATIAL" => words.vector(["SPA", "SPB", "SPC"])?,
+            "EULER" => {
+                let [precession, nutation, rotation] = words.all(["EULPR", "EULNU", "EULROT"])?;
+                let about_main = Frame::rotate(plane.main, nutation).of(Frame::rotate(plane.tool, rotation));
+                Frame::rotate(plane.tool, precession).of(about_main).spatial_angles()
+            }
+            "VECTOR" => {
+                let (base, normal) = (words.vector(["BX", "BY", "BZ"])?, unit(words.vector(["NX", "NY", "NZ"])?)?);
+                Frame::with_axes(plane, unit(base.reject_from(normal))?, normal).spatial_angles()
+            }
+            "POINTS" => {
+                let point = |n: u32| words.vector([&*format!("P{n}X"), &*format!("P{n}Y"), &*format!("P{n}Z")]);
+                let (first, second, third) = (point(1)?, point(2)?, point(3)?);
+                let main = unit(second - first)?;
+                Frame::with_axes(plane, main, unit(main.cross(third - first))?).spatial_angles()
+            }
+            "RELATIV" | "RELATIVE" => {
+                let now = Frame::placed(DVec3::ZERO, self.drives.world.system.tilt().unwrap_or_default());
+                let turned = [("SPA", Axis::X), ("SPB", Axis::Y), ("SPC", Axis::Z)];
+                let turned = turned.into_iter().filter_map(|(name, axis)| Some((axis, words.get(name)?)));
+                let [(axis, angle)] = turned.collect::<Vec<_>>()[..] else {
+                    return Err(Fault::program("value-missing"));
+                };
+                now.of(Frame::rotate(axis, angle)).spatial_angles()
+            }
+            "AXIAL" => self.drives.tilt_by_axes(self.positions_of_axes(words)).spatial_angles(),
+            _ => return Err(Fault::unsupported("unsupported-block").arg("word", format!("PLANE {form}"))),
+        })
+    }
+
+    /// Where `PLANE AXIAL` puts the rotary axes, in program coordinates; those that are not named stay.
+    fn positions_of_axes(&self, words: &Words) -> DVec3 {
+        let system = &self.drives.world.system;
+        let now = (self.drives.world.angles - system.angle_datum()) * system.mirror().1;
+        RotaryAxis::ALL.into_iter().fold(now, |to, axis| {
+            let letter = axis.letter();
+            let by = words.get(&format!("I{letter}")).map(|by| axis.of(now) + by);
+            words.get(&letter.to_string()).or(by).map_or(to, |angle| axis.with(to, angle))
+        })
+    }
+
     fn words_of_plane(&mut self, written: &[NamedWord]) -> Done<Words> {
-        let mut words = Words { angles: [None; 3], way: None, distance: 0.0, back: None, speed: None };
-        let [a, b, c] = &mut words.angles;
+        let (mut words, mut turns_coordinates) = (Words::default(), false);
         for word in written {
             let name = self.slice(word.name).to_ascii_uppercase();
             let length = |value: &Value| Ok::<_, Fault>(self.number_of(value)? * self.drives.unit());
+            let has_value = word.value.kind != ValueKind::Missing;
             match &*name {
-                "SPA" => *a = Some(self.number_of(&word.value)?),
-                "SPB" => *b = Some(self.number_of(&word.value)?),
-                "SPC" => *c = Some(self.number_of(&word.value)?),
                 "TURN" => words.way = Some(Way::Turn),
                 "MOVE" => words.way = Some(Way::Move),
                 "STAY" => words.way = Some(Way::Stay),
+                "SEQ" | "SEQ+" | "SEQ-" => {
+                    words.solution = match self.slice(word.span).trim_end().chars().next_back() {
+                        Some('+') => Some(Solution::Positive),
+                        Some('-') => Some(Solution::Negative),
+                        _ => return Err(Fault::program("value-missing").into()),
+                    }
+                }
+                // What the plane has beyond the positions of the axes is a rotation of its coordinates.
+                "COORD" => turns_coordinates = true,
+                "ROT" if turns_coordinates && !has_value => {}
+                // `MB MAX`, written apart.
+                "MB" if !has_value => {}
+                "MAX" if !has_value => words.back = Some(Back::ToLimit),
                 "DIST" | "ABST" => words.distance = length(&word.value)?,
                 "MBMAX" => words.back = Some(Back::ToLimit),
-                "MB" if word.value.kind != ValueKind::Missing => words.back = Some(Back::By(length(&word.value)?)),
+                "MB" if has_value => words.back = Some(Back::By(length(&word.value)?)),
                 "FMAX" => words.speed = Some(Speed::Rapid),
-                "F" if word.value.kind != ValueKind::Missing => {
-                    words.speed = Some(Speed::of_feed(length(&word.value)?)?);
+                "F" if has_value => words.speed = Some(Speed::of_feed(length(&word.value)?)?),
+                point if point.starts_with('P') && point.len() == 3 && has_value => {
+                    let value = length(&word.value)?;
+                    words.values.insert(name, value);
+                }
+                known if VALUES.contains(&known) && has_value => {
+                    let value = self.number_of(&word.value)?;
+                    words.values.insert(name, value);
                 }
                 other => {
                     return Err(Fault::unsupported("unsupported-block").arg("word", format!("PLANE {other}")).into());
