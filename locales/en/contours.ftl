@@ -4,6 +4,7 @@
 step-retract-to-contour-clearance-height = The tool retracts to the clearance height at the feed rate { $q-contour-retraction-feed }, or at { $q-roughing-feed } if it is 0.
 step-leave-to-contour-clearance-height = The tool moves to the clearance height.
 until-contour-depth-reached = the programmed depth is reached
+until-parts-of-contour-cleared = all separate areas of the contour are machined
 note-contour-element-limit = The memory for an SL cycle is limited. At most 16384 contour elements can be programmed in one SL cycle.
 note-sign-of-milling-depth = The sign of the milling depth determines the working direction. With depth 0 the control does not execute the cycle.
 note-both-axes-after-contour-cycle = Danger of collision! After an SL cycle, program the first movement in the working plane with both coordinates, for example L X+80 Y+0 R0 FMAX.
@@ -62,6 +63,7 @@ cycle-rough-out = Rough-out
     .nc = ROUGH-OUT
     .purpose = Clears the contour down to the floor allowance, level by level, or machines only what a coarser tool has left.
 step-position-over-infeed-point = The control positions the tool over the infeed point, considering the finishing allowance for side.
+step-go-to-infeed-point = The tool moves at rapid traverse over the infeed point and down to the set-up clearance above what has been machined.
 step-plunge-to-contour-level = The tool moves to the next plunging depth, { $q-contour-plunging-depth } deeper:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: vertically at the feed rate { $q-contour-plunging-feed }, even if a plunging angle { $mp-plunging-angle } is defined for the active tool
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: vertically at the reciprocation feed rate { $q-reciprocation-feed }
@@ -80,6 +82,7 @@ cycle-floor-finishing = Floor finishing
     .nc = FLOOR FINISHING
     .purpose = Removes the finishing allowance that roughing has left on the floor.
 step-approach-contour-floor = The tool approaches the floor smoothly on a vertical tangential arc if there is enough room. Otherwise it moves vertically to the depth at the feed rate { $q-contour-plunging-feed }.
+step-find-start-of-floor-finishing = The control determines the starting point for finishing the floor.
 step-finish-contour-floor = The tool mills off the finishing allowance that roughing has left, at the feed rate { $q-roughing-feed }.
 note-starting-point-by-itself = The control determines the starting point for finishing by itself. It depends on the room in the pocket.
 note-approach-radius-is-fixed = The radius for the approach to the final depth is fixed internally and does not depend on the plunging angle of the tool.

@@ -4,6 +4,7 @@
 step-retract-to-contour-clearance-height = Työkalu vetäytyy varmuuskorkeudelle syöttöarvolla { $q-contour-retraction-feed } tai, jos se on 0, syöttöarvolla { $q-roughing-feed }.
 step-leave-to-contour-clearance-height = Työkalu siirtyy varmuuskorkeudelle.
 until-contour-depth-reached = ohjelmoitu syvyys on saavutettu
+until-parts-of-contour-cleared = muodon kaikki erilliset alueet on koneistettu
 note-contour-element-limit = SL-työkierron muisti on rajallinen. Yhdessä SL-työkierrossa voidaan ohjelmoida enintään 16384 muotoelementtiä.
 note-sign-of-milling-depth = Jyrsintäsyvyyden etumerkki määrää työskentelysuunnan. Jos syvyys on 0, ohjaus ei suorita työkiertoa.
 note-both-axes-after-contour-cycle = Törmäysvaara! Ohjelmoi SL-työkierron jälkeen koneistustason ensimmäinen liike molemmilla koordinaateilla, esimerkiksi L X+80 Y+0 R0 FMAX.
@@ -62,6 +63,7 @@ cycle-rough-out = Rouhinta
     .nc = ROUHINTA
     .purpose = Rouhii muodon taso kerrallaan pohjan työvaraan asti tai koneistaa vain sen, mitä suurempi työkalu on jättänyt jäljelle.
 step-position-over-infeed-point = Ohjaus paikoittaa työkalun asetuspisteen yläpuolelle ja ottaa huomioon sivun silitystyövaran.
+step-go-to-infeed-point = Työkalu siirtyy pikaliikkeellä asetuspisteen yläpuolelle ja alas varmuusetäisyydelle jo koneistetusta pinnasta.
 step-plunge-to-contour-level = Työkalu siirtyy seuraavaan asetussyvyyteen, { $q-contour-plunging-depth } syvemmälle:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: kohtisuoraan syöttöarvolla { $q-contour-plunging-feed }, vaikka aktiiviselle työkalulle olisi määritelty sisäänpistokulma { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: kohtisuoraan heiluriliikkeen syöttöarvolla { $q-reciprocation-feed }
@@ -80,6 +82,7 @@ cycle-floor-finishing = Pohjan silitys
     .nc = POHJAN SILITYS
     .purpose = Poistaa rouhinnan pohjaan jättämän silitystyövaran.
 step-approach-contour-floor = Työkalu lähestyy pohjaa pehmeästi pystysuoraa tangentiaalista ympyränkaarta pitkin, jos tilaa on riittävästi. Muussa tapauksessa se ajaa kohtisuoraan syvyyteen syöttöarvolla { $q-contour-plunging-feed }.
+step-find-start-of-floor-finishing = Ohjaus määrittää pohjan silityksen aloituspisteen.
 step-finish-contour-floor = Työkalu jyrsii rouhinnassa jääneen silitystyövaran syöttöarvolla { $q-roughing-feed }.
 note-starting-point-by-itself = Ohjaus määrittää silityksen alkupisteen itse. Se riippuu taskussa olevasta tilasta.
 note-approach-radius-is-fixed = Säde, jolla loppusyvyyteen lähestytään, on sisäisesti kiinteä eikä riipu työkalun sisäänpistokulmasta.

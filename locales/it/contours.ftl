@@ -4,6 +4,7 @@
 step-retract-to-contour-clearance-height = L’utensile si ritrae all’altezza di sicurezza con l’avanzamento { $q-contour-retraction-feed }, oppure con { $q-roughing-feed } se il primo valore è 0.
 step-leave-to-contour-clearance-height = L’utensile si porta all’altezza di sicurezza.
 until-contour-depth-reached = non è raggiunta la profondità programmata
+until-parts-of-contour-cleared = non sono lavorate tutte le aree separate del profilo
 note-contour-element-limit = La memoria per un ciclo SL è limitata. In un ciclo SL si possono programmare al massimo 16384 elementi di profilo.
 note-sign-of-milling-depth = Il segno della profondità di fresatura determina la direzione di lavoro. Con profondità 0 il controllo non esegue il ciclo.
 note-both-axes-after-contour-cycle = Pericolo di collisione! Dopo un ciclo SL programmare il primo spostamento nel piano di lavoro con entrambe le coordinate, ad esempio L X+80 Y+0 R0 FMAX.
@@ -62,6 +63,7 @@ cycle-rough-out = Svuotamento
     .nc = SVUOTAMENTO
     .purpose = Svuota il profilo fino al sovrametallo del fondo, livello per livello, oppure lavora soltanto ciò che un utensile più grosso ha lasciato.
 step-position-over-infeed-point = Il controllo posiziona l’utensile sopra il punto di penetrazione, tenendo conto del sovrametallo di finitura laterale.
+step-go-to-infeed-point = L'utensile si porta in rapido sopra il punto di penetrazione e scende fino alla distanza di sicurezza dalla superficie già lavorata.
 step-plunge-to-contour-level = L’utensile si porta alla profondità incremento successiva, più in basso di { $q-contour-plunging-depth }:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: in verticale con l’avanzamento { $q-contour-plunging-feed }, anche se per l’utensile attivo è definito un angolo di penetrazione { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: in verticale con l’avanzamento con pendolamento { $q-reciprocation-feed }
@@ -80,6 +82,7 @@ cycle-floor-finishing = Finitura fondo
     .nc = FINITURA FONDO
     .purpose = Asporta il sovrametallo di finitura che lo svuotamento ha lasciato sul fondo.
 step-approach-contour-floor = Se lo spazio è sufficiente, l’utensile si accosta dolcemente al fondo su un arco tangente verticale. Altrimenti si porta alla profondità in verticale con l’avanzamento { $q-contour-plunging-feed }.
+step-find-start-of-floor-finishing = Il controllo numerico determina il punto di partenza della finitura del fondo.
 step-finish-contour-floor = L’utensile asporta, con l’avanzamento { $q-roughing-feed }, il sovrametallo di finitura lasciato dallo svuotamento.
 note-starting-point-by-itself = Il controllo determina automaticamente il punto di partenza per la finitura. Esso dipende dallo spazio disponibile nella tasca.
 note-approach-radius-is-fixed = Il raggio per l’accostamento alla profondità finale è definito internamente e non dipende dall’angolo di penetrazione dell’utensile.

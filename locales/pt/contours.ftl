@@ -4,6 +4,7 @@
 step-retract-to-contour-clearance-height = A ferramenta recua para a altura segura com o avanço { $q-contour-retraction-feed } ou, se este for 0, com { $q-roughing-feed }.
 step-leave-to-contour-clearance-height = A ferramenta desloca-se para a altura segura.
 until-contour-depth-reached = seja atingida a profundidade programada
+until-parts-of-contour-cleared = estejam maquinadas todas as áreas separadas do contorno
 note-contour-element-limit = A memória para um ciclo SL é limitada. Num ciclo SL podem programar-se, no máximo, 16384 elementos de contorno.
 note-sign-of-milling-depth = O sinal da profundidade de fresagem determina a direção da maquinação. Com a profundidade 0, o comando não executa o ciclo.
 note-both-axes-after-contour-cycle = Perigo de colisão! Depois de um ciclo SL, programe o primeiro movimento no plano de maquinação com as duas coordenadas, por exemplo L X+80 Y+0 R0 FMAX.
@@ -62,6 +63,7 @@ cycle-rough-out = Desbaste
     .nc = DESBASTE
     .purpose = Desbasta o contorno, nível a nível, até à medida excedente do fundo, ou maquina apenas o que uma ferramenta mais grossa deixou.
 step-position-over-infeed-point = O comando posiciona a ferramenta sobre o ponto de penetração, tendo em conta a medida excedente de acabamento lateral.
+step-go-to-infeed-point = A ferramenta desloca-se em avanço rápido para cima do ponto de penetração e desce até à distância de segurança da superfície já maquinada.
 step-plunge-to-contour-level = A ferramenta desloca-se para a profundidade de passo seguinte, { $q-contour-plunging-depth } mais funda:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: na vertical com o avanço { $q-contour-plunging-feed }, mesmo que esteja definido um ângulo de penetração { $mp-plunging-angle } para a ferramenta ativa
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: na vertical com o avanço pendular { $q-reciprocation-feed }
@@ -80,6 +82,7 @@ cycle-floor-finishing = Acabamento do fundo
     .nc = ACABAMENTO DO FUNDO
     .purpose = Elimina a medida excedente de acabamento que o desbaste deixou no fundo.
 step-approach-contour-floor = A ferramenta aproxima-se suavemente do fundo num arco tangente vertical, se houver espaço suficiente. Caso contrário, desce na vertical à profundidade com o avanço { $q-contour-plunging-feed }.
+step-find-start-of-floor-finishing = O comando determina o ponto inicial do acabamento do fundo.
 step-finish-contour-floor = A ferramenta fresa a medida excedente de acabamento deixada pelo desbaste, com o avanço { $q-roughing-feed }.
 note-starting-point-by-itself = O comando determina por si o ponto de partida do acabamento. Este depende do espaço existente na caixa.
 note-approach-radius-is-fixed = O raio de aproximação à profundidade final está fixado internamente e não depende do ângulo de penetração da ferramenta.

@@ -4,6 +4,7 @@
 step-retract-to-contour-clearance-height = Orodje se s pomikom { $q-contour-retraction-feed } umakne na varno višino; če je ta pomik 0, s pomikom { $q-roughing-feed }.
 step-leave-to-contour-clearance-height = Orodje se premakne na varno višino.
 until-contour-depth-reached = ni dosežena programirana globina
+until-parts-of-contour-cleared = niso obdelane vse ločene površine konture
 note-contour-element-limit = Pomnilnik za SL-cikel je omejen. V enem SL-ciklu je mogoče programirati največ 16384 konturnih elementov.
 note-sign-of-milling-depth = Predznak globine rezkanja določa smer obdelave. Pri globini 0 krmiljenje cikla ne izvede.
 note-both-axes-after-contour-cycle = Nevarnost kolizije! Po SL-ciklu prvi premik v obdelovalni ravnini programirajte z obema koordinatama, na primer L X+80 Y+0 R0 FMAX.
@@ -62,6 +63,7 @@ cycle-rough-out = Posnemanje
     .nc = VRTANJE
     .purpose = Konturo ravnino za ravnino grobo obdela do globinske nadmere ali obdela samo tisto, kar je pustilo večje orodje.
 step-position-over-infeed-point = Krmiljenje z upoštevanjem nadmere stranskega finega rezkanja premakne orodje nad vbodno točko.
+step-go-to-infeed-point = Orodje se v hitrem teku pomakne nad vbodno točko in navzdol na varnostno razdaljo do že obdelane površine.
 step-plunge-to-contour-level = Orodje se spusti na naslednjo globino primika, za { $q-contour-plunging-depth } globlje:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: navpično s pomikom { $q-contour-plunging-feed }, tudi če je za aktivno orodje definiran kot spuščanja { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: navpično z nihajnim pomikom { $q-reciprocation-feed }
@@ -80,6 +82,7 @@ cycle-floor-finishing = Globinsko fino rezkanje
     .nc = GLOB. FINO REZK.
     .purpose = Odstrani nadmero finega rezkanja, ki je po posnemanju ostala na dnu.
 step-approach-contour-floor = Če je dovolj prostora, se orodje dnu mehko približa po navpičnem tangencialnem krožnem loku. Sicer se s pomikom { $q-contour-plunging-feed } navpično spusti na globino.
+step-find-start-of-floor-finishing = Krmiljenje določi začetno točko za fino rezkanje dna.
 step-finish-contour-floor = Orodje s pomikom { $q-roughing-feed } odrezka nadmero finega rezkanja, ki je ostala po posnemanju.
 note-starting-point-by-itself = Začetno točko finega rezkanja krmiljenje določi samodejno. Odvisna je od prostora v žepu.
 note-approach-radius-is-fixed = Polmer za primik na končno globino je interno določen in ni odvisen od kota spuščanja orodja.

@@ -31,6 +31,14 @@ fn points(from: DVec3, leg: &Leg) -> Vec<DVec3> {
             };
             (1..=count as u32).map(at).collect()
         }
+        Leg::Upright { centre, .. } => {
+            let radius = (from - centre).length();
+            let at = |n: u32| {
+                let angle = f64::from(n) * std::f64::consts::FRAC_PI_2 / 90.0;
+                centre + DVec3::new(angle.cos(), 0.0, -angle.sin()) * DVec3::new(-radius, 0.0, radius)
+            };
+            (1..=90).map(at).collect()
+        }
     }
 }
 
@@ -54,6 +62,7 @@ fn is_continuous(from: DVec3, legs: &[Leg]) -> bool {
             Leg::Arc { centre, to, .. } => {
                 ((here - centre).truncate().length() - (to - centre).truncate().length()).abs() < NEAR
             }
+            Leg::Upright { centre, to, .. } => (here.distance(centre) - to.distance(centre)).abs() < NEAR,
         };
         here = leg.end();
         ok
@@ -168,6 +177,7 @@ proptest! {
                     Leg::Line { to, .. } => ((*to - here).truncate().length(), here.z - to.z),
                     // Half a turn each, the last one a whole turn.
                     Leg::Arc { to, .. } => (std::f64::consts::PI * radius, here.z - to.z),
+                    Leg::Upright { .. } => panic!("{leg:?} is no leg of a plunge"),
                 };
                 prop_assert!(drop <= way * angle.to_radians().tan() + NEAR, "{leg:?} from {here}");
                 here = leg.end();

@@ -6,12 +6,17 @@ use std::{env, fs};
 
 use ciklo::base::expr::Type;
 use ciklo::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
+use ciklo::engine::region::Edge;
+use ciklo::engine::region::contours::Contour;
 use ciklo::engine::run::Fault;
 use ciklo::engine::strategy::action::{
-    Calibrated, Function, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System, Tables,
+    Calibrated, Function, Kept, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System, Tables,
 };
+use ciklo::engine::strategy::contour::{self, Contours};
 use ciklo::engine::strategy::pending::PENDING;
-use ciklo::engine::strategy::{Action, Calculation, Cutter, Done, Leg, Milling, Mm, STRATEGIES, Strategy};
+use ciklo::engine::strategy::{
+    Action, Calculation, Cutter, Done, Leg, Milling, Mm, OverContours, STRATEGIES, Strategy,
+};
 use ciklo::engine::strategy::{datum, face, measure, pocket, probing, program, rotary, rotation, spindle, stud};
 use ciklo::engine::table::{Cell, TableKind};
 use ciklo::spec::{Argument, Quantity, Verb};
@@ -201,7 +206,69 @@ struct Notebook {
     running: Running,
     pressed: bool,
     cells: Vec<(TableKind, f64, String, f64)>,
+    contours: Contours,
     done: Vec<String>,
+}
+
+impl Kept for Notebook {
+    fn kept(&self, name: &str) -> Option<f64> {
+        Some(name.len() as f64)
+    }
+
+    fn read_contours(&mut self) -> Done {
+        self.contours = pocket();
+        Ok(())
+    }
+
+    fn contours(&self) -> &Contours {
+        &self.contours
+    }
+
+    fn tool_radius(&self) -> f64 {
+        5.0
+    }
+}
+
+/// A pocket 40 by 20, clockwise with the tool on its right, seen from where a tool is at (20, 40).
+fn pocket() -> Contours {
+    let corners = [(0.0, 20.0), (40.0, 20.0), (40.0, 0.0), (0.0, 0.0)];
+    let edges = corners.map(|(x, y)| Edge::Line(DVec2::new(x, y))).to_vec();
+    let contour = Contour { start: DVec2::ZERO, edges, side: -1 };
+    Contours::new(vec![contour.closed().expect("a pocket")], DVec2::new(20.0, 40.0))
+}
+
+#[test]
+fn strategies_over_contours_work_on_what_was_read() {
+    let mut control = Notebook::default();
+    let data = contour::RecallContourData {}.act(&mut control).expect("data");
+    assert_eq!((data.depth, data.direction), (5.0, 9.0));
+    let find = contour::FindInfeedPoints { overlap: 0.8, allowance: 0.0, rounding: 0.0, tool: None, coarse: None };
+    let points = find.act(&mut control).expect("points");
+    assert_eq!((points.count, points.radius, points.stepover), (1.0, 5.0, 4.0));
+    let tool = Cutter { radius: 5.0 };
+    let clear = contour::ClearRegionAtLevel {
+        part: 1.0,
+        stepover: 4.0,
+        allowance: 0.0,
+        rounding: 0.0,
+        climb: 1.0,
+        radius: None,
+        coarse: None,
+        level: -3.0,
+        at: 200.0,
+    };
+    // The centre may be in 30 by 10; one step of 4 further in 22 by 2 are left, which the tool enters on the upper side.
+    let path = clear.path(&control.contours, tool, DVec3::new(20.0, 11.0, -3.0));
+    assert_eq!(path.fault, None);
+    let ends: Vec<DVec2> = path.legs.iter().map(|leg| leg.end().truncate()).collect();
+    let inner = [(9.0, 11.0), (9.0, 9.0), (31.0, 9.0), (31.0, 11.0), (20.0, 11.0)];
+    let outer = [(20.0, 15.0), (5.0, 15.0), (5.0, 5.0), (35.0, 5.0), (35.0, 15.0), (20.0, 15.0)];
+    let wanted: Vec<DVec2> = inner.iter().chain(&outer).map(|(x, y)| DVec2::new(*x, *y)).collect();
+    let same = ends.len() == wanted.len() && ends.iter().zip(&wanted).all(|(a, b)| a.distance(*b) < 1e-9);
+    assert!(same, "{ends:?}");
+    let deep = contour::StopDistance { depth: -100.0 }.calculate(flat()).expect("a distance");
+    let shallow = contour::StopDistance { depth: -30.0 }.calculate(flat()).expect("a distance");
+    assert_eq!((deep.distance, shallow.distance), (2.0, 0.6));
 }
 
 impl System for Notebook {

@@ -203,6 +203,11 @@ impl Contour {
         }
     }
 
+    /// The side in effect: + the tool is to the left of the contour, - to the right, 0 on it.
+    pub(crate) const fn side(&self) -> i8 {
+        self.side
+    }
+
     /// Whether a block belongs to a contour that waits, or begins one.
     pub(crate) fn takes(&self, motion: &Motion, place: BlockPlace) -> bool {
         self.is_under_way() || side_of(motion).is_some_and(|side| side != 0) || place.is_rounded

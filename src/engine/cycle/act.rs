@@ -146,6 +146,13 @@ impl<'e> Run<'_, 'e> {
                 Ok(())
             }
             Act::Ask { id, into } => self.ask_act(id, *into, exec),
+            Act::Remember(values) => {
+                for (name, calc) in values {
+                    let value = self.value(calc, exec)?;
+                    self.cycles.remembered.insert(Arc::clone(name), value);
+                }
+                Ok(())
+            }
             Act::Use(inlined) => self.inlined(inlined, exec),
             Act::Strategy(call) => self.strategy(call, exec),
             Act::Pending(name) => {

@@ -3,6 +3,7 @@
 //! Invariant: nothing is decided here; each function does the one thing that its trait says.
 use glam::DVec3;
 
+use crate::base::expr::Value;
 use crate::engine::flow::exec::Exec;
 use crate::engine::flow::state::Run;
 use crate::engine::geometry::{Frame, RotaryAxis, WorkingPlane};
@@ -16,8 +17,9 @@ use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::Fault;
 use crate::engine::scene::Preset;
 use crate::engine::strategy::action::{
-    Calibrated, Function, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System, Tables,
+    Calibrated, Function, Kept, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System, Tables,
 };
+use crate::engine::strategy::contour::Contours;
 use crate::engine::table::{Cell, TableKind};
 
 /// A run while a cycle is executed.
@@ -221,5 +223,26 @@ impl Programs for OfRun<'_, '_, '_, '_> {
 
     fn keep_tolerance(&mut self, tolerance: Option<[f64; 3]>) {
         self.run.drives.report.report(EventKind::Tolerance(tolerance));
+    }
+}
+
+impl Kept for OfRun<'_, '_, '_, '_> {
+    fn kept(&self, name: &str) -> Option<f64> {
+        match self.run.cycles.remembered.get(name) {
+            Some(Value::Number(number)) => Some(*number),
+            _ => None,
+        }
+    }
+
+    fn read_contours(&mut self) -> Done {
+        self.run.read_contours()
+    }
+
+    fn contours(&self) -> &Contours {
+        &self.run.cycles.contours
+    }
+
+    fn tool_radius(&self) -> f64 {
+        self.run.cutter().radius
     }
 }

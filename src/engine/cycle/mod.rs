@@ -4,6 +4,7 @@
 //! strategy is called). Invariant: knows plans and no blocks; no cycle is known by its number. Whoever is executed here
 //! does not know whether it is rehearsed.
 mod act;
+mod contours;
 mod control;
 mod execute;
 mod log;

@@ -18,8 +18,8 @@ use crate::engine::world::state::World;
 use crate::spec::CycleKey;
 
 /// The run as it was before a cycle.
-struct Before<'e> {
-    world: World<'e>,
+pub(super) struct Before<'e> {
+    pub(super) world: World<'e>,
     params: Params,
     modal: Modal,
     at: At,
@@ -33,7 +33,7 @@ struct Before<'e> {
 }
 
 impl<'e> Run<'_, 'e> {
-    fn kept(&self) -> Before<'e> {
+    pub(super) fn kept(&self) -> Before<'e> {
         Before {
             world: self.drives.world.clone(),
             params: self.params.clone(),
@@ -49,7 +49,7 @@ impl<'e> Run<'_, 'e> {
         }
     }
 
-    fn return_to(&mut self, before: &Before<'e>) {
+    pub(super) fn return_to(&mut self, before: &Before<'e>) {
         self.drives.world = before.world.clone();
         self.params.clone_from(&before.params);
         // What was kept belongs to values that were never given.

@@ -6,7 +6,8 @@ use crate::base::expr::Value;
 use crate::engine::cycle::control::OfRun;
 use crate::engine::flow::exec::Exec;
 use crate::engine::flow::state::Run;
-use crate::engine::motion::moves::Speed;
+use crate::engine::geometry::WorkingPlane;
+use crate::engine::motion::moves::{Speed, Turn};
 use crate::engine::plan::StrategyCall;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -21,6 +22,11 @@ impl<'e> Run<'_, 'e> {
             Does::Mill(mill) => {
                 let from = self.drives.in_plane(self.drives.world.here);
                 return self.follow(mill(given, self.cutter(), from)?);
+            }
+            Does::MillOver(mill) => {
+                let from = self.drives.in_plane(self.drives.world.here);
+                let path = mill(given, &self.cycles.contours, self.cutter(), from)?;
+                return self.follow(path);
             }
             Does::Calculate(calculate) => calculate(given, self.drives.world.system.plane)?,
             Does::Act(act) => act(given, &mut OfRun { run: self, exec }, mm)?,
@@ -37,7 +43,7 @@ impl<'e> Run<'_, 'e> {
     }
 
     /// The tool in the units of the program, which may be scaled.
-    fn cutter(&self) -> Cutter {
+    pub(super) fn cutter(&self) -> Cutter {
         let world = &self.drives.world;
         Cutter { radius: world.tool().map_or(0.0, |tool| tool.radius) / world.system.plane_scale().unwrap_or(1.0) }
     }
@@ -50,6 +56,12 @@ impl<'e> Run<'_, 'e> {
                 Leg::Line { to, feed } => {
                     let to = system.axes(to);
                     self.drives.straight_to(to, None, Speed::of_feed(feed))?;
+                }
+                Leg::Upright { centre, to, feed } => {
+                    let plane = WorkingPlane::of_tool_axis(system.plane.secondary);
+                    let (centre, to) = (system.axes(centre), system.axes(to));
+                    let turn = Turn { plane, centre, direction: -1.0, sweep: Some(-90.0) };
+                    self.drives.arc_by(turn, to, Speed::of_feed(feed))?;
                 }
                 Leg::Arc { centre, to, direction, sweep, feed } => {
                     let (centre, to) = (system.axes(centre), system.axes(to));

@@ -85,6 +85,11 @@ impl<'p> Prepared<'p> {
         self.find(Some(Key::Number(number)))
     }
 
+    /// The block of a named label.
+    pub(crate) fn named_label(&self, name: &str) -> Result<usize, Fault> {
+        self.find(Some(Key::Name(name.to_owned())))
+    }
+
     fn find(&self, key: Option<Key>) -> Result<usize, Fault> {
         let shown = match &key {
             Some(Key::Number(number)) => number.to_string(),

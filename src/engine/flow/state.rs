@@ -13,6 +13,7 @@ use super::code::Prepared;
 use super::definition::Definition;
 use super::memory::Memory;
 use super::settings::{Settings, Watching};
+use crate::base::expr::Value;
 use crate::engine::contour::path::Contour;
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::motion::drives::Drives;
@@ -23,6 +24,7 @@ use crate::engine::report::envelope::Envelope;
 use crate::engine::report::event::Event;
 use crate::engine::report::fault::{Class, Fault};
 use crate::engine::report::outcome::{Noted, Shown};
+use crate::engine::strategy::contour::Contours;
 use crate::program::syntax::{Motion, Path};
 use crate::spec::{Cycle, CycleKey, OnControl};
 
@@ -85,6 +87,10 @@ pub(crate) struct Cycles<'e> {
     pub(crate) definitions: u64,
     /// Values of GLOBAL DEF by the parameter that takes them, with mm in the unit of their program.
     pub(crate) predefined: BTreeMap<u16, (f64, f64)>,
+    /// What cycles that act from their definition have remembered for others, by name.
+    pub(crate) remembered: BTreeMap<Arc<str>, Value>,
+    /// The contours that the cycle being executed machines.
+    pub(crate) contours: Contours,
     /// Nested executions.
     pub(crate) inside: usize,
     /// What the cycle that is executed has written to tables: reported when it ends well.

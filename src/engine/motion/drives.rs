@@ -51,6 +51,8 @@ pub(crate) struct Drives<'r, 'e> {
     touching: Touching,
     /// The ways of the cycle whose envelope is looked for.
     pub(crate) recorder: Option<Recorder>,
+    /// The moves of a contour that is only read, in machine coordinates: nothing moves and nothing is reported.
+    pub(crate) traced: Option<Vec<Path>>,
 }
 
 impl<'r, 'e> Drives<'r, 'e> {
@@ -67,6 +69,7 @@ impl<'r, 'e> Drives<'r, 'e> {
             beside_contour: false,
             touching: Touching::AsScene,
             recorder: None,
+            traced: None,
         }
     }
 

@@ -71,6 +71,9 @@ impl Drives<'_, '_> {
             return Ok(());
         }
         let path = BallPath::line(self.world.machine, machine);
+        if self.traced.is_some() {
+            return self.trace(to, machine, path);
+        }
         let (kind, feed) = match speed? {
             Speed::Rapid => (MoveKind::Rapid, self.world.scene.machine.rapid_feed(machine - self.world.machine)),
             Speed::Feed(feed) => (MoveKind::Feed, feed),
@@ -118,6 +121,9 @@ impl Drives<'_, '_> {
             sweep: if frame.mirrors() { -angle } else { angle },
             rise: rise * up.length(),
         };
+        if self.traced.is_some() {
+            return self.trace(to, machine, path);
+        }
         let speed = speed?;
         let feed = match speed {
             Speed::Rapid => self.slowest_rapid(),
@@ -169,6 +175,15 @@ impl Drives<'_, '_> {
         self.world.machine = machine;
         let path = self.world.path_of_tip(path);
         self.report.report_move(kind, from, to, machine, feed, path);
+        Ok(())
+    }
+
+    /// Notes a move of a contour that is only read.
+    fn trace(&mut self, to: DVec3, machine: DVec3, path: BallPath) -> Done {
+        self.count_move()?;
+        self.world.here = to;
+        self.world.machine = machine;
+        self.traced.get_or_insert_default().push(path);
         Ok(())
     }
 

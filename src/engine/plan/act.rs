@@ -406,6 +406,8 @@ pub enum Act {
         /// Where the answer goes; without it a refusal stops the program.
         into: Option<Slot>,
     },
+    /// Keep values by name for the cycles that follow.
+    Remember(Vec<(Arc<str>, Calc)>),
     /// Do what a fragment says.
     Use(Box<Inlined>),
     /// A strategy that the engine has.

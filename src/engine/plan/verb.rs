@@ -111,7 +111,8 @@ impl Compiler<'_> {
             }
             Verb::Strategy => self.strategy(action, scope)?,
             Verb::Synchronized => self.synchronized(argument, place, scope)?,
-            Verb::Turn | Verb::Touch | Verb::Remember => {
+            Verb::Remember => Act::Remember(self.remembered(argument, place, scope)?),
+            Verb::Turn | Verb::Touch => {
                 self.open_result(action.bind.as_ref(), scope);
                 self.pend(action.verb.as_str())
             }
@@ -257,6 +258,20 @@ impl Compiler<'_> {
             let ty = if q.kind == QKind::Qs { Type::Text } else { Type::Number };
             values.extend(self.argument(argument, ty, scope, place).map(|calc| (q, calc)));
             self.names.allow(q);
+        }
+        Some(values)
+    }
+
+    fn remembered(&mut self, argument: &Argument, place: &Place, scope: &Scope) -> Option<Vec<(Arc<str>, Calc)>> {
+        let Argument::Many(entries) = argument else {
+            self.wrong(place, "mapping");
+            return None;
+        };
+        let mut values = Vec::new();
+        for (name, argument) in &entries.0 {
+            let formula = self.one(argument, "expression", place).and_then(|text| self.formula(&text));
+            let calc = formula.and_then(|formula| self.calc(&formula, scope));
+            values.extend(calc.map(|calc| (Arc::clone(&name.text), calc)));
         }
         Some(values)
     }

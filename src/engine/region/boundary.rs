@@ -46,6 +46,19 @@ impl Edge {
         }
     }
 
+    /// Its first part of a length in mm.
+    pub fn shortened(&self, from: DVec2, length: f64) -> Self {
+        let whole = self.length(from);
+        let share = if whole > 0.0 { (length / whole).clamp(0.0, 1.0) } else { 0.0 };
+        match *self {
+            Self::Line(to) => Self::Line(from.lerp(to, share)),
+            Self::Arc { centre, sweep, .. } => {
+                let sweep = sweep * share;
+                Self::Arc { to: centre + turned(from - centre, sweep.to_radians()), centre, sweep }
+            }
+        }
+    }
+
     /// The same edge the other way, from its end to where it begins.
     pub fn reversed(&self, from: DVec2) -> Self {
         match *self {

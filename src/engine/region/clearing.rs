@@ -1,9 +1,9 @@
 //! The path of a cutter that clears a region at one level, from the inside outwards.
 //!
 //! The centre of the cutter follows the boundaries of the region of centres shrunk by one step after the other: the
-//! innermost ones first, the wall last (TNC 640 manual, lines 4686-4698). It never leaves that region and never lifts:
+//! innermost ones first, the wall last (TNC 640 manual, lines 4690-4693). It never leaves that region and never lifts:
 //! between rings it goes straight where nothing is in the way, and else along rings and from one to the next. A step
-//! of at most the radius of the cutter leaves nothing; the corners of a greater one may (manual, lines 4714-4718).
+//! of at most the radius of the cutter leaves nothing; the corners of a greater one may (manual, line 4712).
 //! Invariant: every edge lies within the region of centres.
 use glam::DVec2;
 

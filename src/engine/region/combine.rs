@@ -36,12 +36,12 @@ pub(super) fn difference(one: &Region, other: &Region) -> Region {
 
 pub(super) fn union(one: &Region, other: &Region) -> Region {
     // All that neither has, taken from a frame around both.
-    let Some(frame) = frame(one, other) else { return Region::default() };
+    let Some(frame) = frame(one, other, 0.0) else { return Region::default() };
     difference(&frame, &difference(&difference(&frame, one), other))
 }
 
-/// A rectangle that both lie inside of.
-fn frame(one: &Region, other: &Region) -> Option<Region> {
+/// A rectangle that both lie inside of, wider by more than a margin in mm.
+pub(super) fn frame(one: &Region, other: &Region, margin: f64) -> Option<Region> {
     let extents = one.parts.iter().chain(&other.parts).filter_map(|part| part.outer.extents());
     let bounds = extents.reduce(|a, b| AABB {
         min_x: a.min_x.min(b.min_x),
@@ -49,7 +49,7 @@ fn frame(one: &Region, other: &Region) -> Option<Region> {
         max_x: a.max_x.max(b.max_x),
         max_y: a.max_y.max(b.max_y),
     })?;
-    let margin = 1.0 + (bounds.max_x - bounds.min_x) + (bounds.max_y - bounds.min_y);
+    let margin = margin + 1.0 + (bounds.max_x - bounds.min_x) + (bounds.max_y - bounds.min_y);
     let mut outer = Polyline::with_capacity(4, true);
     outer.add(bounds.min_x - margin, bounds.min_y - margin, 0.0);
     outer.add(bounds.max_x + margin, bounds.min_y - margin, 0.0);

@@ -9,6 +9,7 @@
 mod boundary;
 pub mod clearing;
 mod combine;
+pub mod contours;
 
 use cavalier_contours::polyline::{PlineSource, Polyline};
 use cavalier_contours::shape_algorithms::{Shape, ShapeOffsetOptions};
@@ -41,6 +42,12 @@ impl Region {
     /// What a boundary encloses.
     pub fn within(boundary: &Boundary) -> Self {
         Self { parts: vec![Part { outer: boundary.line().clone(), holes: Vec::new() }] }
+    }
+
+    /// A rectangle around some regions that is wider than they are by a margin on each side (mm); nothing around none.
+    pub fn around(regions: &[Self], margin: f64) -> Self {
+        let all = Self { parts: regions.iter().flat_map(|region| region.parts.iter().cloned()).collect() };
+        combine::frame(&all, &Self::default(), margin).unwrap_or_default()
     }
 
     /// Whether nothing belongs to it.

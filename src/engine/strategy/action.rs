@@ -5,6 +5,7 @@
 //! unless they are said to be main, minor and tool coordinate.
 use glam::DVec3;
 
+use super::contour::Contours;
 use super::signature::{Results, Signature};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::report::ending::Done;
@@ -249,10 +250,29 @@ pub trait Programs {
     fn keep_tolerance(&mut self, tolerance: Option<[f64; 3]>);
 }
 
-/// Everything of a control that strategies act on.
-pub trait Control: System + Tables + RotaryAxes + Probe + Spindle + Programs {}
+/// What definitions keep for the cycles that follow: values, and the contours of subprograms.
+pub trait Kept {
+    /// A number that a definition has kept by name.
+    fn kept(&self, name: &str) -> Option<f64>;
 
-impl<C: System + Tables + RotaryAxes + Probe + Spindle + Programs> Control for C {}
+    /// Reads the closed contours that the definition in effect names, with the present parameters; strategies over
+    /// contours see them from then on.
+    ///
+    /// # Errors
+    /// No definition names contours, or one of them is none.
+    fn read_contours(&mut self) -> Done;
+
+    /// The contours that were read last.
+    fn contours(&self) -> &Contours;
+
+    /// The radius of the tool in the spindle in the coordinates of the program, mm.
+    fn tool_radius(&self) -> f64;
+}
+
+/// Everything of a control that strategies act on.
+pub trait Control: System + Tables + RotaryAxes + Probe + Spindle + Programs + Kept {}
+
+impl<C: System + Tables + RotaryAxes + Probe + Spindle + Programs + Kept> Control for C {}
 
 /// The axis of a number as cycles have it: 4, 5, 6 mean A, B, C.
 pub(super) fn numbered_axis(number: f64) -> Result<RotaryAxis, Fault> {

@@ -4,6 +4,7 @@
 //! Start reading at [`registry`], which has one line for each, then at one of the families: a strategy is a type whose
 //! fields are its arguments, with
 //! - [`Milling`]: it draws a path ([`pen`]) from where the tool is,
+//! - [`OverContours`]: the same over the contours of subprograms,
 //! - [`Calculation`]: it calculates values, or
 //! - [`Action`]: it changes something through narrow traits of the control ([`action`]).
 //!
@@ -12,6 +13,7 @@
 //! arguments, moves the machine along paths and lends the control.
 pub mod action;
 pub mod calculation;
+pub mod contour;
 pub mod datum;
 pub mod face;
 pub mod measure;
@@ -35,6 +37,7 @@ pub mod tilting;
 pub use super::report::ending::{Done, Leave};
 pub use action::Action;
 pub use calculation::Calculation;
+pub use contour::OverContours;
 pub use milling::Milling;
 pub use pen::{Cutter, Leg, Path};
 pub use registry::{Does, Named, STRATEGIES, Strategy};

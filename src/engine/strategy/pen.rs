@@ -38,13 +38,22 @@ pub enum Leg {
         /// mm/min.
         feed: f64,
     },
+    /// On a quarter circle in the plane of the main axis and the tool axis, downwards and then along the main axis.
+    Upright {
+        /// Its centre.
+        centre: DVec3,
+        /// Its end.
+        to: DVec3,
+        /// mm/min.
+        feed: f64,
+    },
 }
 
 impl Leg {
     /// Its end.
     pub const fn end(&self) -> DVec3 {
         match self {
-            Self::Line { to, .. } | Self::Arc { to, .. } => *to,
+            Self::Line { to, .. } | Self::Arc { to, .. } | Self::Upright { to, .. } => *to,
         }
     }
 }
@@ -94,6 +103,12 @@ impl Pen {
     pub fn arc(&mut self, (centre, to): (DVec3, DVec3), direction: f64, sweep: Option<f64>, feed: f64) {
         self.here = to;
         self.legs.push(Leg::Arc { centre, to, direction, sweep, feed });
+    }
+
+    /// On a quarter circle downwards about a centre above the end, along the main axis there.
+    pub fn upright(&mut self, centre: DVec3, to: DVec3, feed: f64) {
+        self.here = to;
+        self.legs.push(Leg::Upright { centre, to, feed });
     }
 
     /// Straight along the tool axis.

@@ -6,11 +6,14 @@ use glam::DVec3;
 
 use super::action::{Action, Control};
 use super::calculation::Calculation;
+use super::contour::{Contours, OverContours};
 use super::milling::Milling;
 use super::pen::{Cutter, Path};
 use super::pending::PENDING;
 use super::signature::{Given, Output, Parameter, Results};
-use super::{datum, face, measure, plunge, pocket, probing, program, rotary, rotation, spindle, stud, thread, tilting};
+use super::{
+    contour, datum, face, measure, plunge, pocket, probing, program, rotary, rotation, spindle, stud, thread, tilting,
+};
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
@@ -35,6 +38,8 @@ pub struct Strategy {
 pub enum Does {
     /// The path of a tool from a point: main, minor and tool coordinate.
     Mill(fn(Given<'_>, Cutter, DVec3) -> Result<Path, Fault>),
+    /// The path of a tool over the contours that were read, from a point.
+    MillOver(fn(Given<'_>, &Contours, Cutter, DVec3) -> Result<Path, Fault>),
     /// Values.
     Calculate(fn(Given<'_>, WorkingPlane) -> Result<Vec<f64>, Fault>),
     /// A change at the control, and values in a unit of so many mm.
@@ -48,6 +53,16 @@ const fn mill<S: Milling>() -> Strategy {
         outputs: &[],
         probes: false,
         does: Does::Mill(|given, tool, from| Ok(S::decode(given)?.path(tool, from))),
+    }
+}
+
+const fn mill_over<S: OverContours>() -> Strategy {
+    Strategy {
+        name: S::NAME,
+        parameters: S::PARAMETERS,
+        outputs: &[],
+        probes: false,
+        does: Does::MillOver(|given, contours, tool, from| Ok(S::decode(given)?.path(contours, tool, from))),
     }
 }
 
@@ -117,6 +132,15 @@ pub static STRATEGIES: &[Strategy] = &[
     mill::<thread::MillThreadHelix>(),
     mill::<thread::DepartThreadTangentially>(),
     mill::<thread::CountersinkOnCircle>(),
+    act::<contour::RecallContourData>(),
+    act::<contour::FindInfeedPoints>(),
+    act::<contour::FindPartialContours>(),
+    calculate::<contour::StopDistance>(),
+    mill_over::<contour::MoveOverInfeedPoint>(),
+    mill_over::<contour::PlungeIntoRegion>(),
+    mill_over::<contour::ClearRegionAtLevel>(),
+    mill_over::<contour::ApproachRegionFloor>(),
+    mill_over::<contour::FollowContourSide>(),
     act::<tilting::ComputeRotaryPositions>(),
     act::<tilting::PositionRotaryAxes>(),
     act::<tilting::CheckSpindleAcrossRotaryAxis>(),

@@ -16,6 +16,8 @@ use crate::engine::table::{Table, TableError, TableKind};
 use crate::engine::world::coordinates::System;
 use crate::engine::world::stylus::{OfMachine, ProbeData};
 
+/// How far away a tool is that stands aside, mm.
+const ASIDE: f64 = 98_765.4321;
 /// The word that locks a tool in the column TL.
 pub(crate) const LOCKED: &str = "L";
 
@@ -331,6 +333,17 @@ impl<'s> World<'s> {
         if self.swung() != DVec3::ZERO {
             self.renew();
         }
+    }
+
+    /// Sets the world up for a contour that is only read: the tool has no radius, and is so far away that the first
+    /// block moves it.
+    pub(crate) fn stand_aside(&mut self) {
+        if let Some(tool) = &mut self.tool {
+            tool.radius = 0.0;
+        }
+        let plane = self.system.plane;
+        self.here = plane.main.with(self.here, plane.main.of(self.here) + ASIDE);
+        self.machine = self.to_machine(self.here);
     }
 
     /// The tool in the spindle gets the data that its row has now. The spindle stays where it is, so a new length

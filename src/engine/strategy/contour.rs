@@ -1,0 +1,629 @@
+//! Strategies over the contours of subprograms: where a tool plunges, how it clears a level, how it follows a wall.
+//!
+//! The region of the tool centre is what the contours enclose, shrunk by the radius of the tool and the allowance. Its
+//! parts are numbered from 1 in the order in which they are cleared. Invariant: the centre never leaves that region,
+//! and a level is cleared without lifting (TNC 640 manual, line 4408).
+use glam::{DVec2, DVec3};
+
+use super::action::{Action, Control};
+use super::calculation::Calculation;
+use super::milling::{shape_impossible, too_many};
+use super::pen::{Cutter, Path, Pen};
+use super::signature::{Signature, results, strategy};
+use crate::base::expr::tand;
+use crate::engine::geometry::WorkingPlane;
+use crate::engine::region::clearing::{self, MOST_RINGS};
+use crate::engine::region::contours::{Closed, Contour, enclosed};
+use crate::engine::region::{Boundary, Edge, Region};
+use crate::engine::report::ending::Done;
+use crate::engine::report::fault::Fault;
+use crate::engine::table::TableKind;
+
+/// A helix is at most so many tool radii wide, so that no core is left.
+const WIDEST_HELIX: f64 = 0.9;
+/// A helix that would be narrower, in tool radii, is a plunge in strokes.
+const NARROWEST_HELIX: f64 = 0.2;
+/// More strokes or turns for one level than this are refused.
+const MAX_PASSES: f64 = 10_000.0;
+/// The arc onto a wall and away from it has at most so many tool radii; where there is less room it is halved.
+const JOIN: f64 = 1.0;
+/// An arc onto a wall is not made smaller than this, in tool radii.
+const LEAST_JOIN: f64 = 0.05;
+/// The feed that means rapid traverse.
+const RAPID: f64 = 99_999.999;
+/// What a coarser tool has left and is narrower than twice this, mm, is nothing.
+const LEFT: f64 = 1e-3;
+/// What calculation may add to a whole number of passes, and to a distance.
+const SPARE: f64 = 1e-6;
+
+/// The contours that a cycle machines.
+#[derive(Clone, Debug, Default)]
+pub struct Contours {
+    /// As they are programmed, in the order of their labels.
+    pub open: Vec<Contour>,
+    /// What they are if they are closed.
+    pub closed: Vec<Closed>,
+    /// What these enclose together.
+    pub region: Region,
+    /// Whether there is no pocket: islands in a frame.
+    pub only_islands: bool,
+    /// Where the tool was when the cycle began, main and minor axis: what is near is cleared first.
+    pub from: DVec2,
+}
+
+impl Contours {
+    /// Contours that are all closed.
+    pub fn new(closed: Vec<Closed>, from: DVec2) -> Self {
+        let only_islands = !closed.iter().any(|contour| contour.is_pocket);
+        Self { open: Vec::new(), region: enclosed(&closed), closed, only_islands, from }
+    }
+
+    /// Where the centre of a tool may be that leaves an allowance, with inside corners of at least a radius.
+    fn centres(&self, tool_radius: f64, allowance: f64, rounding: f64) -> Region {
+        let by = tool_radius + allowance;
+        let region = if by < 0.0 { self.region.grown(-by) } else { self.region.shrunk(by) };
+        region.rounded(rounding)
+    }
+
+    /// The paths that clear the region, by part.
+    ///
+    /// # Errors
+    /// The tool is too wide for all of it, or the stepover too small.
+    pub fn paths(&self, way: &Clearing, tool_radius: f64) -> Result<Vec<clearing::Path>, Fault> {
+        let mut centres = self.centres(tool_radius, way.allowance, way.rounding);
+        if let Some(coarse) = way.coarse {
+            // Where the tool comes to what the coarser one could not reach.
+            let reached = self.centres(coarse, way.allowance, way.rounding).grown(coarse);
+            let left = centres.grown(tool_radius).difference(&reached).shrunk(LEFT).grown(LEFT);
+            centres = centres.intersection(&left.grown(tool_radius));
+            if centres.is_empty() {
+                return Ok(Vec::new());
+            }
+        }
+        if centres.is_empty() {
+            return Err(shape_impossible(2.0 * tool_radius, 0.0));
+        }
+        clearing::paths(&centres, way.stepover, way.climb >= 0.0, self.from).map_err(|_| too_many(MOST_RINGS as f64))
+    }
+}
+
+/// How a region is cleared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clearing {
+    /// The distance of the rings, mm.
+    pub stepover: f64,
+    /// What stays at the walls, mm.
+    pub allowance: f64,
+    /// The least radius of the path in inside corners, mm.
+    pub rounding: f64,
+    /// Climb milling if not negative, for a spindle that turns clockwise.
+    pub climb: f64,
+    /// The radius of a coarser tool that has cleared the region before, mm.
+    pub coarse: Option<f64>,
+}
+
+strategy! {
+    /// The data that a definition has kept for the cycles on contours; reads the contours, too.
+    RecallContourData = "recall-contour-data" {}
+}
+
+results! {
+    /// The data of contours.
+    ContourData {
+        /// From the surface to the floor, with sign.
+        depth: f64 = Length,
+        /// The stepover in tool radii.
+        overlap: f64 = Number,
+        /// The allowance at the walls.
+        side_allowance: f64 = Length,
+        /// The allowance on the floor.
+        floor_allowance: f64 = Length,
+        /// The height of the surface.
+        surface: f64 = Length,
+        /// The set-up clearance.
+        clearance: f64 = Length,
+        /// The height at which nothing is in the way.
+        height: f64 = Length,
+        /// The least radius of the path in inside corners.
+        rounding: f64 = Length,
+        /// Climb milling if not negative.
+        direction: f64 = Number,
+    }
+}
+
+impl Action for RecallContourData {
+    type Results = ContourData;
+
+    fn act(&self, control: &mut dyn Control) -> Done<ContourData> {
+        let kept = |name| control.kept(name).ok_or_else(|| Fault::program("contour-data-undefined"));
+        let data = ContourData {
+            depth: kept("depth")?,
+            overlap: kept("overlap")?,
+            side_allowance: kept("side_allowance")?,
+            floor_allowance: kept("floor_allowance")?,
+            surface: kept("surface")?,
+            clearance: kept("clearance")?,
+            height: kept("height")?,
+            rounding: kept("rounding")?,
+            direction: kept("direction")?,
+        };
+        control.read_contours()?;
+        Ok(data)
+    }
+}
+
+strategy! {
+    /// How many parts the region has that a tool clears, each with a point where it is entered.
+    FindInfeedPoints = "find-infeed-points" {
+        /// The stepover in radii of the tool that clears.
+        overlap: f64 = Number,
+        /// What stays at the walls, mm.
+        allowance: f64 = Length,
+        /// The least radius of the path in inside corners, mm.
+        rounding: f64 = Length,
+        /// The number of the tool that clears; without it the tool in the spindle.
+        tool: Option<f64> = Number,
+        /// The number of a coarser tool that has cleared the region before; 0 if none has.
+        coarse: Option<f64> = Number,
+    }
+}
+
+results! {
+    /// The parts of a region, and the tools that clear them.
+    InfeedPoints {
+        /// How many parts there are.
+        count: f64 = Number,
+        /// The radius of the tool that clears, without the oversizes of a tool call.
+        radius: f64 = Length,
+        /// The radius of the coarser tool; 0 if there is none.
+        coarse: f64 = Length,
+        /// The distance of the rings.
+        stepover: f64 = Length,
+    }
+}
+
+/// The radius of a tool of the tool table, mm: with its wear, without oversizes of a tool call.
+fn radius_in_table(control: &dyn Control, tool: f64) -> Result<f64, Fault> {
+    if !control.has_row(TableKind::Tool, tool)? {
+        return Err(Fault::program("tool-not-in-table").arg("tool", tool));
+    }
+    let number = |column| Ok::<_, Fault>(control.number(TableKind::Tool, tool, column)?.unwrap_or_default());
+    Ok(number("R")? + number("DR")?)
+}
+
+impl Action for FindInfeedPoints {
+    type Results = InfeedPoints;
+
+    fn act(&self, control: &mut dyn Control) -> Done<InfeedPoints> {
+        let radius = match self.tool {
+            Some(tool) => radius_in_table(control, tool)?,
+            None => control.tool_radius(),
+        };
+        let coarse = self.coarse.filter(|tool| *tool != 0.0);
+        let coarse = coarse.map(|tool| radius_in_table(control, tool)).transpose()?;
+        let Self { allowance, rounding, .. } = *self;
+        let stepover = self.overlap * radius;
+        let paths =
+            control.contours().paths(&Clearing { stepover, allowance, rounding, climb: 1.0, coarse }, radius)?;
+        Ok(InfeedPoints { count: paths.len() as f64, radius, coarse: coarse.unwrap_or(0.0), stepover })
+    }
+}
+
+strategy! {
+    /// How far before the last infeed a drill stops when it returns at rapid traverse (TNC 640 manual, lines 4645-4648).
+    StopDistance = "stop-distance" {
+        /// The drilling depth, mm.
+        depth: f64 = Length,
+    }
+}
+
+results! {
+    /// The stop distance.
+    StopDistanceResults {
+        /// mm.
+        distance: f64 = Length,
+    }
+}
+
+/// Up to this depth, mm, the distance is the least one; then it is a part of the depth, and at most the greatest one.
+const SHALLOW: f64 = 30.0;
+const LEAST_STOP: f64 = 0.6;
+const STOPS_IN_DEPTH: f64 = 50.0;
+const GREATEST_STOP: f64 = 7.0;
+
+impl Calculation for StopDistance {
+    type Results = StopDistanceResults;
+
+    fn calculate(&self, _: WorkingPlane) -> Result<StopDistanceResults, Fault> {
+        let depth = self.depth.abs();
+        let deep = (depth / STOPS_IN_DEPTH).min(GREATEST_STOP);
+        Ok(StopDistanceResults { distance: if depth > SHALLOW { deep } else { LEAST_STOP } })
+    }
+}
+
+strategy! {
+    /// How many walls the region has.
+    FindPartialContours = "find-partial-contours" {
+        /// What stays at the walls, mm.
+        allowance: f64 = Length,
+        /// The least radius of the path in inside corners, mm.
+        rounding: f64 = Length,
+    }
+}
+
+results! {
+    /// The walls of a region.
+    PartialContours {
+        /// How many there are.
+        count: f64 = Number,
+    }
+}
+
+impl Action for FindPartialContours {
+    type Results = PartialContours;
+
+    fn act(&self, control: &mut dyn Control) -> Done<PartialContours> {
+        let walls = control.contours().walls(control.tool_radius(), self.allowance, self.rounding);
+        if walls.is_empty() {
+            return Err(shape_impossible(2.0 * control.tool_radius(), 0.0).into());
+        }
+        Ok(PartialContours { count: walls.len() as f64 })
+    }
+}
+
+/// A strategy that moves a milling tool over contours.
+pub trait OverContours: Signature {
+    /// Draws the path from where the pen is.
+    ///
+    /// # Errors
+    /// No path of this tool makes it, or it has too many legs.
+    fn mill(&self, contours: &Contours, tool: Cutter, pen: &mut Pen) -> Result<(), Fault>;
+
+    /// The path from a point: main, minor and tool coordinate.
+    fn path(&self, contours: &Contours, tool: Cutter, from: DVec3) -> Path {
+        let mut pen = Pen::new(from);
+        let ended = self.mill(contours, tool, &mut pen);
+        pen.path(ended)
+    }
+}
+
+/// Declares a strategy on one part of a region: how that is cleared, and what it is given besides.
+macro_rules! on_part {
+    ($(#[$doc:meta])* $name:ident = $text:literal { $($more:tt)* }) => {
+        strategy! {
+            $(#[$doc])*
+            $name = $text {
+                /// The number of the part, from 1.
+                part: f64 = Number,
+                /// The distance of the rings, mm.
+                stepover: f64 = Length,
+                /// What stays at the walls, mm.
+                allowance: f64 = Length,
+                /// The least radius of the path in inside corners, mm.
+                rounding: f64 = Length,
+                /// Climb milling if not negative.
+                climb: f64 = Number,
+                /// The radius of the tool that clears, where that is another one than the tool in the spindle, mm.
+                radius: Option<f64> = Length,
+                /// The radius of a coarser tool that has cleared the region before, mm.
+                coarse: Option<f64> = Length,
+                $($more)*
+            }
+        }
+
+        impl $name {
+            /// The path that clears the part.
+            fn clearing(&self, contours: &Contours, tool: Cutter) -> Result<clearing::Path, Fault> {
+                let Self { stepover, allowance, rounding, climb, radius, .. } = *self;
+                let coarse = self.coarse.filter(|radius| *radius > 0.0);
+                let way = Clearing { stepover, allowance, rounding, climb, coarse };
+                let paths = contours.paths(&way, radius.unwrap_or(tool.radius))?;
+                let number = (self.part.max(1.0) - 1.0) as usize;
+                paths.into_iter().nth(number).ok_or_else(|| shape_impossible(2.0 * tool.radius, 0.0))
+            }
+        }
+    };
+}
+
+on_part! {
+    /// Over the point where the part is entered, at rapid traverse: up to where nothing is in the way, across, and down.
+    MoveOverInfeedPoint = "move-over-infeed-point" {
+        /// The height at which nothing is in the way, mm.
+        above: f64 = Length,
+        /// The height to which it goes down, mm.
+        height: f64 = Length,
+    }
+}
+
+on_part! {
+    /// Down to a level on a helix about the point where the part is entered, or, where there is no room for one, in
+    /// strokes along the path that clears it.
+    PlungeIntoRegion = "plunge-into-region" {
+        /// The height where material begins, mm.
+        from: f64 = Length,
+        /// The height of the level, mm.
+        to: f64 = Length,
+        /// The greatest plunging angle, degrees.
+        angle: f64 = Angle,
+        /// The greatest length of a stroke, mm.
+        stroke: f64 = Length,
+        /// The feed, mm/min.
+        feed: f64 = Feed,
+    }
+}
+
+on_part! {
+    /// Clears the part at one level from the inside outwards.
+    ClearRegionAtLevel = "clear-region-at-level" {
+        /// The height of the level, mm.
+        level: f64 = Length,
+        /// The feed, mm/min.
+        at: f64 = Feed,
+    }
+}
+
+impl OverContours for MoveOverInfeedPoint {
+    fn mill(&self, contours: &Contours, tool: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let path = self.clearing(contours, tool)?;
+        if pen.here().z < self.above {
+            pen.down(self.above, RAPID);
+        }
+        pen.line(path.start.extend(pen.here().z), RAPID);
+        pen.line(path.start.extend(self.height), RAPID);
+        Ok(())
+    }
+}
+
+impl OverContours for PlungeIntoRegion {
+    fn mill(&self, contours: &Contours, tool: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let path = self.clearing(contours, tool)?;
+        let radius = path.room.min(WIDEST_HELIX * tool.radius);
+        pen.line(path.start.extend(self.from), self.feed);
+        if radius >= NARROWEST_HELIX * tool.radius {
+            self.on_helix(&path, radius, pen)
+        } else {
+            self.in_strokes(&path, pen)
+        }
+    }
+}
+
+impl PlungeIntoRegion {
+    /// How many passes of a length go down at no more than the plunging angle.
+    fn passes(&self, length: f64) -> Result<u32, Fault> {
+        let passes = libm::ceil((self.to - self.from).abs() / (length * tand(self.angle)) - SPARE).max(1.0);
+        if passes.is_nan() || passes > MAX_PASSES { Err(too_many(MAX_PASSES)) } else { Ok(passes as u32) }
+    }
+
+    fn height(&self, part: u32, parts: u32) -> f64 {
+        if part < parts { self.from + (self.to - self.from) * f64::from(part) / f64::from(parts) } else { self.to }
+    }
+
+    /// Half turns, then once around to level the bottom, then to the middle.
+    fn on_helix(&self, path: &clearing::Path, radius: f64, pen: &mut Pen) -> Result<(), Fault> {
+        let turns = self.passes(std::f64::consts::TAU * radius)?;
+        let beside = |side: f64, height: f64| (path.start + DVec2::new(side * radius, 0.0)).extend(height);
+        pen.line(beside(1.0, self.from), self.feed);
+        for half in 1..=2 * turns + 2 {
+            let (height, side) = (self.height(half, 2 * turns), if half % 2 == 0 { 1.0 } else { -1.0 });
+            pen.arc((path.start.extend(height), beside(side, height)), 1.0, None, self.feed);
+        }
+        pen.line(path.start.extend(self.to), self.feed);
+        Ok(())
+    }
+
+    /// To and fro along the path that clears the part, and once more at the bottom.
+    fn in_strokes(&self, path: &clearing::Path, pen: &mut Pen) -> Result<(), Fault> {
+        let mut there = Stroke { from: path.start, edges: Vec::new(), length: 0.0 };
+        for edge in &path.edges {
+            let left = self.stroke - there.length;
+            let end = there.end();
+            if left <= SPARE {
+                break;
+            }
+            there.length += edge.length(end).min(left);
+            there.edges.push(if edge.length(end) > left { edge.shortened(end, left) } else { *edge });
+        }
+        let back = there.reversed();
+        let strokes = self.passes(there.length)?;
+        // An even number ends where it begins; the last two level the bottom.
+        let strokes = strokes + strokes % 2;
+        for stroke in 1..=strokes + 2 {
+            let way = if stroke % 2 == 1 { &there } else { &back };
+            way.draw(self.height(stroke - 1, strokes), self.height(stroke, strokes), self.feed, pen);
+        }
+        Ok(())
+    }
+}
+
+/// A way to and fro.
+struct Stroke {
+    from: DVec2,
+    edges: Vec<Edge>,
+    length: f64,
+}
+
+impl Stroke {
+    fn end(&self) -> DVec2 {
+        self.edges.last().map_or(self.from, Edge::to)
+    }
+
+    fn reversed(&self) -> Self {
+        let mut at = self.from;
+        let mut edges: Vec<Edge> = Vec::with_capacity(self.edges.len());
+        for edge in &self.edges {
+            edges.push(edge.reversed(at));
+            at = edge.to();
+        }
+        edges.reverse();
+        Self { from: at, edges, length: self.length }
+    }
+
+    /// Evenly from one height to another.
+    fn draw(&self, from: f64, to: f64, feed: f64, pen: &mut Pen) {
+        let (mut at, mut gone) = (self.from, 0.0);
+        for edge in &self.edges {
+            gone += edge.length(at);
+            let share = if self.length > 0.0 { (gone / self.length).min(1.0) } else { 1.0 };
+            draw(edge, from + (to - from) * share, feed, pen);
+            at = edge.to();
+        }
+    }
+}
+
+/// Draws an edge that ends at a height.
+fn draw(edge: &Edge, height: f64, feed: f64, pen: &mut Pen) {
+    match *edge {
+        Edge::Line(to) => pen.line(to.extend(height), feed),
+        Edge::Arc { to, centre, sweep } => {
+            pen.arc((centre.extend(height), to.extend(height)), sweep.signum(), Some(sweep), feed);
+        }
+    }
+}
+
+impl OverContours for ClearRegionAtLevel {
+    fn mill(&self, contours: &Contours, tool: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let path = self.clearing(contours, tool)?;
+        pen.line(path.start.extend(pen.here().z), self.at);
+        pen.line(path.start.extend(self.level), self.at);
+        for edge in &path.edges {
+            draw(edge, self.level, self.at, pen);
+        }
+        Ok(())
+    }
+}
+
+on_part! {
+    /// Onto the floor on an arc upright to it, or straight down where there is no room.
+    ApproachRegionFloor = "approach-region-floor" {
+        /// The height of the floor, mm.
+        level: f64 = Length,
+        /// The feed, mm/min.
+        at: f64 = Feed,
+    }
+}
+
+impl OverContours for ApproachRegionFloor {
+    fn mill(&self, contours: &Contours, tool: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let path = self.clearing(contours, tool)?;
+        let radius = path.room.min(tool.radius) / 2.0;
+        if radius >= NARROWEST_HELIX * tool.radius && pen.here().z >= self.level + radius {
+            let beside = path.start - DVec2::new(radius, 0.0);
+            pen.line(beside.extend(pen.here().z), self.at);
+            pen.line(beside.extend(self.level + radius), self.at);
+            pen.upright(path.start.extend(self.level + radius), path.start.extend(self.level), self.at);
+        }
+        pen.line(path.start.extend(self.level), self.at);
+        Ok(())
+    }
+}
+
+strategy! {
+    /// Along the wall of one boundary of the region at one level, joined and left on arcs.
+    FollowContourSide = "follow-contour-side" {
+        /// The number of the boundary, from 1.
+        contour: f64 = Number,
+        /// The height of the level, mm.
+        level: f64 = Length,
+        /// What stays at the wall, mm.
+        allowance: f64 = Length,
+        /// The least radius of the path in inside corners, mm.
+        rounding: f64 = Length,
+        /// Pockets counter-clockwise and islands clockwise if not negative: climb milling.
+        direction: f64 = Number,
+        /// The feed down to the level, mm/min.
+        plunging_feed: f64 = Feed,
+        /// The height between boundaries, to which the tool goes at rapid traverse, mm.
+        height: f64 = Length,
+        /// The height to which it goes down at rapid traverse, mm.
+        above: f64 = Length,
+        /// The feed along the wall, mm/min.
+        at: f64 = Feed,
+    }
+}
+
+impl Contours {
+    /// The walls of the region as the centre of a tool follows them; those of the frame around islands are none.
+    pub fn walls(&self, tool_radius: f64, allowance: f64, rounding: f64) -> Vec<Boundary> {
+        let centres = self.centres(tool_radius, allowance, rounding);
+        let walls = centres.boundaries();
+        let is_frame = |wall: &Boundary| {
+            let outer = !wall.is_clockwise();
+            outer && self.only_islands
+        };
+        walls.filter(|wall| !is_frame(wall)).collect()
+    }
+}
+
+impl OverContours for FollowContourSide {
+    fn mill(&self, contours: &Contours, tool: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let centres = contours.centres(tool.radius, self.allowance, self.rounding);
+        let walls = contours.walls(tool.radius, self.allowance, self.rounding);
+        let number = (self.contour.max(1.0) - 1.0) as usize;
+        let wall = walls.into_iter().nth(number).ok_or_else(|| shape_impossible(2.0 * tool.radius, 0.0))?;
+        let wall = if self.direction < 0.0 { wall.reversed() } else { wall };
+        let (wall, join) = joined(&centres, &wall, tool.radius * JOIN, tool.radius * LEAST_JOIN);
+        let (start, heading) = (wall.start(), heading(&wall));
+        // Into the region: on the left of the way in climb milling.
+        let side = if self.direction < 0.0 { -1.0 } else { 1.0 };
+        let centre = start + heading.perp() * side * join;
+        let (before, after) = (centre - heading * join, centre + heading * join);
+        if pen.here().z < self.height {
+            pen.down(self.height, RAPID);
+        }
+        pen.line(before.extend(pen.here().z), RAPID);
+        pen.line(before.extend(self.above), RAPID);
+        pen.line(before.extend(self.level), self.plunging_feed);
+        let quarter = Edge::Arc { to: start, centre, sweep: 90.0 * side };
+        draw(&quarter, self.level, self.at, pen);
+        for edge in wall.edges() {
+            draw(&edge, self.level, self.at, pen);
+        }
+        draw(&Edge::Arc { to: after, centre, sweep: 90.0 * side }, self.level, self.at, pen);
+        pen.down(self.height, RAPID);
+        Ok(())
+    }
+}
+
+/// The direction in which a boundary begins.
+fn heading(wall: &Boundary) -> DVec2 {
+    match wall.edges().first() {
+        Some(Edge::Line(to)) => (*to - wall.start()).normalize_or_zero(),
+        Some(Edge::Arc { centre, sweep, .. }) => {
+            (wall.start() - *centre).perp().normalize_or_zero() * if *sweep < 0.0 { -1.0 } else { 1.0 }
+        }
+        None => DVec2::X,
+    }
+}
+
+/// A wall from where there is most room for an arc onto it, with the radius of that: the circle of the arc stays in the
+/// region. Tried in the middle of each edge.
+fn joined(centres: &Region, wall: &Boundary, most: f64, least: f64) -> (Boundary, f64) {
+    let mut at = wall.start();
+    let middles: Vec<DVec2> = wall
+        .edges()
+        .iter()
+        .map(|edge| {
+            let from = std::mem::replace(&mut at, edge.to());
+            edge.shortened(from, edge.length(from) / 2.0).to()
+        })
+        .collect();
+    let mut radius = most;
+    while radius > least {
+        for middle in &middles {
+            let turned = wall.from_nearest(*middle);
+            let inwards = heading(&turned).perp() * if wall_has_region_left(centres, &turned) { 1.0 } else { -1.0 };
+            let centre = turned.start() + inwards * radius;
+            let deep = centres.nearest(centre).is_some_and(|(_, distance)| distance >= radius - SPARE);
+            if deep && centres.contains(centre) {
+                return (turned, radius);
+            }
+        }
+        radius /= 2.0;
+    }
+    (wall.clone(), least)
+}
+
+/// Whether the region lies on the left of the way along a wall.
+fn wall_has_region_left(centres: &Region, wall: &Boundary) -> bool {
+    centres.contains(wall.start() + heading(wall).perp() * 100.0 * SPARE)
+}
