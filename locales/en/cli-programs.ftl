@@ -59,7 +59,7 @@ diag-fix-no-file = Standard input cannot be mended: name a file.
 diag-fix-file-changed = { $path } was changed meanwhile by someone else; it is left as it is.
 diag-fix-changes-program = { $path } would not be the same program any more; it is left as it is.
 diag-config-syntax = This is not TOML.
-diag-config-unknown-key = There is no setting “{ $key }”; there are control, lang, tables, fail-on, rules and folder.
+diag-config-unknown-key = There is no setting “{ $key }”; there are control, lang, tables, fail-on, rules, machine and folder.
 diag-config-unknown-rule = There is no rule “{ $key }”; “ciklo explain” lists them all.
 diag-config-unknown-word = { $expected } is nothing that { $key } can be.
 diag-config-value = { $key } needs something else here: { $expected }.
@@ -71,6 +71,7 @@ explain-allow-unknown-rule = The word after “allow” is no rule of the checke
 explain-allow-unused = The comment takes nothing back: the rule finds nothing in the block that the comment speaks for, or not on this control.
 
 cli-translate-relabel = Take whatever has the form of a label for one, even in a language that is not known here
+cli-translate-encoding = Encoding of the file, as a name such as windows-1250 (default: found out from its bytes)
 cli-translate-from = Language of the program's labels; only these are replaced (default: each definition in its own)
 cli-translate-sources = { $count ->
         [one] Language of the labels, with the number of definitions: { $languages }.

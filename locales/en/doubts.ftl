@@ -10,6 +10,7 @@ guard-decrement-too-great = The decrement is not less than the plunging depth: n
 guard-deeper-than-cutting-edges = The depth is greater than the cutting edges of the tool are long (LCUTS).
 guard-depth-to-cylinder-axis = The milling depth is not less than the cylinder radius: the tool would mill down to the axis of the cylinder.
 guard-end-above-start = The end point in the tool axis lies above the starting point: the surface is milled from below.
+guard-feed-of-another-pitch = The feed rate is not the spindle speed times the pitch of the tap in the tool table (PITCH).
 guard-finishing-allowance-not-below-roughing = The allowance that finishing leaves is not less than the one that roughing has left in the contour data: nothing is removed.
 guard-finishing-without-allowance = Only finishing is chosen, and no allowance is left for it: nothing is milled.
 guard-floor-allowance-too-great = The allowance for the floor is not less than the depth: nothing is left to be roughed.

@@ -52,7 +52,7 @@ diag-fix-no-file = Vakiosyötettä ei voi korjata: nimeä tiedosto.
 diag-fix-file-changed = Joku muu on muuttanut tiedostoa { $path } sillä välin; se jätetään ennalleen.
 diag-fix-changes-program = { $path } ei olisi enää sama ohjelma; se jätetään ennalleen.
 diag-config-syntax = Tämä ei ole TOML-muotoa.
-diag-config-unknown-key = Asetusta ”{ $key }” ei ole; asetukset ovat control, lang, tables, fail-on, rules ja folder.
+diag-config-unknown-key = Asetusta ”{ $key }” ei ole; asetukset ovat control, lang, tables, fail-on, rules, machine ja folder.
 diag-config-unknown-rule = Sääntöä ”{ $key }” ei ole; ”ciklo explain” luettelee kaikki.
 diag-config-unknown-word = { $expected } ei kelpaa kohtaan { $key }.
 diag-config-value = Tässä { $key } vaatii jotakin muuta: { $expected }.
@@ -64,6 +64,7 @@ explain-allow-unknown-rule = Sanan ”allow” jäljessä ei ole tarkastimen sä
 explain-allow-unused = Kommentti ei kumoa mitään: sääntö ei löydä mitään lauseesta, jota kommentti koskee, tai ei tällä ohjauksella.
 
 cli-translate-relabel = Pidä NC-tekstinä kaikkea, millä on sen muoto, myös muulla kuin tunnetulla kielellä
+cli-translate-encoding = Tiedoston merkistö, esimerkiksi windows-1250 (oletus: päätellään tavuista)
 cli-translate-from = Ohjelman NC-tekstien kieli; vain ne korvataan (oletus: kukin määrittely omalla kielellään)
 cli-translate-sources = { $count ->
         [one] NC-tekstien kieli ja määrittelyjen määrä: { $languages }.

@@ -10,6 +10,7 @@ guard-decrement-too-great = Vähennysarvo ei ole pienempi kuin asetussyvyys: toi
 guard-deeper-than-cutting-edges = Syvyys on suurempi kuin työkalun terien pituus (LCUTS).
 guard-depth-to-cylinder-axis = Jyrsintäsyvyys ei ole pienempi kuin lieriön säde: työkalu jyrsisi lieriön akseliin asti.
 guard-end-above-start = Työkaluakselin loppupiste on alkupisteen yläpuolella: pintaa jyrsitään alhaalta päin.
+guard-feed-of-another-pitch = Syöttöarvo ei ole karan kierrosluvun ja työkalutaulukossa olevan kierretapin nousun (PITCH) tulo.
 guard-finishing-allowance-not-below-roughing = Silityksen jättämä työvara ei ole pienempi kuin muototietojen rouhinnassa jäävä: mitään ei poisteta.
 guard-finishing-without-allowance = Valittu on vain silitys, eikä sille ole jätetty silitystyövaraa: mitään ei jyrsitä.
 guard-floor-allowance-too-great = Pohjan työvara ei ole syvyyttä pienempi: rouhittavaa ei jää.

@@ -52,7 +52,7 @@ diag-fix-no-file = L’ingresso standard non si può correggere: indicare un fil
 diag-fix-file-changed = { $path } è stato modificato nel frattempo da altri; resta com’è.
 diag-fix-changes-program = { $path } non sarebbe più lo stesso programma; resta com’è.
 diag-config-syntax = Questo non è TOML.
-diag-config-unknown-key = L’impostazione «{ $key }» non esiste; esistono control, lang, tables, fail-on, rules e folder.
+diag-config-unknown-key = L’impostazione «{ $key }» non esiste; esistono control, lang, tables, fail-on, rules, machine e folder.
 diag-config-unknown-rule = La regola «{ $key }» non esiste; «ciklo explain» le elenca tutte.
 diag-config-unknown-word = { $expected } non può stare in { $key }.
 diag-config-value = Qui { $key } richiede altro: { $expected }.
@@ -64,6 +64,7 @@ explain-allow-unknown-rule = La parola dopo «allow» non è una regola della ve
 explain-allow-unused = Il commento non revoca nulla: la regola non rileva nulla nel blocco a cui il commento si riferisce, o non su questo controllo numerico.
 
 cli-translate-relabel = Considera etichetta tutto ciò che ne ha la forma, anche in una lingua qui sconosciuta
+cli-translate-encoding = Codifica del file, ad esempio windows-1250 (predefinito: ricavata dai byte)
 cli-translate-from = Lingua delle etichette del programma; solo queste vengono sostituite (predefinito: ogni definizione nella propria)
 cli-translate-sources = { $count ->
         [one] Lingua delle etichette, con il numero di definizioni: { $languages }.

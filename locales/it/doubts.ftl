@@ -10,6 +10,7 @@ guard-decrement-too-great = Il decremento non è inferiore alla profondità incr
 guard-deeper-than-cutting-edges = La profondità è maggiore della lunghezza dei taglienti dell’utensile (LCUTS).
 guard-depth-to-cylinder-axis = La profondità di fresatura non è inferiore al raggio del cilindro: l’utensile freserebbe fino all’asse del cilindro.
 guard-end-above-start = Il punto finale nell’asse utensile è al di sopra del punto di partenza: la superficie viene fresata dal basso.
+guard-feed-of-another-pitch = L'avanzamento non è il prodotto del numero di giri e del passo del maschio nella tabella utensili (PITCH).
 guard-finishing-allowance-not-below-roughing = Il sovrametallo lasciato dalla finitura non è inferiore a quello dei dati del profilo dopo la sgrossatura: non si asporta nulla.
 guard-finishing-without-allowance = È scelta solo la finitura e non è lasciato alcun sovrametallo: non viene fresato nulla.
 guard-floor-allowance-too-great = Il sovrametallo sul fondo non è inferiore alla profondità: non resta nulla da sgrossare.

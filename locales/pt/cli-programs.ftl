@@ -52,7 +52,7 @@ diag-fix-no-file = A entrada padrão não pode ser corrigida: indique um ficheir
 diag-fix-file-changed = { $path } foi alterado entretanto por outrem; fica como está.
 diag-fix-changes-program = { $path } deixaria de ser o mesmo programa; fica como está.
 diag-config-syntax = Isto não é TOML.
-diag-config-unknown-key = Não há a definição «{ $key }»; há control, lang, tables, fail-on, rules e folder.
+diag-config-unknown-key = Não há a definição «{ $key }»; há control, lang, tables, fail-on, rules, machine e folder.
 diag-config-unknown-rule = Não há a regra «{ $key }»; «ciklo explain» indica todas.
 diag-config-unknown-word = { $expected } não pode estar em { $key }.
 diag-config-value = Aqui { $key } precisa de outra coisa: { $expected }.
@@ -64,6 +64,7 @@ explain-allow-unknown-rule = A palavra a seguir a «allow» não é uma regra da
 explain-allow-unused = O comentário nada anula: a regra nada assinala na frase a que o comentário se refere, ou não neste comando numérico.
 
 cli-translate-relabel = Toma por designação tudo o que tem a forma dela, mesmo num idioma aqui desconhecido
+cli-translate-encoding = Codificação do ficheiro, por exemplo windows-1250 (predefinição: deduzida dos bytes)
 cli-translate-from = Idioma das designações do programa; só estas são substituídas (predefinição: cada definição no seu)
 cli-translate-sources = { $count ->
         [one] Idioma das designações, com o número de definições: { $languages }.

@@ -10,6 +10,7 @@ guard-decrement-too-great = O valor de redução não é inferior à profundidad
 guard-deeper-than-cutting-edges = A profundidade é maior do que o comprimento das lâminas da ferramenta (LCUTS).
 guard-depth-to-cylinder-axis = A profundidade de fresagem não é inferior ao raio do cilindro: a ferramenta fresaria até ao eixo do cilindro.
 guard-end-above-start = O ponto final no eixo da ferramenta está acima do ponto inicial: a superfície é fresada a partir de baixo.
+guard-feed-of-another-pitch = O avanço não é o produto das rotações pelo passo de rosca do macho na tabela de ferramentas (PITCH).
 guard-finishing-allowance-not-below-roughing = A medida excedente que o acabamento deixa não é menor do que a dos dados do contorno após o desbaste: nada se retira.
 guard-finishing-without-allowance = Só está escolhido o acabamento e não há medida excedente para acabamento: nada é fresado.
 guard-floor-allowance-too-great = A medida excedente em profundidade não é menor do que a profundidade: nada fica para desbastar.

@@ -60,7 +60,7 @@ diag-fix-no-file = Standardnega vhoda ni mogoče popraviti: navedite datoteko.
 diag-fix-file-changed = { $path } je medtem spremenil nekdo drug; ostane, kakor je.
 diag-fix-changes-program = { $path } ne bi bil več isti program; ostane, kakor je.
 diag-config-syntax = To ni TOML.
-diag-config-unknown-key = Nastavitve »{ $key }« ni; na voljo so control, lang, tables, fail-on, rules in folder.
+diag-config-unknown-key = Nastavitve »{ $key }« ni; na voljo so control, lang, tables, fail-on, rules, machine in folder.
 diag-config-unknown-rule = Pravila »{ $key }« ni; »ciklo explain« izpiše vsa.
 diag-config-unknown-word = { $expected } ni nič, kar bi { $key } lahko bil.
 diag-config-value = { $key } tu zahteva nekaj drugega: { $expected }.
@@ -72,6 +72,7 @@ explain-allow-unknown-rule = Beseda za »allow« ni pravilo preverjanja in ne po
 explain-allow-unused = Komentar ničesar ne prekliče: pravilo v stavku, za katerega velja, ničesar ne najde, ali pa ne na tem krmiljenju.
 
 cli-translate-relabel = Vse, kar ima obliko oznake, velja za oznako, tudi v jeziku, ki tu ni znan
+cli-translate-encoding = Kodiranje datoteke, na primer windows-1250 (privzeto: ugotovljeno iz bajtov)
 cli-translate-from = Jezik oznak programa; zamenjajo se samo te (privzeto: vsaka definicija v svojem jeziku)
 cli-translate-sources = { $count ->
         [one] Jezik oznak s številom definicij: { $languages }.

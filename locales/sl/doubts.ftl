@@ -10,6 +10,7 @@ guard-decrement-too-great = Vrednost pojemanja ni manjša od globine primika: od
 guard-deeper-than-cutting-edges = Globina je večja od dolžine rezil orodja (LCUTS).
 guard-depth-to-cylinder-axis = Globina rezkanja ni manjša od polmera valja: orodje bi rezkalo do osi valja.
 guard-end-above-start = Končna točka na orodni osi je nad začetno točko: površina se rezka od spodaj.
+guard-feed-of-another-pitch = Pomik ni zmnožek števila vrtljajev in koraka navojnega svedra v preglednici orodij (PITCH).
 guard-finishing-allowance-not-below-roughing = Nadmera, ki jo pusti fino rezkanje, ni manjša od tiste iz konturnih podatkov po grobem rezkanju: nič se ne odstrani.
 guard-finishing-without-allowance = Izbrano je samo fino rezkanje, nadmere zanj pa ni: nič se ne rezka.
 guard-floor-allowance-too-great = Globinska nadmera ni manjša od globine: za grobo obdelavo ne ostane nič.

@@ -49,6 +49,12 @@ impl Blank {
         self.low[0] < x && x < self.high[0] && self.low[1] < y && y < self.high[1]
     }
 
+    /// How far a place of the plane is outside; 0 inside.
+    pub(super) fn distance(&self, place: [f64; 2]) -> f64 {
+        let beyond = |axis: usize| (self.low[axis] - place[axis]).max(place[axis] - self.high[axis]).max(0.0);
+        libm::hypot(beyond(0), beyond(1))
+    }
+
     /// Whether a place of the plane lies outside, the edges left out.
     pub(super) fn lacks(&self, x: f64, y: f64) -> bool {
         x < self.low[0] || self.high[0] < x || y < self.low[1] || self.high[1] < y

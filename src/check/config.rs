@@ -9,8 +9,8 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::RULES;
 use super::allow::CODES;
+use super::{Machine, RULES};
 use crate::base::diag::{Diagnostic, Place, Severity, Source};
 use crate::base::renamed;
 
@@ -35,7 +35,7 @@ pub struct Config {
 }
 
 /// What it says for one program.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Settings {
     /// The control.
     pub control: Option<String>,
@@ -45,6 +45,8 @@ pub struct Settings {
     pub tables: Vec<String>,
     /// The least severe finding with which a check fails.
     pub fail_on: Option<Severity>,
+    /// What the machine can do.
+    pub machine: Machine,
     /// Severities by code; nothing for findings that are left out.
     pub rules: BTreeMap<String, Option<Severity>>,
 }
@@ -101,6 +103,7 @@ impl Config {
             if !own.tables.is_empty() {
                 settings.tables.clone_from(&own.tables);
             }
+            settings.machine.overlay(&own.machine);
             settings.rules.extend(own.rules.clone());
         }
         settings
@@ -164,6 +167,10 @@ impl Reader<'_> {
                     }
                     _ => self.wrong("config-value", value.span(), name, "tables = [\"…\"]"),
                 },
+                "machine" => match value.get_ref() {
+                    DeValue::Table(machine) => settings.machine = self.machine(machine),
+                    _ => self.wrong("config-value", value.span(), name, "[machine]"),
+                },
                 "rules" => match value.get_ref() {
                     DeValue::Table(rules) => self.levels(rules, &mut settings),
                     _ => self.wrong("config-value", value.span(), name, "[rules]"),
@@ -173,6 +180,60 @@ impl Reader<'_> {
             }
         }
         settings
+    }
+
+    fn machine(&mut self, table: &DeTable<'_>) -> Machine {
+        let mut machine = Machine::default();
+        for (key, value) in table {
+            let name = key.get_ref().as_ref();
+            match name {
+                "speed" => machine.speed = self.positive(name, value),
+                "feed" => machine.feed = self.positive(name, value),
+                "helix" => machine.helix = self.positive(name, value),
+                "travel" => match value.get_ref() {
+                    DeValue::Table(axes) => {
+                        for (axis, ends) in axes {
+                            self.travel(axis, ends, &mut machine);
+                        }
+                    }
+                    _ => self.wrong("config-value", value.span(), name, "[machine.travel]"),
+                },
+                name => self.wrong("config-unknown-machine", key.span(), name, "speed, feed, helix, travel"),
+            }
+        }
+        machine
+    }
+
+    /// The ends of an axis.
+    fn travel(
+        &mut self,
+        key: &Spanned<std::borrow::Cow<'_, str>>,
+        value: &Spanned<DeValue<'_>>,
+        machine: &mut Machine,
+    ) {
+        let axis = key.get_ref().as_ref();
+        if !Machine::AXES.contains(&axis) {
+            return self.wrong("config-unknown-machine", key.span(), axis, &Machine::AXES.join(", "));
+        }
+        let ends = match value.get_ref() {
+            DeValue::Array(ends) => ends.iter().map(|end| number(end.get_ref())).collect::<Option<Vec<_>>>(),
+            _ => None,
+        };
+        match ends.as_deref() {
+            Some([low, high]) if low < high => {
+                machine.travel.insert(axis.to_owned(), [*low, *high]);
+            }
+            _ => self.wrong("config-value", value.span(), axis, &format!("{axis} = [-100, 500]")),
+        }
+    }
+
+    /// A number above 0.
+    fn positive(&mut self, key: &str, value: &Spanned<DeValue<'_>>) -> Option<f64> {
+        let found = number(value.get_ref()).filter(|number| *number > 0.0);
+        if found.is_none() {
+            self.wrong("config-value", value.span(), key, &format!("{key} = 5000"));
+        }
+        found
     }
 
     fn levels(&mut self, rules: &DeTable<'_>, settings: &mut Settings) {
@@ -217,6 +278,15 @@ impl Reader<'_> {
             return None;
         };
         Some((path.split('/').filter(|part| !matches!(*part, "" | ".")).map(str::to_owned).collect(), settings))
+    }
+}
+
+/// A number, whole or not.
+fn number(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        DeValue::Integer(own) => own.to_string().parse().ok(),
+        DeValue::Float(own) => own.to_string().parse().ok().filter(|number: &f64| number.is_finite()),
+        _ => None,
     }
 }
 
@@ -303,6 +373,34 @@ mod tests {
             ("folder = 1\n", vec!["config-value"]),
             ("[[folder]]\ncontrol = \"a\"\n", vec!["config-value"]),
             ("rules = 1\n", vec!["config-value"]),
+        ] {
+            assert_eq!(parsed(text).unwrap_err(), codes, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_machine_has_limits() {
+        let config = parsed(
+            "[machine]\nspeed = 12000\nfeed = 9999.5\n[machine.travel]\nX = [-100, 500]\nC = [-360.0, 360.0]\n\
+             [[folder]]\npath = \"big\"\nmachine = { speed = 18000, travel = { X = [0, 2000] } }\n",
+        )
+        .unwrap();
+        let top = config.of("a.h").machine;
+        assert_eq!((top.speed, top.feed, top.helix), (Some(12000.0), Some(9999.5), None));
+        assert_eq!(top.travel.get("X"), Some(&[-100.0, 500.0]));
+        let big = config.of("big/a.h").machine;
+        assert_eq!((big.speed, big.feed), (Some(18000.0), Some(9999.5)));
+        assert_eq!((big.travel.get("X"), big.travel.get("C")), (Some(&[0.0, 2000.0]), Some(&[-360.0, 360.0])));
+        for (text, codes) in [
+            ("machine = 1\n", vec!["config-value"]),
+            (
+                "[machine]\nspeed = 0\nfeed = \"fast\"\npower = 5\n",
+                vec!["config-value", "config-unknown-machine", "config-value"],
+            ),
+            (
+                "[machine.travel]\nX = [500, -100]\nY = 5\nQ = [0, 1]\n",
+                vec!["config-unknown-machine", "config-value", "config-value"],
+            ),
         ] {
             assert_eq!(parsed(text).unwrap_err(), codes, "{text}");
         }

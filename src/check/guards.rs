@@ -22,13 +22,14 @@ pub(super) struct Written {
     /// The state before the definition, of which guards ask what [`STATES`] names.
     modal: Option<Modal>,
     /// What [`TOOL`] names, as far as it is known.
-    tool: [Option<Value>; 4],
+    tool: [Option<Value>; 5],
 }
 
 impl Written {
     /// The same with the tool that a call finds.
     pub(super) fn with(mut self, tool: Tool) -> Self {
-        self.tool = [Some(tool.radius), tool.angle, tool.cutting_length, tool.pitch].map(|own| own.map(Value::Number));
+        let own = [Some(tool.radius), tool.angle, tool.cutting_length, tool.pitch, tool.speed];
+        self.tool = own.map(|own| own.map(Value::Number));
         self
     }
 
@@ -37,7 +38,7 @@ impl Written {
         let modal = facts.run.before(definition.view.first);
         let mut numbers = Vec::with_capacity(cycle.lacking.len() + definition.items.len());
         numbers.extend_from_slice(&cycle.lacking);
-        let mut known = Self { numbers, texts: Vec::new(), modal, tool: [const { None }; 4] };
+        let mut known = Self { numbers, texts: Vec::new(), modal, tool: [const { None }; 5] };
         for item in &definition.items {
             let (Some(q), Some(value)) = (item.param.and_then(read_as), item.value) else { continue };
             // Of what is written several times the first one is read.

@@ -7,10 +7,29 @@ pub(super) enum Incident {
     Rapid(f64),
     /// A movement at feed goes into it while the spindle is stationary.
     Standing,
+    /// The same after a tool call that nothing has followed which turns the spindle on.
+    Unstarted,
     /// A tool call while the tool is inside of it, at a height.
     ToolChange(f64),
     /// A rotary axis turns at rapid while the tool is inside of it, at a height.
     Turn(f64),
+    /// A pocket, or a place of a contour, far from it.
+    Outside([f64; 2]),
+    /// An approach or a departure on an arc that begins or ends inside of it, with its radius.
+    Arc(f64),
+    /// A contour that begins where the tool has plunged.
+    Plunged,
+    /// Material higher above the tool tip than its cutting edges are long.
+    Deep(f64),
+    /// A tap where no hole was made, though holes were made elsewhere.
+    NoHole([f64; 2]),
+    /// A tap that goes deeper than its hole.
+    HoleTooShallow {
+        /// How deep the tap goes.
+        tap: f64,
+        /// The bottom of the hole.
+        hole: f64,
+    },
     /// A hole next to it, at a place.
     Beside([f64; 2]),
     /// A hole that begins above it or below it, at a height.

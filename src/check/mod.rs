@@ -13,6 +13,7 @@ mod facts;
 mod flow;
 mod guards;
 mod incident;
+mod machine;
 mod program;
 mod rule;
 mod rules;
@@ -23,13 +24,14 @@ mod travel;
 pub use against::Against;
 pub use allow::CODES as ALLOW_CODES;
 pub use config::{Config, Known, Settings};
-pub(crate) use cycle::is_label;
 pub use cycle::{Aspect, CycleLabels, LabelBook, LanguageLabels, ParamLabels, Tri};
+pub(crate) use cycle::{is_label, is_label_by_place};
 pub use facts::Facts;
 pub use flow::{
     Called, Callee, CycleCall, Graph, Loaded, Mark, Modal, Pending, ProgramCall, Project, Rows, Run, ToolName, Use,
     Way, circles, named,
 };
+pub use machine::Machine;
 pub use program::{Defined, Definition, Flow, Item, Reading, Unread};
 pub use rule::Rule;
 pub use rules::RULES;

@@ -28,6 +28,19 @@ fn is_foreign_name<'a>(facts: &Facts<'a>, definition: &Definition<'a>, labels: &
     silent && definition.view.name.map(|name| facts.text(name)).is_some_and(|name| is_label(name, most) && !known(name))
 }
 
+/// Whether the name and the only label of a definition have the form of a control's own, and no loaded language has either.
+fn is_foreign_single<'a>(facts: &Facts<'a>, definition: &Definition<'a>, labels: &CycleLabels) -> bool {
+    let most = facts.against.on.control.label.max_length;
+    let ([item], Some(name)) = (definition.items.as_slice(), definition.view.name) else { return false };
+    let Some(label) = item.label.filter(|_| item.index.is_some() && !definition.torn) else { return false };
+    let (name, label) = (facts.text(name), facts.text(label));
+    let known = labels
+        .languages
+        .iter()
+        .any(|own| own.name.matches(name) || own.params.iter().any(|param| param.matches(label)));
+    !known && is_label(name, most) && is_label(label, most)
+}
+
 /// Whether any definition has labels in a language that is not loaded.
 fn foreign_labels(facts: &Facts<'_>) -> bool {
     let any = || facts.readings().any(|own| facts.labels(&own).is_some_and(|labels| is_foreign(facts, &own, labels)));
@@ -55,6 +68,9 @@ pub fn speech<'a>(facts: &Facts<'a>, definition: &Definition<'a>) -> Speech {
         return Speech::Foreign;
     }
     if is_foreign_name(facts, definition, labels) && (facts.language.is_none() || foreign_labels(facts)) {
+        return Speech::Foreign;
+    }
+    if is_foreign_single(facts, definition, labels) && (facts.language.is_none() || foreign_labels(facts)) {
         return Speech::Foreign;
     }
     let (own, manual) = (facts.language.as_deref(), facts.against.on.control.language.as_str());

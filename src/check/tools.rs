@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 use super::flow::ToolKey;
 use super::{Facts, Loaded, ToolName};
-use crate::program::syntax::{Amount, BlockKind, Operand, ToolRef};
+use crate::program::syntax::{Amount, Block, BlockKind, Operand, ToolRef};
 use crate::spec::MM_PER_INCH;
 
 /// A tool, in the unit of the program.
@@ -20,6 +20,8 @@ pub(super) struct Tool {
     pub(super) cutting_length: Option<f64>,
     /// Its thread pitch, where the table says it.
     pub(super) pitch: Option<f64>,
+    /// The spindle speed of its call, unless the program changes speeds without calling a tool.
+    pub(super) speed: Option<f64>,
 }
 
 /// The tools of a program.
@@ -38,6 +40,8 @@ impl Tools {
             return None;
         }
         let mut tools = Self::default();
+        let changes = |block: &Block| matches!(&block.kind, BlockKind::ToolCall(call) if call.tool.is_none());
+        let changed = facts.marked().any(|(_, block)| changes(block));
         for (index, block) in facts.marked() {
             let BlockKind::ToolCall(call) = &block.kind else { continue };
             let Some(name) = call.tool.and_then(|tool| named(facts, tool)) else { continue };
@@ -55,6 +59,7 @@ impl Tools {
                 angle: value("ANGLE"),
                 cutting_length: value("LCUTS"),
                 pitch: value("PITCH"),
+                speed: call.speed.and_then(|speed| facts.number(&speed)).filter(|_| !changed),
             });
             if let Ok(index) = u32::try_from(index) {
                 tools.calls.insert(index, tool.filter(|tool| tool.radius > 0.0));
@@ -88,7 +93,8 @@ fn defined<'a>(facts: &Facts<'a>) -> HashMap<ToolKey<'a>, Option<f64>> {
     radii
 }
 
-fn named<'a>(facts: &Facts<'a>, tool: ToolRef) -> Option<ToolName<'a>> {
+/// A tool as a table knows it; nothing if a parameter chooses it.
+pub(super) fn named<'a>(facts: &Facts<'a>, tool: ToolRef) -> Option<ToolName<'a>> {
     match tool {
         ToolRef::Number(operand) => match operand.amount {
             Amount::Number(number) => Some(ToolName::Number(number)),

@@ -173,8 +173,8 @@ impl Shared<'_> {
     fn program(&self, job: &Job<'_>, program: &CheckedProgram<'_>) -> Result<Vec<Diagnostic>, Failure> {
         let against = program.against();
         let bytes = system::read(&job.path)?;
-        // What was found without tables says nothing of a check with them.
-        let cache = self.cache.filter(|_| !program.has_tables());
+        // What was found without tables and limits of the machine says nothing of a check with them.
+        let cache = self.cache.filter(|_| !program.has_more());
         let control = format!("{}@{}", job.on.id(), job.software.as_deref().unwrap_or_default());
         let known = cache.map(|cache| (cache, cache.key(&job.path, &bytes, &control, against.language)));
         if let Some(found) = known.and_then(|(cache, key)| cache.find(key, || program::source_of(&job.path, &bytes))) {

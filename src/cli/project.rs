@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use super::jobs::Job;
 use super::{Failure, program};
 use crate::base::diag::{Diagnostic, Severity};
-use crate::check::{self, Against, Called, Callee, Project, Rows, ToolName};
+use crate::check::{self, Against, Called, Callee, Machine, Project, Rows, ToolName};
 use crate::program::table::{Table, TableKind};
 use crate::system::{self, Folder};
 
@@ -331,6 +331,7 @@ pub(super) struct CheckedProgram<'s> {
     /// Whether its folder is checked as a whole.
     whole: bool,
     against: &'s Against<'s>,
+    machine: &'s Machine,
     /// Whether anything was asked that other files answer.
     asked: AtomicBool,
 }
@@ -340,7 +341,15 @@ impl<'s> CheckedProgram<'s> {
         let names = tables.given.iter().chain(&job.settings.tables);
         let tables = names.filter_map(|name| tables.tables.get(name)).collect();
         let path = library.spelled(&job.path);
-        Self { library, tables, path, whole: !job.named, against, asked: AtomicBool::new(false) }
+        Self {
+            library,
+            tables,
+            path,
+            whole: !job.named,
+            against,
+            machine: &job.settings.machine,
+            asked: AtomicBool::new(false),
+        }
     }
 
     pub(super) const fn against(&self) -> &Against<'s> {
@@ -353,8 +362,24 @@ impl<'s> CheckedProgram<'s> {
     }
 
     /// Whether there are tables to ask.
-    pub(super) const fn has_tables(&self) -> bool {
+    /// Whether what is found depends on more than the program: on tables, or on what the machine can do.
+    pub(super) fn has_more(&self) -> bool {
+        self.has_tables() || self.machine.is_known()
+    }
+
+    const fn has_tables(&self) -> bool {
         !self.tables.is_empty()
+    }
+
+    /// The tool table, where there is one only, and the row of a tool.
+    fn tool_row(&self, tool: ToolName<'_>) -> Option<(&'s Table, f64)> {
+        let mut tables = self.tables(TableKind::Tool);
+        let (table, None) = (tables.next()?, tables.next()) else { return None };
+        let row = match tool {
+            ToolName::Number(number) => number,
+            ToolName::Name(name) => table.find("NAME", name).ok()??,
+        };
+        Some((table, row))
     }
 
     fn tables(&self, kind: TableKind) -> impl Iterator<Item = &'s Table> {
@@ -397,13 +422,17 @@ impl Project for CheckedProgram<'_> {
     }
 
     fn tool_value(&self, tool: ToolName<'_>, column: &str) -> Option<f64> {
-        let mut tables = self.tables(TableKind::Tool);
-        let (table, None) = (tables.next()?, tables.next()) else { return None };
-        let row = match tool {
-            ToolName::Number(number) => number,
-            ToolName::Name(name) => table.find("NAME", name).ok()??,
-        };
+        let (table, row) = self.tool_row(tool)?;
         table.number(row, column).ok()?
+    }
+
+    fn tool_word(&self, tool: ToolName<'_>, column: &str) -> Option<&str> {
+        let (table, row) = self.tool_row(tool)?;
+        table.text(row, column).ok().map(str::trim).filter(|word| !word.is_empty())
+    }
+
+    fn machine(&self) -> Option<&Machine> {
+        Some(self.machine).filter(|machine| machine.is_known())
     }
 
     fn knows_rows(&self) -> bool {

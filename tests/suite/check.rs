@@ -10,7 +10,8 @@ use std::{env, fs};
 
 use ciklo::base::diag::{Diagnostic, Severity, Source};
 use ciklo::check::{
-    ALLOW_CODES, Against, Called, Callee, Facts, LabelBook, Project, RULES, Rows, ToolName, check, check_in, named,
+    ALLOW_CODES, Against, Called, Callee, Facts, LabelBook, Machine, Project, RULES, Rows, ToolName, check, check_in,
+    named,
 };
 use ciklo::language::locale::{Locales, Ui};
 use ciklo::program::syntax::{Program, parse};
@@ -80,17 +81,28 @@ fn found_in(data: &Data, path: &Path) -> Vec<Diagnostic> {
     data.with(head(&text, "control:"), |against| {
         // Those that say so stand among the programs of `tests/check/beside`.
         if text.lines().next().is_some_and(|line| line.contains("beside")) {
-            check_in(&program, against, &Beside { against, own: stem(path) })
+            check_in(&program, against, &Beside { against, own: stem(path), machine: machine() })
         } else {
             check(&program, against)
         }
     })
 }
 
-/// The programs of `tests/check/beside`, a tool table with the tools 1 and MILL, and tables with the rows 0 to 3.
+/// The programs of `tests/check/beside`, a tool table with the tools 1, MILL, TAP and PROBE, and tables with the rows 0 to 3.
 struct Beside<'a> {
     against: &'a Against<'a>,
     own: String,
+    machine: Machine,
+}
+
+/// A machine with an axis X of 800 mm and an axis C.
+fn machine() -> Machine {
+    Machine {
+        speed: Some(20000.0),
+        feed: Some(30000.0),
+        helix: Some(5400.0),
+        travel: [("X".to_owned(), [-400.0, 400.0]), ("C".to_owned(), [-360.0, 360.0])].into(),
+    }
 }
 
 impl Beside<'_> {
@@ -109,7 +121,34 @@ impl Project for Beside<'_> {
     }
 
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {
-        Some(matches!(tool, ToolName::Number(1.0) | ToolName::Name("MILL")))
+        Some(matches!(tool, ToolName::Number(1.0) | ToolName::Name("MILL" | "TAP" | "PROBE")))
+    }
+
+    fn knows_tools(&self) -> bool {
+        true
+    }
+
+    fn machine(&self) -> Option<&Machine> {
+        Some(&self.machine)
+    }
+
+    fn tool_value(&self, tool: ToolName<'_>, column: &str) -> Option<f64> {
+        match (tool, column) {
+            (ToolName::Number(1.0), "NMAX") => Some(8000.0),
+            (ToolName::Number(1.0), "LCUTS") => Some(20.0),
+            (ToolName::Number(1.0), "R") => Some(5.0),
+            (ToolName::Name("TAP"), "R") => Some(3.0),
+            _ => None,
+        }
+    }
+
+    fn tool_word(&self, tool: ToolName<'_>, column: &str) -> Option<&str> {
+        match (tool, column) {
+            (ToolName::Number(1.0) | ToolName::Name("MILL"), "TYP") => Some("MILL"),
+            (ToolName::Name("TAP"), "TYP") => Some("TAP"),
+            (ToolName::Name("PROBE"), "TYP") => Some("TCHP"),
+            _ => None,
+        }
     }
 
     fn has_row(&self, rows: Rows<'_>, row: f64) -> Option<bool> {

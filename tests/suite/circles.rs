@@ -43,8 +43,8 @@ const ENGINE: &[(&str, &[&str])] = &[
 
 /// The rooms of the checker, folders and files, from the ground up: a room uses only those before it.
 const CHECKER: &[&str] = &[
-    "cycle", "against", "program", "flow", "incident", "facts", "speech", "tools", "guards", "blank", "contours",
-    "travel", "rule", "rules", "allow", "config",
+    "cycle", "against", "machine", "program", "flow", "incident", "facts", "speech", "tools", "guards", "blank",
+    "contours", "travel", "rule", "rules", "allow", "config",
 ];
 
 /// The source files as modules.

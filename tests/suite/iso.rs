@@ -292,6 +292,16 @@ fn printed_blocks_come_back() {
     assert!(count > 250, "{count}");
 }
 
+/// A second frame in DIN/ISO is the end of the program: it is refused.
+#[test]
+fn a_second_program_in_a_file_is_refused() {
+    let data = Data::shared();
+    let codes = Codes::new(&data.catalogue);
+    let program = read("two.h", "0 BEGIN PGM P MM\n1 L X+1\n2 BEGIN PGM P MM\n3 L X+2\n4 END PGM P MM\n");
+    let raised = to_iso(&program, &codes);
+    assert_eq!(raised.diagnostics.iter().map(|own| own.code).collect::<Vec<_>>(), ["iso-no-equivalent"]);
+}
+
 /// A code without coordinates would only change what acts, and an arc without radius is none: such blocks are reported
 /// and left out.
 #[test]

@@ -2,10 +2,10 @@
 use std::path::Path;
 use std::{env, fs};
 
-use ciklo::base::diag::Source;
+use ciklo::base::diag::{Arg, Source};
 use ciklo::check::{Against, LabelBook};
 use ciklo::language::locale::{Locales, Scope};
-use ciklo::program::syntax::encoding::{Charset, Encoding};
+use ciklo::program::syntax::encoding::{Charset, Encoding, decode_as};
 use ciklo::program::syntax::parse;
 use ciklo::spec::Catalogue;
 use ciklo::tools::translate::{Translation, translate};
@@ -127,6 +127,49 @@ fn a_label_that_the_file_cannot_write_stays() {
     assert_eq!(dwell.text, "1 CYCL DEF 200\nQ211=0.1 ;DWELL TIME AT DEPTH\n");
     let codes: Vec<_> = dwell.diagnostics.iter().map(|diagnostic| diagnostic.code).collect();
     assert_eq!(codes, ["label-not-encodable"]);
+}
+
+#[test]
+fn labels_that_stay_among_others_are_counted() {
+    let data = Data::new();
+    let text =
+        "1 CYCL DEF 200 DRILLING\nQ200=2 ;SET-UP CLEARANCE\nQ201=-15 ;HOW DEEP\nQ206=150 ;HOW FAST\nQ202=5 ;my own\n";
+    let translation = data.translate("tnc640", text, "it", UTF_8);
+    let codes: Vec<_> = translation.diagnostics.iter().map(|own| (own.code, own.severity.as_str())).collect();
+    assert_eq!(codes, [("labels-not-known", "note")]);
+    assert!(matches!(translation.diagnostics[0].get("count"), Some(Arg::Number(count)) if *count == 2.0));
+}
+
+#[test]
+fn a_definition_that_cannot_be_read_stays() {
+    let data = Data::new();
+    let text = "0 CYCL DEF 200 DRILLING\nQ200=2 ;SET-UP CLEARANCE\nQ206=1e5 ;X\n";
+    let translation = data.translate("tnc640", text, "it", UTF_8);
+    assert_eq!(translation.text, text);
+    assert_eq!(translation.diagnostics.iter().map(|own| own.code).collect::<Vec<_>>(), ["translate-unread"]);
+}
+
+#[test]
+fn a_foreign_definition_with_one_label_and_small_letters_is_read_by_numbers() {
+    let data = Data::new();
+    let text = "1 CYCL DEF 247 INIT. PT DE REF. ~\n  Q339=+15 ;NUMERO POINT DE REF.\n2 CYCL DEF 200 PERCAGE ~\n\
+                Q200=2 ;DISTANCE D'APPROCHE ~\nQ201=-20 ;PROFONDEUR ~\nQ206=150 ;AVANCE PLONGEE PROF. ~\n\
+                Q204=50 ;2eme DISTANCE D'APPROCHE\n";
+    let translation = data.translate("tnc640", text, "en", UTF_8);
+    let changed: Vec<_> = translation.changes.iter().map(|change| change.from.as_str()).collect();
+    for own in ["INIT. PT DE REF.", "NUMERO POINT DE REF.", "PERCAGE", "PROFONDEUR", "2eme DISTANCE D'APPROCHE"] {
+        assert!(changed.contains(&own), "{own} stays: {changed:?}");
+    }
+}
+
+#[test]
+fn code_pages_are_alike_where_a_text_has_the_same_bytes() {
+    let alike = |text: &str| WINDOWS_1252.alike(text).map(|own| own.charset).collect::<Vec<_>>();
+    assert!(alike("L X+5 ; 5° größer").contains(&Charset::Windows1250));
+    assert!(alike("; père").is_empty());
+    let bytes = [b';', 0xE8];
+    assert_eq!(decode_as(&bytes, Charset::Windows1250).map(|own| own.text).as_deref(), Some(";č"));
+    assert!(decode_as(&bytes, Charset::Utf8).is_none());
 }
 
 #[test]

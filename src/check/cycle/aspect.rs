@@ -86,4 +86,6 @@ pub enum Aspect {
     PerRevolution,
     /// A cycle has aligned the turning system for the tool.
     Aligned,
+    /// Another tool was called, and nothing has turned the spindle on since.
+    Unstarted,
 }

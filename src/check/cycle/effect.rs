@@ -211,10 +211,19 @@ impl Effect {
             "axis-scaling" => Aspect::AxisScaling,
             "tilting" => Aspect::Tilting,
             "cancel" => {
-                let cancels =
-                    |word: &Argument| matches!(word, Argument::One(name) if name.as_str() == "radius-compensation");
-                if matches!(argument, Argument::List(words) if words.iter().any(cancels)) {
-                    self.aspects.push((Aspect::Compensation, Tri::No.into()));
+                let Argument::List(words) = argument else { return };
+                for word in words {
+                    let Argument::One(name) = word else { continue };
+                    let aspect = match name.as_str() {
+                        "radius-compensation" => Aspect::Compensation,
+                        "datum-shift" => Aspect::DatumShift,
+                        "mirroring" => Aspect::Mirroring,
+                        "rotation" => Aspect::Rotation,
+                        "scaling" => Aspect::Scaling,
+                        "axis-scaling" => Aspect::AxisScaling,
+                        _ => continue,
+                    };
+                    self.aspects.push((aspect, Tri::No.into()));
                 }
                 return;
             }

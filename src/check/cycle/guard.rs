@@ -211,7 +211,7 @@ pub(in crate::check) const STATES: [(&str, Aspect); 9] = [
 ];
 
 /// What guards may ask about the tool.
-pub(in crate::check) const TOOL: [&str; 4] = ["radius", "angle", "lcuts", "pitch"];
+pub(in crate::check) const TOOL: [&str; 5] = ["radius", "angle", "lcuts", "pitch", "speed"];
 
 /// The Q parameter under which the guards read a parameter or field.
 pub(in crate::check) fn read_as(param: &Param) -> Option<QRef> {

@@ -34,6 +34,8 @@ pub(in crate::check) struct Limits {
     pub(in crate::check) speed: Option<f64>,
     /// Of a feed in mm/min.
     pub(in crate::check) feed: Option<f64>,
+    /// Of a coordinate in mm.
+    pub(in crate::check) coordinate: Option<f64>,
 }
 
 /// What is kept of a cycle for all its definitions.
@@ -231,7 +233,11 @@ impl<'a> LabelBook<'a> {
     pub(in crate::check) fn limits(&self, catalogue: &Catalogue) -> &Limits {
         self.limits.get_or_init(|| {
             let greatest = |quantity| catalogue.greatest(quantity);
-            Limits { speed: greatest(Quantity::Speed), feed: greatest(Quantity::Feed) }
+            Limits {
+                speed: greatest(Quantity::Speed),
+                feed: greatest(Quantity::Feed),
+                coordinate: greatest(Quantity::Length),
+            }
         })
     }
 
@@ -303,6 +309,20 @@ pub(crate) fn is_label(text: &str, most: u32) -> bool {
     let letters = text.chars().filter(|c| c.is_alphabetic());
     letters.count() > 1 && !text.chars().any(char::is_lowercase) && text.chars().count() <= most as usize
 }
+
+/// The same of a label that is known to be one by its place: a short word may have small letters (`2eme`), and other software
+/// than that of the manuals has longer ones.
+pub(crate) fn is_label_by_place(text: &str, most: u32) -> bool {
+    let (mut letters, mut small) = (0, 0);
+    for letter in text.chars().filter(|c| c.is_alphabetic()) {
+        letters += 1;
+        small += usize::from(letter.is_lowercase());
+    }
+    letters > 1 && small * 4 <= letters && text.chars().count() <= most as usize + LONGER
+}
+
+/// How much longer labels of other software are.
+const LONGER: usize = 6;
 
 /// Languages by their places among those of the book: a bit each. More than there are bits no one has labels in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -10,6 +10,6 @@ mod labels;
 pub use aspect::{Aspect, Tri};
 pub(super) use effect::{Effect, Then, probes, removes_material, stops_spindle};
 pub(super) use guard::{OFF, Ready, STATES, aspect_of, guards_of, read_as, replaced, state, tool};
-pub(crate) use labels::is_label;
 pub use labels::{CycleLabels, LabelBook, LanguageLabels, ParamLabels};
 pub(super) use labels::{Kept, LabelLanguages, fold};
+pub(crate) use labels::{is_label, is_label_by_place};

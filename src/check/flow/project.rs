@@ -8,6 +8,7 @@ use std::sync::Arc;
 use super::call_effect::CallEffect;
 use crate::base::diag::{Severity, Span};
 use crate::check::Against;
+use crate::check::machine::Machine;
 use crate::check::program::{Defined, Definition, Reading, bits, with_meaning};
 use crate::program::syntax::{BlockKind, Program, StatementKind, ValueKind};
 
@@ -26,6 +27,14 @@ pub trait Project: Sync {
     }
     /// The number in a column of the tool table, in mm or degrees; nothing if none is known.
     fn tool_value(&self, _tool: ToolName<'_>, _column: &str) -> Option<f64> {
+        None
+    }
+    /// The word in a column of the tool table; nothing if none is known.
+    fn tool_word(&self, _tool: ToolName<'_>, _column: &str) -> Option<&str> {
+        None
+    }
+    /// What the machine can do, as far as anything is known of that.
+    fn machine(&self) -> Option<&Machine> {
         None
     }
     /// Whether it is known of any table which rows it has.

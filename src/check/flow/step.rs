@@ -10,7 +10,7 @@ use crate::check::cycle::{Aspect, Tri};
 use crate::check::program::{Hides, Reading, each_function, hides};
 use crate::program::syntax::{
     Amount, Axis, Block, BlockKind, CallForm, Compensates, Element, Feed, FeedKind, FnAssign, FnOp, NamedWord, Operand,
-    Path, Program, Statement, StatementKind, ValueKind,
+    Path, Program, Statement, StatementKind, ToolRef, ValueKind,
 };
 
 /// What stepping needs besides the state.
@@ -75,6 +75,7 @@ impl<'f, 'a> Steps<'f, 'a> {
             // What else an M function does is the machine builder's affair.
             _ => {
                 state.modal.set(Aspect::Spindle, Tri::Unknown);
+                state.modal.set(Aspect::Unstarted, Tri::Unknown);
                 state.modal.set(Aspect::Counterclockwise, Tri::Unknown);
                 tool_unknown(&mut state.modal);
             }
@@ -114,7 +115,9 @@ impl<'f, 'a> Steps<'f, 'a> {
                 tool_unknown(&mut state.modal);
             }
             BlockKind::ToolCall(call) => {
-                if call.tool.is_some() {
+                if let Some(tool) = call.tool {
+                    let other = self.is_other(tool, state);
+                    state.modal.set(Aspect::Unstarted, other);
                     let named = if call.axis.is_some() { Tri::Yes } else { Tri::Unknown };
                     state.modal.set(Aspect::Tool, named);
                     state.modal.set(Aspect::Probed, Tri::No);
@@ -200,6 +203,25 @@ impl<'f, 'a> Steps<'f, 'a> {
         }
     }
 
+    /// Whether a tool is another one than that in the spindle.
+    fn is_other(&self, tool: ToolRef, state: &State) -> Tri {
+        let Loaded::By(block) = state.modal.loaded else { return Tri::Unknown };
+        let Some(BlockKind::ToolCall(before)) = self.program.blocks().get(block as usize).map(|block| &block.kind)
+        else {
+            return Tri::Unknown;
+        };
+        match (before.tool, tool) {
+            (Some(ToolRef::Number(one)), ToolRef::Number(other)) => match (value(&one, state), value(&other, state)) {
+                (Known::Number(one), Known::Number(other)) => Tri::of(Some(libm::trunc(one) != libm::trunc(other))),
+                _ => Tri::Unknown,
+            },
+            (Some(ToolRef::Name(one)), ToolRef::Name(other)) => {
+                Tri::of(Some(self.program.slice(one).trim() != self.program.slice(other).trim()))
+            }
+            _ => Tri::Unknown,
+        }
+    }
+
     /// What a block that cannot be read may have done.
     fn unread(&self, block: &Block, state: &mut State) {
         match hides(self.program, block) {
@@ -208,6 +230,7 @@ impl<'f, 'a> Steps<'f, 'a> {
                 for aspect in [
                     Aspect::Spindle,
                     Aspect::Stopped,
+                    Aspect::Unstarted,
                     Aspect::Counterclockwise,
                     Aspect::Feed,
                     Aspect::Pole,
@@ -229,6 +252,7 @@ impl<'f, 'a> Steps<'f, 'a> {
                     Aspect::Feed,
                     Aspect::Spindle,
                     Aspect::Stopped,
+                    Aspect::Unstarted,
                     Aspect::Counterclockwise,
                 ] {
                     state.modal.set(aspect, Tri::Unknown);
@@ -299,6 +323,7 @@ impl<'f, 'a> Steps<'f, 'a> {
             }
             StatementKind::Function if word(0) == "FUNCTION" && matches!(word(1), "MODE" | "TURNDATA") => {
                 for aspect in [
+                    Aspect::Unstarted,
                     Aspect::Counterclockwise,
                     Aspect::Speed,
                     Aspect::Feed,
@@ -460,6 +485,7 @@ fn start(block: &Block, modal: &mut Modal) {
         if matches!(number, 3 | 4 | 13 | 14) {
             modal.set(Aspect::Spindle, Tri::Yes);
             modal.set(Aspect::Stopped, Tri::No);
+            modal.set(Aspect::Unstarted, Tri::No);
             modal.set(Aspect::Counterclockwise, Tri::of(Some(matches!(number, 4 | 14))));
         }
     });

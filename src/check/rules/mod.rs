@@ -1,6 +1,7 @@
 //! The rules, one file each.
 mod approach_twice;
 mod approach_without_compensation;
+mod approach_wrong;
 mod arc_direction_missing;
 mod arc_in_unequal_scaling;
 mod arc_too_narrow;
@@ -29,6 +30,7 @@ mod contour_not_selected;
 mod contour_undeclared;
 mod contour_wrong;
 mod coordinate_out_of_place;
+mod coordinate_out_of_range;
 mod corner_wrong;
 mod cutting_without_tool;
 mod cycle_line_empty;
@@ -67,10 +69,13 @@ mod label_undefined;
 mod languages_mixed;
 mod loop_endless;
 mod machine_coordinates_compensated;
+mod machine_limit;
+mod machining_outside_blank;
 mod main_runs_into_subprogram;
 mod meaningless_value;
 mod measuring_height_below_floor;
 mod metric_values_in_inch;
+mod milling_deeper_than_edges;
 mod mirror_of_tool_axis;
 mod misordered_parameter;
 mod missing_parameter;
@@ -90,10 +95,12 @@ mod pattern_combination;
 mod pattern_missing;
 mod pattern_wrong;
 mod plane_incomplete;
+mod plane_left_on;
 mod plane_not_positioned;
 mod plane_not_reset;
 mod pole_missing;
 mod position_after_contour;
+mod preset_row_wrong;
 mod probe_while_turning;
 mod probed_axis_missing;
 mod program_begin_missing;
@@ -107,28 +114,35 @@ mod radius_missing;
 mod rapid_into_blank;
 mod repeat_count_wrong;
 mod repeat_of_later_label;
+mod repeat_without_effect;
 mod reserved_parameter;
 mod reset_order_wrong;
 mod retract_missing;
 mod row_not_in_table;
+mod slot_too_narrow;
 mod speed_missing;
 mod speed_out_of_range;
 mod spindle_direction;
 mod spindle_off;
+mod spindle_start_wrong;
 mod sql_handle_missing;
 mod subprogram_end_without_label;
 mod subprogram_recursive;
 mod subprogram_runs_on;
 mod subprogram_without_end;
+mod tap_without_hole;
 mod tcpm_left_on;
+mod tcpm_missing;
 mod text_for_number;
 mod text_wrong;
 mod tool_axis_missing;
 mod tool_axis_other;
+mod tool_called_twice;
 mod tool_definition_wrong;
 mod tool_feed_missing;
 mod tool_missing;
 mod tool_not_listed;
+mod tool_table_contradicts;
 mod tool_unused;
 mod transfer_parameter_overwritten;
 mod transformation_forbidden;
@@ -153,6 +167,7 @@ use crate::base::diag::Diagnostic;
 pub const RULES: &[&Rule] = &[
     &approach_twice::RULE,
     &approach_without_compensation::RULE,
+    &approach_wrong::RULE,
     &arc_in_unequal_scaling::RULE,
     &arc_too_narrow::RULE,
     &arc_without_tangent::RULE,
@@ -179,6 +194,7 @@ pub const RULES: &[&Rule] = &[
     &contour_not_selected::RULE,
     &contour_wrong::RULE,
     &coordinate_out_of_place::RULE,
+    &coordinate_out_of_range::RULE,
     &corner_wrong::RULE,
     &cutting_without_tool::RULE,
     &cycle_line_zero_missing::RULE,
@@ -218,9 +234,12 @@ pub const RULES: &[&Rule] = &[
     &languages_mixed::RULE,
     &loop_endless::RULE,
     &machine_coordinates_compensated::RULE,
+    &machine_limit::RULE,
+    &machining_outside_blank::RULE,
     &main_runs_into_subprogram::RULE,
     &measuring_height_below_floor::RULE,
     &metric_values_in_inch::RULE,
+    &milling_deeper_than_edges::RULE,
     &mirror_of_tool_axis::RULE,
     &misordered_parameter::RULE,
     &missing_parameter::RULE,
@@ -240,10 +259,12 @@ pub const RULES: &[&Rule] = &[
     &pattern_missing::RULE,
     &pattern_wrong::RULE,
     &plane_incomplete::RULE,
+    &plane_left_on::RULE,
     &plane_not_positioned::RULE,
     &plane_not_reset::RULE,
     &pole_missing::RULE,
     &position_after_contour::RULE,
+    &preset_row_wrong::RULE,
     &probe_while_turning::RULE,
     &probed_axis_missing::RULE,
     &program_begin_missing::RULE,
@@ -256,29 +277,36 @@ pub const RULES: &[&Rule] = &[
     &rapid_into_blank::RULE,
     &repeat_count_wrong::RULE,
     &repeat_of_later_label::RULE,
+    &repeat_without_effect::RULE,
     &reserved_parameter::RULE,
     &reset_order_wrong::RULE,
     &retract_missing::RULE,
     &row_not_in_table::RULE,
+    &slot_too_narrow::RULE,
     &program_not_selected::RULE,
     &speed_missing::RULE,
     &speed_out_of_range::RULE,
     &spindle_direction::RULE,
     &spindle_off::RULE,
+    &spindle_start_wrong::RULE,
     &sql_handle_missing::RULE,
     &subprogram_end_without_label::RULE,
     &subprogram_recursive::RULE,
     &subprogram_runs_on::RULE,
     &subprogram_without_end::RULE,
+    &tap_without_hole::RULE,
     &tcpm_left_on::RULE,
+    &tcpm_missing::RULE,
     &text_for_number::RULE,
     &text_wrong::RULE,
     &tool_axis_missing::RULE,
     &tool_axis_other::RULE,
+    &tool_called_twice::RULE,
     &tool_definition_wrong::RULE,
     &tool_feed_missing::RULE,
     &tool_missing::RULE,
     &tool_not_listed::RULE,
+    &tool_table_contradicts::RULE,
     &wrong_tool_type::RULE,
     &tool_unused::RULE,
     &transfer_parameter_overwritten::RULE,

@@ -31,7 +31,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 }
 
 /// Whether the tool of a movement is there to cut: it was called with a speed, and nothing is probed in the program.
-fn mills(facts: &Facts<'_>, span: Span) -> bool {
+pub(super) fn mills(facts: &Facts<'_>, span: Span) -> bool {
     let at = facts.program.blocks().partition_point(|block| block.span.start < span.start);
     let Some(Loaded::By(call)) = facts.run.before(at.saturating_sub(1)).map(|modal| modal.loaded) else { return false };
     let block = facts.program.blocks().get(call as usize).map(|block| &block.kind);

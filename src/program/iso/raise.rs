@@ -205,9 +205,17 @@ impl Raising<'_, '_> {
         lines.filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
     }
 
+    /// Whether a block is the first that begins a program.
+    fn is_first(&self, block: &Block) -> bool {
+        let begins = |own: &&Block| matches!(own.kind, BlockKind::BeginPgm(_));
+        self.program.blocks().iter().find(begins).is_some_and(|first| first.span == block.span)
+    }
+
     fn content(&self, block: &Block) -> Written {
         let whole = self.program.content(block);
         Ok(match &block.kind {
+            // A second one would be read back as the end of the program.
+            BlockKind::BeginPgm(_) if !self.is_first(block) => return Err(no_equivalent(whole)),
             BlockKind::BeginPgm(frame) | BlockKind::EndPgm(frame) => {
                 format!("%{} {}", self.text(frame.name), if frame.inch { "G70" } else { "G71" })
             }

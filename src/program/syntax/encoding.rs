@@ -130,7 +130,45 @@ fn is_central(byte: u8, before: bool, after: bool) -> bool {
     }
 }
 
+/// Reads a file's bytes as of a character set; nothing if they could not be written back with it.
+pub fn decode_as(bytes: &[u8], charset: Charset) -> Option<Decoded> {
+    let bom = bytes.starts_with(BOM);
+    let text = match charset {
+        Charset::Utf8 if bom => std::str::from_utf8(bytes.get(BOM.len()..)?).ok()?.to_owned(),
+        Charset::Utf8 => std::str::from_utf8(bytes).ok()?.to_owned(),
+        Charset::Utf16Le | Charset::Utf16Be => decode_16(charset, bytes.get(2..)?)?,
+        page => page.page()?.decode_without_bom_handling(bytes).0.into_owned(),
+    };
+    let encoding = Encoding {
+        charset,
+        bom: matches!(charset, Charset::Utf16Le | Charset::Utf16Be) || (charset == Charset::Utf8 && bom),
+    };
+    let again = encoding.encode(&text).is_ok_and(|again| again == bytes);
+    again.then_some(Decoded { text, encoding })
+}
+
 impl Charset {
+    /// All of them, with the names by which people ask for them.
+    pub const NAMES: [(&'static str, Self); 7] = [
+        ("utf-8", Self::Utf8),
+        ("windows-1252", Self::Windows1252),
+        ("windows-1250", Self::Windows1250),
+        ("windows-1251", Self::Windows1251),
+        ("gbk", Self::Gbk),
+        ("utf-16le", Self::Utf16Le),
+        ("utf-16be", Self::Utf16Be),
+    ];
+
+    /// The one of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::NAMES.iter().find(|(own, _)| own.eq_ignore_ascii_case(name)).map(|(_, charset)| *charset)
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, own)| *own == self).map_or("", |(name, _)| name)
+    }
+
     /// The code page, if it is one.
     fn page(self) -> Option<&'static encoding_rs::Encoding> {
         match self {
@@ -144,6 +182,24 @@ impl Charset {
 }
 
 impl Encoding {
+    /// The code pages in which a text has the same bytes as in this one, this one left out.
+    pub fn alike<'t>(self, text: &'t str) -> impl Iterator<Item = Self> + 't {
+        let pages = [Charset::Windows1250, Charset::Windows1252, Charset::Windows1251];
+        let own = self.charset.page();
+        let same = move |other: &Self| {
+            let mut buffer = [0; 4];
+            other.charset != self.charset
+                && own.zip(other.charset.page()).is_some_and(|(own, other)| {
+                    text.chars().filter(|c| !c.is_ascii()).all(|c| {
+                        let c = c.encode_utf8(&mut buffer);
+                        let (one, two) = (own.encode(c), other.encode(c));
+                        !one.2 && !two.2 && one.0 == two.0
+                    })
+                })
+        };
+        pages.map(|charset| Self { charset, bom: false }).into_iter().filter(same)
+    }
+
     /// The bytes of `text` in this encoding, or the first character that it cannot write.
     pub fn encode(self, text: &str) -> Result<Cow<'_, [u8]>, char> {
         match self.charset {

@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 
 use crate::base::diag::{Arg, Diagnostic, Place, Severity, Span};
-use crate::check::{Against, Definition, Facts, ParamLabels, Speech, is_label, speech};
+use crate::check::{Against, Definition, Facts, ParamLabels, Speech, is_label, is_label_by_place, speech};
 use crate::program::syntax::Program;
 use crate::program::syntax::encoding::Encoding;
 
@@ -96,13 +96,17 @@ pub fn replacing<'a, T>(
     then: impl FnOnce(&mut dyn Iterator<Item = Replacement<'a>>) -> T,
 ) -> (T, Told) {
     let facts = Facts::spoken(program, against);
-    let mut writer = Writer { facts: &facts, to, encoding, changes: Vec::new(), diagnostics: Vec::new() };
+    let mut writer = Writer { facts: &facts, to, encoding, changes: Vec::new(), diagnostics: Vec::new(), left: None };
     let mut sources = BTreeMap::new();
     // The first definition in a language that is not known, and how many there are.
     let mut foreign: Option<(Span, usize)> = None;
     let mut definitions = facts.described();
     let of_next = || {
         let (definition, _) = definitions.next()?;
+        if definition.torn {
+            writer.torn(&definition);
+            return Some(Vec::new());
+        }
         let spoken = speech(&facts, &definition);
         // Whose language is given is not read by its numbers.
         let unknown = spoken == Speech::Foreign && against.language.is_none();
@@ -122,6 +126,11 @@ pub fn replacing<'a, T>(
     // What no one has asked for is reported all the same.
     all.for_each(drop);
     let mut diagnostics = writer.diagnostics;
+    if let Some((first, count)) = writer.left {
+        let place = Place::new(program.source(), first);
+        let note = Diagnostic { severity: Severity::Note, ..Diagnostic::error("labels-not-known", place) };
+        diagnostics.push(note.arg("count", Arg::Number(count as f64)));
+    }
     if let Some((first, count)) = foreign {
         let place = Place::new(program.source(), first);
         let note = Diagnostic { severity: Severity::Note, ..Diagnostic::error("labels-of-unknown-language", place) };
@@ -136,9 +145,21 @@ struct Writer<'f, 'a> {
     encoding: Encoding,
     changes: Vec<Replacement<'a>>,
     diagnostics: Vec<Diagnostic>,
+    /// The first label that stays because no language has it, in a definition of which others are known; how many do.
+    left: Option<(Span, usize)>,
 }
 
 impl<'a> Writer<'_, 'a> {
+    /// A definition with a line that cannot be read stays as it is: what the line was to say is not known.
+    fn torn(&mut self, definition: &Definition<'_>) {
+        let written = definition.view.name.is_some() || definition.items.iter().any(|item| item.label.is_some());
+        if written {
+            let place = Place::new(self.facts.program.source(), definition.view.head);
+            let stays = Diagnostic { severity: Severity::Warning, ..Diagnostic::error("translate-unread", place) };
+            self.diagnostics.push(stays.arg("cycle", definition.key.to_string()));
+        }
+    }
+
     /// Replaces the name and the labels of a definition; with `by_number` also those that only have the form of labels.
     fn definition(&mut self, definition: &Definition<'_>, by_number: bool) {
         let facts = self.facts;
@@ -155,13 +176,22 @@ impl<'a> Writer<'_, 'a> {
             let known = known || (by_number && is_label(facts.text(name), most));
             self.replace(name, known, target.map(|target| &target.name), &key, &key);
         }
+        // What is like a label stays without a word only where no label is known: it is the programmer's then.
+        let (mut replaced, mut left) = (false, Vec::new());
         for item in &definition.items {
             let (Some(index), Some(span)) = (item.index, item.label) else { continue };
             let label = facts.text(span);
             let known = own(&|language| language.params.get(index).is_some_and(|own| own.matches(label)));
             let other = || labels.languages.iter().any(|own| own.params.iter().any(|own| own.matches(label)));
-            let known = known || (by_number && is_label(label, most) && !other());
+            if !known && !by_number && from.is_none() && is_label(label, most) && !other() {
+                left.push(span);
+            }
+            replaced |= known;
+            let known = known || (by_number && is_label_by_place(label, most) && !other());
             self.replace(span, known, target.and_then(|target| target.params.get(index)), &item.name, &key);
+        }
+        if let Some(first) = left.first().filter(|_| replaced) {
+            self.left.get_or_insert((*first, 0)).1 += left.len();
         }
     }
 

@@ -1,5 +1,5 @@
 //! What a formula measures, by what is in it.
-use super::{ANGLE, COORDINATE, DISTANCE, FEED, LENGTH, Measure, NUMBER, Reader, Unit, plain};
+use super::{ANGLE, COORDINATE, DISTANCE, FEED, LENGTH, Measure, NUMBER, Reader, Unit, plain, unit};
 use crate::base::diag::Place;
 use crate::base::expr::{Expr, Func, Node, Op};
 use crate::spec::{Quantity, Reference};
@@ -56,6 +56,7 @@ impl Reader<'_> {
             (Some("here" | "start"), Some("main" | "minor" | "tool")) => COORDINATE,
             (Some("here" | "start" | "machine_point" | "machine_length"), _) => LENGTH,
             (Some("tool"), Some("radius" | "length" | "lcuts" | "pitch" | "corner_radius")) => DISTANCE,
+            (Some("tool"), Some("speed")) => plain(unit(Quantity::Speed)),
             (Some("probe"), Some("set_up" | "dist" | "ball_radius")) => DISTANCE,
             (Some("probe"), Some("offset")) => LENGTH,
             (Some("probe"), Some("feed" | "fmax")) => FEED,

@@ -4,17 +4,24 @@
 //!
 //! Invariant: only what is certain. Places are known in the order of the text from label to label; a transformation, a
 //! rotary axis away from zero, a cycle, a function that moves the machine or a block that may be skipped ends that. What
-//! a cycle other than one for holes, or an arc, removes is not known: nothing is said of material after it.
+//! a cycle other than one for holes and pockets removes is not known: nothing is said of material after it.
+mod contour;
+mod holes;
+mod places;
+
 use std::collections::BTreeSet;
 
+use self::contour::Course;
+use self::holes::Holes;
 use super::blank::{AXES, Blank, is_unmoved};
+use super::cycle::{probes, removes_material};
 use super::incident::Incident;
-use super::program::{is_silent, number, with_meaning};
+use super::program::{is_silent, with_meaning};
 use super::tools::Tools;
-use super::{Aspect, CycleCall, Defined, Facts, Modal, Pending, Tri};
+use super::{Aspect, Defined, Facts, Modal, Tri};
 use crate::base::diag::Span;
 use crate::program::syntax::{Axis, Block, BlockKind, Compensates, Coord, Element, Motion, Path, StatementKind};
-use crate::spec::{Cycle, Group, Keyword, MM_PER_INCH, TakesEffect};
+use crate::spec::{MM_PER_INCH, TakesEffect};
 
 /// How far a tool is sure to reach that is not known, in millimetres.
 const REACH: f64 = 60.0;
@@ -22,15 +29,8 @@ const REACH: f64 = 60.0;
 const SKIN: f64 = 0.01;
 /// So far above the blank a rotary axis does not turn at rapid, in millimetres.
 const CLEAR: f64 = 5.0;
-/// How far above the blank holes may begin, which may be drawn too small, in millimetres.
-const ALLOWANCE: f64 = 50.0;
-/// How far they may go through it: the tip of a drill, in millimetres.
-const TIP: f64 = 25.0;
-/// The meanings of the values of holes.
-const SURFACE: &str = "surface-coordinate";
-const DEPTHS: [&str; 2] = ["depth", "thread-depth"];
-/// The meaning of a value that only cycles for milling have.
-const MILLED: &str = "milling-type";
+/// The meaning of a value that names a preset.
+const PRESET: &str = "preset-number";
 /// So many places that are cut are remembered.
 const MANY: usize = 1 << 8;
 
@@ -55,13 +55,33 @@ struct Walk<'f, 'a> {
     /// Whether anything may have been cut.
     open: bool,
     /// The definitions of holes that were looked at.
-    holes: BTreeSet<Option<u32>>,
+    judged: BTreeSet<Option<u32>>,
+    /// The holes that were made.
+    holes: Holes,
+    /// The places of the last PATTERN DEF.
+    pattern: Option<Vec<[f64; 2]>>,
+    /// Where the contour goes.
+    course: Course,
     found: Vec<(Span, Incident)>,
 }
 
 /// What happens to the blank, with its places: found when a rule first asks for it.
 pub(super) fn incidents<'f>(facts: &'f Facts<'_>) -> &'f [(Span, Incident)] {
     facts.incidents.get_or_init(|| found(facts))
+}
+
+/// The first block from which on another preset may be active than the one that the blank refers to: the first one that
+/// is activated is that one, unless something was probed or machined before.
+fn another_preset(facts: &Facts<'_>) -> usize {
+    let presets = |own: &&Defined<'_>| own.related_cycle().is_some_and(|cycle| with_meaning(cycle, PRESET).is_some());
+    let worked = |own: &Defined<'_>| own.related_cycle().is_some_and(|cycle| probes(cycle) || removes_material(cycle));
+    let first_work = facts.definitions.iter().find(|own| worked(own)).map_or(usize::MAX, |own| own.view.first);
+    let mut all = facts.definitions.iter().filter(presets).map(|own| own.view.first);
+    match all.next() {
+        Some(first) if first > first_work => first,
+        Some(_) => all.next().unwrap_or(usize::MAX),
+        None => usize::MAX,
+    }
 }
 
 /// What happens to the blank of a program, with its places in the order of the text.
@@ -79,21 +99,26 @@ fn found(facts: &Facts<'_>) -> Vec<(Span, Incident)> {
         turned: [false; 3],
         cuts: Vec::new(),
         open: false,
-        holes: BTreeSet::new(),
+        judged: BTreeSet::new(),
+        holes: Holes::default(),
+        pattern: None,
+        course: Course::default(),
         found: Vec::new(),
     };
+    let until = another_preset(facts);
     let mut calls = facts.run.calls.iter().peekable();
     for (from, to, modal) in facts.run.stretches() {
         let usual = modal.filter(|own| is_unmoved(own) && own.is(Aspect::OtherAxis) != Tri::Yes);
         let usual = usual.filter(|own| own.is(Aspect::Turning) == Tri::No);
-        for (index, block) in facts.program.blocks().iter().enumerate().take(to).skip(from) {
+        for (index, block) in facts.program.blocks().iter().enumerate().take(to.min(until)).skip(from) {
             while calls.next_if(|call| call.block < index).is_some() {}
             match usual {
                 Some(modal) if !block.skip => walk.block(index, block, &modal),
                 _ => walk.lose(),
             }
             while let Some(call) = calls.next_if(|call| call.block == index) {
-                walk.call(call);
+                let places = walk.places_of_call(block);
+                walk.machine(&call.modal, call.span, places);
             }
         }
     }
@@ -113,7 +138,7 @@ impl Walk<'_, '_> {
     fn block(&mut self, index: usize, block: &Block, modal: &Modal) {
         match &block.kind {
             _ if is_silent(block) => {}
-            BlockKind::Motion(motion) => self.motion(block, motion, modal),
+            BlockKind::Motion(motion) => self.motion(index, block, motion, modal),
             BlockKind::BeginPgm(_) | BlockKind::BlkForm(_) | BlockKind::ToolDef(_) | BlockKind::FnAssign(_) => {}
             BlockKind::Formula(_) | BlockKind::TextFormula(_) | BlockKind::OldCycleLine(_) => {}
             BlockKind::Functions(list) if list.iter().all(|own| is_plain(own.number)) => {}
@@ -127,12 +152,20 @@ impl Walk<'_, '_> {
             }
             BlockKind::CycleDef(_) => {
                 let own = self.facts.definition_at(index);
+                if let Some(own) = own.filter(|own| own.calls_last()) {
+                    let related = own.as_related_cycle();
+                    let places = places::of_cycle(&self.facts.read(&related));
+                    self.machine(modal, own.view.head, places);
+                    self.lose();
+                }
                 // What acts when it is defined may move the tool.
                 if own.is_none_or(|own| own.takes_effect() != Some(TakesEffect::OnCall)) {
                     self.lose();
                 }
             }
             BlockKind::CyclCall(_) => {}
+            BlockKind::PatternDef(own) => self.pattern = places::of_pattern(self.facts, own),
+            BlockKind::Sel(_) => self.pattern = None,
             BlockKind::Statement(own) if own.kind == StatementKind::Plane => {
                 let text = self.facts.text(self.facts.content(block)).to_ascii_uppercase();
                 let turns = text.contains(" TURN") && modal.is(Aspect::Tcpm) == Tri::No;
@@ -143,7 +176,10 @@ impl Walk<'_, '_> {
             }
             _ => {
                 self.lose();
-                self.open |= !matches!(block.kind, BlockKind::Statement(_) | BlockKind::Functions(_));
+                if !matches!(block.kind, BlockKind::Statement(_) | BlockKind::Functions(_)) {
+                    self.open = true;
+                    self.holes.lose();
+                }
             }
         }
     }
@@ -155,10 +191,17 @@ impl Walk<'_, '_> {
         (below && self.blank.holds(x, y) && self.turned == [false; 3]).then_some(z)
     }
 
-    fn motion(&mut self, block: &Block, motion: &Element, modal: &Modal) {
+    fn motion(&mut self, index: usize, block: &Block, motion: &Element, modal: &Modal) {
         let outline = motion.outline();
         match motion.path() {
-            Path::Rnd | Path::Chf | Path::Cc => return,
+            Path::Rnd | Path::Chf => return,
+            Path::Cc => {
+                let words = motion.words();
+                self.course.centre = self.place(&words);
+                return;
+            }
+            Path::Appr(form) => return self.approach(index, block, form, &motion.words(), modal),
+            Path::Dep(form) => return self.depart(block, form, &motion.words(), modal),
             Path::L | Path::C | Path::Cr | Path::Ct if outline.has_coords() => {}
             Path::L if !outline.has_functions() => return,
             _ => {
@@ -187,11 +230,16 @@ impl Walk<'_, '_> {
                 self.tell(block, Incident::Rapid(height));
             }
         } else {
-            let stands = modal.is(Aspect::Spindle) == Tri::No && !outline.has_functions();
-            if stands && self.goes_through(from) {
-                self.tell(block, Incident::Standing);
+            let spindle = match (modal.is(Aspect::Spindle), modal.is(Aspect::Unstarted)) {
+                (Tri::No, _) => Some(Incident::Standing),
+                (_, Tri::Yes) => Some(Incident::Unstarted),
+                _ => None,
+            };
+            if let Some(incident) = spindle.filter(|_| !outline.has_functions() && self.goes_through(from)) {
+                self.tell(block, incident);
             }
-            self.cut(from, motion.path(), modal);
+            self.look_at_contour(from, block, &words, modal);
+            self.cut(from, &words, modal);
         }
     }
 
@@ -216,6 +264,15 @@ impl Walk<'_, '_> {
         }
     }
 
+    /// The place of the plane that words name, from where the tool is.
+    fn place(&self, words: &Motion) -> Option<[f64; 2]> {
+        let axis = |place: usize| match words.coord(AXES[place]) {
+            Some(coord) => self.target(coord, self.at[place]),
+            None => self.at[place],
+        };
+        Some([axis(0)?, axis(1)?])
+    }
+
     fn target(&self, coord: &Coord, from: Option<f64>) -> Option<f64> {
         let value = self.facts.number(&coord.value)?;
         if coord.incremental { Some(from? + value) } else { Some(value) }
@@ -234,7 +291,7 @@ impl Walk<'_, '_> {
         if lifts || self.open {
             return None;
         }
-        let (first, last) = self.clipped(begin, to)?;
+        let (first, last) = self.clipped(begin, to, SKIN)?;
         const SAMPLES: i32 = 16;
         let mut samples = (0..=SAMPLES).map(|step| {
             let part = first + (last - first) * f64::from(step) / f64::from(SAMPLES);
@@ -252,12 +309,12 @@ impl Walk<'_, '_> {
     /// Whether a movement from a place to the one where the tool is goes through the blank.
     fn goes_through(&self, from: [Option<f64>; 3]) -> bool {
         let ([Some(a), Some(b), Some(c)], [Some(x), Some(y), Some(z)]) = (from, self.at) else { return false };
-        from != self.at && self.clipped([a, b, c], [x, y, z]).is_some()
+        from != self.at && self.clipped([a, b, c], [x, y, z], SKIN).is_some()
     }
 
-    /// The part of a movement that is inside of the blank.
-    fn clipped(&self, begin: [f64; 3], to: [f64; 3]) -> Option<(f64, f64)> {
-        let skin = SKIN * self.unit;
+    /// The part of a movement that is inside of the blank by so many millimetres.
+    fn clipped(&self, begin: [f64; 3], to: [f64; 3], skin: f64) -> Option<(f64, f64)> {
+        let skin = skin * self.unit;
         let (mut first, mut last) = (0.0_f64, 1.0_f64);
         for axis in 0..3 {
             let (low, high) = (self.blank.low[axis] + skin, self.blank.high[axis] - skin);
@@ -281,15 +338,25 @@ impl Walk<'_, '_> {
         tool.map_or(REACH * self.unit, |tool| 2.0 * tool.radius)
     }
 
-    /// Notes what a movement at feed removes.
-    fn cut(&mut self, from: [Option<f64>; 3], path: Path, modal: &Modal) {
-        let ([Some(x), Some(y), Some(z)], Path::L) = (self.at, path) else {
+    /// Notes what a movement at feed removes: of an arc the square around it.
+    fn cut(&mut self, from: [Option<f64>; 3], words: &Motion, modal: &Modal) {
+        let [Some(x), Some(y), Some(z)] = self.at else {
+            self.open = true;
+            return;
+        };
+        let beyond = match words.path {
+            Path::L => Some(0.0),
+            Path::C => self.course.centre.map(|centre| 2.0 * libm::hypot(x - centre[0], y - centre[1])),
+            Path::Cr => words.radius.and_then(|own| self.facts.number(&own)).map(|radius| 2.0 * radius.abs()),
+            _ => None,
+        };
+        let Some(beyond) = beyond else {
             self.open = true;
             return;
         };
         let begin = [from[0].unwrap_or(x), from[1].unwrap_or(y), from[2].unwrap_or(z)];
         self.open |= from.contains(&None) && begin != [x, y, z];
-        let reach = self.reach(modal);
+        let reach = self.reach(modal) + beyond;
         self.remember(Cut {
             low: [begin[0].min(x) - reach, begin[1].min(y) - reach],
             high: [begin[0].max(x) + reach, begin[1].max(y) + reach],
@@ -302,58 +369,6 @@ impl Walk<'_, '_> {
             self.cuts.push(cut);
         } else {
             self.open = true;
-        }
-    }
-
-    /// A cycle is called where the tool is.
-    fn call(&mut self, call: &CycleCall) {
-        let facts = self.facts;
-        self.at[2] = None;
-        let index = match call.modal.pending {
-            Pending::Definition(index) => Some(index),
-            Pending::None | Pending::Unknown => None,
-        };
-        let definition = index.and_then(|index| facts.definitions.get(index as usize));
-        let hole = definition.filter(|own| {
-            let makes_hole = |cycle: &Cycle| match cycle.file.group {
-                Group::Drilling => true,
-                Group::Threads => with_meaning(cycle, MILLED).is_none(),
-                _ => false,
-            };
-            own.key.keyword == Keyword::CyclDef && own.related_cycle().is_some_and(makes_hole)
-        });
-        let (Some(definition), [Some(x), Some(y), _]) = (hole, self.at) else {
-            self.open = true;
-            return self.lose();
-        };
-        let usual = is_unmoved(&call.modal) && call.modal.is(Aspect::OtherAxis) != Tri::Yes;
-        if usual && self.turned == [false; 3] {
-            self.hole(call, index, definition, [x, y]);
-        }
-        let reach = REACH * self.unit;
-        self.remember(Cut { low: [x - reach, y - reach], high: [x + reach, y + reach], floor: f64::NEG_INFINITY });
-    }
-
-    /// A hole at a place: what is wrong with its definition is said at its first call.
-    fn hole(&mut self, call: &CycleCall, index: Option<u32>, definition: &Defined<'_>, at: [f64; 2]) {
-        if self.blank.lacks(at[0], at[1]) {
-            return self.found.push((call.span, Incident::Beside(at)));
-        }
-        if !self.holes.insert(index) {
-            return;
-        }
-        let related = definition.as_related_cycle();
-        let read = self.facts.read(&related);
-        let value = |meaning: &str| read.item(meaning).and_then(number);
-        let Some(surface) = value(SURFACE) else { return };
-        let place = read.item(SURFACE).map_or(definition.view.head, |item| item.span);
-        let allowance = ALLOWANCE * self.unit;
-        if surface > self.blank.high[2] + allowance || surface < self.blank.low[2] {
-            return self.found.push((place, Incident::Surface(surface)));
-        }
-        let depth = DEPTHS.iter().find_map(|meaning| Some((value(meaning)?, read.item(meaning)?.span)));
-        if let Some((depth, place)) = depth.filter(|(depth, _)| surface + depth < self.blank.low[2] - TIP * self.unit) {
-            self.found.push((place, Incident::Through(surface + depth)));
         }
     }
 }

@@ -1,0 +1,55 @@
+# Findings of the checker on tools, the spindle, presets and what the machine and the blank allow.
+diag-approach-wrong =
+    { $what ->
+        [arc] The arc with the radius { $value } does not fit between this point and the contour.
+       *[plunged] The contour begins where the tool has plunged.
+    }
+diag-config-unknown-machine = There is no machine setting “{ $key }”; there are { $expected }.
+diag-coordinate-out-of-range = The coordinate { $value } is out of range: { $limit } is the greatest value that the manuals allow.
+diag-labels-not-known =
+    { $count ->
+        [one] One label here has the form of a label, but no language has it for this parameter: it stays. --relabel replaces it.
+       *[other] { $count } labels from here on have the form of labels, but no language has them for their parameters: they stay. --relabel replaces them.
+    }
+diag-machine-limit =
+    { $what ->
+        [speed] The spindle speed { $value } is above { $limit }, the maximum of the machine.
+        [feed] The feed rate { $value } is above { $limit }, the maximum of the machine.
+        [helix] The helix of { $value } degrees is longer than { $limit }, the maximum of the machine.
+        [angle] { $word } { $value } is beyond { $limit }, the end of the axis.
+        [position] { $word } { $value } is beyond { $limit }, the end of the axis.
+       *[travel] The program uses { $value } mm of axis { $word }, which is only { $limit } mm long.
+    }
+diag-machining-outside-blank = What is machined at { $value }, { $other } is far from the blank.
+diag-milling-deeper-than-edges = The tool mills { $value } deep here, which is more than its cutting edges are long (LCUTS).
+diag-plane-left-on = The working plane is still tilted when this tool is called.
+diag-preset-row-wrong =
+    { $what ->
+        [again] Preset { $row } is written again here, at another place, and nothing has activated it in between.
+        [other] Preset { $other } is activated here, but the probed one is preset { $row }, which is never activated.
+       *[unused] Preset { $row } is written here and never activated: machining goes on with another preset.
+    }
+diag-repeat-without-effect = A repeat of zero times does nothing.
+diag-slot-too-narrow = The tool with the diameter { $tool } does not fit between the walls here: this line is only { $value } long.
+diag-spindle-start-wrong =
+    { $what ->
+        [missing] Nothing has turned the spindle on since this tool was called.
+       *[direction] The spindle turns counter-clockwise (M4) while this tool cuts.
+    }
+diag-tap-without-hole =
+    { $what ->
+        [missing] No hole was drilled at { $value }, { $other } for this tap.
+       *[shallow] The tap goes down to { $value }, but the hole ends at { $other }.
+    }
+diag-tcpm-missing = Rotary axes move together with linear axes here without TCPM, although the program switches TCPM off later.
+diag-tool-called-twice = Tool { $tool } is called again here, with nothing between the two calls.
+diag-tool-table-contradicts =
+    { $what ->
+        [speed] The spindle speed { $value } exceeds { $other }, the maximum speed of tool { $tool } in the tool table (NMAX).
+       *[type] { $value } is not meant for tool { $tool }, which is of type { $other } in the tool table (TYP).
+    }
+diag-translate-encoding = The file is written in { $encoding }: it has the same bytes there, and all letters of the new labels.
+diag-translate-encoding-unknown = There is no encoding “{ $encoding }”; there are { $known }.
+diag-translate-encoding-wrong = { $path } is not in { $encoding }: some bytes have no meaning there.
+diag-translate-unread = { $cycle } has a line that cannot be read, so its name and labels stay as they are.
+related-preset-written-here = written here

@@ -1,0 +1,55 @@
+# Findings of the checker on tools, the spindle, presets and what the machine and the blank allow.
+diag-approach-wrong =
+    { $what ->
+        [arc] Kaari, jonka säde on { $value }, ei mahdu tämän pisteen ja muodon väliin.
+       *[plunged] Muoto alkaa siitä, mihin työkalu on upotettu.
+    }
+diag-config-unknown-machine = Koneasetusta ”{ $key }” ei ole; asetukset ovat { $expected }.
+diag-coordinate-out-of-range = Koordinaatti { $value } on alueen ulkopuolella: käsikirjojen sallima suurin arvo on { $limit }.
+diag-labels-not-known =
+    { $count ->
+        [one] Yhdellä tekstillä tässä on NC-tekstin muoto, mutta mikään kieli ei tunne sitä tälle parametrille: se jää ennalleen. --relabel korvaa sen.
+       *[other] Tästä alkaen { $count } tekstillä on NC-tekstin muoto, mutta mikään kieli ei tunne niitä parametreilleen: ne jäävät ennalleen. --relabel korvaa ne.
+    }
+diag-machine-limit =
+    { $what ->
+        [speed] Karan kierrosluku { $value } ylittää koneen suurimman arvon { $limit }.
+        [feed] Syöttöarvo { $value } ylittää koneen suurimman arvon { $limit }.
+        [helix] Kierukka, jonka kulma on { $value } astetta, ylittää koneen suurimman arvon { $limit }.
+        [angle] { $word } { $value } ylittää akselin päätyarvon { $limit }.
+        [position] { $word } { $value } ylittää akselin päätyarvon { $limit }.
+       *[travel] Ohjelma käyttää akselia { $word } { $value } mm matkalla, mutta sen pituus on vain { $limit } mm.
+    }
+diag-machining-outside-blank = Kohdassa { $value }; { $other } työstettävä on kaukana aihiosta.
+diag-milling-deeper-than-edges = Työkalu jyrsii tässä { $value } syvältä, mikä on enemmän kuin sen terien pituus (LCUTS).
+diag-plane-left-on = Työstötaso on yhä kallistettu, kun tätä työkalua kutsutaan.
+diag-preset-row-wrong =
+    { $what ->
+        [again] Peruspiste { $row } kirjoitetaan tässä uudelleen eri paikasta, eikä sitä ole välillä aktivoitu.
+        [other] Tässä aktivoidaan peruspiste { $other }, mutta mitattu peruspiste on { $row }, jota ei koskaan aktivoida.
+       *[unused] Peruspiste { $row } kirjoitetaan tässä, mutta sitä ei koskaan aktivoida: työstö jatkuu toisella peruspisteellä.
+    }
+diag-repeat-without-effect = Toisto nolla kertaa ei tee mitään.
+diag-slot-too-narrow = Työkalu, jonka halkaisija on { $tool }, ei mahdu tässä seinämien väliin: tämän suoran pituus on vain { $value }.
+diag-spindle-start-wrong =
+    { $what ->
+        [missing] Karaa ei ole käynnistetty tämän työkalun kutsun jälkeen.
+       *[direction] Kara pyörii vastapäivään (M4), kun tämä työkalu lastuaa.
+    }
+diag-tap-without-hole =
+    { $what ->
+        [missing] Kohtaan { $value }; { $other } ei ole porattu reikää tälle kierretapille.
+       *[shallow] Kierretappi menee arvoon { $value }, mutta reikä päättyy arvoon { $other }.
+    }
+diag-tcpm-missing = Kiertoakselit liikkuvat tässä yhdessä lineaariakseleiden kanssa ilman TCPM-toimintoa, vaikka ohjelma kytkee sen myöhemmin pois.
+diag-tool-called-twice = Työkalua { $tool } kutsutaan tässä uudelleen, eikä kutsujen välissä ole mitään.
+diag-tool-table-contradicts =
+    { $what ->
+        [speed] Karan kierrosluku { $value } ylittää arvon { $other }, joka on työkalun { $tool } suurin kierrosluku työkalutaulukossa (NMAX).
+       *[type] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on työkalutaulukossa { $other } (TYP).
+    }
+diag-translate-encoding = Tiedosto kirjoitetaan merkistöllä { $encoding }: sen tavut ovat siinä samat, ja uusien NC-tekstien kaikki kirjaimet löytyvät.
+diag-translate-encoding-unknown = Merkistöä ”{ $encoding }” ei ole; merkistöt ovat { $known }.
+diag-translate-encoding-wrong = Tiedosto { $path } ei ole merkistöä { $encoding }: joillakin tavuilla ei ole siinä merkitystä.
+diag-translate-unread = Työkierron { $cycle } määrittelyssä on rivi, jota ei voi lukea, joten sen nimi ja NC-tekstit jäävät ennalleen.
+related-preset-written-here = kirjoitettu tässä

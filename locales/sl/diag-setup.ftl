@@ -1,0 +1,57 @@
+# Findings of the checker on tools, the spindle, presets and what the machine and the blank allow.
+diag-approach-wrong =
+    { $what ->
+        [arc] Lok s polmerom { $value } nima prostora med to točko in konturo.
+       *[plunged] Kontura se začne tam, kjer se je orodje spustilo v material.
+    }
+diag-config-unknown-machine = Nastavitve stroja »{ $key }« ni; na voljo so { $expected }.
+diag-coordinate-out-of-range = Koordinata { $value } je zunaj območja: { $limit } je največja vrednost, ki jo dovoljujejo priročniki.
+diag-labels-not-known =
+    { $count ->
+        [one] Eno besedilo tukaj ima obliko oznake, vendar ga za ta parameter ne pozna noben jezik: ostane, kot je. --relabel ga zamenja.
+        [two] Od tukaj naprej imata { $count } besedili obliko oznake, vendar ju za njuna parametra ne pozna noben jezik: ostaneta, kot sta. --relabel ju zamenja.
+        [few] Od tukaj naprej imajo { $count } besedila obliko oznake, vendar jih za njihove parametre ne pozna noben jezik: ostanejo, kot so. --relabel jih zamenja.
+       *[other] Od tukaj naprej ima { $count } besedil obliko oznake, vendar jih za njihove parametre ne pozna noben jezik: ostanejo, kot so. --relabel jih zamenja.
+    }
+diag-machine-limit =
+    { $what ->
+        [speed] Število vrtljajev { $value } presega { $limit }, največjo vrednost stroja.
+        [feed] Pomik { $value } presega { $limit }, največjo vrednost stroja.
+        [helix] Vijačnica { $value } stopinj presega { $limit }, največjo vrednost stroja.
+        [angle] { $word } { $value } presega { $limit }, konec osi.
+        [position] { $word } { $value } presega { $limit }, konec osi.
+       *[travel] Program uporablja { $value } mm osi { $word }, ki je dolga le { $limit } mm.
+    }
+diag-machining-outside-blank = Kar se obdeluje na { $value }; { $other }, je daleč od surovca.
+diag-milling-deeper-than-edges = Orodje tukaj rezka { $value } globoko, kar je več od dolžine njegovih rezil (LCUTS).
+diag-plane-left-on = Obdelovalna ravnina je ob priklicu tega orodja še vedno zavrtena.
+diag-preset-row-wrong =
+    { $what ->
+        [again] Prednastavitev { $row } se tukaj znova zapiše na drugem mestu, vmes pa je nič ni aktiviralo.
+        [other] Tukaj se aktivira prednastavitev { $other }, izmerjena pa je prednastavitev { $row }, ki se nikoli ne aktivira.
+       *[unused] Prednastavitev { $row } se tukaj zapiše in se nikoli ne aktivira: obdelava se nadaljuje z drugo prednastavitvijo.
+    }
+diag-repeat-without-effect = Nič ponovitev nima nobenega učinka.
+diag-slot-too-narrow = Orodje s premerom { $tool } tukaj ne gre med stene: ta premica je dolga samo { $value }.
+diag-spindle-start-wrong =
+    { $what ->
+        [missing] Po priklicu tega orodja vreteno ni bilo vklopljeno.
+       *[direction] Vreteno se vrti v nasprotni smeri urnega kazalca (M4), medtem ko to orodje reže.
+    }
+diag-tap-without-hole =
+    { $what ->
+        [missing] Na { $value }; { $other } ni bila izvrtana nobena izvrtina za ta navojni sveder.
+       *[shallow] Navojni sveder seže do { $value }, izvrtina pa se konča pri { $other }.
+    }
+diag-tcpm-missing = Rotacijske osi se tukaj premikajo skupaj z linearnimi brez TCPM, čeprav program TCPM pozneje izklopi.
+diag-tool-called-twice = Orodje { $tool } je tukaj znova priklicano, med priklicema pa ni ničesar.
+diag-tool-table-contradicts =
+    { $what ->
+        [speed] Število vrtljajev { $value } presega { $other }, največje število vrtljajev orodja { $tool } v preglednici orodij (NMAX).
+       *[type] { $value } ni za orodje { $tool }, ki je v preglednici orodij tipa { $other } (TYP).
+    }
+diag-translate-encoding = Datoteka je zapisana v { $encoding }: v njem ima enake bajte in vse črke novih oznak.
+diag-translate-encoding-unknown = Kodiranje »{ $encoding }« ne obstaja; na voljo so { $known }.
+diag-translate-encoding-wrong = { $path } ni v { $encoding }: nekateri bajti tam nimajo pomena.
+diag-translate-unread = { $cycle } ima vrstico, ki je ni mogoče prebrati, zato ime in oznake ostanejo, kot so.
+related-preset-written-here = zapisano tukaj

@@ -1,0 +1,133 @@
+//! A row of the preset table that probing cycles write and the program does not use as it was meant: written again at
+//! another place before anything has activated it, or never activated although the program goes on to machine.
+//!
+//! Only in programs that neither jump nor call others, and of rows that are certain. TNC 640, 001: 11216-11232: a preset
+//! that is written to a row other than 0 is activated by the cycle for presets.
+use crate::base::diag::{Arg, Diagnostic, Place, Severity, Span};
+use crate::check::cycle::removes_material;
+use crate::check::program::number;
+use crate::check::{Aspect, Defined, Definition, Facts, Pending, Rule, Tri};
+use crate::program::syntax::{BlockKind, Compensates};
+
+pub(super) const RULE: Rule = Rule { code: "preset-row-wrong", severity: Severity::Warning, run };
+
+/// The meanings of the row that a cycle writes, of where it writes it, and of the row that is activated.
+const ROW: &str = "datum-row-number";
+const TRANSFER: &str = "measured-value-transfer";
+const PRESET: &str = "preset-number";
+/// The meaning of the axis that a cycle probes.
+const AXIS: &str = "measuring-axis";
+/// That value of the transfer is the preset table.
+const TO_PRESETS: f64 = 1.0;
+/// How far apart two places are that are not the same one, mm or inch.
+const APART: f64 = 1.0;
+
+/// A row that is written.
+struct Written {
+    block: usize,
+    row: f64,
+    span: Span,
+    cycle: String,
+    /// Where is probed.
+    places: Vec<f64>,
+    /// In which axis, of cycles that probe one.
+    axis: Option<f64>,
+    /// What is known of the transformations that move coordinates.
+    moved: Vec<Tri>,
+}
+
+/// A row that is activated.
+struct Activated {
+    block: usize,
+    row: f64,
+    span: Span,
+}
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    if facts.flow.jumps || facts.flow.programs || facts.flow.unread.any() {
+        return;
+    }
+    let (mut written, mut activated): (Vec<Written>, Vec<Activated>) = (Vec::new(), Vec::new());
+    let names_row = |own: &&Defined<'_>| {
+        own.cycle().is_some_and(|cycle| cycle.params.iter().any(|param| matches!(param.is.as_str(), ROW | PRESET)))
+    };
+    for definition in facts.definitions.iter().filter(names_row) {
+        let definition = facts.read(definition);
+        let block = definition.view.first;
+        if let Some(item) = definition.item(PRESET) {
+            let Some(row) = number(item) else { return };
+            activated.push(Activated { block, row, span: item.value_span });
+        }
+        written.extend(writes(facts, &definition));
+    }
+    for (at, own) in written.iter().enumerate() {
+        let active = |before: usize, row: f64| activated.iter().any(|other| other.row == row && other.block > before);
+        let again = written.iter().take(at).rev().find(|before| {
+            let between =
+                activated.iter().any(|other| other.row == own.row && (before.block..own.block).contains(&other.block));
+            before.cycle == own.cycle && before.row == own.row && !between && elsewhere(before, own)
+        });
+        if let Some(before) = again {
+            let finding = rule.at(facts, own.span).arg("what", "again").arg("row", Arg::Number(own.row));
+            let finding = finding.arg("other", 0);
+            found.push(finding.related("preset-written-here", Place::new(facts.program.source(), before.span)));
+        }
+        let last = !written.iter().skip(at + 1).any(|later| later.row == own.row);
+        if !last || active(own.block, own.row) || !machines(facts, own.block) {
+            continue;
+        }
+        // What is activated in its place was not written here.
+        let after = activated.iter().find(|other| other.block > own.block);
+        match after.filter(|other| !written.iter().any(|written| written.row == other.row)) {
+            Some(other) => {
+                let finding = rule.at(facts, other.span).arg("what", "other").arg("row", Arg::Number(own.row));
+                let finding = finding.arg("other", Arg::Number(other.row));
+                found.push(finding.related("preset-written-here", Place::new(facts.program.source(), own.span)));
+            }
+            None if after.is_none() => {
+                let finding = rule.at(facts, own.span).arg("what", "unused").arg("row", Arg::Number(own.row));
+                found.push(finding.arg("other", 0));
+            }
+            None => {}
+        }
+    }
+}
+
+/// The row of the preset table that a definition writes.
+fn writes(facts: &Facts<'_>, definition: &Definition<'_>) -> Option<Written> {
+    let row = definition.item(ROW)?;
+    let to_presets = definition.item(TRANSFER).and_then(number) == Some(TO_PRESETS);
+    let (block, span) = (definition.view.first, row.value_span);
+    let row = number(row).filter(|row| to_presets && *row > 0.0)?;
+    let is_place = |meaning: &str| meaning.starts_with("probing-centre-") || meaning.contains("-point-m");
+    let places = definition.items.iter().filter(|item| item.param.is_some_and(|own| is_place(own.is.as_str())));
+    let places: Option<Vec<f64>> = places.map(number).collect();
+    let axis = definition.item(AXIS).and_then(number);
+    let modal = facts.run.before(block);
+    let moving = [Aspect::DatumShift, Aspect::Rotation, Aspect::Mirroring, Aspect::Tilting];
+    let moved = moving.iter().filter_map(|aspect| Some(modal?.is(*aspect))).collect();
+    Some(Written { block, row, span, cycle: definition.key.to_string(), places: places?, axis, moved })
+}
+
+/// Whether the same is probed at another place.
+fn elsewhere(one: &Written, other: &Written) -> bool {
+    let apart = one.places.iter().zip(&other.places).any(|(one, other)| (one - other).abs() > APART);
+    let alike = one.moved == other.moved && !one.moved.contains(&Tri::Yes);
+    alike && one.axis == other.axis && one.places.len() == other.places.len() && apart
+}
+
+/// Whether a tool machines after a block.
+fn machines(facts: &Facts<'_>, block: usize) -> bool {
+    let calls = facts.run.calls.iter().filter(|call| call.block > block).any(|call| match call.modal.pending {
+        Pending::Definition(index) => {
+            let own = facts.definitions.get(index as usize).and_then(Defined::related_cycle);
+            own.is_some_and(removes_material)
+        }
+        Pending::None | Pending::Unknown => false,
+    });
+    calls
+        || facts.shaped().any(|(index, own)| match &own.kind {
+            BlockKind::Motion(motion) => index > block && motion.outline().compensates() == Compensates::Beside,
+            _ => false,
+        })
+}

@@ -1,0 +1,128 @@
+//! A tool that is used otherwise than the tool table says: faster than its greatest speed (NMAX), or for something that a
+//! tool of its type (TYP) is not there for.
+//!
+//! Only where the table is named (`--table`, `tables` in `ciklo.toml`) and has the columns. Of the types those are judged
+//! whose name leaves no doubt; each is reported once for a tool call.
+use std::collections::HashSet;
+
+use crate::base::diag::{Arg, Diagnostic, Severity, Span};
+use crate::check::cycle::{probes, removes_material};
+use crate::check::program::with_meaning;
+use crate::check::tools::named;
+use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolName, Tri};
+use crate::program::syntax::{BlockKind, Compensates, ToolRef};
+use crate::spec::{Cycle, Group};
+
+pub(super) const RULE: Rule = Rule { code: "tool-table-contradicts", severity: Severity::Warning, run };
+
+/// A touch probe.
+const PROBE: &str = "TCHP";
+/// A tap.
+const TAP: &str = "TAP";
+/// Tools that cut at their side.
+const MILLS: [&str; 8] = ["MILL", "MILL_R", "MILL_F", "MILL_FACE", "MILL_SIDE", "BALL", "TORUS", "MILL_CHAMFER"];
+/// Tools that cut at their tip only.
+const DRILLS: [&str; 4] = ["DRILL", "CENT", "REAM", "CSINK"];
+/// The meaning of a value that only cycles for milling have.
+const MILLED: &str = "milling-type";
+
+/// What a tool is used for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Use {
+    Probing,
+    Tapping,
+    ThreadMilling,
+    Drilling,
+    Milling,
+}
+
+fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
+    let Some(project) = facts.project.filter(|project| project.knows_tools()) else { return };
+    for (_, block) in facts.marked() {
+        let BlockKind::ToolCall(call) = &block.kind else { continue };
+        let (Some(tool), Some(speed)) = (call.tool, call.speed) else { continue };
+        let most = named(facts, tool).and_then(|name| project.tool_value(name, "NMAX")).filter(|most| *most > 0.0);
+        let Some((speed, most, span)) = facts.number(&speed).zip(most).map(|(own, most)| (own, most, speed.span))
+        else {
+            continue;
+        };
+        if speed > most {
+            let finding = rule.at(facts, span).arg("what", "speed").arg("tool", shown(facts, tool));
+            found.push(finding.arg("value", Arg::Number(speed)).arg("other", Arg::Number(most)));
+        }
+    }
+    let mut uses = uses(facts);
+    uses.sort_by_key(|(span, ..)| span.start);
+    let mut reported = HashSet::new();
+    for (span, loaded, own, word) in uses {
+        let Some((tool, kind)) = kind(facts, project, loaded) else { continue };
+        if !fits(own, kind) && reported.insert(loaded) {
+            let finding = rule.at(facts, span).arg("what", "type").arg("tool", shown(facts, tool));
+            found.push(finding.arg("value", word).arg("other", kind));
+        }
+    }
+}
+
+/// Whether a tool of a type can be used so; types that leave a doubt can.
+fn fits(own: Use, kind: &str) -> bool {
+    let (mill, drill) = (MILLS.contains(&kind), DRILLS.contains(&kind));
+    match own {
+        Use::Probing => !(mill || drill || kind == TAP),
+        Use::Tapping => !(mill || drill || kind == PROBE),
+        Use::Drilling => !matches!(kind, TAP | PROBE),
+        Use::ThreadMilling | Use::Milling => !(drill || matches!(kind, TAP | PROBE)),
+    }
+}
+
+/// The tool in the spindle and its type.
+fn kind<'p>(facts: &Facts<'_>, project: &'p dyn Project, loaded: Loaded) -> Option<(ToolRef, &'p str)> {
+    let Loaded::By(block) = loaded else { return None };
+    let BlockKind::ToolCall(call) = &facts.program.blocks().get(block as usize)?.kind else { return None };
+    let tool = call.tool?;
+    Some((tool, project.tool_word(named(facts, tool)?, "TYP")?))
+}
+
+/// What tools are used for, with the place, the tool and the word that says it.
+fn uses(facts: &Facts<'_>) -> Vec<(Span, Loaded, Use, String)> {
+    let mut uses = Vec::new();
+    for own in facts.definitions.iter().filter(|own| own.related_cycle().is_some_and(probes)) {
+        let loaded = facts.run.before(own.view.first).map(|modal| modal.loaded);
+        uses.extend(loaded.map(|loaded| (own.view.head, loaded, Use::Probing, own.key.to_string())));
+    }
+    for call in &facts.run.calls {
+        let Pending::Definition(index) = call.modal.pending else { continue };
+        let own = facts.definitions.get(index as usize);
+        let what = own.and_then(Defined::related_cycle).and_then(of_cycle);
+        if let Some((own, what)) = own.zip(what) {
+            uses.push((call.span, call.modal.loaded, what, own.key.to_string()));
+        }
+    }
+    for (index, block) in facts.shaped() {
+        let BlockKind::Motion(motion) = &block.kind else { continue };
+        let modal = facts.run.before(index).filter(|modal| modal.is(Aspect::Turning) == Tri::No);
+        let modal = modal.filter(|_| motion.outline().compensates() == Compensates::Beside);
+        uses.extend(modal.map(|modal| (facts.content(block), modal.loaded, Use::Milling, "RL, RR".to_owned())));
+    }
+    uses
+}
+
+/// What a cycle uses a tool for.
+fn of_cycle(cycle: &Cycle) -> Option<Use> {
+    let mills = with_meaning(cycle, MILLED).is_some();
+    match cycle.file.group {
+        _ if !removes_material(cycle) => None,
+        Group::Drilling if mills => Some(Use::Milling),
+        Group::Drilling => Some(Use::Drilling),
+        Group::Threads if mills => Some(Use::ThreadMilling),
+        Group::Threads => Some(Use::Tapping),
+        _ => Some(Use::Milling),
+    }
+}
+
+fn shown(facts: &Facts<'_>, tool: ToolRef) -> String {
+    match named(facts, tool) {
+        Some(ToolName::Number(number)) => number.to_string(),
+        Some(ToolName::Name(name)) => format!("\"{name}\""),
+        None => String::new(),
+    }
+}

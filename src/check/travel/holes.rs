@@ -1,0 +1,224 @@
+//! What cycles do to the blank where they are called: holes, taps and pockets at places that are known.
+use super::{Cut, REACH, Walk};
+use crate::base::diag::Span;
+use crate::check::blank::is_unmoved;
+use crate::check::incident::Incident;
+use crate::check::program::{number, with_meaning};
+use crate::check::{Aspect, Defined, Definition, Modal, Pending, Tri};
+use crate::program::syntax::{Block, BlockKind, CallForm, Coord};
+use crate::spec::{Group, Keyword, Quantity, Reference};
+
+/// How far above the blank holes may begin, which may be drawn too small, in millimetres.
+const ALLOWANCE: f64 = 50.0;
+/// How far they may go through it: the tip of a drill, in millimetres.
+const TIP: f64 = 25.0;
+/// Places of holes that are so close are the same, in millimetres.
+const SAME: f64 = 0.01;
+/// The meanings of the values of holes.
+const SURFACE: &str = "surface-coordinate";
+const DEPTH: &str = "depth";
+const THREAD_DEPTH: &str = "thread-depth";
+/// The meaning of a value that only cycles for milling have.
+const MILLED: &str = "milling-type";
+/// What the meanings of lengths have in them that do not say how large a pocket is.
+const NO_SIZES: [&str; 5] = ["clearance", "depth", "allowance", "infeed", "coordinate"];
+
+/// The holes that the program has made.
+#[derive(Default)]
+pub(super) struct Holes {
+    /// Where they are, and their bottoms as far as they are known.
+    made: Vec<([f64; 2], Option<f64>)>,
+    /// Whether there may be others.
+    others: bool,
+    /// Whether a tap without a hole, and one that is too deep, were found.
+    reported: [bool; 2],
+}
+
+impl Holes {
+    /// There may be holes elsewhere.
+    pub(super) const fn lose(&mut self) {
+        self.others = true;
+    }
+
+    /// The holes at a place.
+    fn at(&self, place: [f64; 2], same: f64) -> impl Iterator<Item = Option<f64>> {
+        let here = move |own: &&([f64; 2], Option<f64>)| {
+            (own.0[0] - place[0]).abs() <= same && (own.0[1] - place[1]).abs() <= same
+        };
+        self.made.iter().filter(here).map(|(_, bottom)| *bottom)
+    }
+}
+
+/// What a cycle makes at a place.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Makes {
+    Hole,
+    Tap,
+    Pocket,
+    /// Something of which nobody knows how large it is.
+    Anything,
+}
+
+fn makes(own: &Defined<'_>) -> Makes {
+    let Some(cycle) = own.related_cycle().filter(|_| own.key.keyword == Keyword::CyclDef) else {
+        return Makes::Anything;
+    };
+    match cycle.file.group {
+        Group::Drilling => Makes::Hole,
+        Group::Threads if with_meaning(cycle, MILLED).is_none() => Makes::Tap,
+        Group::Pockets => Makes::Pocket,
+        _ => Makes::Anything,
+    }
+}
+
+impl Walk<'_, '_> {
+    /// Where a block calls the cycle; nothing if that is not known.
+    pub(super) fn places_of_call(&mut self, block: &Block) -> Option<Vec<[f64; 2]>> {
+        if let BlockKind::CyclCall(call) = &block.kind {
+            match &call.form {
+                CallForm::Plain => {}
+                CallForm::Pattern => {
+                    let pattern = self.pattern.clone();
+                    self.lose();
+                    return pattern;
+                }
+                CallForm::Position(coords) => self.go_to(coords),
+            }
+        }
+        let [Some(x), Some(y), _] = self.at else { return None };
+        Some(vec![[x, y]])
+    }
+
+    fn go_to(&mut self, coords: &[Coord]) {
+        for (place, axis) in super::AXES.into_iter().enumerate() {
+            if let Some(coord) = coords.iter().find(|own| own.axis == axis) {
+                self.at[place] = self.target(coord, self.at[place]);
+            }
+        }
+    }
+
+    /// The cycle that was defined last is called.
+    pub(super) fn machine(&mut self, modal: &Modal, span: Span, places: Option<Vec<[f64; 2]>>) {
+        let facts = self.facts;
+        let index = match modal.pending {
+            Pending::Definition(index) => Some(index),
+            Pending::None | Pending::Unknown => None,
+        };
+        let definition = index.and_then(|index| facts.definitions.get(index as usize));
+        let what = definition.map_or(Makes::Anything, makes);
+        let (Some(definition), Some(places)) = (definition, places) else {
+            (self.open, self.at) = (true, [None; 3]);
+            return self.holes.lose();
+        };
+        if what == Makes::Anything {
+            (self.open, self.at) = (true, [None; 3]);
+            return self.holes.lose();
+        }
+        let usual = is_unmoved(modal) && modal.is(Aspect::OtherAxis) != Tri::Yes && self.turned == [false; 3];
+        let related = definition.as_related_cycle();
+        let read = facts.read(&related);
+        if !usual {
+            self.holes.lose();
+        }
+        let size = if what == Makes::Pocket { size(&read) } else { Some(0.0) };
+        for place in &places {
+            match what {
+                _ if !usual => {}
+                Makes::Pocket => {
+                    self.holes.lose();
+                    if size.is_some_and(|size| self.blank.distance(*place) > size) {
+                        self.found.push((span, Incident::Outside(*place)));
+                    }
+                }
+                Makes::Tap => self.tap(&read, span, *place),
+                _ => self.hole(&read, *place),
+            }
+            if usual && what != Makes::Pocket {
+                self.judge(&read, index, span, *place);
+            }
+            let reach = REACH * self.unit + size.unwrap_or(0.0);
+            let [x, y] = *place;
+            self.remember(Cut { low: [x - reach, y - reach], high: [x + reach, y + reach], floor: f64::NEG_INFINITY });
+        }
+        self.open |= size.is_none();
+        self.at[2] = None;
+    }
+
+    /// Notes a hole that is drilled.
+    fn hole(&mut self, read: &Definition<'_>, place: [f64; 2]) {
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        // Where a value decides that the depth acts, it is not looked at.
+        let acts = read.item(DEPTH).is_some_and(|item| item.param.is_some_and(|param| param.effective.is_none()));
+        let bottom = match value(SURFACE).zip(value(DEPTH)) {
+            Some((surface, depth)) if acts => Some(surface + depth),
+            // What only centres makes no hole for a tap.
+            _ if !acts && read.item(DEPTH).is_some() => Some(f64::INFINITY),
+            _ => None,
+        };
+        if self.holes.made.len() < super::MANY {
+            self.holes.made.push((place, bottom));
+        } else {
+            self.holes.lose();
+        }
+    }
+
+    /// A tap goes into a hole that must be there, and deeper than it goes.
+    fn tap(&mut self, read: &Definition<'_>, span: Span, place: [f64; 2]) {
+        if self.holes.others || self.holes.made.is_empty() || self.blank.lacks(place[0], place[1]) {
+            return;
+        }
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        let here: Option<Vec<f64>> = self.holes.at(place, SAME * self.unit).collect();
+        let bottom = here.map(|here| here.into_iter().fold(f64::INFINITY, f64::min));
+        if bottom == Some(f64::INFINITY) {
+            if !std::mem::replace(&mut self.holes.reported[0], true) {
+                self.found.push((span, Incident::NoHole(place)));
+            }
+            return;
+        }
+        let (Some(bottom), Some(surface), Some(depth)) = (bottom, value(SURFACE), value(THREAD_DEPTH)) else { return };
+        let through = bottom <= self.blank.low[2];
+        if !through
+            && surface + depth < bottom - SAME * self.unit
+            && !std::mem::replace(&mut self.holes.reported[1], true)
+        {
+            let place = read.item(THREAD_DEPTH).map_or(span, |item| item.span);
+            self.found.push((place, Incident::HoleTooShallow { tap: surface + depth, hole: bottom }));
+        }
+    }
+
+    /// A hole at a place: what is wrong with its definition is said at its first call.
+    fn judge(&mut self, read: &Definition<'_>, index: Option<u32>, span: Span, at: [f64; 2]) {
+        if self.blank.lacks(at[0], at[1]) {
+            return self.found.push((span, Incident::Beside(at)));
+        }
+        if !self.judged.insert(index) {
+            return;
+        }
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        let Some(surface) = value(SURFACE) else { return };
+        let place = read.item(SURFACE).map_or(read.view.head, |item| item.span);
+        let allowance = ALLOWANCE * self.unit;
+        if surface > self.blank.high[2] + allowance || surface < self.blank.low[2] {
+            return self.found.push((place, Incident::Surface(surface)));
+        }
+        let depth = [DEPTH, THREAD_DEPTH].iter().find_map(|meaning| Some((value(meaning)?, read.item(meaning)?.span)));
+        if let Some((depth, place)) = depth.filter(|(depth, _)| surface + depth < self.blank.low[2] - TIP * self.unit) {
+            self.found.push((place, Incident::Through(surface + depth)));
+        }
+    }
+}
+
+/// More than a pocket, stud or slot measures from its place; nothing if that is not certain.
+fn size(read: &Definition<'_>) -> Option<f64> {
+    let sizes = read.items.iter().filter(|item| {
+        item.param.is_some_and(|param| {
+            let name = param.is.as_str();
+            param.quantity == Quantity::Length
+                && param.reference != Some(Reference::Absolute)
+                && !NO_SIZES.iter().any(|part| name.contains(part))
+        })
+    });
+    let all: Option<Vec<f64>> = sizes.map(number).collect();
+    all.filter(|all| !all.is_empty()).map(|all| all.iter().map(|size| size.abs()).sum())
+}
