@@ -2,7 +2,7 @@
 use std::path::Path;
 use std::{env, fs};
 
-use ciklo::base::diag::{Arg, Source};
+use ciklo::base::diag::{Arg, Diagnostic, Severity, Source};
 use ciklo::check::{Against, LabelBook};
 use ciklo::language::locale::{Locales, Scope};
 use ciklo::program::syntax::encoding::{Charset, Encoding, decode_as};
@@ -86,7 +86,8 @@ fn printed_blocks_come_back_from_every_language() {
         let mut now = canonical.clone();
         for to in languages.iter().chain([&language.as_str()]) {
             let translation = data.translate(&control, &now, to, UTF_8);
-            assert!(translation.diagnostics.is_empty(), "{control} {to} {:?}", translation.diagnostics);
+            let wrong = |own: &Diagnostic| own.severity != Severity::Note;
+            assert!(!translation.diagnostics.iter().any(wrong), "{control} {to} {:?}", translation.diagnostics);
             assert_else_unchanged(&now, &translation);
             now = translation.text;
         }
