@@ -15,6 +15,7 @@ figure-approach = Approach position
 figure-stepping-angle = Stepping angle
 figure-traverse = Way from operation to operation
 figure-plunging = Plunging
+figure-side = From the side
 way-rapid = rapid traverse
 way-feed = feed
 way-probing = probing

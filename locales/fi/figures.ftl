@@ -15,6 +15,7 @@ figure-approach = Lähestymisasema
 figure-stepping-angle = Kulma-askel
 figure-traverse = Liike koneistuksesta toiseen
 figure-plunging = Sisäänpisto
+figure-side = Sivulta
 way-rapid = pikaliike
 way-feed = syöttöliike
 way-probing = kosketusliike

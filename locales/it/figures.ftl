@@ -15,6 +15,7 @@ figure-approach = Posizione di avvicinamento
 figure-stepping-angle = Angolo incrementale
 figure-traverse = Percorso tra le lavorazioni
 figure-plunging = Penetrazione
+figure-side = Vista laterale
 way-rapid = rapido
 way-feed = avanzamento
 way-probing = tastatura

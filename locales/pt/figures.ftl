@@ -15,6 +15,7 @@ figure-approach = Posição de aproximação
 figure-stepping-angle = Passo angular
 figure-traverse = Percurso entre maquinagens
 figure-plunging = Afundamento
+figure-side = Vista lateral
 way-rapid = marcha rápida
 way-feed = avanço
 way-probing = apalpação

@@ -15,6 +15,7 @@ figure-approach = Položaj primika
 figure-stepping-angle = Kotni korak
 figure-traverse = Pot med obdelavami
 figure-plunging = Potapljanje
+figure-side = Pogled od strani
 way-rapid = hitri hod
 way-feed = podajanje
 way-probing = tipanje

@@ -123,8 +123,12 @@ impl Sheet<'_> {
 
     /// The parts of a scene, hatched where the view cuts them.
     fn parts(&mut self, faces: &[Face]) {
-        let window = self.frame.window;
+        let mut window = self.frame.window;
         for face in faces {
+            if let (false, Some(bounds)) = (face.material, slice::bounds(faces)) {
+                // A hole may go on beyond the part.
+                (window.min, window.max) = (window.min.max(bounds[0]), window.max.min(bounds[1]));
+            }
             let class = if face.material { "m o" } else { "b o" };
             match &face.outline {
                 Outline::Circle(centre, radius) => {

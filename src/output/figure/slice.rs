@@ -51,6 +51,18 @@ pub(super) fn faces(shot: &Shot, view: FigureView, depth: f64) -> Vec<Face> {
     faces
 }
 
+/// The corners of a rectangle around all material; nothing where there is some without corners.
+pub(super) fn bounds(faces: &[Face]) -> Option<[DVec2; 2]> {
+    let mut found = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+    for face in faces.iter().filter(|face| face.material) {
+        let Outline::Polygon(points) = &face.outline else { return None };
+        for p in points {
+            found = [found[0].min(*p), found[1].max(*p)];
+        }
+    }
+    (found[0].x < found[1].x).then_some(found)
+}
+
 fn cut(shape: &Shape, frame: DAffine3, material: bool, faces: &mut Vec<Face>) {
     let mut take = |outline: Option<Outline>| {
         faces.extend(outline.map(|outline| Face { material, outline }));
@@ -139,7 +151,7 @@ fn round(from: DVec3, to: DVec3, radii: [f64; 2], frame: DAffine3) -> Option<Out
         let radius = radii[0] + (radii[1] - radii[0]) * share;
         return (0.0..=1.0).contains(&share).then(|| Outline::Circle(a.truncate(), radius));
     }
-    let x = axis.any_orthonormal_vector();
+    let x = axis.normalize().any_orthonormal_vector();
     let y = axis.normalize().cross(x);
     let edge = |n: usize| {
         let turn = n as f64 * 360.0 / CORNERS as f64;
