@@ -11,6 +11,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("base::demand", &[]),
     ("base::diag", &[]),
     ("base::parallel", &[]),
+    ("base::renamed", &[]),
     ("base::expr", &["base::diag"]),
     ("spec", &["base::data", "base::demand", "base::diag", "base::expr"]),
     ("language::locale", &["base::data", "base::demand", "base::diag"]),
@@ -26,6 +27,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         "check",
         &[
             "base::diag",
+            "base::renamed",
             "base::expr",
             "spec",
             "language::locale",
@@ -92,6 +94,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "base::data",
             "base::diag",
             "base::parallel",
+            "base::renamed",
             "base::expr",
             "spec",
             "language::locale",
