@@ -22,12 +22,12 @@ const ENGINE: &[(&str, &[&str])] = &[
     ("world", &["geometry", "machine", "solid", "scene", "report"]),
     ("motion", &["geometry", "machine", "solid", "scene", "report", "world"]),
     ("contour", &["geometry", "report", "world", "motion"]),
-    ("flow", &["geometry", "machine", "scene", "plan", "params", "report", "world", "motion", "contour"]),
+    ("flow", &["geometry", "machine", "scene", "strategy", "plan", "params", "report", "world", "motion", "contour"]),
     (
         "cycle",
         &[
-            "geometry", "sphere", "machine", "scene", "params", "report", "strategy", "plan", "world", "motion",
-            "contour", "flow",
+            "geometry", "region", "sphere", "machine", "solid", "scene", "params", "report", "strategy", "plan",
+            "world", "motion", "contour", "flow",
         ],
     ),
     (

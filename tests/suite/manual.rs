@@ -85,9 +85,12 @@ fn every_page_is_valid_html_in_its_language_with_unique_ids() {
         let scripts = page.elements.iter().filter(|name| *name == "script").count();
         assert_eq!(scripts > 1, path.ends_with("/search.html"), "{path}: only searching needs a script of its own");
         assert!(!page.text.contains(['\u{2068}', '\u{2069}', '\u{2060}']), "{path}: a mark that nobody sees");
-        for name in ["main", "h1", "title"] {
-            assert_eq!(page.elements.iter().filter(|own| *own == name).count(), 1, "{path}: {name}");
+        let count = |name: &str| page.elements.iter().filter(|own| *own == name).count();
+        for name in ["main", "h1"] {
+            assert_eq!(count(name), 1, "{path}: {name}");
         }
+        // Each figure has a title and a description of its own.
+        assert_eq!(count("title"), 1 + count("desc"), "{path}: titles");
     }
 }
 

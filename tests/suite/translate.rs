@@ -340,7 +340,7 @@ fn definitions_in_a_language_that_is_not_known_are_read_by_their_numbers() {
     assert_eq!(translation.text, english);
     let told: Vec<_> =
         translation.diagnostics.iter().map(|own| (own.code, own.place.as_ref().map(|p| p.start().line))).collect();
-    assert_eq!(told, [("labels-of-unknown-language", Some(1))]);
+    assert_eq!(told, [("labels-not-known", Some(13)), ("labels-of-unknown-language", Some(1))]);
     assert_eq!(translation.sources.into_iter().collect::<Vec<_>>(), [("en".to_owned(), 1)]);
 }
 

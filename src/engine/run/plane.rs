@@ -175,7 +175,7 @@ impl Run<'_, '_> {
     }
 
     fn words_of_plane(&mut self, written: &[NamedWord]) -> Done<Words> {
-        let (mut words, mut turns_coordinates) = (Words::default(), false);
+        let mut words = Words::default();
         for word in written {
             let name = self.slice(word.name).to_ascii_uppercase();
             let length = |value: &Value| Ok::<_, Fault>(self.number_of(value)? * self.drives.unit());
@@ -192,13 +192,9 @@ impl Run<'_, '_> {
                     }
                 }
                 // What the plane has beyond the positions of the axes is a rotation of its coordinates.
-                "COORD" => turns_coordinates = true,
-                "ROT" if turns_coordinates && !has_value => {}
-                // `MB MAX`, written apart.
-                "MB" if !has_value => {}
-                "MAX" if !has_value => words.back = Some(Back::ToLimit),
+                "COORD ROT" => {}
                 "DIST" | "ABST" => words.distance = length(&word.value)?,
-                "MBMAX" => words.back = Some(Back::ToLimit),
+                "MBMAX" | "MB MAX" => words.back = Some(Back::ToLimit),
                 "MB" if has_value => words.back = Some(Back::By(length(&word.value)?)),
                 "FMAX" => words.speed = Some(Speed::Rapid),
                 "F" if has_value => words.speed = Some(Speed::of_feed(length(&word.value)?)?),

@@ -17,6 +17,7 @@ use super::{
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
+use crate::spec::Quantity;
 
 /// A strategy as plans know it.
 #[derive(Clone, Copy, Debug)]
@@ -172,6 +173,12 @@ pub fn by_name(name: &str) -> Named {
         None if PENDING.contains(&name) => Named::Pending,
         None => Named::Unknown,
     }
+}
+
+/// What a value measures that a definition keeps by name for a strategy that recalls it.
+pub fn recalled(name: &str) -> Option<Quantity> {
+    let recalling = STRATEGIES.iter().filter(|strategy| strategy.name.starts_with("recall-"));
+    recalling.flat_map(|strategy| strategy.outputs).find(|output| output.name == name).map(|output| output.quantity)
 }
 
 /// The most names that are offered for one that nothing has.

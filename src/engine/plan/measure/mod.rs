@@ -313,7 +313,10 @@ impl<'r> Reader<'r> {
                     self.names.insert(bind.as_str().to_owned(), LENGTH);
                 }
             }
-            (Verb::Arc | Verb::Synchronized | Verb::Store | Verb::Transform, Argument::Many(entries)) => {
+            (
+                Verb::Arc | Verb::Synchronized | Verb::Store | Verb::Transform | Verb::Remember,
+                Argument::Many(entries),
+            ) => {
                 self.parts(action.verb, entries, &action.place);
             }
             (Verb::Table, Argument::Many(entries)) => self.table(entries, action),
@@ -365,6 +368,11 @@ impl<'r> Reader<'r> {
                     drop(self.argument(value));
                     continue;
                 }
+                // What is kept measures what the strategy that recalls it gives.
+                (Verb::Remember, name) => match registry::recalled(name) {
+                    Some(quantity) => quantity,
+                    None => continue,
+                },
                 (Verb::Transform, "datum-shift") => Quantity::Length,
                 (Verb::Transform, "datum-row" | "scaling" | "mirroring") => Quantity::Number,
                 (Verb::Transform, "rotation" | "tilting") => Quantity::Angle,
