@@ -176,7 +176,7 @@ fn names_labels_and_axes_are_read_as_they_are_checked() {
 }
 
 /// Small limits, so that the programs that reach them are quick.
-const LIMITS: Limits = Limits { blocks: 20_000, jumps: 1_000, depth: 5, members: 100, moves: 5_000 };
+const LIMITS: Limits = Limits { blocks: 20_000, jumps: 1_000, depth: 5, members: 100, moves: 17_500 };
 
 #[test]
 fn every_fault_has_a_program_that_provokes_it() {

@@ -194,7 +194,9 @@ impl Run<'_, '_> {
                 // What the plane has beyond the positions of the axes is a rotation of its coordinates.
                 "COORD ROT" => {}
                 "DIST" | "ABST" => words.distance = length(&word.value)?,
-                "MBMAX" | "MB MAX" => words.back = Some(Back::ToLimit),
+                // `MB MAX` written apart is two words.
+                "MB" if !has_value => {}
+                "MBMAX" | "MAX" => words.back = Some(Back::ToLimit),
                 "MB" if has_value => words.back = Some(Back::By(length(&word.value)?)),
                 "FMAX" => words.speed = Some(Speed::Rapid),
                 "F" if has_value => words.speed = Some(Speed::of_feed(length(&word.value)?)?),

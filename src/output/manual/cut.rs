@@ -245,7 +245,7 @@ fn prose(text: &str, names: &Names) -> String {
         let mut went = gone;
         let mut own: Vec<&str> = Vec::new();
         for part in &all {
-            went = match names.of(part) {
+            went = match names.of(&without_brackets(part)) {
                 Of::Others => true,
                 Of::Own => false,
                 Of::All => went,
@@ -305,23 +305,44 @@ fn sentences(text: &str) -> Vec<&str> {
     sentences
 }
 
-/// The sentence without brackets that say with a colon what holds for others: `(TNC 320: only Q173)`.
+/// The sentence without what brackets say with a colon of other controls: `(TNC 320: only Q173)` as a whole, of
+/// `(set by M1; TNC 320: by M2)` the second part.
 fn without_asides(sentence: &str, names: &Names) -> String {
     let mut out = String::with_capacity(sentence.len());
     let mut rest = sentence;
     while let Some((before, inside)) = rest.split_once(" (") {
         let Some((aside, after)) = inside.split_once(')') else { break };
         out.push_str(before);
-        let colon = aside.split_once(':').is_some_and(|(who, _)| names.is_list(who));
-        if !(colon && names.of(aside) == Of::Others) {
+        let of_others = |part: &&str| {
+            part.split_once(':').is_some_and(|(who, _)| names.is_list(who)) && names.of(part) == Of::Others
+        };
+        let own: Vec<&str> = aside.split("; ").filter(|part| !of_others(part)).collect();
+        if !own.is_empty() {
             out.push_str(" (");
-            out.push_str(aside);
+            out.push_str(&own.join("; "));
             out.push(')');
         }
         rest = after;
     }
     out.push_str(rest);
     out
+}
+
+/// The text without its brackets: what they mention does not decide of which control a sentence speaks.
+fn without_brackets(text: &str) -> String {
+    let mut depth = 0usize;
+    let outside = |c: &char| {
+        match c {
+            '(' => depth += 1,
+            ')' if depth > 0 => {
+                depth -= 1;
+                return false;
+            }
+            _ => {}
+        }
+        depth == 0
+    };
+    text.chars().filter(outside).collect()
 }
 
 #[cfg(test)]
@@ -339,7 +360,7 @@ mod tests {
                         On the iTNC 3 these are known:\n\n- one\n- two\n\n## End\n\n- all\n- TNC 2 alone\n";
         assert_eq!(
             for_first(markdown),
-            "Both do it.\n\nIt moves (set by M1; TNC 2: M2). It ends.\n\n## TNC 1\n\nOnly here.\n\n## End\n\n- all\n\n"
+            "Both do it.\n\nIt moves (set by M1). It ends.\n\n## TNC 1\n\nOnly here.\n\n## End\n\n- all\n\n"
         );
     }
 
