@@ -46,6 +46,8 @@ diag-tool-called-twice = Tool { $tool } is called again here, with nothing betwe
 diag-tool-table-contradicts =
     { $what ->
         [speed] The spindle speed { $value } exceeds { $other }, the maximum speed of tool { $tool } in the tool table (NMAX).
+        [locked] Tool { $tool } is locked in the tool table (TL), and no replacement tool is named (RT).
+        [point] { $value } centres to a diameter here, and tool { $tool } has no point angle in the tool table (T-ANGLE).
        *[type] { $value } is not meant for tool { $tool }, which is of type { $other } in the tool table (TYP).
     }
 diag-translate-encoding = The file is written in { $encoding }: it has the same bytes there, and all letters of the new labels.

@@ -46,6 +46,8 @@ diag-tool-called-twice = Työkalua { $tool } kutsutaan tässä uudelleen, eikä 
 diag-tool-table-contradicts =
     { $what ->
         [speed] Karan kierrosluku { $value } ylittää arvon { $other }, joka on työkalun { $tool } suurin kierrosluku työkalutaulukossa (NMAX).
+        [locked] Työkalu { $tool } on lukittu työkalutaulukossa (TL), eikä varatyökalua ole annettu (RT).
+        [point] { $value } keskiöi tässä halkaisijaan, mutta työkalulla { $tool } ei ole kärkikulmaa työkalutaulukossa (T-ANGLE).
        *[type] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on työkalutaulukossa { $other } (TYP).
     }
 diag-translate-encoding = Tiedosto kirjoitetaan merkistöllä { $encoding }: sen tavut ovat siinä samat, ja uusien NC-tekstien kaikki kirjaimet löytyvät.

@@ -48,6 +48,8 @@ diag-tool-called-twice = Orodje { $tool } je tukaj znova priklicano, med priklic
 diag-tool-table-contradicts =
     { $what ->
         [speed] Število vrtljajev { $value } presega { $other }, največje število vrtljajev orodja { $tool } v preglednici orodij (NMAX).
+        [locked] Orodje { $tool } je v preglednici orodij blokirano (TL), nadomestno orodje (RT) pa ni navedeno.
+        [point] { $value } tu centrira na premer, orodje { $tool } pa v preglednici orodij nima kota konice (T-ANGLE).
        *[type] { $value } ni za orodje { $tool }, ki je v preglednici orodij tipa { $other } (TYP).
     }
 diag-translate-encoding = Datoteka je zapisana v { $encoding }: v njem ima enake bajte in vse črke novih oznak.

@@ -88,7 +88,8 @@ fn found_in(data: &Data, path: &Path) -> Vec<Diagnostic> {
     })
 }
 
-/// The programs of `tests/check/beside`, a tool table with the tools 1, MILL, TAP and PROBE, and tables with the rows 0 to 3.
+/// The programs of `tests/check/beside`, a tool table with the tools 1, MILL, TAP, PROBE, CENTRE, and WORN and TWIN, which are
+/// locked; tables with the rows 0 to 3.
 struct Beside<'a> {
     against: &'a Against<'a>,
     own: String,
@@ -121,7 +122,10 @@ impl Project for Beside<'_> {
     }
 
     fn has_tool(&self, tool: ToolName<'_>) -> Option<bool> {
-        Some(matches!(tool, ToolName::Number(1.0) | ToolName::Name("MILL" | "TAP" | "PROBE")))
+        Some(matches!(
+            tool,
+            ToolName::Number(1.0) | ToolName::Name("MILL" | "TAP" | "PROBE" | "CENTRE" | "WORN" | "TWIN")
+        ))
     }
 
     fn knows_tools(&self) -> bool {
@@ -138,6 +142,8 @@ impl Project for Beside<'_> {
             (ToolName::Number(1.0), "LCUTS") => Some(20.0),
             (ToolName::Number(1.0), "R") => Some(5.0),
             (ToolName::Name("TAP"), "R") => Some(3.0),
+            (ToolName::Name("CENTRE"), "T-ANGLE") => Some(0.0),
+            (ToolName::Name("TWIN"), "T-ANGLE") => Some(90.0),
             _ => None,
         }
     }
@@ -147,6 +153,9 @@ impl Project for Beside<'_> {
             (ToolName::Number(1.0) | ToolName::Name("MILL"), "TYP") => Some("MILL"),
             (ToolName::Name("TAP"), "TYP") => Some("TAP"),
             (ToolName::Name("PROBE"), "TYP") => Some("TCHP"),
+            (ToolName::Name("WORN" | "TWIN"), "TL") => Some("L"),
+            (ToolName::Name("WORN"), "RT") => Some("0"),
+            (ToolName::Name("TWIN"), "RT") => Some("7"),
             _ => None,
         }
     }

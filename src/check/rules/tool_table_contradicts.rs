@@ -1,5 +1,6 @@
-//! A tool that is used otherwise than the tool table says: faster than its greatest speed (NMAX), or for something that a
-//! tool of its type (TYP) is not there for.
+//! A tool that is used otherwise than the tool table says: faster than its greatest speed (NMAX), although it is locked
+//! (TL) and no replacement tool is named (RT), for something that a tool of its type (TYP) is not there for, or for
+//! centring to a diameter without a point angle (T-ANGLE).
 //!
 //! Only where the table is named (`--table`, `tables` in `ciklo.toml`) and has the columns. Of the types those are judged
 //! whose name leaves no doubt; each is reported once for a tool call.
@@ -7,7 +8,7 @@ use std::collections::HashSet;
 
 use crate::base::diag::{Arg, Diagnostic, Severity, Span};
 use crate::check::cycle::{probes, removes_material};
-use crate::check::program::with_meaning;
+use crate::check::program::{number, with_meaning};
 use crate::check::tools::named;
 use crate::check::{Aspect, Defined, Facts, Loaded, Pending, Project, Rule, ToolName, Tri};
 use crate::program::syntax::{BlockKind, Compensates, ToolRef};
@@ -26,6 +27,11 @@ const DRILLS: [&str; 4] = ["DRILL", "CENT", "REAM", "CSINK"];
 /// The meaning of a value that only cycles for milling have.
 const MILLED: &str = "milling-type";
 
+/// The word in the column TL of a tool that is locked.
+const LOCKED: &str = "L";
+/// The meaning of the choice between a depth and a diameter, and its value for the diameter.
+const DEPTH_OR_DIAMETER: (&str, f64) = ("depth-or-diameter", 1.0);
+
 /// What a tool is used for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Use {
@@ -40,7 +46,15 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
     let Some(project) = facts.project.filter(|project| project.knows_tools()) else { return };
     for (_, block) in facts.marked() {
         let BlockKind::ToolCall(call) = &block.kind else { continue };
-        let (Some(tool), Some(speed)) = (call.tool, call.speed) else { continue };
+        let Some(tool) = call.tool else { continue };
+        if let Some(name) = named(facts, tool)
+            && project.tool_word(name, "TL") == Some(LOCKED)
+            && project.tool_word(name, "RT").is_none_or(|replacement| replacement == "0")
+        {
+            let finding = rule.at(facts, facts.content(block)).arg("what", "locked").arg("tool", shown(facts, tool));
+            found.push(finding.arg("value", "").arg("other", ""));
+        }
+        let Some(speed) = call.speed else { continue };
         let most = named(facts, tool).and_then(|name| project.tool_value(name, "NMAX")).filter(|most| *most > 0.0);
         let Some((speed, most, span)) = facts.number(&speed).zip(most).map(|(own, most)| (own, most, speed.span))
         else {
@@ -51,6 +65,7 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
             found.push(finding.arg("value", Arg::Number(speed)).arg("other", Arg::Number(most)));
         }
     }
+    to_diameter(rule, facts, project, found);
     let mut uses = uses(facts);
     uses.sort_by_key(|(span, ..)| span.start);
     let mut reported = HashSet::new();
@@ -59,6 +74,31 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         if !fits(own, kind) && reported.insert(loaded) {
             let finding = rule.at(facts, span).arg("what", "type").arg("tool", shown(facts, tool));
             found.push(finding.arg("value", word).arg("other", kind));
+        }
+    }
+}
+
+/// Cycles that centre to a diameter with a tool that has no point angle.
+fn to_diameter(rule: &Rule, facts: &Facts<'_>, project: &dyn Project, found: &mut Vec<Diagnostic>) {
+    let (meaning, diameter) = DEPTH_OR_DIAMETER;
+    let mut reported = HashSet::new();
+    for call in &facts.run.calls {
+        let (Pending::Definition(index), Loaded::By(block)) = (call.modal.pending, call.modal.loaded) else { continue };
+        let Some(own) = facts.definitions.get(index as usize) else { continue };
+        if own.related_cycle().is_none_or(|cycle| with_meaning(cycle, meaning).is_none()) {
+            continue;
+        }
+        let related = own.as_related_cycle();
+        let read = facts.read(&related);
+        let Some(item) = read.item(meaning).filter(|item| number(item) == Some(diameter)) else { continue };
+        let Some(BlockKind::ToolCall(tool)) = facts.program.blocks().get(block as usize).map(|own| &own.kind) else {
+            continue;
+        };
+        let Some(tool) = tool.tool else { continue };
+        let angle = named(facts, tool).and_then(|name| project.tool_value(name, "T-ANGLE"));
+        if angle.is_some_and(|angle| angle <= 0.0) && reported.insert((index, block)) {
+            let finding = rule.at(facts, item.span).arg("what", "point").arg("tool", shown(facts, tool));
+            found.push(finding.arg("value", own.key.to_string()).arg("other", ""));
         }
     }
 }

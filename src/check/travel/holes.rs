@@ -1,5 +1,5 @@
 //! What cycles do to the blank where they are called: holes, taps and pockets at places that are known.
-use super::{Cut, REACH, Walk};
+use super::{Cut, REACH, SKIN, Walk};
 use crate::base::diag::Span;
 use crate::check::blank::is_unmoved;
 use crate::check::incident::Incident;
@@ -17,6 +17,7 @@ const SAME: f64 = 0.01;
 /// The meanings of the values of holes.
 const SURFACE: &str = "surface-coordinate";
 const DEPTH: &str = "depth";
+const CLEARANCE: &str = "set-up-clearance";
 const THREAD_DEPTH: &str = "thread-depth";
 /// The meaning of a value that only cycles for milling have.
 const MILLED: &str = "milling-type";
@@ -136,12 +137,31 @@ impl Walk<'_, '_> {
             if usual && what != Makes::Pocket {
                 self.judge(&read, index, span, *place);
             }
+            if usual {
+                self.come_down(&read, *place);
+            }
             let reach = REACH * self.unit + size.unwrap_or(0.0);
             let [x, y] = *place;
             self.remember(Cut { low: [x - reach, y - reach], high: [x + reach, y + reach], floor: f64::NEG_INFINITY });
         }
         self.open |= size.is_none();
         self.at[2] = None;
+    }
+
+    /// A cycle comes down at rapid to the set-up clearance above its surface, which must not be inside of the blank where
+    /// nothing has been cut.
+    fn come_down(&mut self, read: &Definition<'_>, place: [f64; 2]) {
+        let value = |meaning: &str| read.item(meaning).and_then(number);
+        let (Some(item), Some(surface), Some(clearance)) = (read.item(SURFACE), value(SURFACE), value(CLEARANCE))
+        else {
+            return;
+        };
+        let height = surface + clearance;
+        let covers = |cut: &Cut| (0..2).all(|axis| cut.low[axis] <= place[axis] && place[axis] <= cut.high[axis]);
+        let inside = self.blank.holds(place[0], place[1]) && height < self.blank.high[2] - SKIN * self.unit;
+        if inside && surface >= self.blank.low[2] && !self.open && !self.cuts.iter().any(covers) {
+            self.found.push((item.span, Incident::Rapid(height)));
+        }
     }
 
     /// Notes a hole that is drilled.

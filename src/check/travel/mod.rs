@@ -10,6 +10,7 @@ mod holes;
 mod places;
 
 use std::collections::BTreeSet;
+use std::f64::consts::TAU;
 
 use self::contour::Course;
 use self::holes::Holes;
@@ -20,11 +21,14 @@ use super::program::{is_silent, with_meaning};
 use super::tools::Tools;
 use super::{Aspect, Defined, Facts, Modal, Tri};
 use crate::base::diag::Span;
+use crate::base::expr::{atan2d, cosd, sind};
 use crate::program::syntax::{Axis, Block, BlockKind, Compensates, Coord, Element, Motion, Path, StatementKind};
 use crate::spec::{MM_PER_INCH, TakesEffect};
 
-/// How far a tool is sure to reach that is not known, in millimetres.
+/// What a hole or a pocket takes away around its place, in millimetres: so much is never looked at.
 const REACH: f64 = 60.0;
+/// The radius of a tool that is not known, in millimetres: larger ones are rare.
+const RADIUS: f64 = 15.0;
 /// What lies so little inside of the blank is at its faces, in millimetres.
 const SKIN: f64 = 0.01;
 /// So far above the blank a rotary axis does not turn at rapid, in millimetres.
@@ -202,7 +206,7 @@ impl Walk<'_, '_> {
             }
             Path::Appr(form) => return self.approach(index, block, form, &motion.words(), modal),
             Path::Dep(form) => return self.depart(block, form, &motion.words(), modal),
-            Path::L | Path::C | Path::Cr | Path::Ct if outline.has_coords() => {}
+            Path::L | Path::Lp | Path::C | Path::Cr | Path::Ct if outline.has_coords() => {}
             Path::L if !outline.has_functions() => return,
             _ => {
                 self.open |= !outline.is_rapid();
@@ -221,12 +225,16 @@ impl Walk<'_, '_> {
                 self.at[place] = self.target(coord, from[place]);
             }
         }
+        if motion.path() == Path::Lp {
+            let place = self.polar(&words);
+            (self.at[0], self.at[1]) = (place.map(|own| own[0]), place.map(|own| own[1]));
+        }
         let free = outline.compensates() == Compensates::Off
             || (outline.compensates() == Compensates::Unsaid && modal.is(Aspect::Compensation) == Tri::No);
         if self.turned != [false; 3] || modal.is(Aspect::Tool) != Tri::Yes {
             self.open |= !outline.is_rapid();
         } else if outline.is_rapid() {
-            if let Some(height) = self.strikes(from, modal).filter(|_| free && motion.path() == Path::L) {
+            if let Some(height) = self.strikes(from, &words).filter(|_| free) {
                 self.tell(block, Incident::Rapid(height));
             }
         } else {
@@ -253,7 +261,8 @@ impl Walk<'_, '_> {
             turns |= angle != Some(0.0);
             *turned = angle != Some(0.0);
         }
-        let others = words.coords.iter().any(|own| !AXES.contains(&own.axis) && !rotary.contains(&own.axis));
+        let known = |axis: &Axis| matches!(axis, Axis::Pr | Axis::Pa) || AXES.contains(axis) || rotary.contains(axis);
+        let others = words.coords.iter().any(|own| !known(&own.axis));
         if others {
             self.turned = [true; 3];
         }
@@ -278,8 +287,22 @@ impl Walk<'_, '_> {
         if coord.incremental { Some(from? + value) } else { Some(value) }
     }
 
+    /// The place of the plane that a polar radius and a polar angle name; what is not written stays.
+    fn polar(&self, words: &Motion) -> Option<[f64; 2]> {
+        let pole = self.course.centre?;
+        let (x, y) = (self.at[0].map(|x| x - pole[0]), self.at[1].map(|y| y - pole[1]));
+        let before = |value: &dyn Fn(f64, f64) -> f64| Some(value(x?, y?));
+        let part = |axis: Axis, before: Option<f64>| match words.coord(axis) {
+            Some(coord) => self.target(coord, before),
+            None => before,
+        };
+        let radius = part(Axis::Pr, before(&|x, y| libm::hypot(x, y)))?;
+        let angle = part(Axis::Pa, before(&|x, y| atan2d(y, x)))?;
+        Some([pole[0] + radius * cosd(angle), pole[1] + radius * sind(angle)])
+    }
+
     /// How deep a movement from a place to the one where the tool is goes into material that nothing has removed.
-    fn strikes(&self, from: [Option<f64>; 3], modal: &Modal) -> Option<f64> {
+    fn strikes(&self, from: [Option<f64>; 3], words: &Motion) -> Option<f64> {
         let [Some(x), Some(y), Some(z)] = self.at else { return None };
         let to = [x, y, z];
         // Of a movement from nowhere the end is known.
@@ -291,19 +314,37 @@ impl Walk<'_, '_> {
         if lifts || self.open {
             return None;
         }
-        let (first, last) = self.clipped(begin, to, SKIN)?;
         const SAMPLES: i32 = 16;
-        let mut samples = (0..=SAMPLES).map(|step| {
-            let part = first + (last - first) * f64::from(step) / f64::from(SAMPLES);
-            [0, 1, 2].map(|axis| begin[axis] + (to[axis] - begin[axis]) * part)
-        });
-        let reach = self.reach(modal);
+        let parts = (0..=SAMPLES).map(|step| f64::from(step) / f64::from(SAMPLES));
+        let mut places: Vec<[f64; 3]> = match words.path {
+            Path::L | Path::Lp => {
+                let (first, last) = self.clipped(begin, to, SKIN)?;
+                let place = |part: f64| [0, 1, 2].map(|axis| begin[axis] + (to[axis] - begin[axis]) * part);
+                parts.map(|part| place(first + (last - first) * part)).collect()
+            }
+            Path::C => parts.map(|part| self.on_arc(begin, to, words, part)).collect::<Option<_>>()?,
+            _ => return None,
+        };
+        places.retain(|place| self.clipped(*place, *place, SKIN).is_some());
         let own = |cut: &Cut, place: [f64; 3]| {
             cut.floor <= place[2] + SKIN
-                && (0..2).all(|axis| cut.low[axis] - reach <= place[axis] && place[axis] <= cut.high[axis] + reach)
+                && (0..2).all(|axis| cut.low[axis] <= place[axis] && place[axis] <= cut.high[axis])
         };
-        let strikes = samples.any(|place| !self.cuts.iter().any(|cut| own(cut, place)));
+        let strikes = places.iter().any(|place| !self.cuts.iter().any(|cut| own(cut, *place)));
         strikes.then(|| begin[2].min(to[2]))
+    }
+
+    /// A place on the arc about the centre from one place to another.
+    fn on_arc(&self, begin: [f64; 3], to: [f64; 3], words: &Motion, part: f64) -> Option<[f64; 3]> {
+        let centre = self.course.centre?;
+        let angle = |place: [f64; 3]| libm::atan2(place[1] - centre[1], place[0] - centre[0]);
+        let radius = libm::hypot(begin[0] - centre[0], begin[1] - centre[1]);
+        let (first, last) = (angle(begin), angle(to));
+        let sweep = if words.counter_clockwise? { last - first } else { first - last };
+        let sweep = if sweep > 0.0 { sweep } else { sweep + TAU };
+        let angle = if words.counter_clockwise? { first + sweep * part } else { first - sweep * part };
+        let height = begin[2] + (to[2] - begin[2]) * part;
+        Some([centre[0] + radius * libm::cos(angle), centre[1] + radius * libm::sin(angle), height])
     }
 
     /// Whether a movement from a place to the one where the tool is goes through the blank.
@@ -335,7 +376,7 @@ impl Walk<'_, '_> {
     /// How far the tool reaches next to its centre.
     fn reach(&self, modal: &Modal) -> f64 {
         let tool = self.tools.as_ref().and_then(|tools| tools.get(modal.loaded));
-        tool.map_or(REACH * self.unit, |tool| 2.0 * tool.radius)
+        2.0 * tool.map_or(RADIUS * self.unit, |tool| tool.radius)
     }
 
     /// Notes what a movement at feed removes: of an arc the square around it.
@@ -345,7 +386,7 @@ impl Walk<'_, '_> {
             return;
         };
         let beyond = match words.path {
-            Path::L => Some(0.0),
+            Path::L | Path::Lp => Some(0.0),
             Path::C => self.course.centre.map(|centre| 2.0 * libm::hypot(x - centre[0], y - centre[1])),
             Path::Cr => words.radius.and_then(|own| self.facts.number(&own)).map(|radius| 2.0 * radius.abs()),
             _ => None,
