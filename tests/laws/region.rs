@@ -1,6 +1,6 @@
 //! Laws of regions: what belongs to a union, a difference, an intersection, a shrunk and a grown region is asked point
 //! by point, of the contours themselves, which are given as functions here and not as lines.
-use ciklo::engine::region::{Boundary, Edge, Flaw, Region, clearing};
+use ciklo::engine::region::{Boundary, Edge, Flaw, Region, Way, clearing};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -233,4 +233,88 @@ fn a_contour_that_is_open_crosses_itself_or_encloses_nothing_is_refused() {
     // The diagonal and the last line but one: y = x and y = 4 - 4 x / 9.
     let Err(Flaw::Crossing(at)) = crossing else { panic!("{crossing:?}") };
     assert!(at.distance(DVec2::splat(36.0 / 13.0)) < 1e-9, "{at}");
+}
+
+/// An open contour that winds from left to right: lines, and arcs that bulge by a part of their chord.
+fn winding() -> impl Strategy<Value = Way> {
+    prop::collection::vec(
+        (2.0..30.0f64, -25.0..25.0f64, prop_oneof![2 => Just(0.0), 1 => 0.02..0.9f64, 1 => -0.9..-0.02f64]),
+        1..25,
+    )
+    .prop_map(|steps| {
+        let mut at = DVec2::ZERO;
+        let mut way = Way { start: at, edges: Vec::new() };
+        for (x, y, bulge) in steps {
+            let to = at + DVec2::new(x, y);
+            way.edges.push(if bulge == 0.0 {
+                Edge::Line(to)
+            } else {
+                // The centre of an arc whose height is that part of half its chord.
+                let (half, middle) = (at.distance(to) / 2.0, at.midpoint(to));
+                let off = half * (1.0 - bulge * bulge) / (2.0 * bulge);
+                let centre = middle + (to - at).normalize().perp() * off;
+                Edge::Arc { to, centre, sweep: 4.0 * bulge.atan().to_degrees() }
+            });
+            at = to;
+        }
+        way
+    })
+}
+
+/// The distance of a point from a way.
+fn distance(way: &Way, point: DVec2) -> f64 {
+    let mut at = way.start;
+    let mut far = f64::INFINITY;
+    for edge in &way.edges {
+        let to = edge.to();
+        let own = match *edge {
+            Edge::Line(_) => {
+                let along = ((point - at).dot(to - at) / (to - at).length_squared()).clamp(0.0, 1.0);
+                point.distance(at.lerp(to, along))
+            }
+            Edge::Arc { centre, sweep, .. } => {
+                let turn = (at - centre).angle_to(point - centre).to_degrees() * sweep.signum();
+                let turn = if turn < 0.0 { turn + 360.0 } else { turn };
+                let ends = point.distance(at).min(point.distance(to));
+                if turn <= sweep.abs() { ends.min((point.distance(centre) - at.distance(centre)).abs()) } else { ends }
+            }
+        };
+        far = far.min(own);
+        at = to;
+    }
+    far
+}
+
+proptest! {
+    #![proptest_config(cases::config(150))]
+
+    /// A way beside another one has that distance from it everywhere, begins beside it, and the same holds the other way
+    /// round.
+    #[test]
+    fn a_way_beside_another_keeps_its_distance(
+        way in winding(), by in prop_oneof![0.1..12.0f64, -12.0..-0.1f64],
+    ) {
+        let ways = way.beside(by);
+        for own in &ways {
+            let length = own.length();
+            prop_assert!(length > 0.0);
+            for part in 0..=200 {
+                let point = own.shortened(length * f64::from(part) / 200.0).end();
+                let far = distance(&way, point);
+                prop_assert!((far - by.abs()).abs() < 1e-4, "{point} is {far} from the way and not {by}");
+            }
+        }
+        if let [own] = ways.as_slice() {
+            // On the same side: where the way is not hemmed in at its beginning the two begin beside each other.
+            let heading = (way.shortened(1e-6).end() - way.start).normalize();
+            let beside = way.start + heading.perp() * by;
+            if distance(&way, beside) > by.abs() - 1e-9 {
+                prop_assert!(own.start.distance(beside) < 1e-4, "{} is not {beside}", own.start);
+            }
+            let back = way.reversed().beside(-by);
+            prop_assert_eq!(back.len(), 1);
+            prop_assert!((back[0].length() - own.length()).abs() < 1e-4);
+            prop_assert!(back[0].start.distance(own.end()) < 1e-4);
+        }
+    }
 }

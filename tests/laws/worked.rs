@@ -207,6 +207,45 @@ fn c21(place: DVec2) -> Column {
     Some(vec![[-40.0, if pocket < 0.0 && !island { -20.0 } else { 0.0 }]])
 }
 
+/// What a tool of radius 10 sweeps 20 deep whose centre is 10 mm on the left of the contour.
+fn c25(place: DVec2) -> Column {
+    // The contour: a line at 45 degrees, an arc that goes on tangentially about (-22.5, 47.5), a line upwards from the
+    // corner (5, 75), two lines with roundings of 7.5 between them.
+    let half = 10.0 / 2.0_f64.sqrt();
+    let slant = 50.0_f64.hypot(15.0);
+    let beside = at(15.0, 50.0) / slant * 10.0;
+    let bend = 7.5 * (15.0_f64.atan2(50.0) / 2.0).tan();
+    let lines = [
+        (at(-half, 15.0 + half), at(5.0 - half, 20.0 + half)),
+        (at(-5.0, 75.0), at(-5.0, 87.5)),
+        (at(12.5, 105.0), at(50.0 - bend, 105.0)),
+        (at(50.0, 95.0) + at(50.0, -15.0) / slant * bend + beside, at(100.0, 80.0) + beside),
+    ];
+    let arcs = [
+        (at(-22.5, 47.5), 27.5 * 2.0_f64.sqrt() - 10.0, [-45.0, 45.0]),
+        (at(5.0, 75.0), 10.0, [180.0, 225.0]),
+        (at(12.5, 87.5), 17.5, [90.0, 180.0]),
+        (at(50.0 - bend, 87.5), 17.5, [90.0 - 15.0_f64.atan2(50.0).to_degrees(), 90.0]),
+    ];
+    let mut far = f64::INFINITY;
+    for (a, b) in lines {
+        let along = ((place - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+        far = far.min(place.distance(a.lerp(b, along)));
+    }
+    for (centre, radius, [first, last]) in arcs {
+        let arm = place - centre;
+        let angle = arm.y.atan2(arm.x).to_degrees();
+        let angle = if angle < first - 90.0 { angle + 360.0 } else { angle };
+        if (first..=last).contains(&angle) {
+            far = far.min((arm.length() - radius).abs());
+        }
+    }
+    if (far - 10.0).abs() < EDGE {
+        return None;
+    }
+    Some(vec![[-40.0, if far < 10.0 { -20.0 } else { 0.0 }]])
+}
+
 const WORKED: &[Worked] = &[
     Worked { name: "c200", end: DVec3::new(90.0, 10.0, 250.0), part: c200 },
     Worked { name: "pattern", end: DVec3::new(90.0, 10.0, 100.0), part: pattern },
@@ -217,6 +256,8 @@ const WORKED: &[Worked] = &[
     // The 25th line leads away from X+0 again; line and steps end a radius beside the surface and at its border.
     // Where the last wall is left the manual leaves open.
     Worked { name: "c21", end: DVec3::new(f64::NAN, f64::NAN, 250.0), part: c21 },
+    // The tool is beside the end of the contour: (15, 50) / 52.2 mm is upright to its last line.
+    Worked { name: "c25", end: DVec3::new(102.873_478_855_663_45, 89.578_262_852_211_51, 250.0), part: c25 },
     Worked { name: "c230", end: DVec3::new(110.0, 90.0, 250.0), part: c230 },
     Worked { name: "coordinates", end: DVec3::new(65.0, 65.0, 250.0), part: coordinates },
 ];
@@ -259,7 +300,6 @@ fn contour_cycles_are_refused_by_name() {
     for (name, code) in [
         // Its contour is programmed with free elements.
         ("C20", "unsupported-path"),
-        ("C25", "strategy-pending"),
         ("C27", "strategy-pending"),
         ("C28", "strategy-pending"),
     ] {

@@ -6,8 +6,8 @@ use std::{env, fs};
 
 use ciklo::base::expr::Type;
 use ciklo::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
-use ciklo::engine::region::Edge;
 use ciklo::engine::region::contours::Contour;
+use ciklo::engine::region::{Edge, Way};
 use ciklo::engine::run::Fault;
 use ciklo::engine::strategy::action::{
     Calibrated, Function, Kept, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System, Tables,
@@ -17,7 +17,7 @@ use ciklo::engine::strategy::pending::PENDING;
 use ciklo::engine::strategy::{
     Action, Calculation, Cutter, Done, Leg, Milling, Mm, OverContours, STRATEGIES, Strategy,
 };
-use ciklo::engine::strategy::{datum, face, measure, pocket, probing, program, rotary, rotation, spindle, stud};
+use ciklo::engine::strategy::{datum, face, measure, pocket, probing, program, rotary, rotation, spindle, stud, train};
 use ciklo::engine::table::{Cell, TableKind};
 use ciklo::spec::{Argument, Quantity, Verb};
 use glam::{DVec2, DVec3};
@@ -220,6 +220,11 @@ impl Kept for Notebook {
         Ok(())
     }
 
+    fn read_first_contour(&mut self) -> Done {
+        self.contours = train();
+        Ok(())
+    }
+
     fn contours(&self) -> &Contours {
         &self.contours
     }
@@ -233,8 +238,38 @@ impl Kept for Notebook {
 fn pocket() -> Contours {
     let corners = [(0.0, 20.0), (40.0, 20.0), (40.0, 0.0), (0.0, 0.0)];
     let edges = corners.map(|(x, y)| Edge::Line(DVec2::new(x, y))).to_vec();
-    let contour = Contour { start: DVec2::ZERO, edges, side: -1 };
+    let contour = Contour { way: Way { start: DVec2::ZERO, edges }, side: -1 };
     Contours::new(vec![contour.closed().expect("a pocket")], DVec2::new(20.0, 40.0))
+}
+
+/// An open contour along X to 50, then along Y to 30, with the tool on its left.
+fn train() -> Contours {
+    let edges = [(50.0, 0.0), (50.0, 30.0)].map(|(x, y)| Edge::Line(DVec2::new(x, y))).to_vec();
+    Contours { open: vec![Contour { way: Way { start: DVec2::ZERO, edges }, side: 1 }], ..Contours::default() }
+}
+
+#[test]
+fn a_contour_is_followed_on_its_side_forwards_in_climb_and_backwards_in_up_cut() {
+    let mut control = Notebook::default();
+    let begin = train::FindContourStart { allowance: 1.0, climb: -1.0 }.act(&mut control).expect("a start");
+    assert_eq!((begin.main, begin.minor), (44.0, 30.0));
+    let ends = |climb: f64, turn: f64, from: DVec3| -> Vec<(f64, f64)> {
+        let follow = train::FollowContour { level: -3.0, allowance: 1.0, climb, turn, at: 200.0 };
+        let path = follow.path(&control.contours, TOOL, from);
+        assert_eq!(path.fault, None);
+        path.legs.iter().map(|leg| (leg.end().x, leg.end().y)).collect()
+    };
+    // Six millimetres beside it the corner is at (44, 6).
+    let (first, last) = (DVec3::new(0.0, 6.0, -3.0), DVec3::new(44.0, 30.0, -3.0));
+    assert_eq!(ends(1.0, 2.0, first), [(44.0, 6.0), (44.0, 30.0)]);
+    assert_eq!(ends(-1.0, 1.0, last), [(44.0, 6.0), (0.0, 6.0)]);
+    assert_eq!(ends(0.0, 1.0, first), ends(1.0, 1.0, first));
+    assert_eq!(ends(0.0, 2.0, last), ends(-1.0, 1.0, last));
+    let over = train::MoveOverContourStart { allowance: 1.0, climb: 1.0, turn: 2.0, above: 50.0 };
+    let path = over.path(&control.contours, TOOL, last);
+    let ends: Vec<DVec3> = path.legs.iter().map(|leg| leg.end()).collect();
+    assert_eq!(ends, [DVec3::new(44.0, 30.0, 50.0), DVec3::new(0.0, 6.0, 50.0)]);
+    assert!(over.path(&control.contours, TOOL, DVec3::new(0.0, 6.0, 50.0)).legs.is_empty());
 }
 
 #[test]

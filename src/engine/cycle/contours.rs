@@ -10,7 +10,7 @@ use crate::base::expr::Value;
 use crate::engine::flow::calls::Call;
 use crate::engine::flow::state::Run;
 use crate::engine::region::contours::Contour;
-use crate::engine::region::{Edge, Flaw};
+use crate::engine::region::{Edge, Flaw, Way};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
 use crate::engine::solid::Path;
@@ -25,11 +25,8 @@ impl<'e> Run<'_, 'e> {
     /// Reads the closed contours that the definition in effect names.
     pub(super) fn read_contours(&mut self) -> Done {
         let mut closed = Vec::new();
-        for (label, contour) in self.contours_of_labels()? {
+        for (label, contour) in self.contours_of_labels(usize::MAX)? {
             let about = |code: &'static str| Fault::program(code).arg("label", &*label);
-            if contour.side == 0 {
-                return Err(about("contour-side-missing").into());
-            }
             closed.push(contour.closed().map_err(|flaw| match flaw {
                 Flaw::Open { from, to } => about("contour-open").arg("distance", from.distance(to)),
                 Flaw::Crossing(at) => about("contour-crossing").arg("x", at.x).arg("y", at.y),
@@ -41,8 +38,16 @@ impl<'e> Run<'_, 'e> {
         Ok(())
     }
 
-    /// The contours of the labels in the definition that is in effect, with the present parameters; each with its label.
-    pub(crate) fn contours_of_labels(&mut self) -> Done<Vec<(String, Contour)>> {
+    /// Reads the first contour that the definition in effect names, open or closed.
+    pub(super) fn read_first_contour(&mut self) -> Done {
+        let open = self.contours_of_labels(1)?.into_iter().map(|(_, contour)| contour).collect();
+        self.cycles.contours = Contours { open, ..Contours::default() };
+        Ok(())
+    }
+
+    /// So many contours of the labels in the definition that is in effect, with the present parameters; each with its
+    /// label and a side.
+    fn contours_of_labels(&mut self, most: usize) -> Done<Vec<(String, Contour)>> {
         let Some(Value::Text(labels)) = self.cycles.remembered.get("contour").cloned() else {
             return Err(Fault::program("contour-not-defined").into());
         };
@@ -50,7 +55,7 @@ impl<'e> Run<'_, 'e> {
         self.modal.feed = Some(ANY_FEED);
         self.drives.report.rehearse(true);
         (self.drives.probing, self.cycles.inside) = (false, 0);
-        let labels = labels.split('/').map(str::trim).filter(|label| !label.is_empty());
+        let labels = labels.split('/').map(str::trim).filter(|label| !label.is_empty()).take(most);
         let contours: Done<Vec<_>> =
             labels.map(|label| Ok((label.to_owned(), self.contour_of(label, &before)?))).collect();
         self.drives.traced = None;
@@ -58,8 +63,11 @@ impl<'e> Run<'_, 'e> {
         let contours = contours?;
         self.return_to(&before);
         self.enter_program();
-        if contours.iter().map(|(_, contour)| contour.edges.len()).sum::<usize>() > MOST_ELEMENTS {
+        if contours.iter().map(|(_, contour)| contour.way.edges.len()).sum::<usize>() > MOST_ELEMENTS {
             return Err(Fault::control("contour-elements").arg("limit", MOST_ELEMENTS as f64).into());
+        }
+        if let Some((label, _)) = contours.iter().find(|(_, contour)| contour.side == 0) {
+            return Err(Fault::program("contour-side-missing").arg("label", &**label).into());
         }
         Ok(contours)
     }
@@ -102,6 +110,6 @@ impl<'e> Run<'_, 'e> {
                 }
             }
         };
-        Some(Contour { start: flat(lead.at(1.0)), edges: elements.iter().map(edge).collect(), side })
+        Some(Contour { way: Way { start: flat(lead.at(1.0)), edges: elements.iter().map(edge).collect() }, side })
     }
 }

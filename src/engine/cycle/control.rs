@@ -238,6 +238,10 @@ impl Kept for OfRun<'_, '_, '_, '_> {
         self.run.read_contours()
     }
 
+    fn read_first_contour(&mut self) -> Done {
+        self.run.read_first_contour()
+    }
+
     fn contours(&self) -> &Contours {
         &self.run.cycles.contours
     }

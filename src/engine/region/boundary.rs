@@ -174,6 +174,12 @@ impl Boundary {
         Self { line, clockwise: false, start }
     }
 
+    /// Of a line that is followed in its own sense.
+    pub(super) fn of_either_sense(line: Polyline) -> Self {
+        let clockwise = line.orientation() == PlineOrientation::Clockwise;
+        Self { clockwise, ..Self::of(if clockwise { inverted(&line) } else { line }) }
+    }
+
     /// Counterclockwise.
     pub(super) fn line(&self) -> &Polyline {
         &self.line
@@ -187,6 +193,11 @@ impl Boundary {
     /// Whether it runs clockwise.
     pub fn is_clockwise(&self) -> bool {
         self.clockwise
+    }
+
+    /// The direction in which it begins.
+    pub fn heading(&self) -> DVec2 {
+        heading(self.start, &self.edges())
     }
 
     /// The same contour in the other direction.
@@ -258,8 +269,19 @@ impl Boundary {
     }
 }
 
+/// The direction in which edges begin.
+pub(super) fn heading(start: DVec2, edges: &[Edge]) -> DVec2 {
+    match edges.first() {
+        Some(Edge::Line(to)) => (*to - start).normalize_or_zero(),
+        Some(Edge::Arc { centre, sweep, .. }) => {
+            (start - *centre).perp().normalize_or_zero() * if *sweep < 0.0 { -1.0 } else { 1.0 }
+        }
+        None => DVec2::X,
+    }
+}
+
 /// Adds a segment; one that continues the arc before it about the same centre is one with it.
-fn add(edges: &mut Vec<Edge>, from: PlineVertex, to: PlineVertex) {
+pub(super) fn add(edges: &mut Vec<Edge>, from: PlineVertex, to: PlineVertex) {
     let end = DVec2::new(to.x, to.y);
     if from.bulge == 0.0 {
         return edges.push(Edge::Line(end));
@@ -279,7 +301,7 @@ fn add(edges: &mut Vec<Edge>, from: PlineVertex, to: PlineVertex) {
 }
 
 /// Adds the vertices of an edge that begins at a point: arcs in pieces of less than a half turn.
-fn push(line: &mut Polyline, from: DVec2, edge: &Edge) {
+pub(super) fn push(line: &mut Polyline, from: DVec2, edge: &Edge) {
     let Edge::Arc { to, centre, sweep } = *edge else {
         return line.add(from.x, from.y, 0.0);
     };

@@ -3,20 +3,18 @@
 //! Invariant: a contour says by its side and its sense what it is; nothing here knows a program.
 use glam::DVec2;
 
-use super::{Boundary, Edge, Flaw, Region};
+use super::{Boundary, Flaw, Region, Way};
 
 /// How far the end of a contour may lie off its beginning, mm: what the controls' input step of 0.0001 mm can cause.
-const CLOSED: f64 = 0.001;
+pub(super) const CLOSED: f64 = 0.001;
 /// The frame around islands without a pocket is this much larger than they are, mm.
 const AROUND: f64 = 1000.0;
 
 /// A contour in main and minor coordinates, mm.
 #[derive(Clone, Debug)]
 pub struct Contour {
-    /// Where it begins.
-    pub start: DVec2,
     /// Its elements, with roundings and chamfers.
-    pub edges: Vec<Edge>,
+    pub way: Way,
     /// Positive with the tool on its left (RL), negative on its right (RR), 0 on it.
     pub side: i8,
 }
@@ -36,7 +34,7 @@ impl Contour {
     /// # Errors
     /// It is open, crosses itself or encloses nothing.
     pub fn closed(&self) -> Result<Closed, Flaw> {
-        let boundary = Boundary::new(self.start, &self.edges, CLOSED)?;
+        let boundary = Boundary::new(self.way.start, &self.way.edges, CLOSED)?;
         let is_pocket = (self.side > 0) != boundary.is_clockwise();
         Ok(Closed { boundary, is_pocket })
     }

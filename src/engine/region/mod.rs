@@ -10,12 +10,14 @@ mod boundary;
 pub mod clearing;
 mod combine;
 pub mod contours;
+mod way;
 
 use cavalier_contours::polyline::{PlineSource, Polyline};
 use cavalier_contours::shape_algorithms::{Shape, ShapeOffsetOptions};
 use glam::DVec2;
 
 pub use boundary::{Boundary, Edge, Flaw};
+pub use way::Way;
 
 /// Points that lie nearer to each other than this are one, in mm.
 pub const NEAR: f64 = 1e-7;

@@ -262,6 +262,12 @@ pub trait Kept {
     /// No definition names contours, or one of them is none.
     fn read_contours(&mut self) -> Done;
 
+    /// Reads the first of these contours, which may be open.
+    ///
+    /// # Errors
+    /// No definition names a contour, or it is none.
+    fn read_first_contour(&mut self) -> Done;
+
     /// The contours that were read last.
     fn contours(&self) -> &Contours;
 

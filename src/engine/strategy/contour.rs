@@ -14,7 +14,7 @@ use crate::base::expr::tand;
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::region::clearing::{self, MOST_RINGS};
 use crate::engine::region::contours::{Closed, Contour, enclosed};
-use crate::engine::region::{Boundary, Edge, Region};
+use crate::engine::region::{Boundary, Edge, Region, Way};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
 use crate::engine::table::TableKind;
@@ -413,65 +413,32 @@ impl PlungeIntoRegion {
 
     /// To and fro along the path that clears the part, and once more at the bottom.
     fn in_strokes(&self, path: &clearing::Path, pen: &mut Pen) -> Result<(), Fault> {
-        let mut there = Stroke { from: path.start, edges: Vec::new(), length: 0.0 };
-        for edge in &path.edges {
-            let left = self.stroke - there.length;
-            let end = there.end();
-            if left <= SPARE {
-                break;
-            }
-            there.length += edge.length(end).min(left);
-            there.edges.push(if edge.length(end) > left { edge.shortened(end, left) } else { *edge });
-        }
+        let there = Way { start: path.start, edges: path.edges.clone() }.shortened(self.stroke);
         let back = there.reversed();
-        let strokes = self.passes(there.length)?;
+        let strokes = self.passes(there.length())?;
         // An even number ends where it begins; the last two level the bottom.
         let strokes = strokes + strokes % 2;
         for stroke in 1..=strokes + 2 {
             let way = if stroke % 2 == 1 { &there } else { &back };
-            way.draw(self.height(stroke - 1, strokes), self.height(stroke, strokes), self.feed, pen);
+            descend(way, self.height(stroke - 1, strokes), self.height(stroke, strokes), self.feed, pen);
         }
         Ok(())
     }
 }
 
-/// A way to and fro.
-struct Stroke {
-    from: DVec2,
-    edges: Vec<Edge>,
-    length: f64,
-}
-
-impl Stroke {
-    fn end(&self) -> DVec2 {
-        self.edges.last().map_or(self.from, Edge::to)
-    }
-
-    fn reversed(&self) -> Self {
-        let mut at = self.from;
-        let mut edges: Vec<Edge> = Vec::with_capacity(self.edges.len());
-        for edge in &self.edges {
-            edges.push(edge.reversed(at));
-            at = edge.to();
-        }
-        edges.reverse();
-        Self { from: at, edges, length: self.length }
-    }
-
-    /// Evenly from one height to another.
-    fn draw(&self, from: f64, to: f64, feed: f64, pen: &mut Pen) {
-        let (mut at, mut gone) = (self.from, 0.0);
-        for edge in &self.edges {
-            gone += edge.length(at);
-            let share = if self.length > 0.0 { (gone / self.length).min(1.0) } else { 1.0 };
-            draw(edge, from + (to - from) * share, feed, pen);
-            at = edge.to();
-        }
+/// Evenly along a way from one height to another.
+fn descend(way: &Way, from: f64, to: f64, feed: f64, pen: &mut Pen) {
+    let (mut at, mut gone, length) = (way.start, 0.0, way.length());
+    for edge in &way.edges {
+        gone += edge.length(at);
+        let share = if length > 0.0 { (gone / length).min(1.0) } else { 1.0 };
+        draw(edge, from + (to - from) * share, feed, pen);
+        at = edge.to();
     }
 }
 
 /// Draws an edge that ends at a height.
-fn draw(edge: &Edge, height: f64, feed: f64, pen: &mut Pen) {
+pub(super) fn draw(edge: &Edge, height: f64, feed: f64, pen: &mut Pen) {
     match *edge {
         Edge::Line(to) => pen.line(to.extend(height), feed),
         Edge::Arc { to, centre, sweep } => {
@@ -562,7 +529,7 @@ impl OverContours for FollowContourSide {
         let wall = walls.into_iter().nth(number).ok_or_else(|| shape_impossible(2.0 * tool.radius, 0.0))?;
         let wall = if self.direction < 0.0 { wall.reversed() } else { wall };
         let (wall, join) = joined(&centres, &wall, tool.radius * JOIN, tool.radius * LEAST_JOIN);
-        let (start, heading) = (wall.start(), heading(&wall));
+        let (start, heading) = (wall.start(), wall.heading());
         // Into the region: on the left of the way in climb milling.
         let side = if self.direction < 0.0 { -1.0 } else { 1.0 };
         let centre = start + heading.perp() * side * join;
@@ -584,17 +551,6 @@ impl OverContours for FollowContourSide {
     }
 }
 
-/// The direction in which a boundary begins.
-fn heading(wall: &Boundary) -> DVec2 {
-    match wall.edges().first() {
-        Some(Edge::Line(to)) => (*to - wall.start()).normalize_or_zero(),
-        Some(Edge::Arc { centre, sweep, .. }) => {
-            (wall.start() - *centre).perp().normalize_or_zero() * if *sweep < 0.0 { -1.0 } else { 1.0 }
-        }
-        None => DVec2::X,
-    }
-}
-
 /// A wall from where there is most room for an arc onto it, with the radius of that: the circle of the arc stays in the
 /// region. Tried in the middle of each edge.
 fn joined(centres: &Region, wall: &Boundary, most: f64, least: f64) -> (Boundary, f64) {
@@ -611,7 +567,7 @@ fn joined(centres: &Region, wall: &Boundary, most: f64, least: f64) -> (Boundary
     while radius > least {
         for middle in &middles {
             let turned = wall.from_nearest(*middle);
-            let inwards = heading(&turned).perp() * if wall_has_region_left(centres, &turned) { 1.0 } else { -1.0 };
+            let inwards = turned.heading().perp() * if wall_has_region_left(centres, &turned) { 1.0 } else { -1.0 };
             let centre = turned.start() + inwards * radius;
             let deep = centres.nearest(centre).is_some_and(|(_, distance)| distance >= radius - SPARE);
             if deep && centres.contains(centre) {
@@ -625,5 +581,5 @@ fn joined(centres: &Region, wall: &Boundary, most: f64, least: f64) -> (Boundary
 
 /// Whether the region lies on the left of the way along a wall.
 fn wall_has_region_left(centres: &Region, wall: &Boundary) -> bool {
-    centres.contains(wall.start() + heading(wall).perp() * 100.0 * SPARE)
+    centres.contains(wall.start() + wall.heading().perp() * 100.0 * SPARE)
 }

@@ -33,6 +33,7 @@ pub mod spindle;
 pub mod stud;
 pub mod thread;
 pub mod tilting;
+pub mod train;
 
 pub use super::report::ending::{Done, Leave};
 pub use action::Action;

@@ -90,9 +90,14 @@ impl Pen {
         self.here
     }
 
+    /// Whether it is at a point.
+    pub fn is_at(&self, point: DVec3) -> bool {
+        (point - self.here).abs().max_element() < SAME_POSITION
+    }
+
     /// Straight to a point.
     pub fn line(&mut self, to: DVec3, feed: f64) {
-        if (to - self.here).abs().max_element() < SAME_POSITION {
+        if self.is_at(to) {
             return;
         }
         self.here = to;

@@ -1,5 +1,5 @@
 //! Prints how fast specifications load and how many pages a second the manual is written at.
-//! `cargo bench --bench manual`; nothing is judged here.
+//! `cargo bench --bench site`; nothing is judged here.
 use std::time::{Duration, Instant};
 
 use ciklo::base::data;
