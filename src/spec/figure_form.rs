@@ -2,6 +2,7 @@
 //!
 //! Invariant: plain data, as in [`super::form`]; places are expressions of the run.
 use super::decode::{Entries, Formula, Name, record, words};
+use super::form::Tree;
 use crate::base::expr::QRef;
 
 words! {
@@ -59,6 +60,8 @@ record! {
         q: Option<QRef>,
         /// The field of an old-style line.
         field: Option<Name>,
+        /// A datum of the touch probe that the control adds to the parameter, `set-up`: the two are shown as one.
+        plus: Option<Name>,
         /// How it is measured; a length if nothing is said.
         kind: Option<DimensionKind>,
         /// The first place: a coordinate, a point, or a direction in degrees.
@@ -113,10 +116,14 @@ record! {
         of: Name,
         /// Values of parameters that the figure needs otherwise than the example.
         given: Entries<Name>,
+        /// What of the scene it needs otherwise than the example: `parts`, `start`.
+        scene: Option<Tree>,
         /// The parameter for each of whose choices a small figure is drawn.
         each: Option<QRef>,
         /// Those of its choices that are drawn; all if there are none.
         values: Vec<Name>,
+        /// Whether it is one of a row of small figures that are declared one by one.
+        small: bool,
         /// The moment that is drawn; the end of the cycle if nothing is said.
         at: Option<FigureMoment>,
         /// The coordinate along the secondary axis at which a section is cut; where the tool is if nothing is said.

@@ -204,6 +204,12 @@ impl<'a> CycleText<'a> {
         self.named("figure", name)
     }
 
+    /// The name that the control gives to a machine datum, `SET_UP`; its id if it has none.
+    pub fn datum<'t>(&'t self, id: &'t str) -> &'t str {
+        let data = &self.on.control.data.0;
+        data.iter().find(|(own, _)| own.as_str() == id).map_or(id, |(_, name)| name.as_str())
+    }
+
     /// A word that belongs to no cycle.
     pub fn word(&self, id: &str) -> Cow<'a, str> {
         self.general(id, &Args::new())

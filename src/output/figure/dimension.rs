@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use super::frame::{Frame, direction};
 use super::lanes::{Bar, Lane};
 use super::measure::{Measured, Spot};
-use super::pen::{ARROW, Pen, escaped, short};
+use super::pen::{ARROW, Pen, escaped, short, width};
 use super::sheet::{Subject, Words, flat};
 use crate::base::expr::{cosd, sind};
 use crate::spec::{DimensionKind, FigureView};
@@ -155,7 +155,10 @@ impl Work<'_> {
         }
         let side = way.normalize_or_zero().perp();
         let mut places: Vec<DVec2> = Vec::new();
-        for off in [0.0, 12.0, -12.0, 20.0, -20.0] {
+        // Beside a line that is too short for it.
+        let beside = [12.0, -12.0, 20.0, -20.0, 0.0];
+        let on = [0.0, 12.0, -12.0, 20.0, -20.0];
+        for off in if way.length() < width(self.label) + 16.0 { beside } else { on } {
             places.extend([0.5, 0.62, 0.38, 0.72, 0.28, 0.82].map(|share| a + way * share + side * off));
         }
         let out = way.normalize_or_zero();

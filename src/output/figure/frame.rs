@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use super::lanes::{Bar, Lane, lanes};
 use super::measure::{Measured, Spot, axes};
-use super::pen::{FONT, Rect, width};
+use super::pen::{Rect, height, width};
 use super::sheet::{Subject, Words, coordinate, flat, number, point, surface};
 use super::shot::Way;
 use super::slice::{Face, Outline};
@@ -135,6 +135,11 @@ impl Frame {
                 (material.min.y, material.max.y) = (least.y, greatest.y);
             }
         }
+        let shows_datum = subject.measured.iter().any(Measured::begins_at_datum);
+        if shows_datum && !section {
+            // The sign of the datum has room around it.
+            content.take(-0.03 * content.size());
+        }
         content.take(material.min);
         content.take(material.max);
         let bars = directions(subject, words);
@@ -149,7 +154,7 @@ impl Frame {
             top,
             surface: Vec::new(),
             inner: Rect { min: DVec2::ZERO, max: DVec2::ZERO },
-            shows_datum: subject.measured.iter().any(|one| one.from_datum),
+            shows_datum,
             placed: vec![None; bars.len()],
             pitch,
         };
@@ -230,7 +235,7 @@ impl Frame {
             self.camera.place(world)[axis]
         };
         let (a, b) = (place(measured.from), place(measured.to));
-        let label = if axis == 0 { width(label) + 4.0 } else { FONT };
+        let label = if axis == 0 { width(label) + 4.0 } else { height(label) };
         // Points are nearer to one side; coordinates are seen from both.
         let across = |spot: Spot| match spot {
             Spot::Point(point) => Some(self.camera.place(flat(point, view))[1 - axis]),

@@ -26,6 +26,8 @@ pub(super) enum Spot {
 pub(super) struct Measured {
     /// The parameter as programs write it, or the id of the field.
     pub(super) of: String,
+    /// The datum of the touch probe that is added to it.
+    pub(super) plus: Option<String>,
     /// Whether `of` is the id of a field.
     pub(super) field: bool,
     /// How it is measured.
@@ -40,6 +42,14 @@ pub(super) struct Measured {
     pub(super) centre: DVec3,
     /// Whether it is measured from the datum.
     pub(super) from_datum: bool,
+}
+
+impl Measured {
+    /// Whether it is measured from the datum, or from a place that has the coordinate 0 as the datum has.
+    pub(super) fn begins_at_datum(&self) -> bool {
+        let beside = |axis| matches!(self.from, Spot::Point(point) if along(point, axis).abs() <= NEAR);
+        self.from_datum || self.along.is_some_and(beside)
+    }
 }
 
 /// The coordinate of a point along an axis.
@@ -168,6 +178,7 @@ fn one(
     }
     let measured = Measured {
         of: name(dimension),
+        plus: dimension.plus.as_ref().map(|datum| datum.as_str().to_owned()),
         field: dimension.q.is_none(),
         kind,
         along: axis,
@@ -221,7 +232,7 @@ fn coordinate_is_reached(at: f64, axis: Along, shot: &Shot) -> bool {
         })
     };
     shot.strokes.iter().chain(&shot.later).any(by_stroke)
-        || shot.contacts.iter().chain(&shot.centres).any(|point| near(along(*point, axis)))
+        || shot.contacts.iter().chain(&shot.centres).chain(&shot.datum).any(|point| near(along(*point, axis)))
         || blank_coordinates(shot, axis).any(near)
 }
 
@@ -243,7 +254,12 @@ fn point_is_reached(point: DVec3, shot: &Shot) -> bool {
     };
     at.length() <= NEAR
         || shot.strokes.iter().chain(&shot.later).any(by_stroke)
-        || shot.contacts.iter().chain(&shot.centres).any(|own| (own.truncate() - at).length() <= ON_WAY)
+        || shot
+            .contacts
+            .iter()
+            .chain(&shot.centres)
+            .chain(&shot.datum)
+            .any(|own| (own.truncate() - at).length() <= ON_WAY)
         || corner()
         || shot.is_on_part(point)
 }

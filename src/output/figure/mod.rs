@@ -17,7 +17,7 @@ use std::fmt::Write as _;
 
 use crate::base::diag::Diagnostic;
 use crate::language::text::CycleText;
-use crate::spec::{Catalogue, Cycle, Figure as Declared, OnControl, dimensions};
+use crate::spec::{Catalogue, Cycle, Figure as Declared, OnControl, ParameterKind, dimensions};
 use crate::tools::conform::World;
 
 use measure::Measured;
@@ -122,15 +122,27 @@ impl Figure<'_> {
 
     /// Whether it stands in a row with others.
     pub const fn is_of_row(&self) -> bool {
-        self.chosen.is_some()
+        self.chosen.is_some() || self.declared.small
     }
 
     /// The figure in a language.
     pub fn svg(&self, text: &CycleText<'_>, medium: Medium) -> Svg {
         let params: Vec<_> = self.measured.iter().map(|measured| self.param(text, measured)).collect();
         let labels = params.iter().zip(&self.measured).map(|(param, measured)| match (measured.field, param) {
-            (true, Some(param)) => param.word.clone(),
+            (true, Some(param)) => match measured.along.filter(|_| param.is_position) {
+                // A position has a number for each axis.
+                Some(axis) => self.shot.letter(axis).to_string(),
+                None => param.word.clone(),
+            },
             _ => measured.of.clone(),
+        });
+        let labels = labels.zip(&self.measured).map(|(label, measured)| match &measured.plus {
+            // Labels beside the drawing are narrow, those above and below it are low.
+            Some(datum) => {
+                let gap = if frame::direction(measured, self.declared.view) == Some(1) { '\n' } else { ' ' };
+                format!("{}{gap}+ {label}", text.datum(datum))
+            }
+            None => label,
         });
         let links = params.iter().map(|param| param.as_ref().map(|param| param.row.clone()));
         let links: Vec<Option<String>> = links.map(|link| link.filter(|_| medium == Medium::Page)).collect();
@@ -195,7 +207,8 @@ impl Figure<'_> {
         let word = texts.label.as_deref().map(|word| word.trim_end_matches(':').to_owned());
         let word = word.filter(|word| !word.is_empty()).unwrap_or_else(|| texts.name.to_string());
         let shown = if measured.field { word.clone() } else { measured.of.clone() };
-        Some(Shown { row: row(&texts.q), name: texts.name.into_owned(), word, shown })
+        let is_position = param.kind == ParameterKind::Position;
+        Some(Shown { row: row(&texts.q), name: texts.name.into_owned(), word, shown, is_position })
     }
 }
 
@@ -210,4 +223,5 @@ struct Shown {
     name: String,
     word: String,
     shown: String,
+    is_position: bool,
 }

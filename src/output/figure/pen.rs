@@ -26,6 +26,11 @@ impl Rect {
         self.min.x < other.max.x && other.min.x < self.max.x && self.min.y < other.max.y && other.min.y < self.max.y
     }
 
+    /// The rectangle with so much more around it.
+    pub(super) fn grown(&self, by: f64) -> Self {
+        Self { min: self.min - by, max: self.max + by }
+    }
+
     pub(super) fn holds(&self, p: DVec2) -> bool {
         p.cmpge(self.min).all() && p.cmple(self.max).all()
     }
@@ -35,8 +40,20 @@ impl Rect {
     }
 }
 
-/// About how wide a text is in a sans-serif type, on the safe side.
+/// The distance of the lines of a label.
+const LINE: f64 = 13.0;
+
+/// How high a label is.
+pub(super) fn height(text: &str) -> f64 {
+    FONT + LINE * text.matches('\n').count() as f64
+}
+
+/// About how wide a text is in a sans-serif type, on the safe side: its widest line.
 pub(super) fn width(text: &str) -> f64 {
+    text.split('\n').map(line_width).fold(0.0, f64::max)
+}
+
+fn line_width(text: &str) -> f64 {
     let em: f64 = text
         .chars()
         .map(|c| match c {
@@ -141,7 +158,7 @@ impl Pen {
 
     /// How much room a label takes.
     pub(super) fn size(text: &str) -> DVec2 {
-        DVec2::new(width(text) + 4.0, FONT + 2.0)
+        DVec2::new(width(text) + 4.0, height(text) + 2.0)
     }
 
     /// Whether a text may be there.
@@ -184,8 +201,11 @@ impl Pen {
         let rect = Rect::around(centre, size);
         let [x, y, w, h] = [rect.min.x, rect.min.y, size.x, size.y].map(short);
         let _ = writeln!(self.body, "<rect class=\"b\" x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"/>");
-        let [x, y] = [centre.x, centre.y + FONT * 0.36].map(short);
-        let _ = writeln!(self.body, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\">{}</text>", escaped(text));
+        let first = centre.y - (height(text) - FONT) / 2.0;
+        for (n, line) in text.split('\n').enumerate() {
+            let [x, y] = [centre.x, first + LINE * n as f64 + FONT * 0.36].map(short);
+            let _ = writeln!(self.body, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\">{}</text>", escaped(line));
+        }
         self.texts.push(rect);
     }
 }

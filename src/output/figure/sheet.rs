@@ -340,9 +340,12 @@ impl Sheet<'_> {
 
     /// The datum, where it is in the drawing.
     fn datum(&mut self) {
-        let place = self.camera().place(DVec2::ZERO);
-        if self.view == FigureView::Plan && self.frame.shows_datum && self.frame.paper().holds(place) {
-            self.pen.datum(place, 5.0);
+        let old = (self.view == FigureView::Plan && self.frame.shows_datum).then_some(DVec3::ZERO);
+        for datum in old.into_iter().chain(self.subject.shot.datum) {
+            let place = self.at(datum);
+            if self.frame.paper().grown(1.0).holds(place) {
+                self.pen.datum(place, 5.0);
+            }
         }
     }
 
@@ -367,12 +370,7 @@ impl Sheet<'_> {
     /// Axes, and what the lines mean.
     fn legend(&mut self, words: &Words) {
         let corner = DVec2::new(self.frame.inner.min.x + 10.0, self.frame.size.y - 9.0);
-        let plane = self.subject.shot.plane;
-        let letter = |axis: Along| match axis {
-            Along::Main => plane.main.letter(),
-            Along::Minor => plane.secondary.letter(),
-            Along::Tool => plane.tool.letter(),
-        };
+        let letter = |axis: Along| self.subject.shot.letter(axis);
         let [right, up] = axes(self.view);
         for (end, axis) in [(DVec2::new(22.0, 0.0), right), (DVec2::new(0.0, -22.0), up)] {
             self.pen.line("a", &[corner, corner + end]);

@@ -14,7 +14,8 @@ use crate::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Noted};
 use crate::engine::scene::Scene;
 use crate::engine::solid::{Body, Path, Shape};
 use crate::program::syntax;
-use crate::spec::{Cycle, Dimension, Example, Figure, FigureMoment, Formula, Name, OnControl};
+
+use crate::spec::{Along, Cycle, Dimension, Example, Figure, FigureMoment, Formula, Kind, Name, Node, OnControl};
 use crate::tools::conform::{self, World};
 
 /// How a piece of the way is gone.
@@ -52,6 +53,8 @@ pub(super) struct Shot {
     pub(super) centres: Vec<DVec3>,
     /// The tool in the spindle and where its tip is; of a probe, the centre of its ball.
     pub(super) tool: Option<(Tool, DVec3)>,
+    /// Where the datum is now, if the cycle has set another one.
+    pub(super) datum: Option<DVec3>,
     /// The radius of the ball of the touch probe, if it is one.
     pub(super) ball: Option<f64>,
     /// The parts of the scene, and from the machine to the coordinates of the shot.
@@ -69,6 +72,15 @@ pub(super) struct Shot {
 }
 
 impl Shot {
+    /// The letter of an axis.
+    pub(super) const fn letter(&self, axis: Along) -> char {
+        match axis {
+            Along::Main => self.plane.main.letter(),
+            Along::Minor => self.plane.secondary.letter(),
+            Along::Tool => self.plane.tool.letter(),
+        }
+    }
+
     /// Whether a place lies on the surface of a part: there is material near it, and none.
     pub(super) fn is_on_part(&self, place: DVec3) -> bool {
         const NEAR: f64 = 0.02;
@@ -104,6 +116,10 @@ fn value_of(dimension: &Dimension) -> Option<Formula> {
         (Some(q), _) => q.to_string(),
         (None, Some(field)) => field.as_str().replace('-', "_"),
         (None, None) => return None,
+    };
+    let text = match &dimension.plus {
+        Some(datum) => format!("{text} + probe.{}", datum.as_str().replace('-', "_")),
+        None => text,
     };
     let expr = parse(&text, Dialect::Spec).ok()?;
     Some(Formula { expr, text: text.into(), place: dimension.place.clone() })
@@ -153,7 +169,17 @@ fn altered(example: &Example, figure: &Figure, chosen: Option<&str>) -> Example 
     if let (Some(q), Some(value)) = (figure.each, chosen) {
         set(&q.to_string(), &Name { text: value.into(), place: figure.place.clone() });
     }
+    if let (Some(own), Some(scene)) = (&figure.scene, &mut example.scene) {
+        replace(&mut scene.0, &own.0);
+    }
     example
+}
+
+/// Puts the entries of a mapping in place of those of another one.
+fn replace(scene: &mut Node, own: &Node) {
+    let (Kind::Map(entries), Kind::Map(own)) = (&mut scene.kind, &own.kind) else { return };
+    entries.retain(|(key, _)| own.iter().all(|(other, _)| other.text != key.text));
+    entries.extend(own.iter().cloned());
 }
 
 /// Runs the example of a figure up to its moment; `chosen` is the value of the parameter whose choices it shows.
@@ -194,9 +220,9 @@ pub(super) fn take(
     let (before, after) = events.split_at(moment.events.min(events.len()));
     before.iter().for_each(|event| film.see(event));
     film.now = Some(film.strokes.len());
-    let (tool, here, touched) = (film.tool, film.here, film.contacts.len());
+    let (tool, here, touched, system) = (film.tool, film.here, film.contacts.len(), film.system);
     after.iter().for_each(|event| film.see(event));
-    (film.tool, film.here) = (tool, here);
+    (film.tool, film.here, film.system) = (tool, here, system);
     film.contacts.truncate(touched);
     let mut shot = film.end(&scene);
     for (index, asked) in asked.iter().enumerate() {
@@ -308,6 +334,7 @@ impl<'f> Film<'f> {
                 if stroke.way == Way::Probe { points.map(own).collect() } else { points.map(centre).collect() };
             Stroke { points, ..stroke }
         };
+        let datum = own(self.system.transform_point3(DVec3::ZERO));
         let mut strokes: Vec<Stroke> = self.strokes.into_iter().map(placed).collect();
         let later = strokes.split_off(self.now.unwrap_or(strokes.len()).min(strokes.len()));
         Shot {
@@ -316,6 +343,7 @@ impl<'f> Film<'f> {
             contacts: self.contacts.into_iter().map(own).collect(),
             centres: self.centres.into_iter().map(own).collect(),
             tool: self.tool.zip(self.here.map(centre)),
+            datum: (datum.length() > 1e-9).then_some(datum),
             ball,
             parts: scene.parts.clone(),
             body: scene.body.clone(),
