@@ -33,6 +33,7 @@ figure-drilling = Drilling
 figure-strategy = Strategy
 figure-pattern = Several slots
 figure-side-allowance = Finishing allowance for side
+figure-rounding = Inside corner radius
 way-rapid = rapid traverse
 way-feed = feed
 way-probing = probing

@@ -33,6 +33,7 @@ figure-drilling = Poraus
 figure-strategy = Koneistusstrategia
 figure-pattern = Useita uria
 figure-side-allowance = Sivun silitystyövara
+figure-rounding = Sisänurkan pyöristyssäde
 way-rapid = pikaliike
 way-feed = syöttöliike
 way-probing = kosketusliike

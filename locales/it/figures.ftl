@@ -33,6 +33,7 @@ figure-drilling = Foratura
 figure-strategy = Strategia di lavorazione
 figure-pattern = Più scanalature
 figure-side-allowance = Sovrametallo laterale
+figure-rounding = Raggio spigolo interno
 way-rapid = rapido
 way-feed = avanzamento
 way-probing = tastatura

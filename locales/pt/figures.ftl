@@ -33,6 +33,7 @@ figure-drilling = Furação
 figure-strategy = Estratégia de maquinagem
 figure-pattern = Várias ranhuras
 figure-side-allowance = Medida excedente lateral
+figure-rounding = Raio das esquinas interiores
 way-rapid = marcha rápida
 way-feed = avanço
 way-probing = apalpação

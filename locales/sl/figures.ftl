@@ -33,6 +33,7 @@ figure-drilling = Vrtanje
 figure-strategy = Obdelovalna strategija
 figure-pattern = Več utorov
 figure-side-allowance = Stranska nadmera
+figure-rounding = Notranji zaokroževalni polmer
 way-rapid = hitri hod
 way-feed = podajanje
 way-probing = tipanje

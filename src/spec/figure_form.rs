@@ -60,6 +60,8 @@ record! {
         q: Option<QRef>,
         /// The field of an old-style line.
         field: Option<Name>,
+        /// What is called its value where another cycle runs with it.
+        value: Option<Formula>,
         /// A datum of the touch probe that the control adds to the parameter, `set-up`: the two are shown as one.
         plus: Option<Name>,
         /// How it is measured; a length if nothing is said.
@@ -116,6 +118,12 @@ record! {
         of: Name,
         /// Values of parameters that the figure needs otherwise than the example.
         given: Entries<Name>,
+        /// A program in place of that of the example.
+        program: Option<Name>,
+        /// The cycle, of the same keyword, whose run is shown: what it makes of the values that this one gives it.
+        run_of: Option<u32>,
+        /// Whether the way of the whole program is drawn and not that of the cycle only.
+        whole: bool,
         /// What of the scene it needs otherwise than the example: `parts`, `start`.
         scene: Option<Tree>,
         /// The parameter for each of whose choices a small figure is drawn.

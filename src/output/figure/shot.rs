@@ -15,7 +15,9 @@ use crate::engine::scene::Scene;
 use crate::engine::solid::{Body, Path, Shape};
 use crate::program::syntax;
 
-use crate::spec::{Along, Cycle, Dimension, Example, Figure, FigureMoment, Formula, Kind, Name, Node, OnControl};
+use crate::spec::{
+    Along, Cycle, CycleKey, Dimension, Example, Figure, FigureMoment, Formula, Kind, Name, Node, OnControl,
+};
 use crate::tools::conform::{self, World};
 
 /// How a piece of the way is gone.
@@ -112,6 +114,9 @@ fn own_places(figure: &Figure) -> Vec<Option<&Formula>> {
 
 /// The expression that is the value of a parameter or field.
 fn value_of(dimension: &Dimension) -> Option<Formula> {
+    if dimension.value.is_some() {
+        return dimension.value.clone();
+    }
     let text = match (&dimension.q, &dimension.field) {
         (Some(q), _) => q.to_string(),
         (None, Some(field)) => field.as_str().replace('-', "_"),
@@ -169,6 +174,9 @@ fn altered(example: &Example, figure: &Figure, chosen: Option<&str>) -> Example 
     if let (Some(q), Some(value)) = (figure.each, chosen) {
         set(&q.to_string(), &Name { text: value.into(), place: figure.place.clone() });
     }
+    if let Some(program) = &figure.program {
+        example.program = Some(program.clone());
+    }
     if let (Some(own), Some(scene)) = (&figure.scene, &mut example.scene) {
         replace(&mut scene.0, &own.0);
     }
@@ -200,24 +208,28 @@ pub(super) fn take(
     let Some(example) = cycle.file.examples.iter().find(|example| example.name == figure.of) else {
         return Err(vec![wrong("figure-example-missing", &figure.of.place).arg("example", figure.of.as_str())]);
     };
+    // What a cycle makes of the data that another one gives it is in the run of the former.
+    let runner = figure.run_of.and_then(|number| on.cycles.get(&CycleKey::new(cycle.key.keyword, number)));
+    let runner = runner.unwrap_or(cycle);
     let asked = all_asked(figure, dimensions);
     let watches: Vec<Watch> = asked.iter().map(|asked| asked.watch.clone()).collect();
-    let (_, mistakes) = plan::compile_watched(cycle, on, &watches);
+    let (_, mistakes) = plan::compile_watched(runner, on, &watches);
     if !mistakes.is_empty() {
         return Err(mistakes);
     }
     let (program, scene) = conform::ready(world, on, cycle, &altered(example, figure, chosen))?;
     let program = syntax::parse(&program);
     let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(world.catalogue);
-    let engine = engine.watching(cycle.key, &watches);
+    let engine = engine.watching(runner.key, &watches);
     let mut events = Vec::new();
     let outcome = engine.run(&mut |event| events.push(event));
     let Some(moment) = asked.first().and_then(|own| noted(&outcome.noted, 0, own)) else {
         let reason = outcome.fault.as_ref().map_or_else(|| outcome.status.as_str().to_owned(), |f| f.code.to_string());
         return Err(vec![wrong("figure-moment-never", &figure.place).arg("reason", reason)]);
     };
-    let mut film = Film::new(&scene, cycle);
-    let (before, after) = events.split_at(moment.events.min(events.len()));
+    let mut film = Film::new(&scene, runner, figure.whole);
+    let end = if figure.whole { events.len() } else { moment.events.min(events.len()) };
+    let (before, after) = events.split_at(end);
     before.iter().for_each(|event| film.see(event));
     film.now = Some(film.strokes.len());
     let (tool, here, touched, system) = (film.tool, film.here, film.contacts.len(), film.system);
@@ -268,11 +280,12 @@ fn affine(rows: [[f64; 4]; 3]) -> DAffine3 {
 }
 
 impl<'f> Film<'f> {
-    fn new(scene: &Scene, cycle: &'f Cycle) -> Self {
+    fn new(scene: &Scene, cycle: &'f Cycle, whole: bool) -> Self {
+        let system = affine(scene.frame.rows());
         Self {
             cycle,
-            system: affine(scene.frame.rows()),
-            first: None,
+            system,
+            first: whole.then_some(system),
             plane: WorkingPlane::of_tool_axis(Axis::Z),
             tool: None,
             strokes: Vec::new(),
