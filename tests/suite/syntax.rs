@@ -177,6 +177,22 @@ fn every_code_has_a_text_in_every_language() {
     }
 }
 
+/// A block of more than a mebibyte is not read; one that is a little shorter is, and so is what follows either.
+#[test]
+fn endless_blocks_are_not_read() {
+    for (words, dialect) in [("L X+1", program as fn(&str) -> Program), ("N10 G01 X+1 *", iso)] {
+        let block = |count: usize| words.replace("X+1", &"X+1 ".repeat(count));
+        for (count, is_read) in [(200_000, true), (300_000, false)] {
+            let text = format!("{}\n{}\n", block(count).trim_end(), block(1).trim_end());
+            let program = dialect(&text);
+            assert_tiled(&program);
+            let unknown: Vec<_> =
+                program.blocks().iter().map(|block| matches!(block.kind, BlockKind::Unknown(_))).collect();
+            assert_eq!(unknown, [!is_read, false], "{count} of {words}");
+        }
+    }
+}
+
 #[test]
 fn numbers_are_those_that_rust_reads() {
     for text in ["0.1", "7.5", "99999.9999", "123456789012345678", "0.000000000000000000000012345", ".5", "5."] {

@@ -40,7 +40,7 @@ pub(super) struct Walk<'w, 'f, 'p> {
     /// What each called label may change, and where it returns.
     parts: BTreeMap<usize, Part>,
     /// What is certain where called parts return, by the runs of blocks where they begin.
-    behind: BTreeMap<Node, State>,
+    exits: BTreeMap<Node, State>,
     /// The parts that return at each LBL 0, where all calls of a part are followed as one.
     ends: BTreeMap<usize, Vec<usize>>,
     /// Who waits for the end of a call.
@@ -74,7 +74,7 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
             graph,
             entries: BTreeMap::new(),
             parts: BTreeMap::new(),
-            behind: BTreeMap::new(),
+            exits: BTreeMap::new(),
             ends: BTreeMap::new(),
             callers: BTreeMap::new(),
             shared: false,
@@ -193,8 +193,8 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         self.spend(parts.len());
         let mut news = false;
         for part in parts {
-            if let Some(joined) = joined(self.behind.get(&(part, caller)), state, &mut self.known) {
-                self.behind.insert((part, caller), joined);
+            if let Some(joined) = joined(self.exits.get(&(part, caller)), state, &mut self.known) {
+                self.exits.insert((part, caller), joined);
                 news = true;
             }
         }
@@ -235,9 +235,9 @@ impl<'w, 'f, 'p> Walk<'w, 'f, 'p> {
         self.callers.entry(inside).or_default().insert((run, caller));
         self.enter((target, inside), state);
         let Some(part) = self.parts.get(&target) else { return };
-        if let Some(exit) = self.behind.get(&(target, inside)) {
-            let behind = State::after(state, exit, &part.touched);
-            self.enter((run + 1, caller), &behind);
+        if let Some(exit) = self.exits.get(&(target, inside)) {
+            let left = State::after(state, exit, &part.touched);
+            self.enter((run + 1, caller), &left);
         }
         if skip {
             self.enter((run + 1, caller), state);

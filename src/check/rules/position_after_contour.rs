@@ -23,8 +23,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
         }
         let known = last.take().filter(|(blocks, _)| blocks.contains(&call.block));
         let (_, block) = last.insert(known.unwrap_or_else(|| {
-            let behind = facts.program.blocks().get(call.block + 1..).unwrap_or_default();
-            let (passed, block) = first_position(behind);
+            let after = facts.program.blocks().get(call.block + 1..).unwrap_or_default();
+            let (passed, block) = first_position(after);
             (call.block..call.block + passed + 1, block)
         }));
         if let Some(block) = block {
@@ -34,8 +34,8 @@ fn run(rule: &Rule, facts: &Facts<'_>, found: &mut Vec<Diagnostic>) {
 }
 
 /// The first position in the plane, if it does not say all of it, and how many blocks are passed on the way to it.
-fn first_position(behind: &[Block]) -> (usize, Option<&Block>) {
-    for (passed, block) in behind.iter().enumerate() {
+fn first_position(after: &[Block]) -> (usize, Option<&Block>) {
+    for (passed, block) in after.iter().enumerate() {
         match &block.kind {
             BlockKind::Motion(motion) => {
                 let words = motion.words();
@@ -52,7 +52,7 @@ fn first_position(behind: &[Block]) -> (usize, Option<&Block>) {
             _ => return (passed, None),
         }
     }
-    (behind.len(), None)
+    (after.len(), None)
 }
 
 /// Whether a position says both coordinates of the plane; nothing if it does not lead through the plane.

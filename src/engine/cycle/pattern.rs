@@ -81,13 +81,13 @@ impl<'e> Run<'_, 'e> {
         let mut rest = body.trim_start();
         while !rest.is_empty() {
             let found = || unreadable(rest.get(..20).unwrap_or(rest));
-            let (head, behind) = rest.split_once('(').ok_or_else(found)?;
-            let (inside, behind) = behind.split_once(')').ok_or_else(found)?;
+            let (head, after) = rest.split_once('(').ok_or_else(found)?;
+            let (inside, after) = after.split_once(')').ok_or_else(found)?;
             let kind = head.trim().trim_end_matches(|c: char| c.is_ascii_digit());
             let values = self.pattern_values(inside)?;
             pattern_points(kind, &values, &mut points)?;
             positions += f64::from(u8::from(kind == "POS"));
-            rest = behind.trim_start();
+            rest = after.trim_start();
         }
         if positions > MOST_POSITIONS {
             return Err(Fault::program("pattern-too-long").arg("count", positions).arg("limit", MOST_POSITIONS).into());
@@ -261,8 +261,8 @@ impl<'e> Run<'_, 'e> {
     fn shift_to_point(&mut self, by: DVec3) {
         self.drives.world.system.set_point(by);
         self.drives.world.renew();
-        let told = self.drives.world.system.reported();
-        self.drives.report.report(EventKind::Transform(told));
+        let reported = self.drives.world.system.reported();
+        self.drives.report.report(EventKind::Transform(reported));
     }
 
     /// `GLOBAL DEF`: values for parameters that say PREDEF, and how the tool is retracted on patterns.

@@ -10,7 +10,7 @@ use super::cursor::{Cursor, Read, trim};
 use super::definition::Assignment;
 use super::element::Checker;
 use super::flow::Label;
-use super::lines::{Line, line_at};
+use super::lines::{LONGEST_BLOCK, Line, line_at, too_long};
 use super::path::Path;
 use super::statement::StatementKind;
 use super::terms::{Parameter, SyntaxError};
@@ -347,6 +347,9 @@ impl Assembler<'_> {
 
     /// Reads a block's content; if that fails, once more without what is after its last tab.
     fn read(&self, content: Span) -> (BlockKind, Option<Span>) {
+        if content.end - content.start > LONGEST_BLOCK {
+            return (BlockKind::Unknown(Box::new(too_long(self.text, content))), None);
+        }
         let error = match self.content(content) {
             Ok(kind) => return (kind, None),
             Err(error) => error,

@@ -10,7 +10,7 @@ use super::cursor::{Cursor, Read, trim};
 use super::element::Checker;
 use super::iso::{IsoBlock, IsoKind, is_of_language, is_path};
 use super::iso_words::{is_klartext, opt_parameter, word};
-use super::lines::{Line, line_at};
+use super::lines::{LONGEST_BLOCK, Line, line_at, too_long};
 use super::terms::{Axis, Frame, NamedWord, Parameter, SyntaxError, ValueKind};
 use super::tree::{Block, BlockKind, Comment};
 use super::{blocks, cycle, iso_doubts};
@@ -261,6 +261,9 @@ impl<'t> Reader<'t> {
     }
 
     fn content(&mut self, content: Span, number: Option<u32>) -> Read<BlockKind> {
+        if content.end - content.start > LONGEST_BLOCK {
+            return Err(too_long(self.text, content));
+        }
         let mut cursor = Cursor::new(self.text, content);
         cursor.blanks();
         match cursor.byte() {

@@ -4,7 +4,12 @@
 use memchr::memchr2;
 
 use super::cursor::{skip_blanks, trim};
+use super::terms::SyntaxError;
 use crate::base::diag::Span;
+
+/// A block that is longer, in bytes, is not read: controls take a small part of that, and its words need much more
+/// room than its text.
+pub(super) const LONGEST_BLOCK: usize = 1 << 20;
 
 /// A physical line.
 #[derive(Clone, Copy, Debug)]
@@ -167,4 +172,13 @@ fn comment_start(bytes: &[u8], span: Span) -> Option<usize> {
         from = at + 1;
     }
     None
+}
+
+/// What is wrong with a block that is longer than any may be: the word with which it becomes so.
+pub(super) fn too_long(text: &str, content: Span) -> SyntaxError {
+    let is_gap = |at: usize| text.as_bytes().get(at).is_none_or(|byte| matches!(byte, b' ' | b'\t'));
+    let last = content.start + LONGEST_BLOCK;
+    let first = (content.start..last).rev().find(|at| is_gap(*at)).map_or(content.start, |at| at + 1);
+    let end = (first + 1..content.end.min(first + LONGEST_BLOCK)).find(|at| is_gap(*at)).unwrap_or(content.end);
+    SyntaxError { code: "syntax-unexpected", span: Span::new(first, end), expected: "end" }
 }

@@ -7,7 +7,7 @@ use memchr::memchr3;
 use super::cursor::Cursor;
 use super::definition::Assignment;
 use super::element::{Compensates, Outline, SEVERAL, Sketch, axis_bit, is_odd, lacks_end, misfit};
-use super::lines::Line;
+use super::lines::{LONGEST_BLOCK, Line};
 use super::path::PathCode;
 use super::terms::{Axis, Value, ValueKind};
 use crate::base::diag::Span;
@@ -277,6 +277,9 @@ pub(super) fn element(bytes: &[u8], start: usize) -> Option<PlainElement> {
         }
         words.take(&mut scan, path)?;
         span.end = scan.at;
+        if span.end - start > LONGEST_BLOCK {
+            return None;
+        }
     }
     let own = path.path();
     let Words { mut sketch, function, axes, turns, .. } = words;

@@ -199,8 +199,8 @@ impl<'a> Writer<'_, 'a> {
     fn replace(&mut self, span: Span, known: bool, label: Option<&'a ParamLabels>, parameter: &str, cycle: &str) {
         let from = self.facts.text(span);
         // What a parameter follows closed up ends at a mark that no label has; another label would run into it.
-        let behind = self.facts.program.source().text().get(span.end..);
-        if !known || behind.is_some_and(|rest| rest.starts_with(char::is_alphanumeric)) {
+        let after = self.facts.program.source().text().get(span.end..);
+        if !known || after.is_some_and(|rest| rest.starts_with(char::is_alphanumeric)) {
             return;
         }
         let place = Place::new(self.facts.program.source(), span);
@@ -212,7 +212,7 @@ impl<'a> Writer<'_, 'a> {
         };
         // If the axis follows the word, the colon follows the axis: `KOT X: +15` (001: 13733).
         let to = match to.strip_suffix(':') {
-            Some(word) if !from.ends_with(':') && behind.is_some_and(is_axis_with_colon) => word,
+            Some(word) if !from.ends_with(':') && after.is_some_and(is_axis_with_colon) => word,
             _ => to,
         };
         if from == to {
@@ -229,6 +229,6 @@ impl<'a> Writer<'_, 'a> {
 
 /// Whether a text goes on with the letter of an axis and a colon.
 fn is_axis_with_colon(text: &str) -> bool {
-    let mut behind = text.trim_start_matches([' ', '\t']).chars();
-    matches!((behind.next(), behind.next()), (Some('A'..='C' | 'U'..='Z' | 'a'..='c' | 'u'..='z'), Some(':')))
+    let mut after = text.trim_start_matches([' ', '\t']).chars();
+    matches!((after.next(), after.next()), (Some('A'..='C' | 'U'..='Z' | 'a'..='c' | 'u'..='z'), Some(':')))
 }
