@@ -34,6 +34,7 @@ figure-strategy = Strategy
 figure-pattern = Several slots
 figure-side-allowance = Finishing allowance for side
 figure-rounding = Inside corner radius
+figure-between-points = Way between the touch points
 way-rapid = rapid traverse
 way-feed = feed
 way-probing = probing

@@ -34,6 +34,7 @@ figure-strategy = Koneistusstrategia
 figure-pattern = Useita uria
 figure-side-allowance = Sivun silitystyövara
 figure-rounding = Sisänurkan pyöristyssäde
+figure-between-points = Liike kosketuspisteiden välillä
 way-rapid = pikaliike
 way-feed = syöttöliike
 way-probing = kosketusliike

@@ -34,6 +34,7 @@ figure-strategy = Strategia di lavorazione
 figure-pattern = Più scanalature
 figure-side-allowance = Sovrametallo laterale
 figure-rounding = Raggio spigolo interno
+figure-between-points = Percorso tra i punti da tastare
 way-rapid = rapido
 way-feed = avanzamento
 way-probing = tastatura

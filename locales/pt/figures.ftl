@@ -34,6 +34,7 @@ figure-strategy = Estratégia de maquinagem
 figure-pattern = Várias ranhuras
 figure-side-allowance = Medida excedente lateral
 figure-rounding = Raio das esquinas interiores
+figure-between-points = Percurso entre os pontos de apalpação
 way-rapid = marcha rápida
 way-feed = avanço
 way-probing = apalpação

@@ -34,6 +34,7 @@ figure-strategy = Obdelovalna strategija
 figure-pattern = Več utorov
 figure-side-allowance = Stranska nadmera
 figure-rounding = Notranji zaokroževalni polmer
+figure-between-points = Pot med točkami tipanja
 way-rapid = hitri hod
 way-feed = podajanje
 way-probing = tipanje

@@ -18,7 +18,7 @@ const MAX_INLINED: usize = 2000;
 /// The type of an old-style field in expressions.
 fn field_type(param: &Param) -> Type {
     match param.field.as_ref().map(|field| field.shape) {
-        Some(Shape::Position | Shape::AxisDirection) => Type::Point,
+        Some(Shape::Position | Shape::AxisDirection | Shape::AxisCoordinate | Shape::Centre) => Type::Point,
         _ => match param.kind {
             ParameterKind::Axis | ParameterKind::AxisDirection => Type::Point,
             ParameterKind::Text | ParameterKind::LabelList => Type::Text,

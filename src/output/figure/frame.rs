@@ -135,9 +135,10 @@ impl Frame {
                 (material.min.y, material.max.y) = (least.y, greatest.y);
             }
         }
-        let shows_datum = subject.measured.iter().any(Measured::begins_at_datum);
+        let shows_datum = subject.whole || subject.measured.iter().any(Measured::begins_at_datum);
         if shows_datum && !section {
             // The sign of the datum has room around it.
+            content.take(DVec2::ZERO);
             content.take(-0.03 * content.size());
         }
         content.take(material.min);

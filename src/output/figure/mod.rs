@@ -17,7 +17,7 @@ use std::fmt::Write as _;
 
 use crate::base::diag::Diagnostic;
 use crate::language::text::CycleText;
-use crate::spec::{Catalogue, Cycle, Figure as Declared, OnControl, ParameterKind, dimensions};
+use crate::spec::{Catalogue, Cycle, Figure as Declared, OnControl, Shape, dimensions};
 use crate::tools::conform::World;
 
 use measure::Measured;
@@ -129,10 +129,10 @@ impl Figure<'_> {
     pub fn svg(&self, text: &CycleText<'_>, medium: Medium) -> Svg {
         let params: Vec<_> = self.measured.iter().map(|measured| self.param(text, measured)).collect();
         let labels = params.iter().zip(&self.measured).map(|(param, measured)| match (measured.field, param) {
-            (true, Some(param)) => match measured.along.filter(|_| param.is_position) {
+            (true, Some(param)) => match (param.coordinates, measured.along) {
                 // A position has a number for each axis.
-                Some(axis) => self.shot.letter(axis).to_string(),
-                None => param.word.clone(),
+                (Some(before), Some(axis)) => format!("{before}{}", self.shot.letter(axis)),
+                _ => param.word.clone(),
             },
             _ => measured.of.clone(),
         });
@@ -159,6 +159,7 @@ impl Figure<'_> {
             measured: &self.measured,
             marks: &marks,
             round: self.declared.blank.as_ref().is_some_and(|blank| blank.round),
+            whole: self.declared.whole,
             height,
             width,
         };
@@ -207,8 +208,12 @@ impl Figure<'_> {
         let word = texts.label.as_deref().map(|word| word.trim_end_matches(':').to_owned());
         let word = word.filter(|word| !word.is_empty()).unwrap_or_else(|| texts.name.to_string());
         let shown = if measured.field { word.clone() } else { measured.of.clone() };
-        let is_position = param.kind == ParameterKind::Position;
-        Some(Shown { row: row(&texts.q), name: texts.name.into_owned(), word, shown, is_position })
+        let coordinates = match param.field.as_ref().map(|field| field.shape) {
+            Some(Shape::Position | Shape::AxisCoordinate) => Some(""),
+            Some(Shape::Centre) => Some("CC"),
+            _ => None,
+        };
+        Some(Shown { row: row(&texts.q), name: texts.name.into_owned(), word, shown, coordinates })
     }
 }
 
@@ -223,5 +228,6 @@ struct Shown {
     name: String,
     word: String,
     shown: String,
-    is_position: bool,
+    /// Of a value with a number for each axis, what programs write before the letters of the axes.
+    coordinates: Option<&'static str>,
 }

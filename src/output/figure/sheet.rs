@@ -24,6 +24,8 @@ pub(super) struct Subject<'s> {
     pub(super) marks: &'s [u32],
     /// Whether the blank is round from above.
     pub(super) round: bool,
+    /// Whether it shows what becomes of a whole program, and with it the datum.
+    pub(super) whole: bool,
     /// The greatest height of the drawing, in pixels.
     pub(super) height: f64,
     /// The width of the sheet, in pixels.
