@@ -105,3 +105,32 @@ fn a_moment_that_never_comes_is_an_error() {
     let of = "of: deepened-starting-point\n";
     assert_eq!(altered(205, of, "of: no-such-example\n"), ["figure-example-missing"]);
 }
+
+#[test]
+fn a_clearance_is_shown_with_what_the_touch_probe_adds() {
+    let sum = "{q: Q320, plus: set-up, ";
+    assert_eq!(altered(419, sum, sum), Vec::<&str>::new());
+    assert_eq!(altered(419, sum, "{q: Q320, "), ["figure-measured-otherwise"]);
+}
+
+#[test]
+fn a_new_datum_is_where_the_run_has_set_it() {
+    let from = "{q: Q331, along: main, from: \"circle.centre - POINT(Q331, 0, 0)\", to: circle.centre}";
+    let beside = from
+        .replace("centre - POINT(Q331, 0, 0)\", to: circle.centre", "centre + POINT(Q331, 0, 0)\", to: circle.centre");
+    assert_eq!(altered(412, from, &beside), ["figure-place-not-reached"]);
+}
+
+#[test]
+fn contour_data_are_measured_in_the_run_that_reads_them() {
+    let depth = "from: data.surface, to: data.surface + data.depth}";
+    assert_eq!(altered(20, depth, &depth.replace("depth}", "depth / 2}")), ["figure-measured-otherwise"]);
+    assert_eq!(altered(20, "run_of: 22", "run_of: 23"), ["figure-moment-never"]);
+}
+
+#[test]
+fn a_transformation_is_measured_in_what_it_makes_of_the_program() {
+    let turned = "ROT+60";
+    assert_eq!(altered(10, turned, "ROT+45"), Vec::<&str>::new());
+    assert_eq!(altered(10, "from: 0, to: angle}", "from: 0, to: angle + 1}"), ["figure-measured-otherwise"]);
+}
