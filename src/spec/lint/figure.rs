@@ -7,7 +7,8 @@ use crate::base::expr::QRef;
 
 pub(super) fn figures(cycle: &Cycle, on: &OnControl, found: &mut Vec<Diagnostic>) {
     let figures = &cycle.file.figures;
-    duplicates(figures.iter().map(|figure| &figure.name), found);
+    // Several may be one row, if the choices need different examples.
+    duplicates(figures.iter().filter(|figure| figure.each.is_none()).map(|figure| &figure.name), found);
     for figure in figures {
         slug(&figure.name, found);
         parameter(cycle, figure.each, &figure.place, found);
