@@ -35,6 +35,7 @@ figure-pattern = Several slots
 figure-side-allowance = Finishing allowance for side
 figure-rounding = Inside corner radius
 figure-between-points = Way between the touch points
+figure-no-contact = Way without a touch point
 way-rapid = rapid traverse
 way-feed = feed
 way-probing = probing

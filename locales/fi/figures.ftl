@@ -35,6 +35,7 @@ figure-pattern = Useita uria
 figure-side-allowance = Sivun silitystyövara
 figure-rounding = Sisänurkan pyöristyssäde
 figure-between-points = Liike kosketuspisteiden välillä
+figure-no-contact = Liike ilman kosketusta
 way-rapid = pikaliike
 way-feed = syöttöliike
 way-probing = kosketusliike

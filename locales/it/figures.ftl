@@ -35,6 +35,7 @@ figure-pattern = Più scanalature
 figure-side-allowance = Sovrametallo laterale
 figure-rounding = Raggio spigolo interno
 figure-between-points = Percorso tra i punti da tastare
+figure-no-contact = Percorso senza contatto
 way-rapid = rapido
 way-feed = avanzamento
 way-probing = tastatura

@@ -35,6 +35,7 @@ figure-pattern = Várias ranhuras
 figure-side-allowance = Medida excedente lateral
 figure-rounding = Raio das esquinas interiores
 figure-between-points = Percurso entre os pontos de apalpação
+figure-no-contact = Percurso sem contacto
 way-rapid = marcha rápida
 way-feed = avanço
 way-probing = apalpação

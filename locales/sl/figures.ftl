@@ -35,6 +35,7 @@ figure-pattern = Več utorov
 figure-side-allowance = Stranska nadmera
 figure-rounding = Notranji zaokroževalni polmer
 figure-between-points = Pot med točkami tipanja
+figure-no-contact = Pot brez dotika
 way-rapid = hitri hod
 way-feed = podajanje
 way-probing = tipanje
