@@ -32,11 +32,19 @@ impl Data {
     }
 
     fn run(&self, text: &str, scene: &str) -> (Outcome, Option<(Stock, Report)>) {
+        self.run_with(text, scene, &[])
+    }
+
+    /// Runs a program that others belong to, each with its name.
+    fn run_with(&self, text: &str, scene: &str, others: &[(&str, &str)]) -> (Outcome, Option<(Stock, Report)>) {
         let on = self.catalogue.on("tnc640").expect("a control");
         let scene = Scene::parse(&Source::new("scene.yaml", scene), &self.files).expect("a scene");
         let program = syntax::parse(&Source::new("WORKED.H", text));
         let mut machining = Machining::new(&program, &scene, Some(0.7)).ok();
+        let others: Vec<_> =
+            others.iter().map(|(name, text)| (*name, syntax::parse(&Source::new("OTHER.H", *text)))).collect();
         let engine = Engine::new(&program, on, &scene, &NoTexts).with_catalogue(&self.catalogue);
+        let engine = others.iter().fold(engine, |engine, (name, program)| engine.with_program(name, program));
         let outcome = engine.run(&mut |event| {
             if let Some(machining) = &mut machining {
                 machining.see(&event);
@@ -290,6 +298,74 @@ fn worked_programs_leave_their_parts() {
         }
         assert!(judged * 10 >= all * 9, "{}: only {judged} of {all} columns were judged", worked.name);
     }
+}
+
+/// The two pockets with two islands of `examples/c21.h`, roughed out and finished, with the contour from elsewhere.
+fn c21_with(contour: &str, labels: &str) -> String {
+    format!(
+        "BEGIN PGM FORMULA MM\nBLK FORM 0.1 Z X+0 Y+0 Z-40\nBLK FORM 0.2 X+100 Y+100 Z+0\nTOOL CALL 2 Z S3000\n\
+         L Z+250 R0 FMAX\n{contour}\n\
+         CYCL DEF 20 CONTOUR DATA Q1=-20 Q2=1 Q3=+0.5 Q4=+0.5 Q5=+0 Q6=2 Q7=+100 Q8=0.1 Q9=-1\n\
+         CYCL DEF 22 ROUGH-OUT Q10=5 Q11=100 Q12=350 Q18=0 Q19=150 Q208=30000\nCYCL CALL M3\n\
+         CYCL DEF 23 FLOOR FINISHING Q11=100 Q12=200 Q208=30000\nCYCL CALL\n\
+         CYCL DEF 24 SIDE FINISHING Q9=+1 Q10=5 Q11=100 Q12=400 Q14=+0\nCYCL CALL\n\
+         L Z+250 R0 FMAX M2\n{labels}END PGM FORMULA MM\n"
+    )
+}
+
+/// Programs that describe the contours of `c21`: circles by their parameters, a square and a triangle.
+const SHAPES: &[(&str, &str)] = &[
+    ("CIRCLE", "BEGIN PGM CIRCLE MM\nCC X+Q1 Y+Q2\nLP PR+Q3 PA+0 R0\nCP IPA+360 DR+\nEND PGM CIRCLE MM\n"),
+    ("RIGHT", "BEGIN PGM RIGHT MM\nCC X+65 Y+50\nL X+90 Y+50\nC X+90 DR-\nEND PGM RIGHT MM\n"),
+    ("SQUARE", "BEGIN PGM SQUARE MM\nL X+27 Y+58 R0\nL X+43\nL Y+42\nL X+27\nL Y+58\nEND PGM SQUARE MM\n"),
+    ("TRIANGLE", "BEGIN PGM TRIANGLE MM\nL X+73 Y+42 R0\nL X+65 Y+58\nL X+57 Y+42\nL X+73\nEND PGM TRIANGLE MM\n"),
+    (
+        "MODEL",
+        "BEGIN PGM MODEL MM\nFN 0: Q1 = +35\nFN 0: Q2 = +50\nFN 0: Q3 = +25\nDECLARE CONTOUR QC2 = \"CIRCLE\"\n\
+         FN 0: Q1 = +65\nDECLARE CONTOUR QC1 = \"CIRCLE\"\nDECLARE CONTOUR QC3 = \"TRIANGLE\"\n\
+         DECLARE CONTOUR QC4 = \"SQUARE\" DEPTH0\nQC10 = ( QC1 | QC2 ) \\ QC3 \\ QC4\nEND PGM MODEL MM\n",
+    ),
+];
+
+/// A contour may come from a formula in another program, one in the same program, or a simple list; the part is the same.
+#[test]
+fn contours_of_formulas_leave_the_part_that_labels_leave() {
+    let data = Data::new();
+    let scene = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/c21.scene.yaml")).expect("it");
+    let circle = "LBL 5\nCC X+35 Y+50\nL X+60 Y+50\nC X+60 DR+\nLBL 0\n";
+    let cases = [
+        ("SEL CONTOUR \"MODEL\"", ""),
+        (
+            "DECLARE CONTOUR QC1 = \"RIGHT\"\nQ1=35\nQ2=50\nQ3=25\nDECLARE CONTOUR QC2 = \"CIRCLE\"\n\
+             DECLARE CONTOUR QC3 = \"TRIANGLE\"\nDECLARE CONTOUR QC4 = \"SQUARE\"\n\
+             QC5 = ( QC1 ^ QC2 ) | ( QC1 & QC2 )\nQC10 = QC5 \\ ( QC3 | QC4 )",
+            "",
+        ),
+        ("CONTOUR DEF P1 = \"RIGHT\" P2 = LBL 5 I3 = \"TRIANGLE\" I4 = \"SQUARE\" DEPTH0", circle),
+    ];
+    for (contour, labels) in cases {
+        let (outcome, part) = data.run_with(&c21_with(contour, labels), &scene, SHAPES);
+        assert_eq!(outcome.status, Status::Done, "{contour}: {:?}", outcome.fault);
+        let (stock, _) = part.expect("a blank");
+        let (columns, rows) = stock.size();
+        for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+            let place = stock.place(column, row);
+            let Some(wanted) = c21(place) else { continue };
+            let found = stock.column(column, row);
+            let same = found.len() == 1 && (found[0][1] - wanted[0][1]).abs() < NEAR;
+            assert!(same, "{contour}: at {place}: {found:?} is not {wanted:?}");
+        }
+    }
+    // What comes to no area, or is not there, is said.
+    let fault = |contour: &str| {
+        let (outcome, _) = data.run_with(&c21_with(contour, ""), &scene, SHAPES);
+        outcome.fault.map(|fault| fault.code.into_owned()).unwrap_or_default()
+    };
+    assert_eq!(fault("SEL CONTOUR \"NOWHERE\""), "program-missing");
+    assert_eq!(fault("SEL CONTOUR \"SQUARE\""), "contour-not-defined");
+    assert_eq!(fault("QC10 = QC7"), "contour-undeclared");
+    assert_eq!(fault("DECLARE CONTOUR QC1 = \"SQUARE\" DEPTH5"), "unsupported-block");
+    assert_eq!(fault("DECLARE CONTOUR QC1 = \"SQUARE\"\nQC2 = QC1 \\ QC1"), "contour-not-defined");
 }
 
 /// Programs with contour cycles and cylinder surfaces stop where the first of them would move, and say so.

@@ -28,7 +28,7 @@ use crate::spec::{MM_PER_INCH, TakesEffect};
 /// What a hole or a pocket takes away around its place, in millimetres: so much is never looked at.
 const REACH: f64 = 60.0;
 /// The radius of a tool that is not known, in millimetres: larger ones are rare.
-const RADIUS: f64 = 15.0;
+const RADIUS: f64 = 12.0;
 /// What lies so little inside of the blank is at its faces, in millimetres.
 const SKIN: f64 = 0.01;
 /// So far above the blank a rotary axis does not turn at rapid, in millimetres.
@@ -376,7 +376,7 @@ impl Walk<'_, '_> {
     /// How far the tool reaches next to its centre.
     fn reach(&self, modal: &Modal) -> f64 {
         let tool = self.tools.as_ref().and_then(|tools| tools.get(modal.loaded));
-        2.0 * tool.map_or(RADIUS * self.unit, |tool| tool.radius)
+        tool.map_or(RADIUS * self.unit, |tool| tool.radius)
     }
 
     /// Notes what a movement at feed removes: of an arc the square around it.

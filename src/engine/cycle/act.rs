@@ -6,6 +6,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use crate::base::expr::{QKind, QRef, Value};
+use crate::engine::cycle::contours::LABELS;
 use crate::engine::cycle::execute::Verdict;
 use crate::engine::flow::definition::{FieldCoord, FieldValue};
 use crate::engine::flow::exec::Exec;
@@ -149,6 +150,9 @@ impl<'e> Run<'_, 'e> {
             Act::Remember(values) => {
                 for (name, calc) in values {
                     let value = self.value(calc, exec)?;
+                    if &**name == LABELS {
+                        self.cycles.sources.take_labels();
+                    }
                     self.cycles.remembered.insert(Arc::clone(name), value);
                 }
                 Ok(())

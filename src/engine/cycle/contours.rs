@@ -1,40 +1,53 @@
-//! Contours that cycles machine: the subprograms that a definition names are executed without moving, and what they
-//! describe becomes contours of the working plane.
+//! Contours that cycles machine: the subprograms and programs that are named as such are executed without moving, and
+//! what they describe becomes contours of the working plane, and areas that formulas combine.
 //!
 //! Invariant: the machine, the parameters and the coordinate system are afterwards what they were before; which cycle
 //! asks is not known here.
+use std::sync::Arc;
+
 use glam::DVec3;
 
-use super::rehearsal::Before;
-use crate::base::expr::Value;
-use crate::engine::flow::calls::Call;
+use crate::base::expr::{QKind, Value};
+use crate::engine::flow::calls::{Call, program_key};
+use crate::engine::flow::sources::{Of, Selected, Sources};
 use crate::engine::flow::state::Run;
 use crate::engine::region::contours::Contour;
-use crate::engine::region::{Edge, Flaw, Way};
+use crate::engine::region::formula::{self, Unknown};
+use crate::engine::region::{Edge, Flaw, Region, Way};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
 use crate::engine::solid::Path;
 use crate::engine::strategy::contour::Contours;
+use crate::engine::world::coordinates::System;
+use crate::program::syntax::{ContourFormula, NamedWord, Statement, ValueKind};
 
 /// Contours have at most so many elements together (TNC 640 manual, line 4363).
 const MOST_ELEMENTS: usize = 16_384;
+/// What a definition remembers that names the labels of contours.
+pub(super) const LABELS: &str = "contour";
 /// The feed of contours that are only read: any will do.
 const ANY_FEED: f64 = 1.0;
 
 impl<'e> Run<'_, 'e> {
-    /// Reads the closed contours that the definition in effect names.
+    /// Reads the closed contours that are in effect.
     pub(super) fn read_contours(&mut self) -> Done {
-        let mut closed = Vec::new();
-        for (label, contour) in self.contours_of_labels(usize::MAX)? {
-            let about = |code: &'static str| Fault::program(code).arg("label", &*label);
-            closed.push(contour.closed().map_err(|flaw| match flaw {
-                Flaw::Open { from, to } => about("contour-open").arg("distance", from.distance(to)),
-                Flaw::Crossing(at) => about("contour-crossing").arg("x", at.x).arg("y", at.y),
-                Flaw::NoArea => about("contour-empty"),
-            })?);
-        }
         let from = self.drives.in_plane(self.drives.world.here).truncate();
-        self.cycles.contours = Contours::new(closed, from);
+        let region = match self.cycles.sources.selected.clone() {
+            None => {
+                let mut closed = Vec::new();
+                for (label, contour) in self.contours_of_labels(usize::MAX)? {
+                    closed.push(contour.closed().map_err(|flaw| flawed(flaw, &label))?);
+                }
+                self.cycles.contours = Contours::new(closed, from);
+                return Ok(());
+            }
+            Some(Selected::Formula(number)) => self.cycles.sources.declared.get(&number).cloned(),
+            Some(Selected::Program(program)) => self.contour_of_formulas(program)?,
+            Some(Selected::List(list)) => Some(self.contour_of_list(&list)?),
+        };
+        let region = region.filter(|region| !region.is_empty());
+        let region = region.ok_or_else(|| Fault::program("contour-not-defined"))?;
+        self.cycles.contours = Contours { region, from, ..Contours::default() };
         Ok(())
     }
 
@@ -45,24 +58,156 @@ impl<'e> Run<'_, 'e> {
         Ok(())
     }
 
-    /// So many contours of the labels in the definition that is in effect, with the present parameters; each with its
-    /// label and a side.
-    fn contours_of_labels(&mut self, most: usize) -> Done<Vec<(String, Contour)>> {
-        let Some(Value::Text(labels)) = self.cycles.remembered.get("contour").cloned() else {
-            return Err(Fault::program("contour-not-defined").into());
+    /// `SEL CONTOUR "MODEL"`.
+    pub(crate) fn select_contour(&mut self, name: &str) -> Done {
+        self.cycles.sources.selected = Some(Selected::Program(self.program_named(name)?));
+        Ok(())
+    }
+
+    /// `DECLARE CONTOUR QC1 = "CIRCLE" DEPTH5`: the contour is that of the present parameters.
+    pub(crate) fn declare_contour(&mut self, statement: &Statement) -> Done {
+        let mut name = None;
+        for word in &statement.words {
+            let key = self.slice(word.name).trim().to_ascii_uppercase();
+            match key.strip_prefix("QC").map(|number| number.trim().parse::<u32>()) {
+                Some(Ok(number)) => name = Some((number, self.source_of(&word.value)?)),
+                _ => self.depth_word(&key, word)?,
+            }
+        }
+        let Some((number, of)) = name else { return Err(Fault::program("contour-not-defined").into()) };
+        let region = self.described(|run, before| run.area_of(&of, before))?;
+        self.cycles.sources.declared.insert(number, region);
+        Ok(())
+    }
+
+    /// `QC10 = ( QC1 | QC2 ) \\ QC3`: the contour of the cycles that follow.
+    pub(crate) fn contour_formula(&mut self, formula: &ContourFormula) -> Done {
+        let text = self.slice(formula.text);
+        let declared = &self.cycles.sources.declared;
+        let region = formula::evaluate(text, |number| declared.get(&number).cloned()).map_err(|unknown| {
+            let contour = match unknown {
+                Unknown::Contour(number) => format!("QC{number}"),
+                Unknown::Form => text.trim().to_owned(),
+            };
+            Fault::program("contour-undeclared").arg("what", "nothing").arg("contour", contour)
+        })?;
+        self.cycles.sources.declared.insert(formula.target, region);
+        self.cycles.sources.selected = Some(Selected::Formula(formula.target));
+        Ok(())
+    }
+
+    /// `CONTOUR DEF P1 = "POCKET.H" I2 = LBL 2`.
+    pub(crate) fn define_contour(&mut self, statement: &Statement) -> Done {
+        let mut list: Vec<(Of, bool)> = Vec::new();
+        for word in &statement.words {
+            let key = self.slice(word.name).trim().to_ascii_uppercase();
+            match key.as_bytes() {
+                [b'P', b'0'..=b'9', ..] => list.push((self.source_of(&word.value)?, true)),
+                [b'I', b'0'..=b'9', ..] => list.push((self.source_of(&word.value)?, false)),
+                _ => self.depth_word(&key, word)?,
+            }
+        }
+        self.cycles.sources.selected = Some(Selected::List(list.into()));
+        Ok(())
+    }
+
+    /// A depth of its own is not executed; 0 is that of the contour data.
+    fn depth_word(&self, key: &str, word: &NamedWord) -> Done {
+        let is_zero = matches!(word.value.kind, ValueKind::Number(0.0));
+        if key == "DEPTH" && is_zero {
+            return Ok(());
+        }
+        Err(Fault::unsupported("unsupported-block").arg("word", key).into())
+    }
+
+    fn program_named(&mut self, name: &str) -> Result<usize, Fault> {
+        let name = name.trim().trim_matches('"');
+        let program = self.calls.called(program_key(name), self.settings);
+        program.ok_or_else(|| Fault::program("program-missing").arg("name", name))
+    }
+
+    /// What a word names: a program, a label, or a text parameter with the name of a program.
+    fn source_of(&mut self, value: &crate::program::syntax::Value) -> Result<Of, Fault> {
+        let text = match value.kind {
+            ValueKind::Q { q, .. } if q.kind == QKind::Qs => self.params.text(q)?.to_string(),
+            _ => self.slice(value.span).trim().to_owned(),
         };
+        let label = text.get(..3).filter(|head| head.eq_ignore_ascii_case("LBL")).and_then(|_| text.get(3..));
+        match label {
+            Some(label) => Ok(Of::Label(label.trim().into())),
+            None => Ok(Of::Program(self.program_named(&text)?, text.trim().trim_matches('"').into())),
+        }
+    }
+
+    /// The contour of the last formula of a program.
+    fn contour_of_formulas(&mut self, program: usize) -> Done<Option<Region>> {
+        let own = std::mem::take(&mut self.cycles.sources);
+        let found = self.described(|run, before| {
+            run.cycles.sources.reading = Some(Arc::clone(before));
+            let depth = run.calls.depth();
+            run.calls.call(program, 0, Call::Program, &run.settings.limits)?;
+            run.enter_program();
+            (run.blocks)(run, depth + 1)?;
+            let Sources { selected, declared, .. } = &mut run.cycles.sources;
+            Ok(match selected {
+                Some(Selected::Formula(number)) => declared.remove(number),
+                _ => None,
+            })
+        });
+        self.cycles.sources = own;
+        found
+    }
+
+    /// Pockets together, without the islands after them.
+    fn contour_of_list(&mut self, list: &[(Of, bool)]) -> Done<Region> {
+        self.described(|run, before| {
+            let mut region = Region::default();
+            for (of, is_pocket) in list {
+                let area = run.area_of(of, before)?;
+                region = if *is_pocket { region.union(&area) } else { region.difference(&area) };
+            }
+            Ok(region)
+        })
+    }
+
+    /// What a contour encloses that is described without a side.
+    fn area_of(&mut self, of: &Of, before: &System) -> Done<Region> {
+        let contour = self.contour_of(of, before)?;
+        let boundary = contour.boundary().map_err(|flaw| flawed(flaw, of.name()))?;
+        Ok(Region::within(&boundary))
+    }
+
+    /// Executes what describes contours without moving; afterwards all is as it was. Within a program with declarations
+    /// its transformations stay.
+    fn described<T>(&mut self, read: impl FnOnce(&mut Self, &Arc<System>) -> Done<T>) -> Done<T> {
+        if let Some(before) = self.cycles.sources.reading.clone() {
+            return read(self, &before);
+        }
         let before = self.kept();
+        let system = Arc::new(before.world.system.clone());
         self.modal.feed = Some(ANY_FEED);
         self.drives.report.rehearse(true);
         (self.drives.probing, self.cycles.inside) = (false, 0);
-        let labels = labels.split('/').map(str::trim).filter(|label| !label.is_empty()).take(most);
-        let contours: Done<Vec<_>> =
-            labels.map(|label| Ok((label.to_owned(), self.contour_of(label, &before)?))).collect();
+        let found = read(self, &system);
         self.drives.traced = None;
         self.drives.report.rehearse(false);
-        let contours = contours?;
+        let found = found?;
         self.return_to(&before);
         self.enter_program();
+        Ok(found)
+    }
+
+    /// So many contours of the labels in the definition that is in effect, with the present parameters; each with its
+    /// label and a side.
+    fn contours_of_labels(&mut self, most: usize) -> Done<Vec<(String, Contour)>> {
+        let Some(Value::Text(labels)) = self.cycles.remembered.get(LABELS).cloned() else {
+            return Err(Fault::program("contour-not-defined").into());
+        };
+        let labels = labels.split('/').map(str::trim).filter(|label| !label.is_empty()).take(most);
+        let contours = self.described(|run, before| {
+            let own = |label: &str| Of::Label(label.trim_matches('"').into());
+            labels.map(|label| Ok((label.to_owned(), run.contour_of(&own(label), before)?))).collect::<Done<Vec<_>>>()
+        })?;
         if contours.iter().map(|(_, contour)| contour.way.edges.len()).sum::<usize>() > MOST_ELEMENTS {
             return Err(Fault::control("contour-elements").arg("limit", MOST_ELEMENTS as f64).into());
         }
@@ -72,30 +217,38 @@ impl<'e> Run<'_, 'e> {
         Ok(contours)
     }
 
-    /// Executes the subprogram of a label, and takes what it describes.
-    fn contour_of(&mut self, label: &str, before: &Before<'e>) -> Done<Contour> {
-        let missing = || Fault::program("jump-target-missing").arg("label", label);
-        let prepared = self.calls.here().ok_or_else(missing)?;
-        let block = match label.parse::<u16>() {
-            Ok(number) => prepared.numbered_label(number)?,
-            Err(_) => prepared.named_label(label.trim_matches('"'))?,
+    /// Executes what describes a contour, and takes it.
+    fn contour_of(&mut self, of: &Of, before: &System) -> Done<Contour> {
+        let (program, block, call) = match of {
+            Of::Program(number, _) => (*number, 0, Call::Program),
+            Of::Label(label) => {
+                let missing = || Fault::program("jump-target-missing").arg("label", &**label);
+                let prepared = self.calls.here().ok_or_else(missing)?;
+                let block = match label.parse::<u16>() {
+                    Ok(number) => prepared.numbered_label(number)?,
+                    Err(_) => prepared.named_label(label.trim_matches('"'))?,
+                };
+                (self.calls.program, block, Call::Subprogram(block))
+            }
         };
         let depth = self.calls.depth();
-        self.calls.call(self.calls.program, block, Call::Subprogram(block), &self.settings.limits)?;
+        self.calls.call(program, block, call, &self.settings.limits)?;
+        self.enter_program();
         self.drives.world.stand_aside();
         self.drives.traced = Some(Vec::new());
         (self.blocks)(self, depth + 1)?;
         let side = self.contour.side();
         self.end_contour()?;
+        self.enter_program();
         let traced = self.drives.traced.take().unwrap_or_default();
         self.contour_of_moves(&traced, before, side)
-            .ok_or_else(|| Fault::program("contour-empty").arg("label", label).into())
+            .ok_or_else(|| Fault::program("contour-empty").arg("label", of.name()).into())
     }
 
     /// The contour of moves in machine coordinates, in the coordinates of the call. The first move goes to where it
     /// begins.
-    fn contour_of_moves(&self, moves: &[Path], before: &Before<'e>, side: i8) -> Option<Contour> {
-        let system = &before.world.system;
+    fn contour_of_moves(&self, moves: &[Path], before: &System, side: i8) -> Option<Contour> {
+        let system = before;
         let (back, up) = (system.back(), system.frame().vector(system.plane.tool.unit()));
         let flat = |point: DVec3| system.in_plane(back.point(point)).truncate();
         let (lead, elements) = moves.split_first()?;
@@ -111,5 +264,15 @@ impl<'e> Run<'_, 'e> {
             }
         };
         Some(Contour { way: Way { start: flat(lead.at(1.0)), edges: elements.iter().map(edge).collect() }, side })
+    }
+}
+
+/// What is wrong with the contour of a label or program.
+fn flawed(flaw: Flaw, name: &str) -> Fault {
+    let about = |code: &'static str| Fault::program(code).arg("label", name);
+    match flaw {
+        Flaw::Open { from, to } => about("contour-open").arg("distance", from.distance(to)),
+        Flaw::Crossing(at) => about("contour-crossing").arg("x", at.x).arg("y", at.y),
+        Flaw::NoArea => about("contour-empty"),
     }
 }

@@ -9,5 +9,6 @@ pub(crate) mod definition;
 pub(crate) mod exec;
 pub(crate) mod memory;
 pub(crate) mod settings;
+pub(crate) mod sources;
 pub(crate) mod state;
 mod values;

@@ -13,6 +13,7 @@ use super::code::Prepared;
 use super::definition::Definition;
 use super::memory::Memory;
 use super::settings::{Settings, Watching};
+use super::sources::Sources;
 use crate::base::expr::Value;
 use crate::engine::contour::path::Contour;
 use crate::engine::geometry::WorkingPlane;
@@ -91,6 +92,8 @@ pub(crate) struct Cycles<'e> {
     pub(crate) remembered: BTreeMap<Arc<str>, Value>,
     /// The contours that the cycle being executed machines.
     pub(crate) contours: Contours,
+    /// Where contours come from.
+    pub(crate) sources: Sources,
     /// Nested executions.
     pub(crate) inside: usize,
     /// What the cycle that is executed has written to tables: reported when it ends well.

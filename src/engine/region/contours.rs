@@ -29,12 +29,20 @@ pub struct Closed {
 }
 
 impl Contour {
-    /// The contour as a boundary: with the tool inside of it it is a pocket (TNC 640 manual, lines 4372-4373).
+    /// The contour as a boundary.
+    ///
+    /// # Errors
+    /// It is open, crosses itself or encloses nothing.
+    pub fn boundary(&self) -> Result<Boundary, Flaw> {
+        Boundary::new(self.way.start, &self.way.edges, CLOSED)
+    }
+
+    /// The same with what it is: with the tool inside of it it is a pocket (TNC 640 manual, lines 4372-4373).
     ///
     /// # Errors
     /// It is open, crosses itself or encloses nothing.
     pub fn closed(&self) -> Result<Closed, Flaw> {
-        let boundary = Boundary::new(self.way.start, &self.way.edges, CLOSED)?;
+        let boundary = self.boundary()?;
         let is_pocket = (self.side > 0) != boundary.is_clockwise();
         Ok(Closed { boundary, is_pocket })
     }

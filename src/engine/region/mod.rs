@@ -10,6 +10,7 @@ mod boundary;
 pub mod clearing;
 mod combine;
 pub mod contours;
+pub mod formula;
 mod way;
 
 use cavalier_contours::polyline::{PlineSource, Polyline};

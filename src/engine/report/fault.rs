@@ -58,6 +58,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("contour-not-defined", Class::Program),
     ("contour-open", Class::Program),
     ("contour-side-missing", Class::Program),
+    ("contour-undeclared", Class::Program),
     ("cycle-depth-limit", Class::Internal),
     ("cycle-unknown", Class::Unsupported),
     ("direction-contradicts", Class::Program),

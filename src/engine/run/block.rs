@@ -99,10 +99,16 @@ impl<'e> Run<'_, 'e> {
             BlockKind::Statement(statement) if statement.kind == StatementKind::Plane => self.plane(statement)?,
             BlockKind::Statement(statement) if statement.kind == StatementKind::Trans => self.shift_datum(statement)?,
             BlockKind::Statement(statement) if statement.kind == StatementKind::BlkForm => {}
+            BlockKind::Statement(statement) if statement.kind == StatementKind::DeclareContour => {
+                self.declare_contour(statement)?;
+            }
+            BlockKind::Statement(statement) if statement.kind == StatementKind::ContourDef => {
+                self.define_contour(statement)?;
+            }
             BlockKind::Statement(statement) => return Err(self.not_executed(statement.head).into()),
             BlockKind::PatternDef(_) => self.define_pattern(block)?,
             BlockKind::GlobalDef(values) => self.predefine(values)?,
-            BlockKind::ContourFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
+            BlockKind::ContourFormula(formula) => self.contour_formula(formula)?,
             BlockKind::TextFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
             // What Klartext has no equivalent of is left over, and is in a comment.
             BlockKind::Iso(_) => {
@@ -173,6 +179,9 @@ impl<'e> Run<'_, 'e> {
     fn select(&mut self, what: &str, name: &str) -> Done {
         if what.eq_ignore_ascii_case("PATTERN") {
             return self.select_pattern(name);
+        }
+        if what.eq_ignore_ascii_case("CONTOUR") {
+            return self.select_contour(name);
         }
         if !what.eq_ignore_ascii_case("TABLE") {
             return Err(Fault::unsupported("unsupported-block").arg("word", format!("SEL {what}")).into());
