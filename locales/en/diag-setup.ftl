@@ -55,3 +55,4 @@ diag-translate-encoding-unknown = There is no encoding “{ $encoding }”; ther
 diag-translate-encoding-wrong = { $path } is not in { $encoding }: some bytes have no meaning there.
 diag-translate-unread = { $cycle } has a line that cannot be read, so its name and labels stay as they are.
 related-preset-written-here = written here
+diag-character-unknown = The text has “{ $character }”, which the font does not have.

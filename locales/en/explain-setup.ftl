@@ -18,3 +18,4 @@ explain-translate-encoding = The bytes of the file do not say which code page it
 explain-translate-encoding-unknown = --encoding takes one of the encodings in which program files are read and written.
 explain-translate-encoding-wrong = The file would not have the same bytes if it were written back in the encoding that --encoding names. Leave the option out, or name another encoding.
 explain-translate-unread = A line of the definition cannot be read, so nobody can prove that the control would do the same after the labels are replaced. ciklo check says what is wrong with the line. Example: Q206=1e5.
+explain-character-unknown = Cycles that engrave have letters without accents, digits and the signs that the manual of the cycle lists; % and \ are written twice, and after a single \ only n, t and v have a meaning. Example: QS500="Ä 5°". Write the text with other characters.

@@ -55,3 +55,4 @@ diag-translate-encoding-unknown = Merkistöä ”{ $encoding }” ei ole; merkis
 diag-translate-encoding-wrong = Tiedosto { $path } ei ole merkistöä { $encoding }: joillakin tavuilla ei ole siinä merkitystä.
 diag-translate-unread = Työkierron { $cycle } määrittelyssä on rivi, jota ei voi lukea, joten sen nimi ja NC-tekstit jäävät ennalleen.
 related-preset-written-here = kirjoitettu tässä
+diag-character-unknown = Tekstissä on merkki ”{ $character }”, jota kirjasimessa ei ole.

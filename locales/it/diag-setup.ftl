@@ -55,3 +55,4 @@ diag-translate-encoding-unknown = Non esiste la codifica “{ $encoding }”; es
 diag-translate-encoding-wrong = { $path } non è in { $encoding }: alcuni byte non vi hanno significato.
 diag-translate-unread = { $cycle } ha una riga che non può essere letta, perciò il nome e le etichette restano come sono.
 related-preset-written-here = scritto qui
+diag-character-unknown = Il testo contiene «{ $character }», che il carattere di incisione non possiede.

@@ -18,3 +18,4 @@ explain-translate-encoding = I byte del file non dicono in quale code page sia s
 explain-translate-encoding-unknown = --encoding accetta una delle codifiche in cui i file di programma vengono letti e scritti.
 explain-translate-encoding-wrong = Il file non avrebbe gli stessi byte se venisse riscritto nella codifica indicata da --encoding. Omettere l'opzione o indicare un'altra codifica.
 explain-translate-unread = Una riga della definizione non può essere letta, perciò non si può dimostrare che il controllo farebbe lo stesso dopo la sostituzione delle etichette. ciklo check dice che cosa non va nella riga. Esempio: Q206=1e5.
+explain-character-unknown = I cicli di incisione dispongono delle lettere senza accenti, delle cifre e dei segni elencati nel manuale del ciclo; % e \ si scrivono due volte e dopo un solo \ hanno significato soltanto n, t e v. Esempio: QS500="Ä 5°". Scrivere il testo con altri caratteri.

@@ -55,3 +55,4 @@ diag-translate-encoding-unknown = Não existe a codificação “{ $encoding }�
 diag-translate-encoding-wrong = { $path } não está em { $encoding }: alguns bytes não têm aí significado.
 diag-translate-unread = { $cycle } tem uma linha que não pode ser lida, por isso o nome e as designações ficam como estão.
 related-preset-written-here = escrito aqui
+diag-character-unknown = O texto contém «{ $character }», que o tipo de letra não tem.

@@ -18,3 +18,4 @@ explain-translate-encoding = Os bytes do ficheiro não dizem em que página de c
 explain-translate-encoding-unknown = --encoding aceita uma das codificações em que os ficheiros de programa são lidos e escritos.
 explain-translate-encoding-wrong = O ficheiro não teria os mesmos bytes se fosse escrito de novo na codificação indicada por --encoding. Omita a opção ou indique outra codificação.
 explain-translate-unread = Uma linha da definição não pode ser lida, por isso não se pode provar que o comando faria o mesmo depois de substituídas as designações. ciklo check indica o que está errado na linha. Exemplo: Q206=1e5.
+explain-character-unknown = Os ciclos de gravação têm as letras sem acentos, os algarismos e os sinais que o manual do ciclo enumera; % e \ escrevem-se duas vezes e, depois de um só \, apenas n, t e v têm significado. Exemplo: QS500="Ä 5°". Escreva o texto com outros carateres.

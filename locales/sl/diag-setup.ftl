@@ -57,3 +57,4 @@ diag-translate-encoding-unknown = Kodiranje »{ $encoding }« ne obstaja; na vol
 diag-translate-encoding-wrong = { $path } ni v { $encoding }: nekateri bajti tam nimajo pomena.
 diag-translate-unread = { $cycle } ima vrstico, ki je ni mogoče prebrati, zato ime in oznake ostanejo, kot so.
 related-preset-written-here = zapisano tukaj
+diag-character-unknown = Besedilo vsebuje »{ $character }«, česar pisava nima.

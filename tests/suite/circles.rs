@@ -22,7 +22,13 @@ const ENGINE: &[(&str, &[&str])] = &[
     ("world", &["geometry", "machine", "solid", "scene", "report"]),
     ("motion", &["geometry", "machine", "solid", "scene", "report", "world"]),
     ("contour", &["geometry", "report", "world", "motion"]),
-    ("flow", &["geometry", "machine", "scene", "region", "strategy", "plan", "params", "report", "world", "motion", "contour"]),
+    (
+        "flow",
+        &[
+            "geometry", "machine", "scene", "region", "strategy", "plan", "params", "report", "world", "motion",
+            "contour",
+        ],
+    ),
     (
         "cycle",
         &[

@@ -45,6 +45,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("block-limit", Class::Limit),
     ("block-unreadable", Class::Program),
     ("call-depth-limit", Class::Limit),
+    ("character-unknown", Class::Program),
     ("collision", Class::Control),
     ("compensation-begin", Class::Program),
     ("compensation-side", Class::Program),

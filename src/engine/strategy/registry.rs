@@ -12,8 +12,8 @@ use super::pen::{Cutter, Path};
 use super::pending::PENDING;
 use super::signature::{Given, Output, Parameter, Results};
 use super::{
-    contour, datum, face, measure, plunge, pocket, probing, program, rotary, rotation, spindle, stud, thread, tilting,
-    train,
+    contour, datum, engraving, face, measure, plunge, pocket, probing, program, rotary, rotation, spindle, stud,
+    thread, tilting, train,
 };
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::report::ending::Done;
@@ -143,6 +143,9 @@ pub static STRATEGIES: &[Strategy] = &[
     mill_over::<contour::ClearRegionAtLevel>(),
     mill_over::<contour::ApproachRegionFloor>(),
     mill_over::<contour::FollowContourSide>(),
+    calculate::<engraving::LayOutText>(),
+    mill::<engraving::MoveOverGlyph>(),
+    mill::<engraving::EngraveGlyph>(),
     act::<train::FindContourStart>(),
     mill_over::<train::MoveOverContourStart>(),
     mill_over::<train::FollowContour>(),
