@@ -3,7 +3,7 @@
 # --- 460 ---
 cycle-calibrate-on-sphere = Kosketusjärjestelmän kalibrointi
     .nc = TS KALIBROINTI KUULASSA
-    .purpose = Kalibroi kytkevän 3D-kosketusjärjestelmän automaattisesti tarkalla kalibrointikuulalla: vain säteen tai säteen ja pituuden.
+    .purpose = Työkierto kalibroi kytkevän 3D-kosketusjärjestelmän automaattisesti tarkalla kalibrointikuulalla: vain säteen tai säteen ja pituuden.
 condition-length-calibration-wanted = { $q-length-calibration } = 1
 step-position-probe-over-sphere = Paikoita kosketusjärjestelmä kosketusakselin suunnassa kalibrointikuulan yläpuolelle ja koneistustasossa kuulan keskelle.
 step-approach-sphere-downwards = Työkierron ensimmäinen liike tapahtuu kosketusakselin negatiiviseen suuntaan.
@@ -17,8 +17,8 @@ say-length-unchanged = jos { $q-length-calibration } = 0, se ei kalibroi pituutt
 step-store-calibration-values = Ohjaus tallentaa kalibrointiarvot. Ne tulevat heti voimaan.
 note-position-above-sphere-in-program = Paikoita kosketusjärjestelmä ohjelmassa suunnilleen kuulan keskipisteen yläpuolelle.
 note-effective-length-reference = Kosketusjärjestelmän vaikuttava pituus perustuu aina työkalun peruspisteeseen. Yleensä koneen valmistaja asettaa työkalun peruspisteen karan nokkaan.
-note-when-to-calibrate = Kalibroi kosketusjärjestelmä aina käyttöönotossa, kosketusvarren rikkoutumisen tai vaihdon jälkeen, kosketussyöttöarvon muuttamisen jälkeen, odottamattomien häiriöiden jälkeen (esimerkiksi koneen lämmetessä) ja aktiivisen työkaluakselin vaihdon jälkeen.
-note-when-to-calibrate__tnc426-430 = Kalibroi kosketusjärjestelmä aina käyttöönotossa, kosketusvarren rikkoutumisen tai vaihdon jälkeen, kosketussyöttöarvon muuttamisen jälkeen ja epäsäännöllisyyksien jälkeen (esimerkiksi koneen lämmetessä).
+note-when-to-calibrate = Kalibroi kosketusjärjestelmä aina käyttöönotossa, kosketusvarren rikkoutumisen tai vaihdon jälkeen, kosketussyöttöarvon muuttamisen jälkeen, erityisten olosuhteiden jälkeen (esimerkiksi kun kone on lämmennyt) ja aktiivisen työkaluakselin vaihdon jälkeen.
+note-when-to-calibrate__tnc426-430 = Kalibroi kosketusjärjestelmä aina käyttöönotossa, kosketusvarren rikkoutumisen tai vaihdon jälkeen, kosketussyöttöarvon muuttamisen jälkeen ja erityisten olosuhteiden jälkeen (esimerkiksi kun kone on lämmennyt).
 note-known-ring-or-stud = Kalibrointi määrittää kosketusvarren vaikuttavan pituuden ja kosketuskuulan vaikuttavan säteen. Kiinnitä kalibrointia varten koneen pöydälle asetusrengas tai kaula, jonka korkeus ja säde tunnetaan.
 note-known-ring-or-stud__tnc426-430 = Kalibrointi määrittää kosketusvarren vaikuttavan pituuden ja kosketuskuulan vaikuttavan säteen. Aseta kalibrointia varten koneen pöydälle asetusrengas, jonka korkeus ja sisäsäde tunnetaan.
 note-calibration-values-at-once = Aktiivisen kosketusjärjestelmän kalibrointiarvot tulevat voimaan heti kalibroinnin jälkeen. Työkalua ei tarvitse kutsua uudelleen.
@@ -28,7 +28,7 @@ note-right-tool-number-for-probe = Kun kosketusjärjestelmää käytetään, oik
 # --- 461 ---
 cycle-calibrate-probe-length = Kosketusjärjestelmän pituuden kalibrointi
     .nc = TS PITUUDEN KALIBROINTI
-    .purpose = Kalibroi kytkevän 3D-kosketusjärjestelmän vaikuttavan pituuden pinnalla, jonka korkeus tunnetaan, esimerkiksi asetusrenkaalla.
+    .purpose = Työkierto kalibroi kytkevän 3D-kosketusjärjestelmän vaikuttavan pituuden pinnalla, jonka korkeus tunnetaan, esimerkiksi asetusrenkaalla.
 step-prepare-length-calibration = Aseta ennen työkierron käynnistystä karan akselin peruspiste niin, että koneen pöydällä Z = 0, ja paikoita kosketusjärjestelmä kalibrointirenkaan yläpuolelle.
 step-orient-to-calibration-angle = Ohjaus suuntaa kosketusjärjestelmän sen taulukon kulmaan { $mp-probe-calibration-angle }, jos kosketusjärjestelmä voidaan suunnata.
 step-probe-down-from-here = Ohjaus koskettaa hetkellisasemasta karan akselin negatiiviseen suuntaan kosketussyöttöarvolla (sarake { $mp-probing-feed }).
@@ -39,12 +39,12 @@ note-datum-on-table-for-length = Aseta ennen kalibrointityökierron käynnistyst
 # --- 462 ja 463 ---
 cycle-calibrate-in-ring = Kosketusjärjestelmän säteen kalibrointi sisäpuolella
     .nc = TS KALIBROINTI RENKAASSA
-    .purpose = Kalibroi kytkevän 3D-kosketusjärjestelmän kosketuskuulan vaikuttavan säteen kalibrointirenkaassa sekä keskipistesiirtymän, jos kosketusjärjestelmä sen sallii.
+    .purpose = Työkierto kalibroi kytkevän 3D-kosketusjärjestelmän kosketuskuulan vaikuttavan säteen kalibrointirenkaassa sekä keskipistesiirtymän, jos kosketusjärjestelmä sen sallii.
 cycle-calibrate-on-stud = Kosketusjärjestelmän säteen kalibrointi ulkopuolella
     .nc = TS KALIBROINTI KAULASSA
-    .purpose = Kalibroi kytkevän 3D-kosketusjärjestelmän kosketuskuulan vaikuttavan säteen kaulassa tai kalibrointitapissa sekä keskipistesiirtymän, jos kosketusjärjestelmä sen sallii.
+    .purpose = Työkierto kalibroi kytkevän 3D-kosketusjärjestelmän kosketuskuulan vaikuttavan säteen kaulassa tai kalibrointitapissa sekä keskipistesiirtymän, jos kosketusjärjestelmä sen sallii.
 step-pre-position-in-ring = Esipaikoita kosketusjärjestelmä ennen työkierron käynnistystä kalibrointirenkaan keskelle ja haluttuun mittauskorkeuteen.
-step-pre-position-over-stud = Esipaikoita kosketusjärjestelmä ennen työkierron käynnistystä keskeisesti kalibrointitapin yläpuolelle, kosketusakselin suunnassa suunnilleen varmuusetäisyydelle siitä (sarakkeen { $mp-set-up } arvo + { $q-probing-clearance }).
+step-pre-position-over-stud = Esipaikoita kosketusjärjestelmä ennen työkierron käynnistystä keskelle kalibrointitapin yläpuolelle, kosketusakselin suunnassa suunnilleen varmuusetäisyydelle siitä (sarakkeen { $mp-set-up } arvo + { $q-probing-clearance }).
 step-rough-measurement-of-part = Ensimmäisellä kierroksella ohjaus määrittää kalibrointirenkaan tai kaulan keskipisteen (karkea mittaus) ja paikoittaa kosketusjärjestelmän keskelle.
 step-fine-measurement-of-part = Sen jälkeen varsinainen kalibrointi (tarkka mittaus) määrittää kosketuskuulan säteen.
 step-travel-between-calibration-points = Mittauspisteiden välillä kosketusjärjestelmä siirtyy:
@@ -60,7 +60,7 @@ note-orientation-predefined = HEIDENHAIN-kosketusjärjestelmille on valmiiksi m�
 # --- 2 ---
 cycle-calibrate-touch-probe = Kytkevän kosketusjärjestelmän kalibrointi
     .nc = TS KALIBROINTI
-    .purpose = Kalibroi kytkevän kosketusjärjestelmän automaattisesti kalibrointirenkaassa tai kalibrointikaulassa.
+    .purpose = Työkierto kalibroi kytkevän kosketusjärjestelmän automaattisesti kalibrointirenkaassa tai kalibrointikaulassa.
 step-rise-to-clearance-height = Kosketusjärjestelmä siirtyy pikaliikkeellä (arvo koneparametrista { $mp-positioning-feed } tai { $mp-analog-positioning-feed }) varmuuskorkeudelle, jos sen hetkellisasema on alempana.
 step-position-over-calibration-part = Ohjaus paikoittaa kosketusjärjestelmän koneistustasossa:
 say-near-first-touch-point = ensimmäisen kosketuspisteen lähelle (kalibrointi ulkopuolella)

@@ -218,7 +218,7 @@ diag-io-write = Kirjoittaminen ei onnistu: { $path }: { $reason ->
         [too-large] tiedosto ei saa olla niin suuri
        *[other] { $detail }
     }.
-diag-engine-start = Suoritusohjelman käynnistäminen ei onnistu: { $path }: { $reason ->
+diag-engine-start = Suorittimen käynnistäminen ei onnistu: { $path }: { $reason ->
         [not-found] ohjelmaa ei ole
         [permission] ei käyttöoikeutta
        *[other] { $detail }

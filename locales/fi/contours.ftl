@@ -15,7 +15,7 @@ note-global-def-for-contours = Muodon jyrsinnän toiminto GLOBAL DEF esiasettaa 
 # --- 14 ---
 cycle-contour = Muoto
     .nc = MUOTO
-    .purpose = Luettelee kaikki aliohjelmat, joiden muodot yhdistetään yhdeksi muodoksi. Ohjaus laskee kokonaismuodon näistä osamuodoista, jotka ovat taskuja tai saarekkeita.
+    .purpose = Työkierto luettelee kaikki aliohjelmat, joiden muodot yhdistetään yhdeksi muodoksi. Ohjaus laskee kokonaismuodon näistä osamuodoista, jotka ovat taskuja tai saarekkeita.
 step-remember-contour-labels = Ohjaus säilyttää label-numerot. Seuraavat työkierrot koneistavat aliohjelmien kuvaaman muodon.
 note-contour-acts-from-definition = Työkierto vaikuttaa määrittelystään lähtien.
 note-most-contour-labels = Enintään 12 aliohjelmaa (osamuotoa) voidaan luetella.
@@ -36,7 +36,7 @@ note-contour-for-turning = Myös muotoa koneistavat sorvauksen työkierrot tarvi
 # --- 20 ---
 cycle-contour-data = Muototiedot
     .nc = MUOTOTIEDOT
-    .purpose = Sisältää osamuotojen aliohjelmia koskevat koneistustiedot.
+    .purpose = Työkierto sisältää osamuotojen aliohjelmia koskevat koneistustiedot.
 step-remember-contour-data = Ohjaus säilyttää koneistustiedot työkiertoja 21–24 varten.
 note-contour-data-act-from-definition = Työkierto vaikuttaa määrittelystään lähtien. Koneistustiedot koskevat vain työkiertoja 21–24.
 note-parameters-reserved-for-contours = Jos SL-työkiertoja käytetään Q-parametriohjelmissa, parametreja Q1–Q20 ei saa käyttää ohjelman parametreina.
@@ -45,7 +45,7 @@ note-contour-data-at-interruption = Kun ohjelma keskeytetään, koneistusparamet
 # --- 21 ---
 cycle-pilot-drilling = Esiporaus
     .nc = ESIPORAUS
-    .purpose = Poraa muodon asetuspisteisiin, jotka ovat samalla rouhinnan alkupisteitä.
+    .purpose = Työkierto poraa muodon asetuspisteisiin, jotka ovat samalla rouhinnan alkupisteitä.
 step-position-at-pilot-holes = Ohjaus määrittää muodon asetuspisteet.
 step-move-over-pilot-hole = Ohjaus paikoittaa työkalun asetuspisteen yläpuolelle varmuusetäisyydelle.
 step-drill-pilot-hole-to-plunging-depth = Työkalu poraa syöttöarvolla { $q-contour-plunging-feed } asetussyvyyteen, joka kasvaa jokaisella asetusliikkeellä arvon { $q-contour-plunging-depth } verran.
@@ -61,10 +61,10 @@ note-narrow-places-not-pre-drilled = Ahtaissa paikoissa ohjaus ei ehkä voi esip
 # --- 22 ---
 cycle-rough-out = Rouhinta
     .nc = ROUHINTA
-    .purpose = Rouhii muodon taso kerrallaan pohjan työvaraan asti tai koneistaa vain sen, mitä suurempi työkalu on jättänyt jäljelle.
+    .purpose = Työkierto rouhii muodon taso kerrallaan pohjan työvaraan asti tai koneistaa vain sen, mitä suurempi työkalu on jättänyt jäljelle.
 step-position-over-infeed-point = Ohjaus paikoittaa työkalun asetuspisteen yläpuolelle ja ottaa huomioon sivun silitystyövaran.
 step-go-to-infeed-point = Työkalu siirtyy pikaliikkeellä asetuspisteen yläpuolelle ja alas varmuusetäisyydelle jo koneistetusta pinnasta.
-step-plunge-to-contour-level = Työkalu siirtyy seuraavaan asetussyvyyteen, { $q-contour-plunging-depth } syvemmälle:
+step-plunge-to-contour-level = Työkalu siirtyy seuraavaan asetussyvyyteen eli arvon { $q-contour-plunging-depth } verran syvemmälle:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: kohtisuoraan syöttöarvolla { $q-contour-plunging-feed }, vaikka aktiiviselle työkalulle olisi määritelty sisäänpistokulma { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: kohtisuoraan heiluriliikkeen syöttöarvolla { $q-reciprocation-feed }
 say-plunge-on-helix-or-in-strokes = muussa tapauksessa kierukkarataa pitkin sisäänpistokulmalla { $mp-plunging-angle } tai, jos kierukka ei ole mahdollinen, edestakaisin heiluriliikkeellä
@@ -72,15 +72,15 @@ step-rough-contour-level = Tässä syvyydessä työkalu jyrsii muodon sisältä 
 say-rough-what-coarser-tool-left = jos esirouhintatyökalu { $q-coarse-roughing-tool } on annettu, vain sen, mitä tämä työkalu ei ole voinut koneistaa
 say-rough-whole-region = muussa tapauksessa koko alueen
 note-centre-cutting-or-pilot-drilling = Käytä tarvittaessa keskeltä lastuavaa varsijyrsintä (DIN 844) tai esiporaa työkierrolla 21.
-note-rough-out-plunging = Työkalun sisäänpisto määräytyy parametrista { $q-reciprocation-feed } ja työkalutaulukon sarakkeista { $mp-plunging-angle } ja { $mp-cutting-edge-length }. Kun { $q-reciprocation-feed } = 0, se tunkeutuu aina kohtisuoraan. Kun { $mp-plunging-angle } = 90°, se tunkeutuu kohtisuoraan syöttöarvolla { $q-reciprocation-feed }. Jos heiluriliikkeen syöttöarvo on annettu ja { $mp-plunging-angle } on välillä 0,1–89,999, se tunkeutuu kierukkarataa pitkin tällä kulmalla. Jos heiluriliikkeen syöttöarvo on annettu mutta työkalutaulukosta puuttuu { $mp-plunging-angle }, ohjaus antaa virheilmoituksen. Jos kierukalle ei ole tilaa (kuten urassa), ohjaus yrittää tunkeutua heiluriliikkeellä; sen pituus on { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
-note-overlap-greater-than-one = Jos limityskerroin on suurempi kuin 1, teräväkulmaisiin taskumuotoihin voi jäädä materiaalia. Tarkasta sisin rata testigrafiikalla ja muuta limityskerrointa tarvittaessa hieman. Lastut jakautuvat silloin toisin, mikä johtaa usein haluttuun tulokseen.
+note-rough-out-plunging = Työkalun sisäänpisto määräytyy parametrista { $q-reciprocation-feed } ja työkalutaulukon sarakkeista { $mp-plunging-angle } ja { $mp-cutting-edge-length }. Kun { $q-reciprocation-feed } = 0, se tunkeutuu aina kohtisuoraan. Kun { $mp-plunging-angle } = 90°, se tunkeutuu kohtisuoraan syöttöarvolla { $q-reciprocation-feed }. Jos heiluriliikkeen syöttöarvo on annettu ja { $mp-plunging-angle } on välillä 0,1–89,999, se tunkeutuu kierukkarataa pitkin tällä kulmalla. Jos heiluriliikkeen syöttöarvo on annettu mutta työkalutaulukosta puuttuu { $mp-plunging-angle }, ohjaus antaa virheilmoituksen. Jos kierukalle ei ole tilaa (esimerkiksi urassa), ohjaus yrittää tunkeutua heiluriliikkeellä; sen pituus on { $mp-cutting-edge-length } / tan { $mp-plunging-angle }.
+note-overlap-greater-than-one = Jos limityskerroin on suurempi kuin 1, teräväkulmaisiin taskumuotoihin voi jäädä materiaalia. Tarkasta sisin rata testausgrafiikalla ja muuta limityskerrointa tarvittaessa hieman. Lastut jakautuvat silloin toisin, mikä johtaa usein haluttuun tulokseen.
 note-wear-of-coarse-tool-not-considered = Jälkirouhinnassa ohjaus ei ota huomioon esirouhintatyökalulle määriteltyä kulumisarvoa DR.
 note-fine-roughing-needs-tool-data = Jos jälkirouhinnan aluetta ei voida lähestyä sivulta, työkalu tunkeutuu heiluriliikkeellä. Määrittele tätä varten työkalutaulukossa työkalun terän pituus { $mp-cutting-edge-length } ja suurin sisäänpistokulma { $mp-plunging-angle }; muuten ohjaus voi antaa virheilmoituksen.
 
 # --- 23 ---
 cycle-floor-finishing = Pohjan silitys
     .nc = POHJAN SILITYS
-    .purpose = Poistaa rouhinnan pohjaan jättämän silitystyövaran.
+    .purpose = Työkierto poistaa rouhinnan pohjaan jättämän silitystyövaran.
 step-approach-contour-floor = Työkalu lähestyy pohjaa pehmeästi pystysuoraa tangentiaalista ympyränkaarta pitkin, jos tilaa on riittävästi. Muussa tapauksessa se ajaa kohtisuoraan syvyyteen syöttöarvolla { $q-contour-plunging-feed }.
 step-find-start-of-floor-finishing = Ohjaus määrittää pohjan silityksen aloituspisteen.
 step-finish-contour-floor = Työkalu jyrsii rouhinnassa jääneen silitystyövaran syöttöarvolla { $q-roughing-feed }.
@@ -90,9 +90,9 @@ note-approach-radius-is-fixed = Säde, jolla loppusyvyyteen lähestytään, on s
 # --- 24 ---
 cycle-side-finishing = Sivun silitys
     .nc = SIVUN SILITYS
-    .purpose = Silittää muodon sivut. Jokainen osamuoto silitetään erikseen.
+    .purpose = Työkierto silittää muodon sivut. Jokainen osamuoto silitetään erikseen.
 step-find-start-of-side-finishing = Ohjaus määrittää silityksen alkupisteen.
-step-finish-partial-contour = Ohjaus siirtää työkalun syöttöarvolla { $q-contour-plunging-feed } seuraavaan asetussyvyyteen, { $q-contour-plunging-depth } syvemmälle, ajaa sen tangentiaalisesti ympyränkaarta pitkin osamuotoon ja silittää osamuodon syöttöarvolla { $q-roughing-feed }.
+step-finish-partial-contour = Ohjaus siirtää työkalun syöttöarvolla { $q-contour-plunging-feed } seuraavaan asetussyvyyteen eli arvon { $q-contour-plunging-depth } verran syvemmälle, ajaa sen tangentiaalisesti ympyränkaarta pitkin osamuotoon ja silittää osamuodon syöttöarvolla { $q-roughing-feed }.
 until-partial-contours-finished = jokainen osamuoto on silitetty
 note-side-finishing-allowances = Sivun silitystyövaran { $q-remaining-side-allowance } ja silitystyökalun säteen summan on oltava pienempi kuin työkierron 20 sivun silitystyövaran ja rouhintatyökalun säteen summa.
 note-side-finishing-without-roughing = Sama pätee, jos työkierto suoritetaan ilman edeltävää rouhintaa työkierrolla 22; rouhintatyökalun säteenä on silloin 0.
@@ -103,9 +103,9 @@ note-start-depends-on-sequence = Alkupiste riippuu myös koneistusjärjestyksest
 # --- 25 ---
 cycle-contour-train = Muotorailo
     .nc = MUOTORAILO
-    .purpose = Koneistaa avoimia ja suljettuja muotoja yhdessä työkierron 14 kanssa. Muotoa pitkin paikoituslauseilla tehtyyn koneistukseen verrattuna ohjaus valvoo koneistusta, jyrsii kauttaaltaan myötälastulla tai vastalastulla ja voi jyrsiä edestakaisin ja työvaroja käyttäen.
+    .purpose = Työkierto koneistaa avoimia ja suljettuja muotoja yhdessä työkierron 14 kanssa. Muotoa pitkin paikoituslauseilla tehtyyn koneistukseen verrattuna ohjaus valvoo koneistusta, jyrsii kauttaaltaan myötälastulla tai vastalastulla ja voi jyrsiä edestakaisin ja työvaroja käyttäen.
 step-position-over-contour-start = Ohjaus siirtää työkalun varmuuskorkeudelle { $q-contour-clearance-height } ja muodon alkupisteen yläpuolelle.
-step-plunge-beside-contour = Työkalu siirtyy syöttöarvolla { $q-contour-plunging-feed } seuraavaan asetussyvyyteen, { $q-contour-plunging-depth } syvemmälle.
+step-plunge-beside-contour = Työkalu siirtyy syöttöarvolla { $q-contour-plunging-feed } seuraavaan asetussyvyyteen eli arvon { $q-contour-plunging-depth } verran syvemmälle.
 step-mill-along-contour = Työkalu jyrsii muotoa pitkin syöttöarvolla { $q-contour-milling-feed } ottaen huomioon silitystyövaran { $q-side-allowance }:
 say-mill-to-and-fro = { $q-contour-milling-type } = 0: edestakaisin, asetusliikkeittäin vuorotellen myötä- ja vastalastulla
 say-mill-in-one-direction = { $q-contour-milling-type } = +1 tai −1: jokaisella asetusliikkeellä myötälastulla tai vastalastulla
@@ -122,7 +122,7 @@ note-no-incremental-after-contour-train = Törmäysvaara! Älä ohjelmoi työkie
 note-absolute-position-after-contour-train = Törmäysvaara! Aja työkalu työkierron jälkeen kaikilla pääakseleilla määriteltyyn (absoluuttiseen) asemaan, koska sen asema työkierron lopussa ei ole sama kuin alussa.
 
 # --- 27–29 ---
-step-plunge-into-cylinder = Työkalu siirtyy syöttöarvolla { $q-contour-plunging-feed } seuraavaan asetussyvyyteen, { $q-contour-plunging-depth } syvemmälle.
+step-plunge-into-cylinder = Työkalu siirtyy syöttöarvolla { $q-contour-plunging-feed } seuraavaan asetussyvyyteen eli arvon { $q-contour-plunging-depth } verran syvemmälle.
 until-cylinder-milling-depth-reached = ohjelmoitu jyrsintäsyvyys { $q-cylinder-milling-depth } on saavutettu
 step-return-in-tool-axis = Työkalu palaa työkaluakselin suunnassa varmuuskorkeudelle tai asemaan, joka on viimeksi ohjelmoitu ennen työkiertoa.
 guard-clearance-within-tool-radius = Varmuusetäisyys ei ole suurempi kuin työkalun säde.
@@ -141,7 +141,7 @@ note-many-contour-elements-take-time = Koneistus voi kestää kauemmin, jos muod
 # --- 27 ---
 cycle-cylinder-surface = Lieriövaippa
     .nc = LIERIÖVAIPPA
-    .purpose = Siirtää levityskuvaan määritellyn muodon lieriön vaipalle.
+    .purpose = Työkierto siirtää levityskuvaan määritellyn muodon lieriön vaipalle.
 step-mill-along-developed-contour = Työkalu jyrsii ohjelmoitua muotoa pitkin syöttöarvolla { $q-contour-milling-feed }.
 step-back-over-infeed-point = Muodon lopussa ohjaus siirtää työkalun varmuusetäisyydelle { $q-cylinder-set-up-clearance } ja takaisin asetuspisteen yläpuolelle.
 step-end-at-cylinder-clearance = Työkalu siirtyy varmuusetäisyydelle { $q-cylinder-set-up-clearance }.
@@ -152,7 +152,7 @@ note-guide-slots-with-other-cycle = Käytä johdeurien jyrsintään lieriölle t
 # --- 28 ---
 cycle-cylinder-surface-slot = Lieriövaippa – uran jyrsintä
     .nc = LIERIÖVAIPPA
-    .purpose = Siirtää levityskuvaan määritellyn johdeuran lieriön vaipalle niin, että seinämät ovat lähes yhdensuuntaiset.
+    .purpose = Työkierto siirtää levityskuvaan määritellyn johdeuran lieriön vaipalle niin, että seinämät ovat lähes yhdensuuntaiset.
 step-position-over-slot-infeed-point = Ohjaus paikoittaa työkalun asetuspisteen yläpuolelle.
 step-mill-along-slot-wall = Työkalu jyrsii uran seinämää pitkin syöttöarvolla { $q-contour-milling-feed } ottaen huomioon sivun silitystyövaran { $q-side-allowance }.
 step-mill-back-along-opposite-wall = Muodon lopussa ohjaus siirtää työkalun uran vastakkaiselle seinämälle ja takaisin asetuspisteeseen.
@@ -164,7 +164,7 @@ note-program-centre-path-of-slot = Ohjelmoi muodon keskipisterata sädekorjaukse
 # --- 29 ---
 cycle-cylinder-surface-ridge = Lieriövaippa – uuman jyrsintä
     .nc = LIERIÖVAIPPA UUMA
-    .purpose = Siirtää levityskuvaan määritellyn uuman lieriön vaipalle niin, että seinämät ovat yhdensuuntaiset.
+    .purpose = Työkierto siirtää levityskuvaan määritellyn uuman lieriön vaipalle niin, että seinämät ovat yhdensuuntaiset.
 step-position-over-ridge-start = Ohjaus paikoittaa työkalun koneistuksen alkupisteen yläpuolelle, jonka se laskee uuman leveydestä ja työkalun halkaisijasta: muotoaliohjelman ensimmäisen pisteen viereen, siirrettynä uuman leveyden puolikkaan ja työkalun halkaisijan verran. Sädekorjaus määrää puolen: uuman vasemmalla puolella (myötälastu) tai oikealla puolella (vastalastu).
 step-approach-ridge-wall = Tässä syvyydessä työkalu ajaa muotoon tangentiaalista ympyränkaarta pitkin syöttöarvolla { $q-contour-milling-feed } ja ottaa huomioon sivun silitystyövaran { $q-side-allowance }, jos se on annettu.
 step-mill-along-ridge-wall = Työkalu jyrsii uuman seinämää pitkin syöttöarvolla { $q-contour-milling-feed }, kunnes uuma on valmis.
@@ -176,13 +176,13 @@ note-ridge-ends-in-semicircles = Ohjaus lisää uuman päihin aina puoliympyrän
 # --- 225 ---
 cycle-engraving = Kaiverrus
     .nc = KAIVERRUS
-    .purpose = Kaivertaa tekstiä työkappaleen tasaiselle pinnalle suoraa tai ympyränkaarta pitkin.
+    .purpose = Työkierto kaivertaa tekstiä työkappaleen tasaiselle pinnalle suoraa tai ympyränkaarta pitkin.
 step-move-to-first-character = Ohjaus paikoittaa työkalun koneistustasossa ensimmäisen merkin alkupisteeseen.
 step-engrave-character = Työkalu tunkeutuu kohtisuoraan syöttöarvolla { $q-plunging-feed } kaiverruksen pohjaan ja jyrsii merkin syöttöarvolla { $q-milling-feed }. Jos työkalua on nostettava merkin sisällä, se nousee varmuusetäisyydelle { $q-set-up-clearance }. Merkin lopussa työkalu on varmuusetäisyydellä työkappaleen yläpinnan yläpuolella.
 step-move-over-next-character = Ohjaus siirtää työkalun varmuusetäisyydellä seuraavan merkin alkupisteeseen.
 until-characters-engraved = kaikki merkit on kaiverrettu
 step-end-engraving-at-second-clearance = Ohjaus siirtää työkalun 2. varmuusetäisyydelle { $q-second-set-up-clearance }.
-condition-text-runs-on-arc = { $q-text-arrangement } määrää tekstin ympyränkaarelle
+condition-text-runs-on-arc = teksti sijoitetaan ympyränkaarelle ({ $q-text-arrangement })
 note-straight-text-starts-at-tool = Suoralle asetetussa tekstissä ({ $q-text-arrangement } = 0) työkalun asema työkierron kutsuhetkellä on ensimmäisen merkin alkupiste.
 note-circle-text-centre-at-tool = Kaarelle asetetussa tekstissä ({ $q-text-arrangement } = 1) työkalun asema työkierron kutsuhetkellä on ympyrän keskipiste.
 note-text-from-string-parameter = Teksti voidaan antaa myös merkkijonoparametrilla (QS).

@@ -4,9 +4,9 @@
 cycle-datum-inside-circle = Peruspisteen asetus ympyrän sisään (reikä)
     .nc = PERUSP. YMP. SISÄP.
     .nc-aliases = PERUSP YMPYRÄ SISÄP
-    .purpose = Mittaa ympyrätaskun tai reiän keskipisteen ja asettaa sen peruspisteeksi. Haluttaessa ohjaus kirjoittaa keskipisteen myös nollapiste- tai esiasetustaulukkoon.
+    .purpose = Työkierto mittaa ympyrätaskun tai reiän keskipisteen ja asettaa sen peruspisteeksi. Haluttaessa ohjaus kirjoittaa keskipisteen myös nollapiste- tai esiasetustaulukkoon.
 cycle-datum-inside-circle__tnc426-430 =
-    .purpose = Mittaa ympyrätaskun tai reiän keskipisteen ja asettaa sen peruspisteeksi. Haluttaessa ohjaus kirjoittaa keskipisteen myös nollapistetaulukkoon.
+    .purpose = Työkierto mittaa ympyrätaskun tai reiän keskipisteen ja asettaa sen peruspisteeksi. Haluttaessa ohjaus kirjoittaa keskipisteen myös nollapistetaulukkoon.
 step-retract-and-store-datum = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height }, tallentaa todellisarvot tulosparametreihin ja käsittelee mitatun peruspisteen parametrien { $q-measured-value-transfer } ja { $q-datum-row-number } mukaan:
 step-retract-and-store-datum__tnc426-430 = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja käsittelee mitatun peruspisteen parametrin { $q-datum-row-number } mukaan:
 say-datum-into-display-and-row-zero = jos { $q-datum-row-number } = 0, se asettaa mitatun peruspisteen näyttöön; peruspiste on heti aktiivinen ja tallentuu myös esiasetustaulukon riville 0
@@ -15,7 +15,7 @@ say-datum-into-datum-table = jos { $q-datum-row-number } ei ole 0 ja { $q-measur
 say-datum-into-datum-table__tnc426-430 = jos { $q-datum-row-number } ei ole 0, se kirjoittaa mitatun peruspisteen aktiivisen nollapistetaulukon riville { $q-datum-row-number }
 say-datum-into-preset-table = jos { $q-datum-row-number } ei ole 0 ja { $q-measured-value-transfer } = 1, se kirjoittaa mitatun peruspisteen esiasetustaulukon riville { $q-datum-row-number }; perusjärjestelmänä on koneen koordinaatisto (REF-koordinaatit)
 step-probe-in-probe-axis = Haluttaessa ohjaus mittaa sen jälkeen kosketusakselin peruspisteen erillisellä kosketuksella:
-say-datum-in-probe-axis = kun { $q-probing-in-probe-axis }=1, se koskettaa pistettä { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool } kosketusakselin suunnassa, vetäytyy ja käsittelee peruspisteen { $q-new-datum-probe-axis } samoin kuin koneistustason peruspisteen
+say-datum-in-probe-axis = jos { $q-probing-in-probe-axis } = 1, se koskettaa pistettä { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool } kosketusakselin suunnassa, vetäytyy ja käsittelee peruspisteen { $q-new-datum-probe-axis } samoin kuin koneistustason peruspisteen
 guard-datum-transfer-undefined = { $q-datum-row-number } ei ole 0 ja { $q-measured-value-transfer } on −1: on määriteltävä, mihin mitattu peruspiste tallennetaan.
 guard-transformation-with-probe-axis-datum = Nollapisteen siirto tai kierto on voimassa, mutta asetuksilla { $q-measured-value-transfer } = 0 ja { $q-probing-in-probe-axis } = 1 koordinaattimuunnos ei ole sallittu.
 note-nominal-diameter-rather-small = Törmäysvaara! Jotta kosketusjärjestelmä ja työkappale eivät törmää, anna taskun (reiän) asetushalkaisijaksi mieluummin liian pieni kuin liian suuri arvo.

@@ -280,7 +280,7 @@ diag-retract-missing =
     }: sitä ei ole vedetty irti.
 diag-row-not-in-table =
     { $table ->
-        [preset] Peruspistetaulukossa ei ole riviä { $row }.
+        [preset] Esiasetustaulukossa ei ole riviä { $row }.
        *[datum] Nollapistetaulukossa ei ole riviä { $row }.
     }
 diag-program-not-selected = Tässä kutsutaan valittua ohjelmaa, mutta mitään ei ole valittu.

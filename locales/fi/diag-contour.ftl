@@ -10,4 +10,4 @@ diag-contour-missing = Tämän jälkeen ei tule muotoelementtiä, johon työkalu
 diag-rounding-impossible = { NUMBER($size, maximumFractionDigits: 4) }{"\u00A0"}mm:n pyöristys tai viiste ei mahdu tähän nurkkaan. Viiste vaatii suoran molemmille puolilleen.
 diag-rounding-misplaced = Välittömästi RND- tai CHF-lauseen edellä ja jäljessä on oltava koneistustason elementti, eikä muoto voi alkaa näillä lauseilla.
 diag-tangent-missing = Tangentin suuntaa ei tunneta: tähän pisteeseen on johdettava muotoelementti, eikä tangentiaalisen kaaren loppupiste saa olla suoraan pisteen edessä.
-diag-unsupported-compensation = Suoritin ei suorita tätä, kun sädekorjaus on voimassa: { $word }
+diag-unsupported-compensation = Tätä ei voi simuloida, kun sädekorjaus on voimassa: { $word }

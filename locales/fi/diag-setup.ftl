@@ -13,35 +13,35 @@ diag-labels-not-known =
     }
 diag-machine-limit =
     { $what ->
-        [speed] Karan kierrosluku { $value } ylittää koneen suurimman arvon { $limit }.
-        [feed] Syöttöarvo { $value } ylittää koneen suurimman arvon { $limit }.
-        [helix] Kierukka, jonka kulma on { $value } astetta, ylittää koneen suurimman arvon { $limit }.
-        [angle] { $word } { $value } ylittää akselin päätyarvon { $limit }.
-        [position] { $word } { $value } ylittää akselin päätyarvon { $limit }.
-       *[travel] Ohjelma käyttää akselia { $word } { $value } mm matkalla, mutta sen pituus on vain { $limit } mm.
+        [speed] Karan kierrosluku { $value } on suurempi kuin koneen suurin, { $limit }.
+        [feed] Syöttöarvo { $value } on suurempi kuin koneen suurin, { $limit }.
+        [helix] Kierukka, jonka kulma on { $value } astetta, on pidempi kuin koneen pisin, { $limit }.
+        [angle] { $word } { $value } on akselin päätyarvon { $limit } takana.
+        [position] { $word } { $value } on akselin päätyarvon { $limit } takana.
+       *[travel] Ohjelma käyttää akselista { $word } { $value }{"\u00A0"}mm, mutta akselin pituus on vain { $limit }{"\u00A0"}mm.
     }
-diag-machining-outside-blank = Kohdassa { $value }; { $other } työstettävä on kaukana aihiosta.
-diag-milling-deeper-than-edges = Työkalu jyrsii tässä { $value } syvältä, mikä on enemmän kuin sen terien pituus (LCUTS).
-diag-plane-left-on = Työstötaso on yhä kallistettu, kun tätä työkalua kutsutaan.
+diag-machining-outside-blank = Koneistettava kohta { $value }; { $other } on kaukana aihiosta.
+diag-milling-deeper-than-edges = Työkalu jyrsii tässä syvyyteen { $value }, mikä on enemmän kuin sen terien pituus (LCUTS).
+diag-plane-left-on = Koneistustaso on vielä käännettynä, kun tämä työkalu kutsutaan.
 diag-preset-row-wrong =
     { $what ->
-        [again] Peruspiste { $row } kirjoitetaan tässä uudelleen eri paikasta, eikä sitä ole välillä aktivoitu.
-        [other] Tässä aktivoidaan peruspiste { $other }, mutta mitattu peruspiste on { $row }, jota ei koskaan aktivoida.
-       *[unused] Peruspiste { $row } kirjoitetaan tässä, mutta sitä ei koskaan aktivoida: työstö jatkuu toisella peruspisteellä.
+        [again] Esiasetus { $row } kirjoitetaan tässä uudelleen toisesta paikasta, eikä sitä ole välillä aktivoitu.
+        [other] Tässä aktivoidaan esiasetus { $other }, mutta mitattu on esiasetus { $row }, jota ei koskaan aktivoida.
+       *[unused] Esiasetus { $row } kirjoitetaan tässä, mutta sitä ei koskaan aktivoida: koneistus jatkuu toisella esiasetuksella.
     }
-diag-repeat-without-effect = Toisto nolla kertaa ei tee mitään.
+diag-repeat-without-effect = Nolla toistoa ei tee mitään.
 diag-slot-too-narrow = Työkalu, jonka halkaisija on { $tool }, ei mahdu tässä seinämien väliin: tämän suoran pituus on vain { $value }.
 diag-spindle-start-wrong =
     { $what ->
         [missing] Karaa ei ole käynnistetty tämän työkalun kutsun jälkeen.
-       *[direction] Kara pyörii vastapäivään (M4), kun tämä työkalu lastuaa.
+       *[direction] Kara pyörii vastapäivään (M4), vaikka tämä työkalu lastuaa.
     }
 diag-tap-without-hole =
     { $what ->
         [missing] Kohtaan { $value }; { $other } ei ole porattu reikää tälle kierretapille.
        *[shallow] Kierretappi menee arvoon { $value }, mutta reikä päättyy arvoon { $other }.
     }
-diag-tcpm-missing = Kiertoakselit liikkuvat tässä yhdessä lineaariakseleiden kanssa ilman TCPM-toimintoa, vaikka ohjelma kytkee sen myöhemmin pois.
+diag-tcpm-missing = Kiertoakselit liikkuvat tässä yhdessä lineaariakselien kanssa ilman TCPM-toimintoa, vaikka ohjelma kytkee TCPM:n myöhemmin pois.
 diag-tool-called-twice = Työkalua { $tool } kutsutaan tässä uudelleen, eikä kutsujen välissä ole mitään.
 diag-tool-table-contradicts =
     { $what ->
@@ -50,9 +50,9 @@ diag-tool-table-contradicts =
         [point] { $value } keskiöi tässä halkaisijaan, mutta työkalulla { $tool } ei ole kärkikulmaa työkalutaulukossa (T-ANGLE).
        *[type] { $value } ei sovi työkalulle { $tool }, jonka tyyppi on työkalutaulukossa { $other } (TYP).
     }
-diag-translate-encoding = Tiedosto kirjoitetaan merkistöllä { $encoding }: sen tavut ovat siinä samat, ja uusien NC-tekstien kaikki kirjaimet löytyvät.
+diag-translate-encoding = Tiedosto kirjoitetaan merkistöllä { $encoding }: tavut pysyvät siinä samoina, ja siinä ovat uusien NC-tekstien kaikki kirjaimet.
 diag-translate-encoding-unknown = Merkistöä ”{ $encoding }” ei ole; merkistöt ovat { $known }.
-diag-translate-encoding-wrong = Tiedosto { $path } ei ole merkistöä { $encoding }: joillakin tavuilla ei ole siinä merkitystä.
+diag-translate-encoding-wrong = Tiedoston { $path } merkistö ei ole { $encoding }: joillakin tavuilla ei ole siinä merkitystä.
 diag-translate-unread = Työkierron { $cycle } määrittelyssä on rivi, jota ei voi lukea, joten sen nimi ja NC-tekstit jäävät ennalleen.
 related-preset-written-here = kirjoitettu tässä
 diag-character-unknown = Tekstissä on merkki ”{ $character }”, jota kirjasimessa ei ole.

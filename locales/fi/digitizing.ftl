@@ -3,10 +3,10 @@
 # --- 5 ja 15 ---
 cycle-digitize-range = Digitointialue
     .nc = ALUE
-    .purpose = Määrittelee suorakulmaisen särmiön muotoisen alueen, jolta digitointityökierrot mittaavat kappaleen, digitointitietojen tiedoston ja varmuuskorkeuden.
+    .purpose = Työkierto määrittelee suorakulmaisen särmiön muotoisen alueen, jolta digitointityökierrot mittaavat kappaleen, digitointitietojen tiedoston ja varmuuskorkeuden.
 cycle-digitize-range-from-points = Digitointialue pistetaulukosta
     .nc = ALUE
-    .purpose = Määrittelee minkä tahansa muotoisen alueen digitointiin mittaavalla kosketusjärjestelmällä: pistetaulukko ilmoittaa sen rajan koneistustasossa. Työkierto määrittelee myös digitointitietojen tiedoston ja varmuuskorkeuden.
+    .purpose = Työkierto määrittelee digitointiin mittaavalla kosketusjärjestelmällä alueen, jonka muoto on vapaa: pistetaulukko ilmoittaa alueen rajan koneistustasossa. Työkierto määrittelee myös digitointitietojen tiedoston ja varmuuskorkeuden.
 step-remember-digitizing-range = Ohjaus tallentaa MIN-pisteen ja MAX-pisteen välisen alueen, varmuuskorkeuden ja tiedoston nimen seuraavia digitointityökiertoja varten.
 step-remember-digitizing-range-from-points = Ohjaus tallentaa seuraavia digitointityökiertoja varten alueen, jonka rajan koneistustasossa ilmoittavat taulukon pisteet ja kosketusakselilla MIN- ja MAX-piste, sekä varmuuskorkeuden ja tiedoston nimen.
 table-digitizing-points = Digitoinnin pistetaulukko
@@ -17,10 +17,10 @@ title-range-with-rotary-axis-c = Alue kiertoakselilla C työkiertoa 7 varten
 # --- 6 ja 16 ---
 cycle-digitize-meander = Meanderi
     .nc = MEANDERI
-    .purpose = Digitoi 3D-muodon meanderimaisesti kytkevällä kosketusjärjestelmällä.
+    .purpose = Työkierto digitoi 3D-muodon meanderimaisesti kytkevällä kosketusjärjestelmällä.
 cycle-digitize-meander-analog = Meanderi (mittaava kosketusjärjestelmä)
     .nc = MEANDERI
-    .purpose = Digitoi 3D-muodon meanderimaisesti mittaavalla kosketusjärjestelmällä.
+    .purpose = Työkierto digitoi 3D-muodon meanderimaisesti mittaavalla kosketusjärjestelmällä.
 step-approach-digitizing-start = Ohjaus ajaa automaattisesti alkupisteeseen, ensin työkaluakselin suunnassa varmuuskorkeudelle, sitten koneistustasossa työkierron 5 tai työkierron 15 alueen MIN-pisteeseen.
 step-approach-workpiece-downwards = Kosketusjärjestelmä siirtyy kappaletta kohti työkaluakselin negatiiviseen suuntaan. Ohjaus tallentaa sen aseman koordinaatit, jossa kosketusjärjestelmä koskettaa kappaletta.
 step-scan-meander = MIN-pisteestä alkaen kosketusjärjestelmä kulkee kappaletta pitkin riviakselin positiiviseen suuntaan alueen rajalle, siirtyy rivivälin verran ja palaa seuraavaa riviä pitkin; toisessa päässä se siirtyy taas rivivälin verran. Tämä toistetaan, kunnes koko alue on digitoitu.
@@ -30,10 +30,10 @@ title-meander-with-rotary-axis = Meanderi, kiertoakseli rivien suuntana
 # --- 7 ja 17 ---
 cycle-digitize-contour-lines = Korkeuskäyrät
     .nc = KORKEUSKÄYRÄT
-    .purpose = Digitoi 3D-muodon taso kerrallaan korkeuskäyrinä kytkevällä kosketusjärjestelmällä.
+    .purpose = Työkierto digitoi 3D-muodon taso kerrallaan korkeuskäyrinä kytkevällä kosketusjärjestelmällä.
 cycle-digitize-contour-lines-analog = Korkeuskäyrät (mittaava kosketusjärjestelmä)
     .nc = KORKEUSKÄYRÄT
-    .purpose = Digitoi 3D-muodon taso kerrallaan korkeuskäyrinä mittaavalla kosketusjärjestelmällä.
+    .purpose = Työkierto digitoi 3D-muodon taso kerrallaan korkeuskäyrinä mittaavalla kosketusjärjestelmällä.
 step-approach-contour-line-start = Ohjaus ajaa automaattisesti alkupisteeseen, ensin työkaluakselin suunnassa varmuuskorkeudelle, sitten koneistustasossa työkierrossa määriteltyihin koordinaatteihin. Alkupisteen koordinaatti työkaluakselilla on positiivisella rivivälillä työkierron 5 MIN-pisteen, negatiivisella MAX-pisteen koordinaatti.
 step-approach-workpiece-in-direction = Kosketusjärjestelmä siirtyy kappaletta kohti ohjelmoidussa lähestymissuunnassa. Ohjaus tallentaa sen aseman koordinaatit, jossa kosketusjärjestelmä koskettaa kappaletta.
 step-scan-contour-line = Kun ensimmäinen piste on tallennettu, kosketusjärjestelmä kulkee vakiokorkeudella kappaleen ympäri, kunnes se saavuttaa taas ensimmäisen pisteen.
@@ -43,10 +43,10 @@ step-return-to-contour-line-start = Lopuksi kosketusjärjestelmä siirtyy varmuu
 # --- 8 ja 18 ---
 cycle-digitize-lines = Rivi
     .nc = RIVI
-    .purpose = Digitoi 3D-muodon rivi kerrallaan kytkevällä kosketusjärjestelmällä.
+    .purpose = Työkierto digitoi 3D-muodon rivi kerrallaan kytkevällä kosketusjärjestelmällä.
 cycle-digitize-lines-analog = Rivi (mittaava kosketusjärjestelmä)
     .nc = RIVI
-    .purpose = Digitoi 3D-muodon rivi kerrallaan mittaavalla kosketusjärjestelmällä.
+    .purpose = Työkierto digitoi 3D-muodon rivi kerrallaan mittaavalla kosketusjärjestelmällä.
 step-approach-line-start = Ohjaus ajaa automaattisesti alkupisteeseen, ensin työkaluakselin suunnassa varmuuskorkeudelle, sitten koneistustasossa. Alkupiste on alueen positiivisella tai negatiivisella rajalla rivien ohjelmoidussa suunnassa (riippuu digitointisuunnasta), ja muuten sillä on työkierron 5 tai työkierron 15 alueen MIN-pisteen koordinaatit.
 step-scan-line = Kosketusjärjestelmä kulkee kappaletta pitkin koneistustason valitun akselin positiiviseen suuntaan alueen rajalle.
 step-return-for-next-line = Sitten se siirtyy varmuuskorkeudelle ja palaa pikaliikkeellä seuraavan rivin alkuun. Siellä se ajaa pikaliikkeellä työkaluakselin negatiiviseen suuntaan syöttöarvon pienennyksen korkeudelle ja siitä kosketussyöttöarvolla, kunnes se koskettaa kappaletta. Tämä toistetaan, kunnes koko alue on digitoitu.
@@ -61,12 +61,12 @@ note-range-before-contour-lines = Määrittele koneistusohjelmassa digitointity�
 note-not-with-contour-lines = Työkiertoa { $cycle } ei voi yhdistää digitointityökiertoon 17 KORKEUSKÄYRÄT.
 note-not-with-range-from-points = Työkiertoa { $cycle } ei voi yhdistää digitointityökiertoon 15 ALUE.
 note-no-transformation-while-digitizing = Mikään koordinaattimuunnos tai peruskääntö ei saa olla voimassa digitoinnin aikana.
-note-analog-probe-only = Vain mittaaville kosketusjärjestelmille.
+note-analog-probe-only = Työkiertoa voidaan käyttää vain mittaavalla kosketusjärjestelmällä.
 note-complete-path-of-data = Anna tiedonsiirtoliitännän valikossa koko polku, johon ohjaus tallentaa digitointitiedot.
 note-digitizing-not-in-iso = Digitointityökierrot eivät ole käytettävissä DIN/ISO-muodossa.
 
 # --- ohjeet: mitä tarvitaan ---
-note-digitizing-needs-option = Digitointi vaatii kosketusjärjestelmän, ohjelmistomoduulin Digitointioptio ja tarvittaessa HEIDENHAINin arviointiohjelman SUSA työkierron MEANDERI digitointitietojen jatkokäsittelyyn.
+note-digitizing-needs-option = Digitointi vaatii kosketusjärjestelmän, ohjelmistomoduulin Digitointioptio ja tarvittaessa HEIDENHAINin analysointiohjelmiston SUSA työkierron MEANDERI digitointitietojen jatkokäsittelyyn.
 note-calibrate-before-digitizing = Kalibroi kosketusjärjestelmä ennen digitointia.
 note-digitizing-axes = Digitointityökierrot ohjelmoidaan pääakseleilla X, Y ja Z sekä kiertoakseleilla A, B ja C.
 note-digitizing-speed-touch-trigger = Kytkevällä kosketusjärjestelmällä digitointinopeus on 200–800{"\u00A0"}mm/min, kun pisteväli on 1{"\u00A0"}mm.
@@ -74,11 +74,11 @@ note-digitizing-speed-analog = Mittaavalla kosketusjärjestelmällä digitointin
 
 # --- ohjeet: miten digitoidaan ---
 note-meander-for-flat-parts = Meanderimainen digitointi soveltuu ennen kaikkea verrattain tasaisille kappaleille.
-note-meander-for-evaluation-software = Digitoi meanderimaisesti, jos digitointitiedot käsitellään HEIDENHAINin arviointiohjelmalla SUSA.
-note-contour-lines-for-steep-parts = Digitointi korkeuskäyrinä soveltuu erityisesti epäsäännöllisille kappaleille (kuten ruiskuvalumuoteille) tai yksittäisen korkeuskäyrän tallennukseen (kuten nokkalevyn ääriviivan).
+note-meander-for-evaluation-software = Digitoi meanderimaisesti, jos digitointitiedot käsitellään HEIDENHAINin analysointiohjelmistolla SUSA.
+note-contour-lines-for-steep-parts = Digitointi korkeuskäyrinä soveltuu erityisesti epäsäännöllisille kappaleille (esimerkiksi ruiskuvalumuoteille) tai yksittäisen korkeuskäyrän tallennukseen (esimerkiksi nokkalevyn ääriviivan).
 note-range-for-contour-lines = Kosketusakselilla alueen on oltava vähintään kosketusjärjestelmän säteen verran kappaleen korkeinta kohtaa alempana. Koneistustasossa alueen on oltava vähintään kosketusjärjestelmän säteen verran kappaletta suurempi.
 note-single-contour-line = Kun digitoidaan yksittäinen korkeuskäyrä, anna riviväliksi ja, jos työkierto kysyy sitä, pienimmäksi riviväliksi 0.
-note-lines-for-one-milling-direction = Tätä työkiertoa käytetään ennen kaikkea verrattain tasaisiin kappaleisiin, joiden digitointitiedot jyrsitään kauttaaltaan myötä- tai vastalastulla ilman arviointiohjelmaa.
+note-lines-for-one-milling-direction = Tätä työkiertoa käytetään ennen kaikkea verrattain tasaisiin kappaleisiin, joiden digitointitiedot jyrsitään kauttaaltaan myötä- tai vastalastulla ilman analysointiohjelmistoa.
 note-lines-for-rotary-axes = Mittaavalla kosketusjärjestelmällä tätä työkiertoa käytetään ennen kaikkea digitointiin kiertoakselin avulla.
 note-normal-retraction-recommended = Suositeltu liike rivien normaalin suunnassa: pistevälin puolikkaan ja pistevälin välillä. Mitä pienempi kosketuskuula on, sitä suurempi liikkeen tulisi olla.
 note-climb-or-up-cut-by-direction = Digitointisuunta määrää myös, jyrsitäänkö myöhemmin myötälastulla vai vastalastulla.
@@ -91,18 +91,18 @@ note-rotary-axes-touch-trigger = Kytkevällä kosketusjärjestelmällä kiertoak
 note-rotary-axes-analog = Mittaavalla kosketusjärjestelmällä kiertoakseleita voidaan digitoida vain työkierrolla 18 RIVI. Kiertoakseli määritellään sarakeakseliksi.
 note-digitizing-range-with-rotary-axis = Kun digitoidaan kiertoakselin avulla, anna kiertoakseli alueessa. Ohjaus tulkitsee sen arvot asteiksi. Digitointitietojen tiedosto sisältää alueessa määritellyt akselit; aihion määrittelyä BLK FORM ei tulosteta, koska kiertoakseleita ei voi esittää graafisesti.
 note-digitizing-display-of-rotary-axis = Kiertoakselin näyttötavan on oltava digitoitaessa ja jyrsittäessä sama (supistettu alle 360°:n arvoon tai supistamaton).
-note-meander-with-rotary-axis = Jos rivien suuntana on lineaariakseli (kuten X), ohjaus siirtyy rivin lopussa rivivälin verran työkierron ALUE kiertoakselilla (kuten A); kosketusjärjestelmä heiluu silloin esimerkiksi Z/X-tasossa. Jos rivien suuntana on kiertoakseli (kuten A), ohjaus siirtyy rivin lopussa rivivälin verran lineaariakselilla (kuten X); kosketusjärjestelmä heiluu silloin esimerkiksi Z/A-tasossa.
-note-contour-lines-with-rotary-axis = Alkupiste määritellään lineaariakselilla (kuten X) ja kiertoakselilla (kuten C), samoin lähestymisjärjestys. Kosketusjärjestelmä heiluu silloin esimerkiksi X/C-tasossa. Tämä soveltuu myös koneille, joissa on vain kaksi lineaariakselia (kuten Z ja X) ja yksi kiertoakseli (kuten C). Lähestymisjärjestyksessä määritelty kiertosuunta koskee kaikkia korkeuskäyriä.
-note-lines-with-rotary-axis = Jos rivien suuntana on lineaariakseli (kuten X), ohjaus siirtyy rivin lopussa rivivälin verran työkierron ALUE kiertoakselilla (kuten A).
+note-meander-with-rotary-axis = Jos rivien suuntana on lineaariakseli (esimerkiksi X), ohjaus siirtyy rivin lopussa rivivälin verran työkierron ALUE kiertoakselilla (esimerkiksi A); kosketusjärjestelmä liikkuu silloin edestakaisin esimerkiksi Z/X-tasossa. Jos rivien suuntana on kiertoakseli (esimerkiksi A), ohjaus siirtyy rivin lopussa rivivälin verran lineaariakselilla (esimerkiksi X); kosketusjärjestelmä liikkuu silloin edestakaisin esimerkiksi Z/A-tasossa.
+note-contour-lines-with-rotary-axis = Alkupiste määritellään lineaariakselilla (esimerkiksi X) ja kiertoakselilla (esimerkiksi C), samoin lähestymisjärjestys. Kosketusjärjestelmä liikkuu silloin edestakaisin esimerkiksi X/C-tasossa. Tämä soveltuu myös koneille, joissa on vain kaksi lineaariakselia (esimerkiksi Z ja X) ja yksi kiertoakseli (esimerkiksi C). Lähestymisjärjestyksessä määritelty kiertosuunta koskee kaikkia korkeuskäyriä.
+note-lines-with-rotary-axis = Jos rivien suuntana on lineaariakseli (esimerkiksi X), ohjaus siirtyy rivin lopussa rivivälin verran työkierron ALUE kiertoakselilla (esimerkiksi A).
 
 # --- ohjeet: tiedot ---
-note-digitized-data-on-disk = Ohjaus tallentaa mitatut asemat suoraan kiintolevylle. Liitännän toiminto PRINT määrää hakemiston.
+note-digitized-data-on-disk = Ohjaus tallentaa mitatut asemat suoraan kiintolevylle. Liitäntävalikon asetus PRINT määrää hakemiston.
 note-digitized-data-with-same-radius = Jos digitointitiedot jyrsitään työkalulla, jonka säde on sama kuin kosketusvarren, ne voidaan suorittaa suoraan työkierrolla 30.
 note-block-form-in-data = Ohjaus lisää digitointitietojen tiedostoon aihion määrittelyn BLK FORM. Sitä varten se suurentaa työkierrossa ALUE määriteltyä särmiötä kaksi kertaa arvon { $mp-stylus-deflection-depth } verran (mittaavilla kosketusjärjestelmillä).
 note-digitized-data-in-programs = Digitointitiedot voidaan suorittaa koneistustyökierrolla 30, jos tarvitaan useita lastuja (vain työkiertojen MEANDERI ja RIVI tiedot), tai apuohjelmalla, jos vain silitetään: määrittele työkalu kosketusvarren säteellä, kutsu se, aseta syöttöarvo, M-toiminnot ja sädekorjaus R0 ja kutsu tiedosto käskyllä CALL PGM.
-note-digitized-data-size = Digitointitietojen tiedosto saa olla enintään 1500 MByte, mikä on ohjauksen kiintolevyn vapaa tila, kun ohjelmia ei ole tallennettu.
+note-digitized-data-size = Digitointitietojen tiedosto saa olla enintään 1500{"\u00A0"}Mt, mikä on ohjauksen kiintolevyn vapaa tila, kun ohjelmia ei ole tallennettu.
 
 # --- ohjeet: pistetaulukot ---
-note-point-table-recording = Pisteet tallennetaan käsin sisäänsyöttäen tapahtuvan paikoituksen käyttötavalla mittaavalla kosketusjärjestelmällä, mikä vaatii ohjelmisto-option digitointiin mittaavalla kosketusjärjestelmällä. Ohjelmanäppäin PNT valitsee pistetaulukon. Pisteet tallennetaan käsin (TEACH-IN: taivuta kosketusvartta käsin ja ota oloasema talteen) tai automaattisesti (annetulla pistevälillä, kun kosketusvartta liikutetaan käsin kappaleen ympäri). Voidaan antaa syöttöarvo, jolla kosketusjärjestelmä reagoi kosketusvarren taipumiseen, ja valita kullekin akselille tallennettavat koordinaatit. Vain koneistustason koordinaatit määrittelevät alueen.
+note-point-table-recording = Pisteet tallennetaan mittaavalla kosketusjärjestelmällä käyttötavalla ”Paikoitus käsin sisäänsyöttäen”. Se vaatii ohjelmisto-option digitointiin mittaavalla kosketusjärjestelmällä. Ohjelmanäppäin PNT valitsee pistetaulukon. Pisteet voidaan tallentaa käsin (TEACH-IN: taivuta kosketusvartta käsin ja ota oloasema talteen) tai automaattisesti (annetulla pistevälillä, kun kosketusvartta liikutetaan käsin kappaleen ympäri). Lisäksi annetaan syöttöarvo, jolla kosketusjärjestelmä reagoi kosketusvarren taipumiseen, ja valitaan kullekin akselille tallennettavat koordinaatit. Vain koneistustason koordinaatit määrittelevät alueen.
 note-point-table-size = Alueena käytettävässä pistetaulukossa saa olla enintään 893 pistettä. Jos haluat valvoa tätä, aseta ohjelmanäppäin RANGE/CONTOUR DATA asentoon RANGE.
 note-point-table-closed = Pisteet yhdistetään suorilla, jotka rajaavat alueen. Ohjaus yhdistää taulukon viimeisen pisteen automaattisesti ensimmäiseen.

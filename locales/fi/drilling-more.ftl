@@ -6,22 +6,22 @@ step-retract-at-retraction-feed = Työkalu vetäytyy syöttöarvolla { $q-retrac
 # --- 201 ---
 cycle-reaming = Kalvinta
     .nc = KALVINTA
-    .purpose = Kalvii reiän yhdellä asetusliikkeellä. Työkalu poistuu reiästä omalla syöttöarvollaan.
+    .purpose = Työkierto kalvii reiän yhdellä asetusliikkeellä. Työkalu poistuu reiästä omalla syöttöarvollaan.
 step-ream-to-depth = Työkalu kalvii syöttöarvolla { $q-plunging-feed } ohjelmoituun syvyyteen { $q-depth }.
 
 # --- 203 ---
 cycle-universal-drilling = Yleisporaus
     .nc = YLEISPORAUS
-    .purpose = Poraa reiän asetusliikkeillä, jotka voivat pienentyä. Lastu voidaan katkaista useita kertoja, ennen kuin työkalu vedetään reiästä.
+    .purpose = Työkierto poraa reiän asetusliikkeillä, jotka voivat pienentyä. Lastu voidaan katkaista useita kertoja, ennen kuin työkalu vedetään irti reiästä.
 step-drill-to-decreasing-plunging-depth = Työkalu poraa syöttöarvolla { $q-plunging-feed } seuraavaan asetussyvyyteen. Asetussyvyys { $q-plunging-depth } pienenee jokaisella asetusliikkeellä vähennysarvon { $q-decrement } verran, jos se on annettu.
 step-break-chip-or-retract = Kahden asetusliikkeen välillä työkalu liikkuu takaisin:
-say-break-chip-by-retraction = lastunkatkossa matkan { $q-chip-breaking-retraction }, ennen reiästä vetämistä niin monta kertaa kuin { $q-chip-breaks-before-retraction } määrää
+say-break-chip-by-retraction = lastunkatkossa matkan { $q-chip-breaking-retraction }, niin monta kertaa kuin { $q-chip-breaks-before-retraction } määrää, ennen kuin se vedetään irti reiästä
 say-retract-and-return-at-rapid = ilman lastunkatkoa syöttöarvolla { $q-retraction-feed } varmuusetäisyydelle, jossa se odottaa ajan { $q-dwell-at-top }, jos se on annettu; sieltä se siirtyy pikaliikkeellä (FMAX) varmuusetäisyydelle saavutetun syvyyden yläpuolelle
 
 # --- 240 ---
 cycle-centring = Keskiöporaus
     .nc = KESKIÖPORAUS
-    .purpose = Keskiöi reiän haluttuun syvyyteen tai halkaisijaan.
+    .purpose = Työkierto keskiöi reiän haluttuun syvyyteen tai halkaisijaan.
 step-centre-to-depth-or-diameter = Työkalu keskiöi syöttöarvolla { $q-plunging-feed }:
 say-centre-to-diameter = { $q-depth-or-diameter } = 1: keskiöhalkaisijaan { $q-centring-diameter }
 say-centre-to-depth = { $q-depth-or-diameter } = 0: keskiösyvyyteen { $q-depth }
@@ -37,7 +37,7 @@ note-positive-diameter-or-depth-reverses = Törmäysvaara! Jos halkaisija tai sy
 # --- 202 ---
 cycle-boring = Väljennys
     .nc = VÄLJENNYS
-    .purpose = Väljentää reiän. Pohjalla kara suunnataan, ja työkalu voi irtautua seinämästä ennen vetäytymistä.
+    .purpose = Työkierto väljentää reiän. Pohjalla kara suunnataan, ja työkalu voi irtautua seinämästä ennen vetäytymistä.
 step-bore-to-depth = Työkalu väljentää syöttöarvolla { $q-plunging-feed } syvyyteen { $q-depth }.
 step-dwell-with-spindle-turning = Vapaalastuamista varten työkalu odottaa reiän pohjalla karan pyöriessä ajan { $q-dwell-at-bottom }, jos aika on annettu.
 step-orient-spindle-to-angle = Ohjaus suuntaa karan parametrissa { $q-spindle-orientation-angle } määriteltyyn asemaan.
@@ -48,13 +48,13 @@ note-machine-and-control-prepared = Koneen valmistajan on valmisteltava kone ja 
 note-servo-controlled-spindle-only = Työkiertoa voidaan käyttää vain koneissa, joissa on ohjattu kara.
 note-spindle-and-coolant-restored = Työkierron lopussa ovat jälleen voimassa jäähdytyksen ja karan tilat, jotka vallitsivat ennen työkierron kutsua.
 note-disengage-away-from-edge = Törmäysvaara! Valitse irtiajosuunta { $q-disengaging-direction } niin, että työkalu siirtyy poispäin reiän reunasta.
-note-check-position-of-tool-tip = Törmäysvaara! Suuntaa kara parametrissa { $q-spindle-orientation-angle } ohjelmoituun kulmaan (esimerkiksi käsin sisäänsyöttäen tapahtuvan paikoituksen käyttötavalla) ja tarkasta, missä työkalun kärki on. Valitse kulma niin, että työkalun kärki on koordinaattiakselin suuntainen.
+note-check-position-of-tool-tip = Törmäysvaara! Suuntaa kara parametrissa { $q-spindle-orientation-angle } ohjelmoituun kulmaan (esimerkiksi käyttötavalla ”Paikoitus käsin sisäänsyöttäen”) ja tarkasta, missä työkalun kärki on. Valitse kulma niin, että työkalun kärki on koordinaattiakselin suuntainen.
 note-disengaging-considers-rotation = Irtiajossa ohjaus ottaa itse huomioon koordinaatiston voimassa olevan kierron.
 
 # --- 204 ---
 cycle-back-boring = Takaupotus
     .nc = TAKAUPOTUS
-    .purpose = Koneistaa upotuksia työkappaleen alapuolelle.
+    .purpose = Työkierto koneistaa upotuksia työkappaleen alapintaan.
 step-orient-and-offset-tool = Ohjaus suuntaa karan kulmaan { $q-spindle-orientation-angle } ja siirtää työkalua epäkeskomitan { $q-off-centre-distance } verran suuntaan { $q-disengaging-direction }.
 step-feed-through-bore = Työkalu ajaa esipaikoituksen syöttöarvolla { $q-in-and-out-feed } valmiiseen reikään, kunnes terä on varmuusetäisyydellä { $q-set-up-clearance } työkappaleen alareunan alapuolella.
 step-centre-tool-and-counterbore = Ohjaus siirtää työkalun takaisin reiän keskelle, kytkee päälle karan ja tarvittaessa jäähdytyksen ja ajaa sitten syöttöarvolla { $q-countersinking-feed } syvyyteen { $q-counterbore-depth }.
@@ -68,7 +68,7 @@ note-edge-height-and-thickness-considered = Upotuksen alkupistettä laskiessaan 
 # --- 208 ---
 cycle-bore-milling = Porausjyrsintä
     .nc = PORAUSJYRSINTÄ
-    .purpose = Jyrsii reiän kierukkarataa pitkin. Jos reikä on yhtä leveä kuin työkalu, se porataan suoraan.
+    .purpose = Työkierto jyrsii reiän kierukkarataa pitkin. Jos reikä on yhtä leveä kuin työkalu, se porataan suoraan.
 step-rapid-and-approach-hole-circumference = Ohjaus siirtää työkalun karan akselin suunnassa pikaliikkeellä (FMAX) varmuusetäisyydelle { $q-set-up-clearance } työkappaleen yläpinnan yläpuolelle ja sen jälkeen ympyränkaarta pitkin reiän kehälle { $q-nominal-diameter }, jos tilaa on riittävästi.
 step-drill-directly-if-diameters-equal = Jos halkaisija { $q-nominal-diameter } on yhtä suuri kuin työkalun halkaisija, työkalu poraa ilman kierukkaa suoraan syvyyteen { $q-depth }.
 step-mill-on-helix = Työkalu jyrsii syöttöarvolla { $q-plunging-feed } kierukkarataa, joka laskeutuu jokaisella kierroksella arvon { $q-infeed-per-helix } verran.
@@ -85,7 +85,7 @@ note-plunging-angle-limits-infeed = Vältä liian suuret asetusliikkeet antamall
 # --- 241 ---
 cycle-single-lip-drilling = Yksihuulisyväporaus
     .nc = YKSIHUULISYVÄPORAUS
-    .purpose = Poraa yksihuulisella syväporalla, myös työkappaleen yläpinnan alapuolella olevasta alkupisteestä. Sisään- ja ulosajolla on oma kierrosluku ja pyörintäsuunta, ja jäähdytys kytketään M-toiminnoilla.
+    .purpose = Työkierto poraa reiän yksihuulisella syväporalla, myös työkappaleen yläpinnan alapuolella olevasta alkupisteestä. Sisään- ja ulosajolla on oma kierrosluku ja pyörintäsuunta, ja jäähdytys kytketään M-toiminnoilla.
 step-feed-in-and-switch-on = Ohjaus siirtää työkalun esipaikoituksen syöttöarvolla { $q-pre-positioning-feed } varmuusetäisyydelle syvennetyn alkupisteen { $q-deepened-starting-point } yläpuolelle ja kytkee siellä päälle karan porauksen kierrosluvulla { $q-drilling-speed } (M3) ja jäähdytyksen toiminnolla { $q-coolant-on-function }. Sisäänajossa kara pyörii parametrin { $q-rotation-in-and-out } mukaan myötäpäivään tai vastapäivään kierrosluvulla { $q-speed-in-and-out } tai seisoo paikallaan.
 step-drill-in-one-infeed = Työkalu poraa syöttöarvolla { $q-plunging-feed } syvyyteen { $q-depth }.
 step-switch-off-coolant-and-reset-speed = Ohjaus kytkee jäähdytyksen pois päältä toiminnolla { $q-coolant-off-function } ja palauttaa kierrosluvun ulosajon arvoon { $q-speed-in-and-out }.

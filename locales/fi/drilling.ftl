@@ -3,7 +3,7 @@
 # --- 200 ---
 cycle-drilling = Poraus
     .nc = PORAUS
-    .purpose = Poraa reiän yhdellä tai useammalla asetusliikkeellä. Asetusliikkeiden välillä työkalu vedetään reiästä pikaliikkeellä.
+    .purpose = Työkierto poraa reiän yhdellä tai useammalla asetusliikkeellä. Asetusliikkeiden välillä työkalu vedetään irti reiästä pikaliikkeellä.
 step-drill-to-plunging-depth = Työkalu poraa syöttöarvolla { $q-plunging-feed } asetussyvyyteen, joka kasvaa jokaisella asetusliikkeellä arvon { $q-plunging-depth } verran.
 step-retract-and-return-to-set-up-clearance = Ohjaus vetää työkalun pikaliikkeellä (FMAX) varmuusetäisyydelle, antaa sen odottaa siellä ajan { $q-dwell-at-top }, jos se on annettu, ja palauttaa työkalun pikaliikkeellä (FMAX) varmuusetäisyydelle saavutetun syvyyden yläpuolelle.
 step-dwell-at-hole-bottom = Työkalu odottaa reiän pohjalla ajan { $q-dwell-at-bottom }, jos se on annettu.
@@ -16,7 +16,7 @@ note-point-table-hole-centres = Jos työkierto kutsutaan pistetaulukon avulla, k
 # --- 205 ---
 cycle-universal-pecking = Yleissyväporaus
     .nc = YLEISSYVÄPORAUS
-    .purpose = Poraa syviä reikiä asetusliikkeillä, jotka voivat pienentyä. Käytettävissä ovat lastunkatko, esipysäytysetäisyys reikään palattaessa ja työkappaleen yläpintaa syvemmällä oleva alkupiste esiporattuja reikiä varten.
+    .purpose = Työkierto poraa syviä reikiä asetusliikkeillä, jotka voivat pienentyä. Käytettävissä ovat lastunkatko, esipysäytysetäisyys reikään palattaessa ja työkappaleen yläpintaa syvemmällä oleva alkupiste esiporattuja reikiä varten.
 step-feed-to-deepened-starting-point = Jos syvennetty alkupiste { $q-deepened-starting-point } on annettu, työkalu ajaa esipaikoituksen syöttöarvolla { $q-pre-positioning-feed } varmuusetäisyydelle syvennetyn alkupisteen yläpuolelle.
 step-drill-on-to-plunging-depth = Työkalu poraa syöttöarvolla { $q-plunging-feed } kohti asetussyvyyttä { $q-plunging-depth }; lastunkatkossa se pysähtyy aina, kun se on edennyt matkan { $q-depth-for-chip-breaking }. Asetussyvyys pienenee jokaisella asetusliikkeellä vähennysarvon { $q-decrement } verran, jos se on annettu.
 step-break-chip = Lastun katkaisemiseksi työkalu vetäytyy matkan { $q-chip-breaking-retraction } syöttöarvolla 3000{"\u00A0"}mm/min.

@@ -3,9 +3,9 @@
 # --- 450 ---
 cycle-save-kinematics = Kinematiikan tallennus
     .nc = KINEMATIIKAN TALLENNUS
-    .purpose = Tallentaa koneen aktiivisen kinematiikan tai palauttaa aiemmin tallennetun kinematiikan. Tallennetut tiedot voidaan näyttää ja poistaa.
+    .purpose = Työkierto tallentaa koneen aktiivisen kinematiikan tai palauttaa aiemmin tallennetun kinematiikan. Tallennetut tiedot voidaan näyttää ja poistaa.
 cycle-save-kinematics__itnc530 =
-    .purpose = Tallentaa koneen aktiivisen kinematiikan, palauttaa aiemmin tallennetun kinematiikan tai esittää muistin nykyisen tilan näytöllä ja pöytäkirjassa.
+    .purpose = Työkierto tallentaa koneen aktiivisen kinematiikan, palauttaa aiemmin tallennetun kinematiikan tai esittää muistin nykyisen tilan näytöllä ja pöytäkirjassa.
 condition-memory-location-used = { $q-kinematics-memory-mode } ei ole 2
 step-treat-saved-kinematics = Ohjaus käsittelee kinematiikan tilan { $q-kinematics-memory-mode } mukaan:
 say-save-active-kinematics = 0: se tallentaa aktiivisen kinematiikan nimelle { $q-kinematics-memory-location }
@@ -34,7 +34,7 @@ table-kinematics-memory = Tallennetut kinematiikat
 # --- 452 ---
 cycle-preset-compensation = Esiasetuksen kompensointi
     .nc = ESIASETUKSEN KOMPENSOINTI
-    .purpose = Optimoi koneen kinemaattisen muunnosketjun. Sen jälkeen ohjaus korjaa kinematiikkamallissa myös työkappaleen koordinaatiston, niin että esiasetus on optimoinnin jälkeen kalibrointikuulan keskipisteessä. Näin voidaan sovittaa vaihtopäät toisiinsa tai kompensoida koneen ryömintä.
+    .purpose = Työkierto optimoi koneen kinemaattisen muunnosketjun. Sen jälkeen ohjaus korjaa kinematiikkamallissa myös työkappaleen koordinaatiston, niin että esiasetus on optimoinnin jälkeen kalibrointikuulan keskipisteessä. Näin voidaan sovittaa vaihtopäät toisiinsa tai kompensoida koneen ryömintä.
 group-match-interchangeable-heads = Vaihtopäiden sovitus
 group-compensate-drift = Ryöminnän kompensointi, jos kalibrointikuula voi olla koneen pöydällä koneistuksen aikana
 group-measure-and-compensate = Mittaus ja kompensointi

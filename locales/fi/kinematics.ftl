@@ -3,7 +3,7 @@
 # --- parametrit ---
 parameter-kinematics-mode = Tila (0=tarkastus/1=mittaus)
     .label = TILA
-    .help = Tarkastaako vai optimoiko ohjaus aktiivisen kinematiikan.
+    .help = Määrää, tarkastaako vai optimoiko ohjaus aktiivisen kinematiikan.
 parameter-kinematics-mode__itnc530 = Tila (0/1/2)
 choice-kinematics-check = Aktiivisen konekinematiikan tarkastus: ohjaus mittaa määritellyt kiertoakselit, mutta ei muuta mitään; tulokset esitetään mittauspöytäkirjassa
 choice-kinematics-optimize-position = Aktiivisen konekinematiikan optimointi: ohjaus mittaa määritellyt kiertoakselit ja optimoi niiden aseman
@@ -13,7 +13,7 @@ parameter-sphere-radius = Kalibrointikuulan tarkka säde
     .help = Käytettävän kalibrointikuulan tarkka säde.
 parameter-retraction-height = Vetäytymiskorkeus
     .label = VETÄYTYMISKORKEUS
-    .help = Vetäytyykö kosketusjärjestelmä ennen kiertoakselin paikoitusta ja mihin.
+    .help = Määrää, vetäytyykö kosketusjärjestelmä ennen kiertoakselin paikoitusta ja mihin.
 choice-no-retraction = Ei ajoa vetäytymiskorkeudelle: ohjaus ajaa seuraavaan mittausasemaan mitattavalla akselilla ja ensimmäiseen asemaan järjestyksessä A, B, C; ei sallittu Hirth-akseleilla
 choice-retraction = Vetäytymiskorkeus kääntämättömässä työkappaleen koordinaatistossa: ohjaus ajaa karan akselin tälle korkeudelle ennen kiertoakselin paikoitusta; koneistustasossa se siirtää kosketusjärjestelmän nollapisteeseen; kosketusjärjestelmän valvonta ei ole silloin voimassa, joten määrittele paikoitusnopeus parametrissa { $q-kinematics-positioning-feed }
 parameter-kinematics-positioning-feed = Esipaikoituksen syöttöarvo
@@ -65,7 +65,7 @@ parameter-sphere-touch-points__itnc530 = Mittauspisteiden lukumäärä
     .help = Kosketusten lukumäärä, jolla ohjaus mittaa kalibrointikuulan tasossa.
 parameter-sphere-preset = Esiasetuksen asetus (0/1/2/3)
     .label = ASETA ESIASETUS
-    .help = Asettaako ohjaus aktiivisen esiasetuksen (peruspisteen) automaattisesti kuulan keskipisteeseen.
+    .help = Määrää, asettaako ohjaus aktiivisen esiasetuksen (peruspisteen) automaattisesti kuulan keskipisteeseen.
 choice-sphere-preset-none = Ei esiasetuksen automaattista asetusta kuulan keskipisteeseen: aseta se käsin ennen työkierron käynnistystä
 choice-sphere-preset-before = Esiasetuksen automaattinen asetus kuulan keskipisteeseen ennen mittausta: esipaikoita kosketusjärjestelmä käsin kalibrointikuulan yläpuolelle ennen työkierron käynnistystä
 choice-sphere-preset-after = Esiasetuksen automaattinen asetus kuulan keskipisteeseen mittauksen jälkeen: aseta esiasetus käsin ennen työkierron käynnistystä
@@ -77,7 +77,7 @@ parameter-backlash-angle = Välyksen kulma-alue
 # --- 451 ---
 cycle-measure-kinematics = Kinematiikan mittaus
     .nc = KINEMATIIKAN MITTAUS
-    .purpose = Tarkastaa koneen kinematiikan ja haluttaessa optimoi sen. 3D-kosketusjärjestelmä mittaa koneen pöydälle kiinnitetyn HEIDENHAIN-kalibrointikuulan. Ohjaus arvioi staattisen kääntötarkkuuden; ohjelmisto minimoi kääntöliikkeistä syntyvän tilavirheen ja tallentaa koneen geometrian kinematiikkakuvauksen konevakioihin.
+    .purpose = Työkierto tarkastaa koneen kinematiikan ja haluttaessa optimoi sen. 3D-kosketusjärjestelmä mittaa koneen pöydälle kiinnitetyn HEIDENHAIN-kalibrointikuulan. Ohjaus arvioi staattisen kääntötarkkuuden; ohjelmisto minimoi kääntöliikkeistä syntyvän tilavirheen ja tallentaa koneen geometrian kinematiikkakuvauksen konevakioihin.
 step-clamp-sphere = Kiinnitä kalibrointikuula niin, ettei törmäystä voi tapahtua.
 step-set-datum-in-sphere = Aseta peruspiste käsikäyttötavalla kuulan keskipisteeseen. Jos { $q-sphere-preset } = 1 tai { $q-sphere-preset } = 3, paikoita sen sijaan kosketusjärjestelmä käsin kosketusakselilla kalibrointikuulan yläpuolelle ja koneistustasossa kuulan keskelle.
 step-start-calibration-program = Valitse ohjelmanajon käyttötapa ja käynnistä kalibrointiohjelma.
@@ -100,12 +100,12 @@ step-set-preset-after-measuring = Mittauksen jälkeen ohjaus asettaa esiasetukse
 say-preset-into-sphere-after = jos { $q-sphere-preset } = 2 tai 3, kuulan keskipisteeseen
 say-no-preset-after = muussa tapauksessa sitä ei aseteta
 step-write-kinematics-log = Ohjaus laatii pöytäkirjan (TCHPR{ $cycle }.TXT).
-result-scatter-measured-a = A-akselin mitattu keskihajonta (-1, jos akselia ei mitattu)
-result-scatter-measured-b = B-akselin mitattu keskihajonta (-1, jos akselia ei mitattu)
-result-scatter-measured-c = C-akselin mitattu keskihajonta (-1, jos akselia ei mitattu)
-result-scatter-optimized-a = A-akselin optimoitu keskihajonta (-1, jos akselia ei optimoitu)
-result-scatter-optimized-b = B-akselin optimoitu keskihajonta (-1, jos akselia ei optimoitu)
-result-scatter-optimized-c = C-akselin optimoitu keskihajonta (-1, jos akselia ei optimoitu)
+result-scatter-measured-a = A-akselin mitattu keskihajonta (−1, jos akselia ei mitattu)
+result-scatter-measured-b = B-akselin mitattu keskihajonta (−1, jos akselia ei mitattu)
+result-scatter-measured-c = C-akselin mitattu keskihajonta (−1, jos akselia ei mitattu)
+result-scatter-optimized-a = A-akselin optimoitu keskihajonta (−1, jos akselia ei optimoitu)
+result-scatter-optimized-b = B-akselin optimoitu keskihajonta (−1, jos akselia ei optimoitu)
+result-scatter-optimized-c = C-akselin optimoitu keskihajonta (−1, jos akselia ei optimoitu)
 result-offset-error-x = Siirtymävirhe X-suunnassa, siirretään käsin vastaavaan koneparametriin
 result-offset-error-y = Siirtymävirhe Y-suunnassa, siirretään käsin vastaavaan koneparametriin
 result-offset-error-z = Siirtymävirhe Z-suunnassa, siirretään käsin vastaavaan koneparametriin

@@ -5,23 +5,23 @@ say-part-is-scrap = hylky (Q182 = 1), jos mittausarvo on toleranssin ulkopuolell
 say-part-needs-rework = jälkityö (Q181 = 1), jos mittausarvo on toleranssin ulkopuolella ja korjattavissa
 
 # --- 422 ---
-cycle-measure-stud = Työkappaleen mittaus ympyrän ulkopuolella (tappi)
+cycle-measure-stud = Ympyrän ulkopuolinen mittaus (kaula)
     .nc = MITTAUS YMP. ULKOP.
     .nc-aliases = YMPYRÄN MITTAUS ULKOP
-    .purpose = Mittaa ympyräkaulan keskipisteen ja halkaisijan. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeamat parametreihin.
+    .purpose = Työkierto mittaa ympyräkaulan keskipisteen ja halkaisijan. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeamat parametreihin.
 say-part-is-scrap__measure-stud = hylky (Q182 = 1), jos kaula on pienempi kuin { $q-stud-least-diameter } tai sen keskipiste poikkeaa enemmän kuin { $q-centre-tolerance-main } tai { $q-centre-tolerance-minor } sallii
 say-part-needs-rework__measure-stud = jälkityö (Q181 = 1), jos kaula on suurempi kuin { $q-stud-greatest-diameter }
 note-smallest-stepping-angle__measure-stud = Mitä pienempi kulma-askel { $q-probing-stepping-angle } on, sitä epätarkemmin ohjaus laskee kaulan mitat. Pienin sisäänsyöttöarvo: 5°.
 
 # --- 423, 424 ---
-cycle-measure-rectangular-pocket = Työkappaleen mittaus suorakulmion sisäpuolella
+cycle-measure-rectangular-pocket = Suorakulmion sisäpuolinen mittaus (tasku)
     .nc = MITTAUS SUORAK. SISÄP.
     .nc-aliases = SUORAK MITTAUS SISÄP. | SUORAK MITTAUS SISÄP
-    .purpose = Mittaa suorakulmataskun keskipisteen, pituuden ja leveyden. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeamat parametreihin.
-cycle-measure-rectangular-stud = Työkappaleen mittaus suorakulmion ulkopuolella
+    .purpose = Työkierto mittaa suorakulmataskun keskipisteen, pituuden ja leveyden. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeamat parametreihin.
+cycle-measure-rectangular-stud = Suorakulmion ulkopuolinen mittaus (kaula)
     .nc = MITTAUS SUORAK. ULKOP.
     .nc-aliases = SUORAK MITTAUS ULKOP
-    .purpose = Mittaa suorakulmakaulan keskipisteen, pituuden ja leveyden. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeamat parametreihin.
+    .purpose = Työkierto mittaa suorakulmakaulan keskipisteen, pituuden ja leveyden. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeamat parametreihin.
 say-part-is-scrap__measure-rectangular-pocket = hylky (Q182 = 1), jos jokin sivu on pidempi kuin { $q-first-side-greatest-length } tai { $q-second-side-greatest-length } tai keskipiste poikkeaa enemmän kuin { $q-centre-tolerance-main } tai { $q-centre-tolerance-minor } sallii
 say-part-needs-rework__measure-rectangular-pocket = jälkityö (Q181 = 1), jos jokin sivu on lyhyempi kuin { $q-first-side-least-length } tai { $q-second-side-least-length }
 say-part-is-scrap__measure-rectangular-stud = hylky (Q182 = 1), jos jokin sivu on lyhyempi kuin { $q-first-side-least-length } tai { $q-second-side-least-length } tai keskipiste poikkeaa enemmän kuin { $q-centre-tolerance-main } tai { $q-centre-tolerance-minor } sallii
@@ -32,21 +32,21 @@ title-measure-and-rework-rectangular-stud = Suorakulmakaulan mittaus ja silitys 
 title-measure-rectangular-pocket-with-log = Suorakulmataskun mittaus ja tulosten kirjaus pöytäkirjaan
 
 # --- 425, 426 ---
-cycle-measure-slot-width = Työkappaleen mittaus leveysmitan sisäpuolella (ura)
+cycle-measure-slot-width = Uran leveyden mittaus
     .nc = MITTAUS SISÄLEVEYS
     .nc-aliases = URAN LEV MITTAUS SISÄP
-    .purpose = Mittaa uran (taskun) sijainnin ja leveyden. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametriin.
-cycle-measure-ridge-width = Työkappaleen mittaus leveysmitan ulkopuolella (askel)
+    .purpose = Työkierto mittaa uran (taskun) sijainnin ja leveyden. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametriin.
+cycle-measure-ridge-width = Uuman leveyden mittaus
     .nc = UUMAN MITTAUS ULKOP
-    .purpose = Mittaa uuman sijainnin ja leveyden. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametriin.
+    .purpose = Työkierto mittaa uuman sijainnin ja leveyden. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametriin.
 step-probe-first-in-positive-direction = Kosketusjärjestelmä tekee ensimmäisen kosketuksen kosketussyöttöarvolla (sarake { $mp-probing-feed }), aina ohjelmoidun akselin positiiviseen suuntaan.
 step-probe-first-in-positive-direction__tnc426-430 = Kosketusjärjestelmä tekee ensimmäisen kosketuksen kosketussyöttöarvolla ({ $mp-probing-feed } tai { $mp-analog-probing-feed }), aina ohjelmoidun akselin positiiviseen suuntaan.
 step-probe-first-in-negative-direction = Kosketusjärjestelmä tekee ensimmäisen kosketuksen kosketussyöttöarvolla (sarake { $mp-probing-feed }), aina ohjelmoidun akselin negatiiviseen suuntaan.
 step-probe-first-in-negative-direction__tnc426-430 = Kosketusjärjestelmä tekee ensimmäisen kosketuksen kosketussyöttöarvolla ({ $mp-probing-feed } tai { $mp-analog-probing-feed }), aina ohjelmoidun akselin negatiiviseen suuntaan.
 step-probe-second-side-of-slot = Kosketusjärjestelmä tekee toisen kosketuksen parametrin { $q-second-measurement-offset } mukaan:
 step-probe-second-side-of-slot__tnc640 = Jos asetuspituus on suuri, ohjaus ajaa toiseen kosketuspisteeseen pikaliikkeellä. Kosketusjärjestelmä tekee toisen kosketuksen parametrin { $q-second-measurement-offset } mukaan:
-say-offset-second-measurement = jos { $q-second-measurement-offset } ei ole 0, ohjaus siirtää kosketusjärjestelmää akselin suuntaisesti tämän siirtymän verran seuraavaan kosketuspisteeseen ja tekee siellä kosketuksen
-say-offset-second-measurement__tnc640 = jos { $q-second-measurement-offset } ei ole 0, ohjaus siirtää kosketusjärjestelmää tämän siirtymän verran seuraavaan kosketuspisteeseen, jos { $q-traverse-to-clearance-height } = 1, varmuuskorkeudella { $q-clearance-height }, ja tekee siellä kosketuksen
+say-offset-second-measurement = jos { $q-second-measurement-offset } ei ole 0, ohjaus siirtää kosketusjärjestelmän akselin suuntaisesti tämän siirtymän verran seuraavaan kosketuspisteeseen ja tekee siellä kosketuksen
+say-offset-second-measurement__tnc640 = jos { $q-second-measurement-offset } ei ole 0, ohjaus siirtää kosketusjärjestelmän tämän siirtymän verran seuraavaan kosketuspisteeseen (jos { $q-traverse-to-clearance-height } = 1, varmuuskorkeudella { $q-clearance-height }) ja tekee siellä kosketuksen
 say-measure-in-opposite-direction = jos { $q-second-measurement-offset } = 0, se mittaa leveyden suoraan vastakkaiseen suuntaan
 step-probe-second-side-of-ridge = Kosketusjärjestelmä siirtyy varmuuskorkeudella { $q-clearance-height } seuraavaan kosketuspisteeseen ja tekee siellä toisen kosketuksen.
 say-part-is-scrap__measure-slot-width = hylky (Q182 = 1), jos ura on leveämpi kuin { $q-greatest-dimension }
@@ -60,7 +60,7 @@ result-measured-length-deviation = Mitattavan pituuden poikkeama
 # --- 427 ---
 cycle-measure-coordinate = Koordinaatin mittaus
     .nc = KOORDINAATIN MITTAUS
-    .purpose = Mittaa koordinaatin valittavalla akselilla ja tallentaa arvon parametriin. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametreihin.
+    .purpose = Työkierto mittaa koordinaatin valittavalla akselilla ja tallentaa arvon parametriin. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametreihin.
 step-position-against-traverse-direction = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun kosketuspisteeseen pikaliikkeellä (arvo sarakkeesta { $mp-positioning-feed }) ja paikoituslogiikalla. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran liikesuuntaa { $q-traverse-direction } vastaan.
 step-position-against-traverse-direction__tnc426-430 = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun kosketuspisteeseen pikaliikkeellä (arvo koneparametrista { $mp-positioning-feed } tai { $mp-analog-positioning-feed }) ja paikoituslogiikalla. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran liikesuuntaa { $q-traverse-direction } vastaan.
 step-probe-coordinate = Ohjaus paikoittaa kosketusjärjestelmän koneistustasossa ohjelmoituun kosketuspisteeseen ja mittaa siellä todellisarvon valitulla akselilla.
@@ -76,7 +76,7 @@ result-measured-coordinate__measure-coordinate = Mitattava koordinaatti
 # --- 430 ---
 cycle-measure-bolt-hole-circle = Reikäympyrän mittaus
     .nc = REIKÄYMPYRÄN MITTAUS
-    .purpose = Mittaa reikäympyrän keskipisteen ja halkaisijan mittaamalla sen kolme reikää. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametreihin.
+    .purpose = Työkierto mittaa reikäympyrän keskipisteen ja halkaisijan mittaamalla sen kolme reikää. Jos työkierrossa on määritelty toleranssit, ohjaus vertaa asetusarvoja ja todellisarvoja ja tallentaa poikkeaman parametreihin.
 step-measure-centre-of-hole = Kosketusjärjestelmä siirtyy mittauskorkeudelle { $q-measuring-height } ja määrittää reiän keskipisteen neljällä kosketuksella.
 step-travel-to-next-hole = Kosketusjärjestelmä palaa varmuuskorkeudelle { $q-clearance-height } ja paikoittuu seuraavan reiän annettuun keskipisteeseen.
 until-three-holes-measured = kaikkien kolmen reiän keskipisteet on määritetty
@@ -89,7 +89,7 @@ result-bolt-circle-diameter-deviation = Reikäympyrän halkaisijan poikkeama
 # --- 420 ---
 cycle-measure-angle = Kulman mittaus
     .nc = KULMAN MITTAUS
-    .purpose = Mittaa suoran ja koneistustason pääakselin välisen kulman.
+    .purpose = Työkierto mittaa suoran ja koneistustason pääakselin välisen kulman.
 say-travel-to-point-at-clearance-height = jos { $q-traverse-to-clearance-height } = 1, varmuuskorkeudella { $q-clearance-height }
 say-travel-to-point-at-measuring-height = jos { $q-traverse-to-clearance-height } = 0, mittauskorkeudella { $q-measuring-height }
 step-retract-and-store-angle = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja tallentaa mitatun kulman tulosparametriin.
@@ -101,7 +101,7 @@ result-measured-angle = Mitattava kulma koneistustason pääakselin suhteen
 # --- 431 ---
 cycle-measure-plane = Tason mittaus
     .nc = TASON MITTAUS
-    .purpose = Mittaa tason kulmat mittaamalla kolme pistettä ja tallentaa arvot parametreihin.
+    .purpose = Työkierto mittaa tason kulmat mittaamalla kolme pistettä ja tallentaa arvot parametreihin.
 step-measure-first-point-of-plane = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun ensimmäiseen kosketuspisteeseen pikaliikkeellä (arvo sarakkeesta { $mp-positioning-feed }) ja paikoituslogiikalla ja mittaa siellä tason ensimmäisen pisteen. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran kosketussuuntaa vastaan.
 step-measure-first-point-of-plane__tnc426-430 = Ohjaus paikoittaa kosketusjärjestelmän ohjelmoituun ensimmäiseen kosketuspisteeseen pikaliikkeellä (arvo koneparametrista { $mp-positioning-feed } tai { $mp-analog-positioning-feed }) ja paikoituslogiikalla ja mittaa siellä tason ensimmäisen pisteen. Se siirtää kosketusjärjestelmää varmuusetäisyyden verran kosketussuuntaa vastaan.
 step-measure-second-point-of-plane = Kosketusjärjestelmä palaa varmuuskorkeudelle { $q-clearance-height } ja siirtyy koneistustasossa toiseen kosketuspisteeseen, jossa ohjaus mittaa tason toisen pisteen todellisarvon.
@@ -110,7 +110,7 @@ step-retract-and-store-plane-angles = Ohjaus palauttaa kosketusjärjestelmän va
 guard-points-on-one-line = Kaikki kolme mittauspistettä ovat samalla suoralla. Ohjaus ei voi laskea tason kulmia.
 note-positioning-logic__measure-plane = Paikoituslogiikka: jos kosketusvarren etelänapa on varmuuskorkeuden { $q-clearance-height } alapuolella, ohjaus vetää kosketusjärjestelmän ensin kosketusakselin suunnassa varmuuskorkeudelle ja paikoittaa sen sitten koneistustasossa ensimmäiseen kosketuspisteeseen. Jos se on varmuuskorkeuden yläpuolella, ohjaus paikoittaa kosketusjärjestelmän ensin koneistustasossa ensimmäiseen kosketuspisteeseen ja ajaa sen sitten kosketusakselin suunnassa suoraan mittauskorkeudelle.
 note-three-points-not-on-a-line = Mittauspisteet eivät saa olla kaikki kolme samalla suoralla: vain silloin ohjaus voi laskea kulmat.
-note-spatial-angles-for-tilting = Parametreissa Q170–Q172 ovat koneistustason käännössä tarvittavat tilakulmat. Kaksi ensimmäistä mittauspistettä määräävät pääakselin suunnan, kun koneistustasoa käännetään.
+note-spatial-angles-for-tilting = Parametreissa Q170–Q172 ovat koneistustason käännössä tarvittavat tilakulmat. Kaksi ensimmäistä mittauspistettä määrää pääakselin suunnan, kun koneistustasoa käännetään.
 note-third-point-sets-tool-axis = Kolmas mittauspiste määrää työkaluakselin suunnan. Määrittele se positiivisen Y-akselin suuntaan, jotta työkaluakseli on oikein oikeakätisessä koordinaatistossa.
 note-spatial-angle-in-tilted-plane = Jos työkierto suoritetaan koneistustason ollessa käännettynä, mitatut tilakulmat perustuvat käännettyyn koordinaatistoon. Käytä niitä koneistustason käännössä inkrementaalisina arvoina.
 result-projection-angle-a = A-akselin projektiokulma
@@ -128,7 +128,7 @@ result-third-value-in-probe-axis = Mittausarvo kosketusakselilla (kolmas mittaus
 # --- 1 ---
 cycle-polar-reference-plane = Perustaso polaarinen
     .nc = PERUSTASO POLAARINEN
-    .purpose = Mittaa minkä tahansa aseman työkappaleessa missä tahansa kulmalla annetussa kosketussuunnassa.
+    .purpose = Työkierto mittaa minkä tahansa aseman työkappaleessa missä tahansa kulmalla annetussa kosketussuunnassa.
 step-probe-at-polar-angle = Kosketusjärjestelmä tekee kosketuksen kosketussyöttöarvolla (sarake { $mp-probing-feed }). Kosketuksen aikana ohjaus liikuttaa kosketuskulmasta riippuen samanaikaisesti kahta akselia. Kosketussuunta määritellään työkierrossa napakulmalla.
 step-probe-at-polar-angle__tnc426-430 = Kosketusjärjestelmä tekee kosketuksen kosketussyöttöarvolla ({ $mp-probing-feed } tai { $mp-analog-probing-feed }). Kosketuksen aikana ohjaus liikuttaa kosketuskulmasta riippuen samanaikaisesti kahta akselia. Kosketussuunta määritellään työkierrossa napakulmalla.
 step-return-and-store-trigger-position = Kun asema on mitattu, kosketusjärjestelmä palaa kosketuksen alkupisteeseen. Ohjaus tallentaa parametreihin Q115–Q119 sen aseman koordinaatit, jossa kosketusjärjestelmä oli kytkentäsignaalin hetkellä.
@@ -139,9 +139,9 @@ note-trigger-position-of-ball-centre = Parametreissa Q115–Q119 ovat kosketusku
 # --- 3 ---
 cycle-measuring = Mittaus
     .nc = MITTAUS
-    .purpose = Mittaa minkä tahansa aseman työkappaleessa valittavassa kosketussuunnassa. Toisin kuin muissa mittaustyökierroissa, mittausliike ja mittaussyöttöarvo annetaan suoraan tässä työkierrossa, samoin vetäytyminen mittauksen jälkeen. Sen avulla laaditaan koneen valmistajan työkiertoja.
+    .purpose = Työkierto mittaa minkä tahansa aseman työkappaleessa valittavassa kosketussuunnassa. Toisin kuin muissa mittaustyökierroissa, mittausliike ja mittaussyöttöarvo annetaan suoraan tässä työkierrossa, samoin vetäytyminen mittauksen jälkeen. Sen avulla laaditaan koneen valmistajan työkiertoja.
 cycle-measuring__tnc426-430 =
-    .purpose = Mittaa minkä tahansa aseman työkappaleessa valittavassa kosketussuunnassa. Toisin kuin muissa mittaustyökierroissa, mittaussyöttöarvo annetaan suoraan tässä työkierrossa. Se on erikoiskäyttöön tarkoitettu mittaustyökierto.
+    .purpose = Työkierto mittaa minkä tahansa aseman työkappaleessa valittavassa kosketussuunnassa. Toisin kuin muissa mittaustyökierroissa, mittaussyöttöarvo annetaan suoraan tässä työkierrossa. Se on erikoiskäyttöön tarkoitettu mittaustyökierto.
 step-move-in-polar-direction = Kosketusjärjestelmä siirtyy hetkellisasemastaan annetulla syöttöarvolla ohjelmoituun kosketussuuntaan. Kosketussuunta määritellään työkierrossa napakulmalla.
 step-stop-and-store-ball-centre = Kun ohjaus on mitannut aseman, kosketusjärjestelmä pysähtyy. Ohjaus tallentaa kosketuskuulan keskipisteen koordinaatit X, Y ja Z kolmeen peräkkäiseen Q-parametriin pituutta ja sädettä korjaamatta. Ensimmäisen tulosparametrin numero määritellään työkierrossa.
 step-stop-and-store-ball-centre__tnc426-430 = Kun ohjaus on mitannut aseman, kosketusjärjestelmä pysähtyy. Ohjaus tallentaa kosketuskuulan keskipisteen koordinaatit kolmeen peräkkäiseen Q-parametriin. Ensimmäisen parametrin numero määritellään työkierrossa.

@@ -8,14 +8,14 @@ note-finishing-only-rapid-to-first-depth = Törmäysvaara! Jos työkierto kutsut
 # --- 252 ---
 cycle-circular-pocket = Ympyrätasku
     .nc = YMPYRÄTASKU
-    .purpose = Koneistaa ympyrätaskun kokonaan: rouhinta, pohjan silitys ja sivun silitys. Myös pelkkä rouhinta, pelkkä pohjan ja sivun silitys, pelkkä pohjan silitys tai pelkkä sivun silitys on mahdollinen.
+    .purpose = Työkierto koneistaa ympyrätaskun kokonaan: rouhinta, pohjan silitys ja sivun silitys. Mahdollista on myös pelkkä rouhinta, pelkkä pohjan ja sivun silitys, pelkkä pohjan silitys tai pelkkä sivun silitys.
 guard-plunging-angle-not-vertical = Kohtisuora sisäänpisto edellyttää, että työkalutaulukon sisäänpistokulma { $mp-plunging-angle } on 0 tai 90.
 note-position-at-pocket-centre = Paikoita työkalu koneistustason alkupisteeseen (ympyrän keskipisteeseen) sädekorjauksella R0.
 
 # --- 253 ---
 cycle-slot = Uran jyrsintä
     .nc = URAN JYRSINTÄ
-    .purpose = Koneistaa uran kokonaan: rouhinta, pohjan silitys ja sivun silitys. Myös pelkkä rouhinta, pelkkä pohjan ja sivun silitys, pelkkä pohjan silitys tai pelkkä sivun silitys on mahdollinen.
+    .purpose = Työkierto koneistaa uran kokonaan: rouhinta, pohjan silitys ja sivun silitys. Mahdollista on myös pelkkä rouhinta, pelkkä pohjan ja sivun silitys, pelkkä pohjan silitys tai pelkkä sivun silitys.
 step-move-over-left-slot-arc = Ohjaus paikoittaa työkalun pikaliikkeellä ensin työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (ellei sitä ole annettu, varmuusetäisyydelle), sitten uran vasemman kaaren keskipisteen yläpuolelle ja sen jälkeen varmuusetäisyydelle { $q-set-up-clearance }.
 step-plunge-at-left-slot-arc = Työkalu tunkeutuu uran vasemman kaaren keskipisteestä alkaen seuraavaan asetussyvyyteen { $q-plunging-depth }. Parametri { $q-plunging-strategy } määrää sisäänpistotavan:
 say-plunge-to-and-fro-along-slot = { $q-plunging-strategy } = 1 tai 2: edestakaisin uraa pitkin työkalutaulukon sisäänpistokulmalla { $mp-plunging-angle } ja syöttöarvolla { $q-plunging-feed }
@@ -37,10 +37,10 @@ note-wide-slot-is-cleared = Jos ura on leveämpi kuin kaksi kertaa työkalun hal
 # --- 254 ---
 cycle-circular-slot = Pyöreä ura
     .nc = PYÖREÄ URA
-    .purpose = Koneistaa pyöreän uran tai useita uria jakoympyrällä kokonaan: rouhinta, pohjan silitys ja sivun silitys. Myös pelkkä rouhinta, pelkkä pohjan ja sivun silitys, pelkkä pohjan silitys tai pelkkä sivun silitys on mahdollinen.
+    .purpose = Työkierto koneistaa pyöreän uran tai useita uria jakoympyrällä kokonaan: rouhinta, pohjan silitys ja sivun silitys. Mahdollista on myös pelkkä rouhinta, pelkkä pohjan ja sivun silitys, pelkkä pohjan silitys tai pelkkä sivun silitys.
 step-move-over-circular-slot = Ohjaus paikoittaa työkalun pikaliikkeellä ensin työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (ellei sitä ole annettu, varmuusetäisyydelle), sitten uran alkupisteen yläpuolelle ja sen jälkeen varmuusetäisyydelle { $q-set-up-clearance }.
 step-plunge-in-circular-slot = Työkalu tunkeutuu uran leveyden keskellä seuraavaan asetussyvyyteen { $q-plunging-depth }. Parametri { $q-plunging-strategy } määrää sisäänpistotavan:
-until-all-slots-milled = kaikki urat ({ $q-number-of-operations }) on jyrsitty; jokainen niistä on kierretty kulman { $q-pattern-stepping-angle } verran jakoympyrän keskipisteen ympäri
+until-all-slots-milled = kaikki urat ({ $q-number-of-operations }) on jyrsitty; jokainen on käännetty edellisestä kulman { $q-pattern-stepping-angle } verran jakoympyrän keskipisteen ympäri
 step-end-of-circular-slot = Työkalun asema työkierron lopussa riippuu uran sijainnin perustasta { $q-slot-position-reference }:
 say-back-to-pitch-circle-centre = { $q-slot-position-reference } = 0: ohjaus palauttaa työkalun koneistustasossa alkupisteeseen (jakoympyrän keskipisteeseen)
 condition-slot-at-entered-centre = uran sijainti määräytyy jakoympyrän annetusta keskipisteestä ({ $q-slot-position-reference } = 0)
@@ -50,9 +50,9 @@ note-circular-slot-with-pattern = Jos työkierto 254 (pyöreä ura) yhdistetää
 # --- 256 ---
 cycle-rectangular-stud = Suorakulmakaula
     .nc = SUORAKULMAKAULA
-    .purpose = Koneistaa suorakulmakaulan. Jos aihio on suurempi kuin suurin mahdollinen sivuttaisasetus, ohjaus tekee useita sivuttaisasetuksia, kunnes valmismitat on saavutettu.
+    .purpose = Työkierto koneistaa suorakulmakaulan. Jos aihio on suurempi kuin suurin mahdollinen sivuttaisasetus, ohjaus tekee useita sivuttaisasetuksia, kunnes valmismitat on saavutettu.
 step-move-to-stud-approach = Työkalu siirtyy työkierron aloitusasemasta (kaulan keskipisteestä) kaulan koneistuksen aloitusasemaan. Sen määrää parametri { $q-stud-approach-position }:
-say-approach-beside-blank = { $q-stud-approach-position } = 0 (vakioasetus): 2{"\u00A0"}mm kaulan aihion vieressä, sen oikealla puolella
+say-approach-beside-blank = { $q-stud-approach-position } = 0 (vakioasetus): 2{"\u00A0"}mm kaulan aihiosta oikealle
 say-approach-at-stud-corner = muussa tapauksessa valitussa nurkassa
 step-rapid-down-to-set-up-clearance = Jos työkalu on 2. varmuusetäisyydellä, ohjaus siirtää sen pikaliikkeellä (FMAX) varmuusetäisyydelle { $q-set-up-clearance }.
 step-feed-to-plunging-depth-of-stud = Työkalu siirtyy syvyysasetuksen syöttöarvolla { $q-plunging-feed } seuraavaan asetussyvyyteen { $q-plunging-depth }.
@@ -69,10 +69,10 @@ note-choose-other-approach-position = Jos lähestyminen asetuksella { $q-stud-ap
 # --- 257 ---
 cycle-circular-stud = Ympyräkaula
     .nc = YMPYRÄKAULA
-    .purpose = Koneistaa ympyräkaulan. Jos aihion halkaisija on suurempi kuin suurin mahdollinen sivuttaisasetus, ohjaus tekee useita sivuttaisasetuksia, kunnes valmis halkaisija on saavutettu.
+    .purpose = Työkierto koneistaa ympyräkaulan. Jos aihion halkaisija on suurempi kuin suurin mahdollinen sivuttaisasetus, ohjaus tekee useita sivuttaisasetuksia, kunnes valmis halkaisija on saavutettu.
 step-move-to-circular-stud-approach = Työkalu siirtyy työkierron aloitusasemasta (kaulan keskipisteestä) kaulan koneistuksen aloitusasemaan. Sen määrää parametri { $q-stud-starting-angle } napakulmana kaulan keskipisteen suhteen.
 step-mill-spiral-around-stud = Sen jälkeen työkalu lähestyy kaulan muotoa tangentiaalisesti spiraalirataa pitkin ja jyrsii yhden kierroksen.
-step-keep-spiral-to-finished-diameter = Jos valmista halkaisijaa ei saavuteta yhdellä kierroksella, ohjaus jatkaa asetusta spiraalirataa pitkin, kunnes se on saavutettu, ja ottaa huomioon aihion halkaisijan, valmiin halkaisijan ja sallitun sivuttaisasetuksen.
+step-keep-spiral-to-finished-diameter = Jos valmista halkaisijaa ei saavuteta yhdellä kierroksella, ohjaus jatkaa asetusliikettä spiraalirataa pitkin, kunnes se on saavutettu, ja ottaa huomioon aihion halkaisijan, valmiin halkaisijan ja sallitun sivuttaisasetuksen.
 step-leave-stud-on-spiral = Ohjaus irrottaa työkalun muodosta spiraalirataa pitkin.
 step-next-infeed-near-departure = Jos tarvitaan useita asetusliikkeitä, seuraava tehdään irtautumiskohtaa lähinnä olevassa pisteessä.
 step-retract-and-return-to-stud-centre = Kun työkalu on työkierron lopussa irtautunut spiraalirataa pitkin, ohjaus paikoittaa sen työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (ellei sitä ole annettu, varmuusetäisyydelle) ja sen jälkeen kaulan keskipisteeseen.
@@ -82,7 +82,7 @@ note-circular-stud-end-height = Törmäysvaara! Lopussa ohjaus palauttaa työkal
 # --- 221 ---
 cycle-line-pattern = Pistekuvio suorilla
     .nc = RIVIKUVIO
-    .purpose = Suorittaa viimeksi määritellyn koneistustyökierron riveihin ja sarakkeisiin järjestetyissä pisteissä.
+    .purpose = Työkierto suorittaa viimeksi määritellyn koneistustyökierron riveihin ja sarakkeisiin järjestetyissä pisteissä.
 until-line-done = rivin kaikki koneistukset ({ $q-number-of-columns }) on tehty; työkalu on rivin viimeisessä pisteessä
 step-move-to-next-column = Sen jälkeen ohjaus siirtää työkalun seuraavan koneistuksen alkupisteeseen, ensimmäisellä, kolmannella, viidennellä … rivillä pääakselin positiiviseen suuntaan, toisella, neljännellä, kuudennella … rivillä negatiiviseen suuntaan, ja siellä varmuusetäisyydelle { $q-set-up-clearance }.
 step-height-between-lines = Rivin viimeisessä pisteessä työkalu siirtyy karan akselin suunnassa koneistusten väliselle korkeudelle parametrin { $q-pattern-clearance-mode } mukaan.
@@ -97,7 +97,7 @@ note-pre-position-for-surface = Törmäysvaara! Esipaikoita työkalu niin, ettei
 # --- 230 ---
 cycle-multipass-milling = Rivijyrsintä
     .nc = RIVIJYRSINTÄ
-    .purpose = Jyrsii tasaisen suorakulmaisen pinnan riveittäin edestakaisin.
+    .purpose = Työkierto jyrsii tasaisen suorakulmaisen pinnan riveittäin edestakaisin.
 step-rapid-to-start-of-lines = Ohjaus paikoittaa työkalun pikaliikkeellä (FMAX) hetkellisasemasta koneistustasossa alkupisteeseen 1. Se siirtää työkalua työkalun säteen verran vasemmalle ja ylös.
 step-down-to-start-of-lines = Sen jälkeen työkalu siirtyy karan akselin suunnassa pikaliikkeellä (FMAX) varmuusetäisyydelle { $q-set-up-clearance } ja sieltä syvyysasetuksen syöttöarvolla { $q-plunging-feed } karan akselin ohjelmoituun aloitusasemaan { $q-starting-point-tool }.
 step-mill-line = Sen jälkeen työkalu jyrsii ohjelmoidulla syöttöarvolla { $q-milling-feed } loppupisteeseen 2, jonka ohjaus laskee alkupisteestä, ohjelmoidusta pituudesta { $q-first-side-length } ja työkalun säteestä.
@@ -109,7 +109,7 @@ note-plane-first-then-spindle-axis = Ohjaus paikoittaa työkalun hetkellisasemas
 # --- 231 ---
 cycle-ruled-surface = Viivoitinpinta
     .nc = VIIVOITINPINTA
-    .purpose = Jyrsii neljällä kulmapisteellä annetun vinon, kaltevan tai kiertyneen pinnan samansuuntaisina riveinä.
+    .purpose = Työkierto jyrsii neljällä kulmapisteellä annetun vinon, kaltevan tai kiertyneen pinnan samansuuntaisina riveinä.
 step-straight-to-starting-point = Ohjaus siirtää työkalun hetkellisasemasta suoraa pitkin avaruudessa alkupisteeseen 1.
 step-mill-line-to-its-end = Sen jälkeen työkalu jyrsii ohjelmoidulla syöttöarvolla { $q-milling-feed } rivin loppupisteeseen: ensimmäisellä rivillä pisteeseen 2 puolella syöttöarvolla; jokaisella seuraavalla rivillä pisteeseen, jonka ohjaus laskee pisteestä 2 ja siirtymästä kohti pistettä 3.
 step-rapid-back-to-start-of-line = Sieltä ohjaus siirtää työkalua pikaliikkeellä (FMAX) työkalun halkaisijan verran karan akselin positiiviseen suuntaan ja sen jälkeen takaisin rivin alkupisteeseen (ensimmäisellä rivillä pisteeseen 1).
@@ -126,7 +126,7 @@ note-centre-cut-or-pilot-drill = Käytä tarvittaessa varsijyrsintä, jossa on k
 # --- 232 ---
 cycle-face-milling = Tasojyrsintä
     .nc = TASOJYRSINTÄ
-    .purpose = Jyrsii tasaisen pinnan useilla asetusliikkeillä jollakin kolmesta strategiasta ja ottaa silitystyövaran huomioon.
+    .purpose = Työkierto jyrsii tasaisen pinnan useilla asetusliikkeillä jollakin kolmesta strategiasta ja ottaa silitystyövaran huomioon.
 step-position-beside-surface = Ohjaus paikoittaa työkalun hetkellisasemasta pikaliikkeellä (FMAX) ja paikoituslogiikalla alkupisteeseen 1, joka on työkappaleen vieressä työkalun säteen ja sivuetäisyyden { $q-side-clearance } päässä siitä:
 say-plane-then-spindle-axis = jos työkalu on 2. varmuusetäisyyden { $q-second-set-up-clearance } yläpuolella: ensin koneistustasossa, sitten karan akselin suunnassa
 say-second-clearance-then-plane = muussa tapauksessa ensin 2. varmuusetäisyydelle { $q-second-set-up-clearance }, sitten koneistustasossa

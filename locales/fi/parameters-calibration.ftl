@@ -3,7 +3,7 @@
 # --- tallennettu kinematiikka ---
 parameter-kinematics-memory-mode = Tila (0/1/2/3)
     .label = TILA
-    .help = Tallennetaanko vai palautetaanko kinematiikka.
+    .help = Määrää, tallennetaanko vai palautetaanko kinematiikka.
 parameter-kinematics-memory-mode__itnc530 = Tila (0/1/2)
 choice-save-kinematics = Kinematiikan tallennus
 choice-save-kinematics__itnc530 = Aktiivisen kinematiikan tallennus
@@ -34,7 +34,7 @@ parameter-kinematics-reference-angle__calibrate-on-stud =
     .help = Koneistustason pääakselin ja ensimmäisen kosketuspisteen välinen kulma.
 parameter-length-calibration = Pituuden kalibrointi (0/1)
     .label = PITUUDEN KALIBROINTI
-    .help = Kalibroiko ohjaus säteen kalibroinnin jälkeen myös kosketusjärjestelmän pituuden.
+    .help = Määrää, kalibroiko ohjaus säteen kalibroinnin jälkeen myös kosketusjärjestelmän pituuden.
 choice-no-length-calibration = Ei kosketusjärjestelmän pituuden kalibrointia
 choice-length-calibration = Kosketusjärjestelmän pituuden kalibrointi
 parameter-length-reference = Pituuden peruspiste
@@ -55,7 +55,7 @@ parameter-calibration-part-radius = Kalibrointirenkaan säde
     .help = Kalibrointikappaleen säde.
 parameter-calibration-inside-or-outside = Kalibrointi sisäpuolella=0/ulkopuolella=1
     .word = MITTAUSTAPA:
-    .help = Kalibroiko ohjaus renkaan sisäpuolella vai kaulan ulkopuolella.
+    .help = Määrää, kalibroiko ohjaus renkaan sisäpuolella vai kaulan ulkopuolella.
 choice-calibrate-inside = Kalibrointi sisäpuolella
 choice-calibrate-outside = Kalibrointi ulkopuolella
 

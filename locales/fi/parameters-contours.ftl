@@ -79,7 +79,7 @@ parameter-cylinder-radius = Lieriön säde
     .help = Sen lieriön säde, jolle muoto koneistetaan.
 parameter-development-dimension-type = Mittayksikkö
     .label = MITTAYKSIKKÖ
-    .help = Ohjelmoidaanko kiertoakselin koordinaatit aliohjelmassa asteina vai millimetreinä (tuumina).
+    .help = Määrää, ohjelmoidaanko kiertoakselin koordinaatit aliohjelmassa asteina vai millimetreinä (tuumina).
     .prompt = Mittayksikkö? Aste = 0 MM/INCH = 1
 parameter-cylinder-slot-width = Uran leveys
     .label = URAN LEVEYS
@@ -106,7 +106,7 @@ parameter-engraving-font = Kirjasin
     .help = Ei toistaiseksi käytössä.
 parameter-text-arrangement = Teksti suoralle tai kaarelle (0/1)
     .label = TEKSTIN ASETTELU
-    .help = Miten teksti asetellaan.
+    .help = Määrää, miten teksti asetellaan.
 parameter-text-rotation = Kiertokulma
     .label = KIERTOKULMA
     .help = Keskuskulma, jos teksti asetellaan ympyränkaarelle.

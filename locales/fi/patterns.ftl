@@ -1,7 +1,7 @@
 # Pistekuviot.
 cycle-circular-pattern = Pistekuvio ympyrällä
     .nc = YMPYRÄKUVIO
-    .purpose = Suorittaa viimeksi määritellyn koneistustyökierron täysympyrän tai ympyränkaaren pisteissä.
+    .purpose = Työkierto suorittaa viimeksi määritellyn koneistustyökierron täysympyrän tai ympyränkaaren pisteissä.
 step-move-to-first-operation = Ohjaus siirtää työkalun pikaliikkeellä hetkellisasemasta ensimmäisen koneistuksen alkupisteeseen: 2. varmuusetäisyydelle { $q-second-set-up-clearance } (karan akseli), koneistustason alkupisteeseen ja varmuusetäisyydelle { $q-set-up-clearance } työkappaleen yläpinnasta (karan akseli).
 step-call-last-machining-cycle = Ohjaus suorittaa tästä asemasta viimeksi määritellyn koneistustyökierron.
 step-height-between-operations = Koneistusten välillä työkalu siirtyy karan akselin suunnassa:

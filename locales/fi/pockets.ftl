@@ -1,7 +1,7 @@
 # Taskut.
 cycle-rectangular-pocket = Suorakulmatasku
     .nc = SUORAKULMATASKU
-    .purpose = Koneistaa suorakulmataskun kokonaan: rouhinta, pohjan silitys ja sivun silitys. Myös pelkkä rouhinta, pelkkä pohjan ja sivun silitys, pelkkä pohjan silitys tai pelkkä sivun silitys on mahdollinen.
+    .purpose = Työkierto koneistaa suorakulmataskun kokonaan: rouhinta, pohjan silitys ja sivun silitys. Mahdollista on myös pelkkä rouhinta, pelkkä pohjan ja sivun silitys, pelkkä pohjan silitys tai pelkkä sivun silitys.
 step-move-over-pocket-centre = Ohjaus paikoittaa työkalun pikaliikkeellä ensin työkaluakselin suunnassa 2. varmuusetäisyydelle { $q-second-set-up-clearance } (ellei sitä ole annettu, varmuusetäisyydelle), sitten taskun keskipisteen yläpuolelle ja sen jälkeen varmuusetäisyydelle { $q-set-up-clearance }.
 group-roughing = Rouhinta
 step-plunge-at-centre = Työkalu tunkeutuu taskun keskipisteessä työkappaleeseen seuraavaan asetussyvyyteen { $q-plunging-depth }. Parametri { $q-plunging-strategy } määrää sisäänpistotavan:
@@ -28,7 +28,7 @@ note-positions-in-tool-axis-itself = Ohjaus paikoittaa työkalun työkaluakselin
 note-returns-to-starting-point = Työkierron lopussa ohjaus palauttaa työkalun alkupisteeseen.
 note-clearance-above-chips = Aina kun taso on rouhittu, työkalu palaa pikaliikkeellä taskun keskipisteeseen varmuusetäisyydelle hetkellisen asetussyvyyden yläpuolelle. Valitse varmuusetäisyys niin, ettei työkalu voi liikkuessaan juuttua lastuihin.
 note-helix-diameter-monitored = Kierukkamaisessa sisäänpistossa ohjaus antaa virheilmoituksen, jos sen laskema kierukan halkaisija on pienempi kuin kaksi kertaa työkalun halkaisija. Keskeltä lastuavilla työkaluilla tarkastuksen voi kytkeä pois koneparametrilla { $mp-suppress-plunge-err }.
-note-cutting-edge-limits-infeed = Jos terä on lyhyempi kuin asetussyvyys { $q-plunging-depth }, ohjaus pienentää asetussyvyyden työkalutaulukon terän pituuteen { $mp-cutting-edge-length }.
+note-cutting-edge-limits-infeed = Jos terä on lyhyempi kuin asetussyvyys { $q-plunging-depth }, ohjaus pienentää sen työkalutaulukossa määritellyn terän pituuden { $mp-cutting-edge-length } suuruiseksi.
 note-finishing-only-starts-at-first-depth = Törmäysvaara! Jos työkierto kutsutaan koneistuksen laajuudella 2 (vain silitys), ohjaus siirtää työkalun taskun keskipisteessä pikaliikkeellä ensimmäiseen asetussyvyyteen.
 note-point-table-starting-points = Jos työkierto kutsutaan pistetaulukon avulla, koneistustason pisteet ovat työkierron alkupisteitä. Jos haluat käyttää taulukon karan akselin koordinaattia alkupisteen koordinaattina, anna työkappaleen yläpinnan koordinaatiksi { $q-surface-coordinate } arvo 0.
 note-point-table-shifts-datum = Jos työkierto kutsutaan pistetaulukon avulla, ohjaus tulkitsee jokaisen pisteen ylimääräiseksi nollapisteen siirroksi.

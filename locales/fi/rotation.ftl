@@ -11,7 +11,7 @@ note-known-reference-direction = Parametrilla { $q-reference-line-angle } ohjaus
 # --- 400 ---
 cycle-basic-rotation = Peruskääntö
     .nc = PERUSKÄÄNTÖ
-    .purpose = Mittaa kaksi pistettä, joiden on oltava samalla suoralla, ja määrittää niistä työkappaleen vinon asennon. Ohjaus kompensoi sen peruskäännöllä.
+    .purpose = Työkierto mittaa kaksi pistettä, joiden on oltava samalla suoralla, ja määrittää niistä työkappaleen vinon asennon. Ohjaus kompensoi sen peruskäännöllä.
 step-store-basic-rotation = Ohjaus tallentaa peruskäännön:
 say-rotation-into-preset-row = jos { $q-basic-rotation-row } ei ole 0, esiasetustaulukon riville { $q-basic-rotation-row }
 say-rotation-into-rot-menu = jos { $q-basic-rotation-row } = 0, käsikäyttötavan ROT-valikkoon
@@ -20,14 +20,14 @@ say-rotation-into-rot-menu = jos { $q-basic-rotation-row } = 0, käsikäyttötav
 cycle-rotation-two-holes = Peruskääntö kahden reiän avulla
     .nc = ROT 2 REIKÄÄ
     .nc-aliases = ROT 2 BOHRUNGEN
-    .purpose = Mittaa kahden reiän keskipisteet ja laskee koneistustason pääakselin ja keskipisteiden yhdyssuoran välisen kulman. Ohjaus kompensoi kulman peruskäännöllä tai pyöröpöytää kääntämällä.
+    .purpose = Työkierto mittaa kahden reiän keskipisteet ja laskee koneistustason pääakselin ja keskipisteiden yhdyssuoran välisen kulman. Ohjaus kompensoi kulman peruskäännöllä tai pyöröpöytää kääntämällä.
 cycle-rotation-two-holes__tnc426-430 =
-    .purpose = Mittaa kahden reiän keskipisteet ja laskee koneistustason pääakselin ja keskipisteiden yhdyssuoran välisen kulman. Ohjaus kompensoi kulman peruskäännöllä.
+    .purpose = Työkierto mittaa kahden reiän keskipisteet ja laskee koneistustason pääakselin ja keskipisteiden yhdyssuoran välisen kulman. Ohjaus kompensoi kulman peruskäännöllä.
 cycle-rotation-two-studs = Peruskääntö kahden kaulan avulla
     .nc = ROT 2 KAULAA
-    .purpose = Mittaa kahden kaulan keskipisteet ja laskee koneistustason pääakselin ja keskipisteiden yhdyssuoran välisen kulman. Ohjaus kompensoi kulman peruskäännöllä tai pyöröpöytää kääntämällä.
+    .purpose = Työkierto mittaa kahden kaulan keskipisteet ja laskee koneistustason pääakselin ja keskipisteiden yhdyssuoran välisen kulman. Ohjaus kompensoi kulman peruskäännöllä tai pyöröpöytää kääntämällä.
 cycle-rotation-two-studs__tnc426-430 =
-    .purpose = Mittaa kahden kaulan keskipisteet ja laskee koneistustason pääakselin ja keskipisteiden yhdyssuoran välisen kulman. Ohjaus kompensoi kulman peruskäännöllä.
+    .purpose = Työkierto mittaa kahden kaulan keskipisteet ja laskee koneistustason pääakselin ja keskipisteiden yhdyssuoran välisen kulman. Ohjaus kompensoi kulman peruskäännöllä.
 step-position-at-first-hole = Ohjaus paikoittaa kosketusjärjestelmän ensimmäisen reiän ohjelmoituun keskipisteeseen pikaliikkeellä (arvo sarakkeesta { $mp-positioning-feed }) ja paikoituslogiikalla.
 step-position-at-first-hole__tnc426-430 = Ohjaus paikoittaa kosketusjärjestelmän ensimmäisen reiän ohjelmoituun keskipisteeseen pikaliikkeellä (arvo koneparametrista { $mp-positioning-feed } tai { $mp-analog-positioning-feed }) ja paikoituslogiikalla.
 step-measure-first-hole = Kosketusjärjestelmä siirtyy mittauskorkeudelle { $q-measuring-height } ja määrittää ensimmäisen reiän keskipisteen neljällä kosketuksella.
@@ -51,10 +51,10 @@ title-rotation-from-two-holes = Peruskäännön määritys kahden reiän avulla
 cycle-rotation-by-rotary-axis = Peruskäännön kompensointi kiertoakselin avulla
     .nc = ROT C-AKSELILLA
     .nc-aliases = ROT KIERTOAKSELIN AVULLA
-    .purpose = Mittaa kaksi pistettä, joiden on oltava samalla suoralla, ja määrittää niistä työkappaleen vinon asennon. Ohjaus kompensoi sen kääntämällä A-, B- tai C-akselia. Työkappale voi olla kiinnitettynä mihin tahansa kohtaan pyöröpöytää.
+    .purpose = Työkierto mittaa kaksi pistettä, joiden on oltava samalla suoralla, ja määrittää niistä työkappaleen vinon asennon. Ohjaus kompensoi sen kääntämällä A-, B- tai C-akselia. Työkappale voi olla kiinnitettynä mihin tahansa kohtaan pyöröpöytää.
 step-retract-and-turn-rotary-axis = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja kääntää kiertoakselia { $q-compensation-axis } lasketun arvon verran. Se tallentaa kulman myös tulosparametriin. Haluttaessa se asettaa näytön suuntauksen jälkeen arvoon 0.
 step-retract-and-turn-rotary-axis__tnc426-430 = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja kääntää kiertoakselia { $q-compensation-axis } lasketun arvon verran.
-note-compensation-may-be-turned-180 = Törmäysvaara! Ohjaus tarkastaa vain, ovatko kosketuspisteet ja kompensoiva akseli keskenään järkevät. Kompensointiliike voi siksi olla kääntynyt 180°.
+note-compensation-may-be-turned-180 = Törmäysvaara! Ohjaus tarkastaa vain, sopivatko kosketuspisteet ja kompensoiva akseli yhteen. Kompensointiliike voi siksi olla kääntynyt 180°.
 note-compensation-axis-combinations = Mittausakselin { $q-measuring-axis } ja kompensoivan akselin { $q-compensation-axis } sallitut yhdistelmät. Kosketusakseli Z: 1 ja 6, 2 ja 6, 3 ja 5 tai 4. Kosketusakseli Y: 1 ja 5, 2 ja 5, 3 ja 6 tai 4. Kosketusakseli X: 1 ja 4, 2 ja 4, 3 ja 5 tai 6.
 note-only-without-tilting = Käytä tätä työkiertoa vain, kun koneistustason kääntö ei ole voimassa.
 
@@ -62,15 +62,15 @@ note-only-without-tilting = Käytä tätä työkiertoa vain, kun koneistustason 
 cycle-set-basic-rotation = Peruskäännön asetus
     .nc = PERUSKÄÄNTÖ
     .nc-aliases = PERUSKÄÄNNÖN ASETUS
-    .purpose = Asettaa minkä tahansa peruskäännön automaattisesti ohjelmanajon aikana. Tarkoitettu ennen kaikkea aiemmin suoritetun peruskäännön peruuttamiseen.
+    .purpose = Työkierto asettaa minkä tahansa peruskäännön automaattisesti ohjelmanajon aikana. Se on tarkoitettu ennen kaikkea aiemmin tehdyn peruskäännön peruuttamiseen.
 step-set-basic-rotation = Ohjaus asettaa peruskäännön kulmaan { $q-basic-rotation-angle }.
-note-available-from-nc-software = Käytettävissä NC-ohjelmistosta 280 474-xx lähtien.
+note-available-from-nc-software = Työkierto on käytettävissä NC-ohjelmistosta 280 474-xx lähtien.
 
 # --- 405 ---
-cycle-rotation-by-c-axis = Työkappaleen vinon aseman korjaus C-akselin avulla
+cycle-rotation-by-c-axis = Vinon asennon kompensointi C-akselin avulla
     .nc = ROT C-AKSELILLA
     .nc-aliases = ROT C-AKSELIN AVULLA
-    .purpose = Määrittää kulmasiirtymän, joka on reiän keskilinjan ja aktiivisen koordinaatiston positiivisen Y-akselin välillä tai reiän keskipisteen asetusaseman ja oloaseman välillä. Ohjaus kompensoi sen kääntämällä C-akselia. Työkappale voi olla kiinnitettynä mihin tahansa kohtaan pyöröpöytää.
+    .purpose = Työkierto määrittää kulmasiirtymän, joka on reiän keskilinjan ja aktiivisen koordinaatiston positiivisen Y-akselin välillä tai reiän keskipisteen asetusaseman ja oloaseman välillä. Ohjaus kompensoi sen kääntämällä C-akselia. Työkappale voi olla kiinnitettynä mihin tahansa kohtaan pyöröpöytää.
 say-travel-on-circle-at-clearance-height__rotation-by-c-axis = jos { $q-traverse-to-clearance-height } = 1, ympyränkaarta pitkin varmuuskorkeudella { $q-clearance-height }
 step-move-to-measured-centre = Ohjaus paikoittaa kosketusjärjestelmän reiän mitattuun keskipisteeseen.
 step-retract-and-turn-to-y-axis = Ohjaus palauttaa kosketusjärjestelmän varmuuskorkeudelle { $q-clearance-height } ja suuntaa työkappaleen pyöröpöytää kääntämällä: kompensoinnin jälkeen reiän keskipiste on sekä pysty- että vaakasuoralla kosketusakselilla positiivisen Y-akselin suunnassa ({ $q-probing-centre-minor } = 0) tai asetusasemassaan. Mitattu kulmasiirtymä tallentuu myös tulosparametriin.

@@ -20,7 +20,7 @@ site-group = Ryhmä
 site-as-used = Tämän ohjauksen käsikirja ei kuvaa työkiertoa, mutta käyttää sitä ohjelmassa.
 site-purpose = Käyttö
 site-run = Työkierron kulku
-site-by-operator = Käyttäjä
+site-by-operator = Käyttäjä:
 site-notes = Ohjelmoinnissa huomioitavaa
 site-kind-danger = VAARA
 site-kind-caution = HUOMIO
@@ -28,7 +28,7 @@ site-kind-note = OHJE
 site-kind-machine-builder = KONEEN VALMISTAJA
 site-checks = Ohjauksen tarkastukset
 site-guard-error = Virheilmoitus
-site-guard-skip = Ei suoriteta
+site-guard-skip = Ohitus
 site-guard-warn = Varoitus
 site-guard-confirm = Vahvistus
 site-parameters = Työkiertoparametrit
@@ -68,7 +68,7 @@ site-choose = Valitse ohjaus ja kieli
 page-title = { $name } · { $key } · { $control }
 page-overview-title = Työkierrot: { $control }
 page-form = Muoto { $number }
-page-switched-off-by = Voidaan kytkeä pois parametrilla { $datum }.
+page-switched-off-by = Tarkastuksen voi kytkeä pois parametrilla { $datum }.
 
 # Lists, comparisons, topics, search.
 site-parameters-short = Parametrit

@@ -3,7 +3,7 @@
 # --- 9 ---
 cycle-dwell = Odotusaika
     .nc = ODOTUSAIKA
-    .purpose = Pysäyttää ohjelmanajon odotusajaksi, esimerkiksi lastun katkaisemiseksi.
+    .purpose = Työkierto pysäyttää ohjelmanajon odotusajaksi, esimerkiksi lastun katkaisemiseksi.
 step-dwell-for-programmed-time = Ohjaus pysäyttää ohjelmanajon ohjelmoiduksi odotusajaksi.
 note-dwell-acts-from-definition = Työkierto vaikuttaa määrittelystään lähtien.
 note-dwell-keeps-modal-states = Modaaliset tilat, kuten karan pyöriminen, eivät muutu.
@@ -11,7 +11,7 @@ note-dwell-keeps-modal-states = Modaaliset tilat, kuten karan pyöriminen, eivä
 # --- 12 ---
 cycle-program-call = Ohjelman kutsu
     .nc = PGM CALL
-    .purpose = Rinnastaa minkä tahansa ohjelman, kuten erityisen poraustyökierron tai geometriamoduulin, koneistustyökiertoon. Ohjelma kutsutaan silloin kuin työkierto.
+    .purpose = Työkierto rinnastaa minkä tahansa ohjelman, kuten erityisen poraustyökierron tai geometriamoduulin, koneistustyökiertoon. Ohjelma kutsutaan silloin kuin työkierto.
 step-call-program-as-cycle = Kun työkierto kutsutaan, ohjaus suorittaa ohjelman.
 note-program-becomes-cycle = Anna kutsuttavan ohjelman nimi, tarvittaessa polkuineen, tai aktivoi tiedoston valinta ohjelmanäppäimellä SELECT ja valitse ohjelma.
 note-called-program-on-hard-disk = Kutsuttavan ohjelman on oltava ohjauksen kiintolevyllä.
@@ -25,7 +25,7 @@ title-program-50-as-cycle = Ohjelma 50 työkiertona, kutsu koodilla M99
 # --- 13 ---
 cycle-spindle-orientation = Karan suuntaus
     .nc = SUUNTAUS
-    .purpose = Määrää kulman, johon ohjaus kääntää työstökoneen pääkaran.
+    .purpose = Työkierto määrää kulman, johon ohjaus kääntää työstökoneen pääkaran.
 step-keep-orientation-angle = Ohjaus säilyttää kulman seuraavaa karan suuntausta varten.
 step-program-m19-or-m20 = Ohjelmoi M19 tai M20 (koneesta riippuen): ohjaus paikoittaa silloin karan työkierrossa määriteltyyn kulmaan.
 note-prepare-for-spindle-orientation = Koneen valmistajan on valmisteltava kone ja ohjaus.
@@ -37,7 +37,7 @@ note-orientation-used-by-cycles = Koneistustyökierrot 202, 204 ja 209 käyttäv
 # --- 32 ---
 cycle-tolerance = Toleranssi
     .nc = TOLERANSSI
-    .purpose = Vaikuttaa suurnopeuskoneistuksen tulokseen: tarkkuuteen, pinnanlaatuun ja nopeuteen, sikäli kuin ohjaus on sovitettu koneeseen.
+    .purpose = Työkierto vaikuttaa suurnopeuskoneistuksen tulokseen: tarkkuuteen, pinnanlaatuun ja nopeuteen, sikäli kuin ohjaus on sovitettu koneeseen.
 step-smooth-contour = Ohjaus tasoittaa muodon kaikkien muotoelementtien välillä, korjattujen ja korjaamattomien. Työkalu liikkuu siten jatkuvasti työkappaleen pinnalla, ja koneen mekaniikka säästyy.
 step-reduce-feed-to-run-smoothly = Tarvittaessa ohjaus pienentää ohjelmoitua syöttöarvoa, jotta ohjelma suoritetaan aina nykäyksittä suurimmalla mahdollisella nopeudella.
 note-prepare-for-tolerance = Koneen valmistajan on valmisteltava kone ja ohjaus.

@@ -3,21 +3,21 @@
 # --- kierreporaus ---
 cycle-tapping = Kierreporaus tasausistukalla (uusi)
     .nc = KIERREPORAUS UUSI
-    .purpose = Tekee kierteen yhdellä liikkeellä tasausistukkaa käyttäen.
+    .purpose = Työkierto tekee kierteen yhdellä liikkeellä tasausistukkaa käyttäen.
 cycle-rigid-tapping = Kierreporaus ilman tasausistukkaa (uusi)
     .nc = JÄYKKÄ KIERREPORAUS UUSI
-    .purpose = Tekee kierteen yhdellä tai useammalla liikkeellä ilman tasausistukkaa.
+    .purpose = Työkierto tekee kierteen yhdellä tai useammalla liikkeellä ilman tasausistukkaa.
 cycle-tapping-with-chip-breaking = Kierreporaus lastunkatkolla
     .nc = KIERREPORAUS LASTUNKATKOLLA
-    .purpose = Tekee kierteen useilla asetusliikkeillä ilman tasausistukkaa. Parametri määrää, vedetäänkö työkalu lastua katkaistaessa kokonaan reiästä.
+    .purpose = Työkierto tekee kierteen useilla asetusliikkeillä ilman tasausistukkaa. Parametri määrää, vedetäänkö työkalu lastua katkaistaessa kokonaan ulos reiästä.
 step-tap-in-one-movement = Työkalu ajaa kierteen syvyyteen { $q-thread-depth } yhdellä liikkeellä.
 step-reverse-dwell-and-retract = Karan pyörintäsuunta vaihdetaan, ja odotusajan { $q-dwell-at-bottom } jälkeen työkalu vetäytyy varmuusetäisyydelle { $q-set-up-clearance }.
 step-reverse-and-retract = Karan pyörintäsuunta vaihdetaan, ja työkalu vetäytyy varmuusetäisyydelle { $q-set-up-clearance }.
 step-reverse-spindle-again = Varmuusetäisyydellä karan pyörintäsuunta vaihdetaan uudelleen.
 step-stop-spindle-at-set-up-clearance = Ohjaus pysäyttää karan varmuusetäisyydellä.
 step-rapid-to-set-up-clearance-and-orient = Ohjaus siirtää työkalun karan akselin suunnassa pikaliikkeellä (FMAX) varmuusetäisyydelle { $q-set-up-clearance } työkappaleen yläpinnan yläpuolelle ja suuntaa siellä karan kulmaan { $q-spindle-orientation-angle }.
-step-tap-to-next-depth = Työkalu ajaa asetuksen { $q-depth-for-chip-breaking } verran syvemmälle.
-step-reverse-and-break-chip = Karan pyörintäsuunta vaihdetaan lastun katkaisemiseksi ja sitten uudelleen seuraavaa asetusta varten. Välillä työkalu liikkuu takaisin kertoimella { $q-retraction-speed-factor } suurennetulla kierrosluvulla, jos kerroin on annettu:
+step-tap-to-next-depth = Työkalu ajaa asetusliikkeen { $q-depth-for-chip-breaking } verran syvemmälle.
+step-reverse-and-break-chip = Karan pyörintäsuunta vaihdetaan lastun katkaisemiseksi ja sitten uudelleen seuraavaa asetusliikettä varten. Välillä työkalu liikkuu takaisin kertoimella { $q-retraction-speed-factor } suurennetulla kierrosluvulla, jos kerroin on annettu:
 say-tap-leaves-hole = { $q-chip-breaking-turns } = 0: kokonaan reiästä jäähtymään
 say-tap-goes-back-some-turns = muussa tapauksessa { $q-chip-breaking-turns } kertaa kierteen nousun { $q-thread-pitch } verran
 step-tap-back-to-set-up-clearance = Työkalu palaa varmuusetäisyydelle { $q-set-up-clearance }.
@@ -25,31 +25,31 @@ note-sign-of-thread-depth = Kierteen syvyyden { $q-thread-depth } etumerkki mä�
 note-thread-depth-gives-direction = Kierteen syvyyden { $q-thread-depth } etumerkki määrää työskentelysuunnan.
 note-positive-thread-depth-reverses = Törmäysvaara! Jos syvyys on positiivinen, ohjaus laskee esipaikoituksen käänteisesti: työkalu siirtyy työkaluakselin suunnassa pikaliikkeellä varmuusetäisyydelle työkappaleen yläpinnan alapuolelle.
 note-floating-tap-holder = Työkalun on oltava kiinnitetty tasausistukkaan, joka tasaa syöttöarvon ja karan kierrosluvun toleranssit koneistuksen aikana.
-note-overrides-while-tapping = Karan kierrosluvun muunnossäädin ei vaikuta työkierron suorituksen aikana. Syötön muunnossäädin vaikuttaa osittain; koneen valmistaja määrää, miten (katso koneen käyttöohjekirjaa).
+note-overrides-while-tapping = Karan kierrosluvun muunnoskytkin ei vaikuta työkierron suorituksen aikana. Syötön muunnoskytkin vaikuttaa osittain; koneen valmistaja määrää, miten (katso koneen käyttöohjekirjaa).
 note-right-hand-with-m3 = Käynnistä kara oikeakätisille kierteille koodilla M3, vasenkätisille kierteille koodilla M4.
 note-feed-from-speed-and-pitch = Laske syöttöarvo kaavalla F = S × p. F: syöttöarvo (mm/min), S: karan kierrosluku (r/min), p: kierteen nousu (mm).
-note-retract-after-interruption = Jos ulkoista pysäytyspainiketta painetaan kierreporauksen aikana, ohjaus näyttää ohjelmanäppäimen, jolla työkalu voidaan vetää reiästä.
-note-feed-follows-spindle-speed = Ohjaus laskee syöttöarvon karan kierrosluvusta. Jos syötön muunnossäädintä käännetään kierreporauksen aikana, ohjaus sovittaa syöttöarvon itse. Karan kierrosluvun muunnossäädin ei ole käytössä.
+note-retract-after-interruption = Jos ulkoista pysäytyspainiketta painetaan kierreporauksen aikana, ohjaus näyttää ohjelmanäppäimen, jolla työkalu voidaan vetää irti reiästä.
+note-feed-follows-spindle-speed = Ohjaus laskee syöttöarvon karan kierrosluvusta. Jos syötön muunnoskytkintä käännetään kierreporauksen aikana, ohjaus sovittaa syöttöarvon itse. Karan kierrosluvun muunnoskytkin ei ole käytössä.
 note-spindle-stands-after-tapping = Työkierron lopussa kara on pysähdyksissä. Käynnistä se koodilla M3 (tai M4) ennen seuraavaa koneistusta.
-note-retract-by-soft-key = Jos ulkoista pysäytyspainiketta painetaan kierreporauksen aikana, ohjaus näyttää käsiajon ohjelmanäppäimen. Kun sitä on painettu, työkalu voidaan vetää reiästä hallitusti aktiivisen karan akselin positiivisella suuntapainikkeella.
+note-retract-by-soft-key = Jos ulkoista pysäytyspainiketta painetaan kierreporauksen aikana, ohjaus näyttää käsiajon ohjelmanäppäimen. Kun sitä on painettu, työkalu voidaan vetää irti reiästä hallitusti aktiivisen karan akselin positiivisella suuntapainikkeella.
 note-retraction-speed-is-limited = Jos parametrissa { $q-retraction-speed-factor } on määritelty kierroslukukerroin nopeampaa vetäytymistä varten, ohjaus rajoittaa kierrosluvun aktiivisen vaihdealueen suurimpaan sallittuun arvoon.
 
 # --- kierteen jyrsintä: työkierrot ---
 cycle-thread-milling = Kierteen jyrsintä
     .nc = KIERTEEN JYRSINTÄ
-    .purpose = Jyrsii kierteen esiporattuun materiaaliin.
+    .purpose = Työkierto jyrsii kierteen esiporattuun materiaaliin.
 cycle-thread-milling-countersinking = Kierteen jyrsintä ja upotus
     .nc = UPOTUSKIERTEEN JYRSINTÄ
-    .purpose = Jyrsii kierteen esiporattuun materiaaliin ja koneistaa upotusviisteen.
+    .purpose = Työkierto jyrsii kierteen esiporattuun materiaaliin ja koneistaa upotusviisteen.
 cycle-thread-drilling-milling = Kierteen poraus ja jyrsintä
     .nc = KIERTEEN PORAUS/JYRSINTÄ
-    .purpose = Poraa umpimateriaaliin ja jyrsii sen jälkeen kierteen samalla työkalulla.
+    .purpose = Työkierto poraa umpimateriaaliin ja jyrsii sen jälkeen kierteen samalla työkalulla.
 cycle-helical-thread-drilling-milling = Kierteen kierukkaporaus ja jyrsintä
     .nc = KIERUKKAPORAUS/JYRSINTÄ
-    .purpose = Jyrsii kierteen umpimateriaaliin kierukkarataa pitkin.
+    .purpose = Työkierto jyrsii kierteen umpimateriaaliin kierukkarataa pitkin.
 cycle-outside-thread-milling = Ulkokierteen jyrsintä
     .nc = ULKOKIERTEEN JYRSINTÄ
-    .purpose = Jyrsii ulkokierteen ja koneistaa upotusviisteen.
+    .purpose = Työkierto jyrsii ulkokierteen ja koneistaa upotusviisteen.
 
 # --- kierteen jyrsintä: vaiheet ---
 group-countersinking = Upotus
@@ -115,4 +115,4 @@ note-direction-of-outside-thread = Työskentelysuunta riippuu kierteen nousun { 
 note-feed-of-cutting-edge = Kierteitä jyrsittäessä ohjelmoitu syöttöarvo koskee työkalun terää. Koska ohjaus näyttää työkalun keskipisteen radan syöttöarvon, näytetty arvo poikkeaa ohjelmoidusta.
 note-mirroring-turns-thread = Kierteen kätisyys vaihtuu, jos työkierto suoritetaan yhdessä työkierron 8 (peilaus) kanssa vain yhdellä akselilla.
 note-same-signs-of-depths = Törmäysvaara! Anna asetuksille aina sama etumerkki, koska työkierrot sisältävät useita toisistaan riippumattomia kulkuja. Jos haluat toistaa esimerkiksi vain upotuksen, anna kierteen syvyydeksi 0; silloin upotussyvyys määrää työskentelysuunnan.
-note-tool-breakage-in-thread = Jos työkalu rikkoutuu kierrettä lastuttaessa: pysäytä ohjelmanajo, vaihda käsin sisäänsyöttäen tapahtuvan paikoituksen käyttötavalle ja aja työkalu suoraa pitkin reiän keskelle. Aja se sitten irti asetusakselin suunnassa ja vaihda työkalu.
+note-tool-breakage-in-thread = Jos työkalu rikkoutuu kierrettä lastuttaessa: pysäytä ohjelmanajo, vaihda käyttötavalle ”Paikoitus käsin sisäänsyöttäen” ja aja työkalu suoraa pitkin reiän keskelle. Aja se sitten irti asetusakselin suunnassa ja vaihda työkalu.

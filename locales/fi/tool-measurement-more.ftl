@@ -35,14 +35,14 @@ parameter-tool-clearance-height__calibrate-tool-probe-old =
 # --- 32 ja 482 ---
 cycle-tool-radius = Työkalun säteen mittaus
     .nc = TYÖKALUN SÄDE
-    .purpose = Mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla tai pyörivällä työkalulla ja sen jälkeen terä kerrallaan. Ohjaus tallentaa tuloksen keskustyökalumuistiin TOOL.T ja ottaa sen automaattisesti huomioon työkierron lopussa.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tuloksen keskustyökalumuistiin TOOL.T ja ottaa sen automaattisesti huomioon työkierron lopussa.
 cycle-tool-radius__tnc426-430 =
-    .purpose = Mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla tai pyörivällä työkalulla ja sen jälkeen terä kerrallaan. Ohjaus tallentaa tuloksen keskustyökalumuistiin TOOL.T ja käyttää sitä seuraavasta työkalukutsusta lähtien.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tuloksen keskustyökalumuistiin TOOL.T ja käyttää sitä seuraavasta työkalukutsusta lähtien.
 cycle-tool-radius-old = Työkalun säteen mittaus
     .nc = TYÖKALUN SÄDE
-    .purpose = Mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla tai pyörivällä työkalulla ja sen jälkeen terä kerrallaan. Ohjaus tallentaa tuloksen keskustyökalumuistiin TOOL.T ja ottaa sen automaattisesti huomioon työkierron lopussa. Työkierron 482 vanha lausemuoto.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tuloksen keskustyökalumuistiin TOOL.T ja ottaa sen automaattisesti huomioon työkierron lopussa. Työkierron 482 vanha lausemuoto.
 cycle-tool-radius-old__tnc426-430 =
-    .purpose = Mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla tai pyörivällä työkalulla ja sen jälkeen terä kerrallaan. Ohjaus tallentaa tuloksen keskustyökalumuistiin TOOL.T ja käyttää sitä seuraavasta työkalukutsusta lähtien. Työkierron 482 vanha lausemuoto.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tuloksen keskustyökalumuistiin TOOL.T ja käyttää sitä seuraavasta työkalukutsusta lähtien. Työkierron 482 vanha lausemuoto.
 step-position-tool-beside-setter = Ohjaus paikoittaa työkalun kosketuspään viereen niin, että sen otsapinta on kosketuspään yläreunan alapuolella arvon { $mp-setter-axis-offset } verran ja lisäksi pituuden lisäsiirtymän { $mp-setter-offset-length } verran, jos se on annettu työkalutaulukossa.
 step-probe-rotating-tool-radially = Ohjaus koskettaa pyörivää työkalua säteen suunnassa.
 step-measure-teeth-radially = Ohjaus määrittää säteen:
@@ -52,21 +52,21 @@ step-store-tool-radius = Ohjaus tallentaa tuloksen:
 say-overwrite-tool-radius = jos { $q-tool-check } = 0, se korvaa työkalun säteen { $mp-tool-radius } työkalutaulukossa TOOL.T ja asettaa delta-arvon { $mp-delta-radius } arvoon 0
 say-enter-delta-radius = jos { $q-tool-check } = 1, se vertaa mitattua sädettä työkalun säteeseen { $mp-tool-radius }, kirjaa poikkeaman etumerkkeineen delta-arvoon { $mp-delta-radius } ja parametriin Q116 ja asettaa työkalulle eston (tila L), jos kulumis- tai rikkotoleranssi on ylitetty
 result-tool-radius-deviation = Työkalun säteen poikkeama
-note-diamond-coated-cylinders = Lieriömäisiä työkaluja, joissa on timanttipinta, voidaan mitata karan ollessa pysähdyksissä. Määrittele tätä varten työkalutaulukossa terien lukumäärä { $mp-teeth } arvoon 0 ja muuta koneparametria { $mp-tool-measurement-config }. Katso koneen käyttöohjekirjaa.
-note-diamond-coated-cylinders__itnc530 = Lieriömäisiä työkaluja, joissa on timanttipinta, voidaan mitata karan ollessa pysähdyksissä. Määrittele tätä varten työkalutaulukossa terien lukumäärä { $mp-teeth } arvoon 0 ja muuta koneparametria { $mp-calibration-behaviour }. Katso koneen käyttöohjekirjaa.
-note-two-ways-to-measure-tool = Työkalu voidaan mitata kahdella tavalla: pyörivällä työkalulla tai pyörivällä työkalulla ja sen jälkeen terä kerrallaan.
+note-diamond-coated-cylinders = Lieriömäisiä työkaluja, joissa on timanttipinta, voidaan mitata karan ollessa pysähdyksissä. Aseta tätä varten työkalutaulukossa terien lukumääräksi { $mp-teeth } arvoon 0 ja muuta koneparametria { $mp-tool-measurement-config }. Katso koneen käyttöohjekirjaa.
+note-diamond-coated-cylinders__itnc530 = Lieriömäisiä työkaluja, joissa on timanttipinta, voidaan mitata karan ollessa pysähdyksissä. Aseta tätä varten työkalutaulukossa terien lukumääräksi { $mp-teeth } arvoon 0 ja muuta koneparametria { $mp-calibration-behaviour }. Katso koneen käyttöohjekirjaa.
+note-two-ways-to-measure-tool = Työkalu voidaan mitata kahdella tavalla: vain pyörivänä, tai ensin pyörivänä ja sen jälkeen yksittäisterän mittauksella.
 
 # --- 33 ja 483 ---
 cycle-tool-complete = Työkalun pituuden ja säteen mittaus
     .nc = TYÖKALUN MITTAUS
-    .purpose = Mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla tai pyörivällä työkalulla ja sen jälkeen terä kerrallaan. Ohjaus tallentaa tulokset keskustyökalumuistiin TOOL.T ja ottaa ne automaattisesti huomioon työkierron lopussa.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tulokset keskustyökalumuistiin TOOL.T ja ottaa ne automaattisesti huomioon työkierron lopussa.
 cycle-tool-complete__tnc426-430 =
-    .purpose = Mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla tai pyörivällä työkalulla ja sen jälkeen terä kerrallaan. Ohjaus tallentaa tulokset keskustyökalumuistiin TOOL.T ja käyttää niitä seuraavasta työkalukutsusta lähtien.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tulokset keskustyökalumuistiin TOOL.T ja käyttää niitä seuraavasta työkalukutsusta lähtien.
 cycle-tool-complete-old = Työkalun pituuden ja säteen mittaus
     .nc = TYÖKALUN MITTAUS
-    .purpose = Mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla tai pyörivällä työkalulla ja sen jälkeen terä kerrallaan. Ohjaus tallentaa tulokset keskustyökalumuistiin TOOL.T ja ottaa ne automaattisesti huomioon työkierron lopussa. Työkierron 483 vanha lausemuoto.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tulokset keskustyökalumuistiin TOOL.T ja ottaa ne automaattisesti huomioon työkierron lopussa. Työkierron 483 vanha lausemuoto.
 cycle-tool-complete-old__tnc426-430 =
-    .purpose = Mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla tai pyörivällä työkalulla ja sen jälkeen terä kerrallaan. Ohjaus tallentaa tulokset keskustyökalumuistiin TOOL.T ja käyttää niitä seuraavasta työkalukutsusta lähtien. Työkierron 483 vanha lausemuoto.
+    .purpose = Työkierto mittaa tai tarkastaa työkalun pituuden ja säteen pöytäkosketusjärjestelmällä: pyörivällä työkalulla ja haluttaessa sen jälkeen yksittäisterän mittauksella. Ohjaus tallentaa tulokset keskustyökalumuistiin TOOL.T ja käyttää niitä seuraavasta työkalukutsusta lähtien. Työkierron 483 vanha lausemuoto.
 step-measure-radius-first = Ohjaus mittaa työkalun kiinteässä järjestyksessä. Ensin se mittaa säteen samoin kuin työkierrot 32 ja 482: se paikoittaa työkalun kosketuspään viereen niin, että sen otsapinta on yläreunan alapuolella arvojen { $mp-setter-axis-offset } ja { $mp-setter-offset-length } mukaan, ja koskettaa pyörivää työkalua säteen suunnassa.
 step-then-measure-length = Sen jälkeen se mittaa pituuden samoin kuin työkierrot 31 ja 481:
 step-store-radius-and-length = Ohjaus tallentaa tulokset:
@@ -79,10 +79,10 @@ title-check-teeth = Tarkastus mittaamalla terät yksitellen
 # --- 30 ja 480 ---
 cycle-calibrate-tool-probe = TT-kalibrointi
     .nc = TT KALIBROINTI
-    .purpose = Kalibroi pöytäkosketusjärjestelmän automaattisesti lieriömäisellä kalibrointityökalulla. Ohjaus määrittää myös kalibrointityökalun keskipistesiirtymän. Se tallentaa kalibrointiarvot ja ottaa ne huomioon myöhemmissä työkalun mittauksissa.
+    .purpose = Työkierto kalibroi pöytäkosketusjärjestelmän automaattisesti lieriömäisellä kalibrointityökalulla. Ohjaus määrittää myös kalibrointityökalun keskipistesiirtymän. Se tallentaa kalibrointiarvot ja ottaa ne huomioon myöhemmissä työkalun mittauksissa.
 cycle-calibrate-tool-probe-old = TT-kalibrointi
     .nc = TT KALIBROINTI
-    .purpose = Kalibroi pöytäkosketusjärjestelmän automaattisesti lieriömäisellä kalibrointityökalulla. Ohjaus määrittää myös kalibrointityökalun keskipistesiirtymän. Se tallentaa kalibrointiarvot ja ottaa ne huomioon myöhemmissä työkalun mittauksissa. Työkierron 480 vanha lausemuoto.
+    .purpose = Työkierto kalibroi pöytäkosketusjärjestelmän automaattisesti lieriömäisellä kalibrointityökalulla. Ohjaus määrittää myös kalibrointityökalun keskipistesiirtymän. Se tallentaa kalibrointiarvot ja ottaa ne huomioon myöhemmissä työkalun mittauksissa. Työkierron 480 vanha lausemuoto.
 guard-tool-call-missing__calibrate-tool-probe = Työkalua ei ole kutsuttu. Kutsu kalibrointityökalu käskyllä TOOL CALL.
 guard-tool-call-missing__calibrate-tool-probe-old = Työkalua ei ole kutsuttu. Kutsu kalibrointityökalu käskyllä TOOL CALL.
 step-position-calibration-tool-over-setter = Ohjaus paikoittaa kalibrointityökalun varmuuskorkeudelle { $q-tool-clearance-height }, ei kuitenkaan levyn yläpuolella olevaa varmuusaluetta { $mp-setter-safety-distance } alemmas.
@@ -107,7 +107,7 @@ note-calibration-cycle-behaviour__tnc426-430 = Kalibrointityökierron toiminta r
 # --- 484 ---
 cycle-calibrate-wireless-tool-probe = Langattoman TT 449 -kosketusjärjestelmän kalibrointi
     .nc = IR TT KALIBROINTI
-    .purpose = Kalibroi langattoman infrapunatoimisen pöytäkosketusjärjestelmän TT 449. Kalibrointi on puoliautomaattinen, koska kosketusjärjestelmän paikkaa koneen pöydällä ei ole määritelty. Ohjaus määrittää myös kalibrointityökalun keskipistesiirtymän, tallentaa kalibrointiarvot ja ottaa ne huomioon myöhemmissä työkalun mittauksissa.
+    .purpose = Työkierto kalibroi langattoman infrapunatoimisen pöytäkosketusjärjestelmän TT 449. Kalibrointi on puoliautomaattinen, koska kosketusjärjestelmän paikkaa koneen pöydällä ei ole määritelty. Ohjaus määrittää myös kalibrointityökalun keskipistesiirtymän, tallentaa kalibrointiarvot ja ottaa ne huomioon myöhemmissä työkalun mittauksissa.
 step-insert-calibration-tool = Vaihda kalibrointityökalu karaan.
 step-define-and-start-calibration = Määrittele ja käynnistä kalibrointityökierto.
 step-position-calibration-tool-by-hand = Paikoita kalibrointityökalu käsin kosketusjärjestelmän keskipisteen yläpuolelle ja noudata ponnahdusikkunan ohjeita. Varmista, että kalibrointityökalu on kosketuspään mittauspinnan yläpuolella.

@@ -3,7 +3,7 @@
 # --- 8 ---
 cycle-mirroring = Peilaus
     .nc = PEILAUS
-    .purpose = Koneistaa muodon peilikuvan koneistustasossa.
+    .purpose = Työkierto koneistaa muodon peilikuvan koneistustasossa.
 step-mirror-coordinate-system = Määrittelystä lähtien ohjaus peilaa koordinaatiston annetut akselit voimassa olevan nollapisteen suhteen.
 note-reset-mirroring = Peruuta peilaus ohjelmoimalla työkierto uudelleen ja vastaamalla näppäimellä NO ENT.
 note-mirroring-in-status-display = Lisätilanäyttö esittää aktiiviset peilausakselit.
@@ -15,7 +15,7 @@ note-mirroring-and-thread-direction = Kierteen kätisyys vaihtuu, jos kierteen j
 # --- 11 ---
 cycle-scaling = Mittakerroin
     .nc = MITTAKERROIN
-    .purpose = Suurentaa tai pienentää muotoja ohjelman sisällä, esimerkiksi kutistumiskertoimien ja työvarojen huomioon ottamiseksi.
+    .purpose = Työkierto suurentaa tai pienentää muotoja ohjelman sisällä, esimerkiksi kutistumiskertoimien ja työvarojen huomioon ottamiseksi.
 step-scale-coordinate-system = Määrittelystä lähtien ohjaus kertoo koordinaatit ja säteet kertoimella.
 note-reset-scaling = Peruuta mittakerroin ohjelmoimalla työkierto uudelleen kertoimella 1.
 note-scaling-in-status-display = Lisätilanäyttö esittää voimassa olevan mittakertoimen.
@@ -26,7 +26,7 @@ note-scaling-limits = Suurennus: kerroin yli 1 ja enintään 99,999 999. Pienenn
 # --- 26 ---
 cycle-axis-scaling = Akselikohtainen mittakerroin
     .nc = AKSELIKOHT. MITTAKERROIN
-    .purpose = Ottaa kutistumiskertoimet ja työvarat huomioon kullakin akselilla omalla kertoimella.
+    .purpose = Työkierto ottaa kutistumiskertoimet ja työvarat huomioon kullakin akselilla omalla kertoimella.
 step-scale-each-axis = Määrittelystä lähtien ohjaus venyttää tai kutistaa muotoa jokaisella annetulla akselilla sen kertoimen mukaan, keskipisteestä ulospäin tai sitä kohti.
 note-reset-axis-scaling = Peruuta kertoimet ohjelmoimalla työkierto uudelleen kyseisen akselin kertoimella 1.
 note-arcs-need-equal-factors = Koordinaattiakseleita, joilla on yhteisiä ympyränkaarten koordinaatteja, ei saa venyttää tai kutistaa eri kertoimilla.
@@ -37,7 +37,7 @@ note-scaled-from-centre = Muotoa venytetään keskipisteestä ulospäin tai kuti
 # --- 19 ---
 cycle-working-plane = Koneistustaso
     .nc = KONEISTUSTASO
-    .purpose = Määrittelee koneistustason asennon eli työkaluakselin asennon koneen koordinaatiston suhteen kääntökulmien avulla koneissa, joissa on kääntöpää tai kääntöpöytä.
+    .purpose = Työkierto määrittelee koneistustason asennon eli työkaluakselin asennon koneen koordinaatiston suhteen kääntökulmien avulla koneissa, joissa on kääntöpää tai kääntöpöytä.
 step-tilt-working-plane = Määrittelystä lähtien ohjaus kääntää koneistustasoa voimassa olevan nollapisteen ympäri.
 step-compute-rotary-positions = Jos asento on ohjelmoitu tilakulmilla, ohjaus laskee siihen tarvittavat kääntöakselien kulma-asemat ja tallentaa ne parametreihin Q120 (A-akseli) – Q122 (C-akseli). Jos ratkaisuja on kaksi, se valitsee lyhimmän matkan kiertoakselien nolla-asemasta.
 step-position-rotary-axes = Jos koneen valmistaja on näin määrännyt, ohjaus paikoittaa kiertoakselit itse. Muussa tapauksessa paikoita ne erillisellä L-lauseella määrittelyn jälkeen.
@@ -64,7 +64,7 @@ note-limit-switches-in-tilted-system = Käännetyssä koordinaatistossa ohjaus t
 note-positioning-in-tilted-system = Koodilla M130 voidaan käännetyssäkin järjestelmässä ajaa asemiin, jotka perustuvat kääntämättömään koordinaatistoon. Myös koneen koordinaatistoon perustuvat suorat paikoituslauseet (lauseet koodilla M91 tai M92) ovat käännetyssä koneistustasossa mahdollisia rajoituksin: pituuskorjausta ja koneen geometrian korjausta ei tehdä, eikä sädekorjaus ole sallittu.
 note-tilting-with-other-transforms = Kun muunnoksia yhdistetään, koneistustaso kääntyy aina voimassa olevan nollapisteen ympäri. Ennen työkiertoa tehty nollapisteen siirto siirtää koneen koordinaatistoa; sen jälkeen tehty siirto siirtää käännettyä koordinaatistoa.
 note-reset-in-reverse-order = Tärkeää: peruuta työkierrot käänteisessä järjestyksessä määrittelyyn nähden. Aktivoi nollapisteen siirto, sitten kääntö ja sitten kierto; koneista työkappale; peruuta sitten kierto, kääntö ja nollapisteen siirto.
-note-working-with-tilting = Työskentely työkierron kanssa: määrittele työkalu (ei tarpeen, jos TOOL.T on aktiivinen) koko pituudellaan; kutsu työkalu; aja karan akseli irti niin, etteivät työkalu ja työkappale (kiinnittimet) voi törmätä käännössä; paikoita tarvittaessa kiertoakselit L-lauseella kulmaan (riippuu koneparametrista); aktivoi tarvittaessa nollapisteen siirto; määrittele työkierto kiertoakselien kulmilla; aja kaikkia pääakseleita (X, Y, Z) korjauksen aktivoimiseksi; ohjelmoi koneistus kuin tasoa ei olisi käännetty; määrittele työkierto tarvittaessa muilla kulmilla koneistusta varten toisessa akseliasennossa (välillä sitä ei tarvitse peruuttaa); peruuta työkierto kaikkien kiertoakselien arvolla 0°; kytke toiminto pois määrittelemällä työkierto uudelleen ja vastaamalla näppäimellä NO ENT; peruuta nollapisteen siirto ja paikoita kiertoakselit tarvittaessa asemaan 0°. Kiinnitä sitten työkappale, aseta peruspiste ja käynnistä ohjelma jatkuvan ohjelmanajon käyttötavalla. Aseta kääntö käsikäyttötavalla ohjelmanäppäimellä 3D ROT pois käytöstä ja anna valikossa kaikkien kiertoakselien arvoksi 0°.
+note-working-with-tilting = Toimi työkiertoa käyttäessäsi näin: määrittele työkalu (ei tarpeen, jos TOOL.T on aktiivinen) koko pituudellaan; kutsu työkalu; aja karan akseli irti niin, etteivät työkalu ja työkappale (kiinnittimet) voi törmätä käännössä; paikoita tarvittaessa kiertoakselit L-lauseella kulmaan (riippuu koneparametrista); aktivoi tarvittaessa nollapisteen siirto; määrittele työkierto kiertoakselien kulmilla; aja kaikkia pääakseleita (X, Y, Z) korjauksen aktivoimiseksi; ohjelmoi koneistus kuin tasoa ei olisi käännetty; määrittele työkierto tarvittaessa muilla kulmilla koneistusta varten toisessa akseliasennossa (välillä sitä ei tarvitse peruuttaa); peruuta työkierto kaikkien kiertoakselien arvolla 0°; kytke toiminto pois määrittelemällä työkierto uudelleen ja vastaamalla näppäimellä NO ENT; peruuta nollapisteen siirto ja paikoita kiertoakselit tarvittaessa asemaan 0°. Kiinnitä sitten työkappale, aseta peruspiste ja käynnistä ohjelma jatkuvan ohjelmanajon käyttötavalla. Kytke kääntö käsikäyttötavalla pois päältä ohjelmanäppäimellä 3D ROT ja anna valikossa kaikkien kiertoakselien arvoksi 0°.
 note-datum-setting-with-tilting = Peruspiste voidaan asettaa käsin hipaisemalla, ohjatusti HEIDENHAIN-3D-kosketusjärjestelmällä tai automaattisesti HEIDENHAIN-3D-kosketusjärjestelmällä.
 title-rotary-axes-by-hand = Kiertoakselit paikoitetaan ohjelmassa
 title-rotary-axes-by-control = Ohjaus paikoittaa kiertoakselit

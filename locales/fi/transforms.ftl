@@ -7,7 +7,7 @@ note-transform-reset-ways = Koordinaattimuunnos peruutetaan määrittelemällä 
 # --- 7 ---
 cycle-datum-shift = Nollapisteen siirto
     .nc = NOLLAPISTE
-    .purpose = Toistaa koneistuksia työkappaleen haluttuihin paikkoihin. Määrittelyn jälkeen kaikki koordinaatit perustuvat uuteen nollapisteeseen. Siirto annetaan ohjelmassa tai otetaan nollapistetaulukosta, esimerkiksi kun samat koneistukset toistuvat useissa paikoissa tai samaa siirtoa tarvitaan usein.
+    .purpose = Nollapisteen siirrolla voit toistaa koneistuksia työkappaleen halutuissa paikoissa. Määrittelyn jälkeen kaikki koordinaatit perustuvat uuteen nollapisteeseen. Siirto annetaan ohjelmassa tai otetaan nollapistetaulukosta, esimerkiksi kun samat koneistukset toistuvat useissa paikoissa tai samaa siirtoa tarvitaan usein.
 step-shift-datum = Ohjaus siirtää nollapistettä:
 say-shift-by-table-row = jos on annettu rivin numero: aktiivisen nollapistetaulukon kyseisen rivin arvojen verran
 say-shift-by-coordinates = jos on annettu koordinaatit: jokaisella ohjelmoidulla akselilla annettuun koordinaattiin; absoluuttiset arvot perustuvat työkappaleen nollapisteeseen, inkrementaaliset viimeksi voimassa olleeseen nollapisteeseen
@@ -28,20 +28,20 @@ note-datum-row-in-status-display = Lisätilanäyttö esittää aktiivisen nollap
 # --- 10 ---
 cycle-rotation = Kierto
     .nc = KIERTO
-    .purpose = Kiertää koordinaatistoa ohjelman sisällä koneistustasossa voimassa olevan nollapisteen ympäri.
+    .purpose = Työkierto kiertää koordinaatistoa ohjelman sisällä koneistustasossa voimassa olevan nollapisteen ympäri.
 step-rotate-coordinate-system = Ohjaus kiertää koordinaatistoa voimassa olevan nollapisteen ympäri ohjelmoidun kulman verran. Inkrementaalinen kulma lisätään voimassa olevaan.
 step-cancel-radius-compensation = Ohjaus kumoaa aktiivisen sädekorjauksen.
 step-move-both-axes = Siirrä koneistustason molempia akseleita, jotta kierto aktivoituu.
 note-reset-rotation = Peruuta kierto ohjelmoimalla työkierto uudelleen kulmalla 0°.
 note-reference-axis-of-rotation = Kulman perusakseli: X/Y-tasossa X-akseli, Y/Z-tasossa Y-akseli, Z/X-tasossa Z-akseli.
-note-acts-in-manual-data-input = Työkierto vaikuttaa myös käsin sisäänsyöttäen tapahtuvan paikoituksen käyttötavalla.
+note-acts-in-manual-data-input = Työkierto vaikuttaa myös käyttötavalla ”Paikoitus käsin sisäänsyöttäen”.
 note-rotation-in-status-display = Lisätilanäyttö esittää aktiivisen kiertokulman.
 note-program-radius-compensation-again = Työkierron määrittely kumoaa aktiivisen sädekorjauksen. Ohjelmoi se tarvittaessa uudelleen.
 
 # --- 247 ---
 cycle-activate-preset = Peruspisteen asetus
     .nc = PERUSPISTEEN ASETUS
-    .purpose = Aktivoi esiasetustaulukon esiasetuksen uudeksi peruspisteeksi.
+    .purpose = Työkierto aktivoi esiasetustaulukon esiasetuksen uudeksi peruspisteeksi.
 step-activate-preset = Ohjaus aktivoi esiasetustaulukon esiasetuksen { $q-preset-number } peruspisteeksi.
 step-cancel-transforms-of-preset = Se peruuttaa nollapisteen siirron, peilauksen, kierron, mittakertoimen ja akselikohtaisen mittakertoimen.
 note-coordinates-refer-to-new-preset = Määrittelyn jälkeen kaikki koordinaatit ja nollapisteen siirrot (absoluuttiset ja inkrementaaliset) perustuvat uuteen esiasetukseen.

@@ -3,53 +3,53 @@
 # --- 841, 842, 840, 851, 852, 850 ---
 cycle-simple-radial-recess-turning = Yksinkertainen säteittäinen pistosorvaus
     .nc = PISTOSORVAUS YKSINK., SÄTEITT.
-    .purpose = Koneistaa suorakulmaisia uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
+    .purpose = Työkierto koneistaa suorakulmaisia uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-extended-radial-recess-turning = Laajennettu säteittäinen pistosorvaus
     .nc = PISTOSORVAUS LAAJ., SÄTEITT.
-    .purpose = Koneistaa uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
+    .purpose = Työkierto koneistaa uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
 cycle-radial-contour-recess-turning = Säteittäinen muodon pistosorvaus
     .nc = MUODON PISTOSORVAUS, SÄTEITT.
-    .purpose = Koneistaa vapaamuotoisia uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
+    .purpose = Työkierto koneistaa vapaamuotoisia uria pitkittäissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-simple-axial-recess-turning = Yksinkertainen aksiaalinen pistosorvaus
     .nc = PISTOSORVAUS YKSINK., AKSIAAL.
-    .purpose = Koneistaa suorakulmaisia uria poikittaissuunnassa (otsapinnalle) pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
+    .purpose = Työkierto koneistaa suorakulmaisia uria poikittaissuunnassa (otsapinnalle) pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-extended-axial-recess-turning = Laajennettu aksiaalinen pistosorvaus
     .nc = PISTOSORVAUS LAAJ., AKSIAAL.
-    .purpose = Koneistaa uria poikittaissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
+    .purpose = Työkierto koneistaa uria poikittaissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
 cycle-axial-contour-recess-turning = Aksiaalinen muodon pistosorvaus
     .nc = MUODON PISTOSORVAUS, AKSIAAL.
-    .purpose = Koneistaa vapaamuotoisia uria poikittaissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
+    .purpose = Työkierto koneistaa vapaamuotoisia uria poikittaissuunnassa pistosorvaamalla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Säteittäinen pisto
     .nc = PISTO SÄTEITTÄIN
-    .purpose = Pistää suorakulmaisia uria säteittäin: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
+    .purpose = Työkierto tekee suorakulmaisia uria säteittäisellä pistolla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-extended-radial-recessing = Laajennettu säteittäinen pisto
     .nc = LAAJ. PISTO SÄTEITTÄIN
-    .purpose = Pistää uria säteittäin: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
+    .purpose = Työkierto tekee uria säteittäisellä pistolla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
 cycle-radial-contour-recessing = Säteittäinen muodon pisto
     .nc = MUODON PISTO SÄTEITTÄIN
-    .purpose = Pistää vapaamuotoisia uria säteittäin: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
+    .purpose = Työkierto tekee vapaamuotoisia uria säteittäisellä pistolla: rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-axial-recessing = Aksiaalinen pisto
     .nc = PISTO AKSIAALISESTI
-    .purpose = Pistää suorakulmaisia uria aksiaalisesti (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
+    .purpose = Työkierto tekee suorakulmaisia uria aksiaalisella pistolla (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 cycle-extended-axial-recessing = Laajennettu aksiaalinen pisto
     .nc = LAAJ. PISTO AKSIAALISESTI
-    .purpose = Pistää uria aksiaalisesti (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
+    .purpose = Työkierto tekee uria aksiaalisella pistolla (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti. Urassa voi olla vinot sivuseinämät, pyöristetyt nurkat sekä viiste tai pyöristys muodon alussa ja lopussa.
 cycle-axial-contour-recessing = Aksiaalinen muodon pisto
     .nc = MUODON PISTO AKSIAALISESTI
-    .purpose = Pistää vapaamuotoisia uria aksiaalisesti (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
+    .purpose = Työkierto tekee vapaamuotoisia uria aksiaalisella pistolla (tasopisto): rouhinta, silitys tai molemmat. Rouhintalastut ajetaan koordinaattiakselin suuntaisesti.
 
 # --- 831, 832, 830 ---
 cycle-longitudinal-thread = Pitkittäiskierre
     .nc = PITKITTÄISKIERRE
-    .purpose = Sorvaa yksi- tai monipäisiä pitkittäiskierteitä.
+    .purpose = Työkierto sorvaa yksi- tai monipäisiä pitkittäiskierteitä.
 cycle-extended-thread = Laajennettu kierre
     .nc = LAAJENNETTU KIERRE
-    .purpose = Sorvaa yksi- tai monipäisiä pitkittäis-, taso- tai kartiokierteitä.
+    .purpose = Työkierto sorvaa yksi- tai monipäisiä pitkittäis-, taso- tai kartiokierteitä.
 cycle-contour-parallel-thread = Muodon suuntainen kierre
     .nc = MUODON SUUNTAINEN KIERRE
-    .purpose = Sorvaa yksi- tai monipäisiä vapaamuotoisia pitkittäis- tai tasokierteitä.
+    .purpose = Työkierto sorvaa yksi- tai monipäisiä vapaamuotoisia pitkittäis- tai tasokierteitä.
 
 # --- urien rouhinta ---
 step-take-tool-position-as-start = Ohjaus ottaa työkierron alkupisteeksi työkalun aseman työkierron kutsuhetkellä.
@@ -59,17 +59,17 @@ step-start-recess-at-contour-point-x = Jos alkupisteen X-koordinaatti on pienemp
 step-start-recess-at-contour-point-z = Jos alkupisteen Z-koordinaatti on pienempi kuin muodon alkupisteen, ohjaus paikoittaa työkalun Z-suunnassa muodon alkupisteeseen ja aloittaa työkierron sieltä.
 step-rapid-to-first-recess-z = Ohjaus paikoittaa työkalun Z-suunnassa pikaliikkeellä (ensimmäinen pistoasema).
 step-rapid-to-first-recess-x = Ohjaus paikoittaa työkalun X-suunnassa pikaliikkeellä (ensimmäinen pistoasema).
-step-recess-from-start-to-first-depth = Ohjaus pistää työkierron alkupisteestä ensimmäiseen asetussyvyyteen.
-step-recess-to-first-depth = Ohjaus pistää ensimmäiseen asetussyvyyteen.
+step-recess-from-start-to-first-depth = Ohjaus tekee piston työkierron alkupisteestä ensimmäiseen asetussyvyyteen.
+step-recess-to-first-depth = Ohjaus tekee piston ensimmäiseen asetussyvyyteen.
 step-rough-groove-lengthwise = Ohjaus rouhii aloitusaseman ja loppupisteen välisen alueen pitkittäissuunnassa syöttöarvolla { $q-turning-roughing-feed }.
 step-rough-groove-crosswise = Ohjaus rouhii aloitusaseman ja loppupisteen välisen alueen poikittaissuunnassa syöttöarvolla { $q-turning-roughing-feed }.
-step-choose-side-of-next-recess = Koneistussuunta { $q-recess-direction } määrää, missä seuraava asetus tehdään:
+step-choose-side-of-next-recess = Koneistussuunta { $q-recess-direction } määrää, missä seuraava asetusliike tehdään:
 say-lift-off-and-return = { $q-recess-direction } = 1 (vain yksi suunta): ohjaus nostaa työkalun irti varmuusetäisyyden verran, palauttaa sen pikaliikkeellä ja lähestyy muotoa uudelleen määritellyllä syöttöarvolla
-say-infeed-at-both-sides = { $q-recess-direction } = 0 (molemmat suunnat): asetus tehdään molemmilla puolilla
-step-recess-to-next-depth = Työkalu pistää seuraavaan asetussyvyyteen.
+say-infeed-at-both-sides = { $q-recess-direction } = 0 (molemmat suunnat): asetusliike tehdään molemmilla puolilla
+step-recess-to-next-depth = Ohjaus tekee piston seuraavaan asetussyvyyteen.
 until-groove-depth-reached = uran syvyys on saavutettu
 step-recess-at-both-walls = Ohjaus paikoittaa työkalun uudelleen varmuusetäisyydelle ja tekee yhden piston kummallakin sivuseinämällä.
-step-infeed-parallel-to-axis = Ohjaus tekee pikaliikkeellä koordinaattiakselin suuntaisen asetuksen. Sivuttaisasetus on 0,8 kertaa terän leveys.
+step-infeed-parallel-to-axis = Ohjaus tekee pikaliikkeellä koordinaattiakselin suuntaisen asetusliikkeen. Sivuttaisasetus on 0,8 kertaa terän leveys.
 step-recess-radially = Ohjaus koneistaa aloitusaseman ja loppupisteen välisen alueen säteittäissuunnassa syöttöarvolla { $q-turning-roughing-feed }.
 step-recess-axially = Ohjaus koneistaa aloitusaseman ja loppupisteen välisen alueen aksiaalisuunnassa syöttöarvolla { $q-turning-roughing-feed }.
 until-groove-width-reached = uran leveys on saavutettu
@@ -93,31 +93,31 @@ step-finish-half-of-groove = Ohjaus silittää puolet urasta määritellyllä sy
 step-finish-other-half-of-groove = Ohjaus silittää uran toisen puolen määritellyllä syöttöarvolla.
 
 # --- kierteet ---
-step-move-before-thread-and-infeed = Ohjaus paikoittaa työkalun pikaliikkeellä varmuusetäisyydelle kierteen eteen ja tekee asetuksen.
+step-move-before-thread-and-infeed = Ohjaus paikoittaa työkalun pikaliikkeellä varmuusetäisyydelle kierteen eteen ja tekee asetusliikkeen.
 step-cut-thread-parallel-to-axis = Ohjaus ajaa pitkittäislastun kiertoakselin suuntaisesti. Se tahdistaa syöttöarvon ja kierrosluvun niin, että syntyy määritelty nousu.
 step-cut-thread-along-line = Ohjaus lastuaa kierteen alkupisteen ja loppupisteen välille. Se tahdistaa syöttöarvon ja kierrosluvun niin, että syntyy määritelty nousu.
 step-cut-thread-along-contour = Ohjaus lastuaa kierteen määritellyn kierremuodon suuntaisesti. Se tahdistaa syöttöarvon ja kierrosluvun niin, että syntyy määritelty nousu.
 step-lift-off-thread = Ohjaus nostaa työkalun pikaliikkeellä irti varmuusetäisyyden verran.
-step-infeed-at-angle = Ohjaus tekee asetuksen. Asetukset noudattavat asetuskulmaa { $q-thread-infeed-angle }.
+step-infeed-at-angle = Ohjaus tekee asetusliikkeen. Asetusliikkeet noudattavat asetuskulmaa { $q-thread-infeed-angle }.
 until-thread-depth-reached = kierteen syvyys on saavutettu
 step-make-air-cuts = Ohjaus ajaa niin monta tyhjälastua kuin { $q-number-of-air-cuts } määrää.
 until-all-thread-starts-cut = kierteen kaikki päät ({ $q-number-of-thread-starts }) on lastuttu
 
 # --- ehdot ---
 condition-cutting-limit-wanted = { $q-cutting-limit } = 1
-condition-taper-angle-given = { $q-taper-dimensioning } määrittelee kartion sen kulmalla
-condition-start-diameter-given = { $q-taper-dimensioning } määrittelee kartion muodon alun halkaisijalla
-condition-start-z-given = { $q-taper-dimensioning } määrittelee kartion muodon alun Z-koordinaatilla
-condition-end-diameter-given = { $q-taper-dimensioning } määrittelee kartion muodon lopun halkaisijalla
-condition-end-z-given = { $q-taper-dimensioning } määrittelee kartion muodon lopun Z-koordinaatilla
+condition-taper-angle-given = kartio mitoitetaan kulmalla ({ $q-taper-dimensioning })
+condition-start-diameter-given = kartio mitoitetaan muodon alun halkaisijalla ({ $q-taper-dimensioning })
+condition-start-z-given = kartio mitoitetaan muodon alun Z-koordinaatilla ({ $q-taper-dimensioning })
+condition-end-diameter-given = kartio mitoitetaan muodon lopun halkaisijalla ({ $q-taper-dimensioning })
+condition-end-z-given = kartio mitoitetaan muodon lopun Z-koordinaatilla ({ $q-taper-dimensioning })
 
 # --- virheet ---
 guard-recess-offset-too-great = Sivusiirtymä on yli 80{"\u00A0"}% terän vaikuttavasta leveydestä, joka on terän leveys vähennettynä kaksinkertaisella terän säteellä.
 
 # --- ohjeet: urat ---
-note-recess-turning-alternates = Pistosorvauksessa pistot asetussyvyyteen ja rouhintalastut vuorottelevat. Näin koneistuksessa tarvitaan mahdollisimman vähän vetäytymisiä ja asetuksia.
+note-recess-turning-alternates = Pistosorvauksessa pistot asetussyvyyteen ja rouhintalastut vuorottelevat. Näin koneistuksessa tarvitaan mahdollisimman vähän vetäytymisiä ja asetusliikkeitä.
 note-groove-extended-scope = Laajennetut ominaisuudet: muodon alkuun ja loppuun voidaan lisätä viiste tai pyöristys; uran sivuseinämille voidaan määritellä kulmat; muodon nurkkiin voidaan lisätä säteet.
-note-recess-cuts-get-shorter = Toisen asetuksen jälkeen ohjaus lyhentää jokaista seuraavaa lastua 0,1{"\u00A0"}mm. Se vähentää työkalun sivuttaiskuormitusta. Jos työkierrossa on annettu siirtymäleveys { $q-recess-offset-width }, lastua lyhennetään sen sijaan tämän arvon verran. Jäljelle jäänyt materiaali poistetaan piston lopussa yhdellä pistolla. Jos sivusiirtymä on yli 80{"\u00A0"}% terän vaikuttavasta leveydestä (terän leveys − 2 × terän säde), ohjaus antaa virheilmoituksen.
+note-recess-cuts-get-shorter = Toisen asetusliikkeen jälkeen ohjaus lyhentää jokaista seuraavaa lastua 0,1{"\u00A0"}mm. Se vähentää työkalun sivuttaiskuormitusta. Jos työkierrossa on annettu siirtymäleveys { $q-recess-offset-width }, lastua lyhennetään sen sijaan tämän arvon verran. Jäljelle jäänyt materiaali poistetaan piston lopussa yhdellä pistolla. Jos sivusiirtymä on yli 80{"\u00A0"}% terän vaikuttavasta leveydestä (terän leveys − 2 × terän säde), ohjaus antaa virheilmoituksen.
 title-groove-with-chamfers = Sorvatun olakkeen ura, jossa on viisteet (esimerkkiohjelma)
 
 # --- ohjeet: kierteet ---
@@ -133,7 +133,7 @@ note-extended-thread-has-paths = Työkierrossa 832 on parametrit sisäänajomatk
 note-starting-path-long-enough = Sisäänajomatkan { $q-starting-path } on oltava niin pitkä, että syöttöakselit ehditään kiihdyttää tarvittavaan nopeuteen.
 note-overrun-path-long-enough = Yliajomatkan { $q-overrun-path } on oltava niin pitkä, että syöttöakselit ehditään jarruttaa.
 note-paths-outside-contour = Sekä sisäänajomatka että yliajomatka ovat määritellyn muodon ulkopuolella.
-note-override-while-thread-cutting = Syötön muunnos ei vaikuta, kun ohjaus lastuaa kierrettä. Karan kierrosluvun muunnos on edelleen voimassa koneen valmistajan määräämissä rajoissa. Katso koneen käyttöohjekirjaa.
+note-override-while-thread-cutting = Syötön muunnoskytkin ei vaikuta, kun ohjaus lastuaa kierrettä. Karan kierrosluvun muunnoskytkin vaikuttaa edelleen koneen valmistajan määräämissä rajoissa. Katso koneen käyttöohjekirjaa.
 note-thread-with-separate-holder = Joissakin konetyypeissä sorvaustyökalua ei kiinnitetä jyrsinkaraan, vaan sen vieressä olevaan erilliseen pitimeen. Siellä sorvaustyökalua ei voi kääntää 180° esimerkiksi ulko- ja sisäkierteiden lastuamiseksi samalla työkalulla. Jos haluat käyttää tällaisessa koneessa ulkopuolista työkalua sisäpuoliseen koneistukseen, koneista negatiivisella halkaisija-alueella (−X) ja käännä työkappaleen pyörintäsuunta. Kun esipaikoitetaan negatiivisella halkaisija-alueella, ohjaus kääntää kierteen sijainnin { $q-thread-position } vaikutuksen: silloin 1 on ulkokierre ja 0 sisäkierre.
 note-thread-retracts-directly = Törmäysvaara! Työkalu vetäytyy suoraan aloitusasemaan. Esipaikoita se aina niin, että ohjaus voi ajaa alkupisteeseen työkierron lopussa ilman törmäystä.
 

@@ -17,8 +17,8 @@ say-length-unchanged = pri { $q-length-calibration } = 0 dolžine ne umeri
 step-store-calibration-values = Krmiljenje shrani umeritvene vrednosti. Veljajo takoj.
 note-position-above-sphere-in-program = V programu tipalni sistem pozicionirajte tako, da je približno nad središčem krogle.
 note-effective-length-reference = Dejanska dolžina tipalnega sistema se vedno nanaša na referenčno točko orodja. Proizvajalec stroja referenčno točko orodja praviloma določi na nosu vretena.
-note-when-to-calibrate = Tipalni sistem vedno umerite ob prvem zagonu, po zlomu ali zamenjavi tipalne glave, po spremembi pomika pri tipanju, po nepričakovanih motnjah (na primer če se stroj segreje) in po spremembi aktivne orodne osi.
-note-when-to-calibrate__tnc426-430 = Tipalni sistem vedno umerite ob prvem zagonu, po zlomu ali zamenjavi tipalne glave, po spremembi pomika pri tipanju in po nepravilnostih (na primer če se stroj segreje).
+note-when-to-calibrate = Tipalni sistem vedno umerite ob prvem zagonu, po zlomu ali zamenjavi tipalne glave, po spremembi pomika pri tipanju, v posebnih okoliščinah, na primer če se stroj segreje, in po spremembi aktivne orodne osi.
+note-when-to-calibrate__tnc426-430 = Tipalni sistem vedno umerite ob prvem zagonu, po zlomu ali zamenjavi tipalne glave, po spremembi pomika pri tipanju in v posebnih okoliščinah, na primer če se stroj segreje.
 note-known-ring-or-stud = Z umerjanjem se določita dejanska dolžina tipalne glave in dejanski polmer tipalne krogle. Za umerjanje na mizo stroja vpnite nastavitveni obroč ali čep z znano višino in znanim polmerom.
 note-known-ring-or-stud__tnc426-430 = Z umerjanjem se določita dejanska dolžina tipalne glave in dejanski polmer tipalne krogle. Za umerjanje na mizo stroja postavite nastavitveni obroč z znano višino in znanim notranjim polmerom.
 note-calibration-values-at-once = Umeritvene vrednosti po umerjanju takoj veljajo za aktivni tipalni sistem. Orodja ni treba znova priklicati.
@@ -29,12 +29,12 @@ note-right-tool-number-for-probe = Pri uporabi tipalnega sistema mora biti aktiv
 cycle-calibrate-probe-length = Umerjanje dolžine tipalnega sistema
     .nc = UMERJANJE DOLŽINE TIPALNEGA SISTEMA
     .purpose = Umeri dejansko dolžino stikalnega 3D-tipalnega sistema na ploskvi znane višine, na primer na nastavitvenem obroču.
-step-prepare-length-calibration = Pred začetkom cikla določite referenčno točko na osi vretena tako, da je na mizi stroja Z=0, in pozicionirajte tipalni sistem nad umeritveni obroč.
+step-prepare-length-calibration = Pred začetkom cikla določite referenčno točko na osi vretena tako, da je na mizi stroja Z = 0, in pozicionirajte tipalni sistem nad umeritveni obroč.
 step-orient-to-calibration-angle = Če je tipalni sistem mogoče usmeriti, ga krmiljenje usmeri na kot { $mp-probe-calibration-angle } iz preglednice tipalnega sistema.
 step-probe-down-from-here = Krmiljenje s trenutnega položaja izvede tipanje v negativni smeri osi vretena s pomikom pri tipanju (stolpec { $mp-probing-feed }).
 step-return-to-start-of-calibration = Krmiljenje v hitrem teku (stolpec { $mp-positioning-feed }) pozicionira tipalni sistem nazaj na začetni položaj.
 step-store-probe-length = Krmiljenje dejansko dolžino shrani v preglednico orodij.
-note-datum-on-table-for-length = Pred začetkom umeritvenega cikla določite referenčno točko na osi vretena tako, da je na mizi stroja Z=0, in pozicionirajte tipalni sistem nad umeritveni obroč.
+note-datum-on-table-for-length = Pred začetkom umeritvenega cikla določite referenčno točko na osi vretena tako, da je na mizi stroja Z = 0, in pozicionirajte tipalni sistem nad umeritveni obroč.
 
 # --- 462 and 463 ---
 cycle-calibrate-in-ring = Umerjanje notranjega polmera tipalnega sistema

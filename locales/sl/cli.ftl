@@ -188,7 +188,7 @@ cli-envelope-near = { $what ->
     }
 cli-envelope-touches = { $what ->
         [stock] Surovec pred obdelavo: konica je v njem,
-       *[part] Del { $number }: TRK,
+       *[part] Telo { $number }: TRK,
     } ko je konica pri X = { $x }, Y = { $y }, Z = { $z }
 cli-envelope-near-unknown = { $what ->
         [stock] Surovec

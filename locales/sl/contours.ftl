@@ -39,7 +39,7 @@ cycle-contour-data = Konturni podatki
     .purpose = Vsebuje podatke o obdelavi za podprograme z delnimi konturami.
 step-remember-contour-data = Krmiljenje si zapomni podatke o obdelavi za cikle od 21 do 24.
 note-contour-data-act-from-definition = Cikel deluje od svoje definicije v programu naprej. Podatki o obdelavi veljajo samo za cikle od 21 do 24.
-note-parameters-reserved-for-contours = Če se SL-cikli uporabljajo v programih s Q-parametri, parametrov od Q1 do Q20 ni dovoljeno uporabljati kot programske parametre.
+note-parameters-reserved-for-contours = Če se SL-cikli uporabljajo v programih s Q-parametri, parametrov od Q1 do Q20 ni dovoljeno uporabljati kot programskih parametrov.
 note-contour-data-at-interruption = Ko se program prekine, je mogoče parametre obdelave preveriti in po potrebi prepisati.
 
 # --- 21 ---
@@ -63,7 +63,7 @@ cycle-rough-out = Posnemanje
     .nc = VRTANJE
     .purpose = Konturo ravnino za ravnino grobo obdela do globinske nadmere ali obdela samo tisto, kar je pustilo večje orodje.
 step-position-over-infeed-point = Krmiljenje z upoštevanjem nadmere stranskega finega rezkanja premakne orodje nad vbodno točko.
-step-go-to-infeed-point = Orodje se v hitrem teku pomakne nad vbodno točko in navzdol na varnostno razdaljo do že obdelane površine.
+step-go-to-infeed-point = Orodje se v hitrem teku premakne nad vbodno točko in navzdol na varnostno razdaljo do že obdelane površine.
 step-plunge-to-contour-level = Orodje se spusti na naslednjo globino primika, za { $q-contour-plunging-depth } globlje:
 say-plunge-vertically-without-reciprocation = { $q-reciprocation-feed } = 0: navpično s pomikom { $q-contour-plunging-feed }, tudi če je za aktivno orodje definiran kot spuščanja { $mp-plunging-angle }
 say-plunge-vertically-at-reciprocation-feed = { $mp-plunging-angle } = 90°: navpično z nihajnim pomikom { $q-reciprocation-feed }
@@ -185,7 +185,7 @@ step-end-engraving-at-second-clearance = Krmiljenje premakne orodje na 2. varnos
 condition-text-runs-on-arc = { $q-text-arrangement } zahteva besedilo na krožnem loku
 note-straight-text-starts-at-tool = Pri besedilu na premici ({ $q-text-arrangement } = 0) je položaj orodja ob priklicu cikla začetna točka prvega znaka.
 note-circle-text-centre-at-tool = Pri besedilu na krožnem loku ({ $q-text-arrangement } = 1) je položaj orodja ob priklicu cikla središče kroga.
-note-text-from-string-parameter = Besedilo je mogoče podati tudi s spremenljivko niza (QS).
+note-text-from-string-parameter = Besedilo je mogoče podati tudi z besedilnim parametrom (QS).
 note-engraving-characters = Znaki, ki jih je mogoče gravirati: male črke, velike črke, številke in posebni znaki ! # $ % & ' ( ) * + , - . / : ; < = > ? @ [ \ ] _
 note-engraving-doubled-characters = Posebna znaka % in \ krmiljenje uporablja za posebne funkcije. Če želite enega od njiju gravirati, ga v besedilu vnesite dvakrat, na primer %%.
 note-engraving-control-characters = Posebni znak \ uvaja tudi znake, ki se ne natisnejo in razporejajo besedilo: \n je prelom vrstice, \t vodoravni tabulator (širina tabulatorja je 8 znakov), \v navpični tabulator (širina tabulatorja je ena vrstica).

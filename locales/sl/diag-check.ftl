@@ -17,7 +17,7 @@ diag-arc-wrong =
        *[centre] začetek je od središča oddaljen { $first }, konec pa { $second }
     }.
 diag-axis-twice = Os { $axis } je v tem stavku navedena dvakrat.
-diag-blocks-after-end = Tu so še stavki za END PGM.
+diag-blocks-after-end = Za stavkom END PGM so še drugi stavki.
 diag-blank-wrong =
     { $what ->
         [again] Surovec že ima BLK FORM 0.1 pred tem.
@@ -136,7 +136,7 @@ diag-free-contour-wrong =
        *[open] Prosta kontura ni določena: o njenih elementih je znanega premalo.
     }
 diag-function-misspelled = Nobeno krmiljenje tu ne pozna besede { $word }; morda je mišljeno { $meant }.
-diag-function-not-on-control = Krmiljenje { $control } nima { $function }.
+diag-function-not-on-control = Na krmiljenju { $control } ni na voljo: { $function }.
 diag-functions-contradict = { $first } in { $second } sta v istem stavku; mišljena je lahko samo ena od njiju.
 diag-global-def-wrong =
     { $what ->
@@ -284,7 +284,7 @@ diag-retract-missing =
     }: ni bilo odmaknjeno.
 diag-row-not-in-table =
     { $table ->
-        [preset] V preglednici referenčnih točk ni vrstice { $row }.
+        [preset] V preglednici prednastavitev ni vrstice { $row }.
        *[datum] V preglednici ničelnih točk ni vrstice { $row }.
     }
 diag-program-not-selected = Tu se prikliče izbrani program, izbran pa ni bil noben.

@@ -19,4 +19,4 @@ diag-consistency-reference-word = Besedilo { $key } v jeziku { $language } ne pr
 diag-locale-unused = Besedila { $key } ne uporablja nobena specifikacija in nobeno besedilo.
 diag-spec-example-fails = Primer »{ $name }« na krmiljenju { $control } ne da navedenega izida: { $what } bi moralo biti { $expected }, je pa { $found }.
 diag-consistency-term = V besedilu { $key } v jeziku { $language } za »{ $source }« manjka izraz »{ $term }«.
-diag-consistency-forbidden = Besedilo { $key } v jeziku { $language } uporablja besedo »{ $word }«; izraz je »{ $term }«.
+diag-consistency-forbidden = Besedilo { $key } v jeziku { $language } uporablja besedo »{ $word }«; pravilni izraz je »{ $term }«.

@@ -29,10 +29,10 @@ step-dwell-at-centring-bottom = Orodje se na dnu centriranja zadrži za čas { $
 condition-centring-to-depth = je { $q-depth-or-diameter } = 0
 condition-centring-to-diameter = je { $q-depth-or-diameter } = 1
 guard-point-angle-missing = Za centriranje do premera v preglednici orodij definirajte kot konice { $mp-drill-point-angle } orodja.
-guard-depth-zero__centring = Izbrana globina ali izbrani premer je 0: krmiljenje cikla ne izvede.
+guard-depth-zero__centring = Izbrana globina ali izbrani premer je 0, zato krmiljenje cikla ne izvede.
 guard-depth-positive__centring = Izbrana globina ali izbrani premer ima pozitivno vrednost. Vnesite negativno vrednost ali dovolite pozitivno s strojnim parametrom { $mp-display-depth-err }.
 note-sign-of-depth-or-diameter = Smer obdelave določa predznak premera { $q-centring-diameter } ali globine { $q-depth }, odvisno od tega, kaj je izbrano. Pri premeru ali globini 0 krmiljenje cikla ne izvede.
-note-positive-diameter-or-depth-reverses = Nevarnost kolizije! Pri pozitivnem premeru ali pozitivni globini krmiljenje predpoložaj izračuna v nasprotno smer: orodje se s hitrim tekom po orodni osi pomakne pod površino obdelovanca, in sicer za varnostno razdaljo.
+note-positive-diameter-or-depth-reverses = Nevarnost kolizije! Pri pozitivnem premeru ali pozitivni globini krmiljenje predpoložaj izračuna v nasprotno smer: orodje se v hitrem teku po orodni osi premakne pod površino obdelovanca, in sicer za varnostno razdaljo.
 
 # --- 202 ---
 cycle-boring = Izstruževanje

@@ -2,19 +2,19 @@
 
 figure-section = Prerez
 figure-plan = Pogled od zgoraj
-figure-chip-breaking = Lomljenje odrezkov
-figure-deepened-start = Poglobljena začetna točka
+figure-chip-breaking = Lom ostružkov
+figure-deepened-start = Globlja začetna točka
 figure-centring-diameter = Centriranje do premera
-figure-rotation = Kot vrtenja
-figure-pocket-position = Lega ob klicu
-figure-milling-type = Sosmerno in protismerno rezkanje
-figure-allowances = Dodatki za fino obdelavo
-figure-slot-position = Lega ob klicu
-figure-stud-position = Lega ob klicu
+figure-rotation = Rotacijski kot
+figure-pocket-position = Položaj ob priklicu
+figure-milling-type = Rezkanje v soteku in protiteku
+figure-allowances = Nadmere finega rezkanja
+figure-slot-position = Položaj ob priklicu
+figure-stud-position = Položaj ob priklicu
 figure-approach = Položaj primika
 figure-stepping-angle = Kotni korak
 figure-traverse = Pot med obdelavami
-figure-plunging = Potapljanje
+figure-plunging = Spuščanje
 figure-side = Pogled od strani
 figure-new-datum = Nova referenčna točka
 figure-probe-axis = Referenčna točka na osi tipalnega sistema
@@ -36,11 +36,11 @@ figure-side-allowance = Stranska nadmera
 figure-rounding = Notranji zaokroževalni polmer
 figure-between-points = Pot med točkami tipanja
 figure-no-contact = Pot brez dotika
-way-rapid = hitri hod
-way-feed = podajanje
+way-rapid = hitri tek
+way-feed = pomik
 way-probing = tipanje
 
-cli-figure = Zapiši slike cikla kot datoteke SVG
+cli-figure = Zapiše slike cikla kot datoteke SVG
 cli-figure-out = Mapa za slike; če ne obstaja, se ustvari
 cli-examples-figure =
     ciklo figure 205 --control tnc640 --lang sl --out figures

@@ -16,7 +16,7 @@ say-log-on-screen = pri { $q-measuring-log } = 2 prekine programski tek in prika
 say-no-log = sicer protokola ne ustvari
 message-measuring-log-on-screen = Merilni protokol je na zaslonu. Nadaljujte z NC-zagonom.
 step-monitor-tool = Krmiljenje nadzoruje orodje { $q-monitored-tool }:
-say-correct-tool-radius = pri { $q-monitored-tool }, ki ni 0, odstopanje polmera prišteje vrednosti delta polmera v stolpcu DR { -tool-table(case: "genitive") }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
+say-correct-tool-radius = če { $q-monitored-tool } ni 0, odstopanje polmera prišteje vrednosti delta polmera v stolpcu DR { -tool-table(case: "genitive") }; če je odstopanje večje od tolerance loma RBREAK, prikaže sporočilo o napaki, zaustavi programski tek in blokira orodje (stolpec TL = L)
 say-no-tool-monitoring = pri { $q-monitored-tool } = 0 se ne nadzoruje nobeno orodje
 step-stop-on-tolerance-error = Krmiljenje se na prekoračeno toleranco odzove, kot določa { $q-stop-on-tolerance-error }:
 say-stop-with-tolerance-error = pri { $q-stop-on-tolerance-error } = 1 prekine programski tek in prikaže sporočilo o napaki
@@ -48,7 +48,7 @@ note-tool-by-name = Orodje lahko vnesete tudi z imenom, ki ga izberete z gumbom.
 cycle-reference-plane = Referenčna ravnina
     .nc = REFERENČNA RAVNINA
     .purpose = Izmeri koordinato na izbrani osi in jo priredi Q-parametru.
-step-position-in-space = Tipalni sistem se v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) s 3D-premikom pomakne na predpoložaj, programiran v ciklu.
+step-position-in-space = Tipalni sistem se v hitrem teku (vrednost iz stolpca { $mp-positioning-feed }) s 3D-premikom premakne na predpoložaj, programiran v ciklu.
 step-position-in-space__tnc426-430 = Tipalni sistem se v hitrem teku (vrednost iz { $mp-positioning-feed } ali { $mp-analog-positioning-feed }) premakne na predpoložaj, programiran v ciklu.
 step-probe-in-chosen-direction = Tipalni sistem izvede tipanje s pomikom pri tipanju (stolpec { $mp-probing-feed }) v smeri, programirani v ciklu.
 step-probe-in-chosen-direction__tnc426-430 = Tipalni sistem izvede tipanje s pomikom pri tipanju ({ $mp-probing-feed } ali { $mp-analog-probing-feed }) v smeri, programirani v ciklu.
@@ -67,7 +67,7 @@ note-no-log-for-reference-plane = Za ta cikel krmiljenje ne ustvari merilnega pr
 # --- 444 ---
 cycle-probing-3d = Tipanje 3D
     .nc = TIPANJE 3D
-    .purpose = Preveri eno točko na površini obdelovanca, na primer na prostooblikovani ploskvi. Pokaže, ali je točka glede na želene koordinate vzdolž normalnega vektorja previsoko ali prenizko; sledi lahko dodatna obdelava ali drug postopek. Na voljo so nadzor tolerance, protokol in parametri rezultatov.
+    .purpose = Preveri eno točko na površini obdelovanca, na primer na ploskvi proste oblike. Pokaže, ali je točka glede na želene koordinate vzdolž normalnega vektorja previsoko ali prenizko; sledi lahko dodatna obdelava ali drug postopek. Na voljo so nadzor tolerance, protokol in parametri rezultatov.
 step-position-on-normal = Tipalni sistem se s trenutnega položaja premakne na točko na normalnem vektorju. Njena razdalja od želenih koordinat je polmer tipalne krogle plus { $mp-set-up } plus { $q-probing-clearance }. Predpozicioniranje upošteva { -clearance-height(case: "accusative") } { $q-clearance-height }.
 step-probe-nominal-point = Tipalni sistem se premakne proti želenim koordinatam. Pot tipanja določa { $mp-probing-distance }, ne pa normalni vektor; ta je namenjen samo pravilnemu izračunu koordinat.
 step-return-and-store-position = Ko krmiljenje izmeri položaj, se { -probe(case: "nominative") } umakne in ustavi. Krmiljenje shrani izmerjene koordinate in odstopanja v parametre rezultatov.

@@ -1,9 +1,9 @@
 # Pockets, slots, studs, line patterns and multipass milling.
 
 # --- common to pockets, slots and studs ---
-guard-tool-wider-than-slot = Orodje ne gre v utor: utor je ožji od orodja.
+guard-tool-wider-than-slot = Orodje je preširoko za utor: utor je ožji od orodja.
 guard-stud-blank-too-small = Surovec ni večji od končnega čepa.
-note-finishing-only-rapid-to-first-depth = Nevarnost kolizije! Če cikel prikličete z obsegom obdelave 2 (samo fino rezkanje), krmiljenje orodje s hitrim tekom spusti na prvo globino primika.
+note-finishing-only-rapid-to-first-depth = Nevarnost kolizije! Če cikel prikličete z obsegom obdelave 2 (samo fino rezkanje), krmiljenje orodje v hitrem teku spusti na prvo globino primika.
 
 # --- 252 ---
 cycle-circular-pocket = Krožni žep
@@ -20,7 +20,7 @@ step-move-over-left-slot-arc = Krmiljenje premakne orodje v hitrem teku najprej 
 step-plunge-at-left-slot-arc = Orodje se iz središča levega kroga utora spusti na naslednjo globino primika { $q-plunging-depth }. Način določa parameter { $q-plunging-strategy }:
 say-plunge-to-and-fro-along-slot = { $q-plunging-strategy } = 1 ali 2: nihajoče vzdolž utora pod kotom spuščanja { $mp-plunging-angle } iz preglednice orodij, s pomikom { $q-plunging-feed }
 step-clear-slot-level = Krmiljenje utor grobo rezka od znotraj navzven in pri tem upošteva nadmeri finega rezkanja { $q-side-allowance } in { $q-floor-allowance }.
-step-rapid-to-first-plunging-depth-of-slot = Če je programirano samo fino rezkanje ({ $q-machining-operation } = 2), krmiljenje orodje s hitrim tekom spusti na prvo globino primika.
+step-rapid-to-first-plunging-depth-of-slot = Če je programirano samo fino rezkanje ({ $q-machining-operation } = 2), krmiljenje orodje v hitrem teku spusti na prvo globino primika.
 step-finish-slot-side = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka stene utora; če je vnesen primik { $q-finishing-infeed }, v več primikih. Steni se približa tangencialno v levem krogu utora.
 step-finish-slot-side__circular-slot = Če je definirana stranska nadmera { $q-side-allowance }, krmiljenje najprej fino rezka stene utora; če je vnesen primik { $q-finishing-infeed }, v več primikih. Steni se približa tangencialno.
 until-slot-side-finished = stene niso fino rezkane do globine { $q-depth }
@@ -57,10 +57,10 @@ say-approach-at-stud-corner = sicer: ob izbranem kotu
 step-rapid-down-to-set-up-clearance = Če je orodje na 2. varnostni razdalji, ga krmiljenje v hitrem teku (FMAX) premakne na varnostno razdaljo { $q-set-up-clearance }.
 step-feed-to-plunging-depth-of-stud = Orodje se s pomikom pri globinskem primiku { $q-plunging-feed } premakne na naslednjo globino primika { $q-plunging-depth }.
 step-mill-around-stud = Orodje se nato konturi čepa približa tangencialno in rezka en obhod.
-step-mill-around-stud-again = Če z enim obhodom končne mere niso dosežene, se orodje na trenutni globini primika stransko primakne in rezka nov obhod; krmiljenje pri tem upošteva mere surovca, končne mere in dovoljeni stranski primik. To se ponavlja, dokler končne mere niso dosežene. Če je začetna točka v kotu ({ $q-stud-approach-position } ni 0), krmiljenje rezka spiralno od začetne točke navznoter, dokler končne mere niso dosežene.
+step-mill-around-stud-again = Če z enim obhodom končne mere niso dosežene, se orodje na trenutni globini primika stransko primakne in rezka nov obhod; krmiljenje pri tem upošteva mere surovca, končne mere in dovoljeni stranski primik. To se ponavlja, dokler končne mere niso dosežene. Če je začetna točka v vogalu ({ $q-stud-approach-position } ni 0), krmiljenje rezka spiralno od začetne točke navznoter, dokler končne mere niso dosežene.
 step-leave-stud-to-start = Če so potrebni nadaljnji primiki, se orodje tangencialno odmakne od konture in vrne na začetno točko čepa.
 until-stud-depth-reached = ni dosežena programirana globina { $q-depth } čepa
-step-retract-from-stud = Na koncu cikla krmiljenje orodje pozicionira samo po orodni osi. Končni položaj se zato razlikuje od začetnega:
+step-retract-from-stud = Na koncu cikla krmiljenje orodje pozicionira samo po orodni osi (končni položaj se zato ne ujema z začetnim):
 note-position-at-stud-start = Orodje pozicionirajte na začetno točko v obdelovalni ravnini s popravkom polmera R0. Upoštevajte položaj čepa { $q-stud-position }.
 note-room-beside-stud = Nevarnost kolizije! Desno ob čepu pustite dovolj prostora za primik orodja: najmanj premer orodja + 2{"\u00A0"}mm.
 note-stud-end-position = Nevarnost kolizije! Na koncu krmiljenje vrne orodje na varnostno razdaljo ali, če je vnesena, na 2. varnostno razdaljo. Končni položaj orodja po ciklu se zato ne ujema z začetnim položajem.
@@ -109,15 +109,15 @@ note-plane-first-then-spindle-axis = Krmiljenje orodje s trenutnega položaja po
 # --- 231 ---
 cycle-ruled-surface = Premonosna ploskev
     .nc = PREMONOSNA PLOSKEV
-    .purpose = V vrsticah iste smeri rezka poševno, nagnjeno ali zvito ploskev, ki jo določajo štiri kotne točke.
+    .purpose = Enosmerno po vrsticah rezka nagnjeno ali zvito ploskev, ki jo določajo štiri kotne točke.
 step-straight-to-starting-point = Krmiljenje premakne orodje s trenutnega položaja premočrtno v prostoru na začetno točko 1.
 step-mill-line-to-its-end = Orodje nato s programiranim pomikom { $q-milling-feed } rezka do končne točke vrstice: v prvi vrstici do točke 2, in sicer s polovičnim pomikom; v vsaki nadaljnji do točke, ki jo krmiljenje izračuna iz točke 2 in zamika v smeri točke 3.
 step-rapid-back-to-start-of-line = Od tam krmiljenje premakne orodje v hitrem teku (FMAX) za premer orodja v pozitivni smeri osi vretena in nato nazaj na začetno točko vrstice (v prvi vrstici na točko 1).
-step-down-to-last-height = Na začetni točki krmiljenje premakne orodje na vrednost po osi vretena, ki jo je tam nazadnje imelo.
+step-down-to-last-height = Na začetni točki krmiljenje premakne orodje na vrednost, ki jo je na tej točki nazadnje imelo na osi vretena.
 step-move-to-start-of-next-line = Krmiljenje nato premakne orodje po vseh treh oseh s točke 1 v smeri točke 4 v naslednjo vrstico.
 step-above-highest-point = Na koncu krmiljenje pozicionira orodje za premer orodja nad najvišjo vneseno točko po osi vretena.
-note-cutting-direction-of-surface = Začetno točko in s tem smer rezkanja je mogoče izbrati poljubno: krmiljenje posamezne reze izvede od točke 1 do točke 2, celoten potek pa gre od točk 1 in 2 do točk 3 in 4. Točka 1 je lahko v katerem koli kotu ploskve.
-note-surface-quality-with-end-mills = Pri uporabi čelnih rezkarjev je mogoče kakovost površine izboljšati: pri rahlo nagnjenih ploskvah s potisnim rezom (koordinata osi vretena točke 1 je večja od koordinate točke 2); pri strmih ploskvah z vlečnim rezom (koordinata osi vretena točke 1 je manjša od koordinate točke 2); pri zvitih ploskvah tako, da glavna smer rezanja (od točke 1 do točke 2) poteka v smeri večjega naklona.
+note-cutting-direction-of-surface = Začetno točko in s tem smer rezkanja je mogoče izbrati poljubno: krmiljenje posamezne reze izvede od točke 1 do točke 2, celoten potek pa gre od točk 1 in 2 do točk 3 in 4. Točka 1 je lahko v katerem koli vogalu ploskve.
+note-surface-quality-with-end-mills = Pri uporabi čelnih rezkarjev je mogoče kakovost površine izboljšati: pri rahlo nagnjenih ploskvah z vbodnim rezom (koordinata osi vretena točke 1 je večja od koordinate točke 2); pri strmih ploskvah z vlečnim rezom (koordinata osi vretena točke 1 je manjša od koordinate točke 2); pri zvitih ploskvah tako, da glavna smer rezanja (od točke 1 do točke 2) poteka v smeri večjega naklona.
 note-surface-quality-with-ball-end-mills = Pri uporabi krogelnih rezkarjev je mogoče kakovost zvitih ploskev izboljšati tako, da glavna smer rezanja (od točke 1 do točke 2) poteka pravokotno na smer največjega naklona.
 note-straight-to-start-without-collision = Nevarnost kolizije! Krmiljenje premakne orodje s trenutnega položaja premočrtno v prostoru na začetno točko 1. Orodje predpozicionirajte tako, da ne more trčiti v obdelovanec ali vpenjalo.
 note-positions-with-r0 = Krmiljenje premika orodje med vnesenimi položaji s popravkom polmera R0.

@@ -55,7 +55,7 @@ parameter-rough-out-tool = Številka/ime izvrtalnega svedra
     .help = Številka ali ime orodja, ki bo konturo posnelo.
 parameter-coarse-roughing-tool = Orodje za predvrtanje
     .label = ORODJE ZA PREDVRTANJE
-    .help = Številka ali ime orodja, s katerim je krmiljenje konturo že grobo obdelalo. Če grobe obdelave ni bilo, vnesite 0. Če je vnesena številka ali ime, krmiljenje obdela samo tisto, česar orodje za predvrtanje ni doseglo.
+    .help = Številka ali ime orodja, s katerim je krmiljenje konturo že grobo rezkalo. Če grobega rezkanja ni bilo, vnesite 0. Če je vnesena številka ali ime, krmiljenje obdela samo tisto, česar orodje za predvrtanje ni doseglo.
 parameter-side-finishing-direction = Smer vrtenja
     .label = SMER VRTENJA
     .help = Smer obdelave.
@@ -99,7 +99,7 @@ parameter-cylinder-ridge-width = Širina stojine
 # --- engraving ---
 parameter-engraving-text = Besedilo za graviranje
     .label = BESEDILO ZA GRAVIRANJE
-    .help = Besedilo za graviranje, v narekovajih. Spremenljivko niza priredite s tipko Q na številski tipkovnici; tipka Q na črkovni tipkovnici je za navadno besedilo.
+    .help = Vnesite ga v narekovajih. Besedilni parameter (QS) priredite s tipko Q na številski tipkovnici; tipka Q na črkovni tipkovnici je za navadno besedilo.
 parameter-character-height = Višina znakov
     .label = VIŠINA ZNAKA
     .help = Višina graviranih znakov v mm.

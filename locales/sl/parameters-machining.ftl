@@ -106,7 +106,7 @@ parameter-dwell-at-top = Čas zadrževanja zgoraj
     .help = Čas, ko orodje stoji na varnostni razdalji, potem ko je bilo zaradi hlajenja umaknjeno iz vrtine.
 parameter-dwell-at-bottom = Čas zadrževanja spodaj
     .label = ČAS ZADRŽ. SPODAJ
-    .help = Čas, ko orodje stoji na dnu vrtine.
+    .help = Čas, v katerem orodje miruje na dnu vrtine.
 
 # --- milling of pockets ---
 parameter-machining-operation = Obseg obdelave (0/1/2)
@@ -143,7 +143,7 @@ parameter-finishing-infeed = Primik pri finem rezkanju
     .help = Razdalja, za katero se orodje po osi vretena primakne za vsak prehod finega rezkanja. Pri vrednosti 0 poteka fino rezkanje z enim primikom.
 parameter-path-overlap = Faktor prekrivanja poti
     .label = PREKRIVANJE POTI
-    .help = Ta faktor, pomnožen s polmerom orodja, da stranski primik k. PREDEF prevzame vrednost iz stavka GLOBAL DEF.
+    .help = Stranski primik k je zmnožek tega faktorja in polmera orodja. PREDEF prevzame vrednost iz stavka GLOBAL DEF.
 parameter-plunging-strategy = Strategija spuščanja
     .label = SPUŠČANJE
     .help = Kako orodje vstopi v material. PREDEF prevzame vrednost iz stavka GLOBAL DEF.
@@ -157,7 +157,7 @@ parameter-pitch-circle-centre-minor = Središče 2. osi
     .help = Središče delnega kroga na pomožni osi { -working-plane(case: "genitive") }.
 parameter-pitch-circle-diameter = Premer delnega kroga
     .label = PREMER DEL. KROGA
-    .help = Premer delnega kroga.
+    .help = Premer delnega kroga, na katerem ležijo obdelave.
 parameter-pattern-starting-angle = Začetni kot
     .label = ZAČETNI KOT
     .help = Kot, pod katerim glede na glavno os { -working-plane(case: "genitive") } na delnem krogu leži začetna točka prve obdelave.
@@ -169,7 +169,7 @@ parameter-pattern-stepping-angle = Kotni korak
     .help = Kot med dvema obdelavama na delnem krogu. Pri vrednosti 0 ga krmiljenje izračuna iz začetnega kota, končnega kota in števila obdelav. Če je vnesen, se končni kot { $q-pattern-stopping-angle } ne upošteva. Predznak določa smer (− = v smeri urnega kazalca).
 parameter-number-of-operations = Število obdelav
     .label = ŠTEVILO OBDELAV
-    .help = Število obdelav na delnem krogu.
+    .help = Koliko obdelav leži na delnem krogu.
 parameter-pattern-clearance-mode = Premik na varno višino
     .label = PREMIK NA VARNO VIŠINO
     .label-aliases = PREMIK NA VARNOSTNO VIŠINO
@@ -192,14 +192,14 @@ parameter-preset-number = Številka za referenčno točko
     .prompt = Številka za referenčno točko?
 
 # --- choices ---
-choice-roughing-and-finishing = groba in fina obdelava
-choice-roughing-only = samo groba obdelava
+choice-roughing-and-finishing = grobo in fino obdelovanje
+choice-roughing-only = samo grobo obdelovanje
 choice-finishing-only = stransko in globinsko fino rezkanje
 choice-tool-at-pocket-centre = položaj orodja = središče žepa
-choice-tool-at-lower-left-corner = položaj orodja = levi spodnji kot
-choice-tool-at-lower-right-corner = položaj orodja = desni spodnji kot
-choice-tool-at-upper-right-corner = položaj orodja = desni zgornji kot
-choice-tool-at-upper-left-corner = položaj orodja = levi zgornji kot
+choice-tool-at-lower-left-corner = položaj orodja = levi spodnji vogal
+choice-tool-at-lower-right-corner = položaj orodja = desni spodnji vogal
+choice-tool-at-upper-right-corner = položaj orodja = desni zgornji vogal
+choice-tool-at-upper-left-corner = položaj orodja = levi zgornji vogal
 choice-climb-milling = rezkanje v soteku
 choice-up-cut-milling = rezkanje v protiteku
 choice-vertical-plunging = navpično spuščanje, ne glede na kot spuščanja { $mp-plunging-angle } v { -tool-table(case: "locative") }

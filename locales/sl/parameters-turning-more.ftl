@@ -59,10 +59,10 @@ parameter-turned-thread-diameter = Premer navoja
     .help = Nazivni premer navoja.
 parameter-turned-thread-pitch = Korak navoja
     .label = VIŠINA NAVOJA
-    .help = Korak navoja.
+    .help = Korak, merjen med sosednjima zavojema navoja.
 parameter-turned-thread-depth = Globina navoja
     .label = GLOBINA NAVOJA
-    .help = Globina navoja. Pri vrednosti 0 krmiljenje globino za metrski navoj določi iz koraka.
+    .help = Pri vrednosti 0 krmiljenje globino za metrski navoj določi iz koraka.
 parameter-taper-dimensioning = Vrsta dimenzioniranja stožca
     .label = NAČ. DIMEN. STOŽCA
     .help = Določa, kako je stožec dimenzioniran.
@@ -98,10 +98,10 @@ parameter-thread-starting-angle = Začetni kot
     .help = Kot stružnega vretena, pri katerem naj se navoj začne.
 parameter-number-of-thread-starts = Število stopenj
     .label = ŠTEVILO STOPENJ
-    .help = Število stopenj navoja.
+    .help = Koliko stopenj ima navoj.
 parameter-number-of-air-cuts = Število praznih rezov
     .label = ŠTEVILO PRAZNIH REZOV
-    .help = Število praznih rezov brez primika na končni globini navoja.
+    .help = Koliko rezov krmiljenje izvede brez primika na končni globini navoja.
 
 # --- choices ---
 choice-recess-both-directions = v obeh smereh

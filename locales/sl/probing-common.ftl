@@ -20,7 +20,7 @@ condition-probe-axis-wanted = je { $q-probing-in-probe-axis } = 1
 
 # --- guards ---
 guard-probe-axis-undefined = Pred definicijo cikla ni priklica orodja, zato { -probe-axis(case: "nominative") } ni določena.
-guard-transformation-active = Aktivno je zrcaljenje, faktor merila ali faktor merila, specifičen za os. Med ciklom tipalnega sistema ne sme biti aktiven noben od njih.
+guard-transformation-active = Aktivno je zrcaljenje, faktor merila ali faktor merila, specifičen za os. Med ciklom tipalnega sistema ne sme biti aktivno nič od tega.
 guard-basic-rotation-active = Aktivna je osnovna rotacija. Tega cikla pri osnovni rotaciji ni dovoljeno izvajati.
 guard-stepping-angle-too-small = Kotni korak { $q-probing-stepping-angle } je manjši od 5°.
 guard-tolerance-exceeded = Toleranca je prekoračena.

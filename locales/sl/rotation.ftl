@@ -72,7 +72,7 @@ cycle-rotation-by-c-axis = Kompenziranje poševnega položaja obdelovanca z osjo
 say-travel-on-circle-at-clearance-height__rotation-by-c-axis = pri { $q-traverse-to-clearance-height } = 1 po krožnem loku na varni višini { $q-clearance-height }
 step-move-to-measured-centre = Krmiljenje pozicionira tipalni sistem v izmerjeno središče vrtine.
 step-retract-and-turn-to-y-axis = Krmiljenje vrne tipalni sistem na varno višino { $q-clearance-height } in z vrtenjem okrogle mize izravna obdelovanec: po izravnavi je pri navpični in pri vodoravni osi tipalnega sistema središče vrtine v smeri pozitivne osi Y ({ $q-probing-centre-minor } = 0) ali na želenem položaju. Izmerjeni kotni zamik se shrani tudi v parameter rezultata.
-step-store-angular-offset = Krmiljenje kotni zamik obdela glede na { $q-zero-or-row-after-alignment }:
+step-store-angular-offset = Krmiljenje kotni zamik obravnava glede na { $q-zero-or-row-after-alignment }:
 say-zero-display-of-c-axis = pri { $q-zero-or-row-after-alignment } = 0 nastavi prikaz osi C na 0
 say-offset-into-column-c = če je { $q-zero-or-row-after-alignment } večji od 0, kotni zamik s predznakom zapiše v stolpec C vrstice { $q-zero-or-row-after-alignment } preglednice ničelnih točk; prišteje se zamiku osi C, ki ga vrstica že vsebuje
 note-smallest-stepping-angle__rotation-by-c-axis = Čim manjši je kotni korak { $q-probing-stepping-angle }, tem manj natančno krmiljenje izračuna središče kroga. Najmanjši vnos: 5°.

@@ -3,7 +3,7 @@
 prompt-from-name = { $name }?
 
 # $until: a clause behind “dokler”, such as “ni dosežena globina”.
-repeat-steps = Izvedba korakov od { $from } do { $to } se ponavlja, dokler { $until }.
+repeat-steps = Koraki od { $from } do { $to } se ponavljajo, dokler { $until }.
 repeat-two-steps = Koraka { $from } in { $to } se ponavljata, dokler { $until }.
 repeat-step = Korak { $from } se ponavlja, dokler { $until }.
 

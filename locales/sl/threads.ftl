@@ -26,7 +26,7 @@ say-tap-goes-back-some-turns = sicer za { $q-chip-breaking-turns }, pomnoženo s
 step-tap-back-to-set-up-clearance = Orodje se premakne nazaj na varnostno razdaljo { $q-set-up-clearance }.
 note-sign-of-thread-depth = Predznak globine navoja { $q-thread-depth } določa smer obdelave. Pri globini navoja 0 krmiljenje cikla ne izvede.
 note-thread-depth-gives-direction = Predznak globine navoja { $q-thread-depth } določa smer obdelave.
-note-positive-thread-depth-reverses = Nevarnost kolizije! Pri pozitivni globini krmiljenje predpoložaj izračuna v nasprotno smer: orodje se s hitrim tekom po orodni osi pomakne pod površino obdelovanca, in sicer za varnostno razdaljo.
+note-positive-thread-depth-reverses = Nevarnost kolizije! Pri pozitivni globini krmiljenje predpoložaj izračuna v nasprotno smer: orodje se v hitrem teku po orodni osi premakne pod površino obdelovanca, in sicer za varnostno razdaljo.
 note-floating-tap-holder = Orodje mora biti vpeto v izravnalno vpenjalno glavo, ki med obdelavo izravnava tolerance pomika in števila vrtljajev.
 note-overrides-while-tapping = Med izvajanjem cikla vrtljivi gumb za število vrtljajev ne deluje. Vrtljivi gumb za pomik deluje omejeno; kako, določi proizvajalec stroja (upoštevajte priročnik za stroj).
 note-right-hand-with-m3 = Vreteno za desne navoje vklopite z M3, za leve navoje z M4.
@@ -34,7 +34,7 @@ note-feed-from-speed-and-pitch = Pomik določite z enačbo F = S × p. F: pomik 
 note-retract-after-interruption = Če med vrtanjem navoja pritisnete zunanjo tipko za zaustavitev, krmiljenje prikaže gumb, s katerim je mogoče orodje umakniti.
 note-feed-follows-spindle-speed = Krmiljenje pomik izračuna iz števila vrtljajev vretena. Če med vrtanjem navoja zavrtite vrtljivi gumb za pomik, krmiljenje pomik prilagodi samodejno. Vrtljivi gumb za število vrtljajev ni aktiven.
 note-spindle-stands-after-tapping = Na koncu cikla vreteno miruje. Pred naslednjo obdelavo ga znova vklopite z M3 (ali M4).
-note-retract-by-soft-key = Če med vrtanjem navoja pritisnete zunanjo tipko za zaustavitev, krmiljenje prikaže gumb za ročni odmik. Ko ga pritisnete, lahko orodje nadzorovano umaknete s tipko za pozitivno smer aktivne osi vretena.
+note-retract-by-soft-key = Če med vrtanjem navoja pritisnete zunanjo tipko za zaustavitev, krmiljenje prikaže gumb ROČNI ODMIK. Ko ga pritisnete, lahko orodje nadzorovano umaknete s tipko za pozitivno smer aktivne osi vretena.
 note-retraction-speed-is-limited = Če je v parametru { $q-retraction-speed-factor } definiran faktor števila vrtljajev za hitrejši umik, krmiljenje število vrtljajev omeji na najvišje, dovoljeno v aktivni stopnji gonila.
 
 # --- thread milling: cycles ---
@@ -78,7 +78,7 @@ step-depart-from-thread = Orodje se tangencialno odmakne od konture in se vrne n
 step-end-of-thread-milling = Na koncu cikla krmiljenje premakne orodje v hitrem teku:
 step-feed-to-countersinking-depth = Če stranska varnostna razdalja { $q-clearance-to-wall } ni vnesena, se orodje s pomikom za predpozicioniranje { $q-in-and-out-feed } premakne na ugrezno globino { $q-countersinking-depth }, zmanjšano za varnostno razdaljo, in nato s pomikom pri grezenju { $q-countersinking-feed } na ugrezno globino.
 step-feed-directly-to-countersinking-depth = Če je stranska varnostna razdalja { $q-clearance-to-wall } vnesena, krmiljenje orodje s pomikom za predpozicioniranje { $q-in-and-out-feed } takoj premakne na ugrezno globino { $q-countersinking-depth }.
-step-countersink-on-circle = Glede na razpoložljivi prostor se krmiljenje mehko primakne iz središča ali s stranskim predpozicioniranjem in izvede krožni premik.
+step-countersink-on-circle = Glede na razpoložljivi prostor krmiljenje orodje mehko primakne iz središča ali s stranskim predpozicioniranjem in izvede krožni premik.
 step-feed-to-depth-at-front = Orodje se s pomikom za predpozicioniranje { $q-in-and-out-feed } premakne na globino čelnega grezenja { $q-depth-at-front }.
 step-feed-to-depth-at-front-before-or-after = Če je grezenje pred obdelavo navoja ({ $q-countersinking-moment } = 0), se orodje s pomikom pri grezenju { $q-countersinking-feed } premakne na globino čelnega grezenja { $q-depth-at-front }; če je po obdelavi navoja, s pomikom za predpozicioniranje { $q-in-and-out-feed }.
 step-countersink-at-front = Krmiljenje brez popravka premakne orodje v polkrogu iz središča na čelni zamik { $q-offset-at-front } in izvede krožni premik s pomikom pri grezenju { $q-countersinking-feed }.
@@ -94,7 +94,7 @@ step-move-beside-stud = Krmiljenje premakne orodje iz središča čepa po glavni
 step-move-beside-stud-without-countersinking = Če prej ni bilo čelnega grezenja, krmiljenje premakne orodje na začetno točko, ki je ista kot pri čelnem grezenju.
 
 # --- thread milling: conditions and guards ---
-guard-no-depth-entered = Vse globine so 0: nič se ne obdela.
+guard-no-depth-entered = Vse globine so 0, zato se nič ne obdela.
 guard-depth-signs-differ = Globine imajo različne predznake. Za vse vnesite enak predznak.
 guard-thread-near-countersinking-depth = Globina navoja mora biti najmanj za tretjino koraka manjša od ugrezne globine.
 guard-thread-near-hole-depth = Globina navoja mora biti najmanj za tretjino koraka manjša od globine vrtanja.

@@ -31,14 +31,14 @@ choice-tooth-measurement = merjenje posameznih rezil
 # --- 31 and 481 ---
 cycle-tool-length = Merjenje dolžine orodja
     .nc = DOLŽINA ORODJA
-    .purpose = S tipalnim sistemom za orodje izmeri ali preveri dolžino orodja. Krmiljenje rezultat shrani v osrednji zalogovnik orodja TOOL.T in ga po koncu cikla samodejno upošteva.
+    .purpose = S namiznim tipalnim sistemom izmeri ali preveri dolžino orodja. Krmiljenje rezultat shrani v osrednji zalogovnik orodja TOOL.T in ga po koncu cikla samodejno upošteva.
 cycle-tool-length__tnc426-430 =
-    .purpose = S tipalnim sistemom za orodje izmeri ali preveri dolžino orodja. Krmiljenje rezultat shrani v osrednji zalogovnik orodja TOOL.T in ga uporabi pri naslednjem priklicu orodja.
+    .purpose = S namiznim tipalnim sistemom izmeri ali preveri dolžino orodja. Krmiljenje rezultat shrani v osrednji zalogovnik orodja TOOL.T in ga uporabi pri naslednjem priklicu orodja.
 cycle-tool-length-old = Merjenje dolžine orodja
     .nc = DOLŽINA ORODJA
-    .purpose = S tipalnim sistemom za orodje izmeri ali preveri dolžino orodja. Krmiljenje rezultat shrani v osrednji zalogovnik orodja TOOL.T in ga po koncu cikla samodejno upošteva. Stara oblika cikla 481.
+    .purpose = S namiznim tipalnim sistemom izmeri ali preveri dolžino orodja. Krmiljenje rezultat shrani v osrednji zalogovnik orodja TOOL.T in ga po koncu cikla samodejno upošteva. Stara oblika cikla 481.
 cycle-tool-length-old__tnc426-430 =
-    .purpose = S tipalnim sistemom za orodje izmeri ali preveri dolžino orodja. Krmiljenje rezultat shrani v osrednji zalogovnik orodja TOOL.T in ga uporabi pri naslednjem priklicu orodja. Stara oblika cikla 481.
+    .purpose = S namiznim tipalnim sistemom izmeri ali preveri dolžino orodja. Krmiljenje rezultat shrani v osrednji zalogovnik orodja TOOL.T in ga uporabi pri naslednjem priklicu orodja. Stara oblika cikla 481.
 step-position-tool-over-setter = Krmiljenje pozicionira orodje na { -clearance-height(case: "accusative") } { $q-tool-clearance-height }, vendar ne pod varnostno območje nad ploščo.
 step-touch-tool-setter = Krmiljenje izmeri dolžino:
 say-measure-tooth-by-tooth = rezilo za rezilom pri vrednosti { $q-tooth-measurement } = 1: orodje se pozicionira ob tipalni glavi, s čelno ploskvijo pod njenim zgornjim robom, kot določa { $mp-setter-axis-offset }, in za dodatni zamik dolžine { $mp-setter-offset-length }, če je vnesen v { -tool-table(case: "locative") }. Krmiljenje z radialnim tipanjem vrtečega se orodja določi začetni kot, nato pa s spreminjanjem usmeritve vretena izmeri dolžino vseh rezil
@@ -70,7 +70,7 @@ note-tool-status-display = Dodatni prikaz stanja lahko kaže rezultate (v način
 note-tool-status-display__tnc426-430 = Gumb za stanje merjenja orodja prikaže rezultate v dodatnem prikazu stanja (v načinih delovanja stroja): program na levi, rezultate na desni. Vrednosti, ki presegajo toleranco obrabe, so označene z *, vrednosti, ki presegajo toleranco loma, pa z B.
 note-from-software-280476 = Na voljo od NC-programske opreme 280 476-xx.
 note-not-in-iso = Stara oblika v DIN/ISO ni na voljo.
-note-prepare-for-tool-probe = Proizvajalec stroja mora stroj in krmiljenje pripraviti za tipalni sistem za orodje. Morda niso na voljo vsi cikli in funkcije. Upoštevajte priročnik za stroj.
+note-prepare-for-tool-probe = Proizvajalec stroja mora stroj in krmiljenje pripraviti za namizni tipalni sistem. Morda niso na voljo vsi cikli in funkcije. Upoštevajte priročnik za stroj.
 title-first-measurement-rotating-old = Prvo merjenje z vrtečim se orodjem; stara oblika
 title-first-measurement-rotating-status = Prvo merjenje z vrtečim se orodjem, stanje shranjeno v Q1
 title-check-teeth-status-old = Preverjanje z merjenjem posameznih rezil, stanje shranjeno v Q5; stara oblika

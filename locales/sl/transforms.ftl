@@ -7,11 +7,11 @@ note-transform-reset-ways = Preračunavanje koordinat ponastavite z novo definic
 # --- 7 ---
 cycle-datum-shift = Zamik ničelne točke
     .nc = NIČELNA TOČKA
-    .purpose = Ponovi obdelave na poljubnih mestih obdelovanca. Po definiciji se vse koordinate nanašajo na novo ničelno točko. Zamik je naveden v programu ali vzet iz { -datum-table(case: "genitive") }, na primer za obdelave, ki se ponavljajo na več mestih, ali za pogosto potreben zamik.
+    .purpose = Omogoča, da se obdelava ponovi na poljubnih mestih obdelovanca. Po definiciji se vse koordinate nanašajo na novo ničelno točko. Zamik je naveden v programu ali vzet iz { -datum-table(case: "genitive") }, na primer za obdelave, ki se ponavljajo na več mestih, ali za pogosto potreben zamik.
 step-shift-datum = Krmiljenje zamakne ničelno točko:
 say-shift-by-table-row = pri navedeni številki vrstice: za vrednosti te vrstice aktivne { -datum-table(case: "genitive") }
 say-shift-by-coordinates = pri navedenih koordinatah: na vsaki programirani osi na navedeno koordinato; absolutne vrednosti se nanašajo na ničelno točko obdelovanca, inkrementalne pa na nazadnje veljavno ničelno točko
-note-reset-datum-shift = Zamik ničelne točke ponastavite tako, da z novo definicijo cikla programirate zamik na koordinate X=0, Y=0 itd. ali da zamik na koordinate X=0, Y=0 itd. prikličete iz { -datum-table(case: "genitive") }.
+note-reset-datum-shift = Zamik ničelne točke ponastavite tako, da z novo definicijo cikla programirate zamik na koordinate X = 0, Y = 0 itd. ali da zamik na koordinate X = 0, Y = 0 itd. prikličete iz { -datum-table(case: "genitive") }.
 note-rotary-axes-may-be-shifted = Vnesete lahko tudi rotacijske osi.
 note-datum-shift-in-status-display = Dodatni prikaz stanja kaže zamik ničelne točke na posamezni osi.
 note-datum-table-refers-to-preset = Nevarnost kolizije! Ničelne točke iz { -datum-table(case: "genitive") } se vedno in izključno nanašajo na trenutno prednastavitev.

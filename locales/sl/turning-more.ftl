@@ -23,22 +23,22 @@ cycle-axial-contour-recess-turning = Aksialno vbodno rezkanje kontur
 # --- 861, 862, 860, 871, 872, 870 ---
 cycle-radial-recessing = Radialno struženje
     .nc = RADIALNO STRUŽENJE
-    .purpose = Radialno vbada pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Radialno struži pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
 cycle-extended-radial-recessing = Razširjeno radialno struženje
     .nc = RAZŠIRJENO RADIALNO STRUŽENJE
-    .purpose = Radialno vbada utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
+    .purpose = Radialno struži utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
 cycle-radial-contour-recessing = Radialno struženje konture
     .nc = RADIALNO STRUŽENJE KONTURE
-    .purpose = Radialno vbada utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Radialno struži utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
 cycle-axial-recessing = Aksialno struženje
     .nc = AKSIALNO STRUŽENJE
-    .purpose = Aksialno (na čelni površini) vbada pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Aksialno (na čelni površini) struži pravokotne utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
 cycle-extended-axial-recessing = Razširjeno aksialno struženje
     .nc = RAZŠIRJENO AKSIALNO STRUŽENJE
-    .purpose = Aksialno (na čelni površini) vbada utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
+    .purpose = Aksialno (na čelni površini) struži utore: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo. Utor ima lahko nagnjene stranske stene, zaobljene vogale ter posneti rob ali zaokrožitev na začetku in na koncu konture.
 cycle-axial-contour-recessing = Aksialno struženje konture
     .nc = AKSIALNO STRUŽENJE KONTURE
-    .purpose = Aksialno (na čelni površini) vbada utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Aksialno (na čelni površini) struži utore poljubne oblike: grobo obdelovanje, fino obdelovanje ali oboje. Rezi grobega obdelovanja so vzporedni z osjo.
 
 # --- 831, 832, 830 ---
 cycle-longitudinal-thread = Vzdolžni navoj

@@ -79,7 +79,7 @@ cycle-turn-plunge-longitudinal = Potopno vzdolžno struženje
 # --- 814 ---
 cycle-turn-plunge-longitudinal-extended = Razširjeno potopno vzdolžno struženje
     .nc = RAZŠIRJENO POTOPNO VZDOLŽNO STRUŽENJE
-    .purpose = Vzdolžno struži segmente s potopnimi elementi (spodrezi), zunaj ali znotraj: grobo obdelovanje, fino obdelovanje ali oboje. Na začetku in na koncu konture je mogoče dodati posneti rob ali zaokrožitev, definirati je mogoče kot čelne površine in polmer vogala konture. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Vzdolžno struži segmente s potopnimi elementi (spodrezi), zunaj ali znotraj: grobo obdelovanje, fino obdelovanje ali oboje. Na začetku in na koncu konture je mogoče dodati posneti rob ali zaokrožitev, določiti je mogoče tudi polmer vogala konture in kot čelne površine. Rezi grobega obdelovanja so vzporedni z osjo.
 
 # --- 810 ---
 cycle-turn-contour-longitudinal = Vzdolžno struženje konture
@@ -110,7 +110,7 @@ cycle-turn-plunge-face = Potopno čelno struženje
 # --- 824 ---
 cycle-turn-plunge-face-extended = Razširjeno potopno čelno struženje
     .nc = RAZŠIRJENO POTOPNO ČELNO STRUŽENJE
-    .purpose = Čelno struži potopne elemente (spodreze), zunaj ali znotraj: grobo obdelovanje, fino obdelovanje ali oboje. Na začetku in na koncu konture je mogoče dodati posneti rob ali zaokrožitev, definirati je mogoče kot čelne površine in polmer vogala konture. Rezi grobega obdelovanja so vzporedni z osjo.
+    .purpose = Čelno struži potopne elemente (spodreze), zunaj ali znotraj: grobo obdelovanje, fino obdelovanje ali oboje. Na začetku in na koncu konture je mogoče dodati posneti rob ali zaokrožitev, določiti je mogoče tudi polmer vogala konture in kot čelne površine. Rezi grobega obdelovanja so vzporedni z osjo.
 
 # --- 820 ---
 cycle-turn-contour-face = Čelno struženje konture
