@@ -175,6 +175,38 @@ fn names_labels_and_axes_are_read_as_they_are_checked() {
     }
 }
 
+/// A ring whose plunging arcs end where they begin but for rounding: they are full circles and not none.
+#[test]
+fn the_plunging_arcs_of_a_ring_are_full_circles() {
+    let world = World::new();
+    let program = "; control: tnc640\nTOOL CALL 1 Z S2000 F300\nL Z+60 R0 FMAX M3\n\
+                   CYCL DEF 254 CIRCULAR SLOT Q215=+1 Q219=+8 Q368=+0 Q375=+47.921 Q367=+0 Q216=-10.558 Q217=-15.873 \
+                   Q376=-124.21 Q248=+360 Q378=+0 Q377=+1 Q207=+500 Q351=+1 Q201=-6 Q202=+3 Q369=+0 Q206=+150 Q338=+0 \
+                   Q200=+2 Q203=+0 Q204=+50 Q366=+2 Q385=+400\nCYCL CALL\n";
+    let scene = "scene: 1\nmachine: mill-3-axis\ntools: [{T: 1, L: 80, R: 3, ANGLE: 5}]\nstart: [0, 0, 100]\n";
+    let (outcome, events) = world.run("ring", program, scene, Limits::default());
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let lines = events.iter().map(|event| event.to_json());
+    let angles: Vec<f64> = lines
+        .filter(|event| event["step"] == "plunge-in-circular-slot" && event["kind"] == "arc")
+        .filter_map(|event| event["angle"].as_f64())
+        .collect();
+    // Two levels of 3 mm, each reached on one round.
+    assert_eq!(angles.iter().map(|angle| angle.abs()).collect::<Vec<_>>(), [360.0, 360.0]);
+}
+
+/// What GLOBAL DEF gives is taken by cycles whose printed parameters do not offer the word, too.
+#[test]
+fn drilling_takes_what_global_def_gives() {
+    let world = World::new();
+    let program = "; control: tnc640\nGLOBAL DEF 100 GENERAL ~\nQ200=2 ~\nQ204=50 ~\nQ253=750 ~\nQ208=999\n\
+                   TOOL CALL 1 Z S2000 F300\nL Z+60 R0 FMAX M3\nCYCL DEF 200 DRILLING Q200=PREDEF Q201=-6 Q206=150 Q202=5 Q210=0 \
+                   Q203=+0 Q204=PREDEF Q211=0\nL X+10 Y+10 FMAX M99\n";
+    let scene = "scene: 1\nmachine: mill-3-axis\ntools: [{T: 1, L: 80, R: 3}]\nstart: [0, 0, 100]\n";
+    let (outcome, _) = world.run("predef", program, scene, Limits::default());
+    assert_eq!((outcome.status, outcome.position.z), (Status::Done, 50.0), "{:?}", outcome.fault);
+}
+
 /// Small limits, so that the programs that reach them are quick.
 const LIMITS: Limits = Limits { blocks: 20_000, jumps: 1_000, depth: 5, members: 100, moves: 17_500 };
 

@@ -17,6 +17,8 @@ use crate::engine::world::stylus::ProbeData;
 
 /// How far the end of a circle may lie off it, mm: what the controls' input step of 0.0001 mm can cause, with room.
 pub(crate) const OFF_CIRCLE: f64 = 0.001;
+/// The ends of an arc that are so near to each other, mm, are the same: no control is given a shorter arc.
+const SAME_END: f64 = 1e-7;
 /// What calculation may put between two positions that are the same, mm.
 pub(crate) const SAME: f64 = SAME_POSITION;
 /// Turns that one move may make, far more than a control takes: a stock follows them quarter by quarter.
@@ -144,7 +146,8 @@ impl Drives<'_, '_> {
         Ok(turn.sweep.unwrap_or_else(|| {
             let turn = (atan2d(b.y, b.x) - atan2d(a.y, a.x)) * direction;
             let turn = turn.rem_euclid(360.0);
-            direction * if a == b || turn == 0.0 { 360.0 } else { turn }
+            // An arc whose ends differ by rounding only is a full circle.
+            direction * if a.distance(b) < SAME_END || turn == 0.0 { 360.0 } else { turn }
         }))
     }
 

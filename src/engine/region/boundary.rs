@@ -8,11 +8,14 @@ use cavalier_contours::core::Control;
 use cavalier_contours::core::math::Vector2;
 use cavalier_contours::polyline::{
     FindIntersectsOptions, PlineCreation, PlineIntersect, PlineOrientation, PlineSelfIntersectOptions, PlineSource,
-    PlineSourceMut, PlineVertex, Polyline, SelfIntersectsInclude, seg_arc_radius_and_center,
+    PlineSourceMut, PlineVertex, Polyline, SelfIntersectsInclude, seg_arc_radius_and_center, seg_closest_point,
 };
 use glam::DVec2;
 
 use super::{NEAR, NO_AREA, Part};
+
+/// Distances that differ by no more than this, mm, are equal.
+const EQUAL: f64 = 1e-6;
 
 /// A piece of a contour, from where the one before it ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -220,7 +223,7 @@ impl Boundary {
 
     /// The point on it that is nearest to a point.
     pub fn nearest(&self, to: DVec2) -> DVec2 {
-        self.line.closest_point(vector(to), NEAR).map_or(self.start, |found| point(found.seg_point))
+        nearest_of(points_of(&self.line, to), to).unwrap_or(self.start)
     }
 
     /// Its length in mm.
@@ -267,6 +270,20 @@ impl Boundary {
         }
         edges
     }
+}
+
+/// Of each segment of a line the point that is nearest to a point.
+pub(super) fn points_of(line: &Polyline, to: DVec2) -> impl Iterator<Item = DVec2> + Clone + '_ {
+    line.iter_segments().map(move |(from, end)| point(seg_closest_point(from, end, vector(to), NEAR)))
+}
+
+/// The one of some points that is nearest to a point. Of those that are equally near, but for rounding, the one farthest
+/// to the left, then the lowest: the unit of a program must not decide.
+pub(super) fn nearest_of(points: impl Iterator<Item = DVec2> + Clone, to: DVec2) -> Option<DVec2> {
+    let least = points.clone().map(|point| point.distance(to)).fold(f64::INFINITY, f64::min);
+    let earlier = |a: DVec2, b: DVec2| if (a.x - b.x).abs() > EQUAL { a.x < b.x } else { a.y < b.y };
+    let near = points.filter(|point| point.distance(to) <= least + EQUAL);
+    near.reduce(|one, other| if earlier(other, one) { other } else { one })
 }
 
 /// The direction in which edges begin.

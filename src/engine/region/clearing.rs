@@ -7,7 +7,7 @@
 //! Invariant: every edge lies within the region of centres.
 use glam::DVec2;
 
-use super::boundary::{Boundary, Edge};
+use super::boundary::{Boundary, Edge, nearest_of};
 use super::{NEAR, Region};
 
 /// More rings than this one inside the other are refused.
@@ -55,8 +55,7 @@ pub fn paths(centres: &Region, step: f64, with_region_left: bool, from: DVec2) -
     let mut outermost: Vec<usize> = (0..levels.len()).filter(|n| levels[*n].around.is_none()).collect();
     let (mut here, mut paths) = (from, Vec::with_capacity(outermost.len()));
     while !outermost.is_empty() {
-        let distance = |n: usize| levels[outermost[n]].region.nearest(here).map_or(0.0, |(_, distance)| distance);
-        let next = (0..outermost.len()).min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(0);
+        let next = number_of_nearest(outermost.iter().map(|own| levels[*own].nearest(here)), here);
         let order = from_inside(&levels, outermost.swap_remove(next));
         let Some(first) = order.first().map(|first| &levels[*first]) else { continue };
         let (start, room) = (first.nearest(here), first.depth);
@@ -68,6 +67,12 @@ pub fn paths(centres: &Region, step: f64, with_region_left: bool, from: DVec2) -
         paths.push(Path { start, room, edges: walk.edges });
     }
     Ok(paths)
+}
+
+/// Which of some points is nearest to one.
+fn number_of_nearest(points: impl Iterator<Item = DVec2> + Clone, here: DVec2) -> usize {
+    let nearest = nearest_of(points.clone(), here);
+    points.into_iter().position(|point| Some(point) == nearest).unwrap_or(0)
 }
 
 /// All levels, those inside first.
@@ -146,9 +151,8 @@ impl Walk<'_> {
     fn mill(&mut self, number: usize) {
         let mut left: Vec<&Boundary> = self.levels[number].rings.iter().collect();
         while !left.is_empty() {
-            let distance = |ring: &Boundary| ring.nearest(self.here).distance_squared(self.here);
-            let nearest = (0..left.len()).min_by(|a, b| distance(left[*a]).total_cmp(&distance(left[*b])));
-            let ring = left.swap_remove(nearest.unwrap_or(0));
+            let nearest = number_of_nearest(left.iter().map(|ring| ring.nearest(self.here)), self.here);
+            let ring = left.swap_remove(nearest);
             self.go_to(ring.nearest(self.here), number);
             self.edges.extend(ring.from_nearest(self.here).edges());
         }

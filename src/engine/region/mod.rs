@@ -120,9 +120,8 @@ impl Region {
     /// The point of its boundaries that is nearest to a point, with its distance; nothing of an empty region.
     pub fn nearest(&self, point: DVec2) -> Option<(DVec2, f64)> {
         let lines = self.parts.iter().flat_map(|part| std::iter::once(&part.outer).chain(&part.holes));
-        let near = |line: &Polyline| line.closest_point(boundary::vector(point), NEAR);
-        let near = lines.filter_map(near).min_by(|a, b| a.distance.total_cmp(&b.distance))?;
-        Some((boundary::point(near.seg_point), near.distance))
+        let near = boundary::nearest_of(lines.flat_map(|line| boundary::points_of(line, point)), point)?;
+        Some((near, near.distance(point)))
     }
 
     /// Whether the straight way between two points of the region stays within it.

@@ -60,6 +60,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("contour-open", Class::Program),
     ("contour-side-missing", Class::Program),
     ("contour-undeclared", Class::Program),
+    ("coordinate-out-of-place", Class::Program),
     ("cycle-depth-limit", Class::Internal),
     ("cycle-unknown", Class::Unsupported),
     ("direction-contradicts", Class::Program),

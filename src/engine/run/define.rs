@@ -223,7 +223,9 @@ impl<'e> Run<'_, 'e> {
             ("MAX", _) | ("F", "MAX") => "FMAX",
             _ => word,
         };
-        if !param.words.iter().any(|known| known == word) {
+        // What GLOBAL DEF gives a cycle may take whether or not its list of parameters prints the word.
+        let is_given = word == "PREDEF" && param.q.is_some_and(|q| self.cycles.predefined.contains_key(&q.number));
+        if !is_given && !param.words.iter().any(|known| known == word) {
             return Err(Fault::program("word-not-offered").arg("word", word));
         }
         let speed = self.drives.switched.spindle.speed;

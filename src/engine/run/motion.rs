@@ -34,6 +34,9 @@ impl Run<'_, '_> {
         self.modal.rapid = speed == Ok(Speed::Rapid);
         let unsupported = |word: &'static str| Err(Fault::unsupported("unsupported-path").arg("word", word).into());
         match motion.path {
+            Path::L if motion.coords.iter().any(|coord| matches!(coord.axis, Axis::Pr | Axis::Pa)) => {
+                return Err(Fault::program("coordinate-out-of-place").arg("path", "L").into());
+            }
             Path::L => self.line(motion, in_machine, speed)?,
             Path::Axis => self.along_axis(motion, in_machine, speed)?,
             _ if in_machine => return unsupported("M91"),
