@@ -1,7 +1,7 @@
 # Pockets, slots, studs, line patterns and multipass milling.
 
 # --- common to pockets, slots and studs ---
-guard-tool-wider-than-slot = The tool does not fit into the slot: the slot is narrower than the tool.
+guard-tool-wider-than-slot = The tool does not fit into the slot: less the side allowances, the slot is narrower than the tool.
 guard-stud-blank-too-small = The blank is not larger than the finished stud.
 note-finishing-only-rapid-to-first-depth = Danger of collision! If the cycle is called with machining operation 2 (only finishing), the control moves the tool at rapid traverse to the first plunging depth.
 
@@ -112,7 +112,7 @@ cycle-ruled-surface = Ruled surface
     .purpose = Mills an oblique, inclined or twisted surface that is given by four corner points, in lines of the same direction.
 step-straight-to-starting-point = The control moves the tool from its present position on a straight line in space to the starting point 1.
 step-mill-line-to-its-end = The tool then mills at the programmed feed rate { $q-milling-feed } to the end point of the line: in the first line to the point 2, at half the feed rate; in each further one to a point that the control computes from the point 2 and the offset towards the point 3.
-step-rapid-back-to-start-of-line = From there the control moves the tool at rapid traverse (FMAX) by the tool diameter in the positive direction of the spindle axis, and then back to the starting point of the line (in the first line the point 1).
+step-rapid-back-to-start-of-line = From there the control moves the tool at rapid traverse (FMAX) in the positive direction of the spindle axis, the tool diameter above the higher end of the line, and then back to the starting point of the line (in the first line the point 1).
 step-down-to-last-height = At the starting point the control moves the tool to the value in the spindle axis that it had there last.
 step-move-to-start-of-next-line = The control then moves the tool in all three axes from the point 1 towards the point 4 to the next line.
 step-above-highest-point = At the end the control positions the tool by the tool diameter above the highest entered point in the spindle axis.

@@ -1,7 +1,7 @@
 # Taskut, urat, kaulat, suorat pistekuviot ja rivijyrsintä.
 
 # --- taskuille, urille ja kauloille yhteiset ---
-guard-tool-wider-than-slot = Työkalu ei mahdu uraan: ura on kapeampi kuin työkalu.
+guard-tool-wider-than-slot = Työkalu ei mahdu uraan: kun sivun työvarat vähennetään, ura on kapeampi kuin työkalu.
 guard-stud-blank-too-small = Aihio ei ole suurempi kuin valmis kaula.
 note-finishing-only-rapid-to-first-depth = Törmäysvaara! Jos työkierto kutsutaan koneistuksen laajuudella 2 (vain silitys), ohjaus siirtää työkalun pikaliikkeellä ensimmäiseen asetussyvyyteen.
 
@@ -112,7 +112,7 @@ cycle-ruled-surface = Viivoitinpinta
     .purpose = Työkierto jyrsii neljällä kulmapisteellä annetun vinon, kaltevan tai kiertyneen pinnan samansuuntaisina riveinä.
 step-straight-to-starting-point = Ohjaus siirtää työkalun hetkellisasemasta suoraa pitkin avaruudessa alkupisteeseen 1.
 step-mill-line-to-its-end = Sen jälkeen työkalu jyrsii ohjelmoidulla syöttöarvolla { $q-milling-feed } rivin loppupisteeseen: ensimmäisellä rivillä pisteeseen 2 puolella syöttöarvolla; jokaisella seuraavalla rivillä pisteeseen, jonka ohjaus laskee pisteestä 2 ja siirtymästä kohti pistettä 3.
-step-rapid-back-to-start-of-line = Sieltä ohjaus siirtää työkalua pikaliikkeellä (FMAX) työkalun halkaisijan verran karan akselin positiiviseen suuntaan ja sen jälkeen takaisin rivin alkupisteeseen (ensimmäisellä rivillä pisteeseen 1).
+step-rapid-back-to-start-of-line = Sieltä ohjaus siirtää työkalua pikaliikkeellä (FMAX) karan akselin positiiviseen suuntaan työkalun halkaisijan verran rivin korkeamman pään yläpuolelle ja sen jälkeen takaisin rivin alkupisteeseen (ensimmäisellä rivillä pisteeseen 1).
 step-down-to-last-height = Alkupisteessä ohjaus siirtää työkalun siihen karan akselin arvoon, joka sillä siellä viimeksi oli.
 step-move-to-start-of-next-line = Sen jälkeen ohjaus siirtää työkalun kaikilla kolmella akselilla pisteestä 1 kohti pistettä 4 seuraavalle riville.
 step-above-highest-point = Lopuksi ohjaus paikoittaa työkalun sen halkaisijan verran karan akselin suunnassa ylimmän annetun pisteen yläpuolelle.

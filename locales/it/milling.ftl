@@ -1,7 +1,7 @@
 # Pockets, slots, studs, line patterns and multipass milling; see the English file.
 
 # --- common to pockets, slots and studs ---
-guard-tool-wider-than-slot = L’utensile non entra nella scanalatura: la scanalatura è più stretta dell’utensile.
+guard-tool-wider-than-slot = L’utensile non entra nella scanalatura: tolti i sovrametalli laterali, la scanalatura è più stretta dell’utensile.
 guard-stud-blank-too-small = Il pezzo grezzo non è più grande dell’isola finita.
 note-finishing-only-rapid-to-first-depth = Pericolo di collisione! Se il ciclo viene chiamato con il tipo di lavorazione 2 (solo finitura), il controllo porta l’utensile in rapido alla prima profondità incremento.
 
@@ -112,7 +112,7 @@ cycle-ruled-surface = Superficie regolare
     .purpose = Fresa una superficie obliqua, inclinata o svergolata, definita da quattro punti d’angolo, con righe nella stessa direzione.
 step-straight-to-starting-point = Il controllo porta l’utensile dalla posizione attuale su una retta nello spazio al punto di partenza 1.
 step-mill-line-to-its-end = L’utensile fresa poi con l’avanzamento programmato { $q-milling-feed } fino al punto finale della riga: nella prima riga fino al punto 2, con avanzamento dimezzato; in ogni riga successiva fino a un punto che il controllo calcola dal punto 2 e dallo spostamento verso il punto 3.
-step-rapid-back-to-start-of-line = Da qui il controllo sposta l’utensile in rapido (FMAX) del diametro dell’utensile in direzione positiva dell’asse del mandrino e poi lo riporta al punto di partenza della riga (nella prima riga il punto 1).
+step-rapid-back-to-start-of-line = Da qui il controllo sposta l’utensile in rapido (FMAX) in direzione positiva dell’asse del mandrino, fino al diametro dell’utensile al di sopra dell’estremità più alta della riga, e poi lo riporta al punto di partenza della riga (nella prima riga il punto 1).
 step-down-to-last-height = Sul punto di partenza il controllo riporta l’utensile all’ultimo valore raggiunto in quel punto nell’asse del mandrino.
 step-move-to-start-of-next-line = Il controllo porta poi l’utensile alla riga successiva, in tutti e tre gli assi, dal punto 1 in direzione del punto 4.
 step-above-highest-point = Al termine il controllo posiziona l’utensile, nell’asse del mandrino, di un diametro utensile sopra il punto più alto inserito.

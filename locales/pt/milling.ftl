@@ -1,7 +1,7 @@
 # Pockets, slots, studs, line patterns and multipass milling.
 
 # --- common to pockets, slots and studs ---
-guard-tool-wider-than-slot = A ferramenta não cabe na ranhura: a ranhura é mais estreita do que a ferramenta.
+guard-tool-wider-than-slot = A ferramenta não cabe na ranhura: descontadas as medidas excedentes laterais, a ranhura é mais estreita do que a ferramenta.
 guard-stud-blank-too-small = O bloco não é maior do que a ilha acabada.
 note-finishing-only-rapid-to-first-depth = Perigo de colisão! Se o ciclo for chamado com o tipo de maquinação 2 (só acabamento), o comando desloca a ferramenta em avanço rápido até à primeira profundidade de passo.
 
@@ -113,7 +113,7 @@ cycle-ruled-surface = Superfície regrada
     .purpose = Fresa, em linhas do mesmo sentido, uma superfície oblíqua, inclinada ou torcida, dada por quatro pontos de esquina.
 step-straight-to-starting-point = O comando desloca a ferramenta da posição atual, em linha reta no espaço, para o ponto de partida 1.
 step-mill-line-to-its-end = A ferramenta fresa depois com o avanço programado { $q-milling-feed } até ao ponto final da linha: na primeira linha, até ao ponto 2, com metade do avanço; em cada uma das seguintes, até um ponto que o comando calcula a partir do ponto 2 e da deslocação em direção ao ponto 3.
-step-rapid-back-to-start-of-line = Daí o comando desloca a ferramenta em avanço rápido (FMAX), o diâmetro da ferramenta na direção positiva do eixo do cabeçote, e depois de volta ao ponto de partida da linha (na primeira linha, o ponto 1).
+step-rapid-back-to-start-of-line = Daí o comando desloca a ferramenta em avanço rápido (FMAX) na direção positiva do eixo do cabeçote, até o diâmetro da ferramenta acima da extremidade mais alta da linha, e depois de volta ao ponto de partida da linha (na primeira linha, o ponto 1).
 step-down-to-last-height = No ponto de partida, o comando leva a ferramenta ao último valor que ela tinha aí no eixo do cabeçote.
 step-move-to-start-of-next-line = O comando desloca depois a ferramenta nos três eixos, do ponto 1 em direção ao ponto 4, para a linha seguinte.
 step-above-highest-point = No fim, o comando posiciona a ferramenta, afastada o seu diâmetro, acima do ponto mais alto introduzido no eixo do cabeçote.

@@ -1,7 +1,7 @@
 # Pockets, slots, studs, line patterns and multipass milling.
 
 # --- common to pockets, slots and studs ---
-guard-tool-wider-than-slot = Orodje je preširoko za utor: utor je ožji od orodja.
+guard-tool-wider-than-slot = Orodje je preširoko za utor: brez stranskih nadmer je utor ožji od orodja.
 guard-stud-blank-too-small = Surovec ni večji od končnega čepa.
 note-finishing-only-rapid-to-first-depth = Nevarnost kolizije! Če cikel prikličete z obsegom obdelave 2 (samo fino rezkanje), krmiljenje orodje v hitrem teku spusti na prvo globino primika.
 
@@ -112,7 +112,7 @@ cycle-ruled-surface = Premonosna ploskev
     .purpose = Enosmerno po vrsticah rezka nagnjeno ali zvito ploskev, ki jo določajo štiri kotne točke.
 step-straight-to-starting-point = Krmiljenje premakne orodje s trenutnega položaja premočrtno v prostoru na začetno točko 1.
 step-mill-line-to-its-end = Orodje nato s programiranim pomikom { $q-milling-feed } rezka do končne točke vrstice: v prvi vrstici do točke 2, in sicer s polovičnim pomikom; v vsaki nadaljnji do točke, ki jo krmiljenje izračuna iz točke 2 in zamika v smeri točke 3.
-step-rapid-back-to-start-of-line = Od tam krmiljenje premakne orodje v hitrem teku (FMAX) za premer orodja v pozitivni smeri osi vretena in nato nazaj na začetno točko vrstice (v prvi vrstici na točko 1).
+step-rapid-back-to-start-of-line = Od tam krmiljenje premakne orodje v hitrem teku (FMAX) v pozitivni smeri osi vretena za premer orodja nad višji konec vrstice in nato nazaj na začetno točko vrstice (v prvi vrstici na točko 1).
 step-down-to-last-height = Na začetni točki krmiljenje premakne orodje na vrednost, ki jo je na tej točki nazadnje imelo na osi vretena.
 step-move-to-start-of-next-line = Krmiljenje nato premakne orodje po vseh treh oseh s točke 1 v smeri točke 4 v naslednjo vrstico.
 step-above-highest-point = Na koncu krmiljenje pozicionira orodje za premer orodja nad najvišjo vneseno točko po osi vretena.

@@ -99,7 +99,8 @@ pub struct Param {
     pub neutral: Option<f64>,
     /// Its value in programs of older controls, where that is not the neutral one.
     pub imported: Option<f64>,
-    /// What the control adds for it to programs of an earlier software version; empty where that is not known.
+    /// What the control adds for it to programs of an earlier software version: a number, or another parameter of the
+    /// cycle whose value it takes; empty where that is not known.
     pub added: Option<String>,
     /// The printed example value.
     pub example: Option<String>,
@@ -125,6 +126,15 @@ impl Param {
     /// Whether its value is a length or a feed, in the unit of the program.
     pub const fn is_measured(&self) -> bool {
         matches!(self.quantity, Quantity::Length | Quantity::Feed)
+    }
+
+    /// What the control adds where a definition of an earlier software version, or of an earlier control, lacks the
+    /// parameter: a number or the parameter whose value it takes; empty where only that it does so is known, nothing
+    /// where the definition is wrong without it.
+    pub fn supplied(&self) -> Option<String> {
+        self.q?;
+        let number = self.imported.or(self.neutral);
+        self.added.clone().or_else(|| number.map(|value| value.to_string()))
     }
 
     /// The text parameter that holds a name, if the parameter takes a number or a name.

@@ -207,6 +207,22 @@ fn drilling_takes_what_global_def_gives() {
     assert_eq!((outcome.status, outcome.position.z), (Status::Done, 50.0), "{:?}", outcome.fault);
 }
 
+/// The definition of an earlier software version has one feed rate for milling, which finishing takes as well.
+#[test]
+fn finishing_takes_the_feed_for_milling_where_a_definition_has_no_other() {
+    let world = World::new();
+    let program = "; control: tnc640\nTOOL CALL 1 Z S2000 F300\nL Z+60 R0 FMAX M3\n\
+                   CYCL DEF 254 CIRCULAR SLOT Q215=+2 Q219=+14 Q368=+1 Q375=+40 Q367=+0 Q216=+0 Q217=+0 Q376=+0 Q248=+90 \
+                   Q378=+0 Q377=+1 Q207=+470 Q351=+1 Q201=-4 Q202=+5 Q369=+0 Q206=+150 Q338=+0 Q200=+2 Q203=+0 Q204=+50 \
+                   Q366=+0\nCYCL CALL\n";
+    let scene = "scene: 1\nmachine: mill-3-axis\ntools: [{T: 1, L: 80, R: 5}]\nstart: [0, 0, 100]\n";
+    let (outcome, events) = world.run("older", program, scene, Limits::default());
+    assert_eq!(outcome.status, Status::Done, "{:?}", outcome.fault);
+    let events = events.iter().map(|event| event.to_json()).filter(|event| event["step"] == "finish-slot-side");
+    let feeds: Vec<f64> = events.filter_map(|event| event["feed"].as_f64()).collect();
+    assert!(!feeds.is_empty() && feeds.iter().all(|feed| *feed == 470.0), "{feeds:?}");
+}
+
 /// Small limits, so that the programs that reach them are quick.
 const LIMITS: Limits = Limits { blocks: 20_000, jumps: 1_000, depth: 5, members: 100, moves: 17_500 };
 

@@ -4,7 +4,6 @@
 //! control adds itself to programs of earlier versions is distinguished (`older-parameter-set`).
 //!
 //! Silent where a line of the definition cannot be read: it may be the one that is missed.
-use super::older_parameter_set::added;
 use super::together;
 use crate::base::diag::{Diagnostic, Severity, Span};
 use crate::check::{Definition, Facts, Rule};
@@ -18,7 +17,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
         return;
     }
     let mut missed: Vec<(Span, Vec<String>)> = Vec::new();
-    for param in definition.missing.iter().filter(|param| added(param).is_none()) {
+    for param in definition.missing.iter().filter(|param| param.supplied().is_none()) {
         let (place, name) = (gap(definition, param), param.label_in(definition.key.number));
         match missed.iter_mut().find(|(own, _)| *own == place) {
             Some((_, names)) => names.push(name),

@@ -14,7 +14,7 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
         return;
     }
     let number = definition.key.number;
-    let shown = |param: &&Param| match added(param)? {
+    let shown = |param: &&Param| match param.supplied()? {
         value if value.is_empty() => Some(param.label_in(number)),
         value => Some(format!("{}={value}", param.label_in(number))),
     };
@@ -23,11 +23,4 @@ pub(super) fn each(rule: &Rule, facts: &Facts<'_>, definition: &Definition<'_>, 
         let finding = rule.at(facts, definition.view.head).arg("cycle", definition.key.to_string());
         found.push(finding.arg("parameter", names.join(", ")).arg("count", names.len()));
     }
-}
-
-/// What the control adds for a parameter that is missing; empty where only that it does so is known.
-pub(super) fn added(param: &Param) -> Option<String> {
-    param.q?;
-    let number = param.imported.or(param.neutral);
-    param.added.clone().or_else(|| number.map(|value| value.to_string()))
 }

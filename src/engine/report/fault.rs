@@ -93,6 +93,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("parameter-out-of-range", Class::Program),
     ("parameter-undefined", Class::Program),
     ("parameter-unknown", Class::Program),
+    ("pattern-combination", Class::Program),
     ("pattern-missing", Class::Program),
     ("pattern-too-long", Class::Program),
     ("pattern-tool-axis", Class::Program),

@@ -20,7 +20,7 @@ use crate::program::syntax::{
     Axis, CycleDef, CycleForm, CycleView, NamedWord, OldCycleLine, Parameter, Value, ValueKind,
 };
 use crate::spec::{
-    self, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect, Transformation,
+    self, Combined, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect, Transformation,
 };
 
 /// The values of a definition that are not Q parameters.
@@ -60,11 +60,30 @@ impl<'e> Run<'_, 'e> {
         let definition = Definition { id: self.cycles.definitions, cycle, on, plan, unit, form, fields };
         self.at_definition(&definition)?;
         if cycle.file.takes_effect == TakesEffect::OnDefinition {
+            self.combination(cycle)?;
             return self.execute(&definition);
         }
         self.modal.call_always = false;
         self.cycles.last = Some(Arc::new(definition));
         Ok(())
+    }
+
+    /// A pattern calls only cycles that its manual lists, and not with a value that it excludes.
+    fn combination(&self, pattern: &Cycle) -> Done {
+        let (combines, Some(last)) = (&pattern.file.combines, &self.cycles.last) else { return Ok(()) };
+        if combines.is_empty() {
+            return Ok(());
+        }
+        let refused = Fault::program("pattern-combination")
+            .arg("cycle", pattern.key.to_string())
+            .arg("called", last.cycle.key.to_string());
+        match combines.iter().find(|listed| listed.cycle == last.cycle.key.number) {
+            None => Err(refused.arg("what", "cycle").into()),
+            Some(Combined { q: Some(q), not: Some(not), .. }) if self.params.number(*q).is_ok_and(|own| own == *not) => {
+                Err(refused.arg("what", "value").arg("value", format!("{q}={not}")).into())
+            }
+            Some(_) => Ok(()),
+        }
     }
 
     /// The description of a cycle, and the control that it is for. A cycle that this control's manual only names is
@@ -154,18 +173,31 @@ impl<'e> Run<'_, 'e> {
                 return Err(of_cycle(fault, parameter.q).into());
             }
         }
+        let missing = |q: QRef| of_cycle(Fault::program("parameter-missing"), q);
+        let mut copied = Vec::new();
         for param in &cycle.params {
             let Some(q) = param.q else { continue };
             let is_it = |parameter: &Parameter| parameter.q == q || param.q_of_name() == Some(parameter.q);
             let found = written.parameters.iter().rev().find(is_it);
             let content = match found {
                 Some(parameter) => self.parameter_value(param, &parameter).map_err(|fault| of_cycle(fault, q))?,
-                None => match param.neutral {
-                    Some(neutral) => Content::Number(neutral),
-                    None => return Err(of_cycle(Fault::program("parameter-missing"), q).into()),
+                None => match param.supplied() {
+                    Some(value) => match QRef::parse(&value) {
+                        // It takes the value of a parameter that is written, which may come later.
+                        Some(other) => {
+                            copied.push((param, q, other));
+                            continue;
+                        }
+                        None => Content::Number(value.parse().map_err(|_| missing(q))?),
+                    },
+                    None => return Err(missing(q).into()),
                 },
             };
             self.give(param, q, content)?;
+        }
+        for (param, q, other) in copied {
+            let value = self.params.number(other)?;
+            self.give(param, q, Content::Number(value))?;
         }
         Ok(Values { form: None, fields: Vec::new() })
     }
