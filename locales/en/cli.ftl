@@ -167,7 +167,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
        *[other] {" "}({ $count } moves):
     } { $kind ->
         [rapid-in-material] Rapid traverse through { $amount } mm of material.
-        [spindle-stands] The spindle is not turning while the tool goes through { $amount } mm of material.
+        [spindle-stopped] The spindle is not turning while the tool goes through { $amount } mm of material.
         [edges-too-short] Material is cut up to { $amount } mm above the tip, more than the cutting edges are long.
         [turns-together] Axes turn while the tool moves: what that removes is not known.
        *[no-radius] Tool { $amount } has no radius: what it removes is not known.

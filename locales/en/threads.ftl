@@ -30,7 +30,7 @@ note-right-hand-with-m3 = Activate the spindle with M3 for right-hand threads, w
 note-feed-from-speed-and-pitch = Determine the feed rate with F = S × p. F: feed rate (mm/min), S: spindle speed (rev/min), p: thread pitch (mm).
 note-retract-after-interruption = If the external stop key is pressed during tapping, the control shows a soft key with which the tool can be retracted.
 note-feed-follows-spindle-speed = The control calculates the feed rate from the spindle speed. If the override knob for the feed rate is turned during tapping, the control adapts the feed rate by itself. The override knob for the spindle speed is not active.
-note-spindle-stands-after-tapping = At the end of the cycle the spindle stands. Switch it on again with M3 (or M4) before the next machining.
+note-spindle-stopped-after-tapping = At the end of the cycle the spindle is stopped. Switch it on again with M3 (or M4) before the next machining.
 note-retract-by-soft-key = If the external stop key is pressed during tapping, the control shows the soft key for manual traverse. After it is pressed, the tool can be retracted under control with the positive direction key of the active spindle axis.
 note-retraction-speed-is-limited = If a speed factor for a faster retraction is defined in { $q-retraction-speed-factor }, the control limits the speed to the highest one permitted in the active gear range.
 

@@ -257,7 +257,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
        *[other] {" "}({ $count } liikettä):
     } { $kind ->
         [rapid-in-material] Pikaliike { $amount } mm:n matkan materiaalin läpi.
-        [spindle-stands] Kara on pysähdyksissä, kun työkalu kulkee { $amount } mm:n matkan materiaalin läpi.
+        [spindle-stopped] Kara on pysähdyksissä, kun työkalu kulkee { $amount } mm:n matkan materiaalin läpi.
         [edges-too-short] Materiaalia lastutaan { $amount } mm kärjen yläpuolelle asti, enemmän kuin terien pituus on.
         [turns-together] Akselit kääntyvät työkalun liikkuessa: poistettua ainetta ei tunneta.
        *[no-radius] Työkalulla { $amount } ei ole sädettä: ei tiedetä, mitä se poistaa.

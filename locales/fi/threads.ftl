@@ -30,7 +30,7 @@ note-right-hand-with-m3 = Käynnistä kara oikeakätisille kierteille koodilla M
 note-feed-from-speed-and-pitch = Laske syöttöarvo kaavalla F = S × p. F: syöttöarvo (mm/min), S: karan kierrosluku (r/min), p: kierteen nousu (mm).
 note-retract-after-interruption = Jos ulkoista pysäytyspainiketta painetaan kierreporauksen aikana, ohjaus näyttää ohjelmanäppäimen, jolla työkalu voidaan vetää irti reiästä.
 note-feed-follows-spindle-speed = Ohjaus laskee syöttöarvon karan kierrosluvusta. Jos syötön muunnoskytkintä käännetään kierreporauksen aikana, ohjaus sovittaa syöttöarvon itse. Karan kierrosluvun muunnoskytkin ei ole käytössä.
-note-spindle-stands-after-tapping = Työkierron lopussa kara on pysähdyksissä. Käynnistä se koodilla M3 (tai M4) ennen seuraavaa koneistusta.
+note-spindle-stopped-after-tapping = Työkierron lopussa kara on pysähdyksissä. Käynnistä se koodilla M3 (tai M4) ennen seuraavaa koneistusta.
 note-retract-by-soft-key = Jos ulkoista pysäytyspainiketta painetaan kierreporauksen aikana, ohjaus näyttää käsiajon ohjelmanäppäimen. Kun sitä on painettu, työkalu voidaan vetää irti reiästä hallitusti aktiivisen karan akselin positiivisella suuntapainikkeella.
 note-retraction-speed-is-limited = Jos parametrissa { $q-retraction-speed-factor } on määritelty kierroslukukerroin nopeampaa vetäytymistä varten, ohjaus rajoittaa kierrosluvun aktiivisen vaihdealueen suurimpaan sallittuun arvoon.
 

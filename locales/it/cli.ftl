@@ -257,7 +257,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
        *[other] {" "}({ $count } movimenti):
     } { $kind ->
         [rapid-in-material] Movimento in rapido attraverso { $amount } mm di materiale.
-        [spindle-stands] Il mandrino è fermo mentre l’utensile attraversa { $amount } mm di materiale.
+        [spindle-stopped] Il mandrino è fermo mentre l’utensile attraversa { $amount } mm di materiale.
         [edges-too-short] Il materiale viene asportato fino a { $amount } mm sopra la punta, più della lunghezza dei taglienti.
         [turns-together] Gli assi ruotano mentre l’utensile si muove: non è noto che cosa asporta.
        *[no-radius] L’utensile { $amount } non ha raggio: non è noto che cosa asporta.

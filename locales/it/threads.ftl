@@ -30,7 +30,7 @@ note-right-hand-with-m3 = Attivare il mandrino con M3 per filetti destrorsi, con
 note-feed-from-speed-and-pitch = Determinare l’avanzamento con F = S × p. F: avanzamento (mm/min), S: numero di giri mandrino (giri/min), p: passo del filetto (mm).
 note-retract-after-interruption = Se durante la maschiatura viene premuto il tasto di stop esterno, il controllo visualizza un softkey con cui è possibile ritrarre l’utensile.
 note-feed-follows-spindle-speed = Il controllo calcola l’avanzamento dal numero di giri del mandrino. Se durante la maschiatura viene azionato il potenziometro dell’avanzamento, il controllo adatta automaticamente l’avanzamento. Il potenziometro del numero di giri mandrino non è attivo.
-note-spindle-stands-after-tapping = Al termine del ciclo il mandrino è fermo. Prima della lavorazione successiva reinserirlo con M3 (o M4).
+note-spindle-stopped-after-tapping = Al termine del ciclo il mandrino è fermo. Prima della lavorazione successiva reinserirlo con M3 (o M4).
 note-retract-by-soft-key = Se durante la maschiatura viene premuto il tasto di stop esterno, il controllo visualizza il softkey per lo spostamento manuale. Dopo averlo premuto, l’utensile può essere ritratto in modo controllato con il tasto di direzione positiva dell’asse del mandrino attivo.
 note-retraction-speed-is-limited = Se in { $q-retraction-speed-factor } è definito un fattore del numero di giri per una ritrazione più rapida, il controllo limita il numero di giri a quello massimo ammesso per la gamma attiva.
 

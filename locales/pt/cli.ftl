@@ -260,7 +260,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
        *[other] {" "}({ $count } movimentos):
     } { $kind ->
         [rapid-in-material] Marcha rápida através de { $amount } mm de material.
-        [spindle-stands] O cabeçote está parado enquanto a ferramenta atravessa { $amount } mm de material.
+        [spindle-stopped] O cabeçote está parado enquanto a ferramenta atravessa { $amount } mm de material.
         [edges-too-short] O material é cortado até { $amount } mm acima da ponta, mais do que o comprimento das lâminas.
         [turns-together] Os eixos rodam enquanto a ferramenta se desloca: não se sabe o que é removido.
        *[no-radius] A ferramenta { $amount } não tem raio: não se sabe o que remove.

@@ -30,7 +30,7 @@ note-right-hand-with-m3 = Ligue o cabeçote com M3 para roscas à direita, com M
 note-feed-from-speed-and-pitch = Determine o avanço com F = S × p. F: avanço (mm/min), S: rotações do cabeçote (rpm), p: passo de rosca (mm).
 note-retract-after-interruption = Se durante a roscagem for premida a tecla externa de paragem, o comando mostra uma softkey com que se pode retirar a ferramenta.
 note-feed-follows-spindle-speed = O comando calcula o avanço a partir das rotações do cabeçote. Se durante a roscagem se rodar o potenciómetro do avanço, o comando adapta por si o avanço. O potenciómetro das rotações do cabeçote não está ativo.
-note-spindle-stands-after-tapping = No fim do ciclo, o cabeçote fica parado. Ligue-o de novo com M3 (ou M4) antes da maquinação seguinte.
+note-spindle-stopped-after-tapping = No fim do ciclo, o cabeçote fica parado. Ligue-o de novo com M3 (ou M4) antes da maquinação seguinte.
 note-retract-by-soft-key = Se durante a roscagem for premida a tecla externa de paragem, o comando mostra a softkey de deslocação manual. Depois de a premir, a ferramenta pode ser retirada de forma controlada com a tecla de direção positiva do eixo do cabeçote ativo.
 note-retraction-speed-is-limited = Se em { $q-retraction-speed-factor } estiver definido um fator de rotações para um recuo mais rápido, o comando limita as rotações ao maior valor permitido na gama de velocidades ativa.
 

@@ -283,7 +283,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
        *[other] {" "}({ $count } premikov):
     } { $kind ->
         [rapid-in-material] Hitri tek skozi { $amount } mm materiala.
-        [spindle-stands] Vreteno miruje, medtem ko gre orodje skozi { $amount } mm materiala.
+        [spindle-stopped] Vreteno miruje, medtem ko gre orodje skozi { $amount } mm materiala.
         [edges-too-short] Material se reže do { $amount } mm nad konico, kar je več od dolžine rezil.
         [turns-together] Osi se med premikanjem orodja vrtijo: kaj se pri tem odreže, ni znano.
        *[no-radius] Orodje { $amount } nima polmera: kaj odreže, ni znano.

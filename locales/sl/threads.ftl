@@ -33,7 +33,7 @@ note-right-hand-with-m3 = Vreteno za desne navoje vklopite z M3, za leve navoje 
 note-feed-from-speed-and-pitch = Pomik določite z enačbo F = S × p. F: pomik (mm/min), S: število vrtljajev vretena (vrt/min), p: korak navoja (mm).
 note-retract-after-interruption = Če med vrtanjem navoja pritisnete zunanjo tipko za zaustavitev, krmiljenje prikaže gumb, s katerim je mogoče orodje umakniti.
 note-feed-follows-spindle-speed = Krmiljenje pomik izračuna iz števila vrtljajev vretena. Če med vrtanjem navoja zavrtite vrtljivi gumb za pomik, krmiljenje pomik prilagodi samodejno. Vrtljivi gumb za število vrtljajev ni aktiven.
-note-spindle-stands-after-tapping = Na koncu cikla vreteno miruje. Pred naslednjo obdelavo ga znova vklopite z M3 (ali M4).
+note-spindle-stopped-after-tapping = Na koncu cikla vreteno miruje. Pred naslednjo obdelavo ga znova vklopite z M3 (ali M4).
 note-retract-by-soft-key = Če med vrtanjem navoja pritisnete zunanjo tipko za zaustavitev, krmiljenje prikaže gumb ROČNI ODMIK. Ko ga pritisnete, lahko orodje nadzorovano umaknete s tipko za pozitivno smer aktivne osi vretena.
 note-retraction-speed-is-limited = Če je v parametru { $q-retraction-speed-factor } definiran faktor števila vrtljajev za hitrejši umik, krmiljenje število vrtljajev omeji na najvišje, dovoljeno v aktivni stopnji gonila.
 

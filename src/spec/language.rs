@@ -102,7 +102,7 @@ record! {
 
 record! {
     /// The file of the language.
-    pub struct Tongue {
+    pub struct LanguageFile {
         /// Its blocks.
         blocks: Option<Vec<BlockWords>>,
         /// What GLOBAL DEF gives.

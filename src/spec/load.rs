@@ -9,7 +9,7 @@ use super::catalogue::{Catalogue, Cycle, CycleKey, Field, OnControl, Outline, Pa
 use super::decode::{Context, Decode};
 use super::filter;
 use super::form::{CycleFile, Dictionary, Fragment, Meaning, Parameter};
-use super::language::Tongue;
+use super::language::LanguageFile;
 use super::profile::{Control, Errata, Erratum, Topic, Topics};
 use super::vocabulary::{ParameterKind, Quantity};
 use super::yaml::{self, Node};
@@ -114,7 +114,7 @@ impl Catalogue {
         catalogue.errata = files.errata.iter().flat_map(|file| errata(file, &mut found)).collect::<Vec<_>>().into();
         catalogue.topics = files.topics.iter().flat_map(|file| topics(file, &mut found)).collect::<Vec<_>>().into();
         catalogue.pages = files.pages.first().and_then(|file| file.decode(&mut found)).into();
-        let language: Vec<Tongue> = files.language.iter().filter_map(|file| file.decode(&mut found)).collect();
+        let language: Vec<LanguageFile> = files.language.iter().filter_map(|file| file.decode(&mut found)).collect();
         let (mut blocks, mut globals, mut old_cycles) = (Vec::new(), Vec::new(), Vec::new());
         for own in language {
             blocks.extend(own.blocks.unwrap_or_default());

@@ -27,7 +27,7 @@ pub use decode::{Context, Decode, Definitions, Entries, Formula, Name};
 pub use figure_form::*;
 pub use figures::{dimensions, measurable, not_in_figures};
 pub use form::*;
-pub use language::{BlockWords, Gives, Global, OldCycle, Tongue, WordLimit};
+pub use language::{BlockWords, Gives, Global, LanguageFile, OldCycle, WordLimit};
 pub use lint::{equals, lint};
 pub use pages::{NoteSection, NotesOfSection, Pages, Theme};
 pub use profile::{

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use super::catalogue::{Catalogue, Cycle, CycleKey, OnControl, Outline};
 use super::form::Meaning;
 use super::index::{CycleLine, Index};
-use super::language::Tongue;
+use super::language::LanguageFile;
 use super::load::{self, File};
 use super::tree;
 use super::vocabulary::Keyword;
@@ -40,7 +40,7 @@ impl Catalogue {
         let errata = files.clone().of_file("cycle-specs/errata.yaml", load::errata);
         let topics = files.clone().of_file("cycle-specs/topics.yaml", load::topics);
         let pages = files.clone().of_file("cycle-specs/pages.yaml", File::decode);
-        let language = Arc::new(files.of_file("cycle-specs/language.yaml", File::decode::<Tongue>));
+        let language = Arc::new(files.of_file("cycle-specs/language.yaml", File::decode::<LanguageFile>));
         let blocks = of_language(&language, |own| &own.blocks);
         let globals = of_language(&language, |own| &own.globals);
         let old_cycles = of_language(&language, |own| &own.old_cycles);
@@ -87,8 +87,8 @@ impl Reader {
 
 /// A part of the file with the words of blocks.
 fn of_language<T: Clone + 'static>(
-    language: &Arc<Deferred<Option<Tongue>>>,
-    part: fn(&Tongue) -> &Option<Vec<T>>,
+    language: &Arc<Deferred<Option<LanguageFile>>>,
+    part: fn(&LanguageFile) -> &Option<Vec<T>>,
 ) -> Deferred<Vec<T>> {
     let language = Arc::clone(language);
     Deferred::new(move || Option::as_ref(&language).and_then(|own| part(own).clone()).unwrap_or_default())

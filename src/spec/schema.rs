@@ -3,7 +3,7 @@ use serde_json::{Map, Value, json};
 
 use super::decode::Decode;
 use super::form::{CycleFile, Dictionary, Fragment};
-use super::language::Tongue;
+use super::language::LanguageFile;
 use super::pages::Pages;
 use super::profile::{Control, Errata, Topics};
 
@@ -18,7 +18,7 @@ pub fn schema() -> Value {
         Errata::schema(&mut defs),
         Topics::schema(&mut defs),
         Pages::schema(&mut defs),
-        Tongue::schema(&mut defs),
+        LanguageFile::schema(&mut defs),
     ];
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",

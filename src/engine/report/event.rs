@@ -141,7 +141,7 @@ pub enum FindingKind {
     /// A move at rapid traverse went through material; the amount is the greatest height of it in mm.
     Rapid,
     /// A tool went through material while the spindle was; the amount as above.
-    SpindleStands,
+    SpindleStopped,
     /// Material was cut above the cutting edges; the amount is the length that the edges would need, mm.
     EdgesTooShort,
     /// A rotary axis turned while the tool moved: the stock knows where they ended, and not the way between.
@@ -153,13 +153,13 @@ pub enum FindingKind {
 impl FindingKind {
     /// All kinds.
     pub const ALL: [Self; 5] =
-        [Self::Rapid, Self::SpindleStands, Self::EdgesTooShort, Self::TurnsTogether, Self::NoRadius];
+        [Self::Rapid, Self::SpindleStopped, Self::EdgesTooShort, Self::TurnsTogether, Self::NoRadius];
 
     /// The word for it in JSON, and in the id of its message (`stock-<word>`).
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Rapid => "rapid-in-material",
-            Self::SpindleStands => "spindle-stands",
+            Self::SpindleStopped => "spindle-stopped",
             Self::EdgesTooShort => "edges-too-short",
             Self::TurnsTogether => "turns-together",
             Self::NoRadius => "no-radius",

@@ -20,7 +20,8 @@ use crate::program::syntax::{
     Axis, CycleDef, CycleForm, CycleView, NamedWord, OldCycleLine, Parameter, Value, ValueKind,
 };
 use crate::spec::{
-    self, Combined, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect, Transformation,
+    self, Combined, Cycle, CycleKey, Known, OnControl, Param, ParameterKind, Quantity, Shape, TakesEffect,
+    Transformation,
 };
 
 /// The values of a definition that are not Q parameters.
@@ -79,7 +80,9 @@ impl<'e> Run<'_, 'e> {
             .arg("called", last.cycle.key.to_string());
         match combines.iter().find(|listed| listed.cycle == last.cycle.key.number) {
             None => Err(refused.arg("what", "cycle").into()),
-            Some(Combined { q: Some(q), not: Some(not), .. }) if self.params.number(*q).is_ok_and(|own| own == *not) => {
+            Some(Combined { q: Some(q), not: Some(not), .. })
+                if self.params.number(*q).is_ok_and(|own| own == *not) =>
+            {
                 Err(refused.arg("what", "value").arg("value", format!("{q}={not}")).into())
             }
             Some(_) => Ok(()),

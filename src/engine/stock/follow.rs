@@ -393,7 +393,7 @@ impl Machining {
         if noted.rapid {
             self.find(FindingKind::Rapid, &noted.at, cut.depth + SKIN, noted.event);
         } else if noted.spindle_off {
-            self.find(FindingKind::SpindleStands, &noted.at, cut.depth + SKIN, noted.event);
+            self.find(FindingKind::SpindleStopped, &noted.at, cut.depth + SKIN, noted.event);
         }
         if noted.edges > 0.0 && cut.reach > noted.edges + SKIN {
             self.find(FindingKind::EdgesTooShort, &noted.at, cut.reach, noted.event);

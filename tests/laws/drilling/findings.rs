@@ -36,7 +36,7 @@ fn moves_in_the_material_are_told_behind_them() {
         // More than rounding.
         ("L Z-0.002 FMAX\n", &[(4, FindingKind::Rapid, 0.002)]),
         // M5 acts at the end of its block.
-        ("L Z-4 F200 M5\nL X+60\n", &[(5, FindingKind::SpindleStands, 4.0)]),
+        ("L Z-4 F200 M5\nL X+60\n", &[(5, FindingKind::SpindleStopped, 4.0)]),
         // Edges of 4 mm in a depth of 6.
         ("TOOL CALL 2 Z S1000\nL Z-6 F200 M3\nL X+60\n", &[(6, FindingKind::EdgesTooShort, 6.0)]),
         // A tool without radius is named once.
