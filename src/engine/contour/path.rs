@@ -11,6 +11,7 @@ use glam::{DVec2, DVec3};
 use crate::engine::contour::approach::{Form, Lead, Leg};
 use crate::engine::contour::element::{Corner, Element, Manner, Shape, broken, corner, direction, rounded};
 use crate::engine::motion::drives::Drives;
+use crate::engine::motion::functions::ArcFeed;
 use crate::engine::motion::moves::Speed;
 use crate::engine::report::ending::{Done, Leave};
 use crate::engine::report::event::{At, Event};
@@ -71,6 +72,8 @@ struct Piece {
     height: f64,
     manner: Manner,
     speed: Result<Speed, Fault>,
+    /// Where its feed is that of the cutting edge.
+    arc_feed: ArcFeed,
     at: At,
     block: (usize, usize),
 }
@@ -111,6 +114,8 @@ pub(crate) struct Contour {
     /// Whether what waited is executed just now.
     releasing: bool,
     pub(crate) last: Option<Last>,
+    /// Where the feed of an arc is that of the cutting edge.
+    pub(crate) arc_feed: ArcFeed,
     /// The block of a contour whose execution failed.
     blamed: Option<(usize, usize)>,
 }
@@ -296,10 +301,11 @@ impl Contour {
         Ok(())
     }
 
-    fn piece(report: &Reporter<'_>, kind: Kind, offset: f64, height: f64, place: BlockPlace) -> Piece {
+    fn piece_of(&self, report: &Reporter<'_>, kind: Kind, offset: f64, height: f64, place: BlockPlace) -> Piece {
         let (start, cut, manner) = (DVec2::ZERO, 0.0, Manner::Usual);
         let speed = Ok(Speed::Rapid);
-        Piece { kind, offset, start, cut, height, manner, speed, at: report.at().clone(), block: place.block }
+        let (arc_feed, at) = (self.arc_feed, report.at().clone());
+        Piece { kind, offset, start, cut, height, manner, speed, arc_feed, at, block: place.block }
     }
 
     /// The way to a contour waits for its first element.
@@ -314,7 +320,8 @@ impl Contour {
         speed: Result<Speed, Fault>,
     ) -> Done {
         let offset = self.offset(&drives.world, side)?;
-        let piece = Self::piece(&drives.report, Kind::Lead(lead), offset, drives.world.system.plane.tool.of(to), place);
+        let piece =
+            self.piece_of(&drives.report, Kind::Lead(lead), offset, drives.world.system.plane.tool.of(to), place);
         self.side = side;
         self.nominal = Some(to);
         self.last = None;
@@ -337,7 +344,7 @@ impl Contour {
         let plane = drives.world.system.plane;
         self.nominal = Some(to);
         self.last = Some(Last::Heading(element.heading_at_end(), element.to));
-        let mut next = Self::piece(&drives.report, Kind::Element(element), offset, plane.tool.of(to), place);
+        let mut next = self.piece_of(&drives.report, Kind::Element(element), offset, plane.tool.of(to), place);
         (next.manner, next.speed) = (manner(motion), speed);
         if self.piece.is_none() {
             next.start = plane.flat(drives.world.here);
@@ -379,7 +386,7 @@ impl Contour {
         let later = self.waiting.split_off(between.waiting.min(self.waiting.len()));
         if let Some(corner) = corner {
             let at = between.at;
-            let piece = Self::piece(&drives.report, Kind::Element(corner), next.offset, height, place);
+            let piece = self.piece_of(&drives.report, Kind::Element(corner), next.offset, height, place);
             self.follow(drives, Piece { at, speed: between.speed, ..piece })?;
         }
         self.waiting.extend(later);
@@ -482,7 +489,8 @@ impl Contour {
         let plane = drives.world.system.plane;
         let path = element.path(piece.start, end, piece.cut + cut);
         let Some(path) = path else { return Err(self.too_large(piece.block, piece.offset)) };
-        leg(drives, &Leg::of(&path), plane.tool.of(drives.world.here), piece.height, piece.speed.clone())
+        let speed = piece.speed.clone().map(|speed| speed_on(piece.arc_feed, element, &path, speed));
+        leg(drives, &Leg::of(&path), plane.tool.of(drives.world.here), piece.height, speed)
     }
 
     fn run_lead(
@@ -614,6 +622,17 @@ pub(crate) fn leg(drives: &mut Drives<'_, '_>, leg: &Leg, from: f64, height: f64
             let (centre, to) = (plane.lift(centre, from), plane.lift(to, height));
             drives.arc_to(centre, to, sweep.signum(), Some(sweep), speed)
         }
+    }
+}
+
+/// The speed of the tool centre on an arc whose cutting edge keeps the feed.
+fn speed_on(arc_feed: ArcFeed, element: &Element, path: &Element, speed: Speed) -> Speed {
+    let (Shape::Arc { centre, .. }, Speed::Feed(feed)) = (&element.shape, speed) else { return speed };
+    let share = path.from.distance(*centre) / element.from.distance(*centre);
+    match arc_feed {
+        ArcFeed::Edge => Speed::Feed(feed * share),
+        ArcFeed::EdgeInside if share < 1.0 => Speed::Feed(feed * share),
+        ArcFeed::EdgeInside | ArcFeed::Centre => speed,
     }
 }
 

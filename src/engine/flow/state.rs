@@ -51,6 +51,10 @@ pub(crate) struct Modal {
     pub(crate) call_always: bool,
     /// Whether the last positioning block went at rapid traverse.
     pub(crate) rapid: bool,
+    /// The share of the feed at which the tool goes down along its axis (`M103`).
+    pub(crate) plunge_factor: Option<f64>,
+    /// Whether rotary axes take the shorter way (`M126`).
+    pub(crate) shorter_way: bool,
 }
 
 /// Points by main, minor and tool axis.
@@ -154,6 +158,8 @@ pub(crate) struct Run<'r, 'e> {
     pub(crate) patterns: Patterns,
     pub(crate) records: Records,
     pub(crate) memory: Memory,
+    /// The program that `SEL PGM` has selected.
+    pub(crate) selected_program: Option<Arc<str>>,
     /// Room for the words of a movement.
     pub(crate) words: Motion,
 }
@@ -177,6 +183,7 @@ impl<'r, 'e> Run<'r, 'e> {
             patterns: Patterns::default(),
             records: Records::default(),
             memory: Memory::default(),
+            selected_program: None,
             words: Motion::new(Path::L),
         }
     }

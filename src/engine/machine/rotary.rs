@@ -42,6 +42,11 @@ impl RotaryMachineAxis {
         Frame::shift(self.centre).of(turn).of(Frame::shift(-self.centre))
     }
 
+    /// Whether it turns without end.
+    pub const fn is_endless(&self) -> bool {
+        self.limits.is_none()
+    }
+
     /// Whether the coordinate is within its limits.
     pub fn reaches(&self, degrees: f64) -> bool {
         self.limits.is_none_or(|(min, max)| (min - super::ROUNDING..=max + super::ROUNDING).contains(&degrees))

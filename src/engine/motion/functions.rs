@@ -2,6 +2,18 @@
 //!
 //! Invariant: a number that is not listed here is a fault where it is programmed, never ignored.
 
+/// Where the feed of an arc next to a contour is that of the cutting edge instead of the tool centre.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum ArcFeed {
+    /// Nowhere (`M111`).
+    #[default]
+    Centre,
+    /// On all arcs (`M109`).
+    Edge,
+    /// On arcs inside which the tool runs, where the edge is faster than the centre (`M110`).
+    EdgeInside,
+}
+
 /// What an M function does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Effect {
@@ -22,6 +34,16 @@ pub(crate) enum Effect {
     Retract,
     /// Corners of the block are gone round in another way.
     Corner,
+    /// On arcs the feed is that of the cutting edge: nowhere, everywhere, or only where the edge is faster.
+    ArcFeed(ArcFeed),
+    /// A slower feed downwards along the tool axis, by a factor.
+    PlungeFactor,
+    /// Rotary axes take the shorter way, or again the one that is written.
+    ShorterWay(bool),
+    /// Rotary axes are displayed below 360 degrees.
+    ReduceDisplay,
+    /// The basic rotation ends.
+    EndBasicRotation,
     /// It changes nothing that events say (tool change at the machine, display, look-ahead).
     Nothing,
 }
@@ -45,7 +67,16 @@ pub(crate) fn effect(number: u16) -> Option<Effect> {
         140 => Effect::Retract,
         128 => Effect::HoldTip(true),
         129 => Effect::HoldTip(false),
-        6 | 90 | 101 | 102 | 107 | 108 | 120 | 127 | 137 => Effect::Nothing,
+        94 => Effect::ReduceDisplay,
+        103 => Effect::PlungeFactor,
+        109 => Effect::ArcFeed(ArcFeed::Edge),
+        110 => Effect::ArcFeed(ArcFeed::EdgeInside),
+        111 => Effect::ArcFeed(ArcFeed::Centre),
+        126 => Effect::ShorterWay(true),
+        127 => Effect::ShorterWay(false),
+        143 => Effect::EndBasicRotation,
+        // 118: the handwheel; 124: points nearer than a tolerance may be left out; 134, 135: exact stop; 148, 149: lift-off.
+        6 | 90 | 101 | 102 | 105 | 106 | 107 | 108 | 118 | 120 | 124 | 134 | 135 | 137 | 148 | 149 => Effect::Nothing,
         _ => return None,
     })
 }

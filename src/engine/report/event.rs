@@ -276,6 +276,9 @@ pub enum EventKind {
     },
     /// The coolant is switched.
     Coolant(bool),
+    /// A block that neither moves the tool nor changes what other events say, as it is written: what goes to the PLC,
+    /// how the drives keep the feed.
+    Function(Arc<str>),
     /// The probe moves towards the workpiece.
     Probe(Probing),
     /// A Q parameter changes.
@@ -341,6 +344,7 @@ impl EventKind {
             Self::Dwell(_) => "dwell",
             Self::Spindle { .. } => "spindle",
             Self::Coolant(_) => "coolant",
+            Self::Function(_) => "function",
             Self::Probe(_) => "probe",
             Self::Set { .. } => "set",
             Self::Transform(_) => "transform",

@@ -68,6 +68,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("direction-undefined", Class::Control),
     ("division-by-zero", Class::Program),
     ("end-off-circle", Class::Program),
+    ("error-of-program", Class::Control),
     ("feed-missing", Class::Program),
     ("field-missing", Class::Program),
     ("field-unknown", Class::Program),

@@ -248,6 +248,7 @@ impl EventKind {
                 object.truth("together", *together);
             }
             Self::Coolant(on) => object.truth("on", *on),
+            Self::Function(text) => object.text("text", text),
             Self::Probe(probing) => probed(object, probing),
             Self::Set { q, value } => {
                 object.text("q", &q.to_string());

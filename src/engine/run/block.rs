@@ -1,10 +1,13 @@
 //! Blocks: what each kind does, and the M functions.
 //!
 //! Invariant: an M function that is not listed here is a fault, never ignored.
+use glam::DVec3;
+
 use super::program::After;
 use crate::base::diag::Span;
 use crate::base::expr::{Env, EvalError, QKind, QRef, Value, atan2d, cosd, sind};
 use crate::engine::flow::state::Run;
+use crate::engine::geometry::RotaryAxis;
 use crate::engine::motion::axis::linear;
 use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::Speed;
@@ -79,7 +82,10 @@ impl<'e> Run<'_, 'e> {
             }
             BlockKind::Lbl(label) => self.label(label)?,
             BlockKind::CallLbl(call) => self.call_label(call)?,
-            BlockKind::CallPgm(name) => self.call_program(self.slice(*name))?,
+            BlockKind::CallPgm(name) => {
+                let name = self.named_text(self.slice(*name))?;
+                self.call_program(&name)?;
+            }
             BlockKind::Sel(selection) => self.select(self.slice(selection.what), self.slice(selection.name))?,
             BlockKind::FnAssign(assign) => self.assign(assign)?,
             BlockKind::FnJump(jump) => self.jump(jump)?,
@@ -95,7 +101,9 @@ impl<'e> Run<'_, 'e> {
                 self.drives.not_beside_contour(self.slice(statement.head).trim())?;
             }
             BlockKind::Statement(_) if self.switches_mode(block) => {}
-            BlockKind::Statement(statement) if statement.kind == StatementKind::Function => self.function(statement)?,
+            BlockKind::Statement(statement) if statement.kind == StatementKind::Function => {
+                self.function(block, statement)?;
+            }
             BlockKind::Statement(statement) if statement.kind == StatementKind::Plane => self.plane(statement)?,
             BlockKind::Statement(statement) if statement.kind == StatementKind::Trans => self.shift_datum(statement)?,
             BlockKind::Statement(statement) if statement.kind == StatementKind::BlkForm => {}
@@ -105,11 +113,11 @@ impl<'e> Run<'_, 'e> {
             BlockKind::Statement(statement) if statement.kind == StatementKind::ContourDef => {
                 self.define_contour(statement)?;
             }
-            BlockKind::Statement(statement) => return Err(self.not_executed(statement.head).into()),
+            BlockKind::Statement(statement) => self.statement(block, statement)?,
             BlockKind::PatternDef(_) => self.define_pattern(block)?,
             BlockKind::GlobalDef(values) => self.predefine(values)?,
             BlockKind::ContourFormula(formula) => self.contour_formula(formula)?,
-            BlockKind::TextFormula(formula) => return Err(self.not_executed(formula.target_span).into()),
+            BlockKind::TextFormula(formula) => self.text_formula(formula)?,
             // What Klartext has no equivalent of is left over, and is in a comment.
             BlockKind::Iso(_) => {
                 let span = block.comment().unwrap_or(block.span);
@@ -182,6 +190,9 @@ impl<'e> Run<'_, 'e> {
         }
         if what.eq_ignore_ascii_case("CONTOUR") {
             return self.select_contour(name);
+        }
+        if what.eq_ignore_ascii_case("PGM") {
+            return self.select_program(name);
         }
         if !what.eq_ignore_ascii_case("TABLE") {
             return Err(Fault::unsupported("unsupported-block").arg("word", format!("SEL {what}")).into());
@@ -289,8 +300,18 @@ impl<'e> Run<'_, 'e> {
         for function in functions {
             let Some(effect) = effect(function.number) else { return Err(self.no_function(function).into()) };
             match effect {
-                Effect::Retract if retracts => self.retract(function)?,
+                // In a block that moves, too, a length comes first.
+                Effect::Retract if retracts || function.with.is_some() => self.retract(function)?,
                 Effect::Retract => return Err(self.no_function(function).into()),
+                Effect::ArcFeed(feed) => self.contour.arc_feed = feed,
+                Effect::PlungeFactor => self.modal.plunge_factor = self.factor_of(function)?,
+                Effect::ShorterWay(shorter) => self.modal.shorter_way = shorter,
+                Effect::ReduceDisplay => self.reduce_display(),
+                Effect::EndBasicRotation => {
+                    let before = self.drives.world.system.reported();
+                    self.drives.world.system.set_basic_rotation(0.0);
+                    self.drives.transformed(before);
+                }
                 Effect::Spindle(direction) if direction != 0 => self.drives.spindle(direction),
                 Effect::Coolant(true) => self.drives.coolant(true),
                 Effect::HoldTip(true) => self.drives.hold_tip(true)?,
@@ -309,12 +330,38 @@ impl<'e> Run<'_, 'e> {
         Fault::unsupported("unsupported-m").arg("word", self.slice(function.span).trim())
     }
 
-    /// `M140 MB50`, `M140 MB MAX`: away from the workpiece at rapid traverse, by a length or to the end of the tool
-    /// axis. Only where the tool is along an axis of the machine.
+    /// `M103 F20`: the share of the feed; nothing where none is written, which ends it.
+    fn factor_of(&self, function: &MFunction) -> Result<Option<f64>, Fault> {
+        let Some(with) = function.with else { return Ok(None) };
+        let written = self.slice(with).trim();
+        let Some(number) = written.strip_prefix(['F', 'f']) else { return Err(self.no_function(function)) };
+        let percent = self.written_number(number)?;
+        if percent > 0.0 { Ok(Some(percent / 100.0)) } else { Err(Fault::program("feed-missing").arg("feed", percent)) }
+    }
+
+    /// `M94`: the rotary axes are displayed below 360 degrees. Nothing turns.
+    fn reduce_display(&mut self) {
+        let endless = self.drives.world.scene.machine.rotary.iter().filter(|axis| axis.is_endless());
+        let axes: Vec<_> = endless.map(|axis| axis.axis).collect();
+        let reduced = |angles: DVec3, axis: &RotaryAxis| axis.with(angles, axis.of(angles).rem_euclid(360.0));
+        let angles = axes.iter().fold(self.drives.world.angles, reduced);
+        self.drives.world.turn(angles);
+    }
+
+    /// `M140 MB50`, `M140 MB50 F750`, `M140 MB MAX`: away from the workpiece, by a length or to the end of the tool
+    /// axis, at rapid traverse where no feed is written. Only where the tool is along an axis of the machine.
     fn retract(&mut self, function: &MFunction) -> Done {
         let leans = self.drives.world.system.is_on_workpiece() || self.drives.world.head.is_some();
         let length = function.with.map(|with| self.slice(with).to_ascii_uppercase());
-        let length = length.as_deref().and_then(|with| with.trim().strip_prefix("MB")).map(str::trim);
+        let written = length.as_deref().and_then(|with| with.trim().strip_prefix("MB")).map(str::trim);
+        let (length, feed) = match written.and_then(|written| written.split_once('F')) {
+            Some((length, feed)) => (Some(length.trim()), Some(feed.trim())),
+            None => (written, None),
+        };
+        let speed = match feed.filter(|feed| *feed != "MAX") {
+            Some(feed) => Speed::of_feed(self.written_number(feed)? * self.drives.unit()),
+            None => Ok(Speed::Rapid),
+        };
         let tool = self.drives.world.system.plane.tool;
         let (Some(length), false, false) = (length, leans, self.contour.is_under_way()) else {
             return Err(self.no_function(function).into());
@@ -330,7 +377,7 @@ impl<'e> Run<'_, 'e> {
             }
         };
         let end = tool.with(self.drives.world.machine, to);
-        self.drives.turn_and_go(&[], self.drives.world.to_program(end), Some(end), Ok(Speed::Rapid))
+        self.drives.turn_and_go(&[], self.drives.world.to_program(end), Some(end), speed)
     }
 
     /// M functions that act at the end of their block, and the call of the last cycle.

@@ -10,7 +10,9 @@ mod lead;
 mod motion;
 mod plane;
 mod program;
+mod statement;
 mod tcpm;
+mod texts;
 
 pub use super::flow::calls::program_key;
 pub use super::flow::settings::{Limits, NoTexts, Programs, Texts};

@@ -12,6 +12,7 @@ use crate::engine::motion::axis::{linear, rotary};
 use crate::engine::motion::moves::{OFF_CIRCLE, Speed, Turn};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
+use crate::engine::table::TableKind;
 use crate::program::syntax::{Approach, Axis, Coord, Motion, Path};
 
 impl Run<'_, '_> {
@@ -68,7 +69,7 @@ impl Run<'_, '_> {
                 let to = self.point_of_approach(motion, form)?;
                 self.leave_by(motion, form, to, speed)?;
             }
-            Path::Ln => return unsupported("LN"),
+            Path::Ln => self.line_with_normal(motion, speed)?,
             Path::Fl => return unsupported("FL"),
             Path::Flt => return unsupported("FLT"),
             Path::Fc => return unsupported("FC"),
@@ -90,6 +91,7 @@ impl Run<'_, '_> {
 
     /// A straight block: at once, or as an element of a contour.
     fn straight_block(&mut self, motion: &Motion, to: DVec3, speed: Result<Speed, Fault>) -> Done {
+        let speed = self.plunging_speed(to, speed);
         if self.is_in_contour(motion) {
             let place = self.block_place();
             return self.contour.line(&mut self.drives, motion, place, to, speed);
@@ -98,6 +100,17 @@ impl Run<'_, '_> {
         let from = self.programmed();
         self.contour.passed(plane.flat(from), plane.flat(to));
         self.drives.straight_to(to, None, speed)
+    }
+
+    /// The speed of a straight way on which the tool does not go down faster than `M103` lets it.
+    fn plunging_speed(&self, to: DVec3, speed: Result<Speed, Fault>) -> Result<Speed, Fault> {
+        let (Some(factor), Ok(Speed::Feed(feed))) = (self.modal.plunge_factor, &speed) else { return speed };
+        let way = to - self.programmed();
+        let down = -self.drives.world.system.plane.tool.of(way);
+        if down <= 0.0 {
+            return speed;
+        }
+        Ok(Speed::Feed(feed.min(feed * factor * way.length() / down)))
     }
 
     /// A circular block: at once, or as an element of a contour.
@@ -153,6 +166,27 @@ impl Run<'_, '_> {
         self.drives.turn_and_go(&turns, to, None, speed)
     }
 
+    /// `LN`: a straight line whose block gives the direction across the surface, too. Only a tool of the size for which
+    /// the program was written: the ways of others would be shifted along it.
+    fn line_with_normal(&mut self, motion: &Motion, speed: Result<Speed, Fault>) -> Done {
+        let is_as_programmed = self.has_size_of_program()?;
+        let turns_tool = motion.words.iter().any(|word| self.slice(word.name).to_ascii_uppercase().starts_with('T'));
+        if !is_as_programmed || turns_tool || self.is_in_contour(motion) {
+            return Err(Fault::unsupported("unsupported-path").arg("word", "LN").into());
+        }
+        let to = self.target(&motion.coords, self.programmed())?;
+        self.straight_block(motion, to, speed)
+    }
+
+    /// Whether the tool has no oversizes, neither in the table nor of its call.
+    fn has_size_of_program(&self) -> Result<bool, Fault> {
+        let Some(tool) = self.drives.world.tool() else { return Ok(true) };
+        let table = self.drives.world.table(TableKind::Tool)?;
+        let oversize = |column| table.number(tool.number, column).map(Option::unwrap_or_default);
+        let of_table = [oversize("DL")?, oversize("DR")?, oversize("DR2")?];
+        Ok(tool.deltas == (0.0, 0.0) && of_table.iter().all(|value| *value == 0.0))
+    }
+
     /// Where the rotary axes of a block go, in machine coordinates.
     fn turn_target(&self, coords: &[Coord], in_machine: bool) -> Result<Vec<(RotaryAxis, f64)>, Fault> {
         let system = &self.drives.world.system;
@@ -162,10 +196,21 @@ impl Run<'_, '_> {
         for coord in coords {
             let Some(axis) = rotary(coord.axis) else { continue };
             let now = axis.of((self.drives.world.angles - datum) * signs);
-            turns.push((axis, self.coordinate(coord, now)? * axis.of(signs) + axis.of(datum)));
+            let to = self.coordinate(coord, now)? * axis.of(signs) + axis.of(datum);
+            turns.push((axis, if self.modal.shorter_way { self.shorter(axis, to)? } else { to }));
         }
         self.drives.can_turn(&turns)?;
         Ok(turns)
+    }
+
+    /// The angle that is the same on an endless axis and nearest to where it is.
+    fn shorter(&self, axis: RotaryAxis, to: f64) -> Result<f64, Fault> {
+        if !self.drives.rotary_axis(axis)?.is_endless() {
+            return Ok(to);
+        }
+        let now = axis.of(self.drives.world.angles);
+        let way = (to - now).rem_euclid(360.0);
+        Ok(now + if way > 180.0 { way - 360.0 } else { way })
     }
 
     fn set_pole(&mut self, motion: &Motion) -> Done {

@@ -7,7 +7,7 @@ use crate::engine::flow::calls::Call;
 use crate::engine::flow::state::Run;
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;
-use crate::program::syntax::{Amount, Block, CallLbl, FnJump, Label, LabelRef, Operand};
+use crate::program::syntax::{Amount, Block, CallLbl, FnJump, Label, LabelRef, Operand, Relation};
 
 /// How it goes on after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,6 +102,14 @@ impl<'e> Run<'_, 'e> {
     }
 
     pub(super) fn jump(&mut self, jump: &FnJump) -> Done {
+        if let Relation::Undefined | Relation::Defined = jump.relation {
+            let Amount::Q { q, .. } = jump.a.amount else { return Err(Fault::program("text-or-number").into()) };
+            if self.params.get(q).is_some() == (jump.relation == Relation::Defined) {
+                let target = self.label_block(&jump.label)?;
+                self.calls.jump(target, &self.settings.limits)?;
+            }
+            return Ok(());
+        }
         let is_text = |operand: &Operand| match operand.amount {
             Amount::Q { q, .. } => q.kind == QKind::Qs,
             Amount::Text(_) => true,

@@ -5,16 +5,20 @@
 //! word that asks for more is a fault, never ignored.
 use crate::engine::flow::state::Run;
 use crate::engine::report::ending::Done;
+use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::Fault;
-use crate::program::syntax::{Statement, ValueKind};
+use crate::program::syntax::{Block, Statement, ValueKind};
 
 /// What `FUNCTION TCPM` may ask for: the feed is that of the tip, coordinates of rotary axes are positions,
 /// and these turn evenly.
 const HOLDS: [&str; 7] = ["F", "TCP", "AXIS", "POS", "PATHCTRL", "REFPNT", "TIP-TIP"];
 
+/// What `FUNCTION RESET` ends that moves nothing.
+const RESETS: [&str; 7] = ["FEED", "S", "S-PULSE", "COUNT", "PARAXCOMP", "LIFTOFF", "AFC"];
+
 impl Run<'_, '_> {
     /// `FUNCTION` blocks, but for those that switch the mode.
-    pub(super) fn function(&mut self, statement: &Statement) -> Done {
+    pub(super) fn function(&mut self, block: &Block, statement: &Statement) -> Done {
         let head = self.slice(statement.head).to_ascii_uppercase();
         let what = head.split_ascii_whitespace().nth(1).unwrap_or_default();
         let mut words =
@@ -30,8 +34,37 @@ impl Run<'_, '_> {
                 }
                 self.drives.hold_tip(true)
             }
-            "RESET" if words.all(|(name, _)| name == "TCPM") => self.drives.hold_tip(false),
+            // How the feed is kept, and what is displayed: the tool goes the same way.
+            "FEED" | "COUNT" | "LIFTOFF" | "AFC" => Ok(self.report_function(block)),
+            "PARAXCOMP" if !words.any(|(name, _)| name == "MOVE") => Ok(self.report_function(block)),
+            "DWELL" => self.dwell(statement),
+            _ if head.replace(' ', "").starts_with("FUNCTIONS-PULSE") => Ok(self.report_function(block)),
+            "RESET" if words.clone().all(|(name, _)| name == "TCPM") => self.drives.hold_tip(false),
+            "RESET" if words.next().is_some_and(|(name, _)| RESETS.contains(&name.as_str())) => {
+                Ok(self.report_function(block))
+            }
             _ => Err(self.not_executed(statement.head).into()),
         }
+    }
+
+    /// `FUNCTION DWELL TIME2`, in seconds, and `FUNCTION DWELL REV5`, in turns of the spindle.
+    fn dwell(&mut self, statement: &Statement) -> Done {
+        for word in &statement.words {
+            let value = || self.number_of(&word.value);
+            let seconds = match self.slice(word.name).to_ascii_uppercase().as_str() {
+                "TIME" => value()?,
+                "REV" => {
+                    let speed = self.drives.switched.spindle.speed;
+                    if speed <= 0.0 {
+                        return Err(Fault::unsupported("unsupported-block").arg("word", "FUNCTION DWELL REV").into());
+                    }
+                    value()? * 60.0 / speed
+                }
+                _ => continue,
+            };
+            self.drives.report.report(EventKind::Dwell(seconds));
+            return Ok(());
+        }
+        Err(Fault::program("value-missing").into())
     }
 }

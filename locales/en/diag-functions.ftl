@@ -1,0 +1,3 @@
+# Blocks that end a program or speak with the machine.
+diag-error-of-program = The program ends itself with the error { $number } (FN 14).
+explain-error-of-program = FN 14: ERROR ends the program with an error of its own; the number chooses the message that the control shows. Programs use it where they cannot go on, for example after a jump over values that they can work with. Example: “FN 14: ERROR = 1010”. Remedy: look at the condition before the block and give the parameters values that the program can work with.

@@ -1,0 +1,3 @@
+# Blocks that end a program or speak with the machine.
+diag-error-of-program = Program se sam konča z napako { $number } (FN 14).
+explain-error-of-program = FN 14: ERROR konča program z lastno napako; številka izbere sporočilo, ki ga pokaže krmiljenje. Programi ga uporabljajo, kadar ne morejo nadaljevati, na primer ko vrednost parametra ni uporabna. Primer: »FN 14: ERROR = 1010«. Rešitev: preverite pogoj pred blokom in parametrom dodelite vrednosti, s katerimi lahko program dela.
