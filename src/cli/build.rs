@@ -9,12 +9,12 @@ use super::session::{self, Session};
 use super::{Command, Failure, Outcome, arguments, cycle};
 use crate::base::diag::Diagnostic;
 use crate::language::locale::{Args, Ui};
-use crate::output::manual::{Request, Site};
-use crate::system::Staged;
+use crate::output::manual::{Book, Request, Site};
+use crate::system::{self, Staged};
 
 pub(super) const COMMAND: Command = Command {
     name: "build",
-    usage: "[--out DIR] [--control CONTROL]… [--lang LANG]… [--base-url URL]",
+    usage: "[--out DIR] [--control CONTROL]… [--lang LANG]… [--format FORMAT] [--base-url URL]",
     arguments: own,
     run,
 };
@@ -27,6 +27,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
         arguments::valued(ui, "out", "DIR", "cli-build-out"),
         arguments::several(ui, "control", "CONTROL", "cli-build-control"),
         arguments::several(ui, "lang", "LANG", "cli-build-lang"),
+        arguments::valued(ui, "format", "FORMAT", "cli-build-format").value_parser(["html", "epub"]),
         arguments::valued(ui, "base-url", "URL", "cli-build-base-url"),
     ]
 }
@@ -40,7 +41,6 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         cycle::language(&locales, tag)?;
     }
     let out = matches.get_one::<String>("out").map_or(OUT, String::as_str);
-    let staged = Staged::new(Path::new(out))?;
     let base_url = matches.get_one::<String>("base-url").map(String::as_str);
     if let Some(url) = base_url.filter(|url| !url.starts_with("https://") && !url.starts_with("http://")) {
         return Err(Diagnostic::global("not-an-address").arg("url", url).into());
@@ -53,7 +53,12 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
         languages: &languages,
         base_url,
     };
-    let site = Site::new(&request).map_err(session::in_texts(&locales))?;
+    let mut site = Site::new(&request).map_err(session::in_texts(&locales))?;
+    if matches.get_one::<String>("format").is_some_and(|format| format == "epub") {
+        let books = site.books().map_err(session::in_texts(&locales))?;
+        return write_books(session, Path::new(out), &books);
+    }
+    let staged = Staged::new(Path::new(out))?;
     let progress = Progress::new(session.ui.text("cli-building", &Args::new()), site.pages());
     // A disk that is full is reported once, not for each file that did not fit.
     let trouble: Mutex<Option<Diagnostic>> = Mutex::new(None);
@@ -77,5 +82,18 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let args = Args::new().number("pages", built.pages as f64).number("files", built.files as f64);
     let line = session.ui.text("cli-built", &args.text("path", index));
     session.output.remark(&line);
+    Ok(Outcome::Clean)
+}
+
+/// Writes each book as a file of its own. What else is in the directory stays.
+fn write_books(session: &mut Session, out: &Path, books: &[Book]) -> Result<Outcome, Failure> {
+    system::create_directory(out)?;
+    for book in books {
+        let path = out.join(&book.name);
+        system::write(&path, &book.bytes)?;
+        let args = Args::new().text("path", path.display().to_string()).number("pages", book.pages as f64);
+        let line = session.ui.text("cli-book-written", &args);
+        session.output.remark(&line);
+    }
     Ok(Outcome::Clean)
 }

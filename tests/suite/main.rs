@@ -3,6 +3,7 @@
 //!
 //! One program, so that the library is linked once; a file is a module of tests.
 mod blocks;
+mod books;
 #[path = "../support/built.rs"]
 mod built;
 #[path = "../support/cases.rs"]

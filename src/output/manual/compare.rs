@@ -161,6 +161,7 @@ fn frame(site: &Site, section: &Section, comparison: &Comparison, title: String)
     let compared: Vec<&str> =
         comparison.sections.iter().map(|at| site.sections[*at].on.control.title.as_str()).collect();
     Ok(PageView {
+        book: false,
         lang: section.language.tag().to_owned(),
         sheet: Some((css_string(&title), css_string(&edition.join(" \u{b7} ")))),
         edition,

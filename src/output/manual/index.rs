@@ -98,6 +98,7 @@ fn invitations(site: &Site) -> Result<Vec<Invitation>, Vec<Diagnostic>> {
 
 fn frame(site: &Site, own: &Section, title: String, path: &str) -> PageView {
     PageView {
+        book: false,
         lang: own.language.tag().to_owned(),
         title,
         root: String::new(),

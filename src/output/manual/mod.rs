@@ -4,6 +4,7 @@
 //!
 //! Invariant: a pure function from specifications, locales and templates to paths and bytes; the
 //! same input gives the same bytes, whatever thread makes a page. Who writes files is not known here.
+mod book;
 mod compare;
 mod cut;
 mod cycle;
@@ -44,6 +45,7 @@ use search::Found;
 use section::Section;
 use site::{Figures, template_fault};
 
+pub use book::Book;
 pub use site::Site;
 
 /// What a site is made from.
@@ -149,6 +151,7 @@ impl<'a> Site<'a> {
             base_url: request.base_url.map(|base| format!("{}/", base.trim_end_matches('/'))),
             assets: assets.collect(),
             figures: Figures::new(request.catalogue.controls.values(), request.files),
+            is_book: false,
         })
     }
 
@@ -191,7 +194,7 @@ impl<'a> Site<'a> {
             }
             sink(path, bytes).map_err(|found| vec![found])
         };
-        for (path, text) in &self.assets {
+        for (path, text) in self.assets.iter().filter(|(path, _)| *path != book::STYLE) {
             put(path, text.as_bytes())?;
         }
         let found = Mutex::new(Vec::new());

@@ -82,6 +82,7 @@ impl Site<'_> {
         let neighbour = |at: Option<usize>| at.and_then(|at| section.entries.get(at)).map(link);
         let edition = self.edition(section)?;
         Ok(PageView {
+            book: self.is_book,
             lang: section.language.tag().to_owned(),
             root: "../../".to_owned(),
             canonical: here.file_in(section, section).and_then(|file| self.address(&section.path(file))),

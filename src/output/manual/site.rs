@@ -57,6 +57,8 @@ pub struct Site<'a> {
     pub(super) base_url: Option<String>,
     pub(super) assets: Vec<(&'a str, &'a str)>,
     pub(super) figures: Figures<'a>,
+    /// Whether its pages are those of books.
+    pub(super) is_book: bool,
 }
 
 impl Site<'_> {

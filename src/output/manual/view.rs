@@ -10,6 +10,8 @@ pub(super) type Html = Value;
 /// What every page has.
 #[derive(Serialize)]
 pub(super) struct PageView {
+    /// Whether it is a page of a book, and not of the site.
+    pub(super) book: bool,
     /// The language tag.
     pub(super) lang: String,
     /// The title of the document.
