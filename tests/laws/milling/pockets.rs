@@ -26,6 +26,12 @@ prop_compose! {
 }
 
 impl Finish {
+    /// The same with a floor allowance that leaves something to be roughed.
+    pub(super) fn in_depth(&self, depth: f64) -> Self {
+        let floor = if self.floor < depth { self.floor } else { (depth * 50.0).floor() / 100.0 };
+        Self { floor, ..self.clone() }
+    }
+
     /// The allowances that are left in the end.
     pub(super) fn left(&self, depth: f64) -> (f64, f64) {
         if self.mode == 1 { (self.side, self.floor.min(depth)) } else { (0.0, 0.0) }
@@ -165,7 +171,7 @@ proptest! {
 
     #[test]
     fn rectangular_pockets(job in job(), finish in finish(), pocket in rectangle()) {
-        rectangular(&job, &finish, &pocket)?;
+        rectangular(&job, &finish.in_depth(job.depth), &pocket)?;
     }
 
     #[test]
@@ -175,6 +181,7 @@ proptest! {
     ) {
         // Plunging vertically asks for an angle of 0 or 90 in the tool table.
         let job = if helix { job } else { Job { angle: 0.0, ..job } };
+        let finish = finish.in_depth(job.depth);
         let (r, centre) = (job.tool(), DVec2::from(centre));
         let least = 2.0 * finish.side + if helix { 4.0 * r } else { 2.0 * r };
         let diameter = more + (least * 100.0 + 1.0).ceil() / 100.0;

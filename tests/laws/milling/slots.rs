@@ -13,11 +13,13 @@ struct Width {
 }
 
 impl Width {
-    /// `share` 0 makes the slot as wide as the tool; the tool takes a part of an allowance that it has no room for.
+    /// `share` 0 makes the slot as wide as the tool, which is only roughed; others have room for the allowances.
     fn new(job: &Job, finish: &Finish, share: f64) -> Self {
         let tool = 2.0 * job.tool();
         // As a number of hundredths, unless the tool is to fill the slot.
-        let whole = if share == 0.0 { tool } else { (tool * (1.0 + 1.5 * share) * 100.0).ceil() / 100.0 };
+        let room = tool + 2.0 * finish.side;
+        let whole =
+            if share == 0.0 { tool } else { ((tool * (1.0 + 1.5 * share)).max(room) * 100.0 + 1.0).ceil() / 100.0 };
         Self { whole, rough: (whole - 2.0 * finish.side).max(tool) }
     }
 
@@ -73,6 +75,7 @@ proptest! {
         job in job(), finish in finish(), share in prop_oneof![Just(0.0), 0.02..1.0_f64], more in mm(0.0..50.0), position in 0..5_u8,
         rotation in prop_oneof![Just(0.0), mm(-360.0..360.0)], plunge in 0..3_u8, at in (mm(-10.0..10.0), mm(-10.0..10.0)),
     ) {
+        let finish = finish.in_depth(job.depth);
         let width = Width::new(&job, &finish, share);
         // Strokes need some length.
         let length = width.whole + if plunge > 0 { more.max(2.0) } else { more };
@@ -111,6 +114,7 @@ proptest! {
         begin in mm(-360.0..360.0), opening in prop_oneof![5 => mm(10.0..200.0), 1 => mm(200.0..360.0), 1 => Just(360.0)], count in 1..4_u8, plunge in 0..3_u8,
         at in (mm(-10.0..10.0), mm(-10.0..10.0)),
     ) {
+        let finish = finish.in_depth(job.depth);
         let width = Width::new(&job, &finish, share);
         let diameter = width.whole + 2.0 * more;
         // Slots side by side; they may touch and overlap.
