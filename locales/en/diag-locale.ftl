@@ -56,6 +56,10 @@ diag-locale-too-long = The text “{ $key }” ({ $language }) has too many plac
 diag-locale-lock-line = A line of this file is an identifier and eight hexadecimal digits.
 diag-locale-missing-translation = “{ $key }” is not translated into “{ $language }”.
 diag-locale-orphan = “{ $key }” ({ $language }) translates nothing: the English text is gone.
-diag-locale-stale = The English text of “{ $key }” has changed since it was translated into “{ $language }”.
+diag-locale-stale =
+    { $change ->
+        [none] The English text of “{ $key }” has changed since it was translated into “{ $language }”.
+       *[other] The English text of “{ $key }” has changed since it was translated into “{ $language }”: { $change }.
+    }
 diag-locale-unrecorded = The translation of “{ $key }” into “{ $language }” has not been accepted yet.
 diag-locale-unknown-argument = “{ $key }” ({ $language }) uses the argument “{ $name }”, which the English text does not have.

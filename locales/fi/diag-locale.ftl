@@ -56,6 +56,10 @@ diag-locale-too-long = Tekstissä ”{ $key }” ({ $language }) on liian monta 
 diag-locale-lock-line = Tämän tiedoston jokaisella rivillä on oltava tunnus ja kahdeksan heksadesimaalinumeroa.
 diag-locale-missing-translation = Tekstiä ”{ $key }” ei ole käännetty kielelle ”{ $language }”.
 diag-locale-orphan = ”{ $key }” ({ $language }) ei käännä mitään: englanninkielinen teksti on poistunut.
-diag-locale-stale = Englanninkielinen teksti ”{ $key }” on muuttunut sen jälkeen, kun se käännettiin kielelle ”{ $language }”.
+diag-locale-stale =
+    { $change ->
+        [none] Englanninkielinen teksti ”{ $key }” on muuttunut sen jälkeen, kun se käännettiin kielelle ”{ $language }”.
+       *[other] Englanninkielinen teksti ”{ $key }” on muuttunut sen jälkeen, kun se käännettiin kielelle ”{ $language }”: { $change }.
+    }
 diag-locale-unrecorded = Tekstin ”{ $key }” käännöstä kielelle ”{ $language }” ei ole vielä hyväksytty.
 diag-locale-unknown-argument = ”{ $key }” ({ $language }) käyttää argumenttia ”{ $name }”, jota englanninkielisessä tekstissä ei ole.

@@ -56,6 +56,10 @@ diag-locale-too-long = Il testo «{ $key }» ({ $language }) ha troppi segnapost
 diag-locale-lock-line = Una riga di questo file ha un identificatore e otto cifre esadecimali.
 diag-locale-missing-translation = «{ $key }» non è tradotto nella lingua «{ $language }».
 diag-locale-orphan = «{ $key }» ({ $language }) non traduce nulla: il testo inglese non c’è più.
-diag-locale-stale = Il testo inglese di «{ $key }» è cambiato dopo la traduzione nella lingua «{ $language }».
+diag-locale-stale =
+    { $change ->
+        [none] Il testo inglese di «{ $key }» è cambiato dopo la traduzione nella lingua «{ $language }».
+       *[other] Il testo inglese di «{ $key }» è cambiato dopo la traduzione nella lingua «{ $language }»: { $change }.
+    }
 diag-locale-unrecorded = La traduzione di «{ $key }» nella lingua «{ $language }» non è ancora stata approvata.
 diag-locale-unknown-argument = «{ $key }» ({ $language }) usa l’argomento «{ $name }», che il testo inglese non ha.

@@ -56,6 +56,10 @@ diag-locale-too-long = O texto «{ $key }» ({ $language }) tem demasiados campo
 diag-locale-lock-line = Uma linha deste ficheiro tem um identificador e oito algarismos hexadecimais.
 diag-locale-missing-translation = «{ $key }» não está traduzido para o idioma «{ $language }».
 diag-locale-orphan = «{ $key }» ({ $language }) não traduz nada: o texto inglês já não existe.
-diag-locale-stale = O texto inglês de «{ $key }» mudou depois da tradução para o idioma «{ $language }».
+diag-locale-stale =
+    { $change ->
+        [none] O texto inglês de «{ $key }» mudou depois da tradução para o idioma «{ $language }».
+       *[other] O texto inglês de «{ $key }» mudou depois da tradução para o idioma «{ $language }»: { $change }.
+    }
 diag-locale-unrecorded = A tradução de «{ $key }» para o idioma «{ $language }» ainda não foi aceite.
 diag-locale-unknown-argument = «{ $key }» ({ $language }) usa o argumento «{ $name }», que o texto inglês não tem.

@@ -56,6 +56,10 @@ diag-locale-too-long = Besedilo »{ $key }« ({ $language }) ima preveč mest za
 diag-locale-lock-line = Vsako vrstico te datoteke sestavljata oznaka in osem šestnajstiških števk.
 diag-locale-missing-translation = »{ $key }« ni prevedeno v jezik »{ $language }«.
 diag-locale-orphan = »{ $key }« ({ $language }) ne prevaja ničesar: angleškega besedila ni več.
-diag-locale-stale = Angleško besedilo »{ $key }« se je po prevodu v jezik »{ $language }« spremenilo.
+diag-locale-stale =
+    { $change ->
+        [none] Angleško besedilo »{ $key }« se je po prevodu v jezik »{ $language }« spremenilo.
+       *[other] Angleško besedilo »{ $key }« se je po prevodu v jezik »{ $language }« spremenilo: { $change }.
+    }
 diag-locale-unrecorded = Prevod »{ $key }« v jezik »{ $language }« še ni potrjen.
 diag-locale-unknown-argument = »{ $key }« ({ $language }) uporablja argument »{ $name }«, ki ga v angleškem besedilu ni.

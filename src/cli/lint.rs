@@ -1,23 +1,21 @@
 //! `ciklo lint`: everything that can be wrong with specifications and languages.
 use std::collections::HashSet;
-use std::path::Path;
 
 use clap::ArgMatches;
 
 use super::session::Session;
-use super::{Command, Failure, Outcome, arguments, conform as conform_cmd, consequences, session};
+use super::{Command, Failure, Outcome, arguments, conform as conform_cmd, consequences, session, texts as texts_cmd};
 use crate::base::diag::{Diagnostic, Severity, Source};
 use crate::check::{self, Against, LabelBook};
 use crate::engine::plan;
 use crate::language::consistency;
 use crate::language::label;
 use crate::language::locale::render::render;
-use crate::language::locale::{Args, Language, LocaleError, Locales, NO_FILE, SOURCE_LANGUAGE, Scope, Ui};
+use crate::language::locale::{Args, Language, LocaleError, Locales, NO_FILE, Scope, Ui};
 use crate::output::figure;
 use crate::output::manual;
 use crate::program::syntax;
 use crate::spec::{self, Catalogue, Keyword};
-use crate::system;
 use crate::tools::conform::{self, Selection, World};
 
 pub(super) const COMMAND: Command = Command {
@@ -43,7 +41,7 @@ fn own(ui: &Ui) -> Vec<clap::Arg> {
 
 fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> {
     if matches.get_flag(ACCEPT) {
-        return accept(session);
+        return texts_cmd::accept_changed(session, &format!("--{ACCEPT}"));
     }
     let files = session.files()?;
     let (locales, mut found) = Locales::load(files.iter().map(|(path, text)| (path, text)));
@@ -101,26 +99,6 @@ fn spec_files(files: &[(String, String)], only: &[(Option<Keyword>, u32)]) -> Ve
         only.iter().any(|(_, number)| file.strip_prefix(&number.to_string()).is_some_and(|rest| rest.starts_with('-')))
     };
     names.filter(is_one).cloned().collect()
-}
-
-/// Writes down that every translation is good as it is, in the working copy given or in the
-/// present directory if it is one.
-fn accept(session: &mut Session) -> Result<Outcome, Failure> {
-    let here = Path::new(".");
-    let Some(root) = session.data().or_else(|| session::is_working_copy(here).then_some(here)) else {
-        return Err(Diagnostic::global("needs-data").arg("option", format!("--{ACCEPT}")).into());
-    };
-    let files = session::working_copy(root)?;
-    let (locales, _) = Locales::load(files.iter().map(|(path, text)| (path, text)));
-    let meanings = consistency::meanings(&Catalogue::load(&files).0);
-    for tag in locales.tags().filter(|tag| *tag != SOURCE_LANGUAGE) {
-        let path = root.join("locales").join(tag).join("source.lock");
-        system::write(&path, locales.accepted(tag, &meanings)?.as_bytes())?;
-        let args = Args::new().text("path", path.display().to_string());
-        let line = session.ui.text("cli-written", &args);
-        session.output.remark(&line);
-    }
-    Ok(Outcome::Clean)
 }
 
 fn languages(catalogue: &Catalogue, locales: &Locales) -> Result<Vec<Diagnostic>, LocaleError> {

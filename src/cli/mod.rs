@@ -43,6 +43,7 @@ mod scene;
 mod schema;
 mod session;
 mod stock;
+mod texts;
 mod translate;
 mod usage;
 
@@ -120,6 +121,7 @@ static COMMANDS: &[Command] = &[
     conform::COMMAND,
     coverage::COMMAND,
     lint::COMMAND,
+    texts::COMMAND,
     schema::COMMAND,
     explain::COMMAND,
     export::COMMAND,

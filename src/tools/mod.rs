@@ -8,4 +8,5 @@ pub mod compare;
 pub mod conform;
 pub mod convert;
 pub mod coverage;
+pub mod exchange;
 pub mod translate;

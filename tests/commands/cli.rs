@@ -276,7 +276,9 @@ fn a_working_copy_replaces_the_built_in_data() {
 
     assert_eq!(run(&["lint", "--data", data, "--accept-translations"]).status.code(), Some(0));
     let lock = std::fs::read_to_string(copy.path().join("locales/fi/source.lock")).unwrap();
-    assert!(lock.starts_with("a ") && lock.len() == "a 01234567\n".len(), "{lock}");
+    assert!(lock.starts_with("a ") && lock.len() == "a 01234567 =01234567\n".len(), "{lock}");
+    let originals = std::fs::read_to_string(copy.path().join("locales/en/accepted.lock")).unwrap();
+    assert!(originals.starts_with("a ") && originals.ends_with(" \"A\"\n"), "{originals}");
 }
 
 /// Copies a directory, whole.

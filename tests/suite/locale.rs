@@ -1,7 +1,7 @@
 //! The languages: look-up, numbers, functions, findings, and how diagnostics are shown.
 use ciklo::base::diag::{Diagnostic, Place, Source};
 use ciklo::language::locale::render::{render, to_json_line};
-use ciklo::language::locale::{Args, Collation, Digits, Fault, Locales, Meanings, Numbers, Scope, Ui};
+use ciklo::language::locale::{Accept, Args, Collation, Digits, Fault, Locales, Meanings, Numbers, Scope, Ui};
 use proptest::prelude::*;
 
 /// The units and lists that the tests share.
@@ -348,7 +348,7 @@ fn an_accepted_translation_is_stale_once_its_source_changes() {
     let files = |english: &str, lock: &str| {
         load(&[("locales/en/a.ftl", english), ("locales/fi/a.ftl", translation), ("locales/fi/source.lock", lock)]).0
     };
-    let lock = files(ENGLISH, "").accepted("fi", &Meanings::new()).unwrap();
+    let lock = files(ENGLISH, "").accept("fi", &Meanings::new(), Accept::Changed).unwrap().lock;
     let names: Vec<&str> = lock.lines().filter_map(|line| line.split(' ').next()).collect();
     assert_eq!(names, ["-t", "a", "b", "b.tip", "c"]);
     let audit = files(ENGLISH, &lock).audit("fi").unwrap();
@@ -363,6 +363,54 @@ fn an_accepted_translation_is_stale_once_its_source_changes() {
 }
 
 #[test]
+fn what_was_stale_is_accepted_only_by_name_or_after_a_change() {
+    let load_with = |english: &str, finnish: &str, lock: &str, originals: &str| {
+        load(&[
+            ("locales/en/a.ftl", english),
+            ("locales/en/accepted.lock", originals),
+            ("locales/fi/a.ftl", finnish),
+            ("locales/fi/source.lock", lock),
+        ])
+        .0
+    };
+    let none = Meanings::new();
+    let (english, finnish) = ("a = Drill here.\nb = Stop.\n", "a = Poraa.\nb = Seis.\n");
+    let first = load_with(english, finnish, "", "");
+    let lock = first.accept("fi", &none, Accept::Changed).unwrap().lock;
+    let originals = first.originals(std::slice::from_ref(&lock)).unwrap();
+
+    // Both English texts change, one translation with them.
+    let english = "a = Drill there slowly.\nb = Wait.\n";
+    let second = load_with(english, "a = Poraa hitaasti.\nb = Seis.\n", &lock, &originals);
+    let audit = second.audit("fi").unwrap();
+    assert_eq!(keys(&audit.stale), ["a", "b"]);
+    assert_eq!(audit.stale[0].change.as_deref(), Some("“here.” → “there slowly.”"));
+    let accepted = second.accept("fi", &none, Accept::Changed).unwrap();
+    assert_eq!((accepted.taken, accepted.stale), (vec!["a".to_owned()], vec!["b".to_owned()]));
+    // What remains stale still shows what it was made from, also after the file was written anew.
+    let kept = second.originals(std::slice::from_ref(&accepted.lock)).unwrap();
+    let third = load_with(english, "a = Poraa hitaasti.\nb = Seis.\n", &accepted.lock, &kept);
+    let audit = third.audit("fi").unwrap();
+    assert_eq!(keys(&audit.stale), ["b"]);
+    assert_eq!(audit.stale[0].change.as_deref(), Some("“Stop.” → “Wait.”"));
+    let named = third.accept("fi", &none, Accept::Named(&["b".to_owned()])).unwrap();
+    assert!(named.stale.is_empty() && named.taken == ["b"]);
+}
+
+#[test]
+fn a_copy_of_the_source_is_no_translation_unless_a_list_says_so() {
+    let english = "a = Drill { $x } holes\nb = PLANE SPATIAL { $x }\nc = Software\nd = ciklo fmt\n";
+    let audit = |lists: &[(&str, &str)]| {
+        let mut files = vec![("locales/en/a.ftl", english), ("locales/fi/a.ftl", english)];
+        files.extend(lists);
+        keys(&load(&files).0.audit("fi").unwrap().same).iter().map(|key| (*key).to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(audit(&[]), ["a", "c", "d"], "words in capitals are no words of a language");
+    let lists = [("locales/en/same-as-source.txt", "# keys\nd*\n"), ("locales/fi/same-as-source.txt", "Software\n")];
+    assert_eq!(audit(&lists), ["a"]);
+}
+
+#[test]
 fn a_slip_of_the_pen_leaves_translations_fresh_and_a_new_meaning_does_not() {
     let english = "step = The touch probe retracts to { $height } after 2 probings.\nchoice = move upwards\n";
     let translation = "step = { $height } 2\nchoice = ylös\n";
@@ -370,7 +418,7 @@ fn a_slip_of_the_pen_leaves_translations_fresh_and_a_new_meaning_does_not() {
         load(&[("locales/en/a.ftl", english), ("locales/fi/a.ftl", translation), ("locales/fi/source.lock", lock)]).0
     };
     let meanings: Meanings = [("step".to_owned(), 1), ("choice".to_owned(), 2)].into_iter().collect();
-    let lock = files(english, "").accepted("fi", &meanings).unwrap();
+    let lock = files(english, "").accept("fi", &meanings, Accept::Changed).unwrap().lock;
     let stale = |english: &str, meanings: &Meanings| {
         keys(&files(english, &lock).audit_with("fi", meanings).unwrap().stale)
             .iter()
@@ -559,7 +607,7 @@ proptest! {
         }
         for tag in locales.tags() {
             prop_assert!(locales.audit(tag).is_ok());
-            prop_assert!(locales.accepted(tag, &Meanings::new()).is_ok());
+            prop_assert!(locales.accept(tag, &Meanings::new(), Accept::All).is_ok());
         }
     }
 }

@@ -62,6 +62,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         ],
     ),
     ("tools::coverage", &["base::diag", "base::expr", "spec", "language::locale", "engine"]),
+    ("tools::exchange", &["base::diag", "spec", "language::locale", "language::label"]),
     ("output::export", &["base::diag", "spec", "language::locale", "language::text"]),
     ("output::dialog", &["base::diag", "spec", "language::locale", "language::text", "output::export"]),
     (
@@ -117,6 +118,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "engine",
             "tools::conform",
             "tools::coverage",
+            "tools::exchange",
             "system",
         ],
     ),

@@ -1,17 +1,18 @@
 //! How far a translation follows its source: missing, left over, stale, and asking for too much.
 //!
-//! Each translation has a file `source.lock` with a line a text: `id[.attribute] text [meaning]`: a number
-//! for the words of the source text which it translates, and one for what the specifications mean by it. A
+//! Each translation has a file `source.lock` with a line a text: `id[.attribute] text [meaning] =translation`: a number
+//! for the words of the source text which it translates, one for what the specifications mean by it, and one for the
+//! translation that was accepted (`accept`). A
 //! mended slip of the pen leaves the first as it is: words count by their consonants. A variant counts as a translation
-//! of whatever the source language says in the same scope. Invariant: nothing is changed; the fresh lock is a text.
+//! of whatever the source language says in the same scope. Invariant: nothing is changed.
 use std::collections::{BTreeSet, HashMap, HashSet};
-use std::fmt::Write as _;
 use std::sync::Arc;
 
 use fluent_syntax::ast::{self, Pattern};
 
 use super::language::{Form, Key, Language, Scope};
-use super::pattern::{Node, visit};
+use super::lock::Recorded;
+use super::pattern::{self, Node, visit};
 use super::{LocaleError, Locales, SOURCE_LANGUAGE};
 use crate::base::diag::{Diagnostic, Place, Source, Span};
 
@@ -31,6 +32,21 @@ pub struct Finding {
     pub place: Option<Place>,
     /// An argument, where the finding is about one.
     pub argument: Option<String>,
+    /// What changed in the source text since it was translated, where that is known: `“earlier” → “now”`.
+    pub change: Option<String>,
+}
+
+/// A text of the source language.
+#[derive(Clone, Debug)]
+pub struct SourceText {
+    /// The message with its suffixes and `.attribute`, or `topics/` and the name of a page.
+    pub key: String,
+    /// The message without suffixes and attribute.
+    pub id: String,
+    /// Where its name is.
+    pub place: Place,
+    /// What it says, in Fluent or Markdown.
+    pub text: String,
 }
 
 /// How far one translation follows its source; each list is sorted by key.
@@ -48,6 +64,8 @@ pub struct Audit {
     pub stale: Vec<Finding>,
     /// Translations that were never accepted.
     pub unrecorded: Vec<Finding>,
+    /// Texts with the words of the source language, which no list allows.
+    pub same: Vec<Finding>,
     /// Arguments that a translation uses and its source does not.
     pub unknown_arguments: Vec<Finding>,
 }
@@ -63,6 +81,7 @@ impl Audit {
         self.append(&mut all, &self.orphans, "locale-orphan", warn);
         self.append(&mut all, &self.stale, "locale-stale", warn);
         self.append(&mut all, &self.unrecorded, "locale-unrecorded", warn);
+        self.append(&mut all, &self.same, "locale-same-as-source", warn);
         all
     }
 
@@ -76,24 +95,28 @@ impl Audit {
         for finding in findings {
             let Some(place) = finding.place.clone() else { continue };
             let diagnostic = make(code, place).arg("key", finding.key.as_str()).arg("language", self.language.as_str());
-            all.push(match &finding.argument {
+            let diagnostic = match &finding.argument {
                 Some(argument) => diagnostic.arg("name", argument.as_str()),
                 None => diagnostic,
+            };
+            all.push(match (&finding.change, code) {
+                (change, "locale-stale") => diagnostic.arg("change", change.as_deref().unwrap_or("none")),
+                _ => diagnostic,
             });
         }
     }
 }
 
 /// A text of a language with what is needed to compare it.
-struct Text<'l> {
-    key: String,
-    id: &'l str,
-    attribute: Option<&'l str>,
-    form: &'l Form,
-    pattern: &'l Pattern<&'l str>,
+pub(super) struct Text<'l> {
+    pub(super) key: String,
+    pub(super) id: &'l str,
+    pub(super) attribute: Option<&'l str>,
+    pub(super) form: &'l Form,
+    pub(super) pattern: &'l Pattern<&'l str>,
 }
 
-fn texts(language: &Language) -> Vec<Text<'_>> {
+pub(super) fn texts(language: &Language) -> Vec<Text<'_>> {
     let mut texts = Vec::new();
     for (id, entry) in language.entries.iter() {
         for (attribute, forms) in entry.all() {
@@ -113,7 +136,7 @@ fn texts(language: &Language) -> Vec<Text<'_>> {
 }
 
 /// What the other language says in the scope of a text.
-fn counterpart<'l>(other: &'l Language, text: &Text) -> Option<&'l Form> {
+pub(super) fn counterpart<'l>(other: &'l Language, text: &Text) -> Option<&'l Form> {
     let key = Key { id: text.id, attribute: text.attribute };
     match text.form.suffixes.as_slice() {
         // One suffix may be a cycle or a control; taken as either it selects the same variants.
@@ -123,19 +146,37 @@ fn counterpart<'l>(other: &'l Language, text: &Text) -> Option<&'l Form> {
     }
 }
 
-fn hash(pattern: &Pattern<&str>) -> u32 {
+pub(super) fn hash(pattern: &Pattern<&str>) -> u32 {
+    signature(&serialized(pattern))
+}
+
+/// The pattern as a file has it, in the layout of Fluent's own serializer, without indentation of the first line.
+pub(super) fn written(pattern: &Pattern<&str>) -> String {
+    let text = serialized(pattern);
+    text.trim_end().strip_prefix("x =").map_or_else(String::new, |text| text.trim_start_matches(' ').to_owned())
+}
+
+/// The pattern as the value of a message `x`.
+fn serialized(pattern: &Pattern<&str>) -> String {
     let message = ast::Message {
         id: ast::Identifier { name: "x" },
         value: Some(pattern.clone()),
         attributes: Vec::new(),
         comment: None,
     };
-    signature(&fluent_syntax::serializer::serialize(&ast::Resource { body: vec![ast::Entry::Message(message)] }))
+    fluent_syntax::serializer::serialize(&ast::Resource { body: vec![ast::Entry::Message(message)] })
+}
+
+/// A number for exactly this text.
+pub(super) fn digest(text: &str) -> u32 {
+    let mut hash = Fnv::default();
+    text.bytes().for_each(|byte| hash.add(byte));
+    hash.0
 }
 
 /// A number for what a text says: arguments, numbers and code words as they are, other words by the set of
 /// their consonants, so that a doubled letter, a turned pair or a wrong vowel changes nothing.
-fn signature(text: &str) -> u32 {
+pub(super) fn signature(text: &str) -> u32 {
     let mut hash = Fnv::default();
     for word in text.split(|c: char| !(c.is_alphanumeric() || matches!(c, '$' | '-' | '_'))) {
         let word = word.trim_matches('-');
@@ -176,7 +217,7 @@ impl Fnv {
 }
 
 fn finding(language: &Language, key: &str, form: &Form, argument: Option<&str>) -> Finding {
-    Finding { key: key.to_owned(), place: language.place(form), argument: argument.map(str::to_owned) }
+    Finding { key: key.to_owned(), place: language.place(form), argument: argument.map(str::to_owned), change: None }
 }
 
 /// The arguments that a text needs, through all messages that it refers to.
@@ -214,6 +255,25 @@ impl Locales {
         self.audit_with(tag, &Meanings::new())
     }
 
+    /// Every text of the source language but terms, in the order of keys, then the pages of prose.
+    ///
+    /// # Errors
+    /// If the source language was not loaded.
+    pub fn sources(&self) -> Result<Vec<SourceText>, LocaleError> {
+        let source = self.language(SOURCE_LANGUAGE)?;
+        let messages = texts(source).into_iter().filter(|text| !text.id.starts_with('-')).filter_map(|text| {
+            let place = source.place(text.form)?;
+            Some(SourceText { id: text.id.to_owned(), text: written(text.pattern), key: text.key, place })
+        });
+        let pages = source.topics().map(|(name, page)| SourceText {
+            key: topic_key(name),
+            id: topic_key(name),
+            place: Place::new(page, Span::default()),
+            text: page.text().to_owned(),
+        });
+        Ok(messages.chain(pages).collect())
+    }
+
     /// The same, and whether the specifications still mean what they meant when a text was translated.
     ///
     /// # Errors
@@ -242,34 +302,10 @@ impl Locales {
         topics(&mut audit, source, translation);
         Ok(audit)
     }
-
-    /// The lock file that accepts a translation as it is.
-    ///
-    /// # Errors
-    /// If the language or the source language was not loaded.
-    pub fn accepted(&self, tag: &str, meanings: &Meanings) -> Result<String, LocaleError> {
-        let (source, translation) = (self.language(SOURCE_LANGUAGE)?, self.language(tag)?);
-        let mut lock = String::new();
-        for text in texts(translation) {
-            if let Some(original) = counterpart(source, &text).and_then(|form| source.pattern(form)) {
-                let _ = write!(lock, "{} {:08x}", text.key, hash(original));
-                if let Some(meaning) = meanings.get(text.id) {
-                    let _ = write!(lock, " {meaning:08x}");
-                }
-                lock.push('\n');
-            }
-        }
-        for (name, _) in translation.topics() {
-            if let Some(original) = source.topic(name) {
-                let _ = writeln!(lock, "{} {:08x}", topic_key(name), signature(original.text()));
-            }
-        }
-        Ok(lock)
-    }
 }
 
 /// The key of a page of prose in reports and lock files.
-fn topic_key(name: &str) -> String {
+pub(super) fn topic_key(name: &str) -> String {
     format!("topics/{name}")
 }
 
@@ -279,6 +315,7 @@ fn topics(audit: &mut Audit, source: &Language, translation: &Language) {
         key: topic_key(name),
         place: Some(Place::new(page, Span::default())),
         argument: None,
+        change: None,
     };
     for (name, original) in source.topics() {
         audit.total += 1;
@@ -288,7 +325,10 @@ fn topics(audit: &mut Audit, source: &Language, translation: &Language) {
         };
         match translation.lock.as_ref().and_then(|lock| lock.0.get(&topic_key(name))) {
             None => audit.unrecorded.push(whole(name, page)),
-            Some(recorded) if recorded.text != signature(original.text()) => audit.stale.push(whole(name, page)),
+            Some(recorded) if recorded.text != signature(original.text()) => {
+                let change = changed(source, &topic_key(name), recorded, original.text());
+                audit.stale.push(Finding { change, ..whole(name, page) });
+            }
             Some(_) => {}
         }
     }
@@ -309,9 +349,13 @@ fn compare(
         Some(recorded) => {
             let meant = recorded.meaning.zip(meanings.get(text.id)).is_none_or(|(then, now)| then == *now);
             if recorded.text != hash(original) || !meant {
-                audit.stale.push(finding(translation, &text.key, text.form, None));
+                let change = changed(source, &text.key, recorded, &written(original));
+                audit.stale.push(Finding { change, ..finding(translation, &text.key, text.form, None) });
             }
         }
+    }
+    if is_same(source, translation, original, text) {
+        audit.same.push(finding(translation, &text.key, text.form, None));
     }
     // A term takes what its own language needs.
     if text.id.starts_with('-') {
@@ -321,4 +365,45 @@ fn compare(
     for name in arguments(translation, text.pattern).difference(&offered) {
         audit.unknown_arguments.push(finding(translation, &text.key, text.form, Some(name)));
     }
+}
+
+/// What changed in a text since it was recorded, if the words of then were kept.
+fn changed(source: &Language, key: &str, recorded: &Recorded, now: &str) -> Option<String> {
+    let earlier = source.originals.get(key, recorded.text)?;
+    difference(earlier, now)
+}
+
+/// The words by which two texts differ, between what they begin and end with.
+fn difference(earlier: &str, now: &str) -> Option<String> {
+    let (then, now): (Vec<&str>, Vec<&str>) = (earlier.split_whitespace().collect(), now.split_whitespace().collect());
+    let begin = then.iter().zip(&now).take_while(|(a, b)| a == b).count();
+    let most = then.len().min(now.len()).saturating_sub(begin);
+    let end = then.iter().rev().zip(now.iter().rev()).take(most).take_while(|(a, b)| a == b).count();
+    let part = |words: &[&str]| words.get(begin..words.len() - end).unwrap_or_default().join(" ");
+    let (then, now) = (part(&then), part(&now));
+    (then != now).then(|| format!("“{then}” → “{now}”"))
+}
+
+/// Shortest word that counts as one of a language, in letters.
+const WORD: usize = 3;
+
+/// Whether a text has the words of the source text, and no list says that it may.
+fn is_same(source: &Language, translation: &Language, original: &Pattern<&str>, text: &Text) -> bool {
+    if text.attribute.is_some_and(|name| OWN.contains(&name)) || written(original) != written(text.pattern) {
+        return false;
+    }
+    let lists = [&*source.alike, &*translation.alike];
+    let key = format!("{}{}", text.id, text.attribute.map(|name| format!(".{name}")).unwrap_or_default());
+    let is_of = |line: &String| line.strip_suffix('*').map_or(*line == key, |head| key.starts_with(head));
+    if lists.iter().any(|list| list.iter().any(is_of)) {
+        return false;
+    }
+    let mut sketch = pattern::sketch(original, &|_| Some(String::new()));
+    while let Some((before, inside)) = sketch.split_once('‹') {
+        let after = inside.split_once('›').map_or("", |(_, after)| after);
+        sketch = format!("{before} {after}");
+    }
+    let words = sketch.split(|c: char| !c.is_alphabetic());
+    let is_word = |word: &str| word.chars().count() >= WORD && word.chars().any(char::is_lowercase);
+    words.filter(|word| is_word(word)).any(|word| !lists.iter().any(|list| list.contains(word)))
 }

@@ -22,7 +22,7 @@ use super::collation::Collation;
 use super::entries::Entries;
 use super::error::{Fault, LocaleError};
 use super::function::{self, Forms};
-use super::lock::Lock;
+use super::lock::{Lock, Originals};
 use super::number::{Digits, Numbers};
 use super::pattern;
 use crate::base::demand::Deferred;
@@ -161,6 +161,10 @@ pub(super) struct Parts {
     pub(super) entries: Entries,
     pub(super) forms: Deferred<Arc<Forms>>,
     pub(super) lock: Deferred<Option<Lock>>,
+    /// What texts of the source language said when translations of them were accepted.
+    pub(super) originals: Deferred<Originals>,
+    /// Words and keys of texts that may be the same as in the source language.
+    pub(super) alike: Deferred<BTreeSet<String>>,
     /// Pages of prose by topic.
     pub(super) topics: Deferred<BTreeMap<String, Arc<Source>>>,
 }
@@ -173,6 +177,8 @@ pub struct Language {
     pub(super) tag: String,
     pub(super) entries: Entries,
     pub(super) lock: Deferred<Option<Lock>>,
+    pub(super) originals: Deferred<Originals>,
+    pub(super) alike: Deferred<BTreeSet<String>>,
     pub(super) topics: Deferred<BTreeMap<String, Arc<Source>>>,
     id: LanguageIdentifier,
     forms: Deferred<Arc<Forms>>,
@@ -188,6 +194,8 @@ impl Language {
             tag: parts.tag,
             entries: parts.entries,
             lock: parts.lock,
+            originals: parts.originals,
+            alike: parts.alike,
             topics: parts.topics,
             id: parts.id,
             forms: parts.forms,

@@ -1,7 +1,7 @@
 //! Reading the files of all languages: parsing, variants, duplicates, units and lists; pages of prose as they are.
 //!
 //! Invariant: a mistake costs the message it is in, never the file, and each has its place.
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use super::check;
 use super::entries::{Entries, OnDemand};
 use super::function::{Forms, ListForm};
 use super::language::{Entry, Form, Language, Parts};
-use super::lock::Lock;
+use super::lock::{Lock, Originals, list};
 use super::pattern::{Node, Template, visit};
 use crate::base::data::Prepared;
 use crate::base::demand::Deferred;
@@ -24,6 +24,10 @@ use crate::base::diag::{Diagnostic, Mistakes, Place, Source, Span};
 const UNITS: &str = "units.ftl";
 /// The file of a language that records which source texts its translations were made from.
 const LOCK: &str = "source.lock";
+/// The file of the source language that keeps what its texts said when they were translated.
+const ORIGINALS: &str = "accepted.lock";
+/// The file of a language that lists what may be the same as in the source language.
+const ALIKE: &str = "same-as-source.txt";
 /// The folder of a language that holds its pages of prose.
 const TOPICS: &str = "topics/";
 /// What a page of prose ends in.
@@ -71,7 +75,7 @@ fn address(path: &str) -> Option<(&str, &str)> {
         None => path.strip_prefix("locales/")?,
     };
     let (tag, name) = inside.split_once('/')?;
-    (name.ends_with(".ftl") || name == LOCK || topic(name).is_some()).then_some((tag, name))
+    (name.ends_with(".ftl") || [LOCK, ORIGINALS, ALIKE].contains(&name) || topic(name).is_some()).then_some((tag, name))
 }
 
 /// The topic of a page of prose: `topics/threads.md` is `threads`.
@@ -99,6 +103,17 @@ pub(super) fn open(data: &'static Prepared, mistakes: &Mistakes) -> BTreeMap<Str
             let (path, text) = data.below(&path).next()?;
             Some(Lock::read(&Source::embedded(path, text), &mut Vec::new()))
         });
+        let originals = Deferred::new(move || {
+            let path = format!("locales/{tag}/{ORIGINALS}");
+            let found = data.below(&path).next();
+            found.map_or_else(Originals::default, |(path, text)| {
+                Originals::read(&Source::embedded(path, text), &mut Vec::new())
+            })
+        });
+        let alike = Deferred::new(move || {
+            let path = format!("locales/{tag}/{ALIKE}");
+            data.below(&path).flat_map(|(_, text)| list(text)).collect()
+        });
         let topics = Deferred::new(move || {
             let folder = format!("locales/{tag}/{TOPICS}");
             let pages = data.below(&folder).filter_map(|(path, text)| {
@@ -108,7 +123,7 @@ pub(super) fn open(data: &'static Prepared, mistakes: &Mistakes) -> BTreeMap<Str
             pages.collect()
         });
         let entries = Entries::OnDemand(OnDemand::new(data, records, mistakes.clone()));
-        let parts = Parts { tag: tag.to_owned(), id, entries, forms, lock, topics };
+        let parts = Parts { tag: tag.to_owned(), id, entries, forms, lock, originals, alike, topics };
         Some((tag.to_owned(), Language::new(parts)))
     };
     data.messages.iter().filter_map(language).collect()
@@ -145,11 +160,16 @@ impl<'d> Reader<'d> {
             return None;
         };
         let mut lock = None;
+        let (mut originals, mut alike) = (Originals::default(), BTreeSet::new());
         let mut topics = BTreeMap::new();
         let mut forms = Forms::of(tag);
         for (name, source) in sources {
             if name == LOCK {
                 lock = Some(Lock::read(&source, self.diagnostics));
+            } else if name == ORIGINALS {
+                originals = Originals::read(&source, self.diagnostics);
+            } else if name == ALIKE {
+                alike = list(source.text());
             } else if let Some(topic) = topic(&name) {
                 topics.insert(topic.to_owned(), source);
             } else if self.shallow(&source) && self.short_numbers(&source) {
@@ -161,8 +181,16 @@ impl<'d> Reader<'d> {
             }
         }
         let entries = Entries::Read(self.entries);
-        let (forms, lock, topics) = (Arc::new(forms).into(), lock.into(), topics.into());
-        Some(Parts { tag: tag.to_owned(), id, entries, forms, lock, topics })
+        Some(Parts {
+            tag: tag.to_owned(),
+            id,
+            entries,
+            forms: Arc::new(forms).into(),
+            lock: lock.into(),
+            originals: originals.into(),
+            alike: alike.into(),
+            topics: topics.into(),
+        })
     }
 
     /// Whether nothing is nested so deeply that parsing it would need more stack than there is.

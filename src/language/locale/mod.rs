@@ -5,6 +5,7 @@
 //! Texts vary by cycle and control (`id__cycle__control`), and every failure to format is an error
 //! value, never text. Invariant: this module knows no cycle, no specification and no file system; it
 //! is handed files and plain keys. See `docs/locale-files.md` for the form of the files.
+mod accept;
 mod args;
 mod audit;
 mod check;
@@ -23,8 +24,9 @@ mod ui;
 
 use std::collections::BTreeMap;
 
+pub use accept::{Accept, Accepted};
 pub use args::Args;
-pub use audit::{Audit, Finding, Meanings};
+pub use audit::{Audit, Finding, Meanings, SourceText};
 pub use collation::Collation;
 pub use error::{Fault, LocaleError, NO_FILE};
 pub use language::{Key, Language, Scope};

@@ -1,0 +1,199 @@
+//! How far the translations of a language are: counts by file and control, and the texts that are open.
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use serde::Serialize;
+
+use crate::base::diag::Place;
+use crate::language::label;
+use crate::language::locale::{Finding, LocaleError, Locales, Meanings, SourceText};
+use crate::spec::{self, Catalogue};
+
+/// What a code of a finding begins with where a label is longer than a control takes.
+const TOO_LONG: &str = "label-too-long";
+
+/// Why a text is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum State {
+    /// There is none.
+    Missing,
+    /// Its source, or what the specifications mean by it, has changed.
+    Stale,
+    /// It was never accepted.
+    Unaccepted,
+    /// It has the words of the source.
+    SameAsSource,
+}
+
+/// So many texts of a file, a control or a language.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub struct Count {
+    /// Texts of the source language.
+    pub texts: usize,
+    /// Those with a translation that is accepted and up to date.
+    pub translated: usize,
+    /// Those without a translation.
+    pub missing: usize,
+    /// Those whose source has changed since they were accepted.
+    pub stale: usize,
+    /// Those that were never accepted.
+    pub unaccepted: usize,
+    /// Those with the words of the source.
+    pub same_as_source: usize,
+    /// Labels that are longer than a control takes.
+    pub over_long: usize,
+    /// Words of the source texts that are missing or stale.
+    pub words_to_do: usize,
+}
+
+impl Count {
+    fn add(&mut self, state: State, words: usize) {
+        match state {
+            State::Missing => self.missing += 1,
+            State::Stale => self.stale += 1,
+            State::Unaccepted => self.unaccepted += 1,
+            State::SameAsSource => self.same_as_source += 1,
+        }
+        if matches!(state, State::Missing | State::Stale) {
+            self.words_to_do += words;
+        }
+    }
+
+    fn settle(mut self) -> Self {
+        self.translated = self.texts.saturating_sub(self.missing + self.stale + self.unaccepted);
+        self
+    }
+}
+
+/// A text that is open.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub struct Open {
+    /// Its key.
+    pub key: String,
+    /// Why.
+    pub state: State,
+    /// The file of the translation, where it is or belongs, below the folder of the language.
+    pub file: String,
+    /// The line there; of a missing text, that of the source text.
+    pub line: usize,
+    /// What changed in the source text, where that is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub change: Option<String>,
+}
+
+/// How far one language is.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub struct LanguageStatus {
+    /// Its tag.
+    pub language: String,
+    /// All of it.
+    pub total: Count,
+    /// By file, below the folder of the language.
+    pub files: BTreeMap<String, Count>,
+    /// The texts of the cycles of a control.
+    pub controls: BTreeMap<String, Count>,
+    /// What is open, in the order of files and lines.
+    pub open: Vec<Open>,
+}
+
+/// How far a language is.
+///
+/// # Errors
+/// If the language or the source language was not loaded.
+pub fn status(
+    catalogue: &Catalogue,
+    locales: &Locales,
+    meanings: &Meanings,
+    tag: &str,
+) -> Result<LanguageStatus, LocaleError> {
+    let audit = locales.audit_with(tag, meanings)?;
+    let sources = locales.sources()?;
+    let of = |sources: &SourceText| file(&sources.place);
+    let by_key: HashMap<&str, &SourceText> = sources.iter().map(|text| (text.key.as_str(), text)).collect();
+    let by_id: HashMap<&str, &SourceText> = sources.iter().rev().map(|text| (text.id.as_str(), text)).collect();
+    let mut files: BTreeMap<String, Count> = BTreeMap::new();
+    for text in &sources {
+        files.entry(of(text)).or_default().texts += 1;
+    }
+    let mut open = Vec::new();
+    let lists = [
+        (State::Missing, &audit.missing),
+        (State::Stale, &audit.stale),
+        (State::Unaccepted, &audit.unrecorded),
+        (State::SameAsSource, &audit.same),
+    ];
+    for (state, findings) in lists {
+        for finding in findings.iter().filter(|finding| !finding.key.starts_with('-')) {
+            let source = by_key.get(finding.key.as_str()).or_else(|| by_id.get(base(&finding.key)));
+            let own = finding.place.as_ref().map_or_else(String::new, file);
+            files.entry(source.map_or_else(|| own.clone(), |text| of(text))).or_default().add(state, words(source));
+            open.push(entry(state, finding, own));
+        }
+    }
+    open.sort_by(|a, b| (&a.file, a.line, &a.key, a.state).cmp(&(&b.file, b.line, &b.key, b.state)));
+    let labels = label::check(catalogue, locales);
+    let prefix = format!("locales/{tag}/");
+    for place in labels.iter().filter(|found| found.code == TOO_LONG).filter_map(|found| found.place.as_ref()) {
+        if place.source.name().starts_with(&prefix) {
+            files.entry(file(place)).or_default().over_long += 1;
+        }
+    }
+    let total = files.values().fold(Count::default(), |sum, count| Count {
+        texts: sum.texts + count.texts,
+        translated: 0,
+        missing: sum.missing + count.missing,
+        stale: sum.stale + count.stale,
+        unaccepted: sum.unaccepted + count.unaccepted,
+        same_as_source: sum.same_as_source + count.same_as_source,
+        over_long: sum.over_long + count.over_long,
+        words_to_do: sum.words_to_do + count.words_to_do,
+    });
+    let controls = by_control(catalogue, &sources, &open);
+    let files = files.into_iter().map(|(file, count)| (file, count.settle())).collect();
+    Ok(LanguageStatus { language: tag.to_owned(), total: total.settle(), files, controls, open })
+}
+
+/// The texts that the cycles of each control need.
+fn by_control(catalogue: &Catalogue, sources: &[SourceText], open: &[Open]) -> BTreeMap<String, Count> {
+    let mut controls = BTreeMap::new();
+    for (name, on) in catalogue.controls.iter() {
+        let texts = on.cycles.values().flat_map(|cycle| spec::texts(cycle, on));
+        let used: BTreeSet<String> = texts.map(|text| text.id).collect();
+        let mut count = Count::default();
+        let mut words_of = HashMap::new();
+        for text in sources.iter().filter(|text| used.contains(&text.id)) {
+            count.texts += 1;
+            words_of.insert(text.key.as_str(), words(Some(&text)));
+        }
+        for text in open.iter().filter(|text| used.contains(base(&text.key))) {
+            count.add(text.state, words_of.get(text.key.as_str()).copied().unwrap_or_default());
+        }
+        controls.insert(name.clone(), count.settle());
+    }
+    controls
+}
+
+fn entry(state: State, finding: &Finding, file: String) -> Open {
+    let line = finding.place.as_ref().map_or(0, |place| place.start().line);
+    Open { key: finding.key.clone(), state, file, line, change: finding.change.clone() }
+}
+
+/// The file of a place below the folder of its language.
+fn file(place: &Place) -> String {
+    place.source.name().splitn(3, '/').nth(2).unwrap_or_default().to_owned()
+}
+
+/// A key without suffixes and attribute.
+fn base(key: &str) -> &str {
+    let id = key.split('.').next().unwrap_or_default();
+    id.split_once("__").map_or(id, |(base, _)| base)
+}
+
+/// How many words a source text has that someone translates.
+fn words(source: Option<&&SourceText>) -> usize {
+    let has_letter = |word: &&str| word.chars().any(char::is_alphabetic) && !word.contains(['{', '$', '"']);
+    source.map_or(0, |source| source.text.split_whitespace().filter(has_letter).count())
+}
