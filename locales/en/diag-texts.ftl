@@ -1,3 +1,20 @@
 diag-texts-nothing-chosen = Say what is to be accepted: --text KEY, --changed or --all.
 diag-texts-unknown-key = No translation has a text with the key “{ $key }”.
 diag-locale-same-as-source = The text “{ $key }” in the language “{ $language }” is the same as in English.
+diag-texts-no-file = “texts import” needs the file that is to be read.
+diag-texts-no-language = “{ $language }” is not a language to translate into; name it with --to, as in “--to fi”.
+diag-texts-file-unreadable = The file cannot be read: { $reason ->
+        [document-type] document types and entities of their own are not accepted
+        [entity] there is an unknown entity
+        [encoding] the encoding is not UTF-8
+        [depth] the elements are nested too deeply
+        [xliff] this is neither XLIFF 1.2 nor XLIFF 2.0
+       *[form] the form is wrong from here on
+    }.
+diag-texts-unit-unknown = There is no text for the unit “{ $key }”.
+diag-texts-unit-twice = The unit “{ $key }” is in the file several times.
+diag-texts-unit-source-changed = The source of the unit “{ $key }” is not that of today: export the text again.
+diag-texts-unit-not-read = The unit “{ $key }” has no translation, or one with elements that are not known here.
+diag-texts-unit-codes = The codes of the unit “{ $key }” do not match: missing { $missing }, not allowed { $foreign }.
+diag-texts-unit-incomplete = The unit “{ $key }” is one of several variants of a new text; the others are missing or refused.
+diag-texts-unit-refused = The unit “{ $key }” is refused ({ $code }): { $finding }

@@ -18,6 +18,7 @@ mod coverage;
 mod documents;
 mod engine;
 mod engine_plan;
+mod exchange;
 mod export;
 mod expr;
 mod figures;

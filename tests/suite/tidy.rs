@@ -62,7 +62,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         ],
     ),
     ("tools::coverage", &["base::diag", "base::expr", "spec", "language::locale", "engine"]),
-    ("tools::exchange", &["base::diag", "spec", "language::locale", "language::label"]),
+    ("tools::exchange", &["base::diag", "spec", "language::locale", "language::label", "language::consistency"]),
     ("output::export", &["base::diag", "spec", "language::locale", "language::text"]),
     ("output::dialog", &["base::diag", "spec", "language::locale", "language::text", "output::export"]),
     (

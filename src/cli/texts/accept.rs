@@ -1,7 +1,7 @@
 //! `ciklo texts accept`: translations recorded as good for the English texts of today.
 use clap::ArgMatches;
 
-use super::Texts;
+use super::shared::{Texts, writable};
 use crate::base::diag::Diagnostic;
 use crate::cli::session::{self, Session};
 use crate::cli::{Failure, Outcome, arguments};
@@ -27,8 +27,13 @@ pub(in crate::cli) fn changed(session: &mut Session, option: &str) -> Result<Out
     write(session, option, &[], Accept::Changed)
 }
 
+/// Accepts the texts of a language that came back from a translator.
+pub(super) fn named(session: &mut Session, tag: &str, keys: &[String]) -> Result<Outcome, Failure> {
+    write(session, "texts import", &[tag.to_owned()], Accept::Named(keys))
+}
+
 fn write(session: &mut Session, option: &str, languages: &[String], which: Accept) -> Result<Outcome, Failure> {
-    let root = super::writable(session, option)?;
+    let root = writable(session, option)?;
     let texts = Texts::of(&session::working_copy(&root)?);
     let chosen = texts.chosen(languages)?;
     let mut all = Vec::new();

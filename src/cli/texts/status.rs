@@ -2,7 +2,7 @@
 use clap::ArgMatches;
 use serde_json::json;
 
-use super::Texts;
+use super::shared::Texts;
 use crate::cli::session::Session;
 use crate::cli::{Failure, Outcome, arguments};
 use crate::language::locale::Args;

@@ -49,6 +49,23 @@ pub struct SourceText {
     pub text: String,
 }
 
+/// A text with its translation.
+#[derive(Clone, Debug)]
+pub struct Pair {
+    /// The message with its suffixes and `.attribute`; terms begin with `-`.
+    pub key: String,
+    /// The message without suffixes and attribute.
+    pub id: String,
+    /// Where the name of the source text is.
+    pub source: Place,
+    /// Where the name of the translation is.
+    pub target: Option<Place>,
+}
+
+fn pair(text: &Text, source: Option<Place>, target: Option<Place>) -> Option<Pair> {
+    Some(Pair { key: text.key.clone(), id: text.id.to_owned(), source: source?, target })
+}
+
 /// How far one translation follows its source; each list is sorted by key.
 #[derive(Clone, Debug, Default)]
 pub struct Audit {
@@ -272,6 +289,40 @@ impl Locales {
             text: page.text().to_owned(),
         });
         Ok(messages.chain(pages).collect())
+    }
+
+    /// Every text that a translator works on, with its source: those of the source language and the variants that the
+    /// translation has of its own. What a language may have alone is left out, and so is a variant that a wider text
+    /// of the translation covers. Of a language that was not loaded nothing is translated.
+    ///
+    /// # Errors
+    /// If the source language was not loaded.
+    pub fn pairs(&self, tag: &str) -> Result<Vec<Pair>, LocaleError> {
+        let source = self.language(SOURCE_LANGUAGE)?;
+        let translation = self.languages.get(tag);
+        let own: HashMap<String, Text> =
+            translation.into_iter().flat_map(texts).map(|text| (text.key.clone(), text)).collect();
+        let is_shared = |text: &Text| text.attribute.is_none_or(|name| !OWN.contains(&name));
+        let originals = texts(source);
+        let mut pairs = Vec::new();
+        for text in originals.iter().filter(|text| is_shared(text)) {
+            let target = own.get(&text.key);
+            if target.is_none() && translation.is_some_and(|other| counterpart(other, text).is_some()) {
+                continue;
+            }
+            let place = target.and_then(|target| translation?.place(target.form));
+            pairs.extend(pair(text, source.place(text.form), place));
+        }
+        let known: HashSet<&str> = originals.iter().map(|text| text.key.as_str()).collect();
+        for text in own.values().filter(|text| is_shared(text) && !known.contains(text.key.as_str())) {
+            let original = counterpart(source, text).and_then(|form| source.place(form));
+            pairs.extend(pair(text, original, translation.and_then(|other| other.place(text.form))));
+        }
+        pairs.sort_by(|a, b| {
+            let at = |pair: &Pair| (pair.source.source.name().to_owned(), pair.source.span.start);
+            at(a).cmp(&at(b)).then_with(|| a.key.cmp(&b.key))
+        });
+        Ok(pairs)
     }
 
     /// The same, and whether the specifications still mean what they meant when a text was translated.

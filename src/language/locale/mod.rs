@@ -26,7 +26,7 @@ use std::collections::BTreeMap;
 
 pub use accept::{Accept, Accepted};
 pub use args::Args;
-pub use audit::{Audit, Finding, Meanings, SourceText};
+pub use audit::{Audit, Finding, Meanings, Pair, SourceText};
 pub use collation::Collation;
 pub use error::{Fault, LocaleError, NO_FILE};
 pub use language::{Key, Language, Scope};

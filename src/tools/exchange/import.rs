@@ -1,0 +1,412 @@
+//! Translations that come back: which of them are sound, and the files with them in place.
+//!
+//! Invariant: only bytes of texts that are taken over change; what is refused is named with the reason.
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use super::Received;
+use super::fluent::{Pattern, Piece, written};
+use super::unit::{self, Text, Unit};
+use super::xliff::merged;
+use crate::base::diag::{Arg, Diagnostic};
+use crate::language::consistency;
+use crate::language::label;
+use crate::language::locale::{LocaleError, Locales};
+use crate::spec::Catalogue;
+
+/// So often the texts are checked again after some of them were refused.
+const ROUNDS: usize = 6;
+
+/// Why a unit is refused.
+#[derive(Clone, Debug)]
+pub enum Why {
+    /// There is no text of this identifier.
+    Unknown,
+    /// Its identifier is there several times.
+    Twice,
+    /// Its source is not that of today.
+    SourceChanged,
+    /// It has no translation, or something in it that is neither text nor a known code.
+    NotRead,
+    /// Codes are missing, or there are some that the text does not have.
+    Codes {
+        /// Those that are missing.
+        missing: String,
+        /// Those that do not belong there.
+        foreign: String,
+    },
+    /// Other variants of the same text are missing.
+    Incomplete,
+    /// A check of `ciklo lint` finds something.
+    Found(Box<Diagnostic>),
+}
+
+/// A unit that is not taken over.
+#[derive(Clone, Debug)]
+pub struct Refusal {
+    /// Its identifier.
+    pub id: String,
+    /// Where it is in the file.
+    pub at: usize,
+    /// The reason.
+    pub why: Why,
+}
+
+/// What came of a file.
+#[derive(Debug, Default)]
+pub struct Imported {
+    /// The files that change, with their new texts.
+    pub files: Vec<(String, String)>,
+    /// The identifiers of the units that are taken over.
+    pub taken: Vec<String>,
+    /// The keys of the texts whose units were all final, changed or not.
+    pub confirmed: Vec<String>,
+    /// How many final units are as they were.
+    pub unchanged: usize,
+    /// How many units are not final.
+    pub passed_over: usize,
+    /// What is refused.
+    pub refused: Vec<Refusal>,
+}
+
+/// A unit that can be taken over.
+struct Edit {
+    at: usize,
+    text: usize,
+    path: String,
+    pieces: Vec<Piece>,
+}
+
+type Edits = BTreeMap<String, Edit>;
+
+/// Takes over the final units of a file for a language.
+///
+/// # Errors
+/// If the source language was not loaded.
+pub fn import(
+    catalogue: &Catalogue,
+    files: &[(String, String)],
+    tag: &str,
+    received: Vec<Received>,
+) -> Result<Imported, LocaleError> {
+    let (locales, before) = Locales::load(files.iter().map(|(path, text)| (path, text)));
+    let texts = unit::texts(&locales, tag)?;
+    let mut imported = Imported::default();
+    let mut edits = sift(&texts, tag, received, &mut imported);
+    drop_incomplete(&texts, tag, &mut edits, &mut imported);
+    let known: BTreeSet<String> = findings(catalogue, &locales, tag, before).iter().map(signature).collect();
+    for _ in 0..ROUNDS {
+        imported.files = applied(files, &texts, tag, &edits);
+        if edits.is_empty() {
+            break;
+        }
+        let changed: HashMap<&str, &str> =
+            imported.files.iter().map(|(path, text)| (path.as_str(), text.as_str())).collect();
+        let kept = files.iter().filter(|(path, _)| !changed.contains_key(path.as_str()));
+        let all = kept.map(|(path, text)| (path.as_str(), text.as_str())).chain(changed.iter().map(|(a, b)| (*a, *b)));
+        let (after, found) = Locales::load(all);
+        let found = findings(catalogue, &after, tag, found);
+        let new: Vec<Diagnostic> = found.into_iter().filter(|found| !known.contains(&signature(found))).collect();
+        if !refuse(&texts, &new, locales.language(tag).is_ok(), &mut edits, &mut imported) {
+            break;
+        }
+        drop_incomplete(&texts, tag, &mut edits, &mut imported);
+        imported.files = applied(files, &texts, tag, &edits);
+    }
+    let refused: BTreeSet<&str> = imported.refused.iter().map(|refusal| key_of(&refusal.id)).collect();
+    let mut confirmed = std::mem::take(&mut imported.confirmed);
+    confirmed.extend(edits.values().filter_map(|edit| texts.get(edit.text)).map(|text| text.pair.key.clone()));
+    confirmed.retain(|key| !refused.contains(key.as_str()));
+    confirmed.sort();
+    confirmed.dedup();
+    imported.confirmed = confirmed;
+    imported.taken = edits.into_keys().collect();
+    imported.refused.sort_by_key(|refusal| refusal.at);
+    Ok(imported)
+}
+
+/// The key of the text that a unit belongs to.
+fn key_of(id: &str) -> &str {
+    id.split('#').next().unwrap_or(id)
+}
+
+/// Final units that are sound by themselves and differ from what is there.
+fn sift(texts: &[Text], tag: &str, received: Vec<Received>, imported: &mut Imported) -> Edits {
+    let mut known: HashMap<String, (usize, Unit)> = HashMap::new();
+    for (index, text) in texts.iter().enumerate() {
+        known.extend(unit::units_of(text, tag).into_iter().map(|(unit, _)| (unit.id.clone(), (index, unit))));
+    }
+    let mut times: HashMap<String, usize> = HashMap::new();
+    received.iter().for_each(|unit| *times.entry(unit.id.clone()).or_default() += 1);
+    let mut edits = Edits::new();
+    let mut open: BTreeSet<String> = BTreeSet::new();
+    for unit in received {
+        let at = unit.at;
+        if !unit.is_final {
+            imported.passed_over += 1;
+            open.insert(key_of(&unit.id).to_owned());
+            continue;
+        }
+        let is_twice = times.get(&unit.id).is_some_and(|times| *times > 1);
+        match known.get(&unit.id).ok_or(Why::Unknown).and_then(|(text, own)| Ok((*text, own, sound(own, &unit, is_twice)?))) {
+            Err(why) => imported.refused.push(Refusal { id: unit.id, at, why }),
+            Ok((_, own, None)) => {
+                imported.unchanged += 1;
+                imported.confirmed.push(own.key.clone());
+            }
+            Ok((text, own, Some(pieces))) => {
+                let path = unit.id.get(own.key.len()..).unwrap_or_default().to_owned();
+                edits.insert(unit.id, Edit { at, text, path, pieces });
+            }
+        }
+    }
+    imported.confirmed.retain(|key| !open.contains(key));
+    edits
+}
+
+/// The new pieces of a unit; nothing if they are those that are there.
+fn sound(own: &Unit, unit: &Received, is_twice: bool) -> Result<Option<Vec<Piece>>, Why> {
+    if is_twice {
+        return Err(Why::Twice);
+    }
+    if unit.source.as_ref() != Some(&merged(own.source.clone())) {
+        return Err(Why::SourceChanged);
+    }
+    let pieces = trimmed(unit.target.clone().ok_or(Why::NotRead)?);
+    if pieces.is_empty() {
+        return Err(Why::NotRead);
+    }
+    if pieces == trimmed(merged(own.target.clone())) {
+        return Ok(None);
+    }
+    check_codes(own, &pieces)?;
+    Ok(Some(pieces))
+}
+
+fn trimmed(mut pieces: Vec<Piece>) -> Vec<Piece> {
+    let blank = [' ', '\n', '\t', '\r'];
+    if let Some(Piece::Text(words)) = pieces.first_mut() {
+        *words = words.trim_start_matches(blank).to_owned();
+    }
+    if let Some(Piece::Text(words)) = pieces.last_mut() {
+        *words = words.trim_end_matches(blank).to_owned();
+    }
+    merged(pieces)
+}
+
+/// What a code is, so that two can be compared: a term whatever its case, anything else as it is; nothing for literals,
+/// which a translation has as it needs them.
+fn identity(code: &str) -> Option<String> {
+    let inside = code.trim_start_matches('{').trim_end_matches('}').trim();
+    if inside.starts_with('"') {
+        return None;
+    }
+    let end = if inside.starts_with('-') { inside.find(['(', ' ', '.']).unwrap_or(inside.len()) } else { inside.len() };
+    Some(inside.get(..end).unwrap_or(inside).split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
+fn codes(pieces: &[Piece]) -> impl Iterator<Item = &str> {
+    pieces.iter().filter_map(|piece| match piece {
+        Piece::Code(code) => Some(code.as_str()),
+        Piece::Text(_) => None,
+    })
+}
+
+fn check_codes(own: &Unit, pieces: &[Piece]) -> Result<(), Why> {
+    let set = |pieces: &[Piece]| codes(pieces).filter_map(identity).collect::<BTreeSet<String>>();
+    let (source, target, new) = (set(&own.source), set(&own.target), set(pieces));
+    let needed: Vec<&String> = source.iter().filter(|code| own.target.is_empty() || target.contains(*code)).collect();
+    let missing: Vec<&str> = needed.into_iter().filter(|code| !new.contains(*code)).map(String::as_str).collect();
+    // What a file gives as a code must be one, and no more than one.
+    let is_one = |code: &str| super::code_length(code) == Some(code.len()) && !code.contains('\n');
+    let is_literal = |code: &str| {
+        let inside = code.trim_start_matches('{').trim_end_matches('}').trim();
+        inside.len() > 1 && inside.matches('"').count() == 2 && inside.ends_with('"')
+    };
+    let mut foreign = Vec::new();
+    for code in codes(pieces) {
+        let known = match identity(code) {
+            None => is_literal(code),
+            Some(id) => source.contains(&id) || target.contains(&id),
+        };
+        let as_it_was = codes(&own.source).chain(codes(&own.target)).any(|own| own == code);
+        if !as_it_was && !(known && is_one(code)) {
+            foreign.push(code);
+        }
+    }
+    if missing.is_empty() && foreign.is_empty() {
+        return Ok(());
+    }
+    Err(Why::Codes { missing: missing.join(", "), foreign: foreign.join(", ") })
+}
+
+/// Texts that the language does not have yet need all of their units.
+fn drop_incomplete(texts: &[Text], tag: &str, edits: &mut Edits, imported: &mut Imported) {
+    let mut short: Vec<String> = Vec::new();
+    for (id, edit) in edits.iter() {
+        let Some(text) = texts.get(edit.text).filter(|text| text.target.is_none()) else { continue };
+        if unit::units_of(text, tag).iter().any(|(unit, _)| !edits.contains_key(&unit.id)) {
+            short.push(id.clone());
+        }
+    }
+    for id in short {
+        if let Some(edit) = edits.remove(&id) {
+            imported.refused.push(Refusal { id, at: edit.at, why: Why::Incomplete });
+        }
+    }
+}
+
+/// What the checks of texts find in all languages.
+fn findings(catalogue: &Catalogue, locales: &Locales, tag: &str, mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    if let Ok(audit) = locales.audit(tag) {
+        let of_texts = |one: &Diagnostic| matches!(one.code, "locale-unknown-argument" | "locale-same-as-source");
+        found.extend(audit.diagnostics().into_iter().filter(of_texts));
+    }
+    found.extend(label::check(catalogue, locales));
+    found.extend(consistency::check(catalogue, locales));
+    found
+}
+
+/// What a finding says, wherever in its file it is.
+fn signature(found: &Diagnostic) -> String {
+    let file = found.place.as_ref().map_or("", |place| place.source.name());
+    format!("{} {file} {:?}", found.code, found.args)
+}
+
+/// Removes the units that new findings are about, and says whether there were any.
+fn refuse(texts: &[Text], new: &[Diagnostic], had: bool, edits: &mut Edits, imported: &mut Imported) -> bool {
+    let mut any = false;
+    for found in new {
+        let named = message_at(found);
+        let key = match found.get("key") {
+            Some(Arg::Text(key)) => Some(key.to_string()),
+            _ => None,
+        };
+        let concerns = |edit: &Edit| {
+            let Some(text) = texts.get(edit.text) else { return false };
+            let message = text.pair.key.split('.').next().unwrap_or_default().trim_start_matches('-');
+            key.as_deref().is_some_and(|key| key == text.pair.key || key == text.pair.id)
+                || named.as_deref() == Some(message)
+        };
+        let mut ids: Vec<String> = edits.iter().filter(|(_, edit)| concerns(edit)).map(|(id, _)| id.clone()).collect();
+        let is_known = imported.refused.iter().any(|refusal| {
+            key.as_deref() == Some(key_of(&refusal.id)) || named.as_deref() == key_of(&refusal.id).split('.').next()
+        });
+        if ids.is_empty() && had && !is_known {
+            // It came with the file, and nothing says with which of the units.
+            ids = edits.keys().cloned().collect();
+        }
+        for id in ids {
+            if let Some(edit) = edits.remove(&id) {
+                any = true;
+                imported.refused.push(Refusal { id, at: edit.at, why: Why::Found(Box::new(found.clone())) });
+            }
+        }
+    }
+    any
+}
+
+/// The message in which a finding is.
+fn message_at(found: &Diagnostic) -> Option<String> {
+    let place = found.place.as_ref()?;
+    let text = place.source.text();
+    let end = text.get(place.span.start..)?.find('\n').map_or(text.len(), |at| place.span.start + at);
+    let lines = text.get(..end)?.lines().rev();
+    let name = |line: &str| {
+        let line = line.strip_prefix('-').unwrap_or(line);
+        let (name, _) = line.split_once('=')?;
+        line.starts_with(|c: char| c.is_ascii_alphabetic()).then(|| name.trim().to_owned())
+    };
+    lines.take_while(|line| !line.starts_with('#')).find_map(name)
+}
+
+/// The files with the edits in place.
+fn applied(files: &[(String, String)], texts: &[Text], tag: &str, edits: &Edits) -> Vec<(String, String)> {
+    let mut by_text: BTreeMap<usize, HashMap<String, Vec<Piece>>> = BTreeMap::new();
+    for edit in edits.values() {
+        by_text.entry(edit.text).or_default().insert(edit.path.clone(), edit.pieces.clone());
+    }
+    let mut replaced: BTreeMap<&str, Vec<(usize, usize, String)>> = BTreeMap::new();
+    let mut added: BTreeMap<&str, Vec<(String, String)>> = BTreeMap::new();
+    for (index, own) in &by_text {
+        let Some(text) = texts.get(*index) else { continue };
+        if let (Some(target), Some(place)) = (&text.target, &text.pair.target) {
+            let new = target.rewritten(place.source.text(), "", own);
+            replaced.entry(&text.path).or_default().push((target.span.start, target.span.end, new));
+            continue;
+        }
+        let value = assembled(text, &text.source, "", tag, own);
+        let (message, attribute) = text.pair.key.split_once('.').map_or((text.pair.key.as_str(), None), |(a, b)| (a, Some(b)));
+        // An attribute goes behind what its message has already.
+        let same = |other: &&Text| other.path == text.path && other.pair.key.split('.').next() == Some(message);
+        let last = texts.iter().filter(same).filter_map(|other| other.target.as_ref()).map(|it| it.span.end).max();
+        match (attribute, last) {
+            (Some(name), Some(end)) => {
+                replaced.entry(&text.path).or_default().push((end, end, format!("\n    .{name} = {value}")));
+            }
+            (attribute, _) => {
+                let list = added.entry(&text.path).or_default();
+                let is_first = list.last().is_none_or(|(own, _)| own != message);
+                let line = match attribute {
+                    None => format!("{message} = {value}\n"),
+                    Some(name) if is_first => format!("{message} =\n    .{name} = {value}\n"),
+                    Some(name) => format!("    .{name} = {value}\n"),
+                };
+                list.push((message.to_owned(), line));
+            }
+        }
+    }
+    let paths: BTreeSet<&str> = replaced.keys().chain(added.keys()).copied().collect();
+    paths.into_iter().map(|path| (path.to_owned(), rewritten(files, path, &mut replaced, &added))).collect()
+}
+
+fn rewritten(
+    files: &[(String, String)],
+    path: &str,
+    replaced: &mut BTreeMap<&str, Vec<(usize, usize, String)>>,
+    added: &BTreeMap<&str, Vec<(String, String)>>,
+) -> String {
+    let old = files.iter().find(|(own, _)| own == path).map_or("", |(_, text)| text.as_str());
+    // Places in files do not count a byte order mark.
+    let (mark, old) = old.strip_prefix('\u{feff}').map_or(("", old), |rest| ("\u{feff}", rest));
+    let mut edits = replaced.remove(path).unwrap_or_default();
+    edits.sort_by_key(|(start, end, _)| (*start, *end));
+    let mut text = mark.to_owned();
+    let mut at = 0;
+    for (start, end, new) in edits {
+        text += old.get(at..start).unwrap_or_default();
+        text += &new;
+        at = end;
+    }
+    text += old.get(at..).unwrap_or_default();
+    if let Some(lines) = added.get(path) {
+        if !text.is_empty() && !text.ends_with('\n') {
+            text.push('\n');
+        }
+        text.extend(lines.iter().map(|(_, line)| line.as_str()));
+    }
+    text
+}
+
+/// A text in the form of its source, with the selections that the language needs.
+fn assembled(text: &Text, shape: &Pattern, path: &str, tag: &str, own: &HashMap<String, Vec<Piece>>) -> String {
+    let file = text.pair.source.source.text();
+    let selects: Vec<String> = shape
+        .selects()
+        .enumerate()
+        .map(|(index, select)| {
+            let default = select.variants.iter().find(|variant| variant.default).map_or("other", |it| it.key.as_str());
+            let lines: String = unit::keys(select, Some(tag))
+                .into_iter()
+                .map(|key| {
+                    let inner = unit::variant(select, &key).unwrap_or(shape);
+                    let value = assembled(text, inner, &format!("{path}#{index}[{key}]"), tag, own);
+                    let star = if key == default { "*" } else { " " };
+                    format!("\n       {star}[{key}] {value}")
+                })
+                .collect();
+            format!("{{ {} ->{lines}\n    }}", select.selector)
+        })
+        .collect();
+    let pieces = own.get(path).cloned().unwrap_or_else(|| shape.pieces(file));
+    written(&pieces, 4, &|index| selects.get(index).cloned())
+}
