@@ -24,6 +24,7 @@ mod stock;
 mod stock_steps;
 mod strategies;
 mod tcpm;
+mod tool_setter;
 mod touch;
 mod transforms;
 mod worked;

@@ -10,7 +10,8 @@ use ciklo::engine::region::contours::Contour;
 use ciklo::engine::region::{Edge, Way};
 use ciklo::engine::run::Fault;
 use ciklo::engine::strategy::action::{
-    Calibrated, Function, Kept, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System, Tables,
+    Calibrated, Function, Kept, KnownSetter, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System,
+    Tables, ToolSetter,
 };
 use ciklo::engine::strategy::contour::{self, Contours};
 use ciklo::engine::strategy::pending::PENDING;
@@ -208,6 +209,54 @@ struct Notebook {
     cells: Vec<(TableKind, f64, String, f64)>,
     contours: Contours,
     done: Vec<String>,
+}
+
+impl ToolSetter for Notebook {
+    fn setter(&self) -> Result<KnownSetter, Fault> {
+        Ok(KnownSetter { at: DVec3::new(300.0, 200.0, -50.0), radius: 20.0, is_round: true })
+    }
+
+    fn calibrate_setter(&mut self, known: KnownSetter) {
+        self.done.push(format!("setter at {} of {}", known.at, known.radius));
+    }
+
+    fn setting(&self, name: &str) -> Result<f64, Fault> {
+        Ok(name.len() as f64)
+    }
+
+    fn setting_word(&self, _: &str) -> Option<String> {
+        None
+    }
+
+    fn tip(&self) -> Result<DVec3, Fault> {
+        Ok(DVec3::new(0.0, 0.0, 100.0))
+    }
+
+    fn reckoned(&self) -> (f64, f64) {
+        (5.0, 80.0)
+    }
+
+    fn go(&mut self, to: DVec3) -> Done {
+        self.done.push(format!("go to {to}"));
+        Ok(())
+    }
+
+    fn touch_setter(&mut self, way: DVec3, feed: f64, at: Option<f64>) -> Done<Option<DVec3>> {
+        self.done.push(format!("touch {way} at {feed}, spindle {at:?}"));
+        Ok(Some(DVec3::ZERO))
+    }
+
+    fn orient(&mut self, angle: f64) {
+        self.done.push(format!("orient {angle}"));
+    }
+
+    fn cuts_counter_clockwise(&self) -> Result<bool, Fault> {
+        Ok(false)
+    }
+
+    fn first_edge(&self) -> f64 {
+        0.0
+    }
 }
 
 impl Kept for Notebook {

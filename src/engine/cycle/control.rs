@@ -15,12 +15,14 @@ use crate::engine::motion::probe::Approach;
 use crate::engine::report::ending::Done;
 use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::Fault;
-use crate::engine::scene::Preset;
+use crate::engine::scene::{ParameterValue, Plate, Preset};
 use crate::engine::strategy::action::{
-    Calibrated, Function, Kept, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System, Tables,
+    Calibrated, Function, Kept, KnownSetter, Probe, Programs, Rotary, RotaryAxes, Running, Spindle, Stopped, System,
+    Tables, ToolSetter,
 };
 use crate::engine::strategy::contour::Contours;
 use crate::engine::table::{Cell, TableKind};
+use crate::engine::world::setter::Pose;
 
 /// A run while a cycle is executed.
 pub(super) struct OfRun<'c, 'x, 'r, 'e> {
@@ -248,5 +250,80 @@ impl Kept for OfRun<'_, '_, '_, '_> {
 
     fn tool_radius(&self) -> f64 {
         self.run.cutter().radius
+    }
+}
+
+impl ToolSetter for OfRun<'_, '_, '_, '_> {
+    fn setter(&self) -> Result<KnownSetter, Fault> {
+        let world = &self.run.drives.world;
+        let truth = self.run.drives.tool_setter()?;
+        let (Plate::Disc(radius) | Plate::Cube(radius)) = truth.plate;
+        let is_round = matches!(truth.plate, Plate::Disc(_));
+        if let Some((at, radius)) = world.calibrated_setter {
+            return Ok(KnownSetter { at, radius, is_round });
+        }
+        let printed = self.exec.definition.on.datum("setter-centre");
+        let at = match printed.and_then(|name| world.scene.machine_parameter(name)) {
+            Some(ParameterValue::List(values)) => match values[..] {
+                [x, y, z] => DVec3::new(x, y, z),
+                _ => truth.at,
+            },
+            _ => truth.at,
+        };
+        Ok(KnownSetter { at, radius, is_round })
+    }
+
+    fn calibrate_setter(&mut self, known: KnownSetter) {
+        self.run.drives.world.calibrated_setter = Some((known.at, known.radius));
+    }
+
+    fn setting(&self, name: &str) -> Result<f64, Fault> {
+        let printed = self.exec.definition.on.datum(name).unwrap_or(name);
+        let value = self.run.drives.world.machine_parameter(printed);
+        value.ok_or_else(|| Fault::control("machine-parameter-missing").arg("name", printed))
+    }
+
+    fn setting_word(&self, name: &str) -> Option<String> {
+        let printed = self.exec.definition.on.datum(name)?;
+        match self.run.drives.world.scene.machine_parameter(printed)? {
+            ParameterValue::Number(number) => Some(number.to_string()),
+            ParameterValue::Text(text) => Some(text.clone()),
+            ParameterValue::List(_) => None,
+        }
+    }
+
+    fn tip(&self) -> Result<DVec3, Fault> {
+        let world = &self.run.drives.world;
+        if world.system.is_on_workpiece() || world.head.is_some() {
+            return Err(Fault::unsupported("unsupported-transformation").arg("name", "tilting"));
+        }
+        Ok(world.machine)
+    }
+
+    fn reckoned(&self) -> (f64, f64) {
+        self.run.drives.world.tool().map_or((0.0, 0.0), |tool| (tool.radius, tool.length))
+    }
+
+    fn go(&mut self, to: DVec3) -> Done {
+        let drives = &mut self.run.drives;
+        drives.straight_to(drives.world.to_program(to), Some(to), Ok(Speed::Rapid))
+    }
+
+    fn touch_setter(&mut self, way: DVec3, feed: f64, at: Option<f64>) -> Done<Option<DVec3>> {
+        self.run.drives.touch_setter(way, feed, at.map_or(Pose::Turning, Pose::At))
+    }
+
+    fn orient(&mut self, angle: f64) {
+        self.run.drives.orient(angle.rem_euclid(360.0));
+    }
+
+    fn cuts_counter_clockwise(&self) -> Result<bool, Fault> {
+        let world = &self.run.drives.world;
+        let Some(tool) = world.tool() else { return Ok(false) };
+        Ok(world.table(TableKind::Tool)?.text(tool.number, "DIRECT.")? == "+")
+    }
+
+    fn first_edge(&self) -> f64 {
+        self.run.drives.first_edge()
     }
 }

@@ -7,6 +7,7 @@ pub(crate) mod drives;
 pub(crate) mod functions;
 pub(crate) mod moves;
 pub(crate) mod probe;
+mod setter;
 mod spindle;
 mod tcpm;
 pub(crate) mod tilt;

@@ -139,6 +139,7 @@ pub const CODES: &[(&str, Class)] = &[
     ("tilting-unreachable", Class::Control),
     ("tool-locked", Class::Control),
     ("tool-not-in-table", Class::Program),
+    ("tool-setter-missing", Class::Control),
     ("turn-limit", Class::Limit),
     ("unsupported-axis", Class::Unsupported),
     ("unsupported-block", Class::Unsupported),

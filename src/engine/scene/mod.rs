@@ -7,11 +7,13 @@ mod clock;
 pub mod guess;
 mod probe;
 mod rows;
+mod setter;
 mod solid;
 
 pub use answers::Answers;
 pub use clock::Clock;
 pub use probe::{Orientation, PreTravel, Probe, Shaft};
+pub use setter::{Edge, Plate, ToolSetter, TrueTool};
 
 use super::geometry::{Frame, INCH, RotaryAxis};
 use super::machine::Machine;
@@ -39,6 +41,7 @@ const KEYS: &[&str] = &[
     "machine_parameters",
     "tools",
     "probe",
+    "tool_setter",
     "presets",
     "datums",
     "points",
@@ -72,6 +75,10 @@ pub struct Scene {
     pub tools: Table,
     /// The necks of side cutters, by the number of the tool.
     pub necks: Vec<(f64, Neck)>,
+    /// Tools that are not as the tool table says, by their number.
+    pub true_tools: Vec<(f64, TrueTool)>,
+    /// The tool setter, if there is one.
+    pub setter: Option<ToolSetter>,
     /// The touch probe table.
     pub probes: Table,
     /// The touch probe, if there is one.
@@ -167,13 +174,14 @@ impl Scene {
         let clock = node.get("clock").map_or(Some(Clock::DEFAULT), |node| clock(node, r));
         let machine = machine(node, r, files);
         let machine_parameters = node.get("machine_parameters").map_or_else(Vec::new, |node| parameters(node, r));
-        let mut necks = Vec::new();
+        let (mut necks, mut true_tools) = (Vec::new(), Vec::new());
         let mut tools = Table::new(TableKind::Tool, TableKind::Tool.file_name());
         if let Some(node) = node.get("tools") {
-            necks = tool_rows(node, &mut tools, r);
+            (necks, true_tools) = tool_rows(node, &mut tools, r);
         }
         let mut probes = Table::new(TableKind::Probe, TableKind::Probe.file_name());
         let probe = node.get("probe").and_then(|node| probe::probe(node, &mut probes, r));
+        let setter = node.get("tool_setter").and_then(|node| setter::setter(node, r));
         let (presets, active_preset) = presets(node, r);
         let (datums, points) =
             (of_files(node, "datums", TableKind::Datum, r), of_files(node, "points", TableKind::Points, r));
@@ -194,6 +202,8 @@ impl Scene {
                 machine_parameters,
                 tools,
                 necks,
+                true_tools,
+                setter,
                 probes,
                 probe,
                 presets,
@@ -290,12 +300,18 @@ fn parameters(node: &Node, r: &mut Reader<'_>) -> Vec<(String, ParameterValue)> 
     all
 }
 
-/// The tool table, and the necks of the tools that have one.
-fn tool_rows(node: &Node, table: &mut Table, r: &mut Reader<'_>) -> Vec<(f64, Neck)> {
-    let mut necks = Vec::new();
+/// Necks and true tools, by the number of the tool.
+type OfTools = (Vec<(f64, Neck)>, Vec<(f64, TrueTool)>);
+
+/// The tool table, and what the tools have that is no column of it.
+fn tool_rows(node: &Node, table: &mut Table, r: &mut Reader<'_>) -> OfTools {
+    let (mut necks, mut true_tools) = (Vec::new(), Vec::new());
     for item in r.items(node) {
-        let columns = r.entries(item).iter().filter(|(key, _)| &*key.text != "neck");
+        let columns = r.entries(item).iter().filter(|(key, _)| !setter::OWN.contains(&&*key.text));
         let Some(number) = rows::row(item, columns, None, table, r) else { continue };
+        if let Some(tool) = setter::true_tool(item, r) {
+            true_tools.push((number, tool));
+        }
         let Some(neck) = item.get("neck") else { continue };
         r.only_keys(neck, &["head", "radius"]);
         let head = r.need(neck, "head").and_then(|node| r.positive(node));
@@ -304,7 +320,7 @@ fn tool_rows(node: &Node, table: &mut Table, r: &mut Reader<'_>) -> Vec<(f64, Ne
             necks.push((number, Neck { head, radius }));
         }
     }
-    necks
+    (necks, true_tools)
 }
 
 /// The preset table, which always has a row 0, and the number of the active row.

@@ -275,10 +275,76 @@ pub trait Kept {
     fn tool_radius(&self) -> f64;
 }
 
-/// Everything of a control that strategies act on.
-pub trait Control: System + Tables + RotaryAxes + Probe + Spindle + Programs + Kept {}
+/// What the control knows of the tool setter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KnownSetter {
+    /// The centre of its upper face, machine coordinates.
+    pub at: DVec3,
+    /// The radius of that face, or half its width, mm.
+    pub radius: f64,
+    /// Whether it is a disc, and not a cube.
+    pub is_round: bool,
+}
 
-impl<C: System + Tables + RotaryAxes + Probe + Spindle + Programs + Kept> Control for C {}
+/// The tool setter.
+pub trait ToolSetter {
+    /// What the control knows of it: from its calibration, else from machine parameters, else as it is.
+    ///
+    /// # Errors
+    /// The scene has none.
+    fn setter(&self) -> Result<KnownSetter, Fault>;
+
+    /// Keeps what a calibration found.
+    fn calibrate_setter(&mut self, known: KnownSetter);
+
+    /// The number of a machine parameter by its neutral name, mm, mm/min or m/min.
+    ///
+    /// # Errors
+    /// It is not set.
+    fn setting(&self, name: &str) -> Result<f64, Fault>;
+
+    /// The text of a machine parameter by its neutral name; that of a number is its digits.
+    fn setting_word(&self, name: &str) -> Option<String>;
+
+    /// The tip of the tool in machine coordinates, if the tool is as the tool table says.
+    ///
+    /// # Errors
+    /// The tool is not along an axis of the machine.
+    fn tip(&self) -> Result<DVec3, Fault>;
+
+    /// Radius and length with which the control reckons, oversizes included, mm.
+    fn reckoned(&self) -> (f64, f64);
+
+    /// Moves the tip at rapid traverse, machine coordinates.
+    ///
+    /// # Errors
+    /// It cannot go there.
+    fn go(&mut self, to: DVec3) -> Done;
+
+    /// Moves towards the setter until it triggers, with the spindle at an angle or turning, at a feed in mm/min, and stays
+    /// there. The tip then; nothing at the end of the way.
+    ///
+    /// # Errors
+    /// It triggers at the start already, or an axis cannot go there.
+    fn touch_setter(&mut self, way: DVec3, feed: f64, at: Option<f64>) -> Done<Option<DVec3>>;
+
+    /// Turns the spindle to an angle.
+    fn orient(&mut self, angle: f64);
+
+    /// Whether the tool table says that the tool cuts with the spindle turning counter-clockwise (`DIRECT.` +).
+    ///
+    /// # Errors
+    /// The tool table cannot be read.
+    fn cuts_counter_clockwise(&self) -> Result<bool, Fault>;
+
+    /// Where the first edge is while the spindle is at 0, as found while the tool touched turning.
+    fn first_edge(&self) -> f64;
+}
+
+/// Everything of a control that strategies act on.
+pub trait Control: System + Tables + RotaryAxes + Probe + Spindle + Programs + Kept + ToolSetter {}
+
+impl<C: System + Tables + RotaryAxes + Probe + Spindle + Programs + Kept + ToolSetter> Control for C {}
 
 /// The axis of a number as cycles have it: 4, 5, 6 mean A, B, C.
 pub(super) fn numbered_axis(number: f64) -> Result<RotaryAxis, Fault> {

@@ -30,6 +30,7 @@ pub mod program;
 pub mod registry;
 pub mod rotary;
 pub mod rotation;
+pub mod setter;
 pub mod signature;
 pub mod spindle;
 pub mod stud;

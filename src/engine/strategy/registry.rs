@@ -12,8 +12,8 @@ use super::pen::{Cutter, Path};
 use super::pending::PENDING;
 use super::signature::{Given, Output, Parameter, Results};
 use super::{
-    contour, datum, engraving, face, measure, plunge, pocket, probing, program, rotary, rotation, spindle, stud,
-    thread, tilting, train,
+    contour, datum, engraving, face, measure, plunge, pocket, probing, program, rotary, rotation, setter, spindle,
+    stud, thread, tilting, train,
 };
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::report::ending::Done;
@@ -152,6 +152,16 @@ pub static STRATEGIES: &[Strategy] = &[
     act::<tilting::ComputeRotaryPositions>(),
     act::<tilting::PositionRotaryAxes>(),
     act::<tilting::CheckSpindleAcrossRotaryAxis>(),
+    act::<setter::ApproachToolSetter>(),
+    act::<setter::ApproachToolSetterSide>(),
+    act::<setter::MeasureToolLength>(),
+    act::<setter::MeasureLengthOfTeeth>(),
+    act::<setter::MeasureToolRadius>(),
+    act::<setter::MeasureRadiiOfTeeth>(),
+    act::<setter::TakeRotatingRadius>(),
+    act::<setter::CalibrateToolSetter>(),
+    act::<setter::CalibrateToolSetterTurned>(),
+    act::<setter::StoreToolSetterCalibration>(),
     act::<spindle::ReverseSpindle>(),
     act::<spindle::RestoreSpindleAndCoolant>(),
     act::<spindle::TurnSpindle>(),

@@ -3,5 +3,6 @@
 //! Start reading at [`state`]. Invariant: nothing moves by itself here and nothing is reported; who moves the machine
 //! is `engine::motion`.
 pub(crate) mod coordinates;
+pub(crate) mod setter;
 pub(crate) mod state;
 pub(crate) mod stylus;

@@ -69,6 +69,9 @@ pub(crate) struct World<'s> {
     pub(crate) pressed: Option<Pressed>,
     /// Whether the machine has all linear axes.
     all_axes: bool,
+    /// Where the control believes the tool setter to be since its calibration: the centre of its face in machine
+    /// coordinates, and its radius.
+    pub(crate) calibrated_setter: Option<(DVec3, f64)>,
     /// What machine parameters say of touch probes.
     pub(crate) of_machine: OfMachine,
     /// What the operator will say.
@@ -102,6 +105,7 @@ impl<'s> World<'s> {
             triggered: 0,
             pressed: None,
             all_axes: Axis::ALL.into_iter().all(|axis| scene.machine.axis(axis).is_some()),
+            calibrated_setter: None,
             of_machine,
             answers: scene.answers.clone(),
             tool: None,
@@ -323,6 +327,13 @@ impl<'s> World<'s> {
     /// The tool, once one was called.
     pub(crate) const fn tool(&self) -> Option<Tool> {
         self.tool
+    }
+
+    /// The data that a tool had at the start, without the oversizes of a call.
+    pub(crate) fn scene_tool(&self, number: f64) -> Option<Tool> {
+        let value = |column| self.scene.tools.number(number, column).ok().flatten().unwrap_or_default();
+        let (radius, length) = (value("R") + value("DR"), value("L") + value("DL"));
+        self.scene.tools.has_row(number).then(|| Tool { number, radius, length, ..Tool::default() })
     }
 
     /// Puts a tool into the spindle.
