@@ -1,4 +1,4 @@
-//! The guards of specifications, evaluated with what a program writes.
+//! The guards that the definitions of a program provoke: what a program has is given to the guards of each cycle.
 //!
 //! Invariant: a guard that needs anything else (a parameter that is not certain, the tool, the machine) says nothing;
 //! of the state of the control it hears what is certain.

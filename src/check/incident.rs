@@ -1,4 +1,4 @@
-//! What happens to the blank where the tool goes, as `travel.rs` finds it and rules report it.
+//! What happens to the blank where the tool goes, as `travel` finds it and rules report it.
 
 /// What happens to the blank.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -365,3 +365,13 @@ fn no_cycle_number_stands_in_the_sources() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// Findings at one place come in the order of the rules, which is that of their codes.
+#[test]
+fn rules_are_in_the_order_of_their_names() {
+    let text =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/check/rules/mod.rs")).expect("the rules");
+    let list = text.split("pub const RULES").nth(1).and_then(|rest| rest.split("];").next()).expect("the list");
+    let names: Vec<&str> = list.lines().filter_map(|line| line.trim().strip_suffix("::RULE,")).collect();
+    assert!(names.len() > 100 && names.is_sorted(), "{:?}", names.windows(2).find(|pair| pair[0] > pair[1]));
+}

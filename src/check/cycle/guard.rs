@@ -1,4 +1,4 @@
-//! The guards of specifications, evaluated with what a program writes.
+//! The guards of one cycle, made ready once to be evaluated with values.
 //!
 //! Names are replaced by the formulas that they stand for until only numbers and Q parameters are
 //! left. Invariant: a guard that needs anything else (a parameter that is not certain, the tool, the machine)

@@ -11,7 +11,7 @@ use crate::engine::machine::Carried;
 use crate::engine::motion::drives::{Spindle as Turning, Switched};
 use crate::engine::motion::functions::{Effect, effect};
 use crate::engine::motion::moves::Speed;
-use crate::engine::motion::probe::Approach;
+use crate::engine::motion::probe::ProbingStroke;
 use crate::engine::report::ending::Done;
 use crate::engine::report::event::EventKind;
 use crate::engine::report::fault::Fault;
@@ -153,7 +153,7 @@ impl Probe for OfRun<'_, '_, '_, '_> {
     fn approach(&mut self, way: DVec3, feed: f64) -> Done<Stopped> {
         let drives = &mut self.run.drives;
         let probe = drives.world.probe()?;
-        let approach = Approach { direction: way.normalize(), path: way.length(), feed };
+        let approach = ProbingStroke { direction: way.normalize(), path: way.length(), feed };
         let stop = drives.approach(&probe, &approach)?;
         drives.world.machine = stop.tip;
         drives.world.renew();

@@ -25,7 +25,7 @@ const PUSHES: usize = 16;
 
 /// A movement of the ball towards the workpiece.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Approach {
+pub(crate) struct ProbingStroke {
     /// Its direction in program coordinates, of length 1.
     pub direction: DVec3,
     /// How far it goes at most, mm.
@@ -58,7 +58,7 @@ impl Drives<'_, '_> {
         if length == 0.0 {
             return Err(Fault::new(Class::Internal, "probe-no-direction").into());
         }
-        let approach = Approach { direction: way / length, path: probe.dist, feed: probe.feed };
+        let approach = ProbingStroke { direction: way / length, path: probe.dist, feed: probe.feed };
         let tracked = self.world.tracked(&probe, self.world.system.frame().vector(approach.direction));
         if let Some(turned) = turned.or(tracked) {
             self.orient_probe(&probe, turned);
@@ -90,7 +90,7 @@ impl Drives<'_, '_> {
     }
 
     /// Moves towards the workpiece until the probe triggers or the path ends, and reports it. The tool stays where it is.
-    pub(crate) fn approach(&mut self, probe: &ProbeData, approach: &Approach) -> Done<Stop> {
+    pub(crate) fn approach(&mut self, probe: &ProbeData, approach: &ProbingStroke) -> Done<Stop> {
         let frame = *self.world.system.frame();
         let from = self.world.here + self.world.up() * probe.effective_radius;
         let target = from + approach.direction * approach.path;

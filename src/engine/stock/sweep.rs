@@ -3,7 +3,7 @@
 //! Coordinates are those of the stock: columns are along z, and so does the tool. Everything here is exact for
 //! each column: a line sweeps a convex body, so the lowest point over a column is where the slope of the path
 //! and the slope of the tool's end balance, or an end of the path. Only a bull nose on a ramp has no closed form; there
-//! the balance is found by bisection down to rounding. Arcs are in `bend`.
+//! the balance is found by bisection down to rounding. Arcs are in `arc_sweep`.
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
