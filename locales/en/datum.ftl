@@ -15,7 +15,7 @@ say-datum-into-datum-table__tnc426-430 = with { $q-datum-row-number } not 0 it w
 say-datum-into-preset-table = with { $q-datum-row-number } not 0 and { $q-measured-value-transfer }=1 it writes the measured datum to row { $q-datum-row-number } of the preset table; the reference system is the machine coordinate system (REF coordinates)
 step-probe-in-probe-axis = On request the control then measures the datum in the touch probe axis with a separate probing:
 say-datum-in-probe-axis = with { $q-probing-in-probe-axis }=1 it probes the point { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool } in the touch probe axis, retracts, and treats the datum { $q-new-datum-probe-axis } like that of the working plane
-guard-datum-transfer-undefined = { $q-datum-row-number } is not 0 and { $q-measured-value-transfer } is −1: where the measured datum goes must be defined.
+guard-datum-transfer-undefined = { $q-datum-row-number } is not 0 and { $q-measured-value-transfer } is −1: define where the measured datum is to be stored.
 guard-transformation-with-probe-axis-datum = A datum shift or rotation is active, but { $q-measured-value-transfer }=0 and { $q-probing-in-probe-axis }=1 do not permit a coordinate transformation.
 note-nominal-diameter-rather-small = Danger of collision! To avoid a collision between the touch probe and the workpiece, enter a nominal diameter of the pocket (hole) that is too small rather than too large.
 note-probing-from-centre-if-narrow = If the dimensions of the pocket and the set-up clearance do not permit pre-positioning near the touch points, the control always starts probing from the centre of the pocket. The touch probe then does not move to clearance height between the measuring points.

@@ -2,8 +2,8 @@
 
 diag-locale-encoding = This file is not UTF-8.
 diag-locale-tag = The directory name “{ $tag }” is not a language tag.
-diag-locale-nesting = Braces nest deeper than { $most } levels; the file is passed over.
-diag-locale-long-number = A number has more than { $most } digits in a row; the file is passed over.
+diag-locale-nesting = Braces are nested deeper than { $most } levels; the file is not read.
+diag-locale-long-number = A number has more than { $most } digits in a row; the file is not read.
 diag-locale-syntax =
     This is not Fluent: { $kind ->
         [expected-token] “{ $detail }” is expected here
@@ -31,7 +31,7 @@ diag-locale-unit-form = “{ $key }” is not a template: a unit has text and on
 diag-locale-unknown-reference = There is no “{ $name }”.
 diag-locale-unknown-function = There is no function “{ $name }”.
 diag-locale-function-option = “{ $name }: { $value }” is not an option of { $function }.
-diag-locale-function-arguments = { $function } is called with the wrong number of values.
+diag-locale-function-arguments = { $function } has the wrong number of values.
 diag-locale-unknown-unit = There is no unit “{ $name }”: the file units.ftl has no message for it.
 diag-locale-term-argument = The term “-{ $term }” does not use “{ $name }”.
 diag-locale-term-value = The term “-{ $term }” has no variant “{ $value }” for “{ $name }”.
@@ -42,9 +42,9 @@ diag-locale-missing-text = The language “{ $language }” has no text “{ $ke
         [none] {""}.
        *[other] ; it belongs in { $file }.
     }
-diag-locale-missing-argument = The text “{ $key }” ({ $language }) uses “{ $name }”, which it is not given.
+diag-locale-missing-argument = The text “{ $key }” ({ $language }) uses “{ $name }”, which is not available here.
 diag-locale-function-failed =
-    In the text “{ $key }” ({ $language }), { $name } cannot be carried out: { $reason ->
+    In the text “{ $key }” ({ $language }), { $name } cannot be applied: { $reason ->
         [not-a-number] the value is not a number
         [not-finite] the number is not finite
         [no-unit] the unit is missing
@@ -55,7 +55,7 @@ diag-locale-function-failed =
 diag-locale-too-long = The text “{ $key }” ({ $language }) has too many placeables.
 diag-locale-lock-line = A line of this file is an identifier and eight hexadecimal digits.
 diag-locale-missing-translation = “{ $key }” is not translated into “{ $language }”.
-diag-locale-orphan = “{ $key }” ({ $language }) translates nothing: the English text is gone.
+diag-locale-orphan = “{ $key }” ({ $language }) is left over: there is no longer an English text.
 diag-locale-stale =
     { $change ->
         [none] The English text of “{ $key }” has changed since it was translated into “{ $language }”.

@@ -2,15 +2,15 @@
 
 diag-spec-both-forms = The cycle has parameters and old-style lines; it can be written in one form only.
 diag-spec-case-incomplete = The case { $name } needs a scene and an expectation, or a reason to skip it.
-diag-spec-case-never-reached = This case is never reached: an earlier one takes everything that it would take.
-diag-spec-case-proves-nothing = The case { $name } does not say what it proves.
-diag-spec-duplicate-choice = The choice { $value } is offered twice.
+diag-spec-case-never-reached = This case is never reached: an earlier case applies whenever this one does.
+diag-spec-case-proves-nothing = The case { $name } does not state what it proves.
+diag-spec-duplicate-choice = The choice { $value } occurs twice.
 diag-spec-duplicate-cycle = { $cycle } ({ $name }) is described twice for one control.
 diag-spec-duplicate-key = The key { $key } occurs twice.
 diag-spec-duplicate-name = The name { $name } occurs twice.
 diag-spec-duplicate-parameter = { $q } occurs twice in the cycle.
-diag-spec-empty-range = The range is empty: { $min } is greater than { $max }.
-diag-spec-example-out-of-range = The example value { $value } of { $name } is none that the parameter takes.
+diag-spec-empty-range = The range is empty: { $min } is not less than { $max }.
+diag-spec-example-out-of-range = The parameter { $name } does not accept its example value { $value }.
 diag-spec-expected = Expected { $expected ->
         [mapping] keys with values
         [list] a list
@@ -28,17 +28,17 @@ diag-spec-expected = Expected { $expected ->
        *[other] { $expected }
     }, found { $found }.
 diag-spec-expression = Not an expression: expected { $expected }, found "{ $found }".
-diag-spec-foreign-manual = Manual { $manual } is not a manual of { $control }.
+diag-spec-foreign-manual = Manual { $manual } does not belong to { $control }.
 diag-spec-guard-keys = A guard needs code, when and then, or names a fragment with use.
 diag-spec-id-form = The id { $name } is not in kebab case.
 diag-spec-lines-form = The lines "{ $lines }" are not numbers or ranges in order.
 diag-spec-missing-key = The key { $key } is missing.
 diag-spec-no-example = { $name } has no example value.
 diag-spec-no-parameters = The cycle has neither parameters nor old-style lines.
-diag-spec-no-source = No lines of a manual are given for this control.
+diag-spec-no-source = The place in a manual is missing for this control.
 diag-spec-no-steps = The run has no steps.
 diag-spec-note-without-section = { $note } has no section in pages.yaml: add it to the section that fits.
-diag-spec-only-and-except = An item may carry only or except, not both.
+diag-spec-only-and-except = An item may have only or except, not both.
 diag-spec-otherwise-last = A case without conditions must be the last one.
 diag-spec-range-of-text = { $name } is not a number and can have no range.
 diag-spec-result-target = The result { $name } needs either a Q parameter or a field of this cycle.
@@ -52,19 +52,19 @@ diag-spec-run-item = The run item is not well formed: { $reason ->
 }
 diag-spec-text-parameter = { $name }: a QS parameter takes a text, and only a QS parameter does.
 diag-spec-unknown-condition = No condition is named { $name }.
-diag-spec-unknown-control = No control is named { $control }; there are { $known }.
-diag-spec-unknown-cycle = { $control } does not know { $cycle }.
+diag-spec-unknown-control = No control is named { $control }; the controls are { $known }.
+diag-spec-unknown-cycle = { $control } does not have { $cycle }.
 diag-spec-unknown-cycle-name = No cycle of this control is named { $name }.
 diag-spec-unknown-datum = { $control } has no machine datum named { $name }.
 diag-spec-unknown-form = The cycle has no form named { $name }.
 diag-spec-unknown-fragment = No fragment is named { $name }.
-diag-spec-unknown-key = The key { $key } means nothing here; known are { $known }.
+diag-spec-unknown-key = The key { $key } is not possible here; possible keys are { $known }.
 diag-spec-unknown-meaning = The dictionary has no parameter named { $name }.
 diag-spec-unknown-option = { $control } has no software option { $option }.
 diag-spec-unknown-parameter = { $cycle } has no parameter { $name }.
 diag-spec-unknown-topic = There is no topic { $topic }.
 diag-spec-unused = { $name } is not used.
-diag-spec-word-shape = { $name }: the shape word needs the key word, and no other shape takes it.
+diag-spec-word-shape = { $name }: the shape word needs the key word, which no other shape may have.
 diag-spec-yaml-feature = { $feature ->
     [anchor] Anchors and tags are not used in specifications.
     [alias] Aliases are not used in specifications.
@@ -77,8 +77,8 @@ diag-spec-yaml-syntax = Not YAML: { $reason }.
 related-first-place = the first one is here
 related-other-place = the other one is here
 related-defined-here = it is defined here
-related-written-over-here = written over here
-related-for-this-control = it is written for this control
+related-written-over-here = overwritten here
+related-for-this-control = needed for this control
 diag-spec-measure = In { $cycle } { $reason ->
         [different-quantities] two quantities are added or compared that are not of the same kind
         [coordinates-added] two coordinates are added

@@ -88,7 +88,7 @@ result-position-tool-deviation = Measured deviation in tool axis
 result-deviation-3d = Measured 3-D deviation; less than 0: undersize, greater than 0: oversize
 result-workpiece-status = Workpiece status: −1 = not defined, 0 = good, 1 = rework, 2 = scrap
 guard-zero-normal-vector = All components of the normal vector are 0.
-guard-rotary-axes-askew = The rotary axes do not stand as the tilting angles of the working plane want.
+guard-rotary-axes-askew = The positions of the rotary axes do not match the tilting angles of the working plane.
 guard-mill-mode-only = The cycle can only be executed in the mode FUNCTION MODE MILL.
 guard-surface-below-nominal = The point is below its nominal coordinate and out of tolerance.
 note-function-must-be-enabled = The machine builder must enable and adapt this function. Refer to the machine manual.

@@ -50,8 +50,8 @@ fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome, Failure> 
     let (key, word) = (format!("{prefix}{code}"), |name: &str| gap(name, &data, &whole, &session.ui));
     let sentence = ui.filled(&key, &word).unwrap_or_else(|| filled(&ui.sketch(&key), &word));
     session.output.print(&format!("{code}\n  {sentence}\n"))?;
-    let explained = if guard { "guard" } else { code };
-    if let Some(more) = session.ui.find(&format!("explain-{explained}"), &Args::new()) {
+    let explained = |code: &str| session.ui.find(&format!("explain-{code}"), &Args::new());
+    if let Some(more) = explained(code).or_else(|| explained("guard").filter(|_| guard)) {
         session.output.print(&format!("\n{more}\n"))?;
     }
     Ok(Outcome::Clean)
