@@ -1,5 +1,5 @@
 # The command “certify” and its messages.
-cli-certify = Tell how the programs of a post-processor come out, by program, cycle and rule
+cli-certify = Report the result of checking the programs of a post-processor, by program, cycle and rule
 cli-certify-path = NC programs, or folders with programs (.h, .i)
 cli-certify-program =
     { $verdict ->

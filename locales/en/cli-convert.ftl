@@ -2,10 +2,10 @@
 cli-convert = Rewrite programs for another control, or in DIN/ISO or Klartext
 cli-convert-file = NC programs; several only with --in-place
 cli-convert-from = Control that the programs were written for
-cli-convert-to = Control that they shall run on
+cli-convert-to = Control that they are to run on
 cli-convert-form = Form of cycles that have two: new (Q parameters) or old (a block a line); default: as in the program
 cli-convert-out = File to write (default: standard output)
-cli-convert-in-place = Put the new programs in the place of the old ones
+cli-convert-in-place = Replace the old programs by the new ones
 cli-converted = { $count ->
         [one] { $count } definition rewritten: { $path }
        *[other] { $count } definitions rewritten: { $path }
@@ -16,33 +16,33 @@ cli-examples-convert =
     ciklo convert measuring.h --from itnc530 --to itnc530 --form new --in-place
     ciklo convert part.h --to-iso > part.i
     ciklo convert part.i --to-klartext --lang it --out pezzo.h
-diag-convert-one-file = Several programs are only rewritten with --in-place.
-diag-convert-iso-stays = “{ $found }” would change, and its new form cannot be written in DIN/ISO; the block stays as it was.
-diag-convert-iso-unread = Klartext has no equivalent of “{ $found }”; the block stays as it was and is not looked at.
-diag-convert-cycle-not-on-control = { $control } does not have { $cycle }; the definition stays as it is.
-diag-convert-cycle-not-described = The manual of { $control } names { $cycle } but does not describe it: its parameters stay as they are.
-diag-convert-cycle-not-covered = The manuals of { $control } that are known here do not treat cycles such as { $cycle }: the definition stays as it is.
+diag-convert-one-file = Several programs can be rewritten only with --in-place.
+diag-convert-iso-stays = “{ $found }” would change, but its new form cannot be written in DIN/ISO; the block was not changed.
+diag-convert-iso-unread = Klartext has no equivalent of “{ $found }”; the block was neither checked nor changed.
+diag-convert-cycle-not-on-control = { $control } does not have { $cycle }; the definition was not changed.
+diag-convert-cycle-not-described = The manual of { $control } mentions { $cycle } but does not describe it; its parameters were not changed.
+diag-convert-cycle-not-covered = The manuals of { $control } known to Ciklo do not cover cycles such as { $cycle }; the definition was not changed.
 diag-convert-parameter-added =
     { $import ->
-        [yes] { $parameter } = { $value } is added to { $cycle }, as { $control } does with older programs: set it to what is wanted.
-       *[no] { $parameter } = { $value } is added to { $cycle }, which does the same.
+        [yes] { $parameter } = { $value } was added to { $cycle }, as { $control } does with older programs: set it to the value that you want.
+       *[no] { $parameter } = { $value } was added to { $cycle }; with it the cycle does the same as before.
     }
 diag-convert-parameter-dropped =
     { $neutral ->
-        [yes] { $parameter } = { $value } of { $cycle } is dropped: { $control } does the same without it.
-       *[no] { $parameter } = { $value } of { $cycle } is dropped: { $control } does not have it.
+        [yes] { $parameter } = { $value } of { $cycle } was removed: { $control } does the same without it.
+       *[no] { $parameter } = { $value } of { $cycle } was removed: { $control } does not have it.
     }
 diag-convert-parameter-renamed = { $parameter } of { $cycle } becomes { $new } on { $control }.
-diag-convert-no-value = { $cycle } needs { $parameter } on { $control }, and nothing says which value does the same.
-diag-convert-value-refused = { $parameter } = { $value } of { $cycle } is not accepted on { $control }; the value stays.
+diag-convert-no-value = { $cycle } needs { $parameter } on { $control }, but it is not known which value leaves the machining unchanged.
+diag-convert-value-refused = { $parameter } = { $value } of { $cycle } is not accepted on { $control }; the value was not changed.
 diag-convert-value-differs-in-meaning = { $parameter } = { $value } of { $cycle } means something else on { $control }.
-diag-convert-field-not-on-control = The field { $parameter } of { $cycle } does not exist on { $control }; the definition stays as it is.
+diag-convert-field-not-on-control = The field { $parameter } of { $cycle } does not exist on { $control }; the definition was not changed.
 diag-convert-form = { $cycle } becomes { $new }.
-diag-convert-form-stays = { $cycle } stays in its form: there are comments or other blocks between its lines.
-diag-convert-not-line-by-line = { $cycle } stays as it is: its parameters are not on lines of their own.
+diag-convert-form-stays = { $cycle } keeps its form: there are comments or other blocks between its lines.
+diag-convert-not-line-by-line = { $cycle } was not changed: its parameters are not on lines of their own.
 diag-convert-function-not-shown =
     { $function } (used { $count ->
         [one] once
        *[other] { $count } times
-    }) stays as it is: the manual of { $control } does not show it.
+    }) was not changed: the manual of { $control } does not show it.
 diag-convert-function-option = { $function } needs software option { $option } on { $control }.

@@ -13,19 +13,19 @@ diag-block-wrong-kind =
         [position] coordinates by axis, such as X+5 Y+0
         [row] a row of a table, such as #5
         [axis] an axis
-        [label-list] numbers of labels with bars between them, such as 1/2/3
+        [label-list] label numbers separated by slashes, such as 1/2/3
        *[number] a number
     }.
 diag-block-below-minimum = { $name } ({ $parameter }) cannot be { $value }: the least value is { $min }.
 diag-block-above-maximum = { $name } ({ $parameter }) cannot be { $value }: the greatest value is { $max }.
 diag-block-too-long =
     { $kind ->
-        [label-list] { $name } ({ $parameter }) cannot be { $value }: it has at most { $most } labels.
-        [axes] { $name } ({ $parameter }) cannot be { $value }: it names at most { $most } axes.
-       *[text] { $name } ({ $parameter }) cannot be { $value }: it has at most { $most } characters.
+        [label-list] { $name } ({ $parameter }) cannot be { $value }: at most { $most } labels are permitted.
+        [axes] { $name } ({ $parameter }) cannot be { $value }: at most { $most } axes are permitted.
+       *[text] { $name } ({ $parameter }) cannot be { $value }: at most { $most } characters are permitted.
     }
 diag-block-not-offered = { $name } ({ $parameter }) cannot be { $value }: the choices are { $offered }.
 diag-block-no-value = { $cycle } needs a value for { $name }; the manual prints no example.
-diag-label-character = The label “{ $label }” of { $cycle } ({ $control }, { $language }) has the character “{ $character }”, which the control cannot show.
-diag-label-lower-case = The label “{ $label }” of { $cycle } ({ $control }, { $language }) has lower-case letters.
+diag-label-character = The label “{ $label }” of { $cycle } ({ $control }, { $language }) contains the character “{ $character }”, which the control cannot show.
+diag-label-lower-case = The label “{ $label }” of { $cycle } ({ $control }, { $language }) contains lower-case letters.
 diag-label-too-long = The label “{ $label }” of { $cycle } ({ $control }, { $language }) has { $length } characters; the control shows { $most }.

@@ -1,105 +1,105 @@
 # Findings of the program checker and of the translation of programs.
 
-diag-approach-twice = The contour is approached here while radius compensation is active: the one before it was not left.
+diag-approach-twice = The contour is approached while radius compensation is still active: the previous contour was not left.
 diag-approach-without-compensation =
     { $what ->
         [approach] The contour is approached here without RL or RR.
        *[departure] The contour is left here, but no radius compensation is active.
     }
-diag-arc-in-unequal-scaling = { $cycle } scales the axes of this arc by different factors.
+diag-arc-in-unequal-scaling = { $cycle } scales the axes of this arc by different factors: the result is not an arc.
 diag-arc-too-narrow = The radius { $radius } on the inside of the contour is less than that of the tool, { $tool }.
 diag-arc-without-tangent = No contour element precedes this tangential arc.
 diag-arc-wrong =
     The arc cannot end here: { $what ->
-        [radius] its radius is { $first }, and start and end are { $second } apart
+        [radius] its radius is { $first }, but start and end are { $second } apart
         [full] it ends where it begins; the centre of a full circle does not follow from its radius
-        [sense] its angle is { $first }, and DR turns the other way
-       *[centre] its start is { $first } from the centre, its end { $second }
+        [sense] its angle is { $first }, but DR has the opposite direction
+       *[centre] its start is { $first } away from the centre, its end { $second }
     }.
 diag-axis-twice = Axis { $axis } is programmed twice in this block.
 diag-blocks-after-end = Blocks after END PGM are not executed.
 diag-blank-wrong =
     { $what ->
-        [again] The blank has a BLK FORM 0.1 before it already.
+        [again] The blank already has a BLK FORM 0.1.
         [axis] { $axis } is missing here: a corner of the blank has three coordinates.
         [first] BLK FORM 0.2 has no BLK FORM 0.1 before it.
         [cylinder] The cylinder has no radius or diameter, or no length.
         [second] BLK FORM 0.1 is not followed by BLK FORM 0.2.
         [tool] The blank names no tool axis.
-       *[order] In the axis { $axis } the coordinate of the second corner of the blank is not greater than that of the first one.
+       *[order] In axis { $axis }, the second corner of the blank must have a greater coordinate than the first.
     }
 diag-block-numbers = The block number { $number } follows { $before }.
-diag-call-of-def-active-cycle = { $cycle } acts as soon as it is defined; it must not be called.
-diag-called-but-not-defined = A cycle is called here, but none is defined before.
-diag-called-program-in-other-unit = This program is in { $own }, the called program { $name } in { $other }.
+diag-call-of-def-active-cycle = { $cycle } takes effect when it is defined; it must not be called.
+diag-called-but-not-defined = A cycle is called here, but no cycle has been defined.
+diag-called-program-in-other-unit = This program is in { $own }, but the called program { $name } is in { $other }.
 diag-called-program-missing = The called program { $name } is not in the folder of this program, where the control looks for it.
-diag-centre-in-other-plane = The arc leads through another plane than the one in which its centre lies.
-diag-choice-not-offered = { $parameter }={ $value } is none of the choices: { $offered }.
-diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearance height { $parameter }={ $value } must lie above { $least }.
+diag-centre-in-other-plane = The arc and its centre are not in the same plane.
+diag-choice-not-offered = { $parameter }={ $value } is not one of the choices: { $offered }.
+diag-clearance-height-too-low = { $cycle } touches at { $touched }: the clearance height { $parameter }={ $value } must be above { $least }.
 diag-compensation-at-cycle =
     { $cycle } is executed here while radius compensation is active.
 diag-compensation-left-on = Radius compensation is still active here.
-diag-compensation-on-arc = Radius compensation begins in an arc here.
-diag-compensation-switched = Radius compensation changes its side here without R0 in between.
+diag-compensation-on-arc = Radius compensation must not begin in an arc.
+diag-compensation-switched = Radius compensation changes sides here without R0 in between.
 diag-contour-data-missing = { $cycle } is called, but { $data } has not been defined before.
 diag-contour-def-wrong =
     { $what ->
-        [number] { $found }: another contour has this number already.
-        [many] { $found }: CONTOUR DEF has nine contours at most.
-       *[island] { $found }: the first contour of CONTOUR DEF is a pocket, the deepest one.
+        [number] { $found }: another contour already has this number.
+        [many] { $found }: CONTOUR DEF can have at most nine contours.
+       *[island] { $found }: the first contour of CONTOUR DEF must be a pocket, the deepest one.
     }
-diag-contour-depth-missing = { $contour } has no DEPTH, other contours have one.
+diag-contour-depth-missing = { $contour } has no DEPTH, but other contours have one.
 diag-contour-undeclared =
     { $what ->
-        [twice] { $contour } is declared before already.
-       *[nothing] The formula reads { $contour }, which nothing names before it.
+        [twice] { $contour } has already been declared.
+       *[nothing] The formula uses { $contour }, which has not been declared before it.
     }
 diag-contour-not-selected =
-    { $cycle } is called here, but no contour has been named before.
+    { $cycle } is called here, but no contour has been selected.
 diag-contour-wrong =
     { $cycle } cannot machine the contour like this: { $what ->
-        [axis] it moves the tool axis { $word }
+        [axis] it moves in the tool axis { $word }
         [approach] it contains { $word }
         [tool] it contains { $word }
         [call] it contains { $word }
         [path] the cycle does not read { $word }
-        [first] its first point does not name both coordinates of the plane
+        [first] its first point does not have both coordinates of the plane
         [uncompensated] it has neither RL nor RR
-        [many] the cycle machines only the first contour, not { $word }
+        [many] the cycle machines only the first contour and ignores { $word }
         [corner] no element follows { $word }
-        [local] { $word } is read and not assigned in it
+        [local] { $word } is read but not assigned in it
        *[open] it does not end where it begins
     }.
-diag-coordinate-out-of-place = The coordinates do not fit { $path }.
+diag-coordinate-out-of-place = { $path } does not take these coordinates.
 diag-corner-wrong =
     This corner cannot be machined: { $what ->
-        [twice] the element before it is already a rounding or chamfer
-        [arc] a chamfer lies between straight lines, and there is an arc
+        [twice] it directly follows another rounding or chamfer
+        [arc] a chamfer must be between two straight lines, but one of the elements is an arc
         [first] no contour element precedes it
         [alone] no contour element follows it
-        [back] the line after it runs back over the line before it
+        [back] the line after it leads back along the line before it
         [size] its radius or length is not positive
-       *[long] it takes more than the shorter line has, { $least }
+       *[long] it needs more than the length of the shorter line, { $least }
     }.
 diag-cutting-without-tool = The tool moves at feed rate before any tool call.
-diag-cycle-line-zero-missing = The line { $line } has no line { $head } before it.
+diag-cycle-line-zero-missing = Line { $line } is not preceded by line { $head }.
 diag-cycle-line-empty = Line { $line } of { $cycle } is empty.
-diag-cycle-line-missing = The line { $missing } is missing before { $line }.
+diag-cycle-line-missing = Line { $missing } is missing before { $line }.
 diag-cycle-line-twice = Line { $line } is given twice in this definition.
 diag-cycle-not-covered =
     { $other ->
-        [none] { $cycle } is not checked: the manuals of the { $control } that are known here do not treat such cycles.
-       *[other] The manuals of the { $control } that are known here do not treat cycles such as { $cycle }: it is measured by the manual of the { $other }.
+        [none] { $cycle } is not checked: the manuals of the { $control } known to Ciklo do not cover such cycles.
+       *[other] The manuals of the { $control } known to Ciklo do not cover cycles such as { $cycle }: it is checked against the manual of the { $other }.
     }
 diag-cycle-not-described =
     { $other ->
-        [none] { $cycle } ({ $name }) is named by the manuals and not described: its parameters are not checked.
-       *[other] { $cycle } ({ $name }) is named by the manuals and not described: it is measured by the manual of the { $other }.
+        [none] The manuals mention { $cycle } ({ $name }) but do not describe it: its parameters are not checked.
+       *[other] The manuals mention { $cycle } ({ $name }) but do not describe it: it is checked against the manual of the { $other }.
     }
 diag-cycle-not-on-control = { $cycle } does not exist on the { $control }; it exists on: { $controls }.
-diag-cycle-of-previous-tool = { $cycle } was defined for the tool before and has machined with it.
-diag-datum-table-late = The preceding datum shift took its row from another table: program SEL TABLE before it.
-diag-defined-but-never-called = { $cycle } is defined here and never called.
+diag-cycle-of-previous-tool = { $cycle } was defined for the previous tool, which has already machined with it.
+diag-datum-table-late = The preceding datum shift takes its row from another table: program SEL TABLE before it.
+diag-defined-but-never-called = { $cycle } is defined here but never called.
 diag-digitizing-wrong =
     { $what ->
         [swapped] { $word } is less than the MIN point of the range, { $other }.
@@ -107,9 +107,9 @@ diag-digitizing-wrong =
         [missing] { $cycle } digitizes, but no range has been defined before.
        *[combined] { $cycle } cannot be combined with { $range }, which defines the range here.
     }
-diag-arc-direction-missing = This arc does not say which way round it goes: DR+ or DR− is missing.
+diag-arc-direction-missing = The direction of rotation of this arc, DR+ or DR−, is missing.
 diag-doubtful-value =
-    { $parameter }={ $value } is hardly meant in { $cycle }: { $is ->
+    { $parameter }={ $value } is hardly intended in { $cycle }: { $is ->
         [zero] the value is 0
         [negative] the value is negative
        *[positive] the value is positive and leads away from the workpiece
@@ -124,37 +124,37 @@ diag-free-contour-wrong =
     { $what ->
         [label] A free contour cannot begin directly after a label.
         [again] CLSD+ is programmed again before CLSD- has closed the contour.
-        [unbegun] CLSD- closes a contour here that no CLSD+ has begun.
-        [unclosed] The contour that CLSD+ has begun ends here without CLSD-.
+        [unbegun] CLSD- closes a contour that no CLSD+ has begun.
+        [unclosed] The contour begun with CLSD+ ends here without CLSD-.
         [length] The length LEN is not positive.
         [auxiliary] The distance D has no auxiliary point (PDX, PDY).
         [distance] The auxiliary point has no distance D.
         [selected] FSELECT does not follow an element of a free contour.
         [solution] FSELECT takes the number of a solution, counted from 1.
-        [fpol] The pole of a free contour has two coordinates.
-        [pole] Polar data need a pole (FPOL).
-       *[open] The free contour is not determined: too little is known of its elements.
+        [fpol] The pole of a free contour needs two coordinates.
+        [pole] Polar coordinates need a pole (FPOL).
+       *[open] The free contour has no solution: too few values of its elements are given.
     }
-diag-function-misspelled = No control knows { $word } here; { $meant } may be meant.
+diag-function-misspelled = No control accepts { $word } here; perhaps { $meant } is intended.
 diag-function-not-on-control = The { $control } does not have { $function }.
-diag-functions-contradict = { $first } and { $second } are in one block; only one of them can be meant.
+diag-functions-contradict = { $first } and { $second } exclude each other but are in the same block.
 diag-global-def-wrong =
     { $what ->
         [unknown] There is no GLOBAL DEF { $number }.
         [missing] GLOBAL DEF { $number } lacks { $parameter }.
-        [foreign] GLOBAL DEF { $number } does not give { $parameter }.
+        [foreign] GLOBAL DEF { $number } has no { $parameter }.
         [twice] { $parameter } is given twice in GLOBAL DEF { $number }.
-        [again] GLOBAL DEF { $number } was programmed before, and no cycle has used its values.
-        [nothing] { $parameter } is PREDEF in { $value }, and no GLOBAL DEF gives it.
-        [later] { $parameter } is PREDEF in { $value }, and the GLOBAL DEF that gives it comes only later.
-       *[value] No cycle takes { $parameter }={ $value }.
+        [again] GLOBAL DEF { $number } has been programmed before, but no cycle has used its values.
+        [nothing] { $parameter } is PREDEF in { $value }, but no GLOBAL DEF sets it.
+        [later] { $parameter } is PREDEF in { $value }, but the GLOBAL DEF that sets it comes later.
+       *[value] No cycle accepts { $parameter }={ $value }.
     }
-diag-guard = The control objects to these values.
+diag-guard = The control does not accept these values.
 diag-hole-outside-blank =
     { $what ->
-        [beside] The hole at { $value }, { $other } is next to the blank.
-        [surface] The surface at { $value } is not on the blank.
-       *[through] The hole reaches down to { $value }, far through the blank.
+        [beside] The hole at { $value }, { $other } is beside the blank.
+        [surface] The surface at { $value } is far from the blank.
+       *[through] The hole goes down to { $value }, far through the blank.
     }
 diag-iso-incomplete =
     This block is incomplete: { $what ->
@@ -164,24 +164,24 @@ diag-iso-incomplete =
         [cycle] the words of the cycle are missing (P01, P02, …)
        *[operand] an operand or the label of a jump is missing (P01, P02, P03)
     }.
-diag-label-duplicate = The label { $label } is set a second time here.
+diag-label-duplicate = The label { $label } is set twice; this is the second time.
 diag-label-missing = The language “{ $language }” has no label for { $parameter } of { $cycle }.
-diag-label-not-encodable = “{ $label }” has the character “{ $character }”, which the file's encoding cannot write.
-diag-label-of-another-language = “{ $label }” is a label in another language ({ $language }); most of the program calls { $parameter } “{ $right }”.
+diag-label-not-encodable = “{ $label }” contains the character “{ $character }”, which does not exist in the encoding of the file.
+diag-label-of-another-language = “{ $label }” is a label in another language ({ $language }); in the language of the program, { $parameter } is “{ $right }”.
 diag-label-of-another-parameter = “{ $label }” is the label of { $other }, not of { $parameter }.
-diag-label-twice = { $parameter } and { $other } both have the label “{ $label }”: one of them has another label.
+diag-label-twice = { $parameter } and { $other } both have the label “{ $label }”, which can be right for only one of them.
 diag-label-undefined = No block sets the label { $label }.
 diag-labels-of-unknown-language =
     { $count ->
-        [one] This definition has labels in a language that is not known here; it was read by its numbers.
-       *[other] { $count } definitions, this is the first, have labels in a language that is not known here; they were read by their numbers.
+        [one] The labels of this definition are in a language that Ciklo does not know; it was read by its parameter numbers.
+       *[other] The labels of { $count } definitions, of which this is the first, are in a language that Ciklo does not know; they were read by their parameter numbers.
     }
 diag-languages-mixed = Most labels are in one language ({ $language }); the definitions in these lines are in another ({ $others }): { $lines }.
-diag-loop-endless = Nothing in the loop that this jump closes can end it.
+diag-loop-endless = This jump closes a loop that never ends.
 diag-machine-coordinates-compensated = Machine coordinates (M91, M92) are programmed here with radius compensation.
-diag-main-runs-into-subprogram = The main part runs into the subprogram { $label } here: neither M2 nor M30 ends it.
-diag-measuring-height-below-floor = { $cycle } measures at { $parameter }={ $value }, below the floor that { $milling } leaves there, { $floor }.
-diag-metric-values-in-inch = The program is in inches, and { $value } looks like millimetres.
+diag-main-runs-into-subprogram = The main program runs into the subprogram { $label } here: neither M2 nor M30 ends it.
+diag-measuring-height-below-floor = { $cycle } measures at { $parameter }={ $value }, below the floor at { $floor } that { $milling } leaves there.
+diag-metric-values-in-inch = The program is in inches, but { $value } looks like millimetres.
 diag-mirror-of-tool-axis = The tool axis { $axis } cannot be mirrored.
 diag-misordered-parameter = In { $cycle } the control shows { $parameter } before { $before }.
 diag-missing-parameter =
@@ -192,12 +192,12 @@ diag-missing-parameter =
 diag-modal-call-left-on =
     M89 still calls the cycle in this block, { $what ->
         [beside] which moves to a position outside the blank
-       *[again] so that the tool machines the last position once more
+       *[again] so that the last position is machined again
     }.
 diag-mode-wrong =
     { $what ->
-        [milling] { $cycle } mills or drills, but FUNCTION MODE TURN is active here.
-        [turning] { $cycle } turns, but FUNCTION MODE TURN is not active here.
+        [milling] { $cycle } mills or drills, but the control is in turning mode (FUNCTION MODE TURN) here.
+        [turning] { $cycle } turns, but the control is not in turning mode (FUNCTION MODE TURN) here.
        *[data] { $cycle } is used outside of turning mode.
     }
 diag-name-of-another-cycle = “{ $name }” is the name of { $other }, but this is { $cycle }.
@@ -205,34 +205,34 @@ diag-no-result =
     This formula has no result: { $why ->
         [division] it divides by zero
         [large] the number is too large
-       *[domain] a function is given a value that it is not defined for
+       *[domain] a function is not defined for its value
     }.
-diag-no-table-open = FN 27 and FN 28 work on the table that FN 26 opened.
-diag-not-a-program = This file is no NC program.
-diag-number-does-not-exist = { $name } does not exist: the numbers go up to { $greatest }.
+diag-no-table-open = FN 27 and FN 28 need a table that FN 26 has opened.
+diag-not-a-program = This file is not an NC program.
+diag-number-does-not-exist = { $name } does not exist: the greatest number is { $greatest }.
 diag-older-parameter-set = { $cycle } has the parameters of an earlier software version; the control adds { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } is too small: the least value is { $limit }.
-        [long] The text of { $parameter } is too long: it may have { $limit } characters.
-        [many] { $parameter } lists too many labels: it may list { $limit }.
-        [axes] { $parameter } names too many axes: it may name { $limit }.
+        [long] The text of { $parameter } is too long: at most { $limit } characters are permitted.
+        [many] { $parameter } lists too many labels: at most { $limit } are permitted.
+        [axes] { $parameter } names too many axes: at most { $limit } are permitted.
        *[above] { $parameter }={ $value } is too great: the greatest value is { $limit }.
     }
 diag-out-of-usual-range =
-    { $parameter }={ $value } is hardly meant: { $where ->
-        [control] the { $control } takes no value { $side ->
+    { $parameter }={ $value } is hardly intended: { $where ->
+        [control] the { $control } accepts no value { $side ->
                 [below] below
                *[above] above
             } { $limit } there.
-       *[any] no manual prints a range for such parameters that goes { $side ->
+       *[any] no manual permits such a parameter to be { $side ->
                 [below] below
                *[above] above
             } { $limit }.
     }
 diag-parameter-of-later-software = { $parameter } in { $cycle } needs a later software version than { $software }, which the manual describes.
 diag-parameter-unassigned =
-    { $parameter } is read here, but nothing gives it a value before.
+    { $parameter } is read here, but nothing has given it a value.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } cannot call { $called } with { $value }.
@@ -240,44 +240,44 @@ diag-pattern-combination =
     }
 diag-pattern-wrong =
     { $what ->
-        [count] { $word } is a whole number of positions, at least 1.
-        [many] { $word }: PATTERN DEF has nine single positions at most.
-        [rapid] { $word } is not taken here: between the points of a table the tool moves at a feed.
-        [distance] { $word } is 0: all positions are the same one.
+        [count] { $word } must be a whole number of positions, at least 1.
+        [many] { $word }: PATTERN DEF can have at most nine single positions.
+        [rapid] { $word } is not permitted here: between the points of a table the tool moves at a feed rate.
+        [distance] { $word } is 0: all positions are the same.
         [angle] { $word } is more than a full turn.
-        [same] { $word } is the same position as one before it.
-       *[diameter] The diameter { $word } of a circle of positions is greater than 0.
+        [same] { $word } repeats an earlier position.
+       *[diameter] The diameter { $word } of a pitch circle must be greater than 0.
     }
 diag-plane-incomplete = This PLANE lacks { $word }.
-diag-plane-not-positioned = STAY leaves the rotary axes where they are, and no block of the program moves one to the angles of this plane.
+diag-plane-not-positioned = STAY does not move the rotary axes, and no block of the program moves them to the angles of this plane.
 diag-plane-not-reset = The program ends here with a tilted working plane.
-diag-position-after-contour = This is the first position after { $cycle }, and it does not name both coordinates of the plane absolutely.
+diag-position-after-contour = This is the first position after { $cycle }, but it does not have absolute values for both coordinates of the plane.
 diag-probe-while-turning = { $cycle } probes here while the spindle turns.
-diag-probed-axis-missing = { $direction } is probed, but the position does not name { $axis }.
+diag-probed-axis-missing = { $direction } is probed, but the position has no { $axis }.
 diag-program-begin-missing = The program does not begin with BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM is programmed a second time.
 diag-program-calls-itself = The program calls itself: { $name }.
-diag-program-empty = The file holds no block.
+diag-program-empty = The file contains no blocks.
 diag-program-end-missing =
     The program ends here without { $end ->
-        [iso] a block that begins with % and ends it
+        [iso] a final block that begins with %
        *[pgm] END PGM
     }.
-diag-programs-call-in-circle = The program { $name } calls this one back, be it through others.
-diag-rapid-into-blank = The tool moves into the blank at rapid here: Z goes to { $value }, and the blank reaches up to { $top }.
-diag-repeat-count-wrong = A part of a program is repeated a whole number of times from 0 to 65534.
-diag-repeat-of-later-label = The label { $label } comes after this repeat.
+diag-programs-call-in-circle = The program { $name } calls this one back, directly or through others.
+diag-rapid-into-blank = The tool moves into the blank at rapid traverse here: it goes to Z { $value }, and the top of the blank is at { $top }.
+diag-repeat-count-wrong = The number of repeats must be a whole number from 0 to 65534.
+diag-repeat-of-later-label = The label { $label } must come before the repeat, not after it.
 diag-reserved-parameter =
-    { $parameter } is written here, but the control itself writes Q100 to Q199.
+    { $parameter } is written here, but Q100 to Q199 belong to the control, which overwrites them.
 diag-reset-order-wrong =
     { $what ->
-        [tilt] The tilted plane is reset here while the rotation that was switched on after it is still active.
-       *[shift] The datum shift is reset here while the plane that was tilted after it is still tilted.
+        [tilt] Tilting is reset here, but a rotation that was activated after it is still active.
+       *[shift] The datum shift is reset here, but the plane that was tilted after it is still tilted.
     }
 diag-retract-missing =
-    The tool is at { $value }, in or just above the blank, when { $what ->
+    The tool is still at { $value }, in the blank or just above it, when { $what ->
         [change] it is changed
-       *[turn] a rotary axis turns at rapid traverse
+       *[turn] a rotary axis moves at rapid traverse
     }: it was not retracted.
 diag-row-not-in-table =
     { $table ->
@@ -290,21 +290,21 @@ diag-speed-out-of-range =
     { $what ->
         [feed] The feed { $value }
        *[speed] The spindle speed { $value }
-    } is hardly meant: { $side ->
+    } is hardly intended: { $side ->
         [below] it is negative
-       *[above] { $limit } is the greatest that the manuals let anybody enter
+       *[above] the manuals permit at most { $limit }
     }.
-diag-spindle-direction = { $cycle } needs a spindle that turns clockwise, and it turns counter-clockwise here.
-diag-spindle-off = Material is removed while the spindle is not turning.
+diag-spindle-direction = { $cycle } needs a spindle that turns clockwise, but it turns counter-clockwise here.
+diag-spindle-off = The tool cuts here while the spindle is not turning.
 diag-sql-handle-missing =
     { $what ->
-        [ended] COMMIT or ROLLBACK has ended the transaction with the handle { $handle } before.
-       *[missing] No query has given the handle { $handle } before.
+        [ended] COMMIT or ROLLBACK has already ended the transaction with the handle { $handle }.
+       *[missing] No query has returned the handle { $handle }.
     }
 diag-subprogram-end-without-label = This LBL 0 ends no subprogram.
 diag-subprogram-recursive = The subprogram { $label } calls itself here.
 diag-subprogram-runs-on = The subprogram { $label } runs into the subprogram { $next }: there is no LBL 0 between them.
-diag-subprogram-without-end = The subprogram { $label } comes to the end of the program without LBL 0.
+diag-subprogram-without-end = The subprogram { $label } runs to the end of the program without LBL 0.
 diag-tcpm-left-on =
     { $what ->
         [tool] A tool is called here while M128 or FUNCTION TCPM is active.
@@ -312,43 +312,43 @@ diag-tcpm-left-on =
     }
 diag-text-for-number =
     { $what ->
-        [text] { $parameter } takes a number, and this is a text.
-        [number] { $parameter } takes a text, and this is a number.
-       *[calculation] This is a text; it cannot be calculated with.
+        [text] { $parameter } takes a number, but this is a text.
+        [number] { $parameter } takes a text, but this is a number.
+       *[calculation] Texts cannot be used in calculations.
     }
 diag-text-wrong =
     { $what ->
         [empty] The text of { $parameter } is empty.
         [alone] “{ $found }” in the text of { $parameter } is neither doubled nor followed by a letter.
-       *[character] { $parameter } takes no “{ $found }”.
+       *[character] The character “{ $found }” is not permitted in { $parameter }.
     }
-diag-tool-axis-missing = This tool call names no tool axis, and none was named before.
+diag-tool-axis-missing = This tool call has no tool axis, and no earlier one has named it.
 diag-tool-axis-other =
     { $what ->
-        [pattern] PATTERN DEF works with the tool axis { $axis } only, and another one is active here.
-       *[blank] The blank names the tool axis { $axis }, and no tool of the program has it.
+        [pattern] PATTERN DEF works only with tool axis { $axis }, but another one is active here.
+       *[blank] The blank has the tool axis { $axis }, but no tool of the program has it.
     }
 diag-tool-definition-wrong =
     { $what ->
-        [zero] Tool 0 is no tool and cannot be defined.
-        [twice] Tool { $tool } is defined with other measures before already.
-       *[after-call] Tool { $tool } is defined here, and has been called before.
+        [zero] Tool 0 means no tool and cannot be defined.
+        [twice] Tool { $tool } has already been defined with other dimensions.
+       *[after-call] Tool { $tool } is defined here, but has already been called.
     }
-diag-tool-feed-missing = The feed of the tool call is taken here, but it has none.
-diag-tool-missing = A cycle moves here, but no tool call has named the tool axis before.
+diag-tool-feed-missing = The feed rate of the tool call is used here, but the tool call has none.
+diag-tool-missing = A cycle moves here, but no tool call has set the tool axis.
 diag-tool-not-listed = The tool table has no tool { $tool }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } probes here with the tool that has just machined.
        *[mill] { $cycle } machines here with the tool that has just probed.
     }
-diag-tool-unused = The tool { $tool } is called here and changed for another one at once.
+diag-tool-unused = Tool { $tool } is called here, and the next block calls another one.
 diag-transfer-parameter-overwritten =
     { $what ->
-        [passed] { $cycle } has read { $parameter } when it was defined: what is written here does not change its call.
-        [filled] { $cycle } fills four parameters from the one named here, and with them { $parameter }, which the program has written before and reads later.
-        [lost] { $cycle } writes over { $parameter } before the program reads what is written here.
-       *[call] { $parameter } belongs to { $cycle }, which is called later: the call takes the value that is written here.
+        [passed] { $cycle } read { $parameter } when it was defined: the value written here does not affect its call.
+        [filled] { $cycle } fills four parameters, starting with the one named here, and overwrites { $parameter }, which the program has written before and reads later.
+        [lost] { $cycle } overwrites { $parameter } before the program reads the value written here.
+       *[call] { $parameter } belongs to { $cycle }, which is called later: the call uses the value written here.
     }
 diag-transformation-forbidden =
     { $cycle } is used although { $what ->
@@ -356,7 +356,7 @@ diag-transformation-forbidden =
         [rotation] a rotation is active
         [tcpm] M128 or FUNCTION TCPM is active
         [other-axis] the tool axis is not Z
-        [turning] the control turns (FUNCTION MODE TURN)
+        [turning] the control is in turning mode (FUNCTION MODE TURN)
        *[tilting] the working plane is tilted
     }, which its manual forbids.
 diag-transformation-left-on =
@@ -368,56 +368,56 @@ diag-transformation-left-on =
     }.
 diag-turning-feed-unit =
     { $what ->
-        [revolution] { $parameter }={ $value } is a feed for a revolution here, as M136 is active.
-       *[minute] { $parameter }={ $value } is a feed for a minute here, as M136 is not active.
+        [revolution] { $parameter }={ $value } is a feed per revolution here, because M136 is active.
+       *[minute] { $parameter }={ $value } is a feed per minute here, because M136 is not active.
     }
-diag-turning-system-missing = { $cycle } is called here, but since the tool call { $aligning } has not been defined.
+diag-turning-system-missing = { $cycle } is called here, but { $aligning } has not been defined since the tool call.
 diag-two-signs = The number has two signs; they are read as { $right }.
 diag-unknown-cycle =
     { $name ->
-        [none] { $cycle } is a cycle of which no manual here speaks.
+        [none] No manual known to Ciklo mentions { $cycle }.
        *[other] { $cycle } ({ $name }) is a cycle of the first controls: it still runs, and its values are not checked.
     }
 diag-unknown-parameter = { $cycle } has no { $parameter } on this control.
 diag-differs-from-other-control =
     { $what ->
-        [missing] { $cycle } has { $parameter } on the { $control }, and here it is missing.
-        [value] { $parameter }={ $value } in { $cycle } is a value that the { $control } refuses.
+        [missing] { $cycle } has { $parameter } on the { $control }, but it is missing here.
+        [value] The { $control } does not accept { $parameter }={ $value } in { $cycle }.
         [twice] { $parameter } is given twice in { $cycle }.
         [foreign] { $cycle } has no { $parameter } on the { $control }.
-        [order] { $parameter } comes after { $before }; in { $cycle } on the { $control } it precedes it.
+        [order] { $parameter } comes after { $before }, but before it in { $cycle } on the { $control }.
         [label] “{ $label }” belongs to { $other } in { $cycle } on the { $control }, not to { $parameter }.
         [doubt] { $cycle } is doubtful: { $message }
-        [alone] { $parameter }={ $value } in { $cycle } is a value that no cycle with this parameter takes.
-       *[guard] On the { $control } { $cycle } is refused: { $message }
+        [alone] No cycle with this parameter accepts { $parameter }={ $value }, as in { $cycle }.
+       *[guard] The { $control } would refuse { $cycle }: { $message }
     }
 diag-unreachable =
     { $part ->
         [label] Nothing leads to this label.
-       *[block] The run never comes to this block.
+       *[block] This block is never executed.
     }
-diag-meaningless-value = The value is { $value } here, which makes no sense.
+diag-meaningless-value = The value { $value } is not possible here.
 diag-word-missing = This block lacks { $word }.
 diag-word-twice = { $word } is programmed twice in this block.
 diag-word-wrong =
     { $what ->
-        [below] { $word } is { $value }, which is too little.
-        [above] { $word } is { $value }, which is too much.
-        [whole] { $word } is { $value }, and takes whole numbers only.
-        [offers] { $word } is followed by one of: { $value }.
+        [below] { $word } is { $value }, which is too small.
+        [above] { $word } is { $value }, which is too large.
+        [whole] { $word } is { $value }, but must be a whole number.
+        [offers] { $word } must be followed by one of: { $value }.
         [contradict] { $word } and { $value } exclude each other.
         [zero] { $word } must not all be 0.
         [not-below] { $word } must be less than { $value }.
         [operator] “{ $word }” is written instead of { $value }.
         [empty] The name is empty.
         [value] { $word } has no value.
-        [place] { $word } has no place in this block.
-        [line] The three points lie on one line and give no plane.
-        [parallel] The two vectors are parallel and give no plane.
-        [number] The text of { $word } is no number: “{ $value }”.
+        [place] { $word } is not permitted in this block.
+        [line] The three points are on one line and do not determine a plane.
+        [parallel] The two vectors are parallel and do not determine a plane.
+        [number] The text of { $word } is not a number: “{ $value }”.
         [beyond] { $word } is { $value }, which is beyond the end of the text.
-        [file] { $value } is no { $word } file.
-       *[tool] { $value } is no tool number: one digit follows the point.
+        [file] { $value } is not a { $word } file.
+       *[tool] { $value } is not a tool number: only one digit may follow the point.
     }
 diag-wrong-value-kind =
     { $parameter } of { $cycle } takes { $kind ->
@@ -429,7 +429,7 @@ diag-wrong-value-kind =
         [position] coordinates by axis, such as X+5 Y+0
         [row] a row of a table, such as #5
         [axis] an axis
-        [label-list] numbers of labels with bars between them, such as 1/2/3
+        [label-list] label numbers separated by slashes, such as 1/2/3
        *[number] a number
     }{ $words-count ->
         [0] {""}

@@ -1,22 +1,22 @@
-# Texts that do not agree with each other; see src/accord.
+# Texts that do not agree with each other; see src/language/consistency.
 diag-consistency-number = The text { $key } in the language { $language } states other numbers than the languages { $others }: { $found } instead of { $expected }.
 diag-consistency-unit = The text { $key } in the language { $language } states other units than the languages { $others }: { $found } instead of { $expected }.
 diag-consistency-code = The text { $key } in the language { $language } names other parameters, functions or columns than the languages { $others }: { $found } instead of { $expected }.
-diag-consistency-argument = The text { $key } in the language { $language } asks for other arguments than the languages { $others }: { $found } instead of { $expected }.
+diag-consistency-argument = The text { $key } in the language { $language } uses other arguments than the languages { $others }: { $found } instead of { $expected }.
 diag-consistency-label-twice = In the language { $language } the parameters "{ $parameter }" and "{ $other }" of a cycle have the same label { $label }.
 diag-consistency-label-of-another = In the language { $language } the label { $label } of the parameter "{ $parameter }" is that of the parameter "{ $other }".
-diag-consistency-swapped = In the language { $language } the texts { $key } and { $other } seem to have changed places; compare with the languages { $others }.
-diag-consistency-quantity = { $parameter } measures { $found }, but its name in the language { $language } ("{ $name }") speaks of { $expected }.
+diag-consistency-swapped = In the language { $language } the texts { $key } and { $other } seem to have been exchanged; compare with the languages { $others }.
+diag-consistency-quantity = { $parameter } measures { $found }, but its name in the language { $language } ("{ $name }") suggests { $expected }.
 diag-consistency-reference = { $parameter } is { $found }, but its name in the language { $language } ("{ $name }") speaks of what is { $expected }.
 related-said-here = the text is here
-diag-spec-odd-q = { $cycle } calls { $q } "{ $name }", which elsewhere is { $usual }; elsewhere { $q } is "{ $other }".
-diag-spec-odd-choice = The choice "{ $name }" has the value { $value } here and { $usual } elsewhere.
-diag-spec-odd-limit = The limit { $value } of { $name } is used nowhere else for this quantity; { $usual } is.
+diag-spec-odd-q = In { $cycle }, { $q } is "{ $name }", which is { $usual } in other cycles; there { $q } is "{ $other }".
+diag-spec-odd-choice = The choice "{ $name }" has the value { $value } here, but { $usual } in other cycles.
+diag-spec-odd-limit = No other parameter of this quantity has the limit { $value } of { $name }; most have { $usual }.
 diag-spec-odd-condition = The condition "{ $name }" says that { $q } is { $found }, but the choice of that name has the value { $value }.
 diag-spec-example-guarded = The printed example is refused by the check "{ $code }".
 diag-spec-unused-parameter = Nothing in the run, the checks or the sentences of { $cycle } uses { $q }.
 diag-consistency-reference-word = The text { $key } in the language { $language } does not say absolute or incremental as the languages { $others } do: { $found } instead of { $expected }.
 diag-locale-unused = No specification and no text uses the text { $key }.
-diag-spec-example-fails = The example "{ $name }" on { $control } does not come out as it says: { $what } should be { $expected } and is { $found }.
+diag-spec-example-fails = The example "{ $name }" on { $control } does not have the expected result: { $what } should be { $expected }, but is { $found }.
 diag-consistency-term = The text { $key } in the language { $language } lacks the term "{ $term }" for "{ $source }".
 diag-consistency-forbidden = The text { $key } in the language { $language } says "{ $word }"; the term is "{ $term }".

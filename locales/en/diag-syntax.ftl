@@ -9,7 +9,7 @@ syntax-expected =
         [number] a number
         [m-function] an M function
         [blk-form-part] 0.1, 0.2, CYLINDER, ROTATION or FILE
-        [tool-word] S, F, DL, DR or DR2, each once
+        [tool-word] S, F, DL, DR or DR2, each only once
         [tool] a tool number or a tool name in quotation marks
         [value] a number or a Q parameter
         [quotation-mark] a closing quotation mark
@@ -31,8 +31,8 @@ syntax-expected =
         [closing-bracket] a closing bracket
         [known-function] a function of the formula language
         [character] a character of the formula language
-        [arguments] another number of arguments
-        [in-spec-only] arithmetic only, since programs know no comparison here
+        [arguments] a different number of arguments
+        [in-spec-only] arithmetic only; a program cannot compare here
         [block-word] a word of this block
         [approach] LT, LN, CT, LCT, PLT, PLN, PCT or PLCT
         [plane-form] SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL or RESET
@@ -49,12 +49,12 @@ diag-syntax-unexpected = “{ $found }” is not allowed here; expected: { synta
 diag-syntax-incomplete = The block is incomplete; expected: { syntax-expected }.
 diag-syntax-unclosed-text = The text has no closing quotation mark: { $found }
 diag-syntax-formula = “{ $found }” is not allowed in a formula here; expected: { syntax-expected }.
-diag-syntax-text-after-tab = “{ $found }” follows a tab and belongs to no block; a control would refuse it. Comments begin with a semicolon.
-diag-syntax-dangling-continuation = The ~ announces a further line, but none that belongs to this block follows.
-diag-syntax-foreign-line = “{ $found }” is no block of this language; a control would refuse it. Comments begin with a semicolon.
-diag-syntax-spelling = “{ $found }” is not how controls spell it: { syntax-expected }.
-diag-syntax-undescribed = “{ $found }” is not described in any manual of this control family; whether a control takes it is not known.
+diag-syntax-text-after-tab = “{ $found }” follows a tab and does not belong to a block; a control would refuse it. Comments begin with a semicolon.
+diag-syntax-dangling-continuation = The ~ says that the block continues, but no line that belongs to it follows.
+diag-syntax-foreign-line = “{ $found }” is not a block of this language; a control would refuse it. Comments begin with a semicolon.
+diag-syntax-spelling = Controls do not write “{ $found }” but: { syntax-expected }.
+diag-syntax-undescribed = “{ $found }” is not described in any manual of this control family; it is not known whether a control accepts it.
 diag-syntax-refused-block = A control could not read this block: { $found }
 diag-syntax-excluding-codes = “{ $found }” and another code of this block exclude each other.
-diag-syntax-bracket-comment = Text in brackets is no comment on these controls: comments follow a semicolon.
-diag-syntax-doubled-continuation = There is a second ~: one is enough to join the next line.
+diag-syntax-bracket-comment = Text in brackets is not a comment on these controls: comments begin with a semicolon.
+diag-syntax-doubled-continuation = There is a second ~; one is enough to continue the block on the next line.

@@ -396,7 +396,7 @@ fn labels_are_mended_where_they_stand() {
     let expected = original.replace("PROFONDITÀ", "DEPTH").replace("Q202=5 ;DEPTH", "Q202=5 ;PLUNGING DEPTH");
     assert_eq!(std::fs::read_to_string(&path).unwrap(), expected.replace('\n', "\r\n"));
     let again = run(&words);
-    assert!(String::from_utf8_lossy(&again.stderr).contains("Nothing was mended."));
+    assert!(String::from_utf8_lossy(&again.stderr).contains("Nothing was corrected."));
 }
 
 #[test]
