@@ -1,5 +1,5 @@
 # Komento ”certify” ja sen ilmoitukset.
-cli-certify = Kerro, miten jälkikäsittelijän ohjelmat selviävät tarkastuksesta: ohjelmittain, työkierroittain ja säännöittäin
+cli-certify = Näytä, miten postprosessorin ohjelmat läpäisevät tarkastuksen: ohjelmittain, työkierroittain ja säännöittäin
 cli-certify-path = NC-ohjelmat tai hakemistot, joissa on ohjelmia (.h, .i)
 cli-certify-program =
     { $verdict ->

@@ -21,19 +21,19 @@ diag-convert-iso-stays = ”{ $found }” muuttuisi, mutta sen uutta muotoa ei v
 diag-convert-iso-unread = Klartext-kielessä ei ole vastinetta tälle: ”{ $found }”; lause jää ennalleen eikä sitä tarkasteta.
 diag-convert-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; määrittely jää ennalleen.
 diag-convert-cycle-not-described = Ohjauksen { $control } käsikirja mainitsee työkierron { $cycle }, mutta ei kuvaa sitä: parametrit jäävät ennalleen.
-diag-convert-cycle-not-covered = Ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele sellaisia työkiertoja kuin { $cycle }: määrittely jää ennalleen.
+diag-convert-cycle-not-covered = Ciklon tuntemat ohjauksen { $control } käsikirjat eivät käsittele sellaisia työkiertoja kuin { $cycle }; määrittely jää ennalleen.
 diag-convert-parameter-added =
     { $import ->
-        [yes] Työkiertoon { $cycle } lisätään { $parameter } = { $value }, kuten { $control } tekee vanhemmille ohjelmille: aseta haluttu arvo.
-       *[no] Työkiertoon { $cycle } lisätään { $parameter } = { $value }, jolla toiminta pysyy samana.
+        [yes] Työkiertoon { $cycle } lisättiin { $parameter } = { $value }, kuten { $control } tekee vanhoille ohjelmille: aseta haluamasi arvo.
+       *[no] Työkiertoon { $cycle } lisättiin { $parameter } = { $value }; sillä työkierto tekee saman kuin ennen.
     }
 diag-convert-parameter-dropped =
     { $neutral ->
-        [yes] { $parameter } = { $value } poistuu työkierrosta { $cycle }: { $control } toimii ilman sitä samoin.
-       *[no] { $parameter } = { $value } poistuu työkierrosta { $cycle }: ohjauksessa { $control } sitä ei ole.
+        [yes] { $parameter } = { $value } poistettiin työkierrosta { $cycle }: { $control } tekee saman ilman sitä.
+       *[no] { $parameter } = { $value } poistettiin työkierrosta { $cycle }: ohjauksessa { $control } sitä ei ole.
     }
 diag-convert-parameter-renamed = Ohjauksessa { $control } työkierron { $cycle } parametrista { $parameter } tulee { $new }.
-diag-convert-no-value = Työkierto { $cycle } tarvitsee ohjauksessa { $control } parametrin { $parameter }, eikä mikään kerro, millä arvolla toiminta pysyy samana.
+diag-convert-no-value = Työkierto { $cycle } tarvitsee ohjauksessa { $control } parametrin { $parameter }, mutta ei tiedetä, millä arvolla koneistus pysyy ennallaan.
 diag-convert-value-refused = Ohjaus { $control } ei hyväksy työkierron { $cycle } arvoa { $parameter } = { $value }; arvo jää ennalleen.
 diag-convert-value-differs-in-meaning = Työkierron { $cycle } arvo { $parameter } = { $value } tarkoittaa ohjauksessa { $control } muuta.
 diag-convert-field-not-on-control = Työkierron { $cycle } kenttää { $parameter } ei ole ohjauksessa { $control }; määrittely jää ennalleen.

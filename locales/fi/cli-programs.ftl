@@ -5,7 +5,7 @@ cli-compare = Todista, että kaksi ohjelmaa ovat ohjaukselle samat, tai näytä 
 cli-compare-a = NC-ohjelma
 cli-compare-b = NC-ohjelma, johon sitä verrataan
 cli-compare-control = Ohjelmien ohjaus (oletus: se, jonka työkiertoja ensimmäisessä on)
-cli-compare-execute = Suorita molemmat asetelmassa ja vertaa, mitä tapahtuu
+cli-compare-execute = Suorita molemmat asetelmassa ja vertaa tapahtumia
 cli-examples-compare =
     ciklo compare part.h pezzo.h
     ciklo compare part.h pezzo.h --control tnc640 --execute --scene part.scene.yaml
@@ -14,20 +14,21 @@ cli-compared = { $count ->
         [one] Ohjelmat eroavat { $count } kohdassa.
        *[other] Ohjelmat eroavat { $count } kohdassa.
     }
-cli-compare-executed = { $verdict ->
+cli-compare-executed =
+    { $verdict ->
         [same] { $count ->
-            [one] Tapahtuu sama: { $count } tapahtuma.
-           *[other] Tapahtuu sama: { $count } tapahtumaa.
+            [one] Suoritus tuottaa molemmissa saman { $count } tapahtuman.
+           *[other] Suoritus tuottaa molemmissa samat { $count } tapahtumaa.
         }
-        [different] Tapahtuu jotakin muuta.
-       *[unproved] Tapahtuu sama niiltä osin kuin ohjelmat voidaan suorittaa; enempää ei ole todistettu.
+        [different] Suoritus tuottaa eri tapahtumat.
+       *[unproved] Suoritus tuottaa samat tapahtumat siltä osin kuin suoritin osaa suorittaa ohjelmat; loppua ei ole osoitettu.
     }
 
 cli-check-path = NC-ohjelmat tai hakemistot, joiden ohjelmat (.h, .i) tarkastetaan; ”-” tarkoittaa vakiosyötettä
 cli-check-control = Ohjelmien ohjaus, tunnettaessa ohjelmistoversioineen, esimerkiksi tnc640@340590-05 (oletus: ciklo.toml-tiedoston mukainen)
 cli-check-config = Asetustiedosto (oletus: ciklo.toml kunkin ohjelman hakemistossa tai sen yläpuolella)
 cli-check-table = Työkalu-, peruspiste- tai nollapistetaulukko, jonka rivejä ohjelmat käyttävät
-cli-check-fix = Korjaa, minkä voi korjata muuttamatta ohjelman toimintaa: NC-tekstit
+cli-check-fix = Korjaa, minkä voi korjata muuttamatta ohjelman toimintaa: NC-tekstit ja kaksinkertaiset merkit
 cli-check-no-cache = Tarkasta jokainen ohjelma uudelleen, myös ne, jotka eivät ole muuttuneet viime kerran jälkeen
 cli-check-format = Tulosteen muoto: text (oletus), json, sarif, github
 cli-checking = Ohjelmia
@@ -35,35 +36,33 @@ cli-checked = Tarkastettuja ohjelmia: { $files }, { $wrong ->
         [0] joista missään ei ole virheitä.
        *[other] joista virheellisiä: { $wrong }.
     }
-cli-fixed = { $count ->
+cli-fixed =
+    { $count ->
         [0] Mitään ei korjattu.
-        [one] Korjattiin { $count } NC-teksti.
-       *[other] Korjattiin { $count } NC-tekstiä.
+        [one] Korjattiin { $count } kohta.
+       *[other] Korjattiin { $count } kohtaa.
     }
-diag-check-no-control = Ohjelman { $path } ohjaus ei ole tiedossa: --control tai control tiedostossa ciklo.toml.
+diag-check-no-control = Ohjelman { $path } ohjausta ei tiedetä: nimeä se valitsimella --control tai asetuksella control tiedostossa ciklo.toml.
 diag-check-no-programs = Paikassa { $path } ei ole ohjelmia: mitään ei tarkastettu.
-diag-check-no-table = ”{ $path }” ei ole taulukko: sen tarkenne ei ole .T, .TP, .PR, .D eikä .PNT.
+diag-check-no-table = ”{ $path }” ei ole taulukko: sen pääte ei ole .T, .TP, .PR, .D eikä .PNT.
 diag-passed-over = { $more ->
         [0] Ohitettiin { $path }:
         [one] Ohitettiin { $path } ja yksi muu kohde:
        *[other] Ohitettiin { $path } ja { $more } muuta kohdetta:
     } ei tiedosto eikä kansio, tai linkki, jota ei seurata.
-diag-fix-no-file = Vakiosyötettä ei voi korjata: nimeä tiedosto.
-diag-fix-file-changed = Joku muu on muuttanut tiedostoa { $path } sillä välin; se jätetään ennalleen.
-diag-fix-changes-program = { $path } ei olisi enää sama ohjelma; se jätetään ennalleen.
-diag-config-syntax = Tämä ei ole TOML-muotoa.
-diag-config-unknown-key = Asetusta ”{ $key }” ei ole; asetukset ovat control, lang, tables, fail-on, rules, machine ja folder.
+diag-fix-no-file = Vakiosyötettä ei voi korjata paikallaan: nimeä tiedosto.
+diag-fix-file-changed = Toinen ohjelma on sillä välin muuttanut tiedostoa { $path }; tiedostoon ei kirjoitettu.
+diag-fix-changes-program = { $path } ei olisi enää sama ohjelma; tiedostoon ei kirjoitettu.
+diag-config-syntax = Tämä ei ole kelvollista TOML-kieltä.
+diag-config-unknown-key = Asetusta ”{ $key }” ei ole. Asetukset ovat control, lang, tables, fail-on, rules, machine ja folder.
 diag-config-unknown-rule = Sääntöä ”{ $key }” ei ole; ”ciklo explain” luettelee kaikki.
-diag-config-unknown-word = { $expected } ei kelpaa kohtaan { $key }.
-diag-config-value = Tässä { $key } vaatii jotakin muuta: { $expected }.
-diag-allow-without-reason = Tämä kommentti kumoaa säännön { $rule } ilman perustelua, joten se ei vaikuta.
-diag-allow-unknown-rule = Sääntöä ”{ $rule }” ei ole, joten sitä ei voi kumota.
+diag-config-unknown-word = { $expected } ei kelpaa asetuksen { $key } arvoksi.
+diag-config-value = Asetus { $key } vaatii tässä toisen arvon: { $expected }.
+diag-allow-without-reason = Tämä kommentti sallii säännön { $rule } havainnon ilman syytä, joten kommentti ei vaikuta.
+diag-allow-unknown-rule = Sääntöä ”{ $rule }” ei ole, joten sen havaintoa ei voi sallia.
 diag-allow-unused = Sääntö { $rule } ei löydä tästä mitään; kommentin voi poistaa.
-explain-allow-without-reason = Kommentti ”; ciklo: allow SÄÄNTÖ perustelu” kumoaa säännön havainnot siinä lauseessa, jonka perässä se on, tai omalla rivillään seuraavassa lauseessa. Ilman perustelua se ei vaikuta.
-explain-allow-unknown-rule = Sanan ”allow” jäljessä ei ole tarkastimen sääntöä eikä ehtoa. ciklo explain luettelee kaikki koodit.
-explain-allow-unused = Kommentti ei kumoa mitään: sääntö ei löydä mitään lauseesta, jota kommentti koskee, tai ei tällä ohjauksella.
 
-cli-translate-relabel = Pidä NC-tekstinä kaikkea, millä on sen muoto, myös muulla kuin tunnetulla kielellä
+cli-translate-relabel = Pidä NC-tekstinä jokaista kommenttia, joka näyttää NC-tekstiltä, myös tuntemattomalla kielellä
 cli-translate-encoding = Tiedoston merkistö, esimerkiksi windows-1250 (oletus: päätellään tavuista)
 cli-translate-from = Ohjelman NC-tekstien kieli; vain ne korvataan (oletus: kukin määrittely omalla kielellään)
 cli-translate-sources = { $count ->
@@ -71,12 +70,12 @@ cli-translate-sources = { $count ->
        *[other] NC-tekstien kielet ja määrittelyjen määrät: { $languages }.
     }
 cli-fmt = Asettele ohjelmia paikallaan: numerot, sarakkeet, etumerkit
-cli-fmt-path = NC-ohjelmat tai hakemistot, joiden ohjelmat (.h, .i) asetellaan; ”-” tarkoittaa vakiosyötettä ja vakiotulostetta
+cli-fmt-path = NC-ohjelmat tai kansiot, joiden ohjelmat (.h, .i) muotoillaan; ”-” lukee vakiosyötettä ja kirjoittaa vakiotulosteeseen
 cli-fmt-check = Älä kirjoita mitään; nimeä ohjelmat, jotka muuttuisivat
 cli-examples-fmt =
     ciklo fmt part.h
     ciklo fmt programs --check
-cli-completions = Tulosta, mitä komentotulkki tarvitsee komentorivin täydentämiseen
+cli-completions = Tulosta komentosarja, jolla komentotulkki täydentää komentorivin
 cli-completions-shell = Komentotulkki: bash, elvish, fish, powershell, zsh
 cli-examples-completions =
     ciklo completions bash > ~/.local/share/bash-completion/completions/ciklo

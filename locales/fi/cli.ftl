@@ -1,7 +1,7 @@
 # Komentorivi: ohje, ilmoitukset sekä tiedostoja ja sanoja koskevat havainnot.
 
 cli-about = CNC-työkiertojen kuvaukset dialogeina, NC-lauseina, käsikirjoina, ohjelmien tarkastuksena ja suorituksena
-cli-explain-more = ”ciklo explain { $code }” kertoo, mitä havainto tarkoittaa ja mitä sille voi tehdä.
+cli-explain-more = ”ciklo explain { $code }” selittää havainnon ja kertoo, mitä sille voi tehdä.
 cli-heading-usage = Käyttö:
 cli-heading-commands = Komennot
 cli-heading-arguments = Argumentit
@@ -16,23 +16,23 @@ cli-build-base-url = Sivuston tuleva osoite: lisää kanoniset osoitteet, sivuka
 cli-schema = Tulosta kuvausten JSON-skeema
 cli-lint = Ilmoita kaikki kuvausten ja kielten virheet
 cli-lint-accept = Hyväksy käännökset, jotka ovat uusia tai joita on muutettu hyväksymisen jälkeen
-cli-coverage = Näytä, mikä on valmista, puuttuu, on vanhentunut, odottaa tai on suorittamatta
+cli-coverage = Näytä, mikä on valmista, puuttuu, on vanhentunut, toteuttamatta tai koettelematta
 cli-dialog = Näytä työkierron dialogi
 cli-block = Kirjoita työkierron NC-lause
 cli-block-values = Työkierron numero sekä parametrien arvoja, esimerkiksi Q321=50; muilla on käsikirjan esimerkin arvot
 cli-block-number = Ensimmäisen lauseen numero (oletus: käsikirjan esimerkin numero)
 cli-block-form = Vanhanmuotoisen työkierron muoto, jos niitä on useita
 cli-block-without = Pois jätettävä valinnainen kenttä; voidaan toistaa
-cli-parse = Erittele ohjelma lauseiksi JSON-muotoon
-cli-parse-print = Tulosta ohjelma takaisin tavulleen samana
+cli-parse = Jaa ohjelma lauseiksi JSON-muotoon
+cli-parse-print = Tulosta ohjelma muuttumattomana, tavu tavulta
 cli-check = Tarkasta ohjelmia yhdelle ohjaukselle
-cli-check-lang = Ohjelmien NC-tekstien kieli (oletus: päätellään niistä)
-cli-explain = Kerro, mitä havainnon koodi tarkoittaa
+cli-check-lang = Ohjelmien NC-tekstien kieli (oletus: päätellään)
+cli-explain = Selitä havainnon koodi
 cli-explain-code = Koodi; ilman sitä luetellaan kaikki koodit
 cli-explain-renamed = Koodin ”{ $old }” nimi on nyt ”{ $code }”.
 cli-translate = Kirjoita ohjelma toisen kielen nimillä ja NC-teksteillä; muu ei muutu
 cli-translate-to = Nimien ja NC-tekstien kieli
-cli-translate-control = Ohjelman ohjaus (oletus: se, jonka työkiertoja ohjelmassa on)
+cli-translate-control = Ohjelman ohjaus (oletus: päätellään työkierroista)
 cli-translate-out = Kirjoitettava tiedosto (oletus: vakiotuloste)
 cli-run = Suorita ohjelma asetelmassa
 cli-run-tool-table = Työkalutaulukko, jota käytetään asetelman oman taulukon sijasta
@@ -42,9 +42,9 @@ cli-run-skip-blocks = Ohita lauseet, jotka alkavat merkillä /
 cli-run-lang = Pöytäkirjojen kieli (oletus: NC-ohjelman NC-tekstien kieli, muuten ohjelman omien tekstien kieli)
 cli-run-envelope = Näytä tulosten asemesta, mitä kukin kosketustyökierto tekisi pahimmassa tapauksessa
 cli-conform = Suorita kuvausten esimerkit
-cli-conform-engine = Anna esimerkit toiselle suoritusohjelmalle, komennolle joka noudattaa asiakirjan docs/conform-protocol.md protokollaa
-cli-conform-time-limit = Kuinka kauan yksi tapaus saa kestää (oletus: 10)
-cli-conform-serve = Vastaa vakiosyötteestä luettaviin protokollan pyyntöihin
+cli-conform-engine = Suorita esimerkit toisella suorittimella, komennolla, joka käyttää asiakirjan docs/conform-protocol.md protokollaa
+cli-conform-time-limit = Pisin aika tapausta kohti sekunteina (oletus: 10)
+cli-conform-serve = Vastaa tämän protokollan pyyntöihin vakiosyötteestä
 cli-export = Tulosta ohjauksen kaikki työkierrot yhdellä kielellä JSON-muodossa
 
 cli-arg-cycle = Työkierron numero, esimerkiksi 412 tai TCH PROBE 412
@@ -133,26 +133,27 @@ cli-coverage-control = { $control } ({ $title }): työkiertoja kuvattu { $descri
 cli-coverage-complete = valmis
 cli-coverage-missing = { $language }: tekstejä puuttuu { $count }/{ $of }: { $ids }
 cli-coverage-stale = { $language }: vanhentuneita tekstejä { $count }/{ $of }: { $ids }
-cli-coverage-pending = Suorittimesta puuttuu vielä: { $ids }
-cli-coverage-unexecuted = Virkkeitä, joita esimerkit eivät suorita: { $count }/{ $of }: { $ids }
-cli-coverage-unprovoked = Tarkastuksia, joita esimerkit eivät laukaise: { $ids }
+cli-coverage-pending = Suorittimessa toteuttamatta: { $ids }
+cli-coverage-unexecuted = Mikään esimerkki ei suorita: { $count }/{ $of } virkettä: { $ids }
+cli-coverage-unprovoked = Mikään esimerkki ei laukaise: { $ids }
 
 cli-translated = { $count ->
         [one] { $count } muutos: { $path }
        *[other] { $count } muutosta: { $path }
     }
-cli-run-status = Ohjelma { $status ->
+cli-run-status =
+    Ohjelma { $status ->
         [done] suoritettiin loppuun
         [stopped] pysähtyi, eikä sitä jatkettu
-        [limit] saavutti suorittimen rajan
-        [unsupported] tarvitsee jotakin, mitä suoritin ei tue
+        [limit] saavutti simuloinnin rajan
+        [unsupported] tarvitsee toiminnon, jota ei voi simuloida
        *[error] päättyi virheeseen
     }.
 cli-envelope-cycle = Rivi { $line }: { $cycle } { $name }
-cli-envelope-still = Ei liiku.
+cli-envelope-still = Ei liikettä.
 cli-envelope-lowest = Kosketuspään alin kohta: { $axis } = { $height } mm
 cli-envelope-highest = Kosketuspään ylin kohta: { $axis } = { $height } mm
-cli-envelope-travelled = Korkeudet, joilla liikutaan sivusuunnassa: { $axis } = { $heights } mm
+cli-envelope-travelled = Koneistustason liikkeiden korkeudet: { $axis } = { $heights }{"\u00A0"}mm
 cli-envelope-probing = { $count ->
         [one] { $count } kosketus
        *[other] { $count } kosketusta
@@ -176,7 +177,7 @@ cli-envelope-near-unknown = { $what ->
        *[no] ei ulotu
     } siihen
 cli-envelope-fails = Tässä asetelmassa työkierto päättyy virheeseen { $code }: { $message }
-cli-envelope-none = Yhtään kosketustyökiertoa ei suoriteta.
+cli-envelope-none = Ohjelma ei suorita yhtään kosketustyökiertoa.
 cli-conform-pass = läpi
 cli-conform-fail = VIRHE
 cli-conform-out = ei tuettu
@@ -187,15 +188,16 @@ cli-conform-summary = Läpi { $pass }, virheellisiä { $fail }, ei tuettuja { $o
 cli-usage-hint = Tarkoititko: { $suggestion }?
 cli-usage-help = Katso --help.
 
-diag-unknown-software = ”{ $found }” ei ole ohjelmistoversio: se on ohjauksen näyttämä numero, esimerkiksi 340590-05.
-diag-usage = { $reason ->
-        [no-value] Arvo puuttuu: { $subject }.
-        [invalid-value] ”{ $value }” ei kelpaa arvoksi: { $subject }.
+diag-unknown-software = ”{ $found }” ei ole ohjelmistoversio: anna ohjauksen näyttämä numero, esimerkiksi 340590-05.
+diag-usage =
+    { $reason ->
+        [no-value] { $subject } tarvitsee arvon.
+        [invalid-value] ”{ $value }” ei ole kelvollinen arvo: { $subject }.
         [unknown-argument] Argumenttia { $subject } ei ole.
         [unknown-command] Komentoa { $subject } ei ole.
         [no-command] Komento puuttuu.
         [missing-argument] Puuttuu: { $subject }.
-        [conflict] { $subject } ei sovi yhteen muiden argumenttien kanssa tai on annettu kahdesti.
+        [conflict] { $subject } on annettu kahdesti, tai sitä ei voi yhdistää muihin argumentteihin.
         [too-many-values] Liian monta arvoa: { $subject }.
         [not-text] Argumentti ei ole kelvollista tekstiä.
        *[other] Komentorivi on virheellinen.
@@ -223,11 +225,11 @@ diag-engine-start = Suorittimen käynnistäminen ei onnistu: { $path }: { $reaso
         [permission] ei käyttöoikeutta
        *[other] { $detail }
     }.
-diag-engine-not-responding = Suoritusohjelma ei vastannut { $silent } peräkkäiseen tapaukseen, eikä siltä enää kysytä: { $left ->
-        [one] { $left } tapaus jää pois.
-       *[other] { $left } tapausta jää pois.
+diag-engine-not-responding = Suoritin ei vastannut { $silent } peräkkäiseen tapaukseen, joten loppuja ei lähetetä: { $left ->
+        [one] { $left } tapaus.
+       *[other] { $left } tapausta.
     }
-diag-io-foreign-directory = Hakemistossa { $path } on tiedostoja, joita ciklo ei ole kirjoittanut, joten sitä ei korvata. Valitse tyhjä tai uusi hakemisto.
+diag-io-foreign-directory = Hakemistossa { $path } on tiedostoja, joita Ciklo ei ole kirjoittanut, joten sitä ei korvata. Valitse tyhjä tai uusi hakemisto.
 diag-not-an-address = ”{ $url }” ei ole osoite, jonka alussa on https:// tai http://.
 diag-data-directory-missing = Hakemistosta { $path } puuttuu hakemisto { $name }.
 diag-no-data = Hakemistossa { $path } ei ole hakemistoja cycle-specs, locales eikä templates.
@@ -236,12 +238,12 @@ diag-unknown-code = Koodia ”{ $code }” ei ole; ”ciklo explain” luettelee
 diag-needs-data = { $option } tarvitsee työkopion: --data DIR.
 diag-unknown-control = Ohjausta ”{ $control }” ei ole; ohjaukset ovat { $known }.
 diag-unknown-language = Kieltä ”{ $language }” ei ole; kielet ovat { $known }.
-diag-cycle-name = ”{ $cycle }” ei ole työkierron numero, esimerkiksi 412 tai "TCH PROBE 412".
+diag-cycle-name = ”{ $cycle }” ei ole työkierron numero; kelvollisia ovat esimerkiksi 412 ja "TCH PROBE 412".
 diag-cycle-not-here = Ohjauksessa { $control } ei ole työkiertoa { $cycle }.
-diag-cycle-ambiguous = Ohjauksessa { $control } on kaksi työkiertoa { $cycle }: { $keys }.
-diag-cycle-only-named = Ohjauksen { $control } käsikirja vain mainitsee työkierron { $cycle } ({ $name }) eikä kuvaa sitä.
-diag-internal = Virhe itse ciklo-ohjelmassa: { $detail }.
-diag-locale-unknown-suffix = ”{ $name }” ei ole työkierto eikä ohjaus.
+diag-cycle-ambiguous = Ohjauksessa { $control } on kaksi työkiertoa, joiden numero on { $cycle }: { $keys }.
+diag-cycle-only-named = Ohjauksen { $control } käsikirja vain mainitsee työkierron { $cycle } ({ $name }) nimeltä eikä kuvaa sitä.
+diag-internal = Ciklon sisäinen virhe: { $detail }.
+diag-locale-unknown-suffix = ”{ $name }” ei ole työkierron nimi eikä ohjaus.
 diag-not-encodable = Merkkiä ”{ $sign }” ei voi kirjoittaa tämän tiedoston merkistöllä (Windows-1252).
 cli-examples-plot =
     ciklo plot part.h --control tnc640 --out part.svg
@@ -250,7 +252,7 @@ cli-arg-resolution = Aihion sarakkeiden suurin väli, mm (oletus: kahdessadasosa
 cli-plot = Piirrä ohjelman työkalun rata ja kappale SVG-kuvana
 cli-plot-out = Piirroksen tiedosto
 cli-plot-view = Katselusuunta: top, side, isometric (oletus)
-cli-run-stock = Valmiin kappaleen tiedosto (STL); koneistuksesta annetaan raportti
+cli-run-stock = Valmiin kappaleen tiedosto (STL); lisäksi raportti koneistuksesta
 cli-stock-depth = Suurin lastuamissyvyys: { $value } mm (rivi { $line })
 cli-stock-finding = { $program }:{ $line }{ $count ->
         [one] :
@@ -262,12 +264,12 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [turns-together] Akselit kääntyvät työkalun liikkuessa: poistettua ainetta ei tunneta.
        *[no-radius] Työkalulla { $amount } ei ole sädettä: ei tiedetä, mitä se poistaa.
     }
-cli-stock-length = Matka: { $feed } mm syöttöarvolla, siitä { $cut } mm lastuavissa liikkeissä; { $rapid } mm pikaliikkeellä
+cli-stock-length = Matka: { $feed }{"\u00A0"}mm syöttöarvolla, siitä { $cut }{"\u00A0"}mm materiaalia poistavissa liikkeissä; { $rapid }{"\u00A0"}mm pikaliikkeellä
 cli-stock-more = { $count ->
         [one] vielä { $count } havainto.
        *[other] vielä { $count } havaintoa.
     }
 cli-stock-rate = Suurin lastunpoistonopeus: { $value } mm³/min (rivi { $line })
-cli-stock-time = Aika: { $all } s; { $feed } s syöttöarvolla, { $rapid } s pikaliikkeellä, { $dwell } s odotusta
-cli-stock-volume = Tilavuus: { $removed } mm³ poistettu { $blank } mm³:stä
+cli-stock-time = Aika: { $all }{"\u00A0"}s; { $feed }{"\u00A0"}s syöttöarvolla, { $rapid }{"\u00A0"}s pikaliikkeellä, { $dwell }{"\u00A0"}s odotusaikaa
+cli-stock-volume = Tilavuus: poistettu { $removed }{"\u00A0"}mm³, aihio { $blank }{"\u00A0"}mm³
 cli-stock-width = Suurin lastuamisleveys: { $value } mm (rivi { $line })

@@ -16,7 +16,7 @@ say-datum-into-datum-table__tnc426-430 = jos { $q-datum-row-number } ei ole 0, s
 say-datum-into-preset-table = jos { $q-datum-row-number } ei ole 0 ja { $q-measured-value-transfer } = 1, se kirjoittaa mitatun peruspisteen esiasetustaulukon riville { $q-datum-row-number }; perusjärjestelmänä on koneen koordinaatisto (REF-koordinaatit)
 step-probe-in-probe-axis = Haluttaessa ohjaus mittaa sen jälkeen kosketusakselin peruspisteen erillisellä kosketuksella:
 say-datum-in-probe-axis = jos { $q-probing-in-probe-axis } = 1, se koskettaa pistettä { $q-probe-axis-point-main }, { $q-probe-axis-point-minor }, { $q-probe-axis-point-tool } kosketusakselin suunnassa, vetäytyy ja käsittelee peruspisteen { $q-new-datum-probe-axis } samoin kuin koneistustason peruspisteen
-guard-datum-transfer-undefined = { $q-datum-row-number } ei ole 0 ja { $q-measured-value-transfer } on −1: on määriteltävä, mihin mitattu peruspiste tallennetaan.
+guard-datum-transfer-undefined = { $q-datum-row-number } ei ole 0 ja { $q-measured-value-transfer } on −1: määrittele, mihin mitattu peruspiste tallennetaan.
 guard-transformation-with-probe-axis-datum = Nollapisteen siirto tai kierto on voimassa, mutta asetuksilla { $q-measured-value-transfer } = 0 ja { $q-probing-in-probe-axis } = 1 koordinaattimuunnos ei ole sallittu.
 note-nominal-diameter-rather-small = Törmäysvaara! Jotta kosketusjärjestelmä ja työkappale eivät törmää, anna taskun (reiän) asetushalkaisijaksi mieluummin liian pieni kuin liian suuri arvo.
 note-probing-from-centre-if-narrow = Jos taskun mitat ja varmuusetäisyys eivät salli esipaikoitusta kosketuspisteiden lähelle, ohjaus aloittaa kosketuksen aina taskun keskeltä. Silloin kosketusjärjestelmä ei aja varmuuskorkeudelle mittauspisteiden välillä.

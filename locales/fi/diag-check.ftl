@@ -1,12 +1,12 @@
 # Ohjelmien tarkastuksen ja kääntämisen havainnot; ks. englanninkielinen tiedosto.
 
-diag-approach-twice = Muotoon ajetaan tässä sädekorjauksen ollessa voimassa: edellisestä muodosta ei ole poistuttu.
+diag-approach-twice = Muotoon ajetaan tässä, vaikka sädekorjaus on vielä voimassa: edellisestä muodosta ei ole poistuttu.
 diag-approach-without-compensation =
     { $what ->
         [approach] Muotoon ajetaan tässä ilman sanaa RL tai RR.
        *[departure] Muodosta poistutaan tässä, mutta sädekorjaus ei ole voimassa.
     }
-diag-arc-in-unequal-scaling = { $cycle } skaalaa tämän kaaren akseleita eri kertoimilla.
+diag-arc-in-unequal-scaling = { $cycle } skaalaa tämän kaaren akseleita eri kertoimilla: tulos ei ole kaari.
 diag-arc-too-narrow = Säde { $radius } muodon sisäpuolella on pienempi kuin työkalun säde { $tool }.
 diag-arc-without-tangent = Tämän tangentiaalisen kaaren edessä ei ole muotoelementtiä.
 diag-arc-wrong =
@@ -26,60 +26,60 @@ diag-blank-wrong =
         [cylinder] Sylinteriltä puuttuu säde tai halkaisija taikka pituus.
         [second] Lauseen BLK FORM 0.1 jäljessä ei ole lausetta BLK FORM 0.2.
         [tool] Aihion määrittelystä puuttuu työkaluakseli.
-       *[order] Akselilla { $axis } aihion toisen kulman koordinaatti ei ole suurempi kuin ensimmäisen.
+       *[order] Akselilla { $axis } aihion toisen kulman koordinaatin on oltava suurempi kuin ensimmäisen.
     }
 diag-block-numbers = Lausenumero { $number } seuraa numeroa { $before }.
-diag-call-of-def-active-cycle = Työkierto { $cycle } vaikuttaa heti määrittelyn jälkeen; sitä ei saa kutsua.
+diag-call-of-def-active-cycle = Työkierto { $cycle } vaikuttaa heti määriteltynä; sitä ei saa kutsua.
 diag-called-but-not-defined = Tässä kutsutaan työkiertoa, mutta sitä ennen ei ole määritelty yhtään.
 diag-called-program-in-other-unit = Tämän ohjelman mittayksikkö on { $own }, kutsutun ohjelman { $name } { $other }.
 diag-called-program-missing = Ohjelma { $name } ei ole tämän ohjelman kansiossa, josta ohjaus etsii sitä.
-diag-centre-in-other-plane = Ympyränkaari kulkee toisessa tasossa kuin missä sen keskipiste on.
+diag-centre-in-other-plane = Kaari ja sen keskipiste eivät ole samassa tasossa.
 diag-choice-not-offered = { $parameter }={ $value } ei ole mikään vaihtoehdoista: { $offered }.
 diag-clearance-height-too-low = { $cycle } koskettaa korkeudella { $touched }: varmuuskorkeuden { $parameter }={ $value } on oltava suurempi kuin { $least }.
 diag-compensation-at-cycle =
     { $cycle } suoritetaan tässä sädekorjauksen ollessa voimassa.
 diag-compensation-left-on = Sädekorjaus on tässä vielä voimassa.
-diag-compensation-on-arc = Sädekorjaus alkaa tässä kaarella.
-diag-compensation-switched = Sädekorjaus vaihtaa tässä puolta ilman välissä olevaa R0-lausetta.
+diag-compensation-on-arc = Sädekorjaus ei saa alkaa kaarella.
+diag-compensation-switched = Sädekorjaus vaihtaa tässä puolta, vaikka välissä ei ole R0-lausetta.
 diag-contour-data-missing = { $cycle } kutsutaan, mutta sitä ennen ei ole määritelty työkiertoa { $data }.
 diag-contour-def-wrong =
     { $what ->
         [number] { $found }: toisella muodolla on jo tämä numero.
         [many] { $found }: CONTOUR DEF -lauseessa on enintään yhdeksän muotoa.
-       *[island] { $found }: CONTOUR DEF -lauseen ensimmäinen muoto on tasku, niistä syvin.
+       *[island] { $found }: CONTOUR DEF -lauseen ensimmäisen muodon on oltava tasku, niistä syvin.
     }
-diag-contour-depth-missing = Muodolla { $contour } ei ole DEPTH-arvoa, muilla muodoilla on.
+diag-contour-depth-missing = Muodolla { $contour } ei ole DEPTH-arvoa, vaikka muilla muodoilla on.
 diag-contour-undeclared =
     { $what ->
         [twice] { $contour } on jo määritelty edellä.
-       *[nothing] Kaava lukee muodon { $contour }, jota mikään ei nimeä ennen sitä.
+       *[nothing] Kaava käyttää muotoa { $contour }, jota ei ole määritelty ennen sitä.
     }
 diag-contour-not-selected =
-    { $cycle } kutsutaan tässä, mutta sitä ennen ei ole nimetty muotoa.
+    { $cycle } kutsutaan tässä, mutta muotoa ei ole valittu.
 diag-contour-wrong =
     { $cycle } ei voi koneistaa muotoa näin: { $what ->
-        [axis] siinä liikutetaan työkaluakselia { $word }
+        [axis] siinä on liike työkaluakselilla, { $word }
         [approach] siinä on { $word }
         [tool] siinä on { $word }
         [call] siinä on { $word }
         [path] työkierto ei lue elementtiä { $word }
-        [first] sen ensimmäinen piste ei nimeä tason molempia koordinaatteja
+        [first] sen ensimmäisestä pisteestä puuttuu tason toinen koordinaatti
         [uncompensated] siinä ei ole sanaa RL eikä RR
-        [many] työkierto koneistaa vain ensimmäisen muodon, ei muotoa { $word }
+        [many] työkierto koneistaa vain ensimmäisen muodon eikä välitä muodosta { $word }
         [corner] elementin { $word } jäljessä ei ole muotoelementtiä
-        [local] siinä luetaan { $word }, jolle ei anneta siinä arvoa
+        [local] siinä luetaan { $word }, mutta siinä ei anneta sille arvoa
        *[open] se ei pääty siihen, mistä se alkaa
     }.
 diag-coordinate-out-of-place = Koordinaatit eivät sovi lauseeseen { $path }.
 diag-corner-wrong =
     Tätä nurkkaa ei voi koneistaa: { $what ->
-        [twice] sen edellä on jo pyöristys tai viiste
-        [arc] viiste on suorien välissä, mutta tässä on kaari
-        [first] sitä ei edellä muotoelementti
+        [twice] heti sen edellä on toinen pyöristys tai viiste
+        [arc] viisteen on oltava kahden suoran välissä, mutta toinen elementti on kaari
+        [first] sen edellä ei ole muotoelementtiä
         [alone] sen jäljessä ei ole muotoelementtiä
-        [back] sen jälkeinen suora palaa edeltävän päälle
+        [back] sen jälkeinen suora palaa edeltävää suoraa pitkin
         [size] sen säde tai pituus ei ole positiivinen
-       *[long] se vie enemmän kuin lyhyemmässä suorassa on, { $least }
+       *[long] se vie enemmän kuin lyhyemmän suoran pituuden, { $least }
     }.
 diag-cutting-without-tool = Työkalu liikkuu tässä syöttöarvolla, mutta ennen sitä ei ole työkalukutsua.
 diag-cycle-line-zero-missing = Rivin { $line } edellä ei ole riviä { $head }.
@@ -88,18 +88,18 @@ diag-cycle-line-missing = Rivin { $line } edeltä puuttuu rivi { $missing }.
 diag-cycle-line-twice = Rivi { $line } on tässä määrittelyssä kahdesti.
 diag-cycle-not-covered =
     { $other ->
-        [none] Työkiertoa { $cycle } ei tarkasteta: ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele tällaisia työkiertoja.
-       *[other] Ohjauksen { $control } tässä tunnetut käsikirjat eivät käsittele sellaisia työkiertoja kuin { $cycle }: sitä verrataan ohjauksen { $other } käsikirjaan.
+        [none] Työkiertoa { $cycle } ei tarkasteta: Ciklon tuntemat ohjauksen { $control } käsikirjat eivät käsittele tällaisia työkiertoja.
+       *[other] Ciklon tuntemat ohjauksen { $control } käsikirjat eivät käsittele sellaisia työkiertoja kuin { $cycle }: sitä verrataan ohjauksen { $other } käsikirjaan.
     }
 diag-cycle-not-described =
     { $other ->
-        [none] Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sen parametreja ei tarkasteta.
-       *[other] Työkierto { $cycle } ({ $name }) mainitaan käsikirjoissa, mutta sitä ei ole kuvattu: sitä verrataan ohjauksen { $other } käsikirjaan.
+        [none] Käsikirjat mainitsevat työkierron { $cycle } ({ $name }) mutta eivät kuvaa sitä: sen parametreja ei tarkasteta.
+       *[other] Käsikirjat mainitsevat työkierron { $cycle } ({ $name }) mutta eivät kuvaa sitä: sitä verrataan ohjauksen { $other } käsikirjaan.
     }
 diag-cycle-not-on-control = Ohjauksessa { $control } ei ole työkiertoa { $cycle }; se on ohjauksissa: { $controls }.
-diag-cycle-of-previous-tool = Työkierto { $cycle } määriteltiin edelliselle työkalulle, joka on jo työstänyt sillä.
-diag-datum-table-late = Edeltävä nollapisteen siirto otti rivinsä toisesta taulukosta: SEL TABLE kuuluu sen edelle.
-diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei kutsuta.
+diag-cycle-of-previous-tool = Työkierto { $cycle } määriteltiin edelliselle työkalulle, joka on jo koneistanut sillä.
+diag-datum-table-late = Edeltävä nollapisteen siirto ottaa rivinsä toisesta taulukosta: ohjelmoi SEL TABLE ennen sitä.
+diag-defined-but-never-called = Työkierto { $cycle } määritellään tässä, mutta sitä ei koskaan kutsuta.
 diag-digitizing-wrong =
     { $what ->
         [swapped] { $word } on pienempi kuin alueen MIN-piste { $other }.
@@ -107,7 +107,7 @@ diag-digitizing-wrong =
         [missing] { $cycle } digitoi, mutta sitä ennen ei ole määritelty aluetta.
        *[combined] Työkiertoa { $cycle } ei voi yhdistää työkiertoon { $range }, joka määrittelee tässä alueen.
     }
-diag-arc-direction-missing = Kaaren kiertosuuntaa ei ole annettu: DR+ tai DR− puuttuu.
+diag-arc-direction-missing = Kaaren kiertosuunta, DR+ tai DR−, puuttuu.
 diag-doubtful-value =
     { $parameter }={ $value } tuskin on tarkoitus työkierrossa { $cycle }: { $is ->
         [zero] arvo on 0
@@ -127,33 +127,33 @@ diag-free-contour-wrong =
         [unbegun] CLSD- sulkee tässä muodon, jota mikään CLSD+ ei ole aloittanut.
         [unclosed] Sanalla CLSD+ aloitettu muoto päättyy tähän ilman sanaa CLSD-.
         [length] Pituus LEN ei ole positiivinen.
-        [auxiliary] Etäisyydeltä D puuttuu apupiste (PDX, PDY).
-        [distance] Apupisteeltä puuttuu etäisyys D.
-        [selected] FSELECT ei ole minkään vapaan muodon elementin jäljessä.
-        [solution] FSELECT ottaa ratkaisun numeron, joka lasketaan luvusta 1.
-        [fpol] Vapaan muodon navalla on kaksi koordinaattia.
-        [pole] Napakoordinaatteja on tässä ilman napaa (FPOL).
-       *[open] Vapaa muoto jää määräämättä: sen elementeistä tiedetään liian vähän.
+        [auxiliary] Etäisyydellä D ei ole apupistettä (PDX, PDY).
+        [distance] Apupisteellä ei ole etäisyyttä D.
+        [selected] FSELECT ei ole vapaan muodon elementin jäljessä.
+        [solution] FSELECT ottaa ratkaisun numeron alkaen luvusta 1.
+        [fpol] Vapaan muodon napa tarvitsee kaksi koordinaattia.
+        [pole] Napakoordinaatit tarvitsevat navan (FPOL).
+       *[open] Vapaalla muodolla ei ole ratkaisua: sen elementeistä on annettu liian vähän arvoja.
     }
-diag-function-misspelled = Mikään ohjaus ei tunne tässä sanaa { $word }; ehkä tarkoitetaan sanaa { $meant }.
+diag-function-misspelled = Mikään ohjaus ei hyväksy tässä sanaa { $word }; ehkä tarkoitetaan sanaa { $meant }.
 diag-function-not-on-control = Ohjauksessa { $control } ei ole toimintoa { $function }.
-diag-functions-contradict = { $first } ja { $second } ovat samassa lauseessa; vain toista niistä voidaan tarkoittaa.
+diag-functions-contradict = { $first } ja { $second } sulkevat pois toisensa, mutta ne ovat samassa lauseessa.
 diag-global-def-wrong =
     { $what ->
-        [unknown] GLOBAL DEF { $number } ei ole olemassa.
+        [unknown] Lausetta GLOBAL DEF { $number } ei ole.
         [missing] Lauseesta GLOBAL DEF { $number } puuttuu { $parameter }.
-        [foreign] GLOBAL DEF { $number } ei anna parametria { $parameter }.
+        [foreign] Lauseessa GLOBAL DEF { $number } ei ole parametria { $parameter }.
         [twice] { $parameter } on lauseessa GLOBAL DEF { $number } kahdesti.
-        [again] GLOBAL DEF { $number } on jo annettu, eikä mikään työkierto ole käyttänyt sen arvoja.
-        [nothing] Työkierrossa { $value } parametrilla { $parameter } on PREDEF, mutta mikään GLOBAL DEF ei anna sitä.
-        [later] Työkierrossa { $value } parametrilla { $parameter } on PREDEF, mutta sen antava GLOBAL DEF on vasta jäljempänä.
+        [again] GLOBAL DEF { $number } on jo ohjelmoitu, eikä mikään työkierto ole käyttänyt sen arvoja.
+        [nothing] Työkierrossa { $value } parametrin { $parameter } arvona on PREDEF, mutta mikään GLOBAL DEF ei aseta sitä.
+        [later] Työkierrossa { $value } parametrin { $parameter } arvona on PREDEF, mutta sen asettava GLOBAL DEF on vasta myöhemmin.
        *[value] Mikään työkierto ei hyväksy arvoa { $parameter }={ $value }.
     }
 diag-guard = Ohjaus ei hyväksy näitä arvoja.
 diag-hole-outside-blank =
     { $what ->
         [beside] Reikä kohdassa { $value }; { $other } on aihion vieressä.
-        [surface] Pinta { $value } ei ole aihion pinta.
+        [surface] Pinta { $value } on kaukana aihiosta.
        *[through] Reikä ulottuu arvoon { $value }, kauas aihion läpi.
     }
 diag-iso-incomplete =
@@ -164,24 +164,24 @@ diag-iso-incomplete =
         [cycle] työkierron sanat puuttuvat (P01, P02, …)
        *[operand] laskettava arvo tai hypyn label puuttuu (P01, P02, P03)
     }.
-diag-label-duplicate = Label { $label } asetetaan tässä toisen kerran.
+diag-label-duplicate = Label { $label } asetetaan kahdesti; tämä on toinen kerta.
 diag-label-missing = Kielellä ”{ $language }” ei ole NC-tekstiä työkierron { $cycle } parametrille { $parameter }.
 diag-label-not-encodable = NC-tekstissä ”{ $label }” on merkki ”{ $character }”, jota tiedoston merkistössä ei ole.
 diag-label-of-another-language = ”{ $label }” on toisen kielen NC-teksti ({ $language }); ohjelman kielellä parametrin { $parameter } teksti on ”{ $right }”.
 diag-label-of-another-parameter = ”{ $label }” on parametrin { $other } NC-teksti, ei parametrin { $parameter }.
-diag-label-twice = ”{ $label }” on parametrilla { $parameter } ja parametrilla { $other }: toisella on eri teksti.
+diag-label-twice = Parametreilla { $parameter } ja { $other } on sama NC-teksti ”{ $label }”, joka voi olla oikea vain toisella.
 diag-label-undefined = Mikään lause ei aseta labelia { $label }.
 diag-labels-of-unknown-language =
     { $count ->
-        [one] Tämän määrittelyn NC-tekstit ovat kieltä, jota ei tässä tunneta; se luettiin numeroidensa perusteella.
-       *[other] { $count } määrittelyn, joista tämä on ensimmäinen, NC-tekstit ovat kieltä, jota ei tässä tunneta; ne luettiin numeroidensa perusteella.
+        [one] Tämän määrittelyn NC-tekstit ovat kieltä, jota Ciklo ei tunne; määrittely luettiin parametrien numeroista.
+       *[other] { $count } määrittelyn, joista tämä on ensimmäinen, NC-tekstit ovat kieltä, jota Ciklo ei tunne; määrittelyt luettiin parametrien numeroista.
     }
 diag-languages-mixed = Useimmat NC-tekstit ovat yhtä kieltä ({ $language }); näiden rivien määrittelyt ovat toista ({ $others }): { $lines }.
-diag-loop-endless = Mikään tämän hypyn sulkemassa silmukassa ei voi päättää sitä.
+diag-loop-endless = Tämä hyppy sulkee silmukan, joka ei koskaan pääty.
 diag-machine-coordinates-compensated = Konekoordinaatit (M91, M92) on tässä ohjelmoitu sädekorjauksen kanssa.
-diag-main-runs-into-subprogram = Pääohjelma jatkuu tässä suoraan aliohjelmaan { $label }: ennen sitä ei ole M2- eikä M30-toimintoa.
-diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }={ $value }, joka on työkierron { $milling } siihen jättämän pohjan alapuolella ({ $floor }).
-diag-metric-values-in-inch = Ohjelma on tuumissa, ja { $value } näyttää millimetriarvolta.
+diag-main-runs-into-subprogram = Pääohjelma jatkuu tässä suoraan aliohjelmaan { $label }: M2 tai M30 ei päätä sitä.
+diag-measuring-height-below-floor = { $cycle } mittaa korkeudella { $parameter }={ $value }, joka on työkierron { $milling } jättämän pohjan ({ $floor }) alapuolella.
+diag-metric-values-in-inch = Ohjelman mittayksikkö on tuuma, mutta { $value } näyttää millimetriarvolta.
 diag-mirror-of-tool-axis = Työkaluakselia { $axis } ei voi peilata.
 diag-misordered-parameter = Työkierrossa { $cycle } ohjaus näyttää parametrin { $parameter } ennen parametria { $before }.
 diag-missing-parameter =
@@ -190,14 +190,14 @@ diag-missing-parameter =
        *[other] Työkierrosta { $cycle } puuttuvat { $parameter }.
     }
 diag-modal-call-left-on =
-    M89 kutsuu työkiertoa vielä tässä lauseessa, { $what ->
-        [beside] joka ajaa aihion viereen
-       *[again] joten työkalu koneistaa viimeisen aseman uudelleen
+    M89 kutsuu työkierron vielä tässä lauseessa, { $what ->
+        [beside] joka ajaa aihion ulkopuolelle
+       *[again] joten viimeinen asema koneistetaan uudelleen
     }.
 diag-mode-wrong =
     { $what ->
-        [milling] { $cycle } jyrsii tai poraa, mutta tässä on voimassa FUNCTION MODE TURN.
-        [turning] { $cycle } sorvaa, mutta FUNCTION MODE TURN ei ole tässä voimassa.
+        [milling] { $cycle } jyrsii tai poraa, mutta ohjaus on tässä sorvauskäytössä (FUNCTION MODE TURN).
+        [turning] { $cycle } sorvaa, mutta ohjaus ei ole tässä sorvauskäytössä (FUNCTION MODE TURN).
        *[data] { $cycle } on tässä sorvauskäytön ulkopuolella.
     }
 diag-name-of-another-cycle = ”{ $name }” on työkierron { $other } nimi, mutta tässä on { $cycle }.
@@ -205,18 +205,18 @@ diag-no-result =
     Tällä kaavalla ei ole tulosta: { $why ->
         [division] siinä jaetaan nollalla
         [large] luku on liian suuri
-       *[domain] funktiota ei ole määritelty saamalleen arvolle
+       *[domain] funktiota ei ole määritelty sen arvolle
     }.
-diag-no-table-open = FN 27 ja FN 28 käsittelevät taulukkoa, jonka FN 26 on avannut.
+diag-no-table-open = FN 27 ja FN 28 tarvitsevat taulukon, jonka FN 26 on avannut.
 diag-not-a-program = Tämä tiedosto ei ole NC-ohjelma.
-diag-number-does-not-exist = { $name } ei ole olemassa: numerot päättyvät arvoon { $greatest }.
+diag-number-does-not-exist = { $name } ei ole olemassa: suurin numero on { $greatest }.
 diag-older-parameter-set = Työkierrossa { $cycle } on aiemman ohjelmistoversion parametrit; ohjaus lisää { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } on liian pieni: pienin arvo on { $limit }.
-        [many] Parametri { $parameter } luettelee liian monta labelia: niitä saa olla { $limit }.
-        [long] Parametrin { $parameter } teksti on liian pitkä: siinä saa olla enintään { $limit } merkkiä.
-        [axes] { $parameter } nimeää liian monta akselia: niitä saa olla { $limit }.
+        [many] Parametri { $parameter } luettelee liian monta labelia: niitä saa olla enintään { $limit }.
+        [long] Parametrin { $parameter } teksti on liian pitkä: merkkejä saa olla enintään { $limit }.
+        [axes] { $parameter } nimeää liian monta akselia: niitä saa olla enintään { $limit }.
        *[above] { $parameter }={ $value } on liian suuri: suurin arvo on { $limit }.
     }
 diag-out-of-usual-range =
@@ -232,7 +232,7 @@ diag-out-of-usual-range =
     }
 diag-parameter-of-later-software = { $parameter } työkierrossa { $cycle } vaatii uudemman ohjelmistoversion kuin { $software }, jonka käsikirja kuvaa.
 diag-parameter-unassigned =
-    { $parameter } luetaan tässä, mutta sille ei ole sitä ennen annettu arvoa.
+    { $parameter } luetaan tässä, mutta sille ei ole annettu arvoa.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } ei voi kutsua työkiertoa { $called }, kun { $value }.
@@ -240,20 +240,20 @@ diag-pattern-combination =
     }
 diag-pattern-wrong =
     { $what ->
-        [count] { $word } on paikkojen lukumäärä: kokonaisluku, vähintään 1.
+        [count] { $word } on paikkojen lukumäärä: sen on oltava kokonaisluku, vähintään 1.
         [many] { $word }: PATTERN DEF -lauseessa on enintään yhdeksän yksittäistä paikkaa.
-        [rapid] { $word } ei kelpaa tähän: taulukon pisteiden välillä työkalu liikkuu syöttöarvolla.
-        [distance] { $word } on 0: kaikki paikat ovat yksi ja sama.
+        [rapid] { $word } ei ole sallittu tässä: taulukon pisteiden välillä työkalu liikkuu syöttöarvolla.
+        [distance] { $word } on 0: kaikki paikat ovat samassa kohdassa.
         [angle] { $word } on enemmän kuin täysi kierros.
-        [same] { $word } on sama paikka kuin jokin sitä ennen.
-       *[diameter] Paikkojen ympyrän halkaisija { $word } on suurempi kuin 0.
+        [same] { $word } toistaa aiemman paikan.
+       *[diameter] Jakoympyrän halkaisijan { $word } on oltava suurempi kuin 0.
     }
 diag-plane-incomplete = Tästä PLANE-lauseesta puuttuu { $word }.
-diag-plane-not-positioned = STAY jättää kiertoakselit paikoilleen, eikä mikään ohjelman lause aja niitä tämän tason kulmiin.
+diag-plane-not-positioned = STAY ei liikuta kiertoakseleita, eikä mikään ohjelman lause aja niitä tämän tason kulmiin.
 diag-plane-not-reset = Ohjelma päättyy tässä koneistustason ollessa käännettynä.
-diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, eikä se nimeä tason molempia koordinaatteja absoluuttisina.
+diag-position-after-contour = Tämä on ensimmäinen asema työkierron { $cycle } jälkeen, mutta siinä ei ole tason molempia koordinaatteja absoluuttisina.
 diag-probe-while-turning = { $cycle } koskettaa tässä karan pyöriessä.
-diag-probed-axis-missing = Kosketus tapahtuu suunnassa { $direction }, mutta paikassa ei ole akselia { $axis }.
+diag-probed-axis-missing = Kosketus tapahtuu suunnassa { $direction }, mutta asemassa ei ole akselia { $axis }.
 diag-program-begin-missing = Ohjelma ei ala BEGIN PGM -lauseella.
 diag-program-begin-twice = BEGIN PGM on tässä toisen kerran.
 diag-program-calls-itself = Ohjelma kutsuu itseään: { $name }.
@@ -263,20 +263,20 @@ diag-program-end-missing =
         [iso] lausetta, joka alkaa %-merkillä ja päättää sen
        *[pgm] END PGM -lausetta
     }.
-diag-programs-call-in-circle = Ohjelma { $name } kutsuu takaisin tätä ohjelmaa, suoraan tai muiden kautta.
-diag-rapid-into-blank = Työkalu liikkuu tässä pikaliikkeellä aihioon: Z ajetaan arvoon { $value }, ja aihio ulottuu arvoon { $top }.
-diag-repeat-count-wrong = Ohjelmanosa toistetaan 0–65534 kertaa, kokonaisluku.
-diag-repeat-of-later-label = Label { $label } on vasta tämän toiston jälkeen.
-diag-reserved-parameter = Tässä kirjoitetaan parametriin { $parameter }, mutta parametreihin Q100–Q199 kirjoittaa ohjaus itse.
+diag-programs-call-in-circle = Ohjelma { $name } kutsuu tätä ohjelmaa takaisin, suoraan tai muiden kautta.
+diag-rapid-into-blank = Työkalu ajaa tässä pikaliikkeellä aihioon: Z menee arvoon { $value }, ja aihion yläpinta on arvossa { $top }.
+diag-repeat-count-wrong = Toistojen määrän on oltava kokonaisluku 0–65534.
+diag-repeat-of-later-label = Labelin { $label } on oltava ennen toistoa, ei sen jäljessä.
+diag-reserved-parameter = Tässä kirjoitetaan parametriin { $parameter }, mutta Q100–Q199 kuuluvat ohjaukselle, joka kirjoittaa niiden päälle.
 diag-reset-order-wrong =
     { $what ->
-        [tilt] Käännetty taso peruutetaan tässä, vaikka sen jäljessä käynnistetty kierto on vielä voimassa.
-       *[shift] Nollapisteen siirto peruutetaan tässä, vaikka sen jäljessä käännetty taso on vielä käännettynä.
+        [tilt] Kääntö peruutetaan tässä, mutta sen jälkeen aktivoitu kierto on vielä voimassa.
+       *[shift] Nollapisteen siirto peruutetaan tässä, mutta sen jälkeen käännetty taso on vielä käännettynä.
     }
 diag-retract-missing =
-    Työkalu on arvossa { $value } aihion sisällä tai aivan sen yläpuolella, kun { $what ->
+    Työkalu on vielä arvossa { $value } aihion sisällä tai aivan sen yläpuolella, kun { $what ->
         [change] se vaihdetaan
-       *[turn] kiertoakseli kääntyy pikaliikkeellä
+       *[turn] kiertoakseli liikkuu pikaliikkeellä
     }: sitä ei ole vedetty irti.
 diag-row-not-in-table =
     { $table ->
@@ -293,17 +293,17 @@ diag-speed-out-of-range =
         [below] se on negatiivinen
        *[above] suurin arvo, jonka käsikirjat sallivat, on { $limit }
     }.
-diag-spindle-direction = { $cycle } vaatii myötäpäivään pyörivän karan, mutta tässä se pyörii vastapäivään.
-diag-spindle-off = Tässä lastutaan karan ollessa pysähdyksissä.
+diag-spindle-direction = { $cycle } tarvitsee myötäpäivään pyörivän karan, mutta tässä kara pyörii vastapäivään.
+diag-spindle-off = Työkalu lastuaa tässä, vaikka kara ei pyöri.
 diag-sql-handle-missing =
     { $what ->
-        [ended] COMMIT tai ROLLBACK on jo päättänyt tapahtuman, jonka HANDLE on { $handle }.
-       *[missing] Mikään kysely ei ole sitä ennen antanut arvoa HANDLE { $handle }.
+        [ended] COMMIT tai ROLLBACK on jo päättänyt tapahtuman, jonka tunnus on { $handle }.
+       *[missing] Mikään kysely ei ole antanut tunnusta { $handle }.
     }
 diag-subprogram-end-without-label = Tämä LBL 0 ei päätä mitään aliohjelmaa.
 diag-subprogram-recursive = Aliohjelma { $label } kutsuu tässä itseään.
 diag-subprogram-runs-on = Aliohjelma { $label } jatkuu aliohjelmaan { $next }: niiden välissä ei ole LBL 0 -lausetta.
-diag-subprogram-without-end = Aliohjelma { $label } päätyy ohjelman loppuun ilman LBL 0 -lausetta.
+diag-subprogram-without-end = Aliohjelma { $label } jatkuu ohjelman loppuun ilman LBL 0 -lausetta.
 diag-tcpm-left-on =
     { $what ->
         [tool] Tässä kutsutaan työkalua, kun M128 tai FUNCTION TCPM on voimassa.
@@ -311,21 +311,21 @@ diag-tcpm-left-on =
     }
 diag-text-for-number =
     { $what ->
-        [text] Parametrin { $parameter } arvo on luku, mutta tämä on teksti.
-        [number] Parametrin { $parameter } arvo on teksti, mutta tämä on luku.
-       *[calculation] Tämä on teksti; sillä ei voi laskea.
+        [text] { $parameter } ottaa luvun, mutta tämä on teksti.
+        [number] { $parameter } ottaa tekstin, mutta tämä on luku.
+       *[calculation] Teksteillä ei voi laskea.
     }
 diag-text-wrong =
     { $what ->
         [empty] Parametrin { $parameter } teksti on tyhjä.
-        [alone] Parametrin { $parameter } tekstissä ”{ $found }” ei ole kahdennettuna eikä kirjaimen edellä.
-       *[character] { $parameter } ei hyväksy merkkiä ”{ $found }”.
+        [alone] Parametrin { $parameter } tekstin merkkiä ”{ $found }” ei ole kahdennettu eikä sen jäljessä ole kirjainta.
+       *[character] Merkki ”{ $found }” ei ole sallittu parametrissa { $parameter }.
     }
-diag-tool-axis-missing = Tässä työkalukutsussa ei ole työkaluakselia, eikä sitä ole annettu aiemminkaan.
+diag-tool-axis-missing = Tässä työkalukutsussa ei ole työkaluakselia, eikä mikään aiempi kutsu ole nimennyt sitä.
 diag-tool-axis-other =
     { $what ->
         [pattern] PATTERN DEF toimii vain työkaluakselilla { $axis }, mutta tässä on voimassa toinen.
-       *[blank] Aihio nimeää työkaluakselin { $axis }, mutta sitä ei ole yhdelläkään ohjelman työkalulla.
+       *[blank] Aihion työkaluakseli on { $axis }, mutta se ei ole yhdelläkään ohjelman työkalulla.
     }
 diag-tool-definition-wrong =
     { $what ->
@@ -333,15 +333,15 @@ diag-tool-definition-wrong =
         [twice] Työkalu { $tool } on jo määritelty edellä toisilla mitoilla.
        *[after-call] Työkalu { $tool } määritellään tässä, vaikka se on jo kutsuttu.
     }
-diag-tool-feed-missing = Tässä käytetään työkalukutsun syöttöarvoa, mutta sitä ei ole.
-diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään aiempi työkalukutsu ei ole määritellyt työkaluakselia.
+diag-tool-feed-missing = Tässä käytetään työkalukutsun syöttöarvoa, mutta työkalukutsussa ei ole sitä.
+diag-tool-missing = Työkierto liikuttaa tässä akseleita, mutta mikään työkalukutsu ei ole määritellyt työkaluakselia.
 diag-tool-not-listed = Työkalutaulukossa ei ole työkalua { $tool }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } koskettaa tässä työkalulla, jolla on juuri koneistettu.
        *[mill] { $cycle } koneistaa tässä työkalulla, jolla on juuri kosketettu.
     }
-diag-tool-unused = Työkalu { $tool } kutsutaan tässä ja vaihdetaan heti toiseen.
+diag-tool-unused = Työkalu { $tool } kutsutaan tässä, ja seuraava lause kutsuu toisen.
 diag-transfer-parameter-overwritten =
     { $what ->
         [passed] { $cycle } on lukenut parametrin { $parameter } määriteltäessä: tässä kirjoitettava arvo ei muuta sen kutsua.
@@ -355,7 +355,7 @@ diag-transformation-forbidden =
         [rotation] kierto on voimassa
         [tcpm] M128 tai FUNCTION TCPM on voimassa
         [other-axis] työkaluakseli ei ole Z
-        [turning] ohjaus on sorvaustilassa (FUNCTION MODE TURN)
+        [turning] ohjaus on sorvauskäytössä (FUNCTION MODE TURN)
        *[tilting] koneistustaso on käännetty
     }; käsikirja kieltää sen.
 diag-transformation-left-on =
@@ -370,11 +370,11 @@ diag-turning-feed-unit =
         [revolution] { $parameter }={ $value } on tässä syöttöarvo kierrosta kohti, koska M136 on voimassa.
        *[minute] { $parameter }={ $value } on tässä syöttöarvo minuutissa, koska M136 ei ole voimassa.
     }
-diag-turning-system-missing = { $cycle } kutsutaan tässä, mutta työkierto { $aligning } on määrittelemättä työkalukutsun jälkeen.
+diag-turning-system-missing = { $cycle } kutsutaan tässä, mutta työkiertoa { $aligning } ei ole määritelty työkalukutsun jälkeen.
 diag-two-signs = Luvun edessä on kaksi etumerkkiä; ne luetaan merkkinä { $right }.
 diag-unknown-cycle =
     { $name ->
-        [none] { $cycle } on työkierto, josta mikään tässä käytetty käsikirja ei kerro.
+        [none] Mikään Ciklon tuntema käsikirja ei mainitse työkiertoa { $cycle }.
        *[other] { $cycle } ({ $name }) on ensimmäisten ohjausten työkierto: se toimii yhä, mutta sen arvoja ei tarkasteta.
     }
 diag-unknown-parameter = Työkierrossa { $cycle } ei ole tässä ohjauksessa parametria { $parameter }.
@@ -393,30 +393,30 @@ diag-differs-from-other-control =
 diag-unreachable =
     { $part ->
         [label] Mikään ei johda tähän labeliin.
-       *[block] Suoritus ei koskaan tule tähän lauseeseen.
+       *[block] Tätä lausetta ei koskaan suoriteta.
     }
-diag-meaningless-value = Arvo on tässä { $value }, mikä ei ole mielekäs.
+diag-meaningless-value = Arvo { $value } ei ole tässä mahdollinen.
 diag-word-missing = Tästä lauseesta puuttuu { $word }.
 diag-word-twice = { $word } on tässä lauseessa kahdesti.
 diag-word-wrong =
     { $what ->
         [below] Sanan { $word } arvo { $value } on liian pieni.
         [above] Sanan { $word } arvo { $value } on liian suuri.
-        [whole] Sanan { $word } arvo on { $value }, vaikka se hyväksyy vain kokonaislukuja.
-        [offers] Sanan { $word } jäljessä on jokin näistä: { $value }.
+        [whole] Sanan { $word } arvo on { $value }, mutta sen on oltava kokonaisluku.
+        [offers] Sanan { $word } jäljessä on oltava jokin näistä: { $value }.
         [contradict] { $word } ja { $value } sulkevat pois toisensa.
         [zero] { $word } eivät saa kaikki olla 0.
-        [not-below] { $word } on oltava pienempi kuin { $value }.
+        [not-below] Arvon { $word } on oltava pienempi kuin { $value }.
         [operator] Tässä on ”{ $word }”, vaikka siinä pitää olla { $value }.
         [empty] Nimi on tyhjä.
-        [value] Sanan { $word } jäljestä puuttuu arvo.
-        [place] { $word } ei kuulu tähän lauseeseen.
-        [line] Kolme pistettä ovat samalla suoralla, joten ne eivät määritä tasoa.
-        [parallel] Vektorit ovat yhdensuuntaiset, joten ne eivät määritä tasoa.
+        [value] Sanalla { $word } ei ole arvoa.
+        [place] Sana { $word } ei ole sallittu tässä lauseessa.
+        [line] Kolme pistettä on samalla suoralla, joten ne eivät määritä tasoa.
+        [parallel] Kaksi vektoria on yhdensuuntaisia, joten ne eivät määritä tasoa.
         [number] Sanan { $word } teksti ei ole luku: ”{ $value }”.
         [beyond] Sanan { $word } arvo { $value } on tekstin lopun takana.
         [file] { $value } ei ole { $word }-tiedosto.
-       *[tool] { $value } ei ole työkalun numero: pisteen jäljessä on yksi numero.
+       *[tool] { $value } ei ole työkalun numero: pisteen jäljessä saa olla vain yksi numero.
     }
 diag-wrong-value-kind =
     Työkierron { $cycle } parametrin { $parameter } arvoksi kelpaa { $kind ->

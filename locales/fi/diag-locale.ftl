@@ -2,8 +2,8 @@
 
 diag-locale-encoding = Tiedosto ei ole UTF-8-muodossa.
 diag-locale-tag = Hakemiston nimi ”{ $tag }” ei ole kielitunnus.
-diag-locale-nesting = Aaltosulkeita on sisäkkäin yli { $most } tasoa; tiedosto ohitetaan.
-diag-locale-long-number = Luvussa on peräkkäin yli { $most } numeroa; tiedosto ohitetaan.
+diag-locale-nesting = Aaltosulkeita on sisäkkäin yli { $most } tasoa; tiedostoa ei lueta.
+diag-locale-long-number = Luvussa on peräkkäin yli { $most } numeroa; tiedostoa ei lueta.
 diag-locale-syntax =
     Tämä ei ole Fluentia: { $kind ->
         [expected-token] tässä pitäisi olla ”{ $detail }”
@@ -31,7 +31,7 @@ diag-locale-unit-form = ”{ $key }” ei ole malli: yksikössä on tekstiä ja 
 diag-locale-unknown-reference = Kohdetta ”{ $name }” ei ole.
 diag-locale-unknown-function = Funktiota ”{ $name }” ei ole.
 diag-locale-function-option = ”{ $name }: { $value }” ei ole funktion { $function } valitsin.
-diag-locale-function-arguments = Funktiolle { $function } on annettu väärä määrä arvoja.
+diag-locale-function-arguments = Funktiolla { $function } on väärä määrä arvoja.
 diag-locale-unknown-unit = Yksikköä ”{ $name }” ei ole: tiedostossa units.ftl ei ole sille viestiä.
 diag-locale-term-argument = Termi ”-{ $term }” ei käytä argumenttia ”{ $name }”.
 diag-locale-term-value = Termillä ”-{ $term }” ei ole muotoa ”{ $value }” argumentille ”{ $name }”.
@@ -42,7 +42,7 @@ diag-locale-missing-text = Kielessä ”{ $language }” ei ole tekstiä ”{ $k
         [none] {""}.
        *[other] ; se kuuluu tiedostoon { $file }.
     }
-diag-locale-missing-argument = Teksti ”{ $key }” ({ $language }) käyttää argumenttia ”{ $name }”, jota sille ei ole annettu.
+diag-locale-missing-argument = Teksti ”{ $key }” ({ $language }) käyttää argumenttia ”{ $name }”, jota tässä ei ole.
 diag-locale-function-failed =
     Tekstissä ”{ $key }” ({ $language }) funktiota { $name } ei voi suorittaa: { $reason ->
         [not-a-number] arvo ei ole luku
@@ -55,7 +55,7 @@ diag-locale-function-failed =
 diag-locale-too-long = Tekstissä ”{ $key }” ({ $language }) on liian monta täytettävää kohtaa.
 diag-locale-lock-line = Tämän tiedoston jokaisella rivillä on oltava tunnus ja kahdeksan heksadesimaalinumeroa.
 diag-locale-missing-translation = Tekstiä ”{ $key }” ei ole käännetty kielelle ”{ $language }”.
-diag-locale-orphan = ”{ $key }” ({ $language }) ei käännä mitään: englanninkielinen teksti on poistunut.
+diag-locale-orphan = ”{ $key }” ({ $language }) on jäänyt yli: englanninkielistä tekstiä ei enää ole.
 diag-locale-stale =
     { $change ->
         [none] Englanninkielinen teksti ”{ $key }” on muuttunut sen jälkeen, kun se käännettiin kielelle ”{ $language }”.

@@ -17,7 +17,7 @@ diag-plan-argument = Argumentti on virheellinen: { $expected ->
    *[other] odotetaan: { $expected }.
 }
 diag-plan-missing-argument = Argumentti { $name } puuttuu.
-diag-plan-modifier = Verbillä { $verb } ei ole määrettä { $modifier }.
+diag-plan-modifier = Verbi { $verb } ei hyväksy määrettä { $modifier }.
 diag-plan-name-form = Nimessä { $name } saa olla vain pieniä kirjaimia, numeroita ja merkki _.
 diag-plan-name-taken = Nimi { $name } on jo käytössä tässä.
 diag-plan-recursive-fragment = Osa { $name } käyttää itseään.
@@ -26,7 +26,7 @@ diag-plan-type = Odotettiin { $expected }, löytyi { $found }.
 diag-plan-unknown-argument = Argumenttia { $name } ei ole; käytettävissä: { $known }.
 diag-plan-unknown-field = Työkierrossa ei ole kenttää { $name }.
 diag-plan-unknown-fragment = Kuvauksen osaa { $name } ei ole määritelty.
-diag-plan-unknown-name = Nimeä { $name } ei tunneta tässä.
+diag-plan-unknown-name = Nimeä { $name } ei ole määritelty tässä.
 diag-plan-unknown-series = Sarjaa { $name } ei ole; käytettävissä: { $known }.
 diag-plan-unknown-strategy = Strategiaa { $name } ei ole; samankaltaisia nimiä: { $near }.
 diag-plan-unknown-table = Taulukkoa { $name } ei ole; käytettävissä: { $known }.

@@ -20,17 +20,17 @@ diag-scene-expected =
         [measurements] Mittauksia voi olla 1, 2 tai 3, ei ”{ $found }”.
        *[solids] Tässä pitäisi olla vähintään yksi kappale.
     }
-diag-scene-unknown-key = Avaimella { $key } ei ole tässä merkitystä; tunnetut avaimet: { $known }.
+diag-scene-unknown-key = Avain { $key } ei ole tässä mahdollinen; mahdolliset avaimet: { $known }.
 diag-scene-missing-key = Avain { $key } puuttuu.
 diag-scene-not-positive = Arvon on oltava suurempi kuin nolla; annettu arvo on { $found }.
-diag-scene-version = Tätä tiedostomuodon versiota ei tunneta; tunnettu versio on { $known }.
-diag-scene-repeated = { $found } on annettu kahdesti.
+diag-scene-version = Tätä tiedostomuodon versiota ei tueta; tuettu versio on { $known }.
+diag-scene-repeated = { $found } on määritelty kahdesti.
 diag-scene-min-max = Jokaisen alarajan on oltava pienempi kuin ylärajan.
 diag-scene-no-length = Pituus on nolla.
-diag-scene-one-solid = Tähän kuuluu täsmälleen yksi kappale: { $known }.
-diag-scene-unknown-machine = Konetta { $name } ei ole; tunnetut koneet: { $known }.
+diag-scene-one-solid = Tässä pitäisi olla täsmälleen yksi kappale: { $known }.
+diag-scene-unknown-machine = Konetta { $name } ei ole; koneet ovat { $known }.
 diag-scene-no-axis = Koneessa ei ole akselia { $axis }.
-diag-scene-start-outside = Lähtöpiste on akselin { $axis } liikealueen ulkopuolella: { $found }{"\u00A0"}{ $unit } ei ole välillä { $min } … { $max }{"\u00A0"}{ $unit }.
+diag-scene-start-outside = Lähtöasema on akselin { $axis } liikealueen ulkopuolella: { $found }{"\u00A0"}{ $unit } ei ole välillä { $min } … { $max }{"\u00A0"}{ $unit }.
 
 diag-solid-not-finite = Jokin mitta ei ole äärellinen positiivinen luku.
 diag-solid-too-many = Muodossa on liian monta pintaa: sen reunojen etsiminen kestäisi liian kauan. Jätä pois se, minkä lähelle mikään työkalu tai kosketuspää ei tule.
@@ -39,9 +39,9 @@ diag-solid-cusp = Kosketuskuula saattaa koskettaa kohtaa, jossa pinnat sivuavat 
 diag-solid-helix-unsupported = Kosketuskuula saattaa koskettaa työkappaletta kierukkaradalla tai usean akselin liikkuessa; tätä kosketusta ei voi laskea tarkasti.
 
 diag-table-no-header = Taulukon ensimmäisellä rivillä on oltava ”BEGIN”, { $extension }-tiedoston nimi ja mittayksikkö.
-diag-table-no-heading = Toisella rivillä on oltava sarakkeiden nimet, muun muassa { $column }.
+diag-table-no-heading = Toisella rivillä on oltava sarakkeiden nimet, myös { $column }.
 diag-table-no-end = Rivi [END] puuttuu.
-diag-table-not-described = Mikään ohjekirja ei kuvaa tällaisia taulukoita: vain kehys tarkastetaan.
+diag-table-not-described = Käsikirjat eivät kuvaa tällaisia taulukoita: vain alku ja loppu tarkastetaan.
 diag-table-no-row-number = Riviltä puuttuu numero: ”{ $found }”.
 diag-table-duplicate-row = Rivi { $row } on taulukossa kahdesti.
 diag-table-bad-number = { $file }, rivi { $row }, sarake { $column }: ”{ $found }” ei ole luku.
@@ -49,33 +49,33 @@ diag-table-missing = Taulukkoa { $file } ei ole.
 diag-table-no-row = Taulukossa { $file } ei ole riviä { $row }.
 diag-table-no-column = Taulukossa { $file } ei ole saraketta { $column }.
 diag-table-too-wide = { $file }, rivi { $row }: arvo ei mahdu sarakkeeseen { $column }.
-diag-table-text-in-numbers = { $file }, rivi { $row }: sarakkeeseen { $column } voi syöttää vain lukuja.
+diag-table-text-in-numbers = { $file }, rivi { $row }: sarake { $column } hyväksyy vain lukuja.
 diag-table-key-column = { $file }, rivi { $row }: sarakkeen { $column } rivinumeroa ei voi muuttaa.
 diag-table-duplicate-column = Sarake { $column } on taulukossa kahdesti.
 diag-table-unknown-column =
     { $count ->
-        [one] Mikään käsikirja ei kuvaa saraketta { $column }: sen soluja ei tarkasteta.
-       *[other] Mikään käsikirja ei kuvaa sarakkeita { $column }: niiden soluja ei tarkasteta.
+        [one] Käsikirjat eivät kuvaa saraketta { $column }: sen soluja ei tarkasteta.
+       *[other] Käsikirjat eivät kuvaa sarakkeita { $column }: niiden soluja ei tarkasteta.
     }
 diag-table-doubtful =
     { $what ->
-        [unit] Ensimmäisellä rivillä ei ole mittayksikköä MM tai INCH.
+        [unit] Ensimmäisellä rivillä ei ole MM eikä INCH.
         [kind] Ensimmäinen rivi nimeää { $found }-tiedoston, mutta tämä on { $column }-tiedosto.
         [column] Sarake { $column } puuttuu.
         [order] Rivi { $row } on rivin { $found } jäljessä.
-        [after-end] Rivin [END] jäljessä olevaa ei lueta.
+        [after-end] Rivin [END] jälkeisiä rivejä ei lueta.
         [astride] Rivi { $row }: sarakkeen { $column } luku ulottuu sarakkeeseen { $found }.
         [empty] Rivi { $row }: sarake { $column } on tyhjä.
         [corner] Rivi { $row }: R2 on suurempi kuin R.
-        [same] Rivi { $row } on sama piste kuin rivi { $found }.
-        [zero] Työkalu 0 tarkoittaa, ettei työkalua ole; sen { $column } on 0.
+        [same] Rivillä { $row } on sama piste kuin rivillä { $found }.
+        [zero] Työkalu 0 tarkoittaa, ettei työkalua ole; sen { $column } pitäisi olla 0.
         [less] Rivillä { $row } { $column } on pienempi kuin { $found }.
-       *[value] Rivi { $row }: ”{ $found }” tuskin on tarkoitettu sarakkeeseen { $column }.
+       *[value] Rivi { $row }: ”{ $found }” sarakkeessa { $column } on luultavasti erehdys.
     }
 diag-table-value-not-allowed = Rivi { $row }: sarake { $column } ei hyväksy arvoa ”{ $found }”.
 diag-stock-blank = BLK FORM -lauseen kulmien on oltava lukuja, ja jokaisen minimin on oltava pienempi kuin maksimin.
 diag-stock-extent = Aihio on liian suuri: se ulottuu yli { $limit } mm:n päähän nollapisteestään.
-diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: anna aihio asetelmassa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.
+diag-stock-form = Käsikirjat eivät kuvaa lausetta BLK FORM { $word }: määrittele aihio asetelmassa tai särmiönä lauseilla BLK FORM 0.1 ja 0.2.
 diag-stock-missing = Aihiota ei ole: asetelmassa ei ole aihiota eikä ohjelmassa BLK FORM -lausetta.
 diag-stock-resolution = { $found } ei kelpaa aihion sarakkeiden väliksi: sen on oltava suurempi kuin nolla, ja sarakkeita saa olla enintään 10 miljoonaa.
-diag-stock-resolution-mesh = Kappaleessa on enemmän kolmioita kuin STL-tiedostoon mahtuu; suurempi sarakkeiden väli auttaa.
+diag-stock-resolution-mesh = Kappaleessa on enemmän kolmioita kuin STL-tiedostoon mahtuu; valitse sarakkeille suurempi väli.

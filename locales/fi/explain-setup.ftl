@@ -18,4 +18,5 @@ explain-translate-encoding = Tiedoston tavuista ei selviä, mitä koodisivua se 
 explain-translate-encoding-unknown = --encoding hyväksyy jonkin niistä merkistöistä, joilla ohjelmatiedostoja luetaan ja kirjoitetaan.
 explain-translate-encoding-wrong = Tiedoston tavut muuttuisivat, jos se kirjoitettaisiin takaisin valitsimen --encoding merkistöllä. Jätä valitsin pois tai valitse toinen merkistö.
 explain-translate-unread = Määrittelyn riviä ei voi lukea, joten ei voi osoittaa, että ohjaus tekee saman, kun NC-tekstit on korvattu. ciklo check kertoo, mikä rivissä on vialla. Esimerkki: Q206=1e5.
+
 explain-character-unknown = Kaiverrustyökierroissa on tavalliset kirjaimet ilman tarkkeita, numerot ja työkierron käsikirjassa luetellut erikoismerkit; merkit % ja \ kirjoitetaan kahdesti, ja yksittäisen merkin \ jälkeen vain kirjaimilla n, t ja v on merkitys. Esimerkki: QS500="Ä 5°". Kirjoita teksti muilla merkeillä.

@@ -180,5 +180,5 @@ parameter-tolerance-error-reaction = Reaktio toleranssivirheellä
     .prompt = Reaktio toleranssivirheellä?
     .help = Määrää, keskeyttääkö ohjaus ohjelmanajon ja näyttääkö se ilmoituksen, kun piste poikkeaa.
 choice-reaction-none = Jos toleranssi ylittyy, ohjelmanajoa ei keskeytetä eikä ilmoitusta näytetä
-choice-reaction-stop = Jos toleranssi ylittyy, ohjelmanajo keskeytetään
+choice-reaction-stop = Jos toleranssi ylittyy, ohjelmanajo keskeytetään ja ohjaus antaa virheilmoituksen
 choice-reaction-stop-below-nominal = Jos oloasema on pintanormaalin suunnassa asetuskoordinaatin alapuolella, ohjaus näyttää ilmoituksen ja keskeyttää ohjelman; jos se on yläpuolella, reaktiota ei ole

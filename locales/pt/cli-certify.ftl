@@ -1,5 +1,5 @@
 # O comando «certify» e as suas mensagens.
-cli-certify = Diz como resultam os programas de um pós-processador: por programa, ciclo e regra
+cli-certify = Indica o resultado da verificação dos programas de um pós-processador, por programa, ciclo e regra
 cli-certify-path = Programas NC ou pastas com programas (.h, .i)
 cli-certify-program =
     { $verdict ->

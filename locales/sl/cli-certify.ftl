@@ -1,5 +1,5 @@
 # Ukaz »certify« in njegova sporočila.
-cli-certify = Pove, kako se obnesejo programi postprocesorja: po programih, ciklih in pravilih
+cli-certify = Poroča o izidu preverjanja programov postprocesorja: po programih, ciklih in pravilih
 cli-certify-path = NC-programi ali mape s programi (.h, .i)
 cli-certify-program =
     { $verdict ->

@@ -4,8 +4,8 @@ cli-check-fail-on = Najblažja ugotovitev, pri kateri se ukaz konča z 1: error 
 cli-compare = Dokaže, da sta programa za krmiljenje enaka, ali pokaže, v čem se razlikujeta
 cli-compare-a = NC-program
 cli-compare-b = NC-program, s katerim se primerja
-cli-compare-control = Krmiljenje obeh programov (privzeto: tisto, katerega cikle vsebuje prvi)
-cli-compare-execute = Oba izvede v prizorišču in primerja, kaj se zgodi
+cli-compare-control = Krmiljenje obeh programov (privzeto: tisto, h kateremu sodijo cikli prvega)
+cli-compare-execute = Oba izvede v prizorišču in primerja dogodke
 cli-examples-compare =
     ciklo compare part.h pezzo.h
     ciklo compare part.h pezzo.h --control tnc640 --execute --scene part.scene.yaml
@@ -18,20 +18,20 @@ cli-compared = { $count ->
     }
 cli-compare-executed = { $verdict ->
         [same] { $count ->
-            [one] Zgodi se isto: { $count } dogodek.
-            [two] Zgodi se isto: { $count } dogodka.
-            [few] Zgodi se isto: { $count } dogodki.
-           *[other] Zgodi se isto: { $count } dogodkov.
+            [one] Izvajanje da v obeh isti { $count } dogodek.
+            [two] Izvajanje da v obeh ista { $count } dogodka.
+            [few] Izvajanje da v obeh iste { $count } dogodke.
+           *[other] Izvajanje da v obeh istih { $count } dogodkov.
         }
-        [different] Zgodi se nekaj drugega.
-       *[unproved] Zgodi se isto, kolikor je programa mogoče izvesti; več ni dokazano.
+        [different] Izvajanje da različne dogodke.
+       *[unproved] Izvajanje da iste dogodke, kolikor je programa mogoče izvesti; preostalo ni dokazano.
     }
 
 cli-check-path = NC-programi ali mape, katerih programi (.h, .i) se preverijo; »-« pomeni standardni vhod
 cli-check-control = Krmiljenje programov, z različico programske opreme, če je znana, na primer tnc640@340590-05 (privzeto: tisto iz ciklo.toml)
 cli-check-config = Datoteka z nastavitvami (privzeto: ciklo.toml v mapi vsakega programa ali nad njo)
 cli-check-table = Preglednica orodij, prednastavitev ali ničelnih točk, katere vrstice uporabljajo programi
-cli-check-fix = Popravi, kar je mogoče popraviti, ne da bi se delovanje programa spremenilo: oznake
+cli-check-fix = Popravi, kar je mogoče popraviti, ne da bi se spremenilo delovanje programa: oznake in podvojene predznake
 cli-check-no-cache = Znova preveri vsak program, tudi tiste, ki se od zadnjič niso spremenili
 cli-check-format = Oblika izpisa: text (privzeto), json, sarif, github
 cli-checking = Programi
@@ -41,12 +41,12 @@ cli-checked = Preverjeni programi: { $files }, { $wrong ->
     }
 cli-fixed = { $count ->
         [0] Nič ni bilo popravljeno.
-        [one] Popravljena je { $count } oznaka.
-        [two] Popravljeni sta { $count } oznaki.
-        [few] Popravljene so { $count } oznake.
-       *[other] Popravljenih je { $count } oznak.
+        [one] Popravljeno je { $count } mesto.
+        [two] Popravljeni sta { $count } mesti.
+        [few] Popravljena so { $count } mesta.
+       *[other] Popravljenih je { $count } mest.
     }
-diag-check-no-control = Krmiljenje za { $path } ni znano: --control ali control v ciklo.toml.
+diag-check-no-control = Krmiljenje za { $path } ni znano: navedite ga z --control ali s control v ciklo.toml.
 diag-check-no-programs = V { $path } ni programov: nič ni bilo preverjeno.
 diag-check-no-table = »{ $path }« ni preglednica: njena končnica ni .T, .TP, .PR, .D ali .PNT.
 diag-passed-over = { $more ->
@@ -56,22 +56,19 @@ diag-passed-over = { $more ->
         [few] Preskočeno je bilo { $path } in še { $more } vnosi:
        *[other] Preskočeno je bilo { $path } in še { $more } vnosov:
     } to ni datoteka ne mapa ali pa je povezava, ki se ji ne sledi.
-diag-fix-no-file = Standardnega vhoda ni mogoče popraviti: navedite datoteko.
-diag-fix-file-changed = { $path } je medtem spremenil nekdo drug; ostane, kakor je.
-diag-fix-changes-program = { $path } ne bi bil več isti program; ostane, kakor je.
-diag-config-syntax = To ni TOML.
-diag-config-unknown-key = Nastavitve »{ $key }« ni; na voljo so control, lang, tables, fail-on, rules, machine in folder.
+diag-fix-no-file = Standardnega vhoda ni mogoče popraviti na mestu: navedite datoteko.
+diag-fix-file-changed = Datoteko { $path } je medtem spremenil drug program; ni bila zapisana.
+diag-fix-changes-program = { $path } ne bi bil več isti program; datoteka ni bila zapisana.
+diag-config-syntax = To ni veljaven TOML.
+diag-config-unknown-key = Nastavitve »{ $key }« ni. Nastavitve so control, lang, tables, fail-on, rules, machine in folder.
 diag-config-unknown-rule = Pravila »{ $key }« ni; »ciklo explain« izpiše vsa.
-diag-config-unknown-word = { $expected } ni nič, kar bi { $key } lahko bil.
-diag-config-value = { $key } tu zahteva nekaj drugega: { $expected }.
-diag-allow-without-reason = Ta komentar prekliče { $rule } brez razloga, zato ne učinkuje.
-diag-allow-unknown-rule = Pravila »{ $rule }«, ki bi ga preklical, ni.
-diag-allow-unused = { $rule } tu ničesar ne najde; komentar lahko odstranite.
-explain-allow-without-reason = Komentar »; ciklo: allow PRAVILO razlog« prekliče ugotovitve pravila v stavku, za katerim stoji, v svoji vrstici pa v naslednjem stavku. Brez razloga nima učinka.
-explain-allow-unknown-rule = Beseda za »allow« ni pravilo preverjanja in ne pogoj. ciklo explain izpiše vse kode.
-explain-allow-unused = Komentar ničesar ne prekliče: pravilo v stavku, za katerega velja, ničesar ne najde, ali pa ne na tem krmiljenju.
+diag-config-unknown-word = { $expected } ni mogoča vrednost nastavitve { $key }.
+diag-config-value = { $key } tu zahteva drugo vrednost: { $expected }.
+diag-allow-without-reason = Ta komentar dovoljuje { $rule } brez razloga, zato nima učinka.
+diag-allow-unknown-rule = Pravila »{ $rule }«, ki bi ga bilo mogoče dovoliti, ni.
+diag-allow-unused = { $rule } tu ničesar ne najde; komentar lahko izbrišete.
 
-cli-translate-relabel = Vse, kar ima obliko oznake, velja za oznako, tudi v jeziku, ki tu ni znan
+cli-translate-relabel = Vsak komentar, ki je videti kot oznaka, velja za oznako, tudi v neznanem jeziku
 cli-translate-encoding = Kodiranje datoteke, na primer windows-1250 (privzeto: ugotovljeno iz bajtov)
 cli-translate-from = Jezik oznak programa; zamenjajo se samo te (privzeto: vsaka definicija v svojem jeziku)
 cli-translate-sources = { $count ->
@@ -84,7 +81,7 @@ cli-fmt-check = Ne zapiše ničesar; izpiše programe, ki bi se spremenili
 cli-examples-fmt =
     ciklo fmt part.h
     ciklo fmt programs --check
-cli-completions = Izpiše, kar lupina potrebuje za dopolnjevanje besed ukazne vrstice
+cli-completions = Izpiše skript, ki v lupini dopolnjuje ukazno vrstico
 cli-completions-shell = Lupina: bash, elvish, fish, powershell, zsh
 cli-examples-completions =
     ciklo completions bash > ~/.local/share/bash-completion/completions/ciklo

@@ -1,7 +1,7 @@
 # Ukazna vrstica: pomoč, sporočila ter ugotovitve o datotekah in besedah.
 
 cli-about = Specifikacije CNC-ciklov kot pogovorna okna, NC-stavki, priročniki, preverjanje in izvajanje programov
-cli-explain-more = »ciklo explain { $code }« pove, kaj ugotovitev pomeni in kaj storiti.
+cli-explain-more = »ciklo explain { $code }« pojasni ugotovitev in kaj storiti.
 cli-heading-usage = Uporaba:
 cli-heading-commands = Ukazi
 cli-heading-arguments = Argumenti
@@ -9,42 +9,42 @@ cli-heading-options = Možnosti
 cli-heading-examples = Primeri:
 
 cli-build = Zapiše priročnike, pogovorna okna in preglednice oznak
-cli-build-out = Ciljna mapa; zamenja se šele, ko je vse dokončano (privzeto: out)
+cli-build-out = Ciljna mapa; zamenja se šele, ko je vse popolno (privzeto: out)
 cli-build-control = Samo to krmiljenje; lahko se ponovi
 cli-build-lang = Samo ta jezik; lahko se ponovi
 cli-build-base-url = Naslov, ki ga bo imelo spletišče: doda kanonične naslove, zemljevid spletišča in absolutne povezave v 404.html
 cli-schema = Izpiše shemo JSON za specifikacije
 cli-lint = Javi vse napake v specifikacijah in jezikih
 cli-lint-accept = Potrdi prevode, ki so novi ali so bili po potrditvi spremenjeni
-cli-coverage = Prikaže, kaj je popolno, kaj manjka, je zastarelo, čaka ali ni izvedeno
+cli-coverage = Prikaže, kaj je popolno, kaj manjka, kaj je zastarelo, še ni na voljo in ni preizkušeno
 cli-dialog = Prikaže pogovorno okno cikla
 cli-block = Zapiše NC-stavek cikla
 cli-block-values = Številka cikla in vrednosti parametrov, na primer Q321=50; drugi imajo vrednosti iz primera v priročniku
 cli-block-number = Številka prvega stavka (privzeto: iz primera v priročniku)
-cli-block-form = Oblika cikla stare oblike, če jih je več
+cli-block-form = Oblika cikla, pri ciklih stare oblike, ki jih imajo več
 cli-block-without = Neobvezno polje, ki se izpusti; lahko se ponovi
-cli-parse = Razčleni program na stavke in jih izpiše kot JSON
-cli-parse-print = Program ponovno izpiše, bajt za bajtom enako
+cli-parse = Razdeli program na stavke in jih izpiše kot JSON
+cli-parse-print = Izpiše program nespremenjen, bajt za bajtom
 cli-check = Preveri programe za eno krmiljenje
-cli-check-lang = Jezik oznak v programih (privzeto: ugotovi se iz njih)
-cli-explain = Pove, kaj pomeni koda ugotovitve
+cli-check-lang = Jezik oznak v programih (privzeto: se ugotovi)
+cli-explain = Pojasni kodo ugotovitve
 cli-explain-code = Koda; brez nje se izpišejo vse kode
 cli-explain-renamed = Koda »{ $old }« se zdaj imenuje »{ $code }«.
 cli-translate = Zapiše program z imeni in oznakami drugega jezika; nič drugega se ne spremeni
 cli-translate-to = Jezik imen in oznak
-cli-translate-control = Krmiljenje programa (privzeto: tisto, katerega cikle vsebuje)
+cli-translate-control = Krmiljenje programa (privzeto: se ugotovi iz njegovih ciklov)
 cli-translate-out = Datoteka za zapis (privzeto: standardni izhod)
 cli-run = Izvede program v prizorišču
 cli-run-tool-table = Preglednica orodij, ki se uporabi namesto tiste iz prizorišča
 cli-run-out = Mapa za preglednice in protokole, ki jih zapiše program
 cli-run-events = Vsak dogodek izpiše kot vrstico JSON
-cli-run-skip-blocks = Izpusti stavke, ki se začnejo z /
+cli-run-skip-blocks = Preskoči stavke, ki se začnejo z /
 cli-run-lang = Jezik protokolov (privzeto: jezik oznak v NC-programu, sicer jezik besedil samega programa)
 cli-run-envelope = Namesto rezultatov pokaži, kaj bi vsak cikel tipanja naredil v najslabšem primeru
 cli-conform = Izvede primere iz specifikacij
-cli-conform-engine = Preizkusi primere z drugim pogonom, ukazom, ki govori protokol iz docs/conform-protocol.md
-cli-conform-time-limit = Koliko časa sme trajati en primer (privzeto: 10)
-cli-conform-serve = Odgovarjaj na zahteve tega protokola s standardnega vhoda
+cli-conform-engine = Primere izvede z drugim izvajalnikom, ukazom, ki uporablja protokol iz docs/conform-protocol.md
+cli-conform-time-limit = Najdaljši čas za primer, v sekundah (privzeto: 10)
+cli-conform-serve = Odgovarja na zahteve tega protokola s standardnega vhoda
 cli-export = Izpiše vse cikle krmiljenja v enem jeziku kot JSON
 
 cli-arg-cycle = Številka cikla, na primer 412 ali TCH PROBE 412
@@ -152,8 +152,8 @@ cli-coverage-complete = popolno
 cli-coverage-missing = { $language }: manjkajoča besedila: { $count } od { $of }: { $ids }
 cli-coverage-stale = { $language }: zastarela besedila: { $count } od { $of }: { $ids }
 cli-coverage-pending = V izvajalniku še ni na voljo: { $ids }
-cli-coverage-unexecuted = Povedi, ki jih primeri ne izvedejo: { $count } od { $of }: { $ids }
-cli-coverage-unprovoked = Preverjanja, ki jih primeri ne sprožijo: { $ids }
+cli-coverage-unexecuted = Povedi, ki jih ne izvede noben primer: { $count } od { $of }: { $ids }
+cli-coverage-unprovoked = Preverjanja, ki jih ne sproži noben primer: { $ids }
 
 cli-translated = { $count ->
         [one] { $count } sprememba: { $path }
@@ -163,16 +163,16 @@ cli-translated = { $count ->
     }
 cli-run-status = Program { $status ->
         [done] se je izvedel do konca
-        [stopped] se je ustavil in ga nihče ni nadaljeval
-        [limit] je dosegel mejo izvajalnika
-        [unsupported] potrebuje nekaj, česar izvajalnik ne podpira
+        [stopped] se je ustavil in se ni nadaljeval
+        [limit] je dosegel mejo simulacije
+        [unsupported] potrebuje funkcijo, ki je ni mogoče simulirati
        *[error] se je končal z napako
     }.
 cli-envelope-cycle = Vrstica { $line }: { $cycle } { $name }
-cli-envelope-still = Se ne premakne.
+cli-envelope-still = Ni premika.
 cli-envelope-lowest = Najnižja točka konice: { $axis } = { $height } mm
 cli-envelope-highest = Najvišja točka konice: { $axis } = { $height } mm
-cli-envelope-travelled = Višine premikov v ravnini: { $axis } = { $heights } mm
+cli-envelope-travelled = Višine premikov v obdelovalni ravnini: { $axis } = { $heights } mm
 cli-envelope-probing = { $count ->
         [one] { $count } tipanje
         [two] { $count } tipanji
@@ -181,10 +181,10 @@ cli-envelope-probing = { $count ->
     }, najdaljša pot { $length } mm
 cli-envelope-near = { $what ->
         [stock] Surovec
-       *[part] Del { $number }
-    }: najmanjša razdalja { $distance } mm, ko je konica pri X = { $x }, Y = { $y }, Z = { $z }; tipanje ga { $probed ->
-        [yes] lahko doseže
-       *[no] ne doseže
+       *[part] Telo { $number }
+    }: najmanjša razdalja { $distance } mm, ko je konica pri X = { $x }, Y = { $y }, Z = { $z }; s tipanjem je { $probed ->
+        [yes] dosegljiv
+       *[no] nedosegljiv
     }
 cli-envelope-touches = { $what ->
         [stock] Surovec pred obdelavo: konica je v njem,
@@ -192,13 +192,13 @@ cli-envelope-touches = { $what ->
     } ko je konica pri X = { $x }, Y = { $y }, Z = { $z }
 cli-envelope-near-unknown = { $what ->
         [stock] Surovec
-       *[part] Del { $number }
-    }: razdalje ni mogoče izračunati; tipanje ga { $probed ->
-        [yes] lahko doseže
-       *[no] ne doseže
+       *[part] Telo { $number }
+    }: najmanjše razdalje ni mogoče izračunati; s tipanjem je { $probed ->
+        [yes] dosegljiv
+       *[no] nedosegljiv
     }
 cli-envelope-fails = V tem prizorišču se cikel konča z napako { $code }: { $message }
-cli-envelope-none = Noben cikel tipanja se ne izvede.
+cli-envelope-none = Program ne izvede nobenega cikla za tipanje.
 cli-conform-pass = uspešno
 cli-conform-fail = NAPAKA
 cli-conform-out = ni podprto
@@ -209,15 +209,15 @@ cli-conform-summary = Uspešno: { $pass }, napake: { $fail }, ni podprto: { $out
 cli-usage-hint = Morda { $suggestion }?
 cli-usage-help = Glejte --help.
 
-diag-unknown-software = »{ $found }« ni različica programske opreme: to je številka, ki jo prikaže krmiljenje, na primer 340590-05.
+diag-unknown-software = »{ $found }« ni različica programske opreme: vnesite številko, ki jo prikaže krmiljenje, na primer 340590-05.
 diag-usage = { $reason ->
         [no-value] { $subject } potrebuje vrednost.
-        [invalid-value] »{ $value }« ni vrednost za { $subject }.
+        [invalid-value] »{ $value }« ni veljavna vrednost za { $subject }.
         [unknown-argument] Argument { $subject } ne obstaja.
         [unknown-command] Ukaz { $subject } ne obstaja.
         [no-command] Manjka ukaz.
         [missing-argument] Manjka: { $subject }.
-        [conflict] Argument { $subject } ni združljiv z drugimi argumenti ali je naveden dvakrat.
+        [conflict] Argument { $subject } je naveden dvakrat ali pa ga ni mogoče povezati z drugimi argumenti.
         [too-many-values] { $subject } ima preveč vrednosti.
         [not-text] Argument ni veljavno besedilo.
        *[other] Ukazna vrstica je napačna.
@@ -245,27 +245,27 @@ diag-engine-start = Pogona »{ $path }« ni mogoče zagnati: { $reason ->
         [permission] ni dovoljenja
        *[other] { $detail }
     }.
-diag-engine-not-responding = Pogon večkrat zapored ni odgovoril (število primerov: { $silent }), zato ni več vprašan: { $left ->
-        [one] izpuščen je { $left } primer.
-        [two] izpuščena sta { $left } primera.
-        [few] izpuščeni so { $left } primeri.
-       *[other] izpuščenih je { $left } primerov.
+diag-engine-not-responding = Izvajalnik večkrat zapored ni odgovoril (število primerov: { $silent }), zato preostali niso bili poslani: { $left ->
+        [one] { $left } primer.
+        [two] { $left } primera.
+        [few] { $left } primeri.
+       *[other] { $left } primerov.
     }
-diag-io-foreign-directory = V mapi { $path } so datoteke, ki jih ciklo ni zapisal, zato ni zamenjana. Izberite prazno ali novo mapo.
+diag-io-foreign-directory = V mapi { $path } so datoteke, ki jih Ciklo ni zapisal, zato ni bila zamenjana. Izberite prazno ali novo mapo.
 diag-not-an-address = »{ $url }« ni naslov, ki se začne s https:// ali http://.
 diag-data-directory-missing = V mapi { $path } manjka mapa { $name }.
 diag-no-data = V mapi { $path } ni nobene od map cycle-specs, locales in templates.
 diag-data-encoding = { $path } ni v kodiranju UTF-8.
 diag-unknown-code = Koda »{ $code }« ne obstaja; »ciklo explain« izpiše vse.
 diag-needs-data = { $option } potrebuje delovno kopijo: --data DIR.
-diag-unknown-control = Krmiljenje »{ $control }« ne obstaja; na voljo so { $known }.
-diag-unknown-language = Jezik »{ $language }« ne obstaja; na voljo so { $known }.
-diag-cycle-name = »{ $cycle }« ni številka cikla, na primer 412 ali "TCH PROBE 412".
+diag-unknown-control = Krmiljenja »{ $control }« ni; krmiljenja so { $known }.
+diag-unknown-language = Jezika »{ $language }« ni; jeziki so { $known }.
+diag-cycle-name = »{ $cycle }« ni številka cikla; veljavna sta na primer 412 in "TCH PROBE 412".
 diag-cycle-not-here = Krmiljenje { $control } nima cikla { $cycle }.
-diag-cycle-ambiguous = Krmiljenje { $control } ima dva cikla { $cycle }: { $keys }.
-diag-cycle-only-named = Priročnik za { $control } cikel { $cycle } ({ $name }) samo omenja in ga ne opisuje.
-diag-internal = Napaka v samem programu ciklo: { $detail }.
-diag-locale-unknown-suffix = »{ $name }« ni ne cikel ne krmiljenje.
+diag-cycle-ambiguous = Krmiljenje { $control } ima dva cikla s številko { $cycle }: { $keys }.
+diag-cycle-only-named = Priročnik za { $control } cikel { $cycle } ({ $name }) omenja samo po imenu in ga ne opisuje.
+diag-internal = Notranja napaka programa Ciklo: { $detail }.
+diag-locale-unknown-suffix = »{ $name }« ni ne ime cikla ne krmiljenje.
 diag-not-encodable = Znaka »{ $sign }« ni mogoče zapisati v kodiranju te datoteke (Windows-1252).
 cli-examples-plot =
     ciklo plot part.h --control tnc640 --out part.svg
@@ -274,7 +274,7 @@ cli-arg-resolution = Največja razdalja med stolpci surovca, mm (privzeto: dvest
 cli-plot = Nariši pot orodja in obdelovanec programa kot SVG
 cli-plot-out = Datoteka za risbo
 cli-plot-view = Smer pogleda: top, side, isometric (privzeto)
-cli-run-stock = Datoteka za končani obdelovanec (STL); obdelava se povzame v poročilu
+cli-run-stock = Datoteka za končani obdelovanec (STL), s poročilom o obdelavi
 cli-stock-depth = Največja globina reza: { $value } mm (vrstica { $line })
 cli-stock-finding = { $program }:{ $line }{ $count ->
         [one] :
@@ -283,12 +283,12 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
        *[other] {" "}({ $count } premikov):
     } { $kind ->
         [rapid-in-material] Hitri tek skozi { $amount } mm materiala.
-        [spindle-stopped] Vreteno miruje, medtem ko gre orodje skozi { $amount } mm materiala.
-        [edges-too-short] Material se reže do { $amount } mm nad konico, kar je več od dolžine rezil.
-        [turns-together] Osi se med premikanjem orodja vrtijo: kaj se pri tem odreže, ni znano.
-       *[no-radius] Orodje { $amount } nima polmera: kaj odreže, ni znano.
+        [spindle-stands] Vreteno miruje, medtem ko se orodje giblje skozi { $amount } mm materiala.
+        [edges-too-short] Material se reže do { $amount } mm nad konico orodja, kar je več, kot so dolga rezila.
+        [turns-together] Rotacijske osi se med premikanjem orodja vrtijo: odvzeti material ni znan.
+       *[no-radius] Orodje { $amount } nima polmera: odvzeti material ni znan.
     }
-cli-stock-length = Pot: { $feed } mm s pomikom, od tega { $cut } mm v premikih, ki režejo; { $rapid } mm v hitrem teku
+cli-stock-length = Pot: { $feed } mm s pomikom, od tega { $cut } mm v premikih, ki odvzemajo material; { $rapid } mm v hitrem teku
 cli-stock-more = { $count ->
         [one] Še { $count } ugotovitev.
         [two] Še { $count } ugotovitvi.
@@ -296,6 +296,6 @@ cli-stock-more = { $count ->
        *[other] Še { $count } ugotovitev.
     }
 cli-stock-rate = Največja količina odrezanega materiala: { $value } mm³/min (vrstica { $line })
-cli-stock-time = Čas: { $all } s; { $feed } s s pomikom, { $rapid } s v hitrem teku, { $dwell } s čakanja
-cli-stock-volume = Prostornina: odrezanih { $removed } mm³ od { $blank } mm³
+cli-stock-time = Čas: { $all } s; { $feed } s s pomikom, { $rapid } s v hitrem teku, { $dwell } s časa zadrževanja
+cli-stock-volume = Prostornina: odvzetih { $removed } mm³ od { $blank } mm³
 cli-stock-width = Največja širina reza: { $value } mm (vrstica { $line })

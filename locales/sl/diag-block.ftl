@@ -20,9 +20,9 @@ diag-block-below-minimum = { $name } ({ $parameter }) ne more biti { $value }: n
 diag-block-above-maximum = { $name } ({ $parameter }) ne more biti { $value }: največja vrednost je { $max }.
 diag-block-too-long =
     { $kind ->
-        [label-list] { $name } ({ $parameter }) ne more biti { $value }: največje število oznak je { $most }.
-        [axes] { $name } ({ $parameter }) ne more biti { $value }: največje število osi je { $most }.
-       *[text] { $name } ({ $parameter }) ne more biti { $value }: največje število znakov je { $most }.
+        [label-list] { $name } ({ $parameter }) ne more biti { $value }: dovoljenih oznak je največ { $most }.
+        [axes] { $name } ({ $parameter }) ne more biti { $value }: dovoljenih osi je največ { $most }.
+       *[text] { $name } ({ $parameter }) ne more biti { $value }: dovoljenih znakov je največ { $most }.
     }
 diag-block-not-offered = { $name } ({ $parameter }) ne more biti { $value }: na izbiro so { $offered }.
 diag-block-no-value = Cikel { $cycle } potrebuje vrednost za { $name }; priročnik ne navaja primera.

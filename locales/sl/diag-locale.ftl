@@ -2,8 +2,8 @@
 
 diag-locale-encoding = Datoteka ni v kodiranju UTF-8.
 diag-locale-tag = Ime mape »{ $tag }« ni oznaka jezika.
-diag-locale-nesting = Zaviti oklepaji so ugnezdeni globlje od { $most } ravni; datoteka je izpuščena.
-diag-locale-long-number = Število ima več kot { $most } števk zapored; datoteka je izpuščena.
+diag-locale-nesting = Zaviti oklepaji so ugnezdeni globlje od { $most } ravni; datoteka se ne prebere.
+diag-locale-long-number = Število ima več kot { $most } števk zapored; datoteka se ne prebere.
 diag-locale-syntax =
     To ni Fluent: { $kind ->
         [expected-token] tukaj je pričakovan »{ $detail }«
@@ -31,7 +31,7 @@ diag-locale-unit-form = »{ $key }« ni predloga: enota ima besedilo in en { "{ 
 diag-locale-unknown-reference = »{ $name }« ne obstaja.
 diag-locale-unknown-function = Funkcija »{ $name }« ne obstaja.
 diag-locale-function-option = »{ $name }: { $value }« ni možnost funkcije { $function }.
-diag-locale-function-arguments = Funkcija { $function } je klicana z napačnim številom vrednosti.
+diag-locale-function-arguments = Funkcija { $function } ima napačno število vrednosti.
 diag-locale-unknown-unit = Enota »{ $name }« ne obstaja: datoteka units.ftl nima sporočila zanjo.
 diag-locale-term-argument = Izraz »-{ $term }« ne uporablja argumenta »{ $name }«.
 diag-locale-term-value = Izraz »-{ $term }« nima oblike »{ $value }« za argument »{ $name }«.
@@ -42,9 +42,9 @@ diag-locale-missing-text = Jezik »{ $language }« nima besedila »{ $key }«{ $
         [none] {""}.
        *[other] ; spada v { $file }.
     }
-diag-locale-missing-argument = Besedilo »{ $key }« ({ $language }) uporablja argument »{ $name }«, ki ni bil podan.
+diag-locale-missing-argument = Besedilo »{ $key }« ({ $language }) uporablja argument »{ $name }«, ki tu ni na voljo.
 diag-locale-function-failed =
-    V besedilu »{ $key }« ({ $language }) funkcije { $name } ni mogoče izvesti: { $reason ->
+    V besedilu »{ $key }« ({ $language }) funkcije { $name } ni mogoče uporabiti: { $reason ->
         [not-a-number] vrednost ni število
         [not-finite] število ni končno
         [no-unit] manjka enota
@@ -55,7 +55,7 @@ diag-locale-function-failed =
 diag-locale-too-long = Besedilo »{ $key }« ({ $language }) ima preveč mest za vstavljanje.
 diag-locale-lock-line = Vsako vrstico te datoteke sestavljata oznaka in osem šestnajstiških števk.
 diag-locale-missing-translation = »{ $key }« ni prevedeno v jezik »{ $language }«.
-diag-locale-orphan = »{ $key }« ({ $language }) ne prevaja ničesar: angleškega besedila ni več.
+diag-locale-orphan = »{ $key }« ({ $language }) je odveč: angleškega besedila ni več.
 diag-locale-stale =
     { $change ->
         [none] Angleško besedilo »{ $key }« se je po prevodu v jezik »{ $language }« spremenilo.

@@ -2,15 +2,15 @@
 
 diag-spec-both-forms = Cikel ima parametre in vrstice stare oblike; zapisati ga je mogoče samo v eni obliki.
 diag-spec-case-incomplete = Primer { $name } potrebuje prizorišče in pričakovanje ali razlog za izpustitev.
-diag-spec-case-never-reached = Do te možnosti nikoli ne pride: prejšnja zajame vse, kar bi zajela ta.
+diag-spec-case-never-reached = Do te možnosti nikoli ne pride: vsakič, ko velja, velja že prejšnja.
 diag-spec-case-proves-nothing = Primer { $name } ne pove, kaj dokazuje.
-diag-spec-duplicate-choice = Možnost { $value } je ponujena dvakrat.
+diag-spec-duplicate-choice = Možnost { $value } je navedena dvakrat.
 diag-spec-duplicate-cycle = { $cycle } ({ $name }) je za eno krmiljenje opisan dvakrat.
 diag-spec-duplicate-key = Ključ { $key } je naveden dvakrat.
 diag-spec-duplicate-name = Ime { $name } je navedeno dvakrat.
 diag-spec-duplicate-parameter = Parameter { $q } je v ciklu naveden dvakrat.
-diag-spec-empty-range = Razpon je prazen: { $min } je večje od { $max }.
-diag-spec-example-out-of-range = Vrednosti { $value } iz primera parameter { $name } ne sprejme.
+diag-spec-empty-range = Razpon je prazen: { $min } ni manj kot { $max }.
+diag-spec-example-out-of-range = Parameter { $name } svoje vrednosti za primer { $value } ne sprejme.
 diag-spec-expected = Pričakovano: { $expected ->
         [mapping] ključi z vrednostmi
         [list] seznam
@@ -28,14 +28,14 @@ diag-spec-expected = Pričakovano: { $expected ->
        *[other] { $expected }
     }, najdeno: { $found }.
 diag-spec-expression = To ni izraz: pričakovano je { $expected }, najdeno »{ $found }«.
-diag-spec-foreign-manual = Priročnik { $manual } ni priročnik za krmiljenje { $control }.
+diag-spec-foreign-manual = Priročnik { $manual } ne sodi h krmiljenju { $control }.
 diag-spec-guard-keys = Preverjanje potrebuje ključe code, when in then ali pa s ključem use navede fragment.
 diag-spec-id-form = Oznaka { $name } ni zapisana z malimi črkami in vezaji.
 diag-spec-lines-form = Vrstice »{ $lines }« niso številke ali razponi po vrstnem redu.
 diag-spec-missing-key = Manjka ključ { $key }.
 diag-spec-no-example = Parameter { $name } nima vrednosti za primer.
 diag-spec-no-parameters = Cikel nima ne parametrov ne vrstic stare oblike.
-diag-spec-no-source = Za to krmiljenje ni navedenih vrstic priročnika.
+diag-spec-no-source = Za to krmiljenje manjka mesto v priročniku.
 diag-spec-no-steps = Potek nima korakov.
 diag-spec-note-without-section = { $note } nima razdelka v pages.yaml: dodajte jo v ustrezni razdelek.
 diag-spec-only-and-except = Element ima lahko samo only ali samo except, ne obojega.
@@ -52,19 +52,19 @@ diag-spec-run-item = Element poteka ni pravilno sestavljen: { $reason ->
 }
 diag-spec-text-parameter = { $name }: QS-parameter sprejme besedilo, in samo QS-parameter ga sprejme.
 diag-spec-unknown-condition = Pogoj { $name } ne obstaja.
-diag-spec-unknown-control = Krmiljenje { $control } ne obstaja; na voljo so { $known }.
-diag-spec-unknown-cycle = Krmiljenje { $control } ne pozna cikla { $cycle }.
+diag-spec-unknown-control = Krmiljenja { $control } ni; krmiljenja so { $known }.
+diag-spec-unknown-cycle = Krmiljenje { $control } nima cikla { $cycle }.
 diag-spec-unknown-cycle-name = Noben cikel tega krmiljenja nima imena { $name }.
 diag-spec-unknown-datum = Krmiljenje { $control } nima strojnega podatka { $name }.
 diag-spec-unknown-form = Cikel nima oblike { $name }.
 diag-spec-unknown-fragment = Fragment { $name } ne obstaja.
-diag-spec-unknown-key = Ključ { $key } tukaj nima pomena; znani so { $known }.
+diag-spec-unknown-key = Ključ { $key } tu ni mogoč; mogoči so { $known }.
 diag-spec-unknown-meaning = Slovar nima parametra { $name }.
 diag-spec-unknown-option = Krmiljenje { $control } nima programske možnosti { $option }.
 diag-spec-unknown-parameter = Cikel { $cycle } nima parametra { $name }.
 diag-spec-unknown-topic = Teme { $topic } ni.
 diag-spec-unused = { $name } se ne uporablja.
-diag-spec-word-shape = { $name }: oblika word potrebuje ključ word, nobena druga oblika ga ne sprejme.
+diag-spec-word-shape = { $name }: oblika word potrebuje ključ word, ki ga nobena druga oblika ne sme imeti.
 diag-spec-yaml-feature = { $feature ->
     [anchor] Sidra in oznake se v specifikacijah ne uporabljajo.
     [alias] Sklici se v specifikacijah ne uporabljajo.
@@ -78,7 +78,7 @@ related-first-place = prvi je tukaj
 related-other-place = drugi je tukaj
 related-defined-here = definirano je tukaj
 related-written-over-here = prepisano je tukaj
-related-for-this-control = zapiše se za to krmiljenje
+related-for-this-control = potrebno za to krmiljenje
 diag-spec-measure = V ciklu { $cycle } { $reason ->
         [different-quantities] se seštevata ali primerjata količini različnih vrst
         [coordinates-added] se seštevata dve koordinati

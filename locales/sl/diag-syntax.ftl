@@ -32,7 +32,7 @@ syntax-expected =
         [known-function] funkcija jezika formul
         [character] znak jezika formul
         [arguments] drugačno število argumentov
-        [in-spec-only] samo računske operacije, ker programi tu ne poznajo primerjav
+        [in-spec-only] samo računske operacije; program tu ne more primerjati
         [block-word] beseda tega stavka
         [approach] LT, LN, CT, LCT, PLT, PLN, PCT ali PLCT
         [plane-form] SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL ali RESET
@@ -50,11 +50,11 @@ diag-syntax-incomplete = Stavek ni popoln; pričakovano: { syntax-expected }.
 diag-syntax-unclosed-text = Besedilo nima zaključnega narekovaja: { $found }
 diag-syntax-formula = »{ $found }« na tem mestu formule ne more stati; pričakovano: { syntax-expected }.
 diag-syntax-text-after-tab = »{ $found }« stoji za tabulatorjem in ne pripada nobenemu stavku; krmiljenje bi ga zavrnilo. Komentar se začne s podpičjem.
-diag-syntax-dangling-continuation = Znak ~ napoveduje nadaljnjo vrstico, vendar ne sledi nobena, ki bi pripadala temu stavku.
+diag-syntax-dangling-continuation = Znak ~ pove, da se stavek nadaljuje, vendar ne sledi vrstica, ki bi mu pripadala.
 diag-syntax-foreign-line = »{ $found }« ni stavek tega jezika; krmiljenje bi ga zavrnilo. Komentar se začne s podpičjem.
-diag-syntax-spelling = »{ $found }« se na krmiljenjih piše { syntax-expected }.
-diag-syntax-undescribed = »{ $found }« ni v nobenem priročniku te družine krmiljenj; ali ga krmiljenje sprejme, ni znano.
+diag-syntax-spelling = Krmiljenja ne pišejo »{ $found }«, temveč: { syntax-expected }.
+diag-syntax-undescribed = »{ $found }« ni opisano v nobenem priročniku te družine krmiljenj; ni znano, ali ga krmiljenje sprejme.
 diag-syntax-refused-block = Krmiljenje tega stavka ni moglo prebrati: { $found }
 diag-syntax-excluding-codes = »{ $found }« in druga koda tega stavka se izključujeta.
-diag-syntax-bracket-comment = Besedilo v oklepajih na teh krmiljenjih ni komentar: komentar stoji za podpičjem.
-diag-syntax-doubled-continuation = Tu stoji še en znak ~: za povezavo z naslednjo vrstico zadošča eden.
+diag-syntax-bracket-comment = Besedilo v oklepajih na teh krmiljenjih ni komentar: komentar se začne s podpičjem.
+diag-syntax-doubled-continuation = Tu je še en znak ~; da se stavek nadaljuje v naslednji vrstici, zadošča eden.

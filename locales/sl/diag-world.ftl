@@ -10,25 +10,25 @@ diag-scene-expected =
         [two-numbers] Tukaj bi morali biti dve števili, ne »{ $found }«.
         [three-numbers] Tukaj bi morala biti tri števila, ne »{ $found }«.
         [row-number] Tukaj bi morala biti številka vrstice v preglednici, ne »{ $found }«.
-        [unit] Merska enota je mm ali inch, ne »{ $found }«.
-        [clock] Tukaj bi morala biti datum in ura, na primer 2015-07-03T14:05:00, ne »{ $found }«.
-        [datum-file] Ime preglednice ničelnih točk se konča z .D.
+        [unit] Merska enota mora biti mm ali inch, ne »{ $found }«.
+        [clock] Tukaj bi morala biti datum in čas, na primer 2015-07-03T14:05:00, ne »{ $found }«.
+        [datum-file] Ime preglednice ničelnih točk se mora končati z .D.
         [rotary-axis] Tukaj mora stati črka rotacijske osi (A, B ali C), ne »{ $found }«.
         [carried] Rotacijska os nosi obdelovanec (workpiece) ali orodje (tool), ne »{ $found }«.
-        [orientation] Usmeritev je fixed, two ali any, ne »{ $found }«.
+        [orientation] Usmeritev mora biti fixed, two ali any, ne »{ $found }«.
         [shaft] Steblo mora biti tanjše od tipalne krogle; njegov premer je { $found }.
         [measurements] Mogoče so 1, 2 ali 3 meritve, ne »{ $found }«.
        *[solids] Tukaj bi moralo biti vsaj eno telo.
     }
-diag-scene-unknown-key = Ključ { $key } tukaj nima pomena; znani ključi so { $known }.
+diag-scene-unknown-key = Ključ { $key } tu ni mogoč; mogoči ključi so { $known }.
 diag-scene-missing-key = Manjka ključ { $key }.
 diag-scene-not-positive = Vrednost mora biti večja od nič, ne { $found }.
-diag-scene-version = Ta različica oblike datoteke ni znana; znana je { $known }.
-diag-scene-repeated = { $found } je navedeno dvakrat.
+diag-scene-version = Ta različica oblike datoteke ni podprta; podprta je { $known }.
+diag-scene-repeated = { $found } je določeno dvakrat.
 diag-scene-min-max = Vsaka najmanjša vrednost mora biti manjša od največje.
 diag-scene-no-length = Dolžina je nič.
-diag-scene-one-solid = Sem spada natanko eno telo: { $known }.
-diag-scene-unknown-machine = Stroja z imenom { $name } ni; znani so { $known }.
+diag-scene-one-solid = Tu je pričakovano natanko eno telo: { $known }.
+diag-scene-unknown-machine = Stroja z imenom { $name } ni; stroji so { $known }.
 diag-scene-no-axis = Stroj nima osi { $axis }.
 diag-scene-start-outside = Začetni položaj je zunaj območja premika osi { $axis }: { $found }{"\u00A0"}{ $unit } ni med { $min } in { $max }{"\u00A0"}{ $unit }.
 
@@ -39,9 +39,9 @@ diag-solid-cusp = Tipalna krogla se lahko dotakne mesta, kjer se ploskvi stikata
 diag-solid-helix-unsupported = Tipalna krogla se lahko obdelovanca dotakne pri gibu po vijačnici ali med gibanjem več osi; tega dotika ni mogoče natančno izračunati.
 
 diag-table-no-header = Preglednica se mora začeti z vrstico, v kateri so »BEGIN«, ime datoteke { $extension } in merska enota.
-diag-table-no-heading = V drugi vrstici morajo biti imena stolpcev, med njimi { $column }.
+diag-table-no-heading = V drugi vrstici morajo biti imena stolpcev, tudi { $column }.
 diag-table-no-end = Manjka vrstica [END].
-diag-table-not-described = Noben priročnik ne opisuje takih preglednic: preveri se samo okvir.
+diag-table-not-described = Priročniki takih preglednic ne opisujejo: preverita se samo začetek in konec.
 diag-table-no-row-number = Vrstica nima številke: »{ $found }«.
 diag-table-duplicate-row = Vrstica { $row } je navedena dvakrat.
 diag-table-bad-number = { $file }, vrstica { $row }, stolpec { $column }: »{ $found }« ni število.
@@ -49,35 +49,35 @@ diag-table-missing = Preglednice { $file } ni.
 diag-table-no-row = V preglednici { $file } ni vrstice { $row }.
 diag-table-no-column = V preglednici { $file } ni stolpca { $column }.
 diag-table-too-wide = { $file }, vrstica { $row }: vrednost je predolga za stolpec { $column }.
-diag-table-text-in-numbers = { $file }, vrstica { $row }: v stolpec { $column } je mogoče vnesti samo števila.
+diag-table-text-in-numbers = { $file }, vrstica { $row }: stolpec { $column } sprejme samo števila.
 diag-table-key-column = { $file }, vrstica { $row }: številke vrstice v stolpcu { $column } ni mogoče spremeniti.
 diag-table-duplicate-column = Stolpec { $column } je naveden dvakrat.
 diag-table-unknown-column =
     { $count ->
-        [one] Noben priročnik ne opisuje teh stolpcev: { $column }. Njihove celice se ne preverijo.
-        [two] Noben priročnik ne opisuje teh stolpcev: { $column }. Njihove celice se ne preverijo.
-        [few] Noben priročnik ne opisuje teh stolpcev: { $column }. Njihove celice se ne preverijo.
-       *[other] Noben priročnik ne opisuje teh stolpcev: { $column }. Njihove celice se ne preverijo.
+        [one] Priročniki ne opisujejo stolpca { $column }: njegove celice se ne preverijo.
+        [two] Priročniki ne opisujejo stolpcev { $column }: njihove celice se ne preverijo.
+        [few] Priročniki ne opisujejo stolpcev { $column }: njihove celice se ne preverijo.
+       *[other] Priročniki ne opisujejo stolpcev { $column }: njihove celice se ne preverijo.
     }
 diag-table-doubtful =
     { $what ->
-        [unit] V prvi vrstici ni merske enote MM ali INCH.
+        [unit] V prvi vrstici ni ne MM ne INCH.
         [kind] Prva vrstica imenuje datoteko { $found }, to pa je datoteka { $column }.
         [column] Manjka stolpec { $column }.
         [order] Vrstica { $row } stoji za vrstico { $found }.
-        [after-end] Kar stoji za [END], se ne prebere.
+        [after-end] Vrstice za [END] se ne preberejo.
         [astride] Vrstica { $row }: število v stolpcu { $column } sega v stolpec { $found }.
         [empty] Vrstica { $row }: stolpec { $column } je prazen.
         [corner] Vrstica { $row }: R2 je večji od R.
-        [same] Vrstica { $row } je ista točka kot vrstica { $found }.
-        [zero] Orodje 0 pomeni, da orodja ni; njegov { $column } je 0.
+        [same] V vrstici { $row } je ista točka kot v vrstici { $found }.
+        [zero] Orodje 0 pomeni, da ni priklicano nobeno orodje; njegov { $column } mora biti 0.
         [less] V vrstici { $row } je { $column } manjši od { $found }.
-       *[value] Vrstica { $row }: »{ $found }« v stolpcu { $column } najbrž ni mišljeno.
+       *[value] Vrstica { $row }: »{ $found }« v stolpcu { $column } je najbrž napaka.
     }
 diag-table-value-not-allowed = Vrstica { $row }: stolpec { $column } ne sprejme vrednosti »{ $found }«.
 diag-stock-blank = Oglišča v stavku BLK FORM morajo biti števila in vsak minimum mora biti manjši od maksimuma.
 diag-stock-extent = Surovec je prevelik: sega več kot { $limit } mm od svojega izhodišča.
-diag-stock-form = Stavka BLK FORM { $word } priročniki ne opisujejo: surovec navedite v prizorišču ali kot kvader s stavkoma BLK FORM 0.1 in 0.2.
-diag-stock-missing = Surovca ni: nima ga niti prizorišče niti program s stavkom BLK FORM.
+diag-stock-form = Stavka BLK FORM { $word } priročniki ne opisujejo: surovec določite v prizorišču ali kot kvader z BLK FORM 0.1 in 0.2.
+diag-stock-missing = Surovca ni: v prizorišču ni stock, v programu ni BLK FORM.
 diag-stock-resolution = { $found } ne more biti razdalja med stolpci surovca: biti mora večja od nič, stolpcev pa je lahko največ 10 milijonov.
-diag-stock-resolution-mesh = Obdelovanec ima več trikotnikov, kot jih lahko vsebuje datoteka STL; pomaga večja razdalja med stolpci.
+diag-stock-resolution-mesh = Obdelovanec ima več trikotnikov, kot jih lahko vsebuje datoteka STL; izberite večjo razdaljo med stolpci.

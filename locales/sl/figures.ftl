@@ -16,26 +16,6 @@ figure-stepping-angle = Kotni korak
 figure-traverse = Pot med obdelavami
 figure-plunging = Spuščanje
 figure-side = Pogled od strani
-figure-new-datum = Nova referenčna točka
-figure-probe-axis = Referenčna točka na osi tipalnega sistema
-figure-heights = Varne višine
-figure-corner-a = Rob A
-figure-corner-b = Rob B
-figure-corner-c = Rob C
-figure-corner-d = Rob D
-figure-corner-1 = Rob 1
-figure-corner-2 = Rob 2
-figure-corner-3 = Rob 3
-figure-corner-4 = Rob 4
-figure-front = Čelno grezenje
-figure-wall = Stranska varnostna razdalja
-figure-drilling = Vrtanje
-figure-strategy = Obdelovalna strategija
-figure-pattern = Več utorov
-figure-side-allowance = Stranska nadmera
-figure-rounding = Notranji zaokroževalni polmer
-figure-between-points = Pot med točkami tipanja
-figure-no-contact = Pot brez dotika
 way-rapid = hitri tek
 way-feed = pomik
 way-probing = tipanje
@@ -57,3 +37,43 @@ diag-figure-nothing-to-see = Slika { $figure } cikla { $cycle } prikazuje { $nam
 diag-figure-place-not-reached = Slika { $figure } cikla { $cycle } prikazuje { $name } do mesta ({ $place }), ki ga ne dosežeta ne orodje ne obdelovanec.
 diag-figure-none = Cikel { $cycle } na tem krmiljenju nima slike.
 diag-figure-parameter-not-shown = Nobena slika cikla { $cycle } ne prikazuje { $name }, specifikacija pa ne navaja razloga.
+
+figure-new-datum = Nova referenčna točka
+
+figure-probe-axis = Referenčna točka na osi tipalnega sistema
+
+figure-heights = Varne višine
+
+figure-corner-a = Rob A
+
+figure-corner-b = Rob B
+
+figure-corner-c = Rob C
+
+figure-corner-d = Rob D
+
+figure-corner-1 = Rob 1
+
+figure-corner-2 = Rob 2
+
+figure-corner-3 = Rob 3
+
+figure-corner-4 = Rob 4
+
+figure-front = Čelno grezenje
+
+figure-wall = Stranska varnostna razdalja
+
+figure-drilling = Vrtanje
+
+figure-strategy = Obdelovalna strategija
+
+figure-pattern = Več utorov
+
+figure-side-allowance = Stranska nadmera
+
+figure-rounding = Notranji zaokroževalni polmer
+
+figure-between-points = Pot med točkami tipanja
+
+figure-no-contact = Pot brez dotika

@@ -193,7 +193,15 @@ parameter-preset-number = Številka za referenčno točko
 
 # --- choices ---
 choice-roughing-and-finishing = grobo in fino obdelovanje
+choice-roughing-and-finishing__rectangular-pocket = grobo in fino rezkanje
+choice-roughing-and-finishing__circular-pocket = grobo in fino rezkanje
+choice-roughing-and-finishing__slot = grobo in fino rezkanje
+choice-roughing-and-finishing__circular-slot = grobo in fino rezkanje
 choice-roughing-only = samo grobo obdelovanje
+choice-roughing-only__rectangular-pocket = samo grobo rezkanje
+choice-roughing-only__circular-pocket = samo grobo rezkanje
+choice-roughing-only__slot = samo grobo rezkanje
+choice-roughing-only__circular-slot = samo grobo rezkanje
 choice-finishing-only = stransko in globinsko fino rezkanje
 choice-tool-at-pocket-centre = položaj orodja = središče žepa
 choice-tool-at-lower-left-corner = položaj orodja = levi spodnji vogal
