@@ -1,5 +1,5 @@
 # Il comando «certify» e i suoi messaggi.
-cli-certify = Dice come riescono i programmi di un postprocessor: per programma, ciclo e regola
+cli-certify = Riporta l’esito della verifica dei programmi di un postprocessor, per programma, ciclo e regola
 cli-certify-path = Programmi NC o cartelle con programmi (.h, .i)
 cli-certify-program =
     { $verdict ->

@@ -4,8 +4,8 @@ cli-check-fail-on = Il rilievo meno grave per cui il comando termina con 1: erro
 cli-compare = Dimostra che due programmi sono uguali per un controllo numerico o mostra dove differiscono
 cli-compare-a = Programma NC
 cli-compare-b = Programma NC con cui confrontarlo
-cli-compare-control = Controllo numerico dei due programmi (predefinito: quello di cui il primo contiene i cicli)
-cli-compare-execute = Esegue entrambi nella scena e confronta ciò che accade
+cli-compare-control = Controllo numerico dei due programmi (predefinito: quello a cui appartengono i cicli del primo)
+cli-compare-execute = Esegue entrambi nella scena e confronta gli eventi
 cli-examples-compare =
     ciklo compare part.h pezzo.h
     ciklo compare part.h pezzo.h --control tnc640 --execute --scene part.scene.yaml
@@ -16,18 +16,18 @@ cli-compared = { $count ->
     }
 cli-compare-executed = { $verdict ->
         [same] { $count ->
-            [one] Accade la stessa cosa: { $count } evento.
-           *[other] Accade la stessa cosa: { $count } eventi.
+            [one] L’esecuzione dà lo stesso risultato: { $count } evento.
+           *[other] L’esecuzione dà lo stesso risultato: { $count } eventi.
         }
-        [different] Accade qualcos’altro.
-       *[unproved] Accade la stessa cosa fin dove i programmi si possono eseguire; altro non è dimostrato.
+        [different] L’esecuzione dà eventi diversi.
+       *[unproved] L’esecuzione dà gli stessi eventi fin dove il motore può eseguire i programmi; il resto non è dimostrato.
     }
 
 cli-check-path = Programmi NC, o cartelle di cui si verificano i programmi (.h, .i); «-» legge l’ingresso standard
 cli-check-control = Controllo numerico dei programmi, con la versione software se è nota, ad esempio tnc640@340590-05 (predefinito: quello di ciklo.toml)
 cli-check-config = File con le impostazioni (predefinito: ciklo.toml nella cartella di ogni programma o sopra di essa)
 cli-check-table = Tabella di utensili, preset o origini di cui i programmi usano le righe
-cli-check-fix = Corregge ciò che si può correggere senza cambiare quel che fa il programma: le etichette
+cli-check-fix = Corregge ciò che si può correggere senza cambiare quel che fa un programma: etichette e segni doppi
 cli-check-no-cache = Verifica di nuovo ogni programma, anche quelli che dall’ultima volta non sono cambiati
 cli-check-format = Forma dell’uscita: text (predefinita), json, sarif, github
 cli-checking = Programmi
@@ -37,33 +37,30 @@ cli-checked = Programmi verificati: { $files }, { $wrong ->
     }
 cli-fixed = { $count ->
         [0] Non è stato corretto nulla.
-        [one] Corretta { $count } etichetta.
-       *[other] Corrette { $count } etichette.
+        [one] È stato corretto { $count } punto.
+       *[other] Sono stati corretti { $count } punti.
     }
-diag-check-no-control = Il controllo numerico di { $path } non è noto: --control, oppure control in ciklo.toml.
+diag-check-no-control = Il controllo numerico di { $path } non è noto: indicarlo con --control, oppure con control in ciklo.toml.
 diag-check-no-programs = In { $path } non ci sono programmi: non è stato verificato nulla.
-diag-check-no-table = «{ $path }» non è una tabella: la sua estensione non è .T, .TP, .PR, .D o .PNT.
+diag-check-no-table = «{ $path }» non è una tabella: la sua estensione non è né .T né .TP, .PR, .D o .PNT.
 diag-passed-over = { $more ->
         [0] { $path } è stato saltato:
         [one] { $path } e un altro elemento sono stati saltati:
        *[other] { $path } e altri { $more } elementi sono stati saltati:
-    } non si tratta di file né di cartelle, oppure sono collegamenti che non vengono seguiti.
-diag-fix-no-file = L’ingresso standard non si può correggere: indicare un file.
-diag-fix-file-changed = { $path } è stato modificato nel frattempo da altri; resta com’è.
-diag-fix-changes-program = { $path } non sarebbe più lo stesso programma; resta com’è.
-diag-config-syntax = Questo non è TOML.
-diag-config-unknown-key = L’impostazione «{ $key }» non esiste; esistono control, lang, tables, fail-on, rules, machine e folder.
+    } né file né cartella, oppure un collegamento che non viene seguito.
+diag-fix-no-file = L’ingresso standard non si può correggere sul posto: indicare un file.
+diag-fix-file-changed = { $path } è stato modificato nel frattempo da un altro programma; non è stato scritto.
+diag-fix-changes-program = { $path } non sarebbe più lo stesso programma; non è stato scritto.
+diag-config-syntax = Questo non è TOML valido.
+diag-config-unknown-key = L’impostazione «{ $key }» non esiste. Le impostazioni sono control, lang, tables, fail-on, rules, machine e folder.
 diag-config-unknown-rule = La regola «{ $key }» non esiste; «ciklo explain» le elenca tutte.
-diag-config-unknown-word = { $expected } non può stare in { $key }.
-diag-config-value = Qui { $key } richiede altro: { $expected }.
-diag-allow-without-reason = Questo commento revoca { $rule } senza un motivo, quindi non ha effetto.
-diag-allow-unknown-rule = La regola «{ $rule }» da revocare non esiste.
-diag-allow-unused = { $rule } qui non rileva nulla; il commento si può togliere.
-explain-allow-without-reason = Un commento «; ciklo: allow REGOLA motivo» revoca i rilievi di una regola nel blocco dietro al quale si trova o, su una riga propria, nel blocco che segue. Senza motivo non ha effetto.
-explain-allow-unknown-rule = La parola dopo «allow» non è una regola della verifica né una condizione. ciklo explain elenca tutti i codici.
-explain-allow-unused = Il commento non revoca nulla: la regola non rileva nulla nel blocco a cui il commento si riferisce, o non su questo controllo numerico.
+diag-config-unknown-word = { $expected } non è un valore possibile di { $key }.
+diag-config-value = { $key } richiede qui un altro valore: { $expected }.
+diag-allow-without-reason = Questo commento ammette { $rule } senza un motivo, perciò non ha effetto.
+diag-allow-unknown-rule = Non esiste una regola «{ $rule }» da ammettere.
+diag-allow-unused = La regola { $rule } qui non rileva nulla; il commento si può cancellare.
 
-cli-translate-relabel = Considera etichetta tutto ciò che ne ha la forma, anche in una lingua qui sconosciuta
+cli-translate-relabel = Tratta come etichetta ogni commento che ne ha l’aspetto, anche in una lingua sconosciuta
 cli-translate-encoding = Codifica del file, ad esempio windows-1250 (predefinito: ricavata dai byte)
 cli-translate-from = Lingua delle etichette del programma; solo queste vengono sostituite (predefinito: ogni definizione nella propria)
 cli-translate-sources = { $count ->
@@ -71,12 +68,12 @@ cli-translate-sources = { $count ->
        *[other] Lingue delle etichette, con il numero di definizioni: { $languages }.
     }
 cli-fmt = Impagina i programmi dove si trovano: numeri, colonne, segni
-cli-fmt-path = Programmi NC, o cartelle di cui si impaginano i programmi (.h, .i); «-» legge l’ingresso standard e scrive sull’uscita standard
+cli-fmt-path = Programmi NC, o cartelle di cui si impaginano i programmi (.h, .i); «-» legge dall’ingresso standard e scrive sull’uscita standard
 cli-fmt-check = Non scrive nulla; nomina i programmi che cambierebbero
 cli-examples-fmt =
     ciklo fmt part.h
     ciklo fmt programs --check
-cli-completions = Stampa ciò che serve a una shell per completare le parole della riga di comando
+cli-completions = Stampa lo script che completa la riga di comando in una shell
 cli-completions-shell = Shell: bash, elvish, fish, powershell, zsh
 cli-examples-completions =
     ciklo completions bash > ~/.local/share/bash-completion/completions/ciklo

@@ -1,7 +1,7 @@
 # La riga di comando: guida, messaggi e rilievi su file e parole.
 
 cli-about = Specifiche di cicli CNC come dialoghi, blocchi NC, manuali, verifica ed esecuzione dei programmi
-cli-explain-more = «ciklo explain { $code }» dice che cosa significa un rilievo e come rimediare.
+cli-explain-more = «ciklo explain { $code }» spiega una segnalazione e il rimedio.
 cli-heading-usage = Uso:
 cli-heading-commands = Comandi
 cli-heading-arguments = Argomenti
@@ -9,43 +9,43 @@ cli-heading-options = Opzioni
 cli-heading-examples = Esempi:
 
 cli-build = Scrive i manuali, i dialoghi e le tabelle delle etichette
-cli-build-out = Cartella da scrivere; viene sostituita quando tutto è completo (predefinita: out)
+cli-build-out = Cartella da scrivere; viene sostituita solo quando tutto è completo (predefinita: out)
 cli-build-control = Solo questo controllo numerico; ripetibile
 cli-build-lang = Solo questa lingua; ripetibile
 cli-build-base-url = Indirizzo che avrà il sito: aggiunge indirizzi canonici, una mappa del sito e link assoluti in 404.html
 cli-schema = Stampa lo schema JSON delle specifiche
 cli-lint = Segnala tutto ciò che è errato nelle specifiche e nelle lingue
 cli-lint-accept = Approva le traduzioni nuove o modificate dopo l’ultima approvazione
-cli-coverage = Mostra che cosa è completo, mancante, superato, in sospeso o non eseguito
+cli-coverage = Mostra che cosa è completo, mancante, superato, non realizzato e non provato
 cli-dialog = Mostra il dialogo di un ciclo
 cli-block = Scrive il blocco NC di un ciclo
-cli-block-values = Numero del ciclo e valori dei parametri, ad esempio Q321=50; gli altri hanno quelli dell’esempio del manuale
+cli-block-values = Numero del ciclo e valori dei parametri, ad esempio Q321=50; gli altri hanno i valori dell’esempio del manuale
 cli-block-number = Numero del primo blocco (predefinito: quello dell’esempio del manuale)
-cli-block-form = Forma di un ciclo del vecchio tipo che ne ha più di una
+cli-block-form = Forma del ciclo, per i cicli meno recenti che ne hanno più d’una
 cli-block-without = Campo facoltativo da tralasciare; ripetibile
-cli-parse = Scompone un programma in blocchi, come JSON
-cli-parse-print = Ristampa il programma, identico byte per byte
+cli-parse = Scompone un programma in blocchi, in formato JSON
+cli-parse-print = Stampa il programma invariato, byte per byte
 cli-check = Verifica programmi per un controllo numerico
-cli-check-lang = Lingua delle etichette dei programmi (predefinita: ricavata da esse)
-cli-explain = Spiega il codice di un rilievo
-cli-explain-code = Il codice; se manca, vengono elencati tutti
+cli-check-lang = Lingua delle etichette nei programmi (predefinita: riconosciuta)
+cli-explain = Spiega il codice di una segnalazione
+cli-explain-code = Il codice; senza, vengono elencati tutti i codici
 cli-explain-renamed = Il codice «{ $old }» si chiama ora «{ $code }».
 cli-translate = Scrive un programma con i nomi e le etichette di un’altra lingua; nient’altro cambia
 cli-translate-to = Lingua dei nomi e delle etichette
-cli-translate-control = Controllo numerico del programma (predefinito: quello di cui contiene i cicli)
+cli-translate-control = Controllo numerico del programma (predefinito: riconosciuto dai cicli)
 cli-translate-out = File da scrivere (predefinito: uscita standard)
 cli-run = Esegue un programma in una scena
-cli-run-tool-table = Tabella utensili da usare al posto di quella della scena
+cli-run-tool-table = Tabella utensili da usare al posto di quella nella scena
 cli-run-out = Cartella per le tabelle e i protocolli scritti dal programma
 cli-run-events = Stampa ogni evento come riga JSON
-cli-run-skip-blocks = Salta i blocchi che iniziano con /
+cli-run-skip-blocks = Salta i blocchi che cominciano con /
 cli-run-lang = Lingua dei protocolli (predefinita: quella delle etichette del programma NC, altrimenti quella dei testi del programma stesso)
 cli-run-envelope = Mostra, al posto dei risultati, che cosa farebbe nel caso peggiore ogni ciclo di tastatura
 cli-conform = Esegue gli esempi delle specifiche
-cli-conform-engine = Sottopone gli esempi a un altro motore, un comando che parla il protocollo di docs/conform-protocol.md
-cli-conform-time-limit = Quanto può durare un caso (predefinito: 10)
-cli-conform-serve = Risponde alle richieste di tale protocollo dallo standard input
-cli-export = Stampa tutti i cicli di un controllo numerico in una lingua, come JSON
+cli-conform-engine = Esegue gli esempi su un altro motore, un comando che usa il protocollo di docs/conform-protocol.md
+cli-conform-time-limit = Tempo massimo per un caso di prova, in secondi (predefinito: 10)
+cli-conform-serve = Risponde alle richieste di questo protocollo dall’ingresso standard
+cli-export = Stampa tutti i cicli di un controllo numerico in una lingua, in formato JSON
 
 cli-arg-cycle = Numero del ciclo, ad esempio 412 o TCH PROBE 412
 cli-arg-file = Programma NC; «-» legge l’ingresso standard
@@ -132,27 +132,27 @@ cli-built = Pagine: { $pages }, file: { $files }: { $path }
 cli-coverage-control = { $control } ({ $title }): cicli descritti { $described }, solo nominati { $named }
 cli-coverage-complete = completo
 cli-coverage-missing = { $language }: testi mancanti: { $count } su { $of }: { $ids }
-cli-coverage-stale = { $language }: testi superati: { $count } su { $of }: { $ids }
-cli-coverage-pending = In sospeso nell’esecuzione: { $ids }
-cli-coverage-unexecuted = Frasi non eseguite da alcun esempio: { $count } su { $of }: { $ids }
-cli-coverage-unprovoked = Non provocati da alcun esempio: { $ids }
+cli-coverage-stale = { $language }: { $count } testi superati su { $of }: { $ids }
+cli-coverage-pending = Non realizzati nel motore: { $ids }
+cli-coverage-unexecuted = Frasi che nessun esempio esegue: { $count } su { $of }: { $ids }
+cli-coverage-unprovoked = Mai provocati da un esempio: { $ids }
 
 cli-translated = { $count ->
         [one] { $count } modifica: { $path }
        *[other] { $count } modifiche: { $path }
     }
 cli-run-status = Il programma { $status ->
-        [done] è arrivato alla fine
-        [stopped] si è arrestato e nessuno lo ha ripreso
-        [limit] ha raggiunto un limite dell’esecuzione
-        [unsupported] richiede qualcosa che l’esecuzione non supporta
+        [done] è stato eseguito fino alla fine
+        [stopped] si è arrestato e non è stato ripreso
+        [limit] ha raggiunto un limite della simulazione
+        [unsupported] richiede una funzione che non si può simulare
        *[error] è terminato con un errore
     }.
 cli-envelope-cycle = Riga { $line }: { $cycle } { $name }
-cli-envelope-still = Non si muove.
+cli-envelope-still = Nessun movimento.
 cli-envelope-lowest = Punto più basso della punta dello stilo: { $axis } = { $height } mm
 cli-envelope-highest = Punto più alto della punta dello stilo: { $axis } = { $height } mm
-cli-envelope-travelled = Altezze degli spostamenti nel piano: { $axis } = { $heights } mm
+cli-envelope-travelled = Altezze dei movimenti nel piano di lavoro: { $axis } = { $heights } mm
 cli-envelope-probing = { $count ->
         [one] { $count } tastatura
        *[other] { $count } tastature
@@ -160,10 +160,10 @@ cli-envelope-probing = { $count ->
 cli-envelope-near = { $what ->
         [stock] Pezzo grezzo
        *[part] Corpo { $number }
-    }: distanza minima { $distance } mm, con la punta a X = { $x }, Y = { $y }, Z = { $z }; la tastatura { $probed ->
-        [yes] può raggiungerlo
-       *[no] non lo raggiunge
-    }
+    }: distanza minima { $distance } mm, con la punta a X = { $x }, Y = { $y }, Z = { $z }; { $probed ->
+        [yes] entro la
+       *[no] fuori dalla
+    } portata dei movimenti di tastatura
 cli-envelope-touches = { $what ->
         [stock] Pezzo grezzo, prima della lavorazione: la punta è al suo interno,
        *[part] Corpo { $number }: COLLISIONE,
@@ -171,12 +171,12 @@ cli-envelope-touches = { $what ->
 cli-envelope-near-unknown = { $what ->
         [stock] Pezzo grezzo
        *[part] Corpo { $number }
-    }: la distanza non è calcolabile; la tastatura { $probed ->
-        [yes] può raggiungerlo
-       *[no] non lo raggiunge
-    }
+    }: la distanza minima non si può calcolare; { $probed ->
+        [yes] entro la
+       *[no] fuori dalla
+    } portata dei movimenti di tastatura
 cli-envelope-fails = In questa scena il ciclo termina con l’errore { $code }: { $message }
-cli-envelope-none = Non viene eseguito alcun ciclo di tastatura.
+cli-envelope-none = Il programma non esegue alcun ciclo di tastatura.
 cli-conform-pass = riuscito
 cli-conform-fail = FALLITO
 cli-conform-out = non supportato
@@ -187,15 +187,15 @@ cli-conform-summary = Riusciti: { $pass }, falliti: { $fail }, non supportati: {
 cli-usage-hint = Si intendeva { $suggestion }?
 cli-usage-help = Vedere --help.
 
-diag-unknown-software = «{ $found }» non è una versione software: è il numero che il controllo visualizza, ad esempio 340590-05.
+diag-unknown-software = «{ $found }» non è una versione software: immettere il numero che il controllo mostra, ad esempio 340590-05.
 diag-usage = { $reason ->
         [no-value] { $subject } richiede un valore.
-        [invalid-value] «{ $value }» non è un valore per { $subject }.
+        [invalid-value] «{ $value }» non è un valore valido per { $subject }.
         [unknown-argument] L’argomento { $subject } non esiste.
         [unknown-command] Il comando { $subject } non esiste.
         [no-command] Manca un comando.
         [missing-argument] Manca: { $subject }.
-        [conflict] { $subject } non è compatibile con gli altri argomenti o compare due volte.
+        [conflict] { $subject } compare due volte o non si può combinare con gli altri argomenti.
         [too-many-values] { $subject } ha troppi valori.
         [not-text] Un argomento non è testo valido.
        *[other] La riga di comando è errata.
@@ -223,51 +223,51 @@ diag-engine-start = Impossibile avviare il motore “{ $path }”: { $reason ->
         [permission] permesso negato
        *[other] { $detail }
     }.
-diag-engine-not-responding = Il motore non ha risposto a { $silent } casi di seguito e non viene più interrogato: { $left ->
-        [one] { $left } caso è escluso.
-       *[other] { $left } casi sono esclusi.
+diag-engine-not-responding = Il motore non ha risposto a { $silent } casi di prova di seguito, perciò i rimanenti non vengono inviati: { $left ->
+        [one] { $left } caso di prova.
+       *[other] { $left } casi di prova.
     }
-diag-io-foreign-directory = { $path } contiene file non scritti da ciklo, perciò non viene sostituita. Scegliere una cartella vuota o nuova.
+diag-io-foreign-directory = { $path } contiene file che Ciklo non ha scritto, perciò non viene sostituita. Scegliere una cartella vuota o nuova.
 diag-not-an-address = «{ $url }» non è un indirizzo che inizia con https:// o http://.
-diag-data-directory-missing = In { $path } manca la cartella { $name }.
-diag-no-data = { $path } non contiene nessuna delle cartelle cycle-specs, locales e templates.
+diag-data-directory-missing = Manca la cartella { $name } in { $path }.
+diag-no-data = { $path } non contiene né la cartella cycle-specs né locales né templates.
 diag-data-encoding = { $path } non è in UTF-8.
 diag-unknown-code = Il codice «{ $code }» non esiste; «ciklo explain» li elenca tutti.
 diag-needs-data = { $option } richiede una copia di lavoro: --data DIR.
-diag-unknown-control = Il controllo numerico «{ $control }» non esiste; disponibili: { $known }.
-diag-unknown-language = La lingua «{ $language }» non esiste; disponibili: { $known }.
-diag-cycle-name = «{ $cycle }» non è il numero di un ciclo: 412 o "TCH PROBE 412".
+diag-unknown-control = Il controllo numerico «{ $control }» non esiste; i controlli numerici sono { $known }.
+diag-unknown-language = La lingua «{ $language }» non esiste; le lingue sono { $known }.
+diag-cycle-name = «{ $cycle }» non è il numero di un ciclo; sono validi, ad esempio, 412 e "TCH PROBE 412".
 diag-cycle-not-here = Il controllo { $control } non ha il ciclo { $cycle }.
-diag-cycle-ambiguous = Il controllo { $control } ha due cicli { $cycle }: { $keys }.
-diag-cycle-only-named = Il manuale del controllo { $control } nomina soltanto { $cycle } ({ $name }) e non lo descrive.
-diag-internal = Errore interno di ciklo: { $detail }.
-diag-locale-unknown-suffix = «{ $name }» non è né un ciclo né un controllo numerico.
+diag-cycle-ambiguous = { $control } ha due cicli con il numero { $cycle }: { $keys }.
+diag-cycle-only-named = Il manuale di { $control } menziona { $cycle } ({ $name }) soltanto per nome e non lo descrive.
+diag-internal = Errore interno di Ciklo: { $detail }.
+diag-locale-unknown-suffix = «{ $name }» non è né il nome di un ciclo né un controllo numerico.
 diag-not-encodable = Il carattere «{ $sign }» non può essere scritto nella codifica di questo file (Windows-1252).
 cli-examples-plot =
     ciklo plot part.h --control tnc640 --out part.svg
     ciklo plot part.h --control tnc640 --scene part.scene.yaml --view top --out path.svg
-cli-arg-resolution = Distanza massima tra le colonne del pezzo grezzo, mm (predefinito: un duecentesimo della sua estensione massima)
+cli-arg-resolution = Distanza massima tra le colonne del pezzo grezzo, in mm (predefinito: un duecentesimo della sua estensione massima)
 cli-plot = Disegna la traiettoria dell’utensile e il pezzo di un programma in formato SVG
 cli-plot-out = File per il disegno
-cli-plot-view = Direzione di vista: top, side, isometric (predefinita)
-cli-run-stock = File per il pezzo finito (STL); la lavorazione viene riassunta in un rapporto
+cli-plot-view = Direzione di vista: top, side, isometric (valore predefinito)
+cli-run-stock = File per il pezzo finito (STL), con un rapporto sulla lavorazione
 cli-stock-depth = Profondità di taglio massima: { $value } mm (riga { $line })
 cli-stock-finding = { $program }:{ $line }{ $count ->
         [one] :
        *[other] {" "}({ $count } movimenti):
     } { $kind ->
         [rapid-in-material] Movimento in rapido attraverso { $amount } mm di materiale.
-        [spindle-stopped] Il mandrino è fermo mentre l’utensile attraversa { $amount } mm di materiale.
-        [edges-too-short] Il materiale viene asportato fino a { $amount } mm sopra la punta, più della lunghezza dei taglienti.
-        [turns-together] Gli assi ruotano mentre l’utensile si muove: non è noto che cosa asporta.
-       *[no-radius] L’utensile { $amount } non ha raggio: non è noto che cosa asporta.
+        [spindle-stands] Il mandrino è fermo mentre l’utensile attraversa { $amount } mm di materiale.
+        [edges-too-short] Il materiale viene asportato fino a { $amount } mm sopra la punta dell’utensile, oltre la lunghezza dei taglienti.
+        [turns-together] Gli assi rotativi ruotano mentre l’utensile si sposta: il materiale asportato non è noto.
+       *[no-radius] L’utensile { $amount } non ha raggio: il materiale asportato non è noto.
     }
-cli-stock-length = Percorso: { $feed } mm in avanzamento, di cui { $cut } mm in movimenti di taglio; { $rapid } mm in rapido
+cli-stock-length = Percorso: { $feed } mm in avanzamento, di cui { $cut } mm in movimenti che asportano materiale; { $rapid } mm in rapido
 cli-stock-more = { $count ->
         [one] Ancora { $count } osservazione.
        *[other] Ancora { $count } osservazioni.
     }
 cli-stock-rate = Portata di truciolo massima: { $value } mm³/min (riga { $line })
-cli-stock-time = Tempo: { $all } s; { $feed } s in avanzamento, { $rapid } s in rapido, { $dwell } s di attesa
-cli-stock-volume = Volume: asportati { $removed } mm³ su { $blank } mm³
+cli-stock-time = Tempo: { $all } s; { $feed } s in avanzamento, { $rapid } s in rapido, { $dwell } s di tempo di sosta
+cli-stock-volume = Volume: { $removed } mm³ asportati su { $blank } mm³
 cli-stock-width = Larghezza di taglio massima: { $value } mm (riga { $line })

@@ -1,105 +1,105 @@
 # Segnalazioni della verifica e della traduzione di programmi; vedere il file inglese.
 
-diag-approach-twice = Qui ci si avvicina al profilo con la compensazione del raggio attiva: il profilo precedente non è stato lasciato.
+diag-approach-twice = Qui ci si avvicina al profilo con la correzione del raggio ancora attiva: il profilo precedente non è stato lasciato.
 diag-approach-without-compensation =
     { $what ->
         [approach] Qui ci si avvicina al profilo senza RL o RR.
        *[departure] Qui ci si allontana dal profilo, ma nessuna compensazione del raggio è attiva.
     }
-diag-arc-in-unequal-scaling = { $cycle } scala gli assi di questo arco con fattori diversi.
+diag-arc-in-unequal-scaling = { $cycle } scala gli assi di questo arco con fattori diversi: il risultato non è un arco.
 diag-arc-too-narrow = Il raggio { $radius } all’interno del profilo è inferiore a quello dell’utensile, { $tool }.
 diag-arc-without-tangent = Prima di questo arco tangente non c’è alcun elemento di profilo.
 diag-arc-wrong =
     L’arco non può terminare qui: { $what ->
-        [radius] il raggio è { $first } e la distanza tra inizio e fine è { $second }
+        [radius] il raggio è { $first }, ma la distanza tra inizio e fine è { $second }
         [full] finisce dove comincia; il centro di un cerchio completo non risulta dal raggio
-        [sense] l’angolo è { $first }, mentre DR gira nell’altro senso
+        [sense] l’angolo è { $first }, ma DR ha il senso opposto
        *[centre] l’inizio dista { $first } dal centro, la fine { $second }
     }.
 diag-axis-twice = L’asse { $axis } compare due volte in questo blocco.
 diag-blocks-after-end = Qui ci sono blocchi dopo END PGM.
 diag-blank-wrong =
     { $what ->
-        [again] Il pezzo grezzo ha già un BLK FORM 0.1 prima di questo.
+        [again] Il pezzo grezzo ha già un BLK FORM 0.1.
         [axis] Qui manca { $axis }: un vertice del pezzo grezzo ha tre coordinate.
         [first] Prima di BLK FORM 0.2 non c’è BLK FORM 0.1.
         [cylinder] Al cilindro manca il raggio o il diametro, oppure la lunghezza.
         [second] Dopo BLK FORM 0.1 non c’è BLK FORM 0.2.
         [tool] Il pezzo grezzo non indica l’asse utensile.
-       *[order] Nell’asse { $axis } la coordinata del secondo vertice del pezzo grezzo non è maggiore di quella del primo.
+       *[order] Nell’asse { $axis } il secondo vertice del pezzo grezzo deve avere una coordinata maggiore del primo.
     }
 diag-block-numbers = Il numero di blocco { $number } segue { $before }.
-diag-call-of-def-active-cycle = { $cycle } è attivo appena viene definito; non deve essere chiamato.
-diag-called-but-not-defined = Qui viene chiamato un ciclo, ma prima non ne è definito alcuno.
-diag-called-program-in-other-unit = Questo programma è in { $own }, il programma chiamato { $name } in { $other }.
+diag-call-of-def-active-cycle = { $cycle } è attivo dalla sua definizione; non deve essere chiamato.
+diag-called-but-not-defined = Qui viene chiamato un ciclo, ma non ne è stato definito alcuno.
+diag-called-program-in-other-unit = Questo programma è in { $own }, ma il programma chiamato { $name } è in { $other }.
 diag-called-program-missing = Il programma { $name } non si trova accanto a questo, dove il controllo lo cerca.
-diag-centre-in-other-plane = L’arco percorre un piano diverso da quello del suo centro.
-diag-choice-not-offered = { $parameter }={ $value } non è tra le scelte: { $offered }.
+diag-centre-in-other-plane = L’arco e il suo centro non si trovano nello stesso piano.
+diag-choice-not-offered = { $parameter }={ $value } non è una delle scelte: { $offered }.
 diag-clearance-height-too-low = { $cycle } tasta a { $touched }: l’altezza di sicurezza { $parameter }={ $value } deve trovarsi sopra { $least }.
 diag-compensation-at-cycle =
     { $cycle } viene eseguito qui con la correzione del raggio attiva.
 diag-compensation-left-on = Qui la correzione del raggio è ancora attiva.
-diag-compensation-on-arc = La compensazione del raggio inizia qui su un arco.
-diag-compensation-switched = La compensazione del raggio cambia lato qui senza R0 intermedio.
+diag-compensation-on-arc = La correzione del raggio non deve iniziare su un arco.
+diag-compensation-switched = La correzione del raggio cambia lato qui senza R0 intermedio.
 diag-contour-data-missing = { $cycle } viene chiamato, ma { $data } non è stato definito prima.
 diag-contour-def-wrong =
     { $what ->
         [number] { $found }: un altro profilo ha già questo numero.
-        [many] { $found }: CONTOUR DEF ha al massimo nove profili.
-       *[island] { $found }: il primo profilo di CONTOUR DEF è una tasca, la più profonda.
+        [many] { $found }: CONTOUR DEF può avere al massimo nove profili.
+       *[island] { $found }: il primo profilo di CONTOUR DEF deve essere una tasca, la più profonda.
     }
-diag-contour-depth-missing = { $contour } non ha DEPTH, altri profili sì.
+diag-contour-depth-missing = { $contour } non ha DEPTH, ma altri profili sì.
 diag-contour-undeclared =
     { $what ->
-        [twice] { $contour } è già dichiarato prima.
-       *[nothing] La formula legge { $contour }, che nulla indica prima.
+        [twice] { $contour } è già stato dichiarato.
+       *[nothing] La formula usa { $contour }, che prima non è stato dichiarato.
     }
 diag-contour-not-selected =
-    { $cycle } viene chiamato qui, ma prima non è stato indicato alcun profilo.
+    { $cycle } viene chiamato qui, ma non è stato selezionato alcun profilo.
 diag-contour-wrong =
     { $cycle } non può lavorare il profilo così: { $what ->
-        [axis] vi si muove l’asse utensile { $word }
+        [axis] contiene un movimento nell’asse utensile { $word }
         [approach] contiene { $word }
         [tool] contiene { $word }
         [call] contiene { $word }
         [path] il ciclo non legge { $word }
-        [first] il primo punto non indica entrambe le coordinate del piano
+        [first] il primo punto non ha entrambe le coordinate del piano
         [uncompensated] non ha né RL né RR
-        [many] il ciclo lavora solo il primo profilo, non { $word }
+        [many] il ciclo lavora solo il primo profilo e ignora { $word }
         [corner] nessun elemento segue { $word }
-        [local] vi si legge { $word }, che non vi viene assegnato
+        [local] vi si legge { $word }, ma non vi viene assegnato
        *[open] non finisce dove comincia
     }.
-diag-coordinate-out-of-place = Le coordinate non sono adatte a { $path }.
+diag-coordinate-out-of-place = { $path } non ammette queste coordinate.
 diag-corner-wrong =
     Questo spigolo non si può lavorare: { $what ->
-        [twice] prima c’è già un arrotondamento o uno smusso
-        [arc] uno smusso sta tra due rette, e qui c’è un arco
+        [twice] segue direttamente un altro arrotondamento o smusso
+        [arc] uno smusso deve trovarsi tra due rette, ma uno degli elementi è un arco
         [first] non lo precede alcun elemento di profilo
         [alone] non è seguito da un elemento del profilo
-        [back] la retta che lo segue torna su quella che lo precede
+        [back] la retta che lo segue torna indietro lungo quella che lo precede
         [size] il suo raggio o la sua lunghezza non è positiva
-       *[long] richiede più di quanto misura la retta più corta, { $least }
+       *[long] richiede più della lunghezza della retta più corta, { $least }
     }.
 diag-cutting-without-tool = Qui l’utensile si sposta in avanzamento, ma prima non c’è alcuna chiamata utensile.
-diag-cycle-line-zero-missing = Prima della riga { $line } non c’è la riga { $head }.
+diag-cycle-line-zero-missing = La riga { $line } non è preceduta dalla riga { $head }.
 diag-cycle-line-empty = Nella riga { $line } di { $cycle } non c’è nulla.
 diag-cycle-line-missing = Prima di { $line } manca la riga { $missing }.
 diag-cycle-line-twice = La riga { $line } compare due volte in questa definizione.
 diag-cycle-not-covered =
     { $other ->
-        [none] { $cycle } non viene verificato: i manuali del controllo { $control } qui noti non trattano cicli di questo tipo.
-       *[other] I manuali del controllo { $control } qui noti non trattano cicli come { $cycle }: viene confrontato con il manuale di { $other }.
+        [none] { $cycle } non viene verificato: i manuali del controllo { $control } noti a Ciklo non trattano cicli di questo tipo.
+       *[other] I manuali del controllo { $control } noti a Ciklo non trattano cicli come { $cycle }: viene verificato in base al manuale di { $other }.
     }
 diag-cycle-not-described =
     { $other ->
-        [none] { $cycle } ({ $name }) è citato nei manuali ma non descritto: i suoi parametri non vengono verificati.
-       *[other] { $cycle } ({ $name }) è citato nei manuali ma non descritto: viene confrontato con il manuale di { $other }.
+        [none] I manuali citano { $cycle } ({ $name }) ma non lo descrivono: i suoi parametri non vengono verificati.
+       *[other] I manuali citano { $cycle } ({ $name }) ma non lo descrivono: viene verificato in base al manuale di { $other }.
     }
 diag-cycle-not-on-control = { $cycle } non esiste sul controllo { $control }; esiste su: { $controls }.
-diag-cycle-of-previous-tool = { $cycle } è stato definito per l’utensile precedente, che lo ha già eseguito.
-diag-datum-table-late = Lo spostamento origine precedente ha preso la sua riga da un’altra tabella: SEL TABLE deve precederlo.
-diag-defined-but-never-called = { $cycle } è definito qui e non viene mai chiamato.
+diag-cycle-of-previous-tool = { $cycle } è stato definito per l’utensile precedente, che ha già lavorato con esso.
+diag-datum-table-late = Lo spostamento origine precedente prende la sua riga da un’altra tabella: programmare prima SEL TABLE.
+diag-defined-but-never-called = { $cycle } è definito qui, ma non viene mai chiamato.
 diag-digitizing-wrong =
     { $what ->
         [swapped] { $word } è minore del punto MIN del campo, { $other }.
@@ -107,7 +107,7 @@ diag-digitizing-wrong =
         [missing] { $cycle } digitalizza, ma prima non è stato definito alcun campo.
        *[combined] { $cycle } non può essere combinato con { $range }, che qui definisce il campo.
     }
-diag-arc-direction-missing = L’arco non indica il senso di rotazione: manca DR+ o DR−.
+diag-arc-direction-missing = Manca il senso di rotazione di questo arco, DR+ o DR−.
 diag-doubtful-value =
     { $parameter }={ $value } in { $cycle } difficilmente è voluto: { $is ->
         [zero] il valore è 0
@@ -124,36 +124,36 @@ diag-free-contour-wrong =
     { $what ->
         [label] Un profilo libero non può cominciare subito dopo un label.
         [again] CLSD+ compare di nuovo prima che CLSD- abbia chiuso il profilo.
-        [unbegun] CLSD- chiude qui un profilo che nessun CLSD+ ha aperto.
+        [unbegun] CLSD- chiude un profilo che nessun CLSD+ ha aperto.
         [unclosed] Il profilo aperto con CLSD+ termina qui senza CLSD-.
         [length] La lunghezza LEN non è positiva.
         [auxiliary] Alla distanza D manca il punto ausiliario (PDX, PDY).
         [distance] Al punto ausiliario manca la distanza D.
         [selected] FSELECT non segue alcun elemento di un profilo libero.
         [solution] FSELECT richiede il numero di una soluzione, contato da 1.
-        [fpol] Il polo di un profilo libero ha due coordinate.
-        [pole] Qui vi sono dati polari senza polo (FPOL).
-       *[open] Il profilo libero non è determinato: dei suoi elementi si sa troppo poco.
+        [fpol] Il polo di un profilo libero richiede due coordinate.
+        [pole] Le coordinate polari richiedono un polo (FPOL).
+       *[open] Il profilo libero non ha soluzione: dei suoi elementi sono indicati troppo pochi valori.
     }
-diag-function-misspelled = Nessun controllo conosce qui { $word }; forse si intende { $meant }.
+diag-function-misspelled = Nessun controllo accetta qui { $word }; forse si intende { $meant }.
 diag-function-not-on-control = Il { $control } non ha { $function }.
-diag-functions-contradict = { $first } e { $second } sono nello stesso blocco; può essere voluta solo una delle due.
+diag-functions-contradict = { $first } e { $second } si escludono a vicenda, ma sono nello stesso blocco.
 diag-global-def-wrong =
     { $what ->
         [unknown] GLOBAL DEF { $number } non esiste.
         [missing] In GLOBAL DEF { $number } manca { $parameter }.
-        [foreign] GLOBAL DEF { $number } non fornisce { $parameter }.
+        [foreign] GLOBAL DEF { $number } non ha { $parameter }.
         [twice] { $parameter } compare due volte in GLOBAL DEF { $number }.
-        [again] GLOBAL DEF { $number } compare già prima e nessun ciclo ne ha usato i valori.
-        [nothing] In { $value } per { $parameter } si trova PREDEF, ma nessun GLOBAL DEF lo fornisce.
-        [later] In { $value } per { $parameter } si trova PREDEF, ma il GLOBAL DEF che lo fornisce viene dopo.
+        [again] GLOBAL DEF { $number } è già stato programmato, ma nessun ciclo ne ha usato i valori.
+        [nothing] In { $value } per { $parameter } si trova PREDEF, ma nessun GLOBAL DEF lo imposta.
+        [later] In { $value } per { $parameter } si trova PREDEF, ma il GLOBAL DEF che lo imposta viene dopo.
        *[value] Nessun ciclo ammette { $parameter }={ $value }.
     }
 diag-guard = Il controllo non accetta questi valori.
 diag-hole-outside-blank =
     { $what ->
         [beside] Il foro in { $value }; { $other } è accanto al pezzo grezzo.
-        [surface] La superficie a { $value } non è sul pezzo grezzo.
+        [surface] La superficie a { $value } è lontana dal pezzo grezzo.
        *[through] Il foro arriva a { $value }, ben oltre il pezzo grezzo.
     }
 diag-iso-incomplete =
@@ -164,24 +164,24 @@ diag-iso-incomplete =
         [cycle] mancano le parole del ciclo (P01, P02, …)
        *[operand] manca un operando o il label di un salto (P01, P02, P03)
     }.
-diag-label-duplicate = Il label { $label } viene impostato qui per la seconda volta.
+diag-label-duplicate = Il label { $label } è impostato due volte; questa è la seconda.
 diag-label-missing = La lingua «{ $language }» non ha un’etichetta per { $parameter } di { $cycle }.
-diag-label-not-encodable = «{ $label }» contiene il carattere «{ $character }», che la codifica del file non può scrivere.
-diag-label-of-another-language = «{ $label }» è un’etichetta in un’altra lingua ({ $language }); nel resto del programma { $parameter } si chiama «{ $right }».
+diag-label-not-encodable = «{ $label }» contiene il carattere «{ $character }», che non esiste nella codifica del file.
+diag-label-of-another-language = «{ $label }» è un’etichetta in un’altra lingua ({ $language }); nella lingua del programma { $parameter } è «{ $right }».
 diag-label-of-another-parameter = «{ $label }» è l’etichetta di { $other }, non di { $parameter }.
-diag-label-twice = «{ $label }» si trova a { $parameter } e a { $other }: uno dei due ha un’altra etichetta.
+diag-label-twice = { $parameter } e { $other } hanno entrambi l’etichetta «{ $label }», che può essere giusta solo per uno dei due.
 diag-label-undefined = Nessun blocco imposta il label { $label }.
 diag-labels-of-unknown-language =
     { $count ->
-        [one] Questa definizione ha etichette in una lingua qui sconosciuta; è stata letta in base ai suoi numeri.
-       *[other] { $count } definizioni, di cui questa è la prima, hanno etichette in una lingua qui sconosciuta; sono state lette in base ai loro numeri.
+        [one] Le etichette di questa definizione sono in una lingua che Ciklo non conosce; è stata letta in base ai numeri dei parametri.
+       *[other] Le etichette di { $count } definizioni, di cui questa è la prima, sono in una lingua che Ciklo non conosce; sono state lette in base ai numeri dei parametri.
     }
 diag-languages-mixed = La maggior parte delle etichette è in una lingua ({ $language }); le definizioni in queste righe sono in un’altra ({ $others }): { $lines }.
-diag-loop-endless = Nulla nel ciclo chiuso da questo salto può farlo terminare.
+diag-loop-endless = Questo salto chiude una ripetizione che non termina mai.
 diag-machine-coordinates-compensated = Qui si programmano coordinate macchina (M91, M92) con compensazione del raggio.
-diag-main-runs-into-subprogram = La parte principale prosegue qui nel sottoprogramma { $label }: prima non c’è né M2 né M30.
-diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value }, sotto il fondo lasciato in quel punto da { $milling }, { $floor }.
-diag-metric-values-in-inch = Il programma è in pollici e { $value } sembra espresso in millimetri.
+diag-main-runs-into-subprogram = Il programma principale prosegue qui nel sottoprogramma { $label }: non lo termina né M2 né M30.
+diag-measuring-height-below-floor = { $cycle } misura a { $parameter }={ $value }, sotto il fondo a { $floor } lasciato in quel punto da { $milling }.
+diag-metric-values-in-inch = Il programma è in pollici, ma { $value } sembra espresso in millimetri.
 diag-mirror-of-tool-axis = L’asse utensile { $axis } non si può specchiare.
 diag-misordered-parameter = In { $cycle } il controllo visualizza { $parameter } prima di { $before }.
 diag-missing-parameter =
@@ -191,32 +191,32 @@ diag-missing-parameter =
     }
 diag-modal-call-left-on =
     { $what ->
-        [beside] M89 chiama ancora il ciclo in questo blocco, che porta accanto al pezzo grezzo.
-       *[again] M89 chiama ancora il ciclo in questo blocco: l’utensile lavora un’altra volta l’ultima posizione.
+        [beside] M89 chiama ancora il ciclo in questo blocco, che porta in una posizione fuori dal pezzo grezzo.
+       *[again] M89 chiama ancora il ciclo in questo blocco: l’ultima posizione viene lavorata di nuovo.
     }
 diag-mode-wrong =
     { $what ->
-        [milling] { $cycle } fresa o fora, ma qui è attivo FUNCTION MODE TURN.
-        [turning] { $cycle } tornisce, ma qui FUNCTION MODE TURN non è attivo.
-       *[data] { $cycle } sta qui fuori dal modo tornitura.
+        [milling] { $cycle } fresa o fora, ma qui il controllo è nel modo tornitura (FUNCTION MODE TURN).
+        [turning] { $cycle } tornisce, ma qui il controllo non è nel modo tornitura (FUNCTION MODE TURN).
+       *[data] { $cycle } viene usato fuori dal modo tornitura.
     }
 diag-name-of-another-cycle = «{ $name }» è il nome di { $other }, ma qui c’è { $cycle }.
 diag-no-result =
     Questa formula non ha risultato: { $why ->
         [division] divide per zero
         [large] il numero è troppo grande
-       *[domain] una funzione riceve un valore per cui non è definita
+       *[domain] una funzione non è definita per il suo valore
     }.
-diag-no-table-open = FN 27 e FN 28 lavorano sulla tabella aperta da FN 26.
+diag-no-table-open = FN 27 e FN 28 richiedono una tabella aperta da FN 26.
 diag-not-a-program = Questo file non è un programma NC.
-diag-number-does-not-exist = { $name } non esiste: i numeri arrivano a { $greatest }.
+diag-number-does-not-exist = { $name } non esiste: il numero massimo è { $greatest }.
 diag-older-parameter-set = { $cycle } ha i parametri di una versione software precedente; il controllo aggiunge { $parameter }.
 diag-out-of-range =
     { $side ->
         [below] { $parameter }={ $value } è troppo piccolo: il valore minimo è { $limit }.
-        [long] Il testo di { $parameter } è troppo lungo: sono ammessi { $limit } caratteri.
-        [many] { $parameter } elenca troppi label: ne sono ammessi { $limit }.
-        [axes] { $parameter } indica troppi assi: può indicarne { $limit }.
+        [long] Il testo di { $parameter } è troppo lungo: sono ammessi al massimo { $limit } caratteri.
+        [many] { $parameter } elenca troppi label: ne sono ammessi al massimo { $limit }.
+        [axes] { $parameter } indica troppi assi: ne sono ammessi al massimo { $limit }.
        *[above] { $parameter }={ $value } è troppo grande: il valore massimo è { $limit }.
     }
 diag-out-of-usual-range =
@@ -225,14 +225,14 @@ diag-out-of-usual-range =
                 [below] inferiori a
                *[above] superiori a
             } { $limit }.
-       *[any] nessun manuale ammette per parametri simili valori { $side ->
+       *[any] nessun manuale ammette per un parametro simile valori { $side ->
                 [below] inferiori a
                *[above] superiori a
             } { $limit }.
     }
 diag-parameter-of-later-software = { $parameter } in { $cycle } richiede una versione software successiva alla { $software }, quella descritta nel manuale.
 diag-parameter-unassigned =
-    { $parameter } viene letto qui, ma prima nulla gli assegna un valore.
+    { $parameter } viene letto qui, ma nulla gli ha assegnato un valore.
 diag-pattern-combination =
     { $what ->
         [value] { $cycle } non può chiamare { $called } con { $value }.
@@ -240,43 +240,43 @@ diag-pattern-combination =
     }
 diag-pattern-wrong =
     { $what ->
-        [count] { $word } è un numero intero di posizioni, almeno 1.
-        [many] { $word }: PATTERN DEF ha al massimo nove posizioni singole.
+        [count] { $word } deve essere un numero intero di posizioni, almeno 1.
+        [many] { $word }: PATTERN DEF può avere al massimo nove posizioni singole.
         [rapid] { $word } qui non è ammesso: tra i punti di una tabella l’utensile si sposta in avanzamento.
         [distance] { $word } vale 0: tutte le posizioni coincidono.
         [angle] { $word } supera un giro completo.
-        [same] { $word } coincide con una posizione precedente.
-       *[diameter] Il diametro { $word } di un cerchio di posizioni è maggiore di 0.
+        [same] { $word } ripete una posizione precedente.
+       *[diameter] Il diametro { $word } di un cerchio parziale deve essere maggiore di 0.
     }
 diag-plane-incomplete = In questo PLANE manca { $word }.
-diag-plane-not-positioned = STAY lascia gli assi rotativi dove sono e nessun blocco del programma li porta agli angoli di questo piano.
+diag-plane-not-positioned = STAY non muove gli assi rotativi, e nessun blocco del programma li porta agli angoli di questo piano.
 diag-plane-not-reset = Il programma termina qui con il piano di lavoro ruotato.
-diag-position-after-contour = Questa è la prima posizione dopo { $cycle } e non indica in assoluto entrambe le coordinate del piano.
+diag-position-after-contour = Questa è la prima posizione dopo { $cycle }, ma non ha valori assoluti per entrambe le coordinate del piano.
 diag-probe-while-turning = { $cycle } tasta qui mentre il mandrino gira.
-diag-probed-axis-missing = Si tasta in direzione { $direction }, ma la posizione non indica { $axis }.
+diag-probed-axis-missing = Si tasta in direzione { $direction }, ma la posizione non contiene { $axis }.
 diag-program-begin-missing = Il programma non inizia con BEGIN PGM.
 diag-program-begin-twice = BEGIN PGM compare qui una seconda volta.
 diag-program-calls-itself = Il programma chiama sé stesso: { $name }.
-diag-program-empty = Il file non contiene alcun blocco.
+diag-program-empty = Il file non contiene blocchi.
 diag-program-end-missing =
     Il programma finisce qui senza { $end ->
-        [iso] un blocco che inizi con % e lo chiuda
+        [iso] un blocco finale che inizi con %
        *[pgm] END PGM
     }.
 diag-programs-call-in-circle = Il programma { $name } richiama a sua volta questo, direttamente o tramite altri.
-diag-rapid-into-blank = Qui l’utensile entra nel pezzo grezzo in rapido: Z va a { $value } e il grezzo arriva fino a { $top }.
-diag-repeat-count-wrong = Una parte di programma si ripete un numero intero di volte, da 0 a 65534.
-diag-repeat-of-later-label = Il label { $label } si trova dopo questa ripetizione.
-diag-reserved-parameter = Qui viene scritto { $parameter }, ma i parametri da Q100 a Q199 li scrive il controllo stesso.
+diag-rapid-into-blank = Qui l’utensile entra nel pezzo grezzo in rapido: va a Z { $value }, e il bordo superiore del grezzo è a { $top }.
+diag-repeat-count-wrong = Il numero di ripetizioni deve essere un numero intero da 0 a 65534.
+diag-repeat-of-later-label = Il label { $label } deve trovarsi prima della ripetizione, non dopo.
+diag-reserved-parameter = Qui viene scritto { $parameter }, ma i parametri da Q100 a Q199 appartengono al controllo, che li sovrascrive.
 diag-reset-order-wrong =
     { $what ->
-        [tilt] Qui la rotazione del piano di lavoro viene annullata mentre la rotazione attivata dopo di essa è ancora attiva.
-       *[shift] Qui lo spostamento origine viene annullato mentre il piano di lavoro ruotato dopo di esso è ancora ruotato.
+        [tilt] Qui la rotazione del piano di lavoro viene annullata, ma una rotazione attivata dopo di essa è ancora attiva.
+       *[shift] Qui lo spostamento origine viene annullato, ma il piano di lavoro ruotato dopo di esso è ancora ruotato.
     }
 diag-retract-missing =
-    L’utensile si trova a { $value }, nel pezzo grezzo o appena sopra, quando { $what ->
+    L’utensile si trova ancora a { $value }, nel pezzo grezzo o appena sopra, quando { $what ->
         [change] viene cambiato
-       *[turn] un asse rotativo ruota in rapido
+       *[turn] un asse rotativo si muove in rapido
     }: non è stato disimpegnato.
 diag-row-not-in-table =
     { $table ->
@@ -291,19 +291,19 @@ diag-speed-out-of-range =
        *[speed] Il numero di giri del mandrino { $value }
     } difficilmente è voluto: { $side ->
         [below] è negativo
-       *[above] il valore massimo che i manuali permettono di inserire è { $limit }
+       *[above] i manuali ammettono al massimo { $limit }
     }.
-diag-spindle-direction = { $cycle } richiede un mandrino che giri in senso orario, e qui gira in senso antiorario.
-diag-spindle-off = Qui viene asportato materiale a mandrino fermo.
+diag-spindle-direction = { $cycle } richiede un mandrino che giri in senso orario, ma qui gira in senso antiorario.
+diag-spindle-off = Qui l’utensile taglia a mandrino fermo.
 diag-sql-handle-missing =
     { $what ->
         [ended] COMMIT o ROLLBACK ha già concluso la transazione con HANDLE { $handle }.
-       *[missing] Nessuna interrogazione ha fornito prima HANDLE { $handle }.
+       *[missing] Nessuna interrogazione ha fornito HANDLE { $handle }.
     }
 diag-subprogram-end-without-label = Questo LBL 0 non termina alcun sottoprogramma.
 diag-subprogram-recursive = Il sottoprogramma { $label } chiama qui sé stesso.
 diag-subprogram-runs-on = Il sottoprogramma { $label } prosegue nel sottoprogramma { $next }: tra i due non c’è LBL 0.
-diag-subprogram-without-end = Il sottoprogramma { $label } arriva alla fine del programma senza LBL 0.
+diag-subprogram-without-end = Il sottoprogramma { $label } prosegue fino alla fine del programma senza LBL 0.
 diag-tcpm-left-on =
     { $what ->
         [tool] Qui si chiama un utensile con M128 o FUNCTION TCPM attivo.
@@ -311,51 +311,51 @@ diag-tcpm-left-on =
     }
 diag-text-for-number =
     { $what ->
-        [text] { $parameter } accetta un numero, e questo è un testo.
-        [number] { $parameter } accetta un testo, e questo è un numero.
-       *[calculation] Questo è un testo; non ci si può calcolare.
+        [text] { $parameter } accetta un numero, ma questo è un testo.
+        [number] { $parameter } accetta un testo, ma questo è un numero.
+       *[calculation] Nei calcoli non si possono usare testi.
     }
 diag-text-wrong =
     { $what ->
         [empty] Il testo di { $parameter } è vuoto.
         [alone] «{ $found }» nel testo di { $parameter } non è doppio né precede una lettera.
-       *[character] { $parameter } non ammette «{ $found }».
+       *[character] Il carattere «{ $found }» non è ammesso in { $parameter }.
     }
-diag-tool-axis-missing = Questa chiamata utensile non indica l’asse utensile, e nessuno è stato indicato prima.
+diag-tool-axis-missing = Questa chiamata utensile non ha l’asse utensile, e nessuna chiamata precedente lo ha indicato.
 diag-tool-axis-other =
     { $what ->
-        [pattern] PATTERN DEF lavora solo con l’asse utensile { $axis }, e qui ne è attivo un altro.
-       *[blank] Il grezzo indica l’asse utensile { $axis }, che nessun utensile del programma ha.
+        [pattern] PATTERN DEF lavora solo con l’asse utensile { $axis }, ma qui ne è attivo un altro.
+       *[blank] Il grezzo ha l’asse utensile { $axis }, ma nessun utensile del programma lo ha.
     }
 diag-tool-definition-wrong =
     { $what ->
         [zero] L’utensile 0 significa nessun utensile e non si può definire.
-        [twice] L’utensile { $tool } è già definito prima con altre misure.
+        [twice] L’utensile { $tool } è già stato definito con altre dimensioni.
        *[after-call] L’utensile { $tool } viene definito qui, ma è già stato chiamato.
     }
-diag-tool-feed-missing = Qui si prende l’avanzamento della chiamata utensile, che non ne ha.
-diag-tool-missing = Qui un ciclo esegue movimenti, ma prima nessuna chiamata utensile ha indicato l’asse utensile.
+diag-tool-feed-missing = Qui si usa l’avanzamento della chiamata utensile, ma la chiamata non ne ha.
+diag-tool-missing = Qui un ciclo esegue movimenti, ma nessuna chiamata utensile ha indicato l’asse utensile.
 diag-tool-not-listed = La tabella utensili non contiene l’utensile { $tool }.
 diag-wrong-tool-type =
     { $what ->
         [probe] { $cycle } tasta qui con l’utensile che ha appena lavorato.
        *[mill] { $cycle } lavora qui con l’utensile che ha appena tastato.
     }
-diag-tool-unused = L’utensile { $tool } viene chiamato qui e subito cambiato con un altro.
+diag-tool-unused = L’utensile { $tool } viene chiamato qui, e il blocco successivo ne chiama un altro.
 diag-transfer-parameter-overwritten =
     { $what ->
-        [passed] { $cycle } ha letto { $parameter } alla definizione: ciò che si scrive qui non modifica la sua chiamata.
-        [filled] { $cycle } riempie quattro parametri a partire da quello indicato qui, e con essi { $parameter }, che il programma ha scritto prima e legge più avanti.
-        [lost] { $cycle } sovrascrive { $parameter } prima che il programma legga ciò che si scrive qui.
+        [passed] { $cycle } ha letto { $parameter } alla definizione: il valore scritto qui non influisce sulla sua chiamata.
+        [filled] { $cycle } riempie quattro parametri a partire da quello indicato qui, e sovrascrive { $parameter }, che il programma ha scritto prima e legge più avanti.
+        [lost] { $cycle } sovrascrive { $parameter } prima che il programma legga il valore scritto qui.
        *[call] { $parameter } appartiene a { $cycle }, che viene chiamato più avanti: la chiamata usa il valore scritto qui.
     }
 diag-transformation-forbidden =
-    { $cycle } sta qui benché { $what ->
+    { $cycle } viene usato qui benché { $what ->
         [datum-shift] sia attivo uno spostamento origine
         [rotation] sia attiva una rotazione
         [tcpm] sia attiva M128 o FUNCTION TCPM
         [other-axis] l’asse utensile non sia Z
-        [turning] sia attivo il modo di tornitura (FUNCTION MODE TURN)
+        [turning] il controllo sia nel modo tornitura (FUNCTION MODE TURN)
        *[tilting] il piano di lavoro sia ruotato
     }: il manuale lo vieta.
 diag-transformation-left-on =
@@ -370,39 +370,39 @@ diag-turning-feed-unit =
         [revolution] { $parameter }={ $value } è qui un avanzamento al giro, perché M136 è attivo.
        *[minute] { $parameter }={ $value } è qui un avanzamento al minuto, perché M136 non è attivo.
     }
-diag-turning-system-missing = Qui viene chiamato { $cycle }, ma dopo la chiamata utensile { $aligning } non è stato definito.
+diag-turning-system-missing = Qui viene chiamato { $cycle }, ma { $aligning } non è stato definito dopo la chiamata utensile.
 diag-two-signs = Davanti al numero ci sono due segni; vengono letti come { $right }.
 diag-unknown-cycle =
     { $name ->
-        [none] { $cycle } è un ciclo di cui nessun manuale qui considerato parla.
+        [none] Nessun manuale noto a Ciklo cita { $cycle }.
        *[other] { $cycle } ({ $name }) è un ciclo dei primi controlli: viene ancora eseguito, ma i suoi valori non vengono verificati.
     }
 diag-unknown-parameter = Su questo controllo { $cycle } non ha il parametro { $parameter }.
 diag-differs-from-other-control =
     { $what ->
-        [missing] { $cycle } ha sul { $control } il parametro { $parameter }, che qui manca.
-        [value] Il { $control } rifiuta il valore { $parameter }={ $value } in { $cycle }.
+        [missing] { $cycle } ha sul { $control } il parametro { $parameter }, ma qui manca.
+        [value] Il { $control } non accetta { $parameter }={ $value } in { $cycle }.
         [twice] { $parameter } compare due volte in { $cycle }.
         [foreign] { $cycle } sul { $control } non ha il parametro { $parameter }.
-        [order] { $parameter } segue { $before }; in { $cycle } sul { $control } lo precede.
+        [order] { $parameter } segue { $before }, ma in { $cycle } sul { $control } lo precede.
         [label] «{ $label }» in { $cycle } sul { $control } appartiene a { $other }, non a { $parameter }.
         [doubt] { $cycle } è dubbio: { $message }
-        [alone] { $parameter }={ $value } in { $cycle } è un valore che nessun ciclo con questo parametro ammette.
-       *[guard] Il { $control } rifiuta { $cycle }: { $message }
+        [alone] Nessun ciclo con questo parametro accetta { $parameter }={ $value }, come in { $cycle }.
+       *[guard] Il { $control } rifiuterebbe { $cycle }: { $message }
     }
 diag-unreachable =
     { $part ->
         [label] Nulla conduce a questo label.
-       *[block] L’esecuzione non arriva mai a questo blocco.
+       *[block] Questo blocco non viene mai eseguito.
     }
-diag-meaningless-value = Il valore qui è { $value }, che non ha senso.
+diag-meaningless-value = Il valore { $value } qui non è possibile.
 diag-word-missing = In questo blocco manca { $word }.
 diag-word-twice = { $word } compare due volte in questo blocco.
 diag-word-wrong =
     { $what ->
-        [below] { $word } vale { $value }: troppo poco.
-        [above] { $word } vale { $value }: troppo.
-        [whole] { $word } vale { $value }, ma ammette solo numeri interi.
+        [below] { $word } vale { $value }: è troppo piccolo.
+        [above] { $word } vale { $value }: è troppo grande.
+        [whole] { $word } vale { $value }, ma deve essere un numero intero.
         [offers] Dopo { $word } deve trovarsi una di queste parole: { $value }.
         [contradict] { $word } e { $value } si escludono a vicenda.
         [zero] { $word } non possono essere tutti 0.
@@ -411,12 +411,12 @@ diag-word-wrong =
         [empty] Il nome è vuoto.
         [value] Dopo { $word } manca il valore.
         [place] { $word } non è ammesso in questo blocco.
-        [line] I tre punti giacciono su una retta e non definiscono alcun piano.
-        [parallel] I due vettori sono paralleli e non definiscono alcun piano.
+        [line] I tre punti si trovano su una retta e non determinano un piano.
+        [parallel] I due vettori sono paralleli e non determinano un piano.
         [number] Il testo di { $word } non è un numero: «{ $value }».
         [beyond] { $word } vale { $value }, oltre la fine del testo.
         [file] { $value } non è un file { $word }.
-       *[tool] { $value } non è un numero di utensile: dopo il punto c’è una cifra sola.
+       *[tool] { $value } non è un numero di utensile: dopo il punto è ammessa una sola cifra.
     }
 diag-wrong-value-kind =
     Il parametro { $parameter } di { $cycle } accetta { $kind ->

@@ -2,8 +2,8 @@
 
 diag-locale-encoding = Questo file non è in UTF-8.
 diag-locale-tag = Il nome della cartella «{ $tag }» non è un codice di lingua.
-diag-locale-nesting = Le parentesi graffe superano { $most } livelli; il file viene ignorato.
-diag-locale-long-number = Un numero ha più di { $most } cifre di seguito; il file viene ignorato.
+diag-locale-nesting = Le parentesi graffe superano { $most } livelli; il file non viene letto.
+diag-locale-long-number = Un numero ha più di { $most } cifre di seguito; il file non viene letto.
 diag-locale-syntax =
     Questo non è Fluent: { $kind ->
         [expected-token] qui è atteso «{ $detail }»
@@ -31,7 +31,7 @@ diag-locale-unit-form = «{ $key }» non è un modello: un’unità ha testo e u
 diag-locale-unknown-reference = «{ $name }» non esiste.
 diag-locale-unknown-function = La funzione «{ $name }» non esiste.
 diag-locale-function-option = «{ $name }: { $value }» non è un’opzione di { $function }.
-diag-locale-function-arguments = { $function } è richiamata con un numero errato di valori.
+diag-locale-function-arguments = { $function } ha un numero errato di valori.
 diag-locale-unknown-unit = L’unità «{ $name }» non esiste: il file units.ftl non ha un messaggio per essa.
 diag-locale-term-argument = Il termine «-{ $term }» non usa «{ $name }».
 diag-locale-term-value = Il termine «-{ $term }» non ha la forma «{ $value }» per «{ $name }».
@@ -42,9 +42,9 @@ diag-locale-missing-text = La lingua «{ $language }» non ha il testo «{ $key 
         [none] {""}.
        *[other] ; il suo posto è in { $file }.
     }
-diag-locale-missing-argument = Il testo «{ $key }» ({ $language }) usa «{ $name }», che non gli viene fornito.
+diag-locale-missing-argument = Il testo «{ $key }» ({ $language }) usa «{ $name }», che qui non è disponibile.
 diag-locale-function-failed =
-    Nel testo «{ $key }» ({ $language }) non è possibile eseguire { $name }: { $reason ->
+    Nel testo «{ $key }» ({ $language }) non è possibile applicare { $name }: { $reason ->
         [not-a-number] il valore non è un numero
         [not-finite] il numero non è finito
         [no-unit] manca l’unità
@@ -55,7 +55,7 @@ diag-locale-function-failed =
 diag-locale-too-long = Il testo «{ $key }» ({ $language }) ha troppi segnaposto.
 diag-locale-lock-line = Una riga di questo file ha un identificatore e otto cifre esadecimali.
 diag-locale-missing-translation = «{ $key }» non è tradotto nella lingua «{ $language }».
-diag-locale-orphan = «{ $key }» ({ $language }) non traduce nulla: il testo inglese non c’è più.
+diag-locale-orphan = «{ $key }» ({ $language }) è superfluo: il testo inglese non esiste più.
 diag-locale-stale =
     { $change ->
         [none] Il testo inglese di «{ $key }» è cambiato dopo la traduzione nella lingua «{ $language }».

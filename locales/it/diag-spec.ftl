@@ -2,15 +2,15 @@
 
 diag-spec-both-forms = Il ciclo ha parametri e righe nel vecchio formato; può essere scritto in una sola forma.
 diag-spec-case-incomplete = Il caso { $name } richiede una scena e un risultato atteso, oppure un motivo per saltarlo.
-diag-spec-case-never-reached = Questo caso non viene mai raggiunto: uno precedente copre tutto ciò che coprirebbe.
+diag-spec-case-never-reached = Questo caso non viene mai raggiunto: un caso precedente vale ogni volta che vale questo.
 diag-spec-case-proves-nothing = Il caso { $name } non indica che cosa dimostra.
-diag-spec-duplicate-choice = La scelta { $value } è offerta due volte.
+diag-spec-duplicate-choice = La scelta { $value } è presente due volte.
 diag-spec-duplicate-cycle = { $cycle } ({ $name }) è descritto due volte per un controllo numerico.
 diag-spec-duplicate-key = La chiave { $key } è presente due volte.
 diag-spec-duplicate-name = Il nome { $name } è presente due volte.
 diag-spec-duplicate-parameter = { $q } è presente due volte nel ciclo.
-diag-spec-empty-range = Il campo di immissione è vuoto: { $min } è maggiore di { $max }.
-diag-spec-example-out-of-range = Il valore di esempio { $value } di { $name } non è ammesso per il parametro.
+diag-spec-empty-range = Il campo di immissione è vuoto: { $min } non è inferiore a { $max }.
+diag-spec-example-out-of-range = Il parametro { $name } non accetta il proprio valore di esempio { $value }.
 diag-spec-expected = Atteso: { $expected ->
         [mapping] chiavi con valori
         [list] un elenco
@@ -28,14 +28,14 @@ diag-spec-expected = Atteso: { $expected ->
        *[other] { $expected }
     }, trovato: { $found }.
 diag-spec-expression = Non è un’espressione; atteso: { $expected }, trovato: «{ $found }».
-diag-spec-foreign-manual = Il manuale { $manual } non è un manuale del controllo { $control }.
+diag-spec-foreign-manual = Il manuale { $manual } non appartiene al controllo { $control }.
 diag-spec-guard-keys = Una verifica richiede code, when e then, oppure indica un frammento con use.
 diag-spec-id-form = L’identificatore { $name } non è in kebab case.
 diag-spec-lines-form = Le righe «{ $lines }» non sono numeri o intervalli in ordine.
 diag-spec-missing-key = Manca la chiave { $key }.
 diag-spec-no-example = { $name } non ha un valore di esempio.
 diag-spec-no-parameters = Il ciclo non ha né parametri né righe nel vecchio formato.
-diag-spec-no-source = Per questo controllo numerico non sono indicate righe di un manuale.
+diag-spec-no-source = Per questo controllo numerico manca il punto di un manuale.
 diag-spec-no-steps = L’esecuzione non ha passi.
 diag-spec-note-without-section = { $note } non ha una sezione in pages.yaml: aggiungerlo alla sezione adatta.
 diag-spec-only-and-except = Una voce può avere solo only oppure except, non entrambi.
@@ -52,19 +52,19 @@ diag-spec-run-item = La voce dell’esecuzione non è ben formata: { $reason ->
 }
 diag-spec-text-parameter = { $name }: un parametro QS accetta un testo, e solo un parametro QS lo accetta.
 diag-spec-unknown-condition = Non esiste una condizione di nome { $name }.
-diag-spec-unknown-control = Non esiste un controllo numerico di nome { $control }; esistono: { $known }.
-diag-spec-unknown-cycle = Il controllo { $control } non conosce { $cycle }.
+diag-spec-unknown-control = Non esiste un controllo numerico di nome { $control }; i controlli sono { $known }.
+diag-spec-unknown-cycle = Il controllo { $control } non ha { $cycle }.
 diag-spec-unknown-cycle-name = Nessun ciclo di questo controllo numerico si chiama { $name }.
 diag-spec-unknown-datum = Il controllo { $control } non ha un dato macchina di nome { $name }.
 diag-spec-unknown-form = Il ciclo non ha una forma di nome { $name }.
 diag-spec-unknown-fragment = Non esiste un frammento di nome { $name }.
-diag-spec-unknown-key = La chiave { $key } non ha significato in questo punto; chiavi note: { $known }.
+diag-spec-unknown-key = La chiave { $key } non è possibile in questo punto; chiavi possibili: { $known }.
 diag-spec-unknown-meaning = Il dizionario non ha un parametro di nome { $name }.
 diag-spec-unknown-option = Il controllo { $control } non ha l’opzione software { $option }.
 diag-spec-unknown-parameter = { $cycle } non ha il parametro { $name }.
 diag-spec-unknown-topic = Non esiste l’argomento { $topic }.
 diag-spec-unused = { $name } non è utilizzato.
-diag-spec-word-shape = { $name }: la forma word richiede la chiave word, che nessun’altra forma accetta.
+diag-spec-word-shape = { $name }: la forma word richiede la chiave word, che nessun’altra forma può avere.
 diag-spec-yaml-feature = { $feature ->
     [anchor] Nelle specifiche non si utilizzano ancore e tag.
     [alias] Nelle specifiche non si utilizzano alias.
@@ -78,7 +78,7 @@ related-first-place = la prima occorrenza è qui
 related-other-place = l’altro è qui
 related-defined-here = è definito qui
 related-written-over-here = sovrascritto qui
-related-for-this-control = viene scritto per questo controllo
+related-for-this-control = necessario per questo controllo
 diag-spec-measure = In { $cycle } { $reason ->
         [different-quantities] vengono sommate o confrontate due grandezze di natura diversa
         [coordinates-added] vengono sommate due coordinate

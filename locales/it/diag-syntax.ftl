@@ -31,8 +31,8 @@ syntax-expected =
         [closing-bracket] una parentesi chiusa
         [known-function] una funzione del linguaggio delle formule
         [character] un carattere del linguaggio delle formule
-        [arguments] un altro numero di argomenti
-        [in-spec-only] solo operazioni aritmetiche, perché qui i programmi non ammettono confronti
+        [arguments] un numero diverso di argomenti
+        [in-spec-only] solo operazioni aritmetiche; qui un programma non può fare confronti
         [block-word] una parola di questo blocco
         [approach] LT, LN, CT, LCT, PLT, PLN, PCT o PLCT
         [plane-form] SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL o RESET
@@ -49,12 +49,12 @@ diag-syntax-unexpected = «{ $found }» non può stare qui; previsto: { syntax-e
 diag-syntax-incomplete = Il blocco è incompleto; previsto: { syntax-expected }.
 diag-syntax-unclosed-text = Al testo mancano le virgolette di chiusura: { $found }
 diag-syntax-formula = «{ $found }» non può stare in questo punto della formula; previsto: { syntax-expected }.
-diag-syntax-text-after-tab = «{ $found }» segue una tabulazione e non appartiene ad alcun blocco; il controllo lo rifiuterebbe. I commenti iniziano con un punto e virgola.
-diag-syntax-dangling-continuation = Il carattere ~ annuncia una riga successiva, ma non ne segue alcuna che appartenga a questo blocco.
-diag-syntax-foreign-line = «{ $found }» non è un blocco di questo linguaggio; il controllo lo rifiuterebbe. I commenti iniziano con un punto e virgola.
-diag-syntax-spelling = «{ $found }» sui controlli si scrive { syntax-expected }.
-diag-syntax-undescribed = «{ $found }» non compare in nessun manuale di questa famiglia di controlli; non è noto se un controllo lo accetti.
+diag-syntax-text-after-tab = «{ $found }» segue una tabulazione e non appartiene a un blocco; un controllo lo rifiuterebbe. I commenti iniziano con un punto e virgola.
+diag-syntax-dangling-continuation = Il carattere ~ dice che il blocco prosegue, ma non segue alcuna riga che gli appartenga.
+diag-syntax-foreign-line = «{ $found }» non è un blocco di questo linguaggio; un controllo lo rifiuterebbe. I commenti iniziano con un punto e virgola.
+diag-syntax-spelling = I controlli non scrivono «{ $found }», ma: { syntax-expected }.
+diag-syntax-undescribed = «{ $found }» non è descritto in alcun manuale di questa famiglia di controlli; non è noto se un controllo lo accetti.
 diag-syntax-refused-block = Un controllo non è riuscito a leggere questo blocco: { $found }
 diag-syntax-excluding-codes = «{ $found }» e un altro codice di questo blocco si escludono a vicenda.
-diag-syntax-bracket-comment = Il testo tra parentesi non è un commento su questi controlli: i commenti stanno dopo un punto e virgola.
-diag-syntax-doubled-continuation = Qui c'è un secondo carattere ~: ne basta uno per collegare la riga successiva.
+diag-syntax-bracket-comment = Il testo tra parentesi non è un commento su questi controlli: i commenti iniziano con un punto e virgola.
+diag-syntax-doubled-continuation = Qui c’è un secondo carattere ~; ne basta uno per proseguire il blocco nella riga successiva.

@@ -10,27 +10,27 @@ diag-scene-expected =
         [two-numbers] Qui sono previsti due numeri, non «{ $found }».
         [three-numbers] Qui sono previsti tre numeri, non «{ $found }».
         [row-number] Qui è previsto il numero di una riga della tabella, non «{ $found }».
-        [unit] L’unità di misura è mm o inch, non «{ $found }».
+        [unit] L’unità di misura deve essere mm o inch, non «{ $found }».
         [clock] Qui sono previste data e ora, ad esempio 2015-07-03T14:05:00, non «{ $found }».
-        [datum-file] Il nome di una tabella origini termina con .D.
+        [datum-file] Il nome di una tabella origini deve terminare con .D.
         [rotary-axis] Qui è prevista la lettera di un asse rotativo (A, B o C), non «{ $found }».
         [carried] Un asse rotativo porta il pezzo (workpiece) o l’utensile (tool), non «{ $found }».
-        [orientation] L’orientamento è fixed, two o any, non «{ $found }».
+        [orientation] L’orientamento deve essere fixed, two o any, non «{ $found }».
         [shaft] Il gambo dello stilo deve essere più sottile della sfera; il suo diametro è { $found }.
         [measurements] Sono possibili 1, 2 o 3 misurazioni, non «{ $found }».
        *[solids] Qui è previsto almeno un solido.
     }
-diag-scene-unknown-key = La chiave { $key } non ha significato in questo punto; chiavi note: { $known }.
+diag-scene-unknown-key = La chiave { $key } non è possibile in questo punto; chiavi possibili: { $known }.
 diag-scene-missing-key = Manca la chiave { $key }.
 diag-scene-not-positive = Il valore deve essere maggiore di zero, non { $found }.
-diag-scene-version = Questa versione del formato del file non è nota; versione nota: { $known }.
-diag-scene-repeated = { $found } è indicato due volte.
+diag-scene-version = Questa versione del formato del file non è supportata; versione supportata: { $known }.
+diag-scene-repeated = { $found } è definito due volte.
 diag-scene-min-max = Ogni valore minimo deve essere inferiore al rispettivo massimo.
 diag-scene-no-length = La lunghezza è nulla.
-diag-scene-one-solid = Qui è ammesso esattamente un solido: { $known }.
-diag-scene-unknown-machine = Non esiste alcuna macchina di nome { $name }; macchine note: { $known }.
+diag-scene-one-solid = Qui è previsto esattamente un solido: { $known }.
+diag-scene-unknown-machine = Non esiste alcuna macchina di nome { $name }; le macchine sono { $known }.
 diag-scene-no-axis = La macchina non ha un asse { $axis }.
-diag-scene-start-outside = Il punto di partenza è fuori dal campo di traslazione dell’asse { $axis }: { $found } { $unit } non è compreso tra { $min } e { $max } { $unit }.
+diag-scene-start-outside = La posizione di partenza è fuori dal campo di traslazione dell’asse { $axis }: { $found } { $unit } non è compreso tra { $min } e { $max } { $unit }.
 
 diag-solid-not-finite = Una quota non è un numero finito e positivo.
 diag-solid-too-many = La forma ha troppe superfici: la ricerca degli spigoli richiederebbe troppo tempo. Omettere ciò a cui non si avvicina nessun utensile né tastatore.
@@ -41,7 +41,7 @@ diag-solid-helix-unsupported = La sfera del tastatore può toccare il pezzo dura
 diag-table-no-header = La tabella deve iniziare con una riga contenente "BEGIN", il nome di un file { $extension } e l’unità di misura.
 diag-table-no-heading = La seconda riga deve contenere i nomi delle colonne, tra cui { $column }.
 diag-table-no-end = Manca la riga [END].
-diag-table-not-described = Nessun manuale descrive tabelle di questo tipo: se ne controlla solo la cornice.
+diag-table-not-described = I manuali non descrivono tabelle di questo tipo: si verificano solo l’inizio e la fine.
 diag-table-no-row-number = La riga non ha numero: «{ $found }».
 diag-table-duplicate-row = La riga { $row } è presente due volte.
 diag-table-bad-number = { $file }, riga { $row }, colonna { $column }: «{ $found }» non è un numero.
@@ -49,33 +49,33 @@ diag-table-missing = La tabella { $file } non esiste.
 diag-table-no-row = La tabella { $file } non contiene la riga { $row }.
 diag-table-no-column = La tabella { $file } non contiene la colonna { $column }.
 diag-table-too-wide = { $file }, riga { $row }: il valore è troppo lungo per la colonna { $column }.
-diag-table-text-in-numbers = { $file }, riga { $row }: nella colonna { $column } sono ammessi solo numeri.
+diag-table-text-in-numbers = { $file }, riga { $row }: la colonna { $column } accetta solo numeri.
 diag-table-key-column = { $file }, riga { $row }: il numero di riga nella colonna { $column } non può essere modificato.
 diag-table-duplicate-column = La colonna { $column } compare due volte.
 diag-table-unknown-column =
     { $count ->
-        [one] Nessun manuale descrive la colonna { $column }: le sue celle non vengono controllate.
-       *[other] Nessun manuale descrive le colonne { $column }: le loro celle non vengono controllate.
+        [one] I manuali non descrivono la colonna { $column }: le sue celle non vengono verificate.
+       *[other] I manuali non descrivono le colonne { $column }: le loro celle non vengono verificate.
     }
 diag-table-doubtful =
     { $what ->
-        [unit] La prima riga non indica l’unità di misura MM o INCH.
+        [unit] La prima riga non contiene né MM né INCH.
         [kind] La prima riga nomina un file { $found }, mentre questo è un file { $column }.
         [column] Manca la colonna { $column }.
         [order] La riga { $row } segue la riga { $found }.
-        [after-end] Ciò che segue [END] non viene letto.
+        [after-end] Le righe dopo [END] non vengono lette.
         [astride] Riga { $row }: il numero della colonna { $column } prosegue nella colonna { $found }.
         [empty] Riga { $row }: la colonna { $column } è vuota.
         [corner] Riga { $row }: R2 è maggiore di R.
-        [same] La riga { $row } è lo stesso punto della riga { $found }.
-        [zero] L’utensile 0 significa nessun utensile; il suo { $column } è 0.
+        [same] La riga { $row } contiene lo stesso punto della riga { $found }.
+        [zero] L’utensile 0 significa che non è chiamato alcun utensile; il suo { $column } dovrebbe essere 0.
         [less] Nella riga { $row }, { $column } è inferiore a { $found }.
-       *[value] Riga { $row }: «{ $found }» difficilmente è voluto nella colonna { $column }.
+       *[value] Riga { $row }: «{ $found }» nella colonna { $column } è probabilmente un errore.
     }
 diag-table-value-not-allowed = Riga { $row }: la colonna { $column } non accetta «{ $found }».
 diag-stock-blank = Gli spigoli di BLK FORM devono essere numeri e ogni minimo deve essere inferiore al suo massimo.
 diag-stock-extent = Il pezzo grezzo è troppo grande: si estende oltre { $limit } mm dalla sua origine.
-diag-stock-form = BLK FORM { $word } non è descritto nei manuali: indicare il pezzo grezzo nella scena, oppure un parallelepipedo con BLK FORM 0.1 e 0.2.
-diag-stock-missing = Manca il pezzo grezzo: non lo contengono né la scena né il programma con un BLK FORM.
+diag-stock-form = I manuali non descrivono BLK FORM { $word }: definire il pezzo grezzo nella scena, oppure un parallelepipedo con BLK FORM 0.1 e 0.2.
+diag-stock-missing = Manca il pezzo grezzo: la scena non ha stock e il programma non ha BLK FORM.
 diag-stock-resolution = { $found } non può essere la distanza tra le colonne del pezzo grezzo: deve essere maggiore di zero e le colonne possono essere al massimo 10 milioni.
-diag-stock-resolution-mesh = Il pezzo ha più triangoli di quanti ne può contenere un file STL; è utile una distanza maggiore tra le colonne.
+diag-stock-resolution-mesh = Il pezzo ha più triangoli di quanti ne può contenere un file STL; scegliere una distanza maggiore tra le colonne.

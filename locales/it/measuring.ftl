@@ -88,7 +88,7 @@ result-position-tool-deviation = Scostamento misurato asse utensile
 result-deviation-3d = Scostamento 3D misurato; minore di 0: sottomisura, maggiore di 0: sovramisura
 result-workpiece-status = Stato del pezzo: −1 = non definito, 0 = buono, 1 = ripresa, 2 = scarto
 guard-zero-normal-vector = Tutte le componenti del vettore normale sono 0.
-guard-rotary-axes-askew = Le posizioni degli assi rotativi non corrispondono agli angoli di rotazione del piano di lavoro.
+guard-rotary-axes-askew = Le posizioni degli assi rotativi non concordano con gli angoli di rotazione del piano di lavoro.
 guard-mill-mode-only = Il ciclo può essere eseguito solo nel modo FUNCTION MODE MILL.
 guard-surface-below-nominal = Il punto si trova al di sotto della coordinata nominale ed è fuori tolleranza.
 note-function-must-be-enabled = Questa funzione deve essere abilitata e adattata dal costruttore della macchina. Consultare il manuale della macchina.

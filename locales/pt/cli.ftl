@@ -1,7 +1,7 @@
 # A linha de comandos: ajuda, mensagens e observações sobre ficheiros e palavras.
 
 cli-about = Especificações de ciclos CNC como diálogos, frases NC, manuais, verificação e execução de programas
-cli-explain-more = «ciklo explain { $code }» diz o que significa uma mensagem e o que fazer.
+cli-explain-more = «ciklo explain { $code }» explica uma indicação e o que fazer.
 cli-heading-usage = Utilização:
 cli-heading-commands = Comandos
 cli-heading-arguments = Argumentos
@@ -9,43 +9,43 @@ cli-heading-options = Opções
 cli-heading-examples = Exemplos:
 
 cli-build = Escreve os manuais, os diálogos e as tabelas de designações
-cli-build-out = Pasta a escrever; é substituída quando tudo estiver completo (predefinição: out)
+cli-build-out = Pasta a escrever; só é substituída quando tudo estiver completo (predefinição: out)
 cli-build-control = Só este comando numérico; pode repetir-se
 cli-build-lang = Só este idioma; pode repetir-se
 cli-build-base-url = Endereço que o site terá: acrescenta endereços canónicos, um mapa do site e ligações absolutas em 404.html
 cli-schema = Mostra o esquema JSON das especificações
 cli-lint = Indica tudo o que está errado nas especificações e nos idiomas
 cli-lint-accept = Aceita as traduções novas ou alteradas desde a última aceitação
-cli-coverage = Mostra o que está completo, em falta, desatualizado, pendente ou por executar
+cli-coverage = Mostra o que está completo, em falta, desatualizado, não implementado e não testado
 cli-dialog = Mostra o diálogo de um ciclo
 cli-block = Escreve a frase NC de um ciclo
-cli-block-values = Número do ciclo e valores dos parâmetros, por exemplo Q321=50; os outros têm os do exemplo do manual
+cli-block-values = Número do ciclo e valores de parâmetros, por exemplo Q321=50; os outros têm os valores do exemplo do manual
 cli-block-number = Número da primeira frase (predefinição: o do exemplo do manual)
-cli-block-form = Forma de um ciclo antigo que tenha várias
+cli-block-form = Forma do ciclo, nos ciclos antigos que têm várias
 cli-block-without = Campo opcional a omitir; pode repetir-se
-cli-parse = Decompõe um programa em frases, como JSON
-cli-parse-print = Volta a mostrar o programa, igual byte a byte
+cli-parse = Divide um programa em frases, como JSON
+cli-parse-print = Escreve o programa inalterado, byte a byte
 cli-check = Verifica programas para um comando numérico
-cli-check-lang = Idioma das designações dos programas (predefinição: deduzido delas)
-cli-explain = Explica o código de uma observação
-cli-explain-code = O código; sem ele, são indicados todos
+cli-check-lang = Idioma das designações nos programas (predefinição: reconhecido)
+cli-explain = Explica o código de uma indicação
+cli-explain-code = O código; sem ele, são apresentados todos os códigos
 cli-explain-renamed = O código «{ $old }» chama-se agora «{ $code }».
 cli-translate = Escreve um programa com os nomes e designações de outro idioma; nada mais muda
 cli-translate-to = Idioma dos nomes e designações
-cli-translate-control = Comando numérico do programa (predefinição: aquele cujos ciclos contém)
+cli-translate-control = Comando numérico do programa (predefinição: reconhecido pelos ciclos)
 cli-translate-out = Ficheiro a escrever (predefinição: saída padrão)
 cli-run = Executa um programa num cenário
-cli-run-tool-table = Tabela de ferramentas a usar em vez da do cenário
+cli-run-tool-table = Tabela de ferramentas a utilizar em vez da que está na cena
 cli-run-out = Pasta para as tabelas e os registos que o programa escreve
 cli-run-events = Mostra cada evento como uma linha JSON
-cli-run-skip-blocks = Omite as frases que começam por /
+cli-run-skip-blocks = Salta as frases que começam por /
 cli-run-lang = Idioma dos registos (predefinição: o das designações do programa NC, ou então o dos textos do próprio programa)
 cli-run-envelope = Mostrar, em vez dos resultados, o que cada ciclo de apalpação faria no pior dos casos
 cli-conform = Executa os exemplos das especificações
-cli-conform-engine = Submeter os exemplos a outro motor, um comando que fala o protocolo de docs/conform-protocol.md
-cli-conform-time-limit = Quanto tempo pode demorar um caso (predefinição: 10)
-cli-conform-serve = Responder aos pedidos desse protocolo da entrada padrão
-cli-export = Mostra todos os ciclos de um comando numérico num idioma, como JSON
+cli-conform-engine = Executa os exemplos com outro motor de execução, um programa que utiliza o protocolo de docs/conform-protocol.md
+cli-conform-time-limit = Tempo máximo para um caso, em segundos (predefinição: 10)
+cli-conform-serve = Responde a pedidos deste protocolo vindos da entrada padrão
+cli-export = Escreve todos os ciclos de um comando numérico num só idioma, como JSON
 
 cli-arg-cycle = Número do ciclo, por exemplo 412 ou TCH PROBE 412
 cli-arg-file = Programa NC; «-» lê a entrada padrão
@@ -134,10 +134,10 @@ cli-built = Páginas: { $pages }, ficheiros: { $files }: { $path }
 cli-coverage-control = { $control } ({ $title }): ciclos descritos { $described }, apenas mencionados { $named }
 cli-coverage-complete = completo
 cli-coverage-missing = { $language }: textos em falta { $count } de { $of }: { $ids }
-cli-coverage-stale = { $language }: textos desatualizados { $count } de { $of }: { $ids }
-cli-coverage-pending = Pendente na execução: { $ids }
-cli-coverage-unexecuted = Passos que nenhum exemplo executa: { $count } de { $of }: { $ids }
-cli-coverage-unprovoked = Não provocado por um exemplo: { $ids }
+cli-coverage-stale = { $language }: { $count } de { $of } textos desatualizados: { $ids }
+cli-coverage-pending = Não implementado no motor de execução: { $ids }
+cli-coverage-unexecuted = Passos não executados por nenhum exemplo: { $count } de { $of }: { $ids }
+cli-coverage-unprovoked = Não provocado por nenhum exemplo: { $ids }
 
 cli-translated = { $count ->
         [0] Nenhuma alteração: { $path }
@@ -145,41 +145,41 @@ cli-translated = { $count ->
        *[other] { $count } alterações: { $path }
     }
 cli-run-status = O programa { $status ->
-        [done] chegou ao fim
-        [stopped] parou e ninguém o retomou
-        [limit] atingiu um limite da execução
-        [unsupported] precisa de algo que a execução não suporta
+        [done] foi executado até ao fim
+        [stopped] parou e não foi continuado
+        [limit] atingiu um limite da simulação
+        [unsupported] precisa de uma função que não pode ser simulada
        *[error] terminou com um erro
     }.
 cli-envelope-cycle = Linha { $line }: { $cycle } { $name }
-cli-envelope-still = Não se move.
+cli-envelope-still = Nenhum movimento.
 cli-envelope-lowest = Ponto mais baixo da ponta da haste: { $axis } = { $height } mm
 cli-envelope-highest = Ponto mais alto da ponta da haste: { $axis } = { $height } mm
-cli-envelope-travelled = Alturas das deslocações no plano: { $axis } = { $heights } mm
+cli-envelope-travelled = Alturas dos movimentos no plano de maquinação: { $axis } = { $heights } mm
 cli-envelope-probing = { $count ->
         [one] { $count } apalpação
        *[other] { $count } apalpações
     }, o percurso mais longo { $length } mm
 cli-envelope-near = { $what ->
-        [stock] Peça em bruto
+        [stock] Bloco
        *[part] Corpo { $number }
-    }: distância mínima { $distance } mm, com a ponta em X = { $x }, Y = { $y }, Z = { $z }; a apalpação { $probed ->
-        [yes] pode alcançá-lo
-       *[no] não o alcança
-    }
+    }: distância mínima { $distance } mm, com a ponta em X = { $x }, Y = { $y }, Z = { $z }; { $probed ->
+        [yes] ao alcance
+       *[no] fora do alcance
+    } dos movimentos de apalpação
 cli-envelope-touches = { $what ->
         [stock] Peça em bruto, antes da maquinação: a ponta fica dentro dela,
        *[part] Corpo { $number }: COLISÃO,
     } com a ponta em X = { $x }, Y = { $y }, Z = { $z }
 cli-envelope-near-unknown = { $what ->
-        [stock] Peça em bruto
+        [stock] Bloco
        *[part] Corpo { $number }
-    }: a distância não pode ser calculada; a apalpação { $probed ->
-        [yes] pode alcançá-lo
-       *[no] não o alcança
-    }
+    }: não é possível calcular a distância mínima; { $probed ->
+        [yes] ao alcance
+       *[no] fora do alcance
+    } dos movimentos de apalpação
 cli-envelope-fails = Nesta cena o ciclo termina com o erro { $code }: { $message }
-cli-envelope-none = Nenhum ciclo de apalpação é executado.
+cli-envelope-none = O programa não executa nenhum ciclo de apalpação.
 cli-conform-pass = passou
 cli-conform-fail = FALHOU
 cli-conform-out = não suportado
@@ -190,15 +190,15 @@ cli-conform-summary = Passaram: { $pass }, falharam: { $fail }, não suportados:
 cli-usage-hint = Queria dizer { $suggestion }?
 cli-usage-help = Ver --help.
 
-diag-unknown-software = «{ $found }» não é uma versão de software: é o número que o comando mostra, por exemplo 340590-05.
+diag-unknown-software = «{ $found }» não é uma versão de software: introduza o número que o comando mostra, por exemplo 340590-05.
 diag-usage = { $reason ->
         [no-value] { $subject } precisa de um valor.
-        [invalid-value] «{ $value }» não é um valor para { $subject }.
-        [unknown-argument] O argumento { $subject } não existe.
-        [unknown-command] O comando { $subject } não existe.
+        [invalid-value] «{ $value }» não é um valor válido para { $subject }.
+        [unknown-argument] Não existe o argumento { $subject }.
+        [unknown-command] Não existe o comando { $subject }.
         [no-command] Falta um comando.
         [missing-argument] Falta: { $subject }.
-        [conflict] { $subject } não é compatível com os outros argumentos ou aparece duas vezes.
+        [conflict] { $subject } aparece duas vezes ou não se pode combinar com os outros argumentos.
         [too-many-values] { $subject } tem demasiados valores.
         [not-text] Um argumento não é texto válido.
        *[other] A linha de comandos está errada.
@@ -226,25 +226,25 @@ diag-engine-start = Não é possível iniciar o motor “{ $path }”: { $reason
         [permission] sem permissão
        *[other] { $detail }
     }.
-diag-engine-not-responding = O motor não respondeu a { $silent } casos seguidos e não volta a ser consultado: { $left ->
-        [one] fica de fora { $left } caso.
-       *[other] ficam de fora { $left } casos.
+diag-engine-not-responding = O motor de execução não respondeu a { $silent } casos seguidos, e os restantes não são enviados: { $left ->
+        [one] { $left } caso.
+       *[other] { $left } casos.
     }
-diag-io-foreign-directory = { $path } tem ficheiros que o ciklo não escreveu, por isso não é substituída. Escolha uma pasta vazia ou nova.
+diag-io-foreign-directory = { $path } contém ficheiros que o Ciklo não escreveu, e por isso não é substituída. Escolha uma pasta vazia ou nova.
 diag-not-an-address = «{ $url }» não é um endereço que comece por https:// ou http://.
-diag-data-directory-missing = Em { $path } falta a pasta { $name }.
-diag-no-data = { $path } não tem nenhuma das pastas cycle-specs, locales e templates.
+diag-data-directory-missing = Falta a pasta { $name } em { $path }.
+diag-no-data = { $path } não contém nenhuma das pastas cycle-specs, locales e templates.
 diag-data-encoding = { $path } não está em UTF-8.
 diag-unknown-code = O código «{ $code }» não existe; «ciklo explain» indica todos.
 diag-needs-data = { $option } precisa de uma cópia de trabalho: --data DIR.
-diag-unknown-control = O comando numérico «{ $control }» não existe; disponíveis: { $known }.
-diag-unknown-language = O idioma «{ $language }» não existe; disponíveis: { $known }.
-diag-cycle-name = «{ $cycle }» não é o número de um ciclo: 412 ou "TCH PROBE 412".
+diag-unknown-control = Não existe o comando numérico «{ $control }»; os comandos são { $known }.
+diag-unknown-language = Não existe o idioma «{ $language }»; os idiomas são { $known }.
+diag-cycle-name = «{ $cycle }» não é o número de um ciclo; são válidos, por exemplo, 412 e "TCH PROBE 412".
 diag-cycle-not-here = O comando { $control } não tem o ciclo { $cycle }.
-diag-cycle-ambiguous = O comando { $control } tem dois ciclos { $cycle }: { $keys }.
-diag-cycle-only-named = O manual do comando { $control } apenas menciona { $cycle } ({ $name }), sem o descrever.
-diag-internal = Erro interno do ciklo: { $detail }.
-diag-locale-unknown-suffix = «{ $name }» não é um ciclo nem um comando numérico.
+diag-cycle-ambiguous = O comando { $control } tem dois ciclos com o número { $cycle }: { $keys }.
+diag-cycle-only-named = O manual do comando { $control } só menciona o nome de { $cycle } ({ $name }) e não o descreve.
+diag-internal = Erro interno do Ciklo: { $detail }.
+diag-locale-unknown-suffix = «{ $name }» não é o nome de um ciclo nem um comando numérico.
 diag-not-encodable = O carácter «{ $sign }» não pode ser escrito na codificação deste ficheiro (Windows-1252).
 cli-examples-plot =
     ciklo plot part.h --control tnc640 --out part.svg
@@ -253,24 +253,24 @@ cli-arg-resolution = Distância máxima entre as colunas do bloco, mm (predefini
 cli-plot = Desenhar a trajetória da ferramenta e a peça de um programa em SVG
 cli-plot-out = Ficheiro para o desenho
 cli-plot-view = Direção da vista: top, side, isometric (predefinição)
-cli-run-stock = Ficheiro para a peça acabada (STL); a maquinação é resumida num relatório
+cli-run-stock = Ficheiro para a peça acabada (STL), com um relatório da maquinação
 cli-stock-depth = Maior profundidade de corte: { $value } mm (linha { $line })
 cli-stock-finding = { $program }:{ $line }{ $count ->
         [one] :
        *[other] {" "}({ $count } movimentos):
     } { $kind ->
-        [rapid-in-material] Marcha rápida através de { $amount } mm de material.
-        [spindle-stopped] O cabeçote está parado enquanto a ferramenta atravessa { $amount } mm de material.
-        [edges-too-short] O material é cortado até { $amount } mm acima da ponta, mais do que o comprimento das lâminas.
-        [turns-together] Os eixos rodam enquanto a ferramenta se desloca: não se sabe o que é removido.
-       *[no-radius] A ferramenta { $amount } não tem raio: não se sabe o que remove.
+        [rapid-in-material] Avanço rápido através de { $amount } mm de material.
+        [spindle-stands] O cabeçote não roda enquanto a ferramenta atravessa { $amount } mm de material.
+        [edges-too-short] O material é cortado até { $amount } mm acima da ponta da ferramenta, para lá do comprimento das lâminas.
+        [turns-together] Os eixos rotativos rodam enquanto a ferramenta se desloca: não se conhece o material retirado.
+       *[no-radius] A ferramenta { $amount } não tem raio: não se conhece o material retirado.
     }
-cli-stock-length = Percurso: { $feed } mm em avanço, dos quais { $cut } mm em movimentos que cortam; { $rapid } mm em marcha rápida
+cli-stock-length = Percurso: { $feed } mm em avanço, dos quais { $cut } mm em movimentos que retiram material; { $rapid } mm em avanço rápido
 cli-stock-more = { $count ->
         [one] Mais { $count } observação.
        *[other] Mais { $count } observações.
     }
 cli-stock-rate = Maior taxa de remoção: { $value } mm³/min (linha { $line })
-cli-stock-time = Tempo: { $all } s; { $feed } s em avanço, { $rapid } s em marcha rápida, { $dwell } s de espera
-cli-stock-volume = Volume: removidos { $removed } mm³ de { $blank } mm³
+cli-stock-time = Tempo: { $all } s; { $feed } s em avanço, { $rapid } s em avanço rápido, { $dwell } s de tempo de espera
+cli-stock-volume = Volume: { $removed } mm³ retirados de { $blank } mm³
 cli-stock-width = Maior largura de corte: { $value } mm (linha { $line })

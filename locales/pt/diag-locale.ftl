@@ -2,8 +2,8 @@
 
 diag-locale-encoding = Este ficheiro não está em UTF-8.
 diag-locale-tag = O nome da pasta «{ $tag }» não é um código de idioma.
-diag-locale-nesting = As chavetas ultrapassam { $most } níveis; o ficheiro é ignorado.
-diag-locale-long-number = Um número tem mais de { $most } algarismos seguidos; o ficheiro é ignorado.
+diag-locale-nesting = As chavetas ultrapassam { $most } níveis; o ficheiro não é lido.
+diag-locale-long-number = Um número tem mais de { $most } algarismos seguidos; o ficheiro não é lido.
 diag-locale-syntax =
     Isto não é Fluent: { $kind ->
         [expected-token] espera-se aqui «{ $detail }»
@@ -31,7 +31,7 @@ diag-locale-unit-form = «{ $key }» não é um modelo: uma unidade tem texto e 
 diag-locale-unknown-reference = «{ $name }» não existe.
 diag-locale-unknown-function = A função «{ $name }» não existe.
 diag-locale-function-option = «{ $name }: { $value }» não é uma opção de { $function }.
-diag-locale-function-arguments = { $function } é chamada com um número errado de valores.
+diag-locale-function-arguments = { $function } tem um número errado de valores.
 diag-locale-unknown-unit = A unidade «{ $name }» não existe: o ficheiro units.ftl não tem uma mensagem para ela.
 diag-locale-term-argument = O termo «-{ $term }» não usa «{ $name }».
 diag-locale-term-value = O termo «-{ $term }» não tem a forma «{ $value }» para «{ $name }».
@@ -42,9 +42,9 @@ diag-locale-missing-text = O idioma «{ $language }» não tem o texto «{ $key 
         [none] {""}.
        *[other] ; o seu lugar é em { $file }.
     }
-diag-locale-missing-argument = O texto «{ $key }» ({ $language }) usa «{ $name }», que não lhe é dado.
+diag-locale-missing-argument = O texto «{ $key }» ({ $language }) usa «{ $name }», que aqui não está disponível.
 diag-locale-function-failed =
-    No texto «{ $key }» ({ $language }) não é possível executar { $name }: { $reason ->
+    No texto «{ $key }» ({ $language }) não se pode aplicar { $name }: { $reason ->
         [not-a-number] o valor não é um número
         [not-finite] o número não é finito
         [no-unit] falta a unidade
@@ -55,7 +55,7 @@ diag-locale-function-failed =
 diag-locale-too-long = O texto «{ $key }» ({ $language }) tem demasiados campos.
 diag-locale-lock-line = Uma linha deste ficheiro tem um identificador e oito algarismos hexadecimais.
 diag-locale-missing-translation = «{ $key }» não está traduzido para o idioma «{ $language }».
-diag-locale-orphan = «{ $key }» ({ $language }) não traduz nada: o texto inglês já não existe.
+diag-locale-orphan = «{ $key }» ({ $language }) é um resto: o texto inglês já não existe.
 diag-locale-stale =
     { $change ->
         [none] O texto inglês de «{ $key }» mudou depois da tradução para o idioma «{ $language }».

@@ -2,15 +2,15 @@
 
 diag-spec-both-forms = O ciclo tem parâmetros e linhas do formato antigo; só pode ser escrito num dos formatos.
 diag-spec-case-incomplete = O caso { $name } precisa de um cenário e de um resultado esperado, ou de um motivo para ser omitido.
-diag-spec-case-never-reached = Este caso nunca é alcançado: um anterior abrange tudo o que ele abrangeria.
-diag-spec-case-proves-nothing = O caso { $name } não diz o que prova.
-diag-spec-duplicate-choice = A opção { $value } é oferecida duas vezes.
+diag-spec-case-never-reached = Este caso nunca é alcançado: um caso anterior aplica-se sempre que este se aplica.
+diag-spec-case-proves-nothing = O caso { $name } não indica o que prova.
+diag-spec-duplicate-choice = A opção { $value } aparece duas vezes.
 diag-spec-duplicate-cycle = { $cycle } ({ $name }) está descrito duas vezes para um mesmo comando.
 diag-spec-duplicate-key = A chave { $key } aparece duas vezes.
 diag-spec-duplicate-name = O nome { $name } aparece duas vezes.
 diag-spec-duplicate-parameter = { $q } aparece duas vezes no ciclo.
-diag-spec-empty-range = O campo de introdução está vazio: { $min } é maior do que { $max }.
-diag-spec-example-out-of-range = O valor de exemplo { $value } de { $name } não é admitido pelo parâmetro.
+diag-spec-empty-range = O campo de introdução está vazio: { $min } não é menor do que { $max }.
+diag-spec-example-out-of-range = O parâmetro { $name } não aceita o seu valor de exemplo { $value }.
 diag-spec-expected = Esperado: { $expected ->
         [mapping] chaves com valores
         [list] uma lista
@@ -28,17 +28,17 @@ diag-spec-expected = Esperado: { $expected ->
        *[other] { $expected }
     }, encontrado: { $found }.
 diag-spec-expression = Isto não é uma expressão: esperado: { $expected }, encontrado: «{ $found }».
-diag-spec-foreign-manual = O manual { $manual } não é um manual do comando { $control }.
+diag-spec-foreign-manual = O manual { $manual } não pertence ao comando { $control }.
 diag-spec-guard-keys = Uma verificação precisa de code, when e then, ou indica um fragmento com use.
 diag-spec-id-form = O identificador { $name } não está em minúsculas separadas por hífenes.
 diag-spec-lines-form = As linhas «{ $lines }» não são números ou intervalos por ordem crescente.
 diag-spec-missing-key = Falta a chave { $key }.
 diag-spec-no-example = { $name } não tem valor de exemplo.
 diag-spec-no-parameters = O ciclo não tem parâmetros nem linhas do formato antigo.
-diag-spec-no-source = Não estão indicadas linhas de um manual para este comando.
+diag-spec-no-source = Falta o lugar num manual para este comando.
 diag-spec-no-steps = A execução não tem passos.
 diag-spec-note-without-section = { $note } não tem secção em pages.yaml: acrescente-a à secção adequada.
-diag-spec-only-and-except = Um elemento só pode ter only ou except, não ambos.
+diag-spec-only-and-except = Um elemento pode ter only ou except, não ambos.
 diag-spec-otherwise-last = Um caso sem condições tem de ser o último.
 diag-spec-range-of-text = { $name } não é um número e não pode ter campo de introdução.
 diag-spec-result-target = O resultado { $name } precisa de um parâmetro Q ou de um campo deste ciclo.
@@ -52,19 +52,19 @@ diag-spec-run-item = O elemento da execução não está bem formado: { $reason 
 }
 diag-spec-text-parameter = { $name }: um parâmetro QS aceita um texto, e só um parâmetro QS o aceita.
 diag-spec-unknown-condition = Não existe a condição { $name }.
-diag-spec-unknown-control = Não existe o comando { $control }; existem: { $known }.
-diag-spec-unknown-cycle = O comando { $control } não conhece { $cycle }.
+diag-spec-unknown-control = Não existe o comando { $control }; os comandos são { $known }.
+diag-spec-unknown-cycle = O comando { $control } não tem { $cycle }.
 diag-spec-unknown-cycle-name = Nenhum ciclo deste comando tem o nome { $name }.
 diag-spec-unknown-datum = O comando { $control } não tem nenhum dado de máquina com o nome { $name }.
 diag-spec-unknown-form = O ciclo não tem a forma { $name }.
 diag-spec-unknown-fragment = Não existe o fragmento { $name }.
-diag-spec-unknown-key = A chave { $key } não tem significado aqui; chaves conhecidas: { $known }.
+diag-spec-unknown-key = A chave { $key } não é possível aqui; as chaves possíveis são { $known }.
 diag-spec-unknown-meaning = O dicionário não tem nenhum parâmetro com o nome { $name }.
 diag-spec-unknown-option = O comando { $control } não tem a opção de software { $option }.
 diag-spec-unknown-parameter = { $cycle } não tem o parâmetro { $name }.
 diag-spec-unknown-topic = Não existe o tema { $topic }.
 diag-spec-unused = { $name } não é utilizado.
-diag-spec-word-shape = { $name }: a forma word precisa da chave word, que nenhuma outra forma aceita.
+diag-spec-word-shape = { $name }: a forma word precisa da chave word, que nenhuma outra forma pode ter.
 diag-spec-yaml-feature = { $feature ->
     [anchor] As âncoras e as etiquetas não são utilizadas nas especificações.
     [alias] Os aliases não são utilizados nas especificações.
@@ -77,8 +77,8 @@ diag-spec-yaml-syntax = Isto não é YAML: { $reason }.
 related-first-place = o primeiro está aqui
 related-other-place = o outro está aqui
 related-defined-here = está definido aqui
-related-written-over-here = escrito por cima aqui
-related-for-this-control = é escrito para este comando
+related-written-over-here = foi escrito por cima aqui
+related-for-this-control = necessário para este comando
 diag-spec-measure = Em { $cycle }, { $reason ->
         [different-quantities] somam-se ou comparam-se duas grandezas que não são do mesmo tipo
         [coordinates-added] somam-se duas coordenadas

@@ -9,7 +9,7 @@ syntax-expected =
         [number] um número
         [m-function] uma função M
         [blk-form-part] 0.1, 0.2, CYLINDER, ROTATION ou FILE
-        [tool-word] S, F, DL, DR ou DR2, cada um só uma vez
+        [tool-word] S, F, DL, DR ou DR2, cada um uma só vez
         [tool] um número de ferramenta ou um nome de ferramenta entre aspas
         [value] um número ou um parâmetro Q
         [quotation-mark] as aspas finais
@@ -31,8 +31,8 @@ syntax-expected =
         [closing-bracket] um parêntese final
         [known-function] uma função da linguagem de fórmulas
         [character] um carácter da linguagem de fórmulas
-        [arguments] outro número de argumentos
-        [in-spec-only] apenas operações aritméticas, pois aqui os programas não admitem comparações
+        [arguments] um número diferente de argumentos
+        [in-spec-only] apenas operações aritméticas; um programa não pode comparar aqui
         [block-word] uma palavra desta frase
         [approach] LT, LN, CT, LCT, PLT, PLN, PCT ou PLCT
         [plane-form] SPATIAL, PROJECTED, EULER, VECTOR, POINTS, RELATIV, AXIAL ou RESET
