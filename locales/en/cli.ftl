@@ -167,7 +167,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
        *[other] {" "}({ $count } moves):
     } { $kind ->
         [rapid-in-material] Rapid traverse through { $amount } mm of material.
-        [spindle-stands] The spindle is not turning while the tool moves through { $amount } mm of material.
+        [spindle-stopped] The spindle is not turning while the tool moves through { $amount } mm of material.
         [edges-too-short] Material is cut up to { $amount } mm above the tool tip, beyond the length of the cutting edges.
         [turns-together] Rotary axes turn while the tool moves: the material removed is not known.
        *[no-radius] Tool { $amount } has no radius: the material removed is not known.

@@ -257,7 +257,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
        *[other] {" "}({ $count } movimenti):
     } { $kind ->
         [rapid-in-material] Movimento in rapido attraverso { $amount } mm di materiale.
-        [spindle-stands] Il mandrino è fermo mentre l’utensile attraversa { $amount } mm di materiale.
+        [spindle-stopped] Il mandrino è fermo mentre l’utensile attraversa { $amount } mm di materiale.
         [edges-too-short] Il materiale viene asportato fino a { $amount } mm sopra la punta dell’utensile, oltre la lunghezza dei taglienti.
         [turns-together] Gli assi rotativi ruotano mentre l’utensile si sposta: il materiale asportato non è noto.
        *[no-radius] L’utensile { $amount } non ha raggio: il materiale asportato non è noto.

@@ -260,7 +260,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
        *[other] {" "}({ $count } movimentos):
     } { $kind ->
         [rapid-in-material] Avanço rápido através de { $amount } mm de material.
-        [spindle-stands] O cabeçote não roda enquanto a ferramenta atravessa { $amount } mm de material.
+        [spindle-stopped] O cabeçote não roda enquanto a ferramenta atravessa { $amount } mm de material.
         [edges-too-short] O material é cortado até { $amount } mm acima da ponta da ferramenta, para lá do comprimento das lâminas.
         [turns-together] Os eixos rotativos rodam enquanto a ferramenta se desloca: não se conhece o material retirado.
        *[no-radius] A ferramenta { $amount } não tem raio: não se conhece o material retirado.

@@ -283,7 +283,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
        *[other] {" "}({ $count } premikov):
     } { $kind ->
         [rapid-in-material] Hitri tek skozi { $amount } mm materiala.
-        [spindle-stands] Vreteno miruje, medtem ko se orodje giblje skozi { $amount } mm materiala.
+        [spindle-stopped] Vreteno miruje, medtem ko se orodje giblje skozi { $amount } mm materiala.
         [edges-too-short] Material se reže do { $amount } mm nad konico orodja, kar je več, kot so dolga rezila.
         [turns-together] Rotacijske osi se med premikanjem orodja vrtijo: odvzeti material ni znan.
        *[no-radius] Orodje { $amount } nima polmera: odvzeti material ni znan.
