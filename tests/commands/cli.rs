@@ -392,7 +392,7 @@ fn labels_are_mended_where_they_stand() {
     let words = ["check", file, "--control", "tnc640", "--fix"];
     let mended = run(&words);
     assert_eq!(mended.status.code(), Some(0), "{}", String::from_utf8_lossy(&mended.stdout));
-    assert!(String::from_utf8_lossy(&mended.stderr).contains("2 labels were mended."));
+    assert!(String::from_utf8_lossy(&mended.stderr).contains("2 places were corrected."));
     let expected = original.replace("PROFONDITÀ", "DEPTH").replace("Q202=5 ;DEPTH", "Q202=5 ;PLUNGING DEPTH");
     assert_eq!(std::fs::read_to_string(&path).unwrap(), expected.replace('\n', "\r\n"));
     let again = run(&words);

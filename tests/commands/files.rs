@@ -201,7 +201,7 @@ fn what_somebody_writes_meanwhile_stays() {
             std::fs::rename(folder.path("theirs"), folder.path(name)).unwrap();
             let output = child.wait_with_output().unwrap();
             assert_eq!(folder.text(name), THEIRS, "{words}: {}", told(&output));
-            code(&output) == 2 && told(&output).contains("was changed meanwhile")
+            code(&output) == 2 && told(&output).contains("in the meantime")
         });
         assert!(refused, "{words}");
     }
