@@ -139,3 +139,4 @@ cycle-reset-turning-system = Reset rotary coordinate system
 step-reset-turning-system = The control resets all settings programmed with cycle 800: the precession angle Q497 and the reversal of the tool Q498.
 note-tool-stays-oriented = The tool is not returned to its initial orientation. If cycle 800 has oriented it, it stays in this position after the reset.
 note-cycle-without-parameters = The cycle has no cycle parameters. Close its entry with the END key.
+message-turning-contour-left = The tool cannot machine the contour completely: its insert does not reach all of it.

@@ -139,3 +139,4 @@ cycle-reset-turning-system = Kiertokoordinaatiston peruutus
 step-reset-turning-system = Ohjaus peruuttaa kaikki työkierrolla 800 ohjelmoidut asetukset: prekessiokulman Q497 ja työkalun käännön Q498.
 note-tool-stays-oriented = Työkalua ei palauteta alkuperäiseen asentoonsa. Jos työkierto 800 on suunnannut sen, se jää tähän asentoon peruutuksen jälkeen.
 note-cycle-without-parameters = Työkierrolla ei ole työkiertoparametreja. Päätä sen sisäänsyöttö näppäimellä END.
+message-turning-contour-left = Työkalu ei voi koneistaa muotoa kokonaan: sen teräpala ei ulotu kaikkialle.

@@ -139,3 +139,4 @@ cycle-reset-turning-system = Anular sistema de torneamento
 step-reset-turning-system = O comando anula todos os ajustes programados com o ciclo 800: o ângulo de precessão Q497 e a inversão da ferramenta Q498.
 note-tool-stays-oriented = A ferramenta não regressa à sua orientação inicial. Se o ciclo 800 a tiver orientado, permanece nessa posição depois da anulação.
 note-cycle-without-parameters = O ciclo não tem parâmetros. Termine a sua introdução com a tecla END.
+message-turning-contour-left = A ferramenta não consegue maquinar o contorno por completo: a sua pastilha não o alcança em todos os pontos.

@@ -142,3 +142,4 @@ cycle-reset-turning-system = Ponastavitev sistema struženja
 step-reset-turning-system = Krmiljenje ponastavi vse nastavitve, programirane s ciklom 800: precesijski kot Q497 in obračanje orodja Q498.
 note-tool-stays-oriented = Orodje se ne vrne v prvotno usmeritev. Če ga je usmeril cikel 800, po ponastavitvi ostane v tem položaju.
 note-cycle-without-parameters = Cikel nima parametrov. Njegov vnos zaključite s tipko END.
+message-turning-contour-left = Orodje konture ne more obdelati v celoti: rezalna ploščica ne doseže vseh njenih delov.

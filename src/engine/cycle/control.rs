@@ -21,6 +21,7 @@ use crate::engine::strategy::action::{
     Tables, ToolSetter,
 };
 use crate::engine::strategy::contour::Contours;
+use crate::engine::strategy::turned::Turned;
 use crate::engine::table::{Cell, TableKind};
 use crate::engine::world::setter::Pose;
 
@@ -246,6 +247,10 @@ impl Kept for OfRun<'_, '_, '_, '_> {
 
     fn contours(&self) -> &Contours {
         &self.run.cycles.contours
+    }
+
+    fn keep_turned(&mut self, turned: Turned) {
+        self.run.cycles.contours.turned = Some(turned);
     }
 
     fn tool_radius(&self) -> f64 {

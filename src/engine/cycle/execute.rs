@@ -20,7 +20,7 @@ use crate::engine::report::outcome::Noted;
 use crate::engine::scene::{Orientation, ParameterValue};
 use crate::engine::world::state::Tables;
 use crate::engine::world::stylus::ProbeData;
-use crate::spec::{Moment, Outcome, Transformation};
+use crate::spec::{Group, Moment, Outcome, TakesEffect, Transformation};
 
 /// Cycles that call cycles go no deeper than this.
 const MAX_NESTED: usize = 8;
@@ -81,6 +81,12 @@ impl<'e> Run<'_, 'e> {
         }
         if plan.probes {
             self.drives.world.probe()?;
+        }
+        let cycle = &definition.cycle.file;
+        let mills = cycle.group != Group::Turning && (plan.probes || cycle.takes_effect == TakesEffect::OnCall);
+        if mills && self.drives.world.system.turning {
+            let fault = Fault::unsupported("unsupported-transformation");
+            return Err(fault.arg("name", Transformation::Turning.as_str()).into());
         }
         let radius = |(_, builtin): &(Slot, Builtin)| *builtin == Builtin::ToolRadius;
         if plan.builtins.iter().any(radius) && self.drives.world.system.plane_scale().is_none() {

@@ -57,10 +57,10 @@ impl<'e> Run<'_, 'e> {
                     let to = system.axes(to);
                     self.drives.straight_to(to, None, Speed::of_feed(feed))?;
                 }
-                Leg::Upright { centre, to, feed } => {
+                Leg::Upright { centre, to, sweep, feed } => {
                     let plane = WorkingPlane::of_tool_axis(system.plane.secondary);
                     let (centre, to) = (system.axes(centre), system.axes(to));
-                    let turn = Turn { plane, centre, direction: -1.0, sweep: Some(-90.0) };
+                    let turn = Turn { plane, centre, direction: sweep.signum(), sweep: Some(sweep) };
                     self.drives.arc_by(turn, to, Speed::of_feed(feed))?;
                 }
                 Leg::Arc { centre, to, direction, sweep, feed } => {

@@ -5,6 +5,7 @@ use super::exec::Exec;
 use super::state::Run;
 use crate::base::diag::Span;
 use crate::base::expr::{EvalError, QRef};
+use crate::engine::geometry::Axis as LinearAxis;
 use crate::engine::motion::axis::linear;
 use crate::engine::motion::moves::Speed;
 use crate::engine::params::Content;
@@ -58,7 +59,10 @@ impl<'e> Run<'_, 'e> {
 
     pub(crate) fn coordinate(&self, coord: &Coord, now: f64) -> Result<f64, Fault> {
         let linear = coord.axis == Axis::Pr || linear(coord.axis).is_ok();
-        let value = self.operand(&coord.value)? * if linear { self.drives.unit() } else { 1.0 };
+        let unit = if linear { self.drives.unit() } else { 1.0 };
+        // A diameter in turning.
+        let halved = if coord.axis == Axis::X { self.drives.world.system.doubled(LinearAxis::X) } else { 1.0 };
+        let value = self.operand(&coord.value)? * unit / halved;
         Ok(if coord.incremental { now + value } else { value })
     }
 

@@ -19,6 +19,19 @@ pub(crate) struct Spindle {
     pub(crate) direction: i8,
 }
 
+/// The turning spindle, which turns the workpiece, as the program set it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct TurningSpindle {
+    /// 1 clockwise, -1 counter-clockwise, 0 not at all.
+    pub(crate) direction: i8,
+    /// 1/min, where that is constant.
+    pub(crate) speed: f64,
+    /// The cutting speed, m/min, where that is constant.
+    pub(crate) cutting_speed: Option<f64>,
+    /// The speed that is never exceeded, 1/min.
+    pub(crate) limit: Option<f64>,
+}
+
 /// What M functions and tool calls switch.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Switched {
@@ -26,6 +39,10 @@ pub(crate) struct Switched {
     pub(crate) coolant: bool,
     /// The angle to which M19 and M20 orient the spindle.
     pub(crate) orientation: f64,
+    /// What turns the workpiece.
+    pub(crate) turned: TurningSpindle,
+    /// Whether feeds are mm per revolution (M136).
+    pub(crate) per_revolution: bool,
 }
 
 /// What moves the machine.
@@ -123,6 +140,7 @@ impl<'r, 'e> Drives<'r, 'e> {
     pub(crate) fn end_changes(&mut self) {
         let before = self.world.system.reported();
         self.world.system.unexecuted.clear();
+        self.world.system.turning = false;
         if self.world.system.end_changes() {
             self.transformed(before);
         }

@@ -44,6 +44,10 @@ pub(crate) enum Effect {
     ReduceDisplay,
     /// The basic rotation ends.
     EndBasicRotation,
+    /// The turning spindle turns the workpiece: 1 clockwise, -1 counter-clockwise, 0 no longer.
+    TurnWorkpiece(i8),
+    /// Feeds are mm per revolution, or mm/min again.
+    PerRevolution(bool),
     /// It changes nothing that events say (tool change at the machine, display, look-ahead).
     Nothing,
 }
@@ -67,6 +71,11 @@ pub(crate) fn effect(number: u16) -> Option<Effect> {
         140 => Effect::Retract,
         128 => Effect::HoldTip(true),
         129 => Effect::HoldTip(false),
+        136 => Effect::PerRevolution(true),
+        137 => Effect::PerRevolution(false),
+        303 => Effect::TurnWorkpiece(1),
+        304 => Effect::TurnWorkpiece(-1),
+        305 => Effect::TurnWorkpiece(0),
         94 => Effect::ReduceDisplay,
         103 => Effect::PlungeFactor,
         109 => Effect::ArcFeed(ArcFeed::Edge),
@@ -76,7 +85,7 @@ pub(crate) fn effect(number: u16) -> Option<Effect> {
         127 => Effect::ShorterWay(false),
         143 => Effect::EndBasicRotation,
         // 118: the handwheel; 124: points nearer than a tolerance may be left out; 134, 135: exact stop; 148, 149: lift-off.
-        6 | 90 | 101 | 102 | 105 | 106 | 107 | 108 | 118 | 120 | 124 | 134 | 135 | 137 | 148 | 149 => Effect::Nothing,
+        6 | 90 | 101 | 102 | 105 | 106 | 107 | 108 | 118 | 120 | 124 | 134 | 135 | 148 | 149 => Effect::Nothing,
         _ => return None,
     })
 }

@@ -13,3 +13,4 @@ mod tcpm;
 pub(crate) mod tilt;
 mod turn;
 mod unit;
+mod workpiece;

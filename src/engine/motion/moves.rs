@@ -78,7 +78,7 @@ impl Drives<'_, '_> {
         }
         let (kind, feed) = match speed? {
             Speed::Rapid => (MoveKind::Rapid, self.world.scene.machine.rapid_feed(machine - self.world.machine)),
-            Speed::Feed(feed) => (MoveKind::Feed, feed),
+            Speed::Feed(feed) => (MoveKind::Feed, self.per_minute(feed, &path)?),
         };
         self.go(kind, feed, to, machine, &path)
     }
@@ -129,7 +129,7 @@ impl Drives<'_, '_> {
         let speed = speed?;
         let feed = match speed {
             Speed::Rapid => self.slowest_rapid(),
-            Speed::Feed(feed) => feed,
+            Speed::Feed(feed) => self.per_minute(feed, &path)?,
         };
         let kind = MoveKind::Arc { centre, plane, angle, rise, rapid: speed == Speed::Rapid };
         self.go(kind, feed, to, machine, &path)
@@ -177,7 +177,8 @@ impl Drives<'_, '_> {
         self.world.here = to;
         self.world.machine = machine;
         let path = self.world.path_of_tip(path);
-        self.report.report_move(kind, from, to, machine, feed, path);
+        let turned = self.on_diameter(to);
+        self.report.report_move(kind, from, to, machine, feed, path, turned);
         Ok(())
     }
 

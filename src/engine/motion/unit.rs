@@ -23,7 +23,7 @@ impl Drives<'_, '_> {
 
     /// A point of a cycle (main, minor, tool axis, in its unit) by axis and in mm.
     pub(crate) fn to_mm(&self, point: DVec3) -> DVec3 {
-        let axes = self.world.system.axes(point);
+        let axes = self.world.system.axes(point) / self.world.system.doubled_axes();
         if self.unit() == 1.0 {
             return axes;
         }
@@ -40,13 +40,13 @@ impl Drives<'_, '_> {
 
     /// The same for one coordinate.
     pub(crate) fn with_mm(&self, axis: Axis, to: DVec3, value: f64) -> DVec3 {
-        let to = axis.with(to, value * self.cycle_unit());
+        let to = axis.with(to, value * self.cycle_unit() / self.world.system.doubled(axis));
         if self.unit() == 1.0 { to } else { self.unless_moved(to) }
     }
 
     /// A point by axis and in mm as a cycle has it: main, minor and tool axis, in its unit.
     pub(crate) fn to_program(&self, axes: DVec3) -> DVec3 {
-        self.in_plane(axes) / self.cycle_unit()
+        self.in_plane(axes * self.world.system.doubled_axes()) / self.cycle_unit()
     }
 
     /// mm, or mm/min, in the unit in which the cycle has what a column holds.

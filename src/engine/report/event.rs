@@ -61,6 +61,22 @@ pub enum MoveKind {
     },
 }
 
+/// What a move in turning ends on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OnDiameter {
+    /// The diameter at the end of the move: the coordinate of X as the program has it, mm.
+    pub diameter: f64,
+    /// The speed of the turning spindle there, 1/min; 0 while it is stationary.
+    pub speed: f64,
+}
+
+impl OnDiameter {
+    /// A point of the active coordinate system as a program has it: in turning X is a diameter.
+    pub fn programmed(turned: Option<Self>, point: DVec3) -> DVec3 {
+        if turned.is_some() { DVec3::new(2.0 * point.x, point.y, point.z) } else { point }
+    }
+}
+
 /// A probing movement, in the active coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Probing {
@@ -249,6 +265,8 @@ pub enum EventKind {
         feed: f64,
         /// The way of the tool tip in machine coordinates; JSON says it by the other members.
         path: Path,
+        /// What is turned, in turning.
+        turned: Option<OnDiameter>,
     },
     /// Rotary axes turn together.
     Turn {

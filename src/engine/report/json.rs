@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use crate::base::diag::Arg;
 use crate::engine::geometry::{Axis, RotaryAxis};
 use crate::engine::params::Content;
-use crate::engine::report::event::{At, Coordinates, Event, EventKind, MoveKind, Probing, Threaded, Turned};
+use crate::engine::report::event::{At, Coordinates, Event, EventKind, MoveKind, OnDiameter, Probing, Threaded, Turned};
 use crate::engine::report::fault::Class;
 use crate::engine::report::json_line::Lines;
 
@@ -212,7 +212,13 @@ impl EventKind {
     #[inline]
     fn members(&self, object: &mut impl Object) {
         match self {
-            Self::Move { kind, from, to, machine, feed, .. } => moved(object, *kind, [*from, *to, *machine], *feed),
+            Self::Move { kind, from, to, machine, feed, turned, .. } => {
+                moved(object, *kind, [*from, *to, *machine], *feed);
+                if let Some(OnDiameter { diameter, speed }) = turned {
+                    object.number("diameter", plain(*diameter));
+                    object.number("turning_speed", plain(*speed));
+                }
+            }
             other => other.other_members(object),
         }
     }

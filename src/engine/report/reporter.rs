@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::event::{At, Event, EventKind, MoveKind, Status};
+use super::event::{At, Event, EventKind, MoveKind, OnDiameter, Status};
 use super::threads::Threads;
 use crate::engine::solid::Path;
 
@@ -75,6 +75,7 @@ impl<'r> Reporter<'r> {
     }
 
     /// Reports a move; where one was reported before, only its numbers change.
+    #[expect(clippy::too_many_arguments, reason = "they are the members of the event")]
     pub(crate) fn report_move(
         &mut self,
         kind: MoveKind,
@@ -83,12 +84,13 @@ impl<'r> Reporter<'r> {
         machine: DVec3,
         feed: f64,
         path: Path,
+        turned: Option<OnDiameter>,
     ) {
         match &mut self.event.kind {
-            EventKind::Move { kind: a, from: b, to: c, machine: d, feed: e, path: f } => {
-                (*a, *b, *c, *d, *e, *f) = (kind, from, to, machine, feed, path);
+            EventKind::Move { kind: a, from: b, to: c, machine: d, feed: e, path: f, turned: g } => {
+                (*a, *b, *c, *d, *e, *f, *g) = (kind, from, to, machine, feed, path, turned);
             }
-            other => *other = EventKind::Move { kind, from, to, machine, feed, path },
+            other => *other = EventKind::Move { kind, from, to, machine, feed, path, turned },
         }
         self.pass();
     }

@@ -20,7 +20,6 @@ use crate::program::syntax::{
     Amount, Block, BlockKind, CallForm, CyclCall, FeedKind, FnAssign, FnOp, MFunction, Motion, Operand, Path,
     StatementKind, ToolCall, ToolDef, ToolRef,
 };
-use crate::spec::Transformation;
 
 /// Q parameters while a program's formula is evaluated: there are no other names.
 struct ProgramEnv<'p>(&'p super::Params);
@@ -166,7 +165,7 @@ impl<'e> Run<'_, 'e> {
         Ok(self.set(target, value)?)
     }
 
-    /// `FUNCTION MODE TURN` and `FUNCTION MODE MILL`: cycles may refuse turning, and nothing moves in it.
+    /// `FUNCTION MODE TURN` and `FUNCTION MODE MILL`: in turning X is a diameter.
     fn switches_mode(&mut self, block: &Block) -> bool {
         let words: Vec<String> = self
             .slice(block.span)
@@ -175,12 +174,12 @@ impl<'e> Run<'_, 'e> {
             .take(3)
             .map(str::to_ascii_uppercase)
             .collect();
-        let active = &mut self.drives.world.system.unexecuted;
-        match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
-            ["FUNCTION", "MODE", "TURN"] => active.insert(Transformation::Turning),
-            ["FUNCTION", "MODE", "MILL"] => active.remove(&Transformation::Turning),
+        let turning = match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
+            ["FUNCTION", "MODE", "TURN"] => true,
+            ["FUNCTION", "MODE", "MILL"] => false,
             _ => return false,
         };
+        self.drives.world.system.turning = turning;
         true
     }
 
@@ -314,6 +313,8 @@ impl<'e> Run<'_, 'e> {
                 }
                 Effect::Spindle(direction) if direction != 0 => self.drives.spindle(direction),
                 Effect::Coolant(true) => self.drives.coolant(true),
+                Effect::TurnWorkpiece(direction) if direction != 0 => self.drives.turn_workpiece(direction)?,
+                Effect::PerRevolution(on) => self.drives.switched.per_revolution = on,
                 Effect::HoldTip(true) => self.drives.hold_tip(true)?,
                 Effect::Orient => self.drives.orient(self.drives.switched.orientation),
                 Effect::SpindleAndCoolant(direction) => {
@@ -399,6 +400,9 @@ impl<'e> Run<'_, 'e> {
         }
         if has(Effect::Spindle(0)) || (ends && self.drives.switched.spindle.direction != 0) {
             self.drives.spindle(0);
+        }
+        if has(Effect::TurnWorkpiece(0)) || (ends && self.drives.switched.turned.direction != 0) {
+            self.drives.turn_workpiece(0)?;
         }
         if has(Effect::Coolant(false)) || (ends && self.drives.switched.coolant) {
             self.drives.coolant(false);

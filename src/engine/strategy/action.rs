@@ -6,6 +6,7 @@
 use glam::DVec3;
 
 use super::contour::Contours;
+use super::turned::Turned;
 use super::signature::{Results, Signature};
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::report::ending::Done;
@@ -270,6 +271,9 @@ pub trait Kept {
 
     /// The contours that were read last.
     fn contours(&self) -> &Contours;
+
+    /// What is turned from now on; strategies over contours see it.
+    fn keep_turned(&mut self, turned: Turned);
 
     /// The radius of the tool in the spindle in the coordinates of the program, mm.
     fn tool_radius(&self) -> f64;

@@ -10,6 +10,7 @@ use super::calculation::Calculation;
 use super::milling::{shape_impossible, too_many};
 use super::pen::{Cutter, Path, Pen};
 use super::signature::{Signature, results, strategy};
+use super::turned::Turned;
 use crate::base::expr::tand;
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::region::clearing::{self, MOST_RINGS};
@@ -49,13 +50,15 @@ pub struct Contours {
     pub only_islands: bool,
     /// Where the tool was when the cycle began, main and minor axis: what is near is cleared first.
     pub from: DVec2,
+    /// What is turned.
+    pub turned: Option<Turned>,
 }
 
 impl Contours {
     /// Contours that are all closed.
     pub fn new(closed: Vec<Closed>, from: DVec2) -> Self {
         let only_islands = !closed.iter().any(|contour| contour.is_pocket);
-        Self { open: Vec::new(), region: enclosed(&closed), closed, only_islands, from }
+        Self { open: Vec::new(), region: enclosed(&closed), closed, only_islands, from, turned: None }
     }
 
     /// Where the centre of a tool may be that leaves an allowance, with inside corners of at least a radius.

@@ -37,6 +37,10 @@ pub mod stud;
 pub mod thread;
 pub mod tilting;
 pub mod train;
+pub mod turned;
+pub mod turning;
+pub mod turning_shape;
+pub mod turning_system;
 
 pub use super::report::ending::{Done, Leave};
 pub use action::Action;

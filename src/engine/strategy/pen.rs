@@ -38,12 +38,14 @@ pub enum Leg {
         /// mm/min.
         feed: f64,
     },
-    /// On a quarter circle in the plane of the main axis and the tool axis, downwards and then along the main axis.
+    /// On an arc in the plane of the tool axis and the main axis.
     Upright {
         /// Its centre.
         centre: DVec3,
         /// Its end.
         to: DVec3,
+        /// The signed angle from the tool axis towards the main axis, degrees.
+        sweep: f64,
         /// mm/min.
         feed: f64,
     },
@@ -112,8 +114,13 @@ impl Pen {
 
     /// On a quarter circle downwards about a centre above the end, along the main axis there.
     pub fn upright(&mut self, centre: DVec3, to: DVec3, feed: f64) {
+        self.sideways((centre, to), -90.0, feed);
+    }
+
+    /// On an arc in the plane of the tool axis and the main axis by a signed angle from the one towards the other.
+    pub fn sideways(&mut self, (centre, to): (DVec3, DVec3), sweep: f64, feed: f64) {
         self.here = to;
-        self.legs.push(Leg::Upright { centre, to, feed });
+        self.legs.push(Leg::Upright { centre, to, sweep, feed });
     }
 
     /// Straight along the tool axis.

@@ -13,7 +13,7 @@ use super::pending::PENDING;
 use super::signature::{Given, Output, Parameter, Results};
 use super::{
     contour, datum, engraving, face, measure, plunge, pocket, probing, program, rotary, rotation, setter, spindle,
-    stud, thread, tilting, train,
+    stud, thread, tilting, train, turning, turning_shape, turning_system,
 };
 use crate::engine::geometry::WorkingPlane;
 use crate::engine::report::ending::Done;
@@ -149,6 +149,20 @@ pub static STRATEGIES: &[Strategy] = &[
     act::<train::FindContourStart>(),
     mill_over::<train::MoveOverContourStart>(),
     mill_over::<train::FollowContour>(),
+    act::<turning_system::AlignTurningSystem>(),
+    act::<turning_system::ReverseTurningTool>(),
+    act::<turning_system::ResetTurningSystem>(),
+    act::<turning_shape::TurnShoulder>(),
+    mill_over::<turning::ClearTurningArea>(),
+    mill_over::<turning::InfeedToTurningLevel>(),
+    mill_over::<turning::RoughTurningLevel>(),
+    mill_over::<turning::FollowTurnedContour>(),
+    mill_over::<turning::LiftOffTurnedContour>(),
+    mill_over::<turning::ReturnToStartOfCut>(),
+    mill_over::<turning::ApproachTurningContour>(),
+    mill_over::<turning::FinishTurnedContour>(),
+    mill_over::<turning::RetractFromTurningContour>(),
+    mill_over::<turning::ReturnToTurningStart>(),
     act::<tilting::ComputeRotaryPositions>(),
     act::<tilting::PositionRotaryAxes>(),
     act::<tilting::CheckSpindleAcrossRotaryAxis>(),

@@ -50,6 +50,8 @@ pub struct System {
     pub table: Frame,
     /// Whether the tool tip is held on the workpiece while rotary axes turn (M128, FUNCTION TCPM).
     pub tip_held: bool,
+    /// Whether the workpiece is turned (`FUNCTION MODE TURN`): coordinates of X are diameters in programs.
+    pub turning: bool,
     /// Transformations in effect that the engine cannot execute: nothing moves until they end.
     pub unexecuted: BTreeSet<Transformation>,
     changes: Vec<Change>,
@@ -68,6 +70,7 @@ impl System {
             plane,
             table: Frame::IDENTITY,
             tip_held: false,
+            turning: false,
             unexecuted: BTreeSet::new(),
             changes: Vec::new(),
             frame: Frame::IDENTITY,
@@ -135,7 +138,7 @@ impl System {
             Change::Tilt(_) => kind == Transformation::Tilting,
             Change::Shift(_) | Change::Rotate(_) | Change::Point(_) => false,
         });
-        executed || self.unexecuted.contains(&kind)
+        executed || (kind == Transformation::Turning && self.turning) || self.unexecuted.contains(&kind)
     }
 
     /// By how much lengths of the working plane are scaled; nothing if circles become something else.
@@ -285,6 +288,16 @@ impl System {
             Change::ScaleAxes(factors, about) => Frame::scaled(*factors, *about),
             Change::Tilt(angles) => Frame::placed(DVec3::ZERO, *angles),
         }
+    }
+
+    /// What a coordinate of an axis is in a program where the way from the origin is 1: a diameter is twice as long.
+    pub fn doubled(&self, axis: Axis) -> f64 {
+        if self.turning && axis == Axis::X { 2.0 } else { 1.0 }
+    }
+
+    /// The same of all axes.
+    pub fn doubled_axes(&self) -> DVec3 {
+        if self.turning { DVec3::new(2.0, 1.0, 1.0) } else { DVec3::ONE }
     }
 
     /// Axis coordinates of a point given by main, minor and tool axis.

@@ -105,8 +105,8 @@ const fn number(name: &'static str) -> Column {
     Column { name, width: 9, quantity: Quantity::Number }
 }
 
-/// Tool measurement: TNC 320 manual lines 6916-6955; LCUTS, ANGLE: TNC 640 4704; T-ANGLE: 1750; RS, the cutting width:
-/// 7304, 8821; TP_NO: 10661; TL: 12624.
+/// Tool measurement: TNC 320 manual lines 6916-6955; LCUTS, ANGLE: TNC 640 4704; T-ANGLE: 1750; RS and P-ANGLE, the cutting
+/// width: 7304, 8821; TP_NO: 10661; TL: 12624.
 const TOOL: &[Column] = &[
     key("T"),
     text("NAME", 33),
@@ -128,6 +128,7 @@ const TOOL: &[Column] = &[
     length("LCUTS"),
     angle("ANGLE"),
     angle("T-ANGLE"),
+    angle("P-ANGLE"),
     length("RS"),
     length("CUTWIDTH"),
     number("TP_NO"),
@@ -264,7 +265,7 @@ impl TableKind {
             (Self::Tool, "CUT") => Some((0.0, 20.0)),
             (Self::Tool, "R" | "LCUTS" | "RS" | "CUTWIDTH") => Some((0.0, 99999.9999)),
             (Self::Tool, "ANGLE") => Some((0.0, 90.0)),
-            (Self::Tool, "T-ANGLE") => Some((0.0, 180.0)),
+            (Self::Tool, "T-ANGLE" | "P-ANGLE") => Some((0.0, 180.0)),
             (Self::Probe, "DIST" | "SET_UP") => Some((0.0, 99999.9999)),
             _ => match column.quantity {
                 Quantity::Key => Some((0.0, 99999.0)),

@@ -8,7 +8,7 @@ use super::show;
 use crate::base::diag::{Diagnostic, Place, Source};
 use crate::base::expr::{QKind, QRef};
 use crate::engine::geometry::{Axis, RotaryAxis};
-use crate::engine::run::{Content, Event, EventKind, MoveKind, Outcome, Status};
+use crate::engine::run::{Content, Event, EventKind, MoveKind, OnDiameter, Outcome, Status};
 use crate::spec::{CycleKey, Kind, Node};
 
 /// How far numbers may differ where a case does not say.
@@ -387,10 +387,12 @@ impl Expectation {
         let feed_is = |found: f64| action.feed.is_none_or(|wanted| self.near(wanted, found));
         verb(kind) == Some(action.verb.as_str())
             && match kind {
-                EventKind::Move { kind: MoveKind::Arc { angle, .. }, to, feed, .. } => {
-                    at(*to) && amount(*angle) && feed_is(*feed)
+                EventKind::Move { kind: MoveKind::Arc { angle, .. }, to, feed, turned, .. } => {
+                    at(OnDiameter::programmed(*turned, *to)) && amount(*angle) && feed_is(*feed)
                 }
-                EventKind::Move { to, feed, .. } => at(*to) && feed_is(*feed),
+                EventKind::Move { to, feed, turned, .. } => {
+                    at(OnDiameter::programmed(*turned, *to)) && feed_is(*feed)
+                }
                 EventKind::Turn { axes, feed, .. } => {
                     let turned = axes.iter().fold(glam::DVec3::NAN, |all, axis| axis.axis.with(all, axis.to));
                     near(glam::DVec3::NAN, turned) && feed_is(*feed)

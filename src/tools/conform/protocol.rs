@@ -14,7 +14,7 @@ use crate::base::diag::Source;
 use crate::base::expr::QRef;
 use crate::engine::geometry::{Axis, RotaryAxis, WorkingPlane};
 use crate::engine::run::{
-    Content, Engine, Event, EventKind, ForeignOutcome, MoveKind, Outcome, Probing, Status, Turned,
+    Content, Engine, Event, EventKind, ForeignOutcome, MoveKind, OnDiameter, Outcome, Probing, Status, Turned,
 };
 use crate::engine::scene::Scene;
 use crate::engine::solid::Path;
@@ -232,13 +232,14 @@ fn by_letter(point: DVec3) -> BTreeMap<String, f64> {
 fn moved(kind: &EventKind) -> Option<Moved> {
     let moved = |verb: &str, to| Moved { verb: verb.to_owned(), to, ..Moved::default() };
     Some(match kind {
-        EventKind::Move { kind, to, feed, .. } => {
+        EventKind::Move { kind, to, feed, turned, .. } => {
+            let to = OnDiameter::programmed(*turned, *to);
             let (verb, angle) = match kind {
                 MoveKind::Rapid => ("rapid", None),
                 MoveKind::Feed => ("feed", None),
                 MoveKind::Arc { angle, .. } => ("arc", Some(*angle)),
             };
-            Moved { feed: Some(*feed), angle, ..moved(verb, by_letter(*to)) }
+            Moved { feed: Some(*feed), angle, ..moved(verb, by_letter(to)) }
         }
         EventKind::Turn { axes, feed, .. } => {
             let to = axes.iter().map(|turned| (turned.axis.letter().to_string(), turned.to)).collect();
@@ -326,7 +327,7 @@ impl Moved {
         let (to, feed) = (linear(&self.to), self.feed.unwrap_or(f64::NAN));
         let straight = |kind| {
             let path = Path::line(DVec3::NAN, DVec3::NAN);
-            EventKind::Move { kind, from: DVec3::NAN, to, machine: DVec3::NAN, feed, path }
+            EventKind::Move { kind, from: DVec3::NAN, to, machine: DVec3::NAN, feed, path, turned: None }
         };
         Some(match self.verb.as_str() {
             "rapid" => straight(MoveKind::Rapid),

@@ -5,7 +5,7 @@
 use super::expect::{Action, verb};
 use crate::base::diag::Arg;
 use crate::engine::geometry::Axis;
-use crate::engine::run::{EventKind, Fault, MoveKind};
+use crate::engine::run::{EventKind, Fault, MoveKind, OnDiameter};
 
 /// The word for a value, a list or a movement that is missing.
 const NOTHING: &str = "nothing";
@@ -70,11 +70,15 @@ pub(super) fn event(kind: &EventKind) -> String {
     let word = verb(kind).unwrap_or_else(|| kind.name());
     let linear = |point: glam::DVec3| Axis::ALL.map(|axis| (axis.letter(), axis.of(point)));
     match kind {
-        EventKind::Move { kind: MoveKind::Rapid, to, .. } => written(word, linear(*to), None, None),
-        EventKind::Move { kind: MoveKind::Arc { angle, .. }, to, feed, .. } => {
-            written(word, linear(*to), Some(*angle), Some(*feed))
+        EventKind::Move { kind: MoveKind::Rapid, to, turned, .. } => {
+            written(word, linear(OnDiameter::programmed(*turned, *to)), None, None)
         }
-        EventKind::Move { to, feed, .. } => written(word, linear(*to), None, Some(*feed)),
+        EventKind::Move { kind: MoveKind::Arc { angle, .. }, to, feed, turned, .. } => {
+            written(word, linear(OnDiameter::programmed(*turned, *to)), Some(*angle), Some(*feed))
+        }
+        EventKind::Move { to, feed, turned, .. } => {
+            written(word, linear(OnDiameter::programmed(*turned, *to)), None, Some(*feed))
+        }
         EventKind::Turn { axes, feed, rapid, .. } => {
             let ends = axes.iter().map(|turned| (turned.axis.letter(), turned.to));
             written(word, ends, None, (!rapid).then_some(*feed))

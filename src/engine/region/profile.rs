@@ -1,0 +1,411 @@
+//! Profiles of turned parts, and where the nose of an insert may be above them.
+//!
+//! A profile is a way over the half plane as a cut sees it: `x` grows in the direction of the feed, `y` away from the
+//! part. The [`Envelope`] is the lowest place of the tip of an insert that touches the profile, and no other part of it,
+//! at every `x`. Invariant: lines and arcs stay lines and arcs; nothing is approximated by points.
+use glam::DVec2;
+
+use super::{Edge, Way};
+use crate::base::expr::{atan2d, cosd, sind};
+
+/// Differences below this are none, mm.
+const SAME: f64 = 1e-9;
+/// The edges of an insert are so long, mm.
+const EDGE: f64 = 10_000.0;
+/// What is steeper has no height at a place: it is a wall.
+const STEEP: f64 = 1e-7;
+
+/// An insert, as a cut sees it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Insert {
+    /// The radius of its nose, mm.
+    pub radius: f64,
+    /// The directions of its two edges from the nose, counted from the direction of the feed towards the side away from
+    /// the part, degrees: the one in front and the one at the back. Without them only the nose is known.
+    pub edges: Option<(f64, f64)>,
+}
+
+/// A line or an arc over a range of `x`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Shape {
+    Line { through: DVec2, slope: f64 },
+    Arc { centre: DVec2, radius: f64, upper: bool },
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Piece {
+    from: f64,
+    to: f64,
+    shape: Shape,
+}
+
+impl Shape {
+    fn height(&self, x: f64) -> f64 {
+        match *self {
+            Self::Line { through, slope } => through.y + (x - through.x) * slope,
+            Self::Arc { centre, radius, upper } => {
+                let rise = libm::sqrt((radius * radius - (x - centre.x) * (x - centre.x)).max(0.0));
+                centre.y + if upper { rise } else { -rise }
+            }
+        }
+    }
+
+    fn moved(self, by: DVec2) -> Self {
+        match self {
+            Self::Line { through, slope } => Self::Line { through: through + by, slope },
+            Self::Arc { centre, radius, upper } => Self::Arc { centre: centre + by, radius, upper },
+        }
+    }
+
+    /// Where it may have the height of a line.
+    fn meets_line(&self, through: DVec2, slope: f64) -> Vec<f64> {
+        match *self {
+            Self::Line { through: own, slope: steep } => {
+                let apart = steep - slope;
+                if apart.abs() < SAME { Vec::new() } else { vec![(through.y - own.y + steep * own.x - slope * through.x) / apart] }
+            }
+            Self::Arc { centre, radius, .. } => {
+                // The distance of the centre from the line, and half of the chord.
+                let length = libm::sqrt(1.0 + slope * slope);
+                let off = (through.y + slope * (centre.x - through.x) - centre.y) / length;
+                let half = radius * radius - off * off;
+                if half < 0.0 {
+                    return Vec::new();
+                }
+                let (half, foot) = (libm::sqrt(half), centre.x - off * slope / length);
+                vec![foot - half / length, foot + half / length]
+            }
+        }
+    }
+
+    /// Where the two may have the same height.
+    fn meets(&self, other: &Self) -> Vec<f64> {
+        match (*self, *other) {
+            (Self::Line { through, slope }, _) => other.meets_line(through, slope),
+            (_, Self::Line { through, slope }) => self.meets_line(through, slope),
+            (Self::Arc { centre: a, radius: ra, .. }, Self::Arc { centre: b, radius: rb, .. }) => {
+                let (way, apart) = (b - a, a.distance(b));
+                if apart < SAME || apart > ra + rb + SAME || apart < (ra - rb).abs() - SAME {
+                    return Vec::new();
+                }
+                let along = (apart * apart + ra * ra - rb * rb) / (2.0 * apart);
+                let half = libm::sqrt((ra * ra - along * along).max(0.0));
+                let (foot, across) = (a + way * (along / apart), way.perp() * (half / apart));
+                vec![foot.x + across.x, foot.x - across.x]
+            }
+        }
+    }
+
+    /// The edge from one place to another further in the direction of `x`.
+    fn edge(&self, from: f64, to: f64) -> Edge {
+        let end = DVec2::new(to, self.height(to));
+        match *self {
+            Self::Line { .. } => Edge::Line(end),
+            Self::Arc { centre, .. } => {
+                let (a, b) = (DVec2::new(from, self.height(from)) - centre, end - centre);
+                Edge::Arc { to: end, centre, sweep: atan2d(a.perp_dot(b), a.dot(b)) }
+            }
+        }
+    }
+}
+
+/// What an insert must not go below: the heights of its tip over a profile.
+#[derive(Clone, Debug, Default)]
+pub struct Envelope {
+    pieces: Vec<Piece>,
+}
+
+/// A profile that gets an allowance: so much along the feed on either side, and so much away from the part, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Allowance {
+    /// Along the feed.
+    pub along: f64,
+    /// Away from the part.
+    pub away: f64,
+}
+
+/// A profile cannot be cut in one direction: it goes back somewhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GoesBack;
+
+impl Envelope {
+    /// The heights of the tip of an insert over a profile with an allowance. The tip is `tip` nose radii from the
+    /// centre of the nose, by axis.
+    ///
+    /// # Errors
+    /// The profile goes back somewhere.
+    pub fn over(profile: &Way, allowance: Allowance, insert: Insert, tip: DVec2) -> Result<Self, GoesBack> {
+        let mut pieces = Vec::new();
+        let along = allowance.along.abs();
+        for side in if along > SAME { &[-1.0, 1.0][..] } else { &[1.0][..] } {
+            let by = DVec2::new(along * side, allowance.away);
+            above(profile, insert, by, along, &mut pieces)?;
+        }
+        let by = tip * insert.radius;
+        for piece in &mut pieces {
+            *piece = Piece { from: piece.from + by.x, to: piece.to + by.x, shape: piece.shape.moved(by) };
+        }
+        Ok(Self { pieces: highest(&pieces) })
+    }
+
+    /// The lowest height at a place; nothing where there is no part.
+    pub fn height(&self, x: f64) -> Option<f64> {
+        let here = self.pieces.iter().filter(|piece| piece.from - SAME <= x && x <= piece.to + SAME);
+        here.map(|piece| piece.shape.height(x.clamp(piece.from, piece.to))).reduce(f64::max)
+    }
+
+    /// Where it is not higher than a level, between two places: pairs of beginning and end in their order.
+    pub fn below(&self, level: f64, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+        let mut places = vec![from, to];
+        for piece in &self.pieces {
+            places.extend([piece.from, piece.to]);
+            let roots = piece.shape.meets_line(DVec2::new(0.0, level), 0.0);
+            places.extend(roots.into_iter().filter(|x| (piece.from..=piece.to).contains(x)));
+        }
+        places.retain(|x| (from..=to).contains(x));
+        places.sort_by(f64::total_cmp);
+        let mut found: Vec<[f64; 2]> = Vec::new();
+        for pair in places.windows(2) {
+            let &[a, b] = pair else { continue };
+            let free = self.height(a.midpoint(b)).is_none_or(|height| height <= level + SAME);
+            if b - a <= SAME || !free {
+                continue;
+            }
+            match found.last_mut() {
+                Some(last) if a - last[1] <= SAME => last[1] = b,
+                _ => found.push([a, b]),
+            }
+        }
+        found
+    }
+
+    /// The highest place between two places, the last one of several, with its height.
+    pub fn summit(&self, [from, to]: [f64; 2]) -> Option<DVec2> {
+        let mut best: Option<DVec2> = None;
+        for piece in self.pieces.iter().filter(|piece| piece.to >= from && piece.from < to - SAME) {
+            let (a, b) = (piece.from.max(from), piece.to.min(to));
+            let top = match piece.shape {
+                Shape::Arc { centre, .. } => centre.x.clamp(a, b),
+                Shape::Line { .. } => b,
+            };
+            for x in [a, top, b] {
+                let point = DVec2::new(x, piece.shape.height(x));
+                if best.is_none_or(|best| point.y >= best.y - SAME) {
+                    best = Some(point);
+                }
+            }
+        }
+        best
+    }
+
+    /// The lowest height between two places.
+    pub fn lowest(&self, [from, to]: [f64; 2]) -> Option<f64> {
+        let mut least: Option<f64> = None;
+        for piece in self.pieces.iter().filter(|piece| piece.to > from && piece.from < to) {
+            let (a, b) = (piece.from.max(from), piece.to.min(to));
+            let low = match piece.shape {
+                Shape::Arc { centre, upper: false, .. } => centre.x.clamp(a, b),
+                _ => a,
+            };
+            let here = [a, low, b].into_iter().map(|x| piece.shape.height(x)).fold(f64::INFINITY, f64::min);
+            least = Some(least.map_or(here, |least| least.min(here)));
+        }
+        least
+    }
+
+    /// The way along it between two of its points, which may be on walls.
+    pub fn way(&self, from: DVec2, to: DVec2) -> Way {
+        if from.x > to.x + SAME {
+            return self.way(to, from).reversed();
+        }
+        let (mut at, mut edges) = (from, Vec::new());
+        for piece in &self.pieces {
+            let (a, b) = (piece.from.max(from.x), piece.to.min(to.x));
+            if b - a <= SAME {
+                continue;
+            }
+            let start = DVec2::new(a, piece.shape.height(a));
+            if start.distance(at) > SAME {
+                edges.push(Edge::Line(start));
+            }
+            let edge = piece.shape.edge(a, b);
+            at = edge.to();
+            edges.push(edge);
+        }
+        if at.distance(to) > SAME {
+            edges.push(Edge::Line(to));
+        }
+        Way { start: from, edges: straightened(from, edges) }
+    }
+
+    /// By how much it is higher than another one between two places, at the most.
+    pub fn above(&self, other: &Self, [from, to]: [f64; 2]) -> f64 {
+        let places = self.pieces.iter().chain(&other.pieces).flat_map(|piece| {
+            let near = (piece.to - piece.from).min(1.0) * 1e-3;
+            [piece.from + near, piece.from.midpoint(piece.to), piece.to - near]
+        });
+        let places = places.filter(|x| (from..=to).contains(x));
+        let more = |x: f64| Some(self.height(x)? - other.height(x)?);
+        places.filter_map(more).fold(0.0, f64::max)
+    }
+}
+
+/// The same edges, with lines that go on straight as one.
+fn straightened(from: DVec2, edges: Vec<Edge>) -> Vec<Edge> {
+    let mut whole: Vec<Edge> = Vec::with_capacity(edges.len());
+    // Where the last line begins, and where the last edge ends.
+    let (mut begin, mut at) = (from, from);
+    for edge in edges {
+        let (before, after) = (at - begin, edge.to() - at);
+        match (whole.last_mut(), edge) {
+            (Some(Edge::Line(last)), Edge::Line(to))
+                if before.perp_dot(after).abs() <= SAME * before.length() && before.dot(after) > 0.0 =>
+            {
+                *last = to;
+            }
+            _ => {
+                begin = at;
+                whole.push(edge);
+            }
+        }
+        at = edge.to();
+    }
+    whole
+}
+
+/// The pieces that the centre of the nose must stay above, of a profile moved by so much.
+fn above(profile: &Way, insert: Insert, by: DVec2, along: f64, pieces: &mut Vec<Piece>) -> Result<(), GoesBack> {
+    let radius = insert.radius;
+    let mut at = profile.start + by;
+    corner(at, insert, along, by.x, pieces);
+    for edge in &profile.edges {
+        let end = edge.to() + by;
+        if end.x < at.x - STEEP {
+            return Err(GoesBack);
+        }
+        match *edge {
+            Edge::Line(_) => {
+                let way = end - at;
+                if way.x > STEEP {
+                    let shift = DVec2::new(-way.y, way.x) * (radius / way.length());
+                    let through = at + shift;
+                    let shape = Shape::Line { through, slope: way.y / way.x };
+                    pieces.push(Piece { from: through.x, to: end.x + shift.x, shape });
+                }
+            }
+            Edge::Arc { centre, sweep, .. } => {
+                let centre = centre + by;
+                arc(at, end, centre, sweep, insert, pieces)?;
+            }
+        }
+        corner(end, insert, along, by.x, pieces);
+        at = end;
+    }
+    Ok(())
+}
+
+/// An arc: beside it is another one, unless the nose does not find room in it.
+fn arc(
+    from: DVec2,
+    to: DVec2,
+    centre: DVec2,
+    sweep: f64,
+    insert: Insert,
+    pieces: &mut Vec<Piece>,
+) -> Result<(), GoesBack> {
+    let (own, upper) = (from.distance(centre), sweep < 0.0);
+    // Neither end may lie on the other half of the circle.
+    let side = if upper { 1.0 } else { -1.0 };
+    if (from.y - centre.y) * side < -STEEP || (to.y - centre.y) * side < -STEEP || sweep.abs() > 180.0 + STEEP {
+        return Err(GoesBack);
+    }
+    let radius = own + insert.radius * side;
+    if radius > SAME {
+        let place = |point: DVec2| centre.x + (point.x - centre.x) * (radius / own);
+        pieces.push(Piece { from: place(from), to: place(to), shape: Shape::Arc { centre, radius, upper } });
+    }
+    if upper {
+        for (normal, direction) in leaning(insert) {
+            let touched = centre.x + own * normal.x;
+            if (from.x..=to.x).contains(&touched) {
+                pieces.push(ray(centre + normal * radius, direction));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A corner of the profile: the nose goes round it, and the edges of the insert lean against it.
+fn corner(at: DVec2, insert: Insert, along: f64, moved: f64, pieces: &mut Vec<Piece>) {
+    let radius = insert.radius;
+    if radius > SAME {
+        let shape = Shape::Arc { centre: at, radius, upper: true };
+        pieces.push(Piece { from: at.x - radius, to: at.x + radius, shape });
+    }
+    // Between the two places of a corner with an allowance along the feed.
+    if along > SAME && moved < 0.0 {
+        let through = at + DVec2::new(0.0, radius);
+        pieces.push(Piece { from: at.x, to: at.x + 2.0 * along, shape: Shape::Line { through, slope: 0.0 } });
+    }
+    for (normal, direction) in leaning(insert) {
+        pieces.push(ray(at + normal * radius, direction));
+    }
+}
+
+/// The edges that can lean against something: the direction from the part to the edge, and that in which it goes down.
+fn leaning(insert: Insert) -> impl Iterator<Item = (DVec2, DVec2)> {
+    let (front, back) = insert.edges.unwrap_or((90.0, 90.0));
+    // The part is below: an edge leans where it goes up in front of the nose, or behind it.
+    let front = (front < 90.0 - STEEP).then(|| {
+        let along = DVec2::new(cosd(front), sind(front));
+        (along.perp(), -along)
+    });
+    let back = (back > 90.0 + STEEP).then(|| {
+        let along = DVec2::new(cosd(back), sind(back));
+        (-along.perp(), -along)
+    });
+    front.into_iter().chain(back)
+}
+
+/// The line down from where an edge touches.
+fn ray(through: DVec2, down: DVec2) -> Piece {
+    let shape = Shape::Line { through, slope: down.y / down.x };
+    let far = through.x + EDGE * down.x;
+    Piece { from: through.x.min(far), to: through.x.max(far), shape }
+}
+
+/// The highest of the pieces at every place.
+fn highest(pieces: &[Piece]) -> Vec<Piece> {
+    let mut places: Vec<f64> = pieces.iter().flat_map(|piece| [piece.from, piece.to]).collect();
+    for (index, one) in pieces.iter().enumerate() {
+        for other in pieces.iter().skip(index + 1) {
+            let (from, to) = (one.from.max(other.from), one.to.min(other.to));
+            if from < to {
+                let found = one.shape.meets(&other.shape).into_iter();
+                places.extend(found.filter(|x| (from..=to).contains(x)));
+            }
+        }
+    }
+    places.sort_by(f64::total_cmp);
+    let mut found: Vec<Piece> = Vec::new();
+    for pair in places.windows(2) {
+        let &[from, to] = pair else { continue };
+        if to - from <= SAME {
+            continue;
+        }
+        let middle = from.midpoint(to);
+        let here = pieces.iter().filter(|piece| piece.from <= middle && middle <= piece.to);
+        let top = here.max_by(|a, b| a.shape.height(middle).total_cmp(&b.shape.height(middle)));
+        let Some(top) = top else { continue };
+        // What touches the piece before only goes on with it, as far as that goes.
+        let goes_on = |last: &Piece| {
+            let far = pieces.iter().any(|piece| piece.shape == last.shape && piece.from <= middle && middle <= piece.to);
+            far && top.shape.height(middle) - last.shape.height(middle) <= SAME
+        };
+        match found.last_mut() {
+            Some(last) if from - last.to <= SAME && goes_on(last) => last.to = to,
+            _ => found.push(Piece { from, to, shape: top.shape }),
+        }
+    }
+    found
+}

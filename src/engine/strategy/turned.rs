@@ -1,0 +1,239 @@
+//! What is turned: the profile that an insert must not go below, as its cuts see it.
+//!
+//! Cuts go along the rotary axis, or across it. Either way `x` of the half plane grows in the direction of the feed, and
+//! `y` away from the part. Positions are those of the tip of the insert, which is as far in front of the centre of its
+//! nose and below it as the nose has radius. Invariant: coordinates of the main axis are radii here.
+use glam::{DVec2, DVec3};
+
+use super::pen::Pen;
+use crate::engine::region::profile::{Allowance, Envelope, GoesBack, Insert};
+use crate::engine::region::{Edge, Way};
+
+/// From the centre of the nose to the tip, in nose radii.
+const TIP: DVec2 = DVec2::new(1.0, -1.0);
+/// Places that are nearer to each other are one, mm.
+const COUNTS: f64 = 1e-6;
+/// What stays beyond what the nose alone leaves is reported if it is more than this, mm.
+const REPORTED: f64 = 1e-3;
+
+/// How the half plane of the machine is seen by cuts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sight {
+    /// Whether the cuts go across the rotary axis.
+    pub face: bool,
+    /// The sign of the machine's coordinate along the feed.
+    pub ahead: f64,
+    /// The sign of the machine's coordinate away from the part.
+    pub away: f64,
+}
+
+impl Sight {
+    /// A point of the machine as cuts see it.
+    pub fn seen(&self, radius: f64, z: f64) -> DVec2 {
+        let (along, out) = if self.face { (radius, z) } else { (z, radius) };
+        DVec2::new(along * self.ahead, out * self.away)
+    }
+
+    /// The other way: main, minor and tool coordinate, with a minor one that is given.
+    pub fn point(&self, seen: DVec2, minor: f64) -> DVec3 {
+        let (along, out) = (seen.x * self.ahead, seen.y * self.away);
+        let (radius, z) = if self.face { (along, out) } else { (out, along) };
+        DVec3::new(radius, minor, z)
+    }
+
+    /// The coordinate that infeeds change, of a level: a diameter where they are radial.
+    pub fn level(&self, height: f64) -> f64 {
+        height * self.away * if self.face { 1.0 } else { 2.0 }
+    }
+
+    /// The level of that coordinate.
+    pub fn height(&self, level: f64) -> f64 {
+        self.away * level / if self.face { 1.0 } else { 2.0 }
+    }
+
+    /// The sense of arcs in the plane of the tool axis and the main axis, where they turn counter-clockwise as seen.
+    fn sense(&self) -> f64 {
+        self.ahead * self.away * if self.face { -1.0 } else { 1.0 }
+    }
+
+    /// An insert as its cuts see it, given the angle of its main edge to the rotary axis and that of its point, degrees.
+    pub fn insert(&self, radius: f64, angle: f64, point: f64) -> Insert {
+        let known = angle > 0.0 && point > 0.0;
+        let along = (angle, angle + point);
+        let seen = if self.face { (270.0 - along.1, 270.0 - along.0) } else { along };
+        Insert { radius, edges: known.then_some(seen) }
+    }
+}
+
+/// What is turned.
+#[derive(Clone, Debug)]
+pub struct Turned {
+    /// How its cuts see it.
+    pub sight: Sight,
+    /// Where the tip may be.
+    pub envelope: Envelope,
+    /// The tip where the contour begins, and the direction of its first element there.
+    pub begin: DVec2,
+    /// The direction of the first element.
+    pub heading: DVec2,
+    /// The tip where the contour ends.
+    pub end: DVec2,
+    /// Where the cycle began.
+    pub start: DVec2,
+    /// The set-up clearance, mm.
+    pub clearance: f64,
+    /// By how much at most the insert stays away from what its nose alone would reach, mm.
+    pub left: f64,
+    /// Where the contour begins: `x`.
+    pub first: f64,
+    /// The highest place of the contour without its allowance.
+    pub highest: f64,
+    /// No cut goes further than this, though the contour ends before: `x`.
+    pub limit: f64,
+}
+
+impl Turned {
+    /// What is turned of a profile from where a cycle began with a clearance. It may be `solid` in front of the profile
+    /// as high as that begins.
+    ///
+    /// # Errors
+    /// The profile goes back somewhere, or has no element.
+    pub fn new(
+        sight: Sight,
+        profile: &Way,
+        (allowance, insert): (Allowance, Insert),
+        (start, clearance): (DVec2, f64),
+        solid: bool,
+    ) -> Result<Self, GoesBack> {
+        let (first, last) = (profile.edges.first().ok_or(GoesBack)?, profile.edges.last().ok_or(GoesBack)?);
+        let heading = direction(profile.start, first, false);
+        let last_but_one = profile.edges.iter().rev().nth(1).map_or(profile.start, Edge::to);
+        let leaving = direction(last_but_one, last, true);
+        let longer = 2.0 * (insert.radius + allowance.along.abs()) + clearance;
+        // In front of a flank is what the contour goes down into.
+        let before = match solid {
+            true => DVec2::new(-(longer + (profile.start.x - start.x).max(0.0)), 0.0),
+            false => -heading * longer,
+        };
+        let whole = lengthened(profile, before, leaving * longer);
+        let envelope = Envelope::over(&whole, allowance, insert, TIP)?;
+        let nose = Envelope::over(&whole, allowance, Insert { edges: None, ..insert }, TIP)?;
+        let touching = |at: DVec2, along: DVec2| {
+            // Of the two corners of an allowance the one that is further out counts.
+            let side = if along.y.abs() < COUNTS { 0.0 } else { -along.y.signum() };
+            let wide = DVec2::new(side * allowance.along.abs(), allowance.away);
+            at + wide + along.perp() * insert.radius + TIP * insert.radius
+        };
+        let (mut begin, end) = (touching(profile.start, heading), touching(profile.end(), leaving));
+        begin.y = envelope.height(begin.x).map_or(begin.y, |height| height.max(begin.y));
+        let highest = highest(profile);
+        let left = envelope.above(&nose, [begin.x, end.x]);
+        let left = if left > REPORTED { left } else { 0.0 };
+        let limit = profile.edges.iter().map(|edge| edge.to().x).fold(profile.start.x, f64::max);
+        Ok(Self { sight, envelope, begin, heading, end, start, clearance, left, limit, highest, first: profile.start.x })
+    }
+
+    /// Where cuts begin: where the cycle began, or, where that is within the part, the clearance before it.
+    pub fn beginning(&self) -> DVec2 {
+        if self.start.x <= self.first + COUNTS {
+            return self.start;
+        }
+        let above = self.highest + self.clearance;
+        let x = self.first - self.clearance;
+        DVec2::new(x, if self.is_inside() { above } else { self.start.y })
+    }
+
+    /// Whether the cycle began within what is to be removed.
+    pub fn is_inside(&self) -> bool {
+        self.start.x > self.first + COUNTS && self.start.y < self.highest - COUNTS
+    }
+
+    /// The lowest place of the contour.
+    pub fn bottom(&self) -> f64 {
+        let lowest = self.envelope.lowest([self.begin.x, self.limit.max(self.begin.x)]);
+        lowest.unwrap_or(self.begin.y).min(self.begin.y)
+    }
+
+    /// The height at which the tool crosses what it does not cut.
+    pub fn over(&self) -> f64 {
+        self.start.y.max(self.highest) + self.clearance
+    }
+
+    /// The cuts at a level: pairs of beginning and end.
+    pub fn cuts(&self, level: f64) -> Vec<[f64; 2]> {
+        let from = self.beginning().x;
+        if from >= self.limit { Vec::new() } else { self.envelope.below(level, [from, self.limit]) }
+    }
+
+    /// The cut at a level that a place belongs to.
+    pub fn cut_at(&self, level: f64, x: f64) -> Option<[f64; 2]> {
+        self.cuts(level).into_iter().find(|[from, to]| *from - COUNTS <= x && x <= *to + COUNTS)
+    }
+
+    /// Whether a cut is open towards where cuts begin.
+    pub fn is_open(&self, cut: [f64; 2]) -> bool {
+        cut[0] <= self.beginning().x + COUNTS
+    }
+
+    /// Where the pen is, as cuts see it.
+    pub fn here(&self, pen: &Pen) -> DVec2 {
+        let here = pen.here();
+        self.sight.seen(here.x, here.z)
+    }
+
+    /// Straight to a point.
+    pub fn line(&self, pen: &mut Pen, to: DVec2, feed: f64) {
+        let to = self.sight.point(to, pen.here().y);
+        pen.line(to, feed);
+    }
+
+    /// Along the envelope to a point of it; the pen is at another one.
+    pub fn follow(&self, pen: &mut Pen, to: DVec2, feed: f64) {
+        let minor = pen.here().y;
+        for edge in self.envelope.way(self.here(pen), to).edges {
+            match edge {
+                Edge::Line(to) => pen.line(self.sight.point(to, minor), feed),
+                Edge::Arc { to, centre, sweep } => {
+                    let (centre, to) = (self.sight.point(centre, minor), self.sight.point(to, minor));
+                    pen.sideways((centre, to), sweep * self.sight.sense(), feed);
+                }
+            }
+        }
+    }
+}
+
+/// The direction of an edge at its beginning or at its end.
+fn direction(from: DVec2, edge: &Edge, at_end: bool) -> DVec2 {
+    match *edge {
+        Edge::Line(to) => (to - from).normalize_or_zero(),
+        Edge::Arc { to, centre, sweep } => {
+            let arm = if at_end { to - centre } else { from - centre };
+            (arm.perp() * sweep.signum()).normalize_or_zero()
+        }
+    }
+}
+
+/// A way that begins and ends further out.
+fn lengthened(way: &Way, begin: DVec2, end: DVec2) -> Way {
+    let mut edges = Vec::with_capacity(way.edges.len() + 2);
+    edges.push(Edge::Line(way.start));
+    edges.extend(&way.edges);
+    edges.push(Edge::Line(way.end() + end));
+    Way { start: way.start + begin, edges }
+}
+
+/// The highest place of a way.
+fn highest(way: &Way) -> f64 {
+    let (mut at, mut highest) = (way.start, way.start.y);
+    for edge in &way.edges {
+        highest = highest.max(edge.to().y);
+        if let Edge::Arc { to, centre, sweep } = *edge
+            && sweep < 0.0
+            && (at.x..=to.x).contains(&centre.x)
+        {
+            highest = highest.max(centre.y + centre.distance(at));
+        }
+        at = edge.to();
+    }
+    highest
+}

@@ -1,0 +1,271 @@
+//! Strategies that turn: one level, one infeed, one retreat, or once along the contour.
+//!
+//! What is turned was said before ([`turning_shape`](super::turning_shape)). Invariant: at a feed the tip stays on the
+//! envelope of the contour or above it, and at rapid traverse where nothing is left to cut.
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use glam::DVec2;
+
+use super::contour::{Contours, OverContours};
+use super::pen::{Cutter, Pen};
+use super::signature::strategy;
+use super::turned::Turned;
+use crate::engine::report::fault::Fault;
+
+/// The feed that means rapid traverse.
+const RAPID: f64 = 99_999.999;
+/// What is lower than the tool by less than this, mm, touches it.
+const TOUCHING: f64 = 1e-5;
+/// So near to the end of a cut the tool is at it, mm.
+const NEAR: f64 = 1e-3;
+/// What calculation may add to a level, mm.
+const SPARE: f64 = 1e-6;
+
+strategy! {
+    /// To where cuts begin, where the cycle began within what is to be removed.
+    ClearTurningArea = "clear-turning-area" {
+        /// Whether away from the part before that.
+        away: bool = Number,
+    }
+}
+
+strategy! {
+    /// To the beginning of the first cut at a level: straight at rapid traverse, or, where something is in front of it,
+    /// over that and along the contour at the feed.
+    InfeedToTurningLevel = "infeed-to-turning-level" {
+        /// The level: a diameter, or a coordinate on the rotary axis.
+        level: f64 = Length,
+        /// The one before it.
+        before: f64 = Length,
+        /// The feed, mm/min.
+        at: f64 = Feed,
+    }
+}
+
+strategy! {
+    /// All cuts at a level; after each but the last over to the next one.
+    RoughTurningLevel = "rough-turning-level" {
+        /// The level.
+        level: f64 = Length,
+        /// The one before it.
+        before: f64 = Length,
+        /// The feed, mm/min.
+        at: f64 = Feed,
+    }
+}
+
+strategy! {
+    /// Along the contour from a level to the one before it.
+    FollowTurnedContour = "follow-turned-contour" {
+        /// The level at which the tool is.
+        from: f64 = Length,
+        /// The one before it.
+        to: f64 = Length,
+        /// The feed, mm/min.
+        at: f64 = Feed,
+    }
+}
+
+strategy! {
+    /// Back from a level to the one before it at 45 degrees.
+    LiftOffTurnedContour = "lift-off-turned-contour" {
+        /// The level at which the tool is.
+        from: f64 = Length,
+        /// The one before it.
+        to: f64 = Length,
+        /// The feed, mm/min.
+        at: f64 = Feed,
+    }
+}
+
+strategy! {
+    /// To where cuts begin, at rapid traverse: straight, or over what is in front of the cut.
+    ReturnToStartOfCut = "return-to-start-of-cut" {}
+}
+
+strategy! {
+    /// To the clearance before the contour at rapid traverse, axis by axis.
+    ApproachTurningContour = "approach-turning-contour" {}
+}
+
+strategy! {
+    /// Along the whole contour; the tool is in front of it.
+    FinishTurnedContour = "finish-turned-contour" {
+        /// The feed, mm/min.
+        at: f64 = Feed,
+    }
+}
+
+strategy! {
+    /// Away from the contour by the clearance, at 45 degrees.
+    RetractFromTurningContour = "retract-from-turning-contour" {
+        /// The feed, mm/min.
+        at: f64 = Feed,
+    }
+}
+
+strategy! {
+    /// To where the cycle began at rapid traverse, axis by axis.
+    ReturnToTurningStart = "return-to-turning-start" {}
+}
+
+/// What is turned.
+fn turned(contours: &Contours) -> Result<&Turned, Fault> {
+    contours.turned.as_ref().ok_or_else(|| Fault::program("contour-not-defined"))
+}
+
+/// Back at 45 degrees to a height.
+fn lift(turned: &Turned, pen: &mut Pen, height: f64, feed: f64) {
+    let here = turned.here(pen);
+    let room = turned.cut_at(here.y, here.x).map_or(0.0, |[from, _]| here.x - from);
+    let rise = (height - here.y).max(0.0);
+    turned.line(pen, here + DVec2::new(-rise.min(room.max(0.0)), rise), feed);
+}
+
+/// To the beginning of a cut over what is in front of it, and down the contour.
+fn plunge(turned: &Turned, pen: &mut Pen, cut: [f64; 2], (level, before): (f64, f64), feed: f64) {
+    let above = turned.cut_at(before, cut[0]).filter(|above| !turned.is_open(*above));
+    let near = [turned.begin.x.min(cut[0]), cut[0]];
+    let from = above.map(|[x, _]| DVec2::new(x, before));
+    let from = from.or_else(|| turned.envelope.summit(near)).unwrap_or(DVec2::new(cut[0], before));
+    let here = turned.here(pen);
+    let over = turned.over().max(here.y);
+    turned.line(pen, DVec2::new(here.x, over), RAPID);
+    turned.line(pen, DVec2::new(from.x, over), RAPID);
+    turned.line(pen, DVec2::new(from.x, (from.y + turned.clearance).min(over)), RAPID);
+    turned.line(pen, from, feed);
+    turned.follow(pen, DVec2::new(cut[0], level), feed);
+}
+
+impl OverContours for ClearTurningArea {
+    fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let turned = turned(contours)?;
+        let to = turned.beginning();
+        if to != turned.start {
+            let here = turned.here(pen);
+            let height = if self.away { to.y } else { here.y };
+            turned.line(pen, DVec2::new(here.x, height), RAPID);
+            turned.line(pen, DVec2::new(to.x, height), RAPID);
+        }
+        Ok(())
+    }
+}
+
+impl OverContours for InfeedToTurningLevel {
+    fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let turned = turned(contours)?;
+        let (level, before) = (turned.sight.height(self.level), turned.sight.height(self.before));
+        match turned.cuts(level).first() {
+            None => {}
+            Some(cut) if turned.is_open(*cut) => {
+                let (here, x) = (turned.here(pen), turned.beginning().x);
+                if here.x > x + SPARE {
+                    turned.line(pen, DVec2::new(here.x, turned.over().max(here.y)), RAPID);
+                    turned.line(pen, DVec2::new(x, turned.over().max(here.y)), RAPID);
+                }
+                turned.line(pen, DVec2::new(turned.here(pen).x, level), RAPID);
+            }
+            Some(cut) => plunge(turned, pen, *cut, (level, before), self.at),
+        }
+        Ok(())
+    }
+}
+
+impl OverContours for RoughTurningLevel {
+    fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let turned = turned(contours)?;
+        let (level, before) = (turned.sight.height(self.level), turned.sight.height(self.before));
+        for (number, cut) in turned.cuts(level).into_iter().enumerate() {
+            if number > 0 {
+                lift(turned, pen, before, self.at);
+                plunge(turned, pen, cut, (level, before), self.at);
+            }
+            turned.line(pen, DVec2::new(cut[1], level), self.at);
+        }
+        Ok(())
+    }
+}
+
+impl OverContours for FollowTurnedContour {
+    fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let turned = turned(contours)?;
+        let (here, before) = (turned.here(pen), turned.sight.height(self.to));
+        if (here.y - turned.sight.height(self.from)).abs() > SPARE {
+            return Ok(());
+        }
+        if let Some([_, end]) = turned.cut_at(before, here.x) {
+            turned.follow(pen, DVec2::new(end, before), self.at);
+        }
+        Ok(())
+    }
+}
+
+impl OverContours for LiftOffTurnedContour {
+    fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let turned = turned(contours)?;
+        if (turned.here(pen).y - turned.sight.height(self.from)).abs() <= SPARE {
+            lift(turned, pen, turned.sight.height(self.to), self.at);
+        }
+        Ok(())
+    }
+}
+
+impl OverContours for ReturnToStartOfCut {
+    fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let turned = turned(contours)?;
+        let (here, to) = (turned.here(pen), turned.beginning());
+        // Along a surface the tool does not go at rapid traverse.
+        let free = turned.cuts(here.y - TOUCHING).first().is_some_and(|cut| {
+            turned.is_open(*cut) && here.x <= cut[1] + NEAR
+        });
+        let height = if free { here.y } else { turned.over().max(here.y) };
+        turned.line(pen, DVec2::new(here.x, height), RAPID);
+        turned.line(pen, DVec2::new(to.x, height), RAPID);
+        Ok(())
+    }
+}
+
+impl OverContours for ApproachTurningContour {
+    fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let turned = turned(contours)?;
+        let (here, mut to) = (turned.here(pen), turned.begin - turned.heading * turned.clearance);
+        if turned.heading.y.abs() <= SPARE {
+            to.x = to.x.min(here.x);
+        }
+        let over = if here.x <= to.x.max(turned.begin.x) { here.y.max(to.y) } else { turned.over().max(here.y) };
+        turned.line(pen, DVec2::new(here.x, over), RAPID);
+        turned.line(pen, DVec2::new(to.x, over), RAPID);
+        turned.line(pen, to, RAPID);
+        Ok(())
+    }
+}
+
+impl OverContours for FinishTurnedContour {
+    fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let turned = turned(contours)?;
+        turned.line(pen, turned.begin, self.at);
+        turned.follow(pen, turned.end, self.at);
+        Ok(())
+    }
+}
+
+impl OverContours for RetractFromTurningContour {
+    fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let turned = turned(contours)?;
+        let by = turned.clearance * FRAC_1_SQRT_2;
+        turned.line(pen, turned.here(pen) + DVec2::new(-by, by), self.at);
+        Ok(())
+    }
+}
+
+impl OverContours for ReturnToTurningStart {
+    fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
+        let turned = turned(contours)?;
+        let (here, to) = (turned.here(pen), turned.start);
+        let over = here.y.max(to.y);
+        turned.line(pen, DVec2::new(here.x, over), RAPID);
+        turned.line(pen, DVec2::new(to.x, over), RAPID);
+        turned.line(pen, to, RAPID);
+        Ok(())
+    }
+}
