@@ -170,6 +170,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [spindle-stopped] The spindle is not turning while the tool moves through { $amount } mm of material.
         [edges-too-short] Material is cut up to { $amount } mm above the tool tip, beyond the length of the cutting edges.
         [turns-together] Rotary axes turn while the tool moves: the material removed is not known.
+        [turned] The workpiece is turned: what tool { $amount } removes from it is not followed.
        *[no-radius] Tool { $amount } has no radius: the material removed is not known.
     }
 cli-stock-more = { $count ->

@@ -260,6 +260,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [spindle-stopped] Il mandrino è fermo mentre l’utensile attraversa { $amount } mm di materiale.
         [edges-too-short] Il materiale viene asportato fino a { $amount } mm sopra la punta dell’utensile, oltre la lunghezza dei taglienti.
         [turns-together] Gli assi rotativi ruotano mentre l’utensile si sposta: il materiale asportato non è noto.
+        [turned] Il pezzo viene tornito: ciò che l’utensile { $amount } asporta non viene seguito.
        *[no-radius] L’utensile { $amount } non ha raggio: il materiale asportato non è noto.
     }
 cli-stock-length = Percorso: { $feed } mm in avanzamento, di cui { $cut } mm in movimenti che asportano materiale; { $rapid } mm in rapido

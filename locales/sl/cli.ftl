@@ -286,6 +286,7 @@ cli-stock-finding = { $program }:{ $line }{ $count ->
         [spindle-stopped] Vreteno miruje, medtem ko se orodje giblje skozi { $amount } mm materiala.
         [edges-too-short] Material se reže do { $amount } mm nad konico orodja, kar je več, kot so dolga rezila.
         [turns-together] Rotacijske osi se med premikanjem orodja vrtijo: odvzeti material ni znan.
+        [turned] Obdelovanec se struži: kaj z njega odreže orodje { $amount }, se ne spremlja.
        *[no-radius] Orodje { $amount } nima polmera: odvzeti material ni znan.
     }
 cli-stock-length = Pot: { $feed } mm s pomikom, od tega { $cut } mm v premikih, ki odvzemajo material; { $rapid } mm v hitrem teku

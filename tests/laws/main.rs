@@ -27,4 +27,5 @@ mod tcpm;
 mod tool_setter;
 mod touch;
 mod transforms;
+mod turning;
 mod worked;

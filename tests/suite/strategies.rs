@@ -278,6 +278,10 @@ impl Kept for Notebook {
         &self.contours
     }
 
+    fn keep_turned(&mut self, turned: ciklo::engine::strategy::turned::Turned) {
+        self.contours.turned = Some(turned);
+    }
+
     fn tool_radius(&self) -> f64 {
         5.0
     }

@@ -16,7 +16,7 @@ const MOST_SPEED: f64 = 99_999.999;
 /// mm in the unit of cutting speeds.
 const METRE: f64 = 1000.0;
 /// Pieces of an arc for which the mean feed is reckoned.
-const PIECES: u32 = 256;
+const PIECES: u32 = 128;
 
 impl TurningSpindle {
     /// Its speed on a diameter, 1/min; 0 while it is stationary.

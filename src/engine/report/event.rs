@@ -164,12 +164,14 @@ pub enum FindingKind {
     TurnsTogether,
     /// The tool has no radius, so what it removes is not known; the amount is its number.
     NoRadius,
+    /// The workpiece turns: what an insert removes is not known to the stock; the amount is the number of the tool.
+    Turned,
 }
 
 impl FindingKind {
     /// All kinds.
-    pub const ALL: [Self; 5] =
-        [Self::Rapid, Self::SpindleStopped, Self::EdgesTooShort, Self::TurnsTogether, Self::NoRadius];
+    pub const ALL: [Self; 6] =
+        [Self::Rapid, Self::SpindleStopped, Self::EdgesTooShort, Self::TurnsTogether, Self::NoRadius, Self::Turned];
 
     /// The word for it in JSON, and in the id of its message (`stock-<word>`).
     pub const fn as_str(self) -> &'static str {
@@ -179,6 +181,7 @@ impl FindingKind {
             Self::EdgesTooShort => "edges-too-short",
             Self::TurnsTogether => "turns-together",
             Self::NoRadius => "no-radius",
+            Self::Turned => "turned",
         }
     }
 }

@@ -235,6 +235,8 @@ pub struct Machining {
     cutter: Option<Cutter>,
     /// The tool in the spindle that has no radius, and whether that was reported.
     unknown: Option<(f64, bool)>,
+    /// The tool in the spindle, and whether it was reported that what it turns is not followed.
+    turned: Option<(f64, bool)>,
     axis: Axis,
     turning: bool,
     machine: Machine,
@@ -269,6 +271,7 @@ impl Machining {
             necks: scene.necks.clone(),
             cutter: None,
             unknown: None,
+            turned: None,
             axis: scene.machine.spindle,
             turning: false,
             machine: scene.machine.clone(),
@@ -288,6 +291,7 @@ impl Machining {
                     let neck = self.necks.iter().find(|(number, _)| *number == tool.number).map(|(_, neck)| *neck);
                     self.cutter = Cutter::of_tool(tool, neck);
                     self.unknown = (self.cutter.is_none() && tool.probe.is_none()).then_some((tool.number, false));
+                    self.turned = Some((tool.number, false));
                     self.axis = *axis;
                     self.pace.stop();
                 }
@@ -308,19 +312,26 @@ impl Machining {
                 self.pace.stop();
             }
             EventKind::Probe(_) => self.pace.stop(),
-            EventKind::Move { kind, feed, path, .. } => {
+            EventKind::Move { kind, feed, path, turned, .. } => {
                 let rapid = matches!(kind, MoveKind::Rapid | MoveKind::Arc { rapid: true, .. });
                 let length = path.length();
                 self.report.moves += 1;
                 *(if rapid { &mut self.report.length_rapid } else { &mut self.report.length_feed }) += length;
                 self.pace.go(path, *feed, rapid);
                 let at = Place::of(&event.at);
-                if let (Some((number, reported)), false) = (self.unknown, rapid) {
+                if let (Some((number, reported)), false, None) = (self.unknown, rapid, turned) {
                     self.report.find(FindingKind::NoRadius, &at, number);
                     if let (Some(found), false) = (&mut self.found, reported) {
                         found.push(Found { event: self.seen, kind: FindingKind::NoRadius, amount: number });
                         self.unknown = Some((number, true));
                     }
+                }
+                if turned.is_some() {
+                    if let (false, Some((number, false))) = (rapid, self.turned) {
+                        self.find(FindingKind::Turned, &at, number, self.seen);
+                        self.turned = Some((number, true));
+                    }
+                    return;
                 }
                 let Some(cutter) = self.in_effect() else { return };
                 let (spindle_off, edges) = (!self.turning, cutter.edges);

@@ -1,0 +1,395 @@
+//! Laws of turned shoulders: what is left is the contour with its allowance, nothing is cut below it by any part of the
+//! insert, all that the insert can reach is reached, no infeed is too deep, and rapid traverse stays in the open.
+//!
+//! The contour is drawn here as points, from its definition; positions of the insert come from the events of a run.
+#![expect(clippy::disallowed_methods, reason = "truths are calculated with plain trigonometry")]
+use std::fmt::Write as _;
+
+use ciklo::base::diag::Source;
+use ciklo::engine::run::{Engine, Event, EventKind, MoveKind, NoTexts, Status};
+use ciklo::engine::scene::Scene;
+use ciklo::program::syntax;
+use glam::DVec2;
+use proptest::prelude::*;
+
+use crate::built::{Built, built};
+
+/// How near the contour must be reached, and how far it may be missed, mm.
+const EXACT: f64 = 1e-6;
+/// The distance of the points of the contour and of the positions that are looked at, mm.
+const STEP: f64 = 0.1;
+/// What a grid of that step sees as material that is none, mm.
+const COARSE: f64 = 0.25;
+
+/// A shoulder and how it is turned, seen by its cuts: `x` along the feed, `y` away from the part.
+#[derive(Clone, Debug)]
+struct Job {
+    face: bool,
+    inside: bool,
+    /// Whether cuts go (or follow each other) towards greater Z.
+    upwards: bool,
+    plunges: bool,
+    length: f64,
+    height: f64,
+    first: f64,
+    wall: f64,
+    corner: f64,
+    elements: (u8, u8),
+    size: f64,
+    radius: f64,
+    edges: Option<(f64, f64)>,
+    oversizes: (f64, f64),
+    depth: f64,
+    clearance: f64,
+    above: f64,
+    smoothing: u8,
+    operation: u8,
+}
+
+fn mm(range: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
+    range.prop_map(|value| (value * 100.0).round() / 100.0)
+}
+
+fn job() -> impl Strategy<Value = Job> {
+    let how = (any::<bool>(), any::<bool>(), any::<bool>(), any::<bool>());
+    let edges = prop_oneof![Just(None), (mm(45.0..107.0), mm(35.0..70.0)).prop_map(Some)];
+    let shape = (mm(15.0..50.0), mm(4.0..15.0), 0.0..1.0_f64, mm(0.0..30.0), prop_oneof![Just(0.0), mm(0.2..1.5)]);
+    let ends = (0..3_u8, 0..3_u8, mm(0.2..1.0));
+    let cut = (mm(0.2..1.6), edges, (mm(0.0..0.6), mm(0.0..0.3)), mm(0.6..5.0), mm(1.0..3.0), mm(0.0..3.0));
+    (how, shape, ends, cut, 0..3_u8, 1..3_u8).prop_map(|(how, shape, ends, cut, smoothing, operation)| {
+        let (length, height, first, wall, corner) = shape;
+        let room: f64 = (length - 8.0) / height;
+        let steepest = if how.3 { room.atan().to_degrees().min(75.0) } else { 10.0 };
+        Job {
+            face: how.0,
+            inside: how.1,
+            upwards: how.2,
+            plunges: how.3,
+            length,
+            height,
+            first: (first * steepest * 100.0).floor() / 100.0,
+            wall,
+            corner,
+            elements: (ends.0, ends.1),
+            size: ends.2,
+            radius: cut.0,
+            edges: cut.1,
+            oversizes: cut.2,
+            depth: cut.3,
+            clearance: cut.4,
+            above: cut.5,
+            smoothing,
+            operation,
+        }
+    })
+}
+
+impl Job {
+    /// The diameter and the coordinate on the axis of a point as cuts see it, which has its origin where the contour
+    /// begins.
+    fn programmed(&self, at: DVec2) -> (f64, f64) {
+        let (ahead, away) = self.signs();
+        let start = if self.face {
+            // Towards the axis there must be room for the contour.
+            DVec2::new(if ahead < 0.0 { 70.0 } else { 15.0 }, -7.0)
+        } else {
+            DVec2::new(-7.0, if away > 0.0 { 60.0 } else { 20.0 })
+        };
+        let (x, y) = (start.x + at.x * ahead, start.y + at.y * away);
+        if self.face { (2.0 * x, y) } else { (2.0 * y, x) }
+    }
+
+    /// The signs of the machine's coordinates along the feed and away from the part.
+    fn signs(&self) -> (f64, f64) {
+        let (out, along) = (if self.inside { -1.0 } else { 1.0 }, if self.upwards { 1.0 } else { -1.0 });
+        if self.face { (-out, -along) } else { (along, out) }
+    }
+
+    fn seen(&self, radius: f64, z: f64) -> DVec2 {
+        let (ahead, away) = self.signs();
+        let (diameter, from) = self.programmed(DVec2::ZERO);
+        let (dr, dz) = (radius - diameter / 2.0, z - from);
+        if self.face { DVec2::new(dr * ahead, dz * away) } else { DVec2::new(dz * ahead, dr * away) }
+    }
+
+    /// The corners of the contour with what becomes of them: 0 nothing, 1 a chamfer, 2 a rounding, and how large it is.
+    fn corners(&self) -> Vec<(DVec2, u8, f64)> {
+        let end = DVec2::new(self.length, -self.height);
+        let outer = DVec2::new(end.x + self.wall.to_radians().tan() * self.height, 0.0);
+        let (first, tan) = (self.elements.0, self.first.to_radians().tan());
+        let round = if self.corner > 0.0 { 2 } else { 0 };
+        let mut corners = if self.plunges {
+            let foot = DVec2::new(tan * self.height, end.y);
+            vec![(DVec2::new(-50.0, 0.0), 0, 0.0), (DVec2::ZERO, first, self.size), (foot, round, self.corner)]
+        } else {
+            let near = DVec2::new(0.0, end.y - tan * self.length);
+            vec![(near - DVec2::new(0.0, 50.0), 0, 0.0), (near, first, self.size)]
+        };
+        corners.extend([(end, round, self.corner), (outer, self.elements.1, self.size)]);
+        corners.push((outer + DVec2::new(50.0, 0.0), 0, 0.0));
+        corners
+    }
+
+    /// Points of the contour, and whether the nose comes to them: not to sharp corners inside.
+    fn contour(&self) -> Vec<(DVec2, bool)> {
+        let corners = self.corners();
+        let mut way: Vec<DVec2> = Vec::new();
+        let mut sharp: Vec<DVec2> = Vec::new();
+        for around in corners.windows(3) {
+            let &[(before, ..), (at, kind, size), (after, ..)] = around else { continue };
+            let (back, on) = ((before - at).normalize(), (after - at).normalize());
+            // Half of the angle between the two sides.
+            let half = back.dot(on).clamp(-1.0, 1.0).acos() / 2.0;
+            match kind {
+                1 => way.extend([at + back * size, at + on * size]),
+                2 => {
+                    let (centre, cut) = (at + (back + on).normalize() * (size / half.sin()), size / half.tan());
+                    let (from, to) = (at + back * cut - centre, at + on * cut - centre);
+                    let sweep = from.angle_to(to);
+                    way.extend((0..=40).map(|n| centre + DVec2::from_angle(sweep * f64::from(n) / 40.0).rotate(from)));
+                }
+                _ => way.push(at),
+            }
+            let inner = (at - before).perp_dot(after - at) > 0.0;
+            if inner && (kind == 0 || kind == 2 && size < self.radius) {
+                sharp.push(at);
+            }
+        }
+        let mut points = Vec::new();
+        for pair in way.windows(2) {
+            let &[from, to] = pair else { continue };
+            let count = (from.distance(to) / STEP).ceil().max(1.0);
+            points.extend((0..=count as u32).map(|n| from.lerp(to, f64::from(n) / count)));
+        }
+        // The nose leaves a fillet as far from a sharp corner as its tangents are long.
+        let far = 8.0 * self.radius;
+        let whole = |at: &DVec2| sharp.iter().all(|corner| corner.distance(*at) > far);
+        points.into_iter().map(|at| (at, whole(&at))).collect()
+    }
+
+    /// How far a point is from the insert whose nose has its centre there, less the radius of the nose.
+    fn distance(&self, centre: DVec2, point: DVec2) -> f64 {
+        let way = point - centre;
+        let Some((angle, tip)) = self.edges else { return way.length() - self.radius };
+        let (a, b) = (angle.to_radians(), (angle + tip).to_radians());
+        // The edges of a tool that cuts towards the chuck outside; across the axis the same tool cuts inwards.
+        let seen = |angle: f64| {
+            let (z, r) = (-angle.cos(), angle.sin());
+            if self.face { DVec2::new(-r, z) } else { DVec2::new(-z, r) }
+        };
+        let (a, b) = (seen(a), seen(b));
+        let (over_a, over_b) = (way.perp_dot(b) / a.perp_dot(b), way.perp_dot(a) / b.perp_dot(a));
+        if over_a >= 0.0 && over_b >= 0.0 {
+            return -self.radius;
+        }
+        let to_ray = |ray: DVec2| (way - ray * way.dot(ray).max(0.0)).length();
+        to_ray(a).min(to_ray(b)) - self.radius
+    }
+
+    fn program(&self) -> String {
+        let number = match (self.face, self.plunges) {
+            (false, false) => 812,
+            (false, true) => 814,
+            (true, false) => 822,
+            (true, true) => 824,
+        };
+        let (start_d, start_z) = self.programmed(DVec2::ZERO);
+        let (end_d, end_z) = self.programmed(DVec2::new(self.length, -self.height));
+        let values: [(u16, f64); 19] = [
+            (215, f64::from(self.operation)),
+            (460, self.clearance),
+            (491, start_d),
+            (492, start_z),
+            (493, end_d),
+            (494, end_z),
+            (495, self.first),
+            (501, f64::from(self.elements.0)),
+            (502, self.size),
+            (500, self.corner),
+            (496, self.wall),
+            (503, f64::from(self.elements.1)),
+            (504, self.size),
+            (463, self.depth),
+            (478, 300.0),
+            (483, self.oversizes.0),
+            (484, self.oversizes.1),
+            (505, 100.0),
+            (506, f64::from(self.smoothing)),
+        ];
+        let (x, z) = self.programmed(DVec2::new(-2.0, self.above));
+        let mut text = format!("TOOL CALL 1 Z\nFUNCTION MODE TURN\nL X{x:+} Z{z:+} R0 FMAX\nCYCL DEF {number}\n");
+        for (q, value) in values {
+            let _ = writeln!(text, "Q{q}={value:+}");
+        }
+        text + "CYCL CALL\n"
+    }
+
+    fn run(&self) -> Result<Vec<Event>, TestCaseError> {
+        let Built { files, catalogue, .. } = built();
+        let (angle, tip) = self.edges.unwrap_or_default();
+        let (x, z) = self.programmed(DVec2::new(-2.0, self.above));
+        let text = format!(
+            "scene: 1\ntools: [{{T: 1, L: 80, R: 0, RS: {}, T-ANGLE: {angle}, P-ANGLE: {tip}}}]\nstart: [{}, 0, {z}]\n",
+            self.radius,
+            x / 2.0,
+        );
+        let scene = Scene::parse(&Source::new("scene.yaml", text.clone()), files);
+        let scene = scene.unwrap_or_else(|found| panic!("{found:?}\n{text}"));
+        let program = self.program();
+        let tree = syntax::parse(&Source::new("LAW.H", program.clone()));
+        let mut events = Vec::new();
+        let engine = Engine::new(&tree, catalogue.on("tnc640").expect("a control"), &scene, &NoTexts);
+        let outcome = engine.with_catalogue(catalogue).run(&mut |event| events.push(event.clone()));
+        prop_assert_eq!(outcome.status, Status::Done, "{:?}\n{}", outcome.fault, program);
+        Ok(events)
+    }
+
+    /// Allowances along the feed and away from the part.
+    fn allowance(&self) -> DVec2 {
+        let (across, along) = (self.oversizes.0 / 2.0, self.oversizes.1);
+        if self.face { DVec2::new(across, along) } else { DVec2::new(along, across) }
+    }
+}
+
+/// A move of the centre of the nose.
+struct Moved {
+    rapid: bool,
+    step: String,
+    arc: Option<DVec2>,
+    places: Vec<DVec2>,
+}
+
+impl Job {
+    fn moves(&self, events: &[Event]) -> Vec<Moved> {
+        let mut moves = Vec::new();
+        for event in events {
+            let EventKind::Move { kind, path, .. } = &event.kind else { continue };
+            let Some((_, Some(step))) = &event.at.cycle else { continue };
+            let tip = DVec2::new(-self.radius, self.radius);
+            let centre = |share: f64| {
+                let at = path.at(share);
+                self.seen(at.x, at.z) + tip
+            };
+            let count = (path.length() / STEP).ceil().max(1.0);
+            let places = (0..=count as u32).map(|n| centre(f64::from(n) / count)).collect();
+            let arc = match kind {
+                MoveKind::Arc { centre, .. } => Some(self.seen(centre.x, centre.z) + tip),
+                _ => None,
+            };
+            let rapid = *kind == MoveKind::Rapid;
+            moves.push(Moved { rapid, step: step.to_string(), arc, places });
+        }
+        moves
+    }
+}
+
+impl Moved {
+    /// The least distance of a point from the way.
+    fn distance(&self, point: DVec2) -> f64 {
+        let near = |(a, b): (DVec2, DVec2)| {
+            let way = b - a;
+            let share = ((point - a).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+            point.distance(a.lerp(b, if share.is_nan() { 0.0 } else { share }))
+        };
+        if let (Some(centre), [first, .., last]) = (self.arc, self.places.as_slice()) {
+            let (a, b, way) = (*first - centre, *last - centre, point - centre);
+            let sense = a.perp_dot(b).signum();
+            if a.perp_dot(way) * sense >= 0.0 && way.perp_dot(b) * sense >= 0.0 {
+                return (way.length() - a.length()).abs();
+            }
+            return point.distance(*first).min(point.distance(*last));
+        }
+        let pairs = self.places.windows(2).filter_map(|pair| pair.first().copied().zip(pair.get(1).copied()));
+        pairs.map(near).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// The blank over a grid: up to where the cycle began, in front of the contour only where that goes down into it.
+struct Blank {
+    heights: Vec<f64>,
+    from: f64,
+}
+
+impl Blank {
+    fn new(job: &Job) -> Self {
+        let (from, count) = (-20.0, 1200);
+        let begins = if job.plunges { -10.0 } else { 0.0 };
+        let solid = |n: u32| if from + f64::from(n) * STEP < begins { f64::NEG_INFINITY } else { 0.0 };
+        Self { heights: (0..count).map(solid).collect(), from }
+    }
+
+    /// By how much a nose at a place is in the material at the most; what it covers is taken away if asked for.
+    fn meets(&mut self, centre: DVec2, radius: f64, cuts: bool) -> f64 {
+        let first = ((centre.x - radius - self.from) / STEP).ceil().max(0.0) as usize;
+        let last = ((centre.x + radius - self.from) / STEP).floor().max(0.0) as usize;
+        let mut deepest: f64 = 0.0;
+        for (n, height) in self.heights.iter_mut().enumerate().take(last + 1).skip(first) {
+            let off = self.from + n as f64 * STEP - centre.x;
+            let low = centre.y - (radius * radius - off * off).max(0.0).sqrt();
+            // What is steep at the side of the nose says nothing on a grid.
+            if off.abs() < radius - STEP {
+                deepest = deepest.max(*height - low);
+            }
+            if cuts {
+                *height = height.min(low);
+            }
+        }
+        deepest
+    }
+}
+
+proptest! {
+    #![proptest_config(crate::cases::config(150))]
+
+    #[test]
+    fn shoulders_keep_their_profile(job in job()) {
+        let events = job.run()?;
+        let (moves, contour) = (job.moves(&events), job.contour());
+        let by = if job.operation == 1 { job.allowance() } else { DVec2::ZERO };
+        // Nothing of the insert is below the contour with its allowance.
+        for moved in &moves {
+            for centre in moved.places.iter().step_by(if moved.rapid { 4 } else { 2 }) {
+                for (point, _) in &contour {
+                    for side in [-1.0, 1.0] {
+                        let wanted = *point + by * DVec2::new(side, 1.0);
+                        let apart = job.distance(*centre, wanted);
+                        prop_assert!(
+                            apart > -EXACT, "{} in the part at {} in {}\n{}", -apart, wanted, moved.step, job.program()
+                        );
+                    }
+                }
+            }
+        }
+        // Where the insert can come it comes, whatever is said not to be reached.
+        let left = events.iter().any(|event| matches!(&event.kind, EventKind::Message { .. }));
+        let along = |moved: &&Moved| moved.step.contains("finish") || moved.step.contains("smooth");
+        let whole: Vec<&Moved> = moves.iter().filter(|moved| !moved.rapid).filter(along).collect();
+        if !left && (job.operation == 2 || job.smoothing == 1 && by == DVec2::ZERO) {
+            for (point, _) in contour.iter().filter(|(_, whole)| *whole) {
+                let apart = whole.iter().map(|moved| moved.distance(*point)).fold(f64::INFINITY, f64::min) - job.radius;
+                prop_assert!(apart < EXACT, "{} left at {}\n{}", apart, point, job.program());
+            }
+        }
+        // No infeed is deeper than wanted.
+        let cuts = moves.iter().filter(|moved| moved.step.starts_with("cut-") && !moved.rapid);
+        let mut level = job.above.max(0.0) + job.radius;
+        for height in cuts.filter_map(|moved| Some((moved.places.first()?.y, moved.places.last()?.y))) {
+            if (height.0 - height.1).abs() < EXACT && height.0 < level {
+                prop_assert!(level - height.0 < job.depth + EXACT, "{} after {}\n{}", height.0, level, job.program());
+                level = height.0;
+            }
+        }
+        // Rapid traverse stays in the open.
+        if job.operation == 1 {
+            let mut blank = Blank::new(&job);
+            for moved in &moves {
+                for centre in &moved.places {
+                    let deep = blank.meets(*centre, job.radius, !moved.rapid);
+                    prop_assert!(
+                        !moved.rapid || deep < COARSE, "rapid {} deep at {} in {}\n{}", deep, centre, moved.step, job.program()
+                    );
+                }
+            }
+        }
+    }
+}
