@@ -13,6 +13,8 @@ use crate::engine::region::{Edge, Way};
 const TIP: DVec2 = DVec2::new(1.0, -1.0);
 /// Places that are nearer to each other are one, mm.
 const COUNTS: f64 = 1e-6;
+/// A place so far in front of a wall is not on it, mm.
+const SIDE: f64 = 1e-8;
 /// What stays beyond what the nose alone leaves is reported if it is more than this, mm.
 const REPORTED: f64 = 1e-3;
 
@@ -124,8 +126,10 @@ impl Turned {
             let wide = DVec2::new(side * allowance.along.abs(), allowance.away);
             at + wide + along.perp() * insert.radius + TIP * insert.radius
         };
-        let (mut begin, end) = (touching(profile.start, heading), touching(profile.end(), leaving));
+        let (mut begin, mut end) = (touching(profile.start, heading), touching(profile.end(), leaving));
         begin.y = envelope.height(begin.x).map_or(begin.y, |height| height.max(begin.y));
+        // Where the insert leans against the last wall it cannot go down along it.
+        end.y = envelope.height(end.x - SIDE).map_or(end.y, |height| height.max(end.y));
         let highest = highest(profile);
         let left = envelope.above(&nose, [begin.x, end.x]);
         let left = if left > REPORTED { left } else { 0.0 };

@@ -228,8 +228,10 @@ impl OverContours for ReturnToStartOfCut {
 impl OverContours for ApproachTurningContour {
     fn mill(&self, contours: &Contours, _: Cutter, pen: &mut Pen) -> Result<(), Fault> {
         let turned = turned(contours)?;
-        let (here, mut to) = (turned.here(pen), turned.begin - turned.heading * turned.clearance);
-        if turned.heading.y.abs() <= SPARE {
+        // Where the contour goes up, an insert that leans forwards does not come from below.
+        let along = if turned.heading.y > -SPARE { DVec2::X } else { turned.heading };
+        let (here, mut to) = (turned.here(pen), turned.begin - along * turned.clearance);
+        if along == DVec2::X {
             to.x = to.x.min(here.x);
         }
         let over = if here.x <= to.x.max(turned.begin.x) { here.y.max(to.y) } else { turned.over().max(here.y) };
