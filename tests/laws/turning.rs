@@ -16,6 +16,8 @@ use crate::built::{Built, built};
 
 /// How near the contour must be reached, and how far it may be missed, mm.
 const EXACT: f64 = 1e-6;
+/// What an insert cannot reach is reported from here on, mm; along a slope it may be a little more.
+const REPORTED: f64 = 2e-3;
 /// The distance of the points of the contour and of the positions that are looked at, mm.
 const STEP: f64 = 0.1;
 /// What a grid of that step sees as material that is none, mm.
@@ -367,7 +369,8 @@ proptest! {
         if !left && (job.operation == 2 || job.smoothing == 1 && by == DVec2::ZERO) {
             for (point, _) in contour.iter().filter(|(_, whole)| *whole) {
                 let apart = whole.iter().map(|moved| moved.distance(*point)).fold(f64::INFINITY, f64::min) - job.radius;
-                prop_assert!(apart < EXACT, "{} left at {}\n{}", apart, point, job.program());
+                let most = if job.edges.is_some() { REPORTED } else { EXACT };
+                prop_assert!(apart < most, "{} left at {}\n{}", apart, point, job.program());
             }
         }
         // No infeed is deeper than wanted.
