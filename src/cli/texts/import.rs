@@ -43,7 +43,11 @@ pub(super) fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome
     let dry = matches.get_flag("dry-run");
     if !dry {
         for (path, text) in &imported.files {
-            system::write(&system::inside(&root, path), text.as_bytes())?;
+            let target = system::inside(&root, path);
+            if let Some(folder) = target.parent() {
+                system::create_directory(folder)?;
+            }
+            system::write(&target, text.as_bytes())?;
         }
     }
     session.report(found, arguments::chosen_format(matches))?;
