@@ -49,7 +49,13 @@ fn what_comes_back_as_it_went_changes_nothing() {
 #[test]
 fn an_edit_changes_its_own_bytes_and_no_others() {
     let files = files(FINNISH);
-    let edits = [("Aja ", "Siirry "), ("toka rivi", "toinen"), ("Vihje", "Vihje < v"), (" reikää", " reiät"), ("kosketuspään", "anturin")];
+    let edits = [
+        ("Aja ", "Siirry "),
+        ("toka rivi", "toinen"),
+        ("Vihje", "Vihje < v"),
+        (" reikää", " reiät"),
+        ("kosketuspään", "anturin"),
+    ];
     for form in FORMS {
         for (old, new) in edits {
             let written = new.replace('<', if form == Form::Po { "<" } else { "&lt;" });
@@ -97,7 +103,10 @@ fn units_that_are_not_sound_are_refused_and_the_others_are_taken() {
     let code = "<ph id=\"2\" equiv-text=\"feed\">{ $feed }</ph>.</target>";
     assert!(good.contains(code), "{good}");
     let dropped = why(&good.replace(code, ".</target>"));
-    assert!(matches!(&dropped[..], [(id, Why::Codes { missing, .. })] if id == "a" && missing == "$feed"), "{dropped:?}");
+    assert!(
+        matches!(&dropped[..], [(id, Why::Codes { missing, .. })] if id == "a" && missing == "$feed"),
+        "{dropped:?}"
+    );
     let foreign = why(&good.replace(code, "<ph id=\"2\">{ $feed }</ph><ph id=\"9\">{ $other }</ph></target>"));
     assert!(matches!(&foreign[..], [(_, Why::Codes { foreign, .. })] if foreign == "{ $other }"), "{foreign:?}");
     let changed = why(&good.replace("<source>Move to", "<source>Drive to"));
@@ -129,7 +138,8 @@ fn hostile_files_are_refused_with_a_place() {
 #[test]
 fn what_is_not_final_is_passed_over() {
     let files = files(FINNISH);
-    let text = export(&files, "fi", Form::Xliff2).replace("state=\"final\"", "state=\"translated\"").replace("Aja ", "X ");
+    let text =
+        export(&files, "fi", Form::Xliff2).replace("state=\"final\"", "state=\"translated\"").replace("Aja ", "X ");
     let imported = import(&files, "fi", &text);
     assert_eq!((imported.passed_over, imported.taken.len(), imported.files.len()), (8, 0, 0));
 }

@@ -57,13 +57,17 @@ impl Twin<'_, '_> {
         }
     }
 
-    /// A tolerance as a text: `0.05-0.02`.
+    /// A tolerance as a text: `0.05-0.02`, `-0.1`.
     fn tolerance(&mut self, inside: Span) {
         let text = self.program.slice(inside);
-        if let Some((first, second)) = text.split_once(['+', '-'])
-            && let (Ok(first), Ok(second)) = (first.parse::<f64>(), second.parse::<f64>())
-        {
-            let sign = text.chars().find(|c| matches!(c, '+' | '-')).unwrap_or('-');
+        let Some((first, second)) = text.split_once(['+', '-']) else { return };
+        let sign = text.chars().find(|c| matches!(c, '+' | '-')).unwrap_or('-');
+        let Ok(second) = second.parse::<f64>() else { return };
+        // Only one of the two may be there: `-0.1`.
+        if first.is_empty() {
+            let factor = (self.factor)();
+            self.edits.push((inside, format!("{sign}{}", second * factor)));
+        } else if let Ok(first) = first.parse::<f64>() {
             let factor = (self.factor)();
             self.edits.push((inside, format!("{}{sign}{}", first * factor, second * factor)));
         }

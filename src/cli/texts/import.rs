@@ -37,8 +37,7 @@ pub(super) fn run(session: &mut Session, matches: &ArgMatches) -> Result<Outcome
     let files = session::working_copy(&root)?;
     let (catalogue, _) = Catalogue::load(&files);
     let imported = exchange::import(&catalogue, &files, &tag, returned.units)?;
-    let found: Vec<Diagnostic> =
-        imported.refused.iter().map(|refusal| diagnostic(session, &source, refusal)).collect();
+    let found: Vec<Diagnostic> = imported.refused.iter().map(|refusal| diagnostic(session, &source, refusal)).collect();
     let is_sound = found.is_empty();
     let dry = matches.get_flag("dry-run");
     if !dry {

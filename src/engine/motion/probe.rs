@@ -174,7 +174,15 @@ impl Drives<'_, '_> {
             let feed = self.world.scene.machine.rapid_feed(machine - stopped);
             let (from, swung) = (self.world.to_program(stopped), self.world.swung());
             let path = Path::line(stopped + swung, machine + swung);
-            self.report.report(EventKind::Move { kind: MoveKind::Rapid, from, to: here, machine, feed, path, turned: None });
+            self.report.report(EventKind::Move {
+                kind: MoveKind::Rapid,
+                from,
+                to: here,
+                machine,
+                feed,
+                path,
+                turned: None,
+            });
         }
     }
 }

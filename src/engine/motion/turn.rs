@@ -81,7 +81,15 @@ impl Drives<'_, '_> {
                 Speed::Feed(feed) => (MoveKind::Feed, feed),
             };
             self.world.pressed = None;
-            self.report.report(EventKind::Move { kind, from: self.world.here, to, machine: end, feed, path, turned: None });
+            self.report.report(EventKind::Move {
+                kind,
+                from: self.world.here,
+                to,
+                machine: end,
+                feed,
+                path,
+                turned: None,
+            });
             (self.world.here, self.world.machine) = (to, end);
         }
         let turned = self.turned(&moving, after, speed, moves || held);

@@ -62,7 +62,11 @@ impl Shape {
         match *self {
             Self::Line { through: own, slope: steep } => {
                 let apart = steep - slope;
-                if apart.abs() < SAME { Vec::new() } else { vec![(through.y - own.y + steep * own.x - slope * through.x) / apart] }
+                if apart.abs() < SAME {
+                    Vec::new()
+                } else {
+                    vec![(through.y - own.y + steep * own.x - slope * through.x) / apart]
+                }
             }
             Self::Arc { centre, radius, .. } => {
                 // The distance of the centre from the line, and half of the chord.
@@ -399,7 +403,8 @@ fn highest(pieces: &[Piece]) -> Vec<Piece> {
         let Some(top) = top else { continue };
         // What touches the piece before only goes on with it, as far as that goes.
         let goes_on = |last: &Piece| {
-            let far = pieces.iter().any(|piece| piece.shape == last.shape && piece.from <= middle && middle <= piece.to);
+            let far =
+                pieces.iter().any(|piece| piece.shape == last.shape && piece.from <= middle && middle <= piece.to);
             far && top.shape.height(middle) - last.shape.height(middle) <= SAME
         };
         match found.last_mut() {

@@ -7,7 +7,9 @@ use serde_json::{Map, Value};
 use crate::base::diag::Arg;
 use crate::engine::geometry::{Axis, RotaryAxis};
 use crate::engine::params::Content;
-use crate::engine::report::event::{At, Coordinates, Event, EventKind, MoveKind, OnDiameter, Probing, Threaded, Turned};
+use crate::engine::report::event::{
+    At, Coordinates, Event, EventKind, MoveKind, OnDiameter, Probing, Threaded, Turned,
+};
 use crate::engine::report::fault::Class;
 use crate::engine::report::json_line::Lines;
 

@@ -6,8 +6,8 @@
 use glam::DVec3;
 
 use super::contour::Contours;
-use super::turned::Turned;
 use super::signature::{Results, Signature};
+use super::turned::Turned;
 use crate::engine::geometry::{Axis, Frame, RotaryAxis, WorkingPlane};
 use crate::engine::report::ending::Done;
 use crate::engine::report::fault::Fault;

@@ -134,7 +134,19 @@ impl Turned {
         let left = envelope.above(&nose, [begin.x, end.x]);
         let left = if left > REPORTED { left } else { 0.0 };
         let limit = profile.edges.iter().map(|edge| edge.to().x).fold(profile.start.x, f64::max);
-        Ok(Self { sight, envelope, begin, heading, end, start, clearance, left, limit, highest, first: profile.start.x })
+        Ok(Self {
+            sight,
+            envelope,
+            begin,
+            heading,
+            end,
+            start,
+            clearance,
+            left,
+            limit,
+            highest,
+            first: profile.start.x,
+        })
     }
 
     /// Where cuts begin: where the cycle began, or, where that is within the part, the clearance before it.

@@ -215,9 +215,8 @@ impl OverContours for ReturnToStartOfCut {
         let turned = turned(contours)?;
         let (here, to) = (turned.here(pen), turned.beginning());
         // Along a surface the tool does not go at rapid traverse.
-        let free = turned.cuts(here.y - TOUCHING).first().is_some_and(|cut| {
-            turned.is_open(*cut) && here.x <= cut[1] + NEAR
-        });
+        let free =
+            turned.cuts(here.y - TOUCHING).first().is_some_and(|cut| turned.is_open(*cut) && here.x <= cut[1] + NEAR);
         let height = if free { here.y } else { turned.over().max(here.y) };
         turned.line(pen, DVec2::new(here.x, height), RAPID);
         turned.line(pen, DVec2::new(to.x, height), RAPID);

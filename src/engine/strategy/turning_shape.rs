@@ -134,7 +134,11 @@ impl TurnShoulder {
             let near = DVec2::new(start.x, end.y - first * (end.x - start.x));
             points.extend([out(near, DVec2::new(0.0, -far)), (near, begin)]);
         }
-        points.extend([(end, corner), (outer, size(self.end_element, self.end_size)), out(outer, DVec2::new(far, 0.0))]);
+        points.extend([
+            (end, corner),
+            (outer, size(self.end_element, self.end_size)),
+            out(outer, DVec2::new(far, 0.0)),
+        ]);
         way_through(&points)
     }
 }
@@ -152,7 +156,8 @@ impl Action for TurnShoulder {
         };
         let profile = self.profile(sight)?;
         let start = sight.seen(self.start.x / 2.0, self.start.z);
-        let turned = Turned::new(sight, &profile, (allowance, insert), (start, self.clearance), self.plunges == Some(true));
+        let turned =
+            Turned::new(sight, &profile, (allowance, insert), (start, self.clearance), self.plunges == Some(true));
         let turned = turned.map_err(|GoesBack| shape_impossible(0.0, 0.0))?;
         let area = area_of(&turned, self.depth)?;
         control.keep_turned(turned);

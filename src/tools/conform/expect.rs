@@ -390,9 +390,7 @@ impl Expectation {
                 EventKind::Move { kind: MoveKind::Arc { angle, .. }, to, feed, turned, .. } => {
                     at(OnDiameter::programmed(*turned, *to)) && amount(*angle) && feed_is(*feed)
                 }
-                EventKind::Move { to, feed, turned, .. } => {
-                    at(OnDiameter::programmed(*turned, *to)) && feed_is(*feed)
-                }
+                EventKind::Move { to, feed, turned, .. } => at(OnDiameter::programmed(*turned, *to)) && feed_is(*feed),
                 EventKind::Turn { axes, feed, .. } => {
                     let turned = axes.iter().fold(glam::DVec3::NAN, |all, axis| axis.axis.with(all, axis.to));
                     near(glam::DVec3::NAN, turned) && feed_is(*feed)

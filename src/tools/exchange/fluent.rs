@@ -118,7 +118,9 @@ impl Pattern {
             _ => None,
         });
         let lines = texts.flat_map(|(rest, own)| {
-            rest.match_indices('\n').filter(move |(at, _)| *at < own).map(move |(at, _)| rest.get(at + 1..).unwrap_or(""))
+            rest.match_indices('\n')
+                .filter(move |(at, _)| *at < own)
+                .map(move |(at, _)| rest.get(at + 1..).unwrap_or(""))
         });
         let indents = lines.filter_map(|line| {
             let line = line.lines().next().unwrap_or_default();
@@ -213,7 +215,8 @@ fn end(file: &str, start: usize) -> usize {
         let line_end = at + rest.find('\n').unwrap_or(rest.len());
         let line = file.get(at..line_end).unwrap_or_default();
         let begin = line.trim_start_matches(' ');
-        if !first && !begin.trim().is_empty() && (begin.len() == line.len() || begin.starts_with(['.', '[', '*', '}'])) {
+        if !first && !begin.trim().is_empty() && (begin.len() == line.len() || begin.starts_with(['.', '[', '*', '}']))
+        {
             break;
         }
         // A placeable may go on over lines.

@@ -147,7 +147,11 @@ fn sift(texts: &[Text], tag: &str, received: Vec<Received>, imported: &mut Impor
             continue;
         }
         let is_twice = times.get(&unit.id).is_some_and(|times| *times > 1);
-        match known.get(&unit.id).ok_or(Why::Unknown).and_then(|(text, own)| Ok((*text, own, sound(own, &unit, is_twice)?))) {
+        match known
+            .get(&unit.id)
+            .ok_or(Why::Unknown)
+            .and_then(|(text, own)| Ok((*text, own, sound(own, &unit, is_twice)?)))
+        {
             Err(why) => imported.refused.push(Refusal { id: unit.id, at, why }),
             Ok((_, own, None)) => {
                 imported.unchanged += 1;
@@ -335,7 +339,8 @@ fn applied(files: &[(String, String)], texts: &[Text], tag: &str, edits: &Edits)
             continue;
         }
         let value = assembled(text, &text.source, "", tag, own);
-        let (message, attribute) = text.pair.key.split_once('.').map_or((text.pair.key.as_str(), None), |(a, b)| (a, Some(b)));
+        let (message, attribute) =
+            text.pair.key.split_once('.').map_or((text.pair.key.as_str(), None), |(a, b)| (a, Some(b)));
         // An attribute goes behind what its message has already.
         let same = |other: &&Text| other.path == text.path && other.pair.key.split('.').next() == Some(message);
         let last = texts.iter().filter(same).filter_map(|other| other.target.as_ref()).map(|it| it.span.end).max();

@@ -36,7 +36,8 @@ fn joined(pieces: &[Piece]) -> String {
 }
 
 fn quoted(text: &str) -> String {
-    let escaped = |line: &str| line.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n").replace('\t', "\\t");
+    let escaped =
+        |line: &str| line.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n").replace('\t', "\\t");
     if !text.contains('\n') {
         return format!("\"{}\"", escaped(text));
     }
@@ -93,7 +94,10 @@ pub(super) fn read(text: &str) -> Result<Returned, Unreadable> {
         if content.is_empty() || content.starts_with("#~") {
             continue;
         }
-        if content.starts_with('#') || content.starts_with("msgctxt") || content.starts_with("msgid") && entry.text.is_some() {
+        if content.starts_with('#')
+            || content.starts_with("msgctxt")
+            || content.starts_with("msgid") && entry.text.is_some()
+        {
             if entry.text.is_some() {
                 units.extend(std::mem::take(&mut entry).received());
             }

@@ -48,7 +48,13 @@ pub(super) fn units_of(text: &Text, tag: &str) -> Vec<(Unit, Option<Pattern>)> {
     let mut units = Vec::new();
     match (&text.target, &text.pair.target) {
         (Some(target), Some(place)) => {
-            collect(text, Side { source: &text.source, target: Some(target), file: place.source.text() }, "", tag, &mut units);
+            collect(
+                text,
+                Side { source: &text.source, target: Some(target), file: place.source.text() },
+                "",
+                tag,
+                &mut units,
+            );
         }
         _ => collect(text, Side { source: &text.source, target: None, file: original }, "", tag, &mut units),
     }
@@ -106,7 +112,8 @@ pub(super) fn keys(select: &Select, tag: Option<&str>) -> Vec<String> {
     let categories = ["zero", "one", "two", "few", "many", "other"];
     let is_plural = own.iter().any(|key| key == "one") && own.iter().any(|key| key == "other");
     let only = own.iter().all(|key| categories.contains(&key.as_str()) || key.parse::<f64>().is_ok());
-    let rules = tag.and_then(|tag| PluralRules::create(tag.parse::<LanguageIdentifier>().ok()?, PluralRuleType::CARDINAL).ok());
+    let rules =
+        tag.and_then(|tag| PluralRules::create(tag.parse::<LanguageIdentifier>().ok()?, PluralRuleType::CARDINAL).ok());
     let (Some(rules), true) = (rules, is_plural && only) else { return own };
     let mut used = BTreeSet::new();
     used.extend((0..=MOST).filter_map(|number| rules.select(number).ok()).map(place));

@@ -32,7 +32,10 @@ impl Node {
 
     /// All text in it.
     pub(super) fn text(&self) -> String {
-        self.children.iter().map(|child| if child.name.is_empty() { child.words.clone() } else { child.text() }).collect()
+        self.children
+            .iter()
+            .map(|child| if child.name.is_empty() { child.words.clone() } else { child.text() })
+            .collect()
     }
 
     fn say(&mut self, words: &str, at: usize) {
